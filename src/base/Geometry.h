@@ -1,0 +1,104 @@
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace gt {
+
+using Vector2d = Eigen::Vector2d;
+using Vector3d = Eigen::Vector3d;
+using Matrix3d = Eigen::Matrix3d;
+
+constexpr double pi = std::numbers::pi;
+
+constexpr double fromDegrees(double degrees) {
+  return degrees * (pi / 180);
+}
+constexpr double toDegrees(double radians) {
+  return radians * (180 / pi);
+}
+
+/// The same angle in [-pi, pi).
+inline double normalize(double angle) {
+  if (angle >= -pi && angle < pi) return angle;
+  angle -= 2 * pi * std::floor((angle + pi) / (2 * pi));
+  return angle < pi ? angle : -pi;
+}
+
+/// The angle of a vector to the x-axis in (-pi, pi].
+inline double angleOf(const Vector2d& v) {
+  return std::atan2(v.y(), v.x());
+}
+
+/// The vector turned counterclockwise by an angle.
+inline Vector2d rotated(const Vector2d& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+/// A unit vector to a direction.
+inline Vector2d direction(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// Rotations about one axis, counterclockwise when looked at against the axis (report 2.1.4,
+/// RotationMatrix).
+inline Matrix3d rotationX(double angle) {
+  return Eigen::AngleAxisd(angle, Vector3d::UnitX()).toRotationMatrix();
+}
+inline Matrix3d rotationY(double angle) {
+  return Eigen::AngleAxisd(angle, Vector3d::UnitY()).toRotationMatrix();
+}
+inline Matrix3d rotationZ(double angle) {
+  return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+}
+
+/// A pose on the ground, or a change of one: first the translation, then the rotation
+/// (report 2.1.4).
+struct Pose2D {
+  double rotation = 0;
+  Vector2d translation = Vector2d::Zero();
+
+  Pose2D() = default;
+  Pose2D(double angle, const Vector2d& position) : rotation(angle), translation(position) {}
+  Pose2D(double angle, double x, double y) : rotation(angle), translation(x, y) {}
+
+  /// A point given relative to this pose, in the system in which the pose is given.
+  Vector2d operator*(const Vector2d& point) const { return translation + rotated(point, rotation); }
+  /// A pose given relative to this one, in the system in which this one is given.
+  Pose2D operator*(const Pose2D& other) const {
+    return {normalize(rotation + other.rotation), *this * other.translation};
+  }
+  Pose2D inverse() const { return {normalize(-rotation), rotated(-translation, -rotation)}; }
+  /// This pose as seen from another: `base * relativeTo(base) == *this`.
+  Pose2D relativeTo(const Pose2D& base) const { return base.inverse() * *this; }
+};
+
+/// Where a point given in the field's system is, seen from a pose.
+inline Vector2d relative(const Pose2D& pose, const Vector2d& onField) {
+  return rotated(onField - pose.translation, -pose.rotation);
+}
+
+/// A pose in space, or a change of one (report 2.1.4).
+struct Pose3D {
+  Matrix3d rotation = Matrix3d::Identity();
+  Vector3d translation = Vector3d::Zero();
+
+  Vector3d operator*(const Vector3d& point) const { return rotation * point + translation; }
+  Pose3D operator*(const Pose3D& other) const {
+    return {rotation * other.rotation, rotation * other.translation + translation};
+  }
+  Pose3D inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
+
+  Pose3D& translate(double x, double y, double z) {
+    translation += rotation * Vector3d{x, y, z};
+    return *this;
+  }
+  Pose3D& rotate(const Matrix3d& by) {
+    rotation = rotation * by;
+    return *this;
+  }
+};
+
+}  // namespace gt

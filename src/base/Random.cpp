@@ -1,0 +1,58 @@
+#include "base/Random.h"
+
+#include <bit>
+#include <cmath>
+
+namespace gt {
+namespace {
+
+/// SplitMix64, which the authors of xoshiro recommend for filling its state.
+std::uint64_t splitMix(std::uint64_t& x) {
+  std::uint64_t z = (x += 0x9e3779b97f4a7c15);
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+  return z ^ (z >> 31);
+}
+
+}  // namespace
+
+Random::Random(std::uint64_t seed) {
+  for (auto& word : state_) word = splitMix(seed);
+}
+
+Random Random::fork(std::string_view name) const {
+  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return Random{hash ^ std::rotl(state_[0], 17) ^ state_[2]};
+}
+
+Random::result_type Random::operator()() {
+  const std::uint64_t result = std::rotl(state_[0] + state_[3], 23) + state_[0];
+  const std::uint64_t t = state_[1] << 17;
+  state_[2] ^= state_[0];
+  state_[3] ^= state_[1];
+  state_[1] ^= state_[2];
+  state_[0] ^= state_[3];
+  state_[2] ^= t;
+  state_[3] = std::rotl(state_[3], 45);
+  return result;
+}
+
+double Random::gaussian() {
+  if (hasSpare_) {
+    hasSpare_ = false;
+    return spare_;
+  }
+  double u, v, s;
+  do {  // Marsaglia's polar method
+    u = symmetric();
+    v = symmetric();
+    s = u * u + v * v;
+  } while (s >= 1 || s == 0);
+  const double factor = std::sqrt(-2 * std::log(s) / s);
+  spare_ = v * factor;
+  hasSpare_ = true;
+  return u * factor;
+}
+
+}  // namespace gt

@@ -1,0 +1,63 @@
+#pragma once
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace gt {
+
+/// What was wrong with data from outside, and where.
+struct Error {
+  std::string file;   ///< Path as the user gave it, or a name of the source ("console", "network").
+  int line = 0;       ///< From 1; 0 where there are no lines.
+  std::string field;  ///< The field, element or name concerned; may be empty.
+  std::string what;   ///< What is wrong, and what was expected.
+
+  /// One line: file:line: field: what.
+  std::string text() const {
+    std::string s = file;
+    if (line > 0) s += ":" + std::to_string(line);
+    if (!s.empty()) s += ": ";
+    if (!field.empty()) s += field + ": ";
+    return s + what;
+  }
+};
+
+/// A value, or the error that kept it from being made.
+template <typename T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_{std::in_place_index<0>, std::move(value)} {}
+  Result(Error error) : state_{std::in_place_index<1>, std::move(error)} {}
+
+  explicit operator bool() const { return state_.index() == 0; }
+  T& operator*() & { return std::get<0>(state_); }
+  const T& operator*() const& { return std::get<0>(state_); }
+  T&& operator*() && { return std::get<0>(std::move(state_)); }
+  T* operator->() { return &std::get<0>(state_); }
+  const T* operator->() const { return &std::get<0>(state_); }
+  const Error& error() const { return std::get<1>(state_); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+/// Nothing, or the error that kept it from being done.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : error_{std::move(error)}, ok_{false} {}
+
+  explicit operator bool() const { return ok_; }
+  const Error& error() const {
+    assert(!ok_);
+    return error_;
+  }
+
+ private:
+  Error error_;
+  bool ok_ = true;
+};
+
+}  // namespace gt

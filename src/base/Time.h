@@ -1,0 +1,22 @@
+#pragma once
+#include <compare>
+#include <cstdint>
+
+namespace gt {
+
+/// A point in time in milliseconds since the robot's start, as the platform's clock tells it.
+struct Time {
+  std::int64_t ms = 0;
+
+  friend constexpr auto operator<=>(Time, Time) = default;
+  friend constexpr std::int64_t operator-(Time a, Time b) { return a.ms - b.ms; }
+  friend constexpr Time operator+(Time t, std::int64_t ms) { return {t.ms + ms}; }
+  friend constexpr Time operator-(Time t, std::int64_t ms) { return {t.ms - ms}; }
+};
+
+/// When what never happened happened: an hour before the start, too long ago for every test of age.
+constexpr Time never() {
+  return {-3'600'000};
+}
+
+}  // namespace gt

@@ -1,0 +1,41 @@
+#pragma once
+#include "base/Enum.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// The LEDs of the ERS-210 (facts, 1.3).
+enum class Led {
+  lowerLeft,
+  middleLeft,
+  upperLeft,
+  lowerRight,
+  middleRight,
+  upperRight,
+  top,
+  tailBlue,
+  tailRed
+};
+enum class LedMode { off, on, slowBlink, fastBlink };
+
+/// What the LEDs shall show. Provided by BehaviorControl.
+struct LedRequest {
+  EnumArray<Led, LedMode> modes;
+
+  static constexpr auto fields() {
+    return std::tuple{field("modes", &LedRequest::modes, "", "in the order of Led")};
+  }
+};
+static_assert(complete<LedRequest>);
+
+/// Which LEDs are lit. Provided by LEDControl.
+struct LedValue {
+  EnumArray<Led, bool> lit;
+
+  static constexpr auto fields() {
+    return std::tuple{field("lit", &LedValue::lit, "", "in the order of Led")};
+  }
+};
+static_assert(complete<LedValue>);
+
+}  // namespace gt

@@ -1,0 +1,70 @@
+#pragma once
+#include <array>
+
+#include "base/Enum.h"
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// The roles that the team negotiates (report 3.8.2).
+enum class DynamicRole { goalie, striker, offensiveSupporter, defensiveSupporter };
+
+/// What one robot decided to tell its team mates. Provided by BehaviorControl.
+struct BehaviorTeamMessage {
+  DynamicRole role = DynamicRole::defensiveSupporter;
+  double estimatedTimeToReachBall = 1e6;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("role", &BehaviorTeamMessage::role),
+        field("estimatedTimeToReachBall", &BehaviorTeamMessage::estimatedTimeToReachBall, "ms")};
+  }
+};
+static_assert(complete<BehaviorTeamMessage>);
+
+/// What a robot sends to its team mates by radio. Provided by the TeamMessageSender.
+struct TeamMessage {
+  int playerNumber = 0;
+  Time timeSent = never();
+  Pose2D robotPose;
+  double robotPoseValidity = 0;
+  Vector2d ballPosition = Vector2d::Zero();
+  Time ballLastSeen = never();
+  BehaviorTeamMessage behavior;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("playerNumber", &TeamMessage::playerNumber, "", "1 to 4; 0 nobody", {0, 4}),
+        field("timeSent", &TeamMessage::timeSent, "ms", "by the sender's clock"),
+        field("robotPose", &TeamMessage::robotPose, "mm, rad"),
+        field("robotPoseValidity", &TeamMessage::robotPoseValidity, "", "", {0, 1}),
+        field("ballPosition", &TeamMessage::ballPosition, "mm", "on the field"),
+        field("ballLastSeen", &TeamMessage::ballLastSeen, "ms", "by the sender's clock"),
+        field("behavior", &TeamMessage::behavior)};
+  }
+};
+static_assert(complete<TeamMessage>);
+
+/// The newest message of each team mate, with the time when it came in. Provided by the platform.
+struct TeamMessages {
+  struct Received {
+    TeamMessage message;
+    Time timeReceived = never();
+
+    static constexpr auto fields() {
+      return std::tuple{field("message", &Received::message),
+                        field("timeReceived", &Received::timeReceived, "ms", "by the own clock")};
+    }
+  };
+  std::array<Received, 4> byPlayer;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("byPlayer", &TeamMessages::byPlayer, "", "index is the player's number - 1")};
+  }
+};
+static_assert(complete<TeamMessages>);
+
+}  // namespace gt

@@ -1,0 +1,15 @@
+#pragma once
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// The time of the present cycle of a process, one sample of the platform's clock. Provided by the process.
+struct FrameInfo {
+  Time time;
+
+  static constexpr auto fields() { return std::tuple{field("time", &FrameInfo::time, "ms")}; }
+};
+static_assert(complete<FrameInfo>);
+
+}  // namespace gt

@@ -1,0 +1,42 @@
+#pragma once
+#include "base/Enum.h"
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+enum class GameState { initial, ready, set, playing, penalized, finished };  // facts, 2.2
+enum class KickOff { invalid, own, opponent };
+enum class Penalty {
+  none,
+  ballHolding,
+  keeperCharge,
+  fieldPlayerCharge,
+  illegalDefender,
+  illegalDefense,
+  obstruction,
+  requestForPickup
+};
+
+/// What the RoboCup game manager tells one robot (facts, 2.2). Provided by the platform.
+struct GameControlData {
+  GameState state = GameState::initial;
+  KickOff kickOff = KickOff::invalid;
+  Penalty penalty = Penalty::none;
+  int ownScore = 0;
+  int opponentScore = 0;
+  Time timeOfLastChange;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("state", &GameControlData::state),
+        field("kickOff", &GameControlData::kickOff),
+        field("penalty", &GameControlData::penalty),
+        field("ownScore", &GameControlData::ownScore),
+        field("opponentScore", &GameControlData::opponentScore),
+        field("timeOfLastChange", &GameControlData::timeOfLastChange, "ms", "of the state")};
+  }
+};
+static_assert(complete<GameControlData>);
+
+}  // namespace gt

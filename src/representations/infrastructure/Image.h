@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/Time.h"
+#include "representations/infrastructure/CameraInfo.h"
+
+namespace gt {
+
+/// One pixel in YCbCr (the report says YUV); four bytes so that it is read at once.
+struct Pixel {
+  std::uint8_t y = 0, cb = 128, cr = 128, unused = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("y", &Pixel::y), field("cb", &Pixel::cb), field("cr", &Pixel::cr),
+                      field("unused", &Pixel::unused)};
+  }
+};
+static_assert(complete<Pixel> && sizeof(Pixel) == 4);
+
+/// A picture of the robot's camera. Provided by the platform.
+struct Image {
+  Time time;
+  CameraInfo info;
+  std::vector<Pixel> pixels;
+
+  const Pixel& at(int x, int y) const {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(info.width) +
+                  static_cast<std::size_t>(x)];
+  }
+  Pixel& at(int x, int y) {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(info.width) +
+                  static_cast<std::size_t>(x)];
+  }
+  /// Makes room for the pixels that `info` asks for.
+  void allocate() {
+    pixels.resize(static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height));
+  }
+
+  static constexpr auto fields() {
+    return std::tuple{field("time", &Image::time, "ms", "when the last row was exposed"),
+                      field("info", &Image::info),
+                      field("pixels", &Image::pixels, "", "row by row from the top")};
+  }
+};
+static_assert(complete<Image>);
+
+}  // namespace gt

@@ -1,0 +1,44 @@
+#pragma once
+#include <vector>
+
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "representations/infrastructure/Player.h"
+
+namespace gt {
+
+/// Where a robot truly is.
+struct OracledRobot {
+  TeamColor teamColor = TeamColor::red;
+  int number = 0;
+  Pose2D pose;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("teamColor", &OracledRobot::teamColor),
+        field("number", &OracledRobot::number, "", "1 to 4"),
+        field("pose", &OracledRobot::pose, "mm, rad", "in this robot's field coordinates")};
+  }
+};
+static_assert(complete<OracledRobot>);
+
+/// The truth, as only a simulator knows it (report 5.1). Provided by the platform. In the
+/// coordinates of the robot's own team.
+struct OracledWorldState {
+  Time time;
+  Pose2D robotPose;
+  Vector2d ballPosition = Vector2d::Zero();
+  Vector2d ballSpeed = Vector2d::Zero();
+  std::vector<OracledRobot> others;
+
+  static constexpr auto fields() {
+    return std::tuple{field("time", &OracledWorldState::time, "ms"),
+                      field("robotPose", &OracledWorldState::robotPose, "mm, rad"),
+                      field("ballPosition", &OracledWorldState::ballPosition, "mm", "on the field"),
+                      field("ballSpeed", &OracledWorldState::ballSpeed, "mm/s", "on the field"),
+                      field("others", &OracledWorldState::others, "", "team mates and opponents")};
+  }
+};
+static_assert(complete<OracledWorldState>);
+
+}  // namespace gt

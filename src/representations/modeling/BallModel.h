@@ -1,0 +1,41 @@
+#pragma once
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// The ball as the robot itself has seen it (report 3.4). Provided by the BallLocator.
+struct BallModel {
+  Vector2d position = Vector2d::Zero();
+  Vector2d speed = Vector2d::Zero();
+  Time lastSeen = never();
+  std::int64_t consecutiveTimeSeen = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("position", &BallModel::position, "mm", "on the ground, relative to the robot"),
+        field("speed", &BallModel::speed, "mm/s", "over ground, in the robot's axes"),
+        field("lastSeen", &BallModel::lastSeen, "ms"),
+        field("consecutiveTimeSeen", &BallModel::consecutiveTimeSeen, "ms", "report 3.4.2")};
+  }
+};
+static_assert(complete<BallModel>);
+
+/// Where the team knows the ball to be: seen by the robot itself or told by a team mate
+/// (report 3.4.2). Provided by the TeamBallLocator.
+struct TeamBallModel {
+  Vector2d position = Vector2d::Zero();
+  Time lastSeen = never();
+  int seenBy = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("position", &TeamBallModel::position, "mm", "on the field"),
+        field("lastSeen", &TeamBallModel::lastSeen, "ms", "by the robot whose ball it is"),
+        field("seenBy", &TeamBallModel::seenBy, "", "number of that player, 0 nobody")};
+  }
+};
+static_assert(complete<TeamBallModel>);
+
+}  // namespace gt

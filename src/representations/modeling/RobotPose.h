@@ -1,0 +1,21 @@
+#pragma once
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Where the robot is on the field (report 3.3). Provided by the SelfLocator.
+struct RobotPose {
+  Pose2D pose;
+  double validity = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("pose", &RobotPose::pose, "mm, rad"),
+        field("validity", &RobotPose::validity, "", "certainty, report (3.16)", {0, 1})};
+  }
+};
+static_assert(complete<RobotPose>);
+
+}  // namespace gt

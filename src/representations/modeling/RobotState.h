@@ -1,0 +1,24 @@
+#pragma once
+#include "base/Enum.h"
+#include "base/Time.h"
+#include "representations/infrastructure/SensorData.h"
+#include "representations/perception/BodyPercept.h"
+
+namespace gt {
+
+/// What has happened to the robot's body, and how long switches have been pressed (report, chapter
+/// 3's table). Provided by the RobotStateDetector.
+struct RobotState {
+  BodyState state = BodyState::standing;
+  Time lastChange = never();
+  EnumArray<Switch, std::int64_t> pressedFor;
+
+  static constexpr auto fields() {
+    return std::tuple{field("state", &RobotState::state),
+                      field("lastChange", &RobotState::lastChange, "ms", "of the state"),
+                      field("pressedFor", &RobotState::pressedFor, "ms", "0 while not pressed")};
+  }
+};
+static_assert(complete<RobotState>);
+
+}  // namespace gt

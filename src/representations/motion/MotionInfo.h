@@ -1,0 +1,22 @@
+#pragma once
+#include "representations/behavior/MotionRequest.h"
+
+namespace gt {
+
+/// What the motion is doing. Provided by MotionControl.
+struct MotionInfo {
+  MotionRequest executed;
+  double positionInWalkCycle = 0;
+  bool stable = true;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("executed", &MotionInfo::executed, "", "the request that is being carried out"),
+        field("positionInWalkCycle", &MotionInfo::positionInWalkCycle, "", "", {0, 1}),
+        field("stable", &MotionInfo::stable, "",
+              "the camera matrix can be trusted: neither kick nor getup")};
+  }
+};
+static_assert(complete<MotionInfo>);
+
+}  // namespace gt

@@ -1,0 +1,19 @@
+#pragma once
+#include "base/Geometry.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// How far the robot has walked since its start, by its own motion model (report 3.9). Provided by
+/// MotionControl.
+struct OdometryData {
+  Pose2D pose;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("pose", &OdometryData::pose, "mm, rad", "where the start was the origin")};
+  }
+};
+static_assert(complete<OdometryData>);
+
+}  // namespace gt

@@ -1,0 +1,36 @@
+#pragma once
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// The ball as seen in one picture (report 3.2.3). Provided by the ImageProcessor.
+struct BallPercept {
+  Time time;
+  bool seen = false;
+  Vector2d offset = Vector2d::Zero();
+  Vector2d angle = Vector2d::Zero();
+  double distanceByProjection = 0;
+  double distanceBySize = 0;
+  Vector2d centerInImage = Vector2d::Zero();
+  double radiusInImage = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("time", &BallPercept::time, "ms", "of the picture"),
+        field("seen", &BallPercept::seen),
+        field("offset", &BallPercept::offset, "mm", "on the ground, relative to the robot"),
+        field("angle", &BallPercept::angle, "rad",
+              "to the ball's centre from the camera, left and up"),
+        field("distanceByProjection", &BallPercept::distanceByProjection, "mm",
+              "camera to centre, from the camera matrix; 0 if the ball is not below the horizon"),
+        field("distanceBySize", &BallPercept::distanceBySize, "mm",
+              "camera to centre, from the radius; 0 if too little is seen"),
+        field("centerInImage", &BallPercept::centerInImage, "pixel"),
+        field("radiusInImage", &BallPercept::radiusInImage, "pixel")};
+  }
+};
+static_assert(complete<BallPercept>);
+
+}  // namespace gt

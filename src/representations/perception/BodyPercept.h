@@ -1,0 +1,32 @@
+#pragma once
+#include "base/Enum.h"
+#include "base/Time.h"
+#include "representations/infrastructure/SensorData.h"
+
+namespace gt {
+
+enum class BodyState { standing, fallen, liftedUp };
+
+/// How the body stands and which switches are pressed (report 3.1). Provided by the
+/// SensorDataProcessor.
+struct BodyPercept {
+  Time time;
+  BodyState state = BodyState::standing;
+  double tilt = 0;
+  double roll = 0;
+  double height = 0;
+  EnumArray<Switch, bool> switches;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("time", &BodyPercept::time, "ms"),
+        field("state", &BodyPercept::state),
+        field("tilt", &BodyPercept::tilt, "rad", "of the body, + nose up"),
+        field("roll", &BodyPercept::roll, "rad", "+ right side down"),
+        field("height", &BodyPercept::height, "mm", "of the body's origin above the ground"),
+        field("switches", &BodyPercept::switches, "", "pressed")};
+  }
+};
+static_assert(complete<BodyPercept>);
+
+}  // namespace gt

@@ -1,0 +1,43 @@
+#pragma once
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "representations/infrastructure/CameraInfo.h"
+
+namespace gt {
+
+/// The pose of the camera relative to the robot's origin on the ground when the picture was taken
+/// (report 3.1). Rows are exposed one after another while the head turns: each row has a rotation
+/// of its own. Provided by the SensorDataProcessor.
+struct CameraMatrix {
+  Time time;
+  Pose3D pose;
+  Vector3d turning = Vector3d::Zero();
+  CameraInfo info;
+  bool valid = false;
+
+  /// The camera's rotation when a row was exposed. Row 0 is exposed (height - 1) * rowTime before
+  /// the picture's time.
+  Matrix3d rotationAt(double row) const {
+    const double seconds = (row - info.height / 2.0) * info.rowTime / 1000;
+    const Vector3d angle = turning * seconds;
+    Matrix3d skew;
+    skew << 1, -angle.z(), angle.y(), angle.z(), 1, -angle.x(), -angle.y(), angle.x(), 1;
+    return skew * pose.rotation;
+  }
+
+  /// The direction, in the robot's system, in which a point of the picture lies as seen from the
+  /// camera; not normalized.
+  Vector3d ray(double x, double y) const { return rotationAt(y) * info.ray(x, y); }
+
+  static constexpr auto fields() {
+    return std::tuple{field("time", &CameraMatrix::time, "ms", "of the picture"),
+                      field("pose", &CameraMatrix::pose, "mm", "when the middle row was exposed"),
+                      field("turning", &CameraMatrix::turning, "rad/s",
+                            "angular velocity of the camera in the robot's system"),
+                      field("info", &CameraMatrix::info),
+                      field("valid", &CameraMatrix::valid, "", "false during kicks and falls")};
+  }
+};
+static_assert(complete<CameraMatrix>);
+
+}  // namespace gt

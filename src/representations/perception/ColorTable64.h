@@ -1,0 +1,42 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "base/Enum.h"
+#include "representations/infrastructure/Image.h"
+
+namespace gt {
+
+/// The colour classes of the report (B.4.2), in the order of its files.
+enum class ColorClass : std::uint8_t {
+  noColor,
+  orange,
+  yellow,
+  skyblue,
+  pink,
+  red,
+  blue,
+  green,
+  gray,
+  white,
+  black
+};
+
+/// The class of each colour, 6 bits a channel (report B.4.2): read from coltable.c64.
+/// Configuration.
+struct ColorTable64 {
+  std::array<ColorClass, 64 * 64 * 64> classes{};
+
+  static constexpr std::size_t index(std::uint8_t y, std::uint8_t cb, std::uint8_t cr) {
+    return static_cast<std::size_t>(y >> 2) << 12 | static_cast<std::size_t>(cb >> 2) << 6 |
+           static_cast<std::size_t>(cr >> 2);
+  }
+  ColorClass operator[](const Pixel& p) const { return classes[index(p.y, p.cb, p.cr)]; }
+
+  static constexpr auto fields() {
+    return std::tuple{field("classes", &ColorTable64::classes, "", "[y][cb][cr]")};
+  }
+};
+static_assert(complete<ColorTable64>);
+
+}  // namespace gt

@@ -1,0 +1,23 @@
+#pragma once
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// What the distance sensor in the head hits, in the robot's system (report 3.1). Provided by the
+/// SensorDataProcessor.
+struct PsdPercept {
+  Time time;
+  Vector3d offset = Vector3d::Zero();
+  bool tooFarAway = true;
+
+  static constexpr auto fields() {
+    return std::tuple{field("time", &PsdPercept::time, "ms"),
+                      field("offset", &PsdPercept::offset, "mm"),
+                      field("tooFarAway", &PsdPercept::tooFarAway, "", "nothing within 900 mm")};
+  }
+};
+static_assert(complete<PsdPercept>);
+
+}  // namespace gt

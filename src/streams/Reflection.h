@@ -1,0 +1,88 @@
+#pragma once
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace gt {
+
+/// The values that a field may take, both ends included; low == high means any.
+struct Range {
+  double low = 0, high = 0;
+
+  constexpr bool bounds() const { return low < high; }
+};
+
+/// One field of a struct: where it lies and what is to be known about it.
+template <typename Class, typename Type>
+struct Field {
+  std::string_view name;
+  Type Class::*member;
+  std::string_view unit;
+  std::string_view doc;
+  Range range;
+};
+
+/// Declares a field in a struct's `fields()`; from that one list come all streams, schemas, JSON
+/// and live parameters.
+template <typename C, typename T>
+constexpr Field<C, T> field(std::string_view name, T C::*member, std::string_view unit = "",
+                            std::string_view doc = "", Range range = {}) {
+  return {name, member, unit, doc, range};
+}
+
+/// A struct that declares its fields.
+template <typename T>
+concept Reflected = requires {
+  T::fields();
+};
+
+namespace detail {
+
+struct AnyValue {
+  template <typename T>
+  operator T() const;
+};
+template <typename T, typename... A>
+constexpr std::size_t memberCount(A... a) {
+  if constexpr (requires { T{a..., AnyValue{}}; })
+    return memberCount<T>(a..., AnyValue{});
+  else
+    return sizeof...(A);
+}
+
+}  // namespace detail
+
+/// True if `fields()` names every member of an aggregate: a forgotten field does not compile.
+template <typename T>
+constexpr bool complete = std::tuple_size_v<decltype(T::fields())> == detail::memberCount<T>();
+
+/// Calls visit(field, member) for each field, in the order of declaration.
+template <typename T, typename Visit>
+requires Reflected<std::remove_const_t<T>>
+constexpr void forEachField(T& object, Visit&& visit) {
+  std::apply([&](const auto&... f) { (visit(f, object.*f.member), ...); },
+             std::remove_const_t<T>::fields());
+}
+
+/// A type's name without its namespaces, as it stands in logs, layouts and messages.
+template <typename T>
+constexpr std::string_view typeName() {
+  std::string_view s = __PRETTY_FUNCTION__;
+  const auto begin = s.find("T = ") + 4;
+  s = s.substr(begin, s.find_first_of(";]", begin) - begin);
+  const auto colon = s.rfind("::", s.find('<'));
+  return colon == s.npos ? s : s.substr(colon + 2);
+}
+
+/// FNV-1a, for the ids of types and the versions of schemas.
+constexpr std::uint32_t hashOf(std::string_view text, std::uint32_t hash = 0x811c9dc5) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
+  return hash;
+}
+
+}  // namespace gt

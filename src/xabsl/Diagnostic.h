@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace xabsl {
+
+/// A place in a source file. Lines and columns count from 1; the file is an index into a list of names.
+struct Location {
+  int file = 0;
+  int line = 1;
+  int column = 1;
+};
+
+/// One message of the compiler, the linker or the running engine about one place in a source file.
+struct Diagnostic {
+  enum class Severity { warning, error };
+
+  Severity severity = Severity::error;
+  std::string file;
+  int line = 0;  // 0: the message is about the file as a whole
+  int column = 0;
+  std::string message;
+};
+
+/// `file:line:column: error: message`, as compilers write it.
+std::string toString(const Diagnostic& diagnostic);
+
+bool hasErrors(const std::vector<Diagnostic>& diagnostics);
+
+/// Collects what the passes of the compiler have to say. Keeps at most `maximum` messages.
+class Reporter {
+ public:
+  static constexpr std::size_t maximum = 100;
+
+  /// The index of a new file in `files()`.
+  int addFile(const std::string& name);
+  const std::vector<std::string>& files() const { return files_; }
+
+  void error(Location location, const std::string& message);
+  void warning(Location location, const std::string& message);
+  void fileError(const std::string& file, const std::string& message);
+
+  bool failed() const { return failed_; }
+  bool full() const { return entries_.size() >= maximum; }
+
+  /// Everything reported, in the order of files, lines and columns.
+  std::vector<Diagnostic> take();
+
+ private:
+  struct Entry {
+    Location location;
+    Diagnostic diagnostic;
+  };
+
+  void add(Diagnostic::Severity severity, Location location, const std::string& message);
+
+  std::vector<std::string> files_;
+  std::vector<Entry> entries_;
+  bool failed_ = false;
+};
+
+/// `; did you mean 'x'?` for the candidate that is spelled most like the name, or nothing.
+class Suggestion {
+ public:
+  explicit Suggestion(std::string_view name) : name_(name) {}
+  void offer(std::string_view candidate);
+  std::string text() const;
+
+ private:
+  std::string_view name_;
+  std::string_view best_;
+  std::size_t bestDistance_ = 4;  // anything further away is no slip of the fingers
+};
+
+}  // namespace xabsl

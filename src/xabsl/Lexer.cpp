@@ -1,0 +1,189 @@
+#include "xabsl/Lexer.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace xabsl {
+
+namespace {
+
+constexpr std::array<std::string_view, 31> keywords = {
+    "true",        "false",    "option", "action", "initial",  "target",       "state",
+    "common",      "decision", "goto",   "if",     "else",     "option_time",  "state_time",
+    "action_done", "agent",    "enum",   "input",  "function", "output",       "bool",
+    "float",       "const",    "stay",   "include", "behavior", "namespace",   "internal",
+    "capacity",    "conflict", "synchronized"};
+
+constexpr std::array<std::string_view, 6> longPunctuation = {"==", "!=", "<=", ">=", "&&", "||"};
+constexpr std::string_view shortPunctuation = "{}();,=!-+*/%<>?:";
+
+// Not <cctype>: these do not depend on the locale and take any char.
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isNamePart(char c) { return isLetter(c) || isDigit(c) || c == '.'; }
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
+bool continuesUtf8(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
+
+bool isKeyword(std::string_view text) {
+  return std::find(keywords.begin(), keywords.end(), text) != keywords.end();
+}
+
+}  // namespace
+
+std::string describe(const Token& token) {
+  switch (token.kind) {
+    case TokenKind::end:
+      return "the end of the file";
+    case TokenKind::string:
+      return "a string";
+    case TokenKind::range:
+      return "a range";
+    case TokenKind::parameter:
+      return "'@" + std::string(token.text) + "'";
+    default:
+      return "'" + std::string(token.text) + "'";
+  }
+}
+
+Lexer::Lexer(int file, std::string_view text, Reporter& reporter)
+    : text_(text), reporter_(reporter) {
+  location_.file = file;
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text_.substr(0, byteOrderMark.size()) == byteOrderMark)
+    text_.remove_prefix(byteOrderMark.size());
+}
+
+Token Lexer::next() {
+  for (;;) {
+    skipBlanks();
+    Token token;
+    token.location = location_;
+    if (atEnd()) return token;
+    const char c = peek();
+    if (isLetter(c)) {
+      token.text = takeName();
+      token.kind = isKeyword(token.text) ? TokenKind::keyword : TokenKind::identifier;
+      return token;
+    }
+    if (c == '@' && isLetter(peek(1))) {
+      advance();
+      token.text = takeName();
+      token.kind = TokenKind::parameter;
+      return token;
+    }
+    if (isDigit(c)) return number(token);
+    if (c == '"') return enclosed(token, TokenKind::string, '"', "string");
+    if (c == '[') return enclosed(token, TokenKind::range, ']', "range");
+    if (punctuation(token)) return token;
+    skipUnexpected();
+  }
+}
+
+void Lexer::advance() {
+  if (peek() == '\n') {
+    ++location_.line;
+    location_.column = 0;
+  }
+  ++position_;
+  // Columns count letters, not bytes.
+  if (!continuesUtf8(peek())) ++location_.column;
+}
+
+void Lexer::skipBlanks() {
+  while (!atEnd()) {
+    if (isBlank(peek())) {
+      advance();
+    } else if (peek() == '/' && peek(1) == '/') {
+      while (!atEnd() && peek() != '\n') advance();
+    } else if (peek() == '/' && peek(1) == '*') {
+      skipBlockComment();
+    } else {
+      return;
+    }
+  }
+}
+
+void Lexer::skipBlockComment() {
+  const Location start = location_;
+  advance();
+  advance();
+  while (!atEnd() && !(peek() == '*' && peek(1) == '/')) advance();
+  if (atEnd()) {
+    reporter_.error(start, "comment is not closed, expected '*/'");
+    return;
+  }
+  advance();
+  advance();
+}
+
+std::string_view Lexer::takeName() {
+  const std::size_t start = position_;
+  while (isNamePart(peek())) advance();
+  return text_.substr(start, position_ - start);
+}
+
+Token Lexer::enclosed(Token token, TokenKind kind, char close, const char* name) {
+  advance();
+  const std::size_t start = position_;
+  // Neither goes over the end of a line: so a missing quote spoils one line only.
+  while (!atEnd() && peek() != close && peek() != '\n') advance();
+  token.kind = kind;
+  token.text = text_.substr(start, position_ - start);
+  if (peek() == close) {
+    advance();
+  } else {
+    reporter_.error(token.location,
+                    std::string(name) + " is not closed, expected '" + std::string(1, close) + "'");
+  }
+  return token;
+}
+
+Token Lexer::number(Token token) {
+  const std::size_t start = position_;
+  while (isDigit(peek())) advance();
+  if (peek() == '.' && isDigit(peek(1))) {
+    advance();
+    while (isDigit(peek())) advance();
+  }
+  const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
+  if ((peek() == 'e' || peek() == 'E') && isDigit(peek(1 + sign))) {
+    advance();
+    if (sign == 1) advance();
+    while (isDigit(peek())) advance();
+  }
+  token.kind = TokenKind::number;
+  token.text = text_.substr(start, position_ - start);
+  const char* end = token.text.data() + token.text.size();
+  if (std::from_chars(token.text.data(), end, token.number).ec != std::errc())
+    reporter_.error(token.location, "number '" + std::string(token.text) + "' is out of range");
+  if (isNamePart(peek())) {
+    takeName();
+    token.text = text_.substr(start, position_ - start);
+    reporter_.error(token.location, "'" + std::string(token.text) + "' is not a number");
+  }
+  return token;
+}
+
+bool Lexer::punctuation(Token& token) {
+  const std::string_view pair = text_.substr(position_, 2);
+  const bool isLong =
+      std::find(longPunctuation.begin(), longPunctuation.end(), pair) != longPunctuation.end();
+  if (!isLong && shortPunctuation.find(peek()) == std::string_view::npos) return false;
+  token.kind = TokenKind::punctuation;
+  token.text = text_.substr(position_, isLong ? 2 : 1);
+  for (std::size_t i = 0; i < token.text.size(); ++i) advance();
+  return true;
+}
+
+void Lexer::skipUnexpected() {
+  const unsigned char c = static_cast<unsigned char>(peek());
+  const bool printable = c > ' ' && c < 0x7F;
+  reporter_.error(location_, printable
+                                 ? "unexpected character '" + std::string(1, peek()) + "'"
+                                 : "unexpected character with code " + std::to_string(c));
+  do advance();
+  while (!atEnd() && static_cast<unsigned char>(peek()) >= 0x7F);
+}
+
+}  // namespace xabsl

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "xabsl/Diagnostic.h"
+
+namespace xabsl {
+
+enum class TokenKind {
+  identifier,   // ball.distance
+  parameter,    // @speed; the text is without the @
+  keyword,      // option
+  number,       // 12.5
+  string,       // "mm"; the text is without the quotes
+  range,        // [0..1]; opaque
+  punctuation,  // == { ;
+  end           // of the file
+};
+
+/// One word of XABSL text. Its text is a view into the source.
+struct Token {
+  TokenKind kind = TokenKind::end;
+  std::string_view text;
+  Location location;
+  double number = 0;
+
+  bool is(std::string_view expected) const {
+    return (kind == TokenKind::keyword || kind == TokenKind::punctuation) && text == expected;
+  }
+};
+
+/// How a message names a token: 'text', or what stands for it.
+std::string describe(const Token& token);
+
+/// Turns XABSL 3.1 text into tokens, one at a time. Comments are skipped; what is no token is reported and skipped.
+class Lexer {
+ public:
+  Lexer(int file, std::string_view text, Reporter& reporter);
+
+  Token next();
+
+ private:
+  bool atEnd(std::size_t ahead = 0) const { return position_ + ahead >= text_.size(); }
+  char peek(std::size_t ahead = 0) const { return atEnd(ahead) ? '\0' : text_[position_ + ahead]; }
+  void advance();
+  void skipBlanks();
+  void skipBlockComment();
+  std::string_view takeName();
+  Token enclosed(Token token, TokenKind kind, char close, const char* name);
+  Token number(Token token);
+  bool punctuation(Token& token);
+  void skipUnexpected();
+
+  std::string_view text_;
+  Reporter& reporter_;
+  std::size_t position_ = 0;
+  Location location_;
+};
+
+}  // namespace xabsl
