@@ -1,0 +1,22 @@
+#pragma once
+#include "base/Geometry.h"
+#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/RobotDimensions.h"
+
+namespace gt {
+
+/// How the body stands on its feet.
+struct BodyPosture {
+  double height = 0;  ///< mm, of the body's origin above the ground.
+  double tilt = 0;    ///< rad, + nose up.
+};
+
+/// The body's posture from the joints, on the assumption that roll is 0 and at least one fore and
+/// one hind foot touch the ground, as the kinematic simulator does it (report 5.1.1).
+BodyPosture bodyPosture(const RobotDimensions&, const JointAngles&);
+
+/// The body's pose relative to the robot's origin, which lies on the ground below the body's.
+/// Roll + is right side down.
+Pose3D bodyPose(const BodyPosture&, double roll = 0);
+
+}  // namespace gt

@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+
+#include "base/Geometry.h"
+#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/RobotDimensions.h"
+
+namespace gt {
+
+/// The three angles of a leg: rotator, elevator, knee, in rad.
+struct LegAngles {
+  double rotator = 0;
+  double elevator = 0;
+  double knee = 0;
+};
+
+/// A leg's angles for a foot, and whether the foot can really be there.
+struct LegSolution {
+  LegAngles angles;
+  bool reachable = true;  ///< False: the target was clamped to the reachable shell.
+};
+
+/// Where a leg begins in the body's system, in mm.
+Vector3d shoulderOf(const RobotDimensions&, Leg);
+
+/// The centre of the foot ball in the body's system, in mm (report 3.9.1.4, 3.22). The body's
+/// origin lies midway between the four shoulder axes.
+Vector3d footPosition(const RobotDimensions&, Leg, const LegAngles&);
+
+/// The knee in the body's system, in mm.
+Vector3d kneePosition(const RobotDimensions&, Leg, const LegAngles&);
+
+/// The angles that bring the foot ball's centre to a point in the body's system (report 3.9.1.4,
+/// 3.25 to 3.38), with the knee bent to the side where it is freer. Closed form and exact: the
+/// lateral offset of the upper leg is taken into account, which the report neglects. Targets too
+/// near or too far are clamped to the reachable shell, along the ray from the shoulder where
+/// possible; the result respects the limits of the joints.
+LegSolution legAngles(const RobotDimensions&, Leg, const Vector3d& foot);
+
+LegAngles legOf(const JointAngles&, Leg);
+void setLeg(JointAngles&, Leg, const LegAngles&);
+
+/// The centres of the four foot balls in the body's system, in the order of Leg.
+std::array<Vector3d, 4> footPositions(const RobotDimensions&, const JointAngles&);
+
+/// The least angle of the elevator beside which the leg misses the body, by the rotator's angle
+/// (facts 1.2).
+double leastElevator(Leg, double rotator);
+
+}  // namespace gt
