@@ -1,0 +1,71 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/Enum.h"
+#include "base/Time.h"
+
+namespace gt {
+
+/// The name of something that can be asked for at run time, like "SelfLocator/samples" (report
+/// E.3). A constant at namespace scope in the file that uses it; that is the one place one writes
+/// to add a key.
+class DebugKey {
+ public:
+  explicit DebugKey(std::string_view name);
+  DebugKey(const DebugKey&) = delete;
+  DebugKey& operator=(const DebugKey&) = delete;
+
+  std::string_view name() const { return name_; }
+  std::size_t index() const { return index_; }
+
+  /// All keys of the program, in the order of their indices.
+  static const std::vector<const DebugKey*>& all();
+  /// The key with a name; null if there is none.
+  static const DebugKey* find(std::string_view name);
+
+ private:
+  std::string_view name_;
+  std::size_t index_;
+};
+
+/// When a key's output is sent (report E.3).
+enum class DebugKeyMode { disabled, always, times, everyTimes, everyMs };
+
+/// The request for one key: its mode and the mode's number.
+struct DebugKeyRequest {
+  DebugKeyMode mode = DebugKeyMode::disabled;
+  std::int64_t n = 0;
+};
+
+/// The states of all keys in one process (report E.3).
+class DebugKeyTable {
+ public:
+  DebugKeyTable() : states_(DebugKey::all().size()) {}
+
+  void set(const DebugKey& key, DebugKeyRequest request) {
+    states_[key.index()] = {request, 0, never()};
+  }
+  DebugKeyRequest get(const DebugKey& key) const { return states_[key.index()].request; }
+
+  /// True if the key's output is to be sent this time. Counts, so to be called once for each
+  /// output.
+  bool isActive(const DebugKey& key, Time now) {
+    State& state = states_[key.index()];
+    return state.request.mode != DebugKeyMode::disabled && isDue(state, now);
+  }
+
+ private:
+  struct State {
+    DebugKeyRequest request;
+    std::int64_t count = 0;
+    Time last = never();
+  };
+  static bool isDue(State& state, Time now);
+
+  std::vector<State> states_;
+};
+
+}  // namespace gt

@@ -1,0 +1,86 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/Enum.h"
+#include "base/Geometry.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// A colour to draw with.
+struct Color {
+  std::uint8_t r = 0, g = 0, b = 0, a = 255;
+
+  static constexpr auto fields() {
+    return std::tuple{field("r", &Color::r), field("g", &Color::g), field("b", &Color::b),
+                      field("a", &Color::a, "", "255 is opaque")};
+  }
+};
+static_assert(complete<Color>);
+
+namespace colors {
+constexpr Color black{0, 0, 0}, white{255, 255, 255}, gray{128, 128, 128}, red{220, 30, 30},
+    green{30, 160, 50}, blue{40, 70, 220}, yellow{250, 220, 20}, skyblue{70, 180, 240},
+    pink{250, 90, 170}, orange{255, 130, 0};
+}
+
+/// The system of coordinates that a drawing lives in (report E.5).
+enum class DrawingSpace { field, robot, image };
+enum class ElementType { point, line, arrow, circle, disk, polygon, text };
+
+/// One element of a drawing; what its points mean depends on its type.
+struct DrawingElement {
+  ElementType type = ElementType::point;
+  std::vector<Vector2d> points;
+  double size = 0;
+  Color color;
+  double penWidth = 1;
+  std::string text;
+
+  static constexpr auto fields() {
+    return std::tuple{field("type", &DrawingElement::type),
+                      field("points", &DrawingElement::points, "mm or pixel"),
+                      field("size", &DrawingElement::size, "mm or pixel",
+                            "radius of circles, disks and points, height of text"),
+                      field("color", &DrawingElement::color),
+                      field("penWidth", &DrawingElement::penWidth, "pixel"),
+                      field("text", &DrawingElement::text)};
+  }
+};
+static_assert(complete<DrawingElement>);
+
+/// A debug drawing (report E.5): what a key's code drew in one cycle.
+struct Drawing {
+  std::string key;
+  DrawingSpace space = DrawingSpace::field;
+  std::vector<DrawingElement> elements;
+
+  static constexpr auto fields() {
+    return std::tuple{field("key", &Drawing::key), field("space", &Drawing::space),
+                      field("elements", &Drawing::elements)};
+  }
+};
+static_assert(complete<Drawing>);
+
+/// A number over time (report's value history).
+struct Plot {
+  std::string key;
+  double value = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("key", &Plot::key), field("value", &Plot::value)};
+  }
+};
+static_assert(complete<Plot>);
+
+/// A text that a module wrote (report's idText).
+struct Text {
+  std::string text;
+
+  static constexpr auto fields() { return std::tuple{field("text", &Text::text)}; }
+};
+static_assert(complete<Text>);
+
+}  // namespace gt

@@ -1,0 +1,44 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+
+#include "framework/Representation.h"
+
+namespace gt {
+
+/// The representations of one process, one instance of each type. Looked up when modules are bound,
+/// never in a cycle.
+class Blackboard {
+ public:
+  template <typename T>
+  T& get() {
+    return *static_cast<T*>(get(representation<T>()));
+  }
+  void* get(const RepresentationType& type) {
+    auto& slot = slots_[type.name];
+    if (!slot.value) slot = {&type, type.make()};
+    return slot.value.get();
+  }
+  /// Lays in a value that several blackboards share, such as a colour table; only before modules
+  /// are bound.
+  template <typename T>
+  void share(std::shared_ptr<T> value) {
+    slots_[representation<T>().name] = {&representation<T>(), std::move(value)};
+  }
+
+  /// The type of a slot, by name; null if there is none.
+  const RepresentationType* find(std::string_view name) const {
+    const auto slot = slots_.find(name);
+    return slot == slots_.end() ? nullptr : slot->second.type;
+  }
+
+ private:
+  struct Slot {
+    const RepresentationType* type = nullptr;
+    std::shared_ptr<void> value;
+  };
+  std::map<std::string_view, Slot> slots_;
+};
+
+}  // namespace gt

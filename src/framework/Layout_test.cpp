@@ -1,0 +1,104 @@
+#include "framework/Layout.h"
+
+#include <gtest/gtest.h>
+
+#include "framework/TestModules.h"
+
+namespace gt {
+namespace {
+
+using testing::Command;
+using testing::Estimate;
+using testing::Reading;
+
+Result<Plan> plan(const std::string& text) {
+  const auto layout = parseLayout(text, "test.layout");
+  if (!layout) return layout.error();
+  return makePlan(*layout, testing::table(), {&representation<Reading>()}, {});
+}
+
+std::string errorOf(const std::string& text) {
+  const auto result = plan(text);
+  return result ? "no error" : result.error().text();
+}
+
+TEST(Layout, OrdersModulesByTheirSignatures) {
+  const auto result = plan("process Main on Reading // all in one\n  Controller\n  Filter\n");
+  ASSERT_TRUE(result) << result.error().text();
+  ASSERT_EQ(result->processes.size(), 1u);
+  EXPECT_EQ(result->processes[0].order[0]->name, "Filter");
+  EXPECT_EQ(result->processes[0].order[1]->name, "Controller");
+  ASSERT_EQ(result->connections.size(), 1u);
+  EXPECT_EQ(result->connections[0].type->name, "Reading");
+  EXPECT_TRUE(result->connections[0].blocking);
+}
+
+TEST(Layout, FindsWhatCrosses) {
+  const auto result = plan(
+      "process A on Reading\nFilter\nprocess B on Reading\nController\nprocess Debug on "
+      "messages\n");
+  ASSERT_TRUE(result) << result.error().text();
+  ASSERT_EQ(result->connections.size(), 3u);
+  EXPECT_EQ(result->connections[2].type->name, "Estimate");
+  EXPECT_EQ(result->connections[2].from, "A");
+  EXPECT_EQ(result->connections[2].to, "B");
+}
+
+TEST(Layout, TellsWhatIsWrong) {
+  EXPECT_EQ(errorOf(""), "test.layout: process: there is none");
+  EXPECT_EQ(errorOf("process A\n"),
+            "test.layout:1: process: expected: process NAME on REPRESENTATION, or: process NAME on "
+            "messages");
+  EXPECT_EQ(errorOf("Filter\n"), "test.layout:1: Filter: stands before the first process");
+  EXPECT_EQ(errorOf("process A on Reading\nFilter Controller\n"),
+            "test.layout:2: Filter: expected one task in a line");
+  EXPECT_EQ(errorOf("process A on Reading\nprocess A on Reading\n"),
+            "test.layout:2: A: there are two processes of this name");
+  EXPECT_EQ(errorOf("process A on Nothing\nFilter\n"),
+            "test.layout:1: A: 'Nothing' is not sent by the platform");
+  EXPECT_EQ(errorOf("process A on Reading\nFiltre\n"),
+            "test.layout:2: Filtre: there is no such task");
+  EXPECT_EQ(errorOf("process A on Reading\nFilter\nFilter\n"),
+            "test.layout:3: Filter: is listed twice");
+  EXPECT_EQ(errorOf("process A on Reading\nController\n"),
+            "test.layout:2: Controller: nobody provides its Estimate");
+  EXPECT_EQ(errorOf("process D on messages\nController\n"),
+            "test.layout:2: Controller: a process that collects messages runs no modules");
+  EXPECT_FALSE(loadLayout("no/such/file.layout"));
+}
+
+struct Left {
+  using Outputs = std::tuple<Estimate>;
+};
+struct Right {
+  using Outputs = std::tuple<Command>;
+};
+class LeftModule {
+ public:
+  void update(const Command&, Estimate&) {}
+};
+class RightModule {
+ public:
+  void update(const Estimate&, Command&) {}
+};
+
+TEST(Layout, RejectsCirclesAndTwoProviders) {
+  SolutionTable table;
+  table.add<Left, LeftModule>("A");
+  table.add<Right, RightModule>("A");
+  const auto layout = parseLayout("process P on Reading\nLeft\nRight\n", "test.layout");
+  ASSERT_TRUE(layout);
+  const auto circle = makePlan(*layout, table, {&representation<Reading>()}, {});
+  ASSERT_FALSE(circle);
+  EXPECT_EQ(circle.error().what, "a circle of modules that wait for each other, among: Left Right");
+
+  SolutionTable two = testing::table();
+  two.add<Left, LeftModule>("A");
+  const auto both = parseLayout("process P on Reading\nLeft\nFilter\n", "test.layout");
+  const auto providers = makePlan(*both, two, {&representation<Reading>()}, {});
+  ASSERT_FALSE(providers);
+  EXPECT_EQ(providers.error().what, "Estimate is already provided by Left");
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,163 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "base/Random.h"
+#include "debug/Debug.h"
+#include "framework/Blackboard.h"
+#include "streams/Config.h"
+
+namespace gt {
+
+/// A representation as it was at the end of the last cycle, for modules that need what later ones
+/// provide.
+template <typename T>
+struct Previous {
+  const T& value;
+
+  const T* operator->() const { return &value; }
+  const T& operator*() const { return value; }
+};
+
+/// How a module uses a representation.
+enum class PortKind { input, previous, output };
+
+/// One parameter of a module's update().
+struct Port {
+  PortKind kind;
+  const RepresentationType* type;
+};
+
+/// What a module may use besides representations.
+struct ModuleContext {
+  Blackboard& blackboard;
+  Debug& debug;
+  Random random;
+};
+
+namespace detail {
+
+/// How a parameter of update() is filled: what is bound once, and what is handed over in each
+/// cycle.
+template <typename A>
+struct Binding;
+
+template <typename T>
+struct Binding<const T&> {
+  explicit Binding(ModuleContext& context) : value{context.blackboard.get<T>()} {}
+  const T& use() { return value; }
+  static void list(std::vector<Port>& ports) {
+    ports.push_back({PortKind::input, &representation<T>()});
+  }
+  const T& value;
+};
+
+template <typename T>
+struct Binding<T&> {
+  explicit Binding(ModuleContext& context) : value{context.blackboard.get<T>()} {}
+  T& use() { return value; }
+  static void list(std::vector<Port>& ports) {
+    ports.push_back({PortKind::output, &representation<T>()});
+  }
+  T& value;
+};
+
+template <typename T>
+struct Binding<Previous<T>> {
+  explicit Binding(ModuleContext& context) : now{context.blackboard.get<T>()}, before{now} {}
+  Previous<T> use() {
+    before = now;  // a copy, since update() may overwrite it while it reads
+    return {before};
+  }
+  static void list(std::vector<Port>& ports) {
+    ports.push_back({PortKind::previous, &representation<T>()});
+  }
+  const T& now;
+  T before;
+};
+
+template <>
+struct Binding<Debug&> {
+  explicit Binding(ModuleContext& context) : debug{context.debug} {}
+  Debug& use() { return debug; }
+  static void list(std::vector<Port>&) {}
+  Debug& debug;
+};
+
+template <>
+struct Binding<Random&> {
+  explicit Binding(ModuleContext& context) : random{context.random} {}
+  Random& use() { return random; }
+  static void list(std::vector<Port>&) {}
+  Random& random;
+};
+
+template <typename M>
+concept HasParameters = requires(M m) {
+  m.parameters;
+};
+
+}  // namespace detail
+
+/// A module as the framework sees it: one solution of a task, bound to the representations of its
+/// process.
+class AnyModule {
+ public:
+  virtual ~AnyModule() = default;
+  virtual void run() = 0;
+  /// Reads the parameters from a configuration file's text; an error leaves them as they were.
+  virtual Result<void> configure(std::string_view text, std::string_view file) = 0;
+  /// Sets one parameter by its path, for instance "gain" or "noise.translation".
+  virtual Result<void> set(std::string_view path, std::string_view value) = 0;
+  virtual std::vector<PathInfo> parameters() = 0;
+};
+
+/// Makes a module of a plain class: its ports are the parameters of its update().
+template <typename M, typename Signature = decltype(&M::update)>
+class ModuleAdapter;
+
+template <typename M, typename... A>
+class ModuleAdapter<M, void (M::*)(A...)> final : public AnyModule {
+ public:
+  explicit ModuleAdapter(ModuleContext context)
+      : context_{std::move(context)}, bindings_{detail::Binding<A>{context_}...} {}
+
+  void run() override {
+    std::apply([this](auto&... binding) { module_.update(binding.use()...); }, bindings_);
+  }
+  Result<void> configure(std::string_view text, std::string_view file) override {
+    if constexpr (detail::HasParameters<M>) {
+      return parseConfig(text, file, module_.parameters);
+    } else {
+      return Error{std::string{file}, 0, "", "this module has no parameters"};
+    }
+  }
+  Result<void> set(std::string_view path, std::string_view value) override {
+    if constexpr (detail::HasParameters<M>) {
+      return setByPath(module_.parameters, path, value);
+    } else {
+      return Error{"", 0, std::string{path}, "this module has no parameters"};
+    }
+  }
+  std::vector<PathInfo> parameters() override {
+    if constexpr (detail::HasParameters<M>) {
+      return paths(module_.parameters);
+    } else {
+      return {};
+    }
+  }
+  static std::vector<Port> ports() {
+    std::vector<Port> list;
+    (detail::Binding<A>::list(list), ...);
+    return list;
+  }
+
+ private:
+  M module_;
+  ModuleContext context_;
+  std::tuple<detail::Binding<A>...> bindings_;
+};
+
+}  // namespace gt

@@ -1,0 +1,143 @@
+#include "framework/ModuleProcess.h"
+
+#include <algorithm>
+
+namespace gt {
+
+ModuleProcess::ModuleProcess(const Plan::Process& plan, Blackboard blackboard, Time& frameTime,
+                             const Random& random)
+    : Process{plan.layout.name},
+      blackboard_{std::move(blackboard)},
+      frameTime_{frameTime},
+      debugSender_{representation<MessageQueue>(), &debugOut_},
+      debugReceiver_{representation<MessageQueue>(), &debugIn_} {
+  for (const Task* task : plan.order) {
+    Slot& slot = slots_.emplace_back(Slot{task, {}, nullptr});
+    for (const Solution& solution : task->solutions)
+      slot.solutions.push_back(solution.make({blackboard_, debug_, random.fork(task->name)}));
+    slot.active = slot.solutions.front().get();
+    times_.emplace_back(task->name);
+  }
+  enlist(debugSender_);
+  enlist(debugReceiver_);
+}
+
+PackageSender& ModuleProcess::sender(const RepresentationType& type) {
+  for (const auto& sender : ownSenders_)
+    if (&sender->type() == &type) return *sender;
+  ownSenders_.push_back(std::make_unique<PackageSender>(type, blackboard_.get(type)));
+  enlist(*ownSenders_.back());
+  return *ownSenders_.back();
+}
+
+PackageReceiver& ModuleProcess::receiver(const RepresentationType& type, bool blocking) {
+  ownReceivers_.push_back(std::make_unique<PackageReceiver>(type, blackboard_.get(type), blocking));
+  enlist(*ownReceivers_.back());
+  return *ownReceivers_.back();
+}
+
+ModuleProcess::Slot* ModuleProcess::find(std::string_view task) {
+  const auto slot = std::find_if(slots_.begin(), slots_.end(),
+                                 [&](const Slot& s) { return s.task->name == task; });
+  return slot == slots_.end() ? nullptr : &*slot;
+}
+
+bool ModuleProcess::solves(std::string_view task) const {
+  return std::any_of(slots_.begin(), slots_.end(),
+                     [&](const Slot& s) { return s.task->name == task; });
+}
+
+Result<AnyModule*> ModuleProcess::find(std::string_view task, std::string_view solution) {
+  Slot* slot = find(task);
+  if (!slot) return Error{"", 0, std::string{task}, "process " + name() + " has no such task"};
+  for (std::size_t i = 0; i < slot->solutions.size(); ++i)
+    if (slot->task->solutions[i].name == solution) return slot->solutions[i].get();
+  return Error{"", 0, std::string{task}, "there is no solution '" + std::string{solution} + "'"};
+}
+
+Result<void> ModuleProcess::request(const SolutionRequest& request) {
+  if (request.solution == SolutionTable::disabled) {
+    Slot* slot = find(request.task);
+    if (!slot) return Error{"", 0, request.task, "process " + name() + " has no such task"};
+    slot->active = nullptr;
+    return {};
+  }
+  const auto module = find(request.task, request.solution);
+  if (!module) return module.error();
+  find(request.task)->active = *module;
+  return {};
+}
+
+Result<void> ModuleProcess::request(const DebugRequest& request) {
+  const DebugKey* key = DebugKey::find(request.key);
+  if (!key) return Error{"", 0, request.key, "there is no such debug key"};
+  debug_.keys().set(*key, {request.mode, request.n});
+  return {};
+}
+
+Result<void> ModuleProcess::request(const WatchRequest& request) {
+  const RepresentationType* type = blackboard_.find(request.representation);
+  if (!type) return Error{"", 0, request.representation, "process " + name() + " does not have it"};
+  std::erase_if(watched_, [&](const Watched& watched) { return watched.type == type; });
+  if (request.on) watched_.push_back({type, blackboard_.get(*type)});
+  return {};
+}
+
+Result<void> ModuleProcess::request(const ParameterRequest& request) {
+  const auto module = find(request.task, request.solution);
+  if (!module) return module.error();
+  return (*module)->set(request.path, request.value);
+}
+
+Result<void> ModuleProcess::configure(std::string_view task, std::string_view solution,
+                                      std::string_view text, const std::string& file) {
+  const auto module = find(task, solution);
+  if (!module) return Error{file, 0, module.error().field, module.error().what};
+  return (*module)->configure(text, file);
+}
+
+template <typename Request>
+bool ModuleProcess::handleAs(const Message& message) {
+  if (!message.is<Request>()) return false;
+  Request wanted;
+  auto done = message.read(wanted);
+  if (done) {
+    // Requests go to all processes; each carries out what concerns it.
+    if constexpr (requires { wanted.task; })
+      if (!solves(wanted.task)) return true;
+    if constexpr (requires { wanted.process; })
+      if (wanted.process != name()) return true;
+    done = request(wanted);
+  }
+  if (!done) debug_.text(name() + ": " + done.error().text());
+  return true;
+}
+
+void ModuleProcess::handle(const Message& message) {
+  handleAs<SolutionRequest>(message) || handleAs<DebugRequest>(message) ||
+      handleAs<WatchRequest>(message) || handleAs<ParameterRequest>(message);
+}
+
+int ModuleProcess::main() {
+  debug_.begin(now());
+  frameTime_ = now();
+  if (debugReceiver_.receivedNew())
+    debugIn_.handleAllMessages([this](const Message& message) { handle(message); });
+
+  for (std::size_t i = 0; i < slots_.size(); ++i)
+    if (slots_[i].active) {
+      const Stopwatch::Lap lap{times_[i]};
+      slots_[i].active->run();
+    }
+
+  for (const auto& sender : ownSenders_) sender->send();
+  for (const Watched& watched : watched_) watched.type->write(watched.value, now(), debug_.out());
+  if (!debug_.out().empty() && debugSender_.requestedNew()) {
+    debugOut_.clear();
+    debug_.out().moveAllMessages(debugOut_);
+    debugSender_.send();
+  }
+  return 0;
+}
+
+}  // namespace gt

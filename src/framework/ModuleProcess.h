@@ -1,0 +1,76 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "debug/Stopwatch.h"
+#include "framework/Layout.h"
+#include "framework/Process.h"
+#include "framework/Requests.h"
+
+namespace gt {
+
+/// A process that runs the modules of a layout over its blackboard.
+class ModuleProcess : public Process {
+ public:
+  /// The blackboard already holds the configuration; `frameTime` on it is set when a cycle begins.
+  /// Each module gets its own generator, forked by the task's name.
+  ModuleProcess(const Plan::Process& plan, Blackboard blackboard, Time& frameTime,
+                const Random& random);
+
+  /// The process's end of a connection. The platform or another process connects the two.
+  PackageSender& sender(const RepresentationType& type);
+  PackageReceiver& receiver(const RepresentationType& type, bool blocking);
+  /// The queues to and from the Debug process.
+  PackageSender& debugSender() { return debugSender_; }
+  PackageReceiver& debugReceiver() { return debugReceiver_; }
+
+  /// Requests, as they also come in by message queue; errors name what is unknown.
+  Result<void> request(const SolutionRequest& request);
+  Result<void> request(const DebugRequest& request);
+  Result<void> request(const WatchRequest& request);
+  Result<void> request(const ParameterRequest& request);
+  /// Reads a solution's parameters from a configuration file's text.
+  Result<void> configure(std::string_view task, std::string_view solution, std::string_view text,
+                         const std::string& file);
+
+  bool solves(std::string_view task) const;
+  Blackboard& blackboard() { return blackboard_; }
+  Debug& debug() { return debug_; }
+  /// The time that each module has taken, by task, in the order in which they run.
+  const std::vector<Stopwatch>& times() const { return times_; }
+
+ protected:
+  int main() override;
+
+ private:
+  struct Slot {
+    const Task* task;
+    std::vector<std::unique_ptr<AnyModule>> solutions;
+    AnyModule* active = nullptr;
+  };
+  struct Watched {
+    const RepresentationType* type;
+    const void* value;
+  };
+
+  Slot* find(std::string_view task);
+  Result<AnyModule*> find(std::string_view task, std::string_view solution);
+  void handle(const Message& message);
+  template <typename Request>
+  bool handleAs(const Message& message);
+
+  Blackboard blackboard_;
+  Debug debug_;
+  Time& frameTime_;
+  std::vector<Slot> slots_;
+  std::vector<Stopwatch> times_;
+  std::vector<Watched> watched_;
+  std::vector<std::unique_ptr<PackageSender>> ownSenders_;
+  std::vector<std::unique_ptr<PackageReceiver>> ownReceivers_;
+  MessageQueue debugIn_, debugOut_;
+  PackageSender debugSender_;
+  PackageReceiver debugReceiver_;
+};
+
+}  // namespace gt

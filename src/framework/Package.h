@@ -1,0 +1,129 @@
+#pragma once
+#include <vector>
+
+#include "framework/Representation.h"
+
+namespace gt {
+
+class Process;
+
+/// The far end of a sender's connection: a receiver in the same program, or a wire to one
+/// elsewhere.
+class PackageLink {
+ public:
+  virtual ~PackageLink() = default;
+  /// True if the receiver has taken the last package and waits for a new one.
+  virtual bool requested() const = 0;
+  /// Hands a package over; it replaces one that was not taken yet. There is no queueing
+  /// (report 2.2.3.1).
+  virtual void deliver(const void* package) = 0;
+};
+
+/// Sends a package, which lives elsewhere, to all receivers it is connected to (report C.3.2).
+class PackageSender {
+ public:
+  PackageSender(const RepresentationType& type, const void* package, bool blocking = false)
+      : type_{&type}, package_{package}, blocking_{blocking} {}
+  PackageSender(const PackageSender&) = delete;
+  PackageSender& operator=(const PackageSender&) = delete;
+
+  void connect(PackageLink& link) { links_.push_back(&link); }
+  /// Transfers the package as it is now.
+  void send() {
+    for (PackageLink* link : links_) link->deliver(package_);
+  }
+  /// True if at least one receiver requested a new package.
+  bool requestedNew() const;
+  /// True if the process need not wait for this sender: a blocking one waits until all receivers
+  /// requested.
+  bool ready() const;
+  const RepresentationType& type() const { return *type_; }
+
+ private:
+  const RepresentationType* type_;
+  const void* package_;
+  bool blocking_;
+  std::vector<PackageLink*> links_;
+};
+
+/// Receives packages into a place that lives elsewhere (report C.3.3).
+class PackageReceiver : public PackageLink {
+ public:
+  PackageReceiver(const RepresentationType& type, void* package, bool blocking = false)
+      : type_{&type}, package_{package}, incoming_{type.make()}, blocking_{blocking} {}
+  PackageReceiver(const PackageReceiver&) = delete;
+  PackageReceiver& operator=(const PackageReceiver&) = delete;
+
+  bool requested() const override { return !arrived_; }
+  void deliver(const void* package) override {
+    type_->copy(package, incoming_.get());
+    arrived_ = true;
+  }
+  /// Phase 1: takes the package that has arrived, if one has.
+  void receive() {
+    received_ = arrived_;
+    if (arrived_) type_->swap(package_, incoming_.get());
+    arrived_ = false;
+  }
+  /// True if this cycle began with a new package.
+  bool receivedNew() const { return received_; }
+  bool ready() const { return !blocking_ || arrived_; }
+  bool blocking() const { return blocking_; }
+  const RepresentationType& type() const { return *type_; }
+
+ private:
+  const RepresentationType* type_;
+  void* package_;
+  std::shared_ptr<void> incoming_;
+  bool blocking_;
+  bool arrived_ = false;
+  bool received_ = false;
+};
+
+namespace detail {
+void enlist(Process& process, PackageSender& sender);
+void enlist(Process& process, PackageReceiver& receiver);
+}  // namespace detail
+
+/// A sender of a custom process that is its package: `Sender<NumberPackage> numbers{*this};`
+template <typename T>
+class Sender : public T, public PackageSender {
+ public:
+  explicit Sender(Process& process, bool blocking = false)
+      : PackageSender{representation<T>(), static_cast<const T*>(this), blocking} {
+    detail::enlist(process, *this);
+  }
+};
+
+/// A receiver of a custom process that is its package: `Receiver<NumberPackage> numbers{*this,
+/// true};`
+template <typename T>
+class Receiver : public T, public PackageReceiver {
+ public:
+  explicit Receiver(Process& process, bool blocking = false)
+      : PackageReceiver{representation<T>(), static_cast<T*>(this), blocking} {
+    detail::enlist(process, *this);
+  }
+};
+
+/// Message queues travel as packages, too; as part of another message they do not.
+template <>
+inline const RepresentationType& representation<MessageQueue>() {
+  static constexpr RepresentationType type{
+      "MessageQueue",
+      hashOf("MessageQueue"),
+      []() -> std::shared_ptr<void> { return std::make_shared<MessageQueue>(); },
+      [](const void* from, void* to) {
+        *static_cast<MessageQueue*>(to) = *static_cast<const MessageQueue*>(from);
+      },
+      [](void* a, void* b) {
+        std::swap(*static_cast<MessageQueue*>(a), *static_cast<MessageQueue*>(b));
+      },
+      [](const void*, Time, MessageQueue&) { return false; },
+      [](const Message&, void*) -> Result<void> {
+        return Error{"", 0, "MessageQueue", "is not part of a message"};
+      }};
+  return type;
+}
+
+}  // namespace gt

@@ -1,0 +1,65 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "debug/DebugKey.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Asks a robot's processes to solve a task by another solution (report E.6).
+struct SolutionRequest {
+  std::string task;
+  std::string solution;
+
+  static constexpr auto fields() {
+    return std::tuple{field("task", &SolutionRequest::task),
+                      field("solution", &SolutionRequest::solution, "", "or disabled")};
+  }
+};
+static_assert(complete<SolutionRequest>);
+
+/// Sets the state of a debug key in all processes (report E.3).
+struct DebugRequest {
+  std::string key;
+  DebugKeyMode mode = DebugKeyMode::disabled;
+  std::int64_t n = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("key", &DebugRequest::key), field("mode", &DebugRequest::mode),
+                      field("n", &DebugRequest::n, "", "times, or ms")};
+  }
+};
+static_assert(complete<DebugRequest>);
+
+/// Asks for a representation to be sent after each cycle of the process that provides or receives
+/// it.
+struct WatchRequest {
+  std::string representation;
+  std::string process;
+  bool on = true;
+
+  static constexpr auto fields() {
+    return std::tuple{field("representation", &WatchRequest::representation),
+                      field("process", &WatchRequest::process), field("on", &WatchRequest::on)};
+  }
+};
+static_assert(complete<WatchRequest>);
+
+/// Sets one parameter of a solution.
+struct ParameterRequest {
+  std::string task;
+  std::string solution;
+  std::string path;
+  std::string value;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("task", &ParameterRequest::task), field("solution", &ParameterRequest::solution),
+        field("path", &ParameterRequest::path), field("value", &ParameterRequest::value)};
+  }
+};
+static_assert(complete<ParameterRequest>);
+
+}  // namespace gt

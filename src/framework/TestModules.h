@@ -1,0 +1,71 @@
+#pragma once
+#include "framework/SolutionTable.h"
+
+/// A tiny robot for the framework's own tests: a sensor, a filter, a controller.
+namespace gt::testing {
+
+struct Reading {
+  Time time;
+  double value = 0;
+  static constexpr auto fields() {
+    return std::tuple{field("time", &Reading::time), field("value", &Reading::value)};
+  }
+};
+struct Estimate {
+  double value = 0;
+  static constexpr auto fields() { return std::tuple{field("value", &Estimate::value)}; }
+};
+struct Command {
+  double value = 0;
+  int cycles = 0;
+  static constexpr auto fields() {
+    return std::tuple{field("value", &Command::value), field("cycles", &Command::cycles)};
+  }
+};
+
+struct Filter {
+  using Outputs = std::tuple<Estimate>;
+};
+struct Controller {
+  using Outputs = std::tuple<Command>;
+};
+
+class SmoothFilter {
+ public:
+  struct Parameters {
+    double gain = 0.5;
+    static constexpr auto fields() {
+      return std::tuple{field("gain", &Parameters::gain, "", "trust in the reading", {0, 1})};
+    }
+  };
+  Parameters parameters;
+  void update(const Reading& reading, Previous<Estimate> before, Estimate& estimate) {
+    estimate.value = before->value + parameters.gain * (reading.value - before->value);
+  }
+};
+
+class DirectFilter {
+ public:
+  void update(const Reading& reading, Estimate& estimate) { estimate.value = reading.value; }
+};
+
+inline const DebugKey drawCommand{"Controller/command"};
+
+class NegatingController {
+ public:
+  void update(const Estimate& estimate, Command& command, Random&, Debug& debug) {
+    command.value = -estimate.value;
+    ++command.cycles;
+    if (auto canvas = debug.onField(drawCommand)) canvas.circle({command.value, 0}, 10);
+  }
+};
+
+inline SolutionTable table() {
+  SolutionTable solutions;
+  solutions.add<Filter, SmoothFilter>("Smooth");
+  solutions.add<Filter, DirectFilter>("Direct");
+  solutions.add<Controller, NegatingController>("Negating");
+  return solutions;
+}
+
+}  // namespace gt::testing
