@@ -83,8 +83,11 @@ std::vector<Diagnostic> Reporter::take() {
 }
 
 void Suggestion::offer(std::string_view candidate) {
-  constexpr std::size_t longestName = 64;  // comparing costs the product of the lengths
+  // Comparing costs the product of the lengths; a broken file may ask for very many comparisons.
+  constexpr std::size_t longestName = 40;
+  constexpr int mostOffers = 5000;
   if (candidate.size() > longestName || name_.size() > longestName) return;
+  if (++offers_ > mostOffers) return;
   const std::size_t distance = editDistance(name_, candidate);
   if (distance >= bestDistance_ || 2 * distance > name_.size()) return;
   bestDistance_ = distance;

@@ -7,7 +7,8 @@
 
 namespace xabsl {
 
-/// A place in a source file. Lines and columns count from 1; the file is an index into a list of names.
+/// A place in a source file. Lines and columns count from 1; the file is an index into a list of
+/// names.
 struct Location {
   int file = 0;
   int line = 1;
@@ -72,6 +73,7 @@ class Suggestion {
  private:
   std::string_view name_;
   std::string_view best_;
+  int offers_ = 0;
   std::size_t bestDistance_ = 4;  // anything further away is no slip of the fingers
 };
 

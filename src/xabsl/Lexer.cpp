@@ -9,21 +9,31 @@ namespace xabsl {
 namespace {
 
 constexpr std::array<std::string_view, 31> keywords = {
-    "true",        "false",    "option", "action", "initial",  "target",       "state",
-    "common",      "decision", "goto",   "if",     "else",     "option_time",  "state_time",
-    "action_done", "agent",    "enum",   "input",  "function", "output",       "bool",
-    "float",       "const",    "stay",   "include", "behavior", "namespace",   "internal",
+    "true",        "false",    "option",      "action",  "initial",  "target",      "state",
+    "common",      "decision", "goto",        "if",      "else",     "option_time", "state_time",
+    "action_done", "agent",    "enum",        "input",   "function", "output",      "bool",
+    "float",       "const",    "stay",        "include", "behavior", "namespace",   "internal",
     "capacity",    "conflict", "synchronized"};
 
 constexpr std::array<std::string_view, 6> longPunctuation = {"==", "!=", "<=", ">=", "&&", "||"};
 constexpr std::string_view shortPunctuation = "{}();,=!-+*/%<>?:";
 
 // Not <cctype>: these do not depend on the locale and take any char.
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isNamePart(char c) { return isLetter(c) || isDigit(c) || c == '.'; }
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-bool continuesUtf8(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
+bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool isNamePart(char c) {
+  return isLetter(c) || isDigit(c) || c == '.';
+}
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
+}
+bool continuesUtf8(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
+}
 
 bool isKeyword(std::string_view text) {
   return std::find(keywords.begin(), keywords.end(), text) != keywords.end();
@@ -179,9 +189,8 @@ bool Lexer::punctuation(Token& token) {
 void Lexer::skipUnexpected() {
   const unsigned char c = static_cast<unsigned char>(peek());
   const bool printable = c > ' ' && c < 0x7F;
-  reporter_.error(location_, printable
-                                 ? "unexpected character '" + std::string(1, peek()) + "'"
-                                 : "unexpected character with code " + std::to_string(c));
+  reporter_.error(location_, printable ? "unexpected character '" + std::string(1, peek()) + "'"
+                                       : "unexpected character with code " + std::to_string(c));
   do advance();
   while (!atEnd() && static_cast<unsigned char>(peek()) >= 0x7F);
 }

@@ -33,7 +33,8 @@ struct Token {
 /// How a message names a token: 'text', or what stands for it.
 std::string describe(const Token& token);
 
-/// Turns XABSL 3.1 text into tokens, one at a time. Comments are skipped; what is no token is reported and skipped.
+/// Turns XABSL 3.1 text into tokens, one at a time. Comments are skipped; what is no token is
+/// reported and skipped.
 class Lexer {
  public:
   Lexer(int file, std::string_view text, Reporter& reporter);

@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "xabsl/Diagnostic.h"
+#include "xabsl/Language.h"
 
 namespace xabsl {
 
-/// The types of XABSL: float, bool and enum. All values are held as numbers: 0 and 1 for false and true.
-enum class ValueKind { number, boolean, enumeration };
-
+/// A type of the language.
 struct Type {
   ValueKind kind = ValueKind::number;
   int enumeration = -1;  // index into Model::enumerations
@@ -41,8 +40,6 @@ struct Use {
   Location location;
 };
 
-enum class SymbolKind { input, output, internal };
-
 /// A value that behavior and surroundings share; inputs with parameters are functions.
 struct Symbol {
   SymbolKind kind = SymbolKind::input;
@@ -61,34 +58,7 @@ struct BasicBehavior {
   Use firstUse;
 };
 
-enum class Operator {
-  constant,    // number
-  element,     // a: enumeration, b: element
-  parameter,   // a: option, b: parameter of it
-  input,       // a: symbol, b: first operand, one per parameter
-  variable,    // a: output or internal symbol
-  stateTime,
-  optionTime,
-  actionDone,
-  negate,      // a
-  logicalNot,  // a
-  add,         // a, b: expressions, and so on
-  subtract,
-  multiply,
-  divide,
-  modulo,
-  equal,
-  notEqual,
-  less,
-  lessEqual,
-  greater,
-  greaterEqual,
-  logicalAnd,  // b: first operand, c: number of operands
-  logicalOr,
-  conditional  // a ? b : c
-};
-
-/// One operation; a, b and c are indices, what into depends on the operator.
+/// One operation; a, b and c are indices, what into is said at Operator.
 struct Expression {
   Operator operation = Operator::constant;
   int a = -1;
@@ -99,7 +69,12 @@ struct Expression {
 
 /// Where a decision leads: to a further decision, or to its end.
 struct Branch {
-  enum class Kind { decision, state, stay, none };  // none: a common decision tree that decided nothing
+  enum class Kind {
+    decision,
+    state,
+    stay,
+    none
+  };  // none: a common decision tree that decided nothing
 
   Kind kind = Kind::none;
   int index = -1;  // of the decision or the state
@@ -151,8 +126,8 @@ struct Agent {
   Location location;
 };
 
-/// A whole behavior with all names and types resolved. Built by the compiler, never changed after that; engines
-/// and tools read it.
+/// A whole behavior with all names and types resolved. Built by the compiler, never changed after
+/// that; engines and tools read it.
 struct Model {
   std::vector<std::string> files;
   std::vector<Enumeration> enumerations;
@@ -162,13 +137,17 @@ struct Model {
   std::vector<State> states;
   std::vector<Action> actions;
   std::vector<Decision> decisions;
-  std::vector<Expression> expressions;
+  std::vector<Expression> expressions;  // begins with the default of each type
   std::vector<Location> expressionLocations;
   std::vector<int> operands;
   std::vector<Agent> agents;  // the first is selected when an engine starts
 
-  /// The largest number of options and basic behaviors, together with their parameters, in one cycle.
+  /// The largest number of options and basic behaviors, together with their parameters, in one
+  /// cycle.
   std::size_t largestActivation = 0;
+
+  /// The expression that stands for a parameter not given: 0, false or the first element.
+  static int defaultExpression(Type type) { return type.enumeration + 1; }
 };
 
 }  // namespace xabsl

@@ -31,7 +31,9 @@ void Parser::failExpected(const std::string& what) {
   fail("expected " + what + ", found " + describe(token_));
 }
 
-Token Parser::take() { return std::exchange(token_, lexer_.next()); }
+Token Parser::take() {
+  return std::exchange(token_, lexer_.next());
+}
 
 bool Parser::accept(std::string_view text) {
   if (!token_.is(text)) return false;
@@ -47,6 +49,17 @@ Name Parser::expectName(const std::string& what) {
   if (token_.kind != TokenKind::identifier) failExpected(what);
   const Token name = take();
   return {name.text, name.location};
+}
+
+/// People look for an option in the file of its name.
+void Parser::warnFileName(const std::string& what, const Name& name) {
+  std::string_view stem = reporter_.files()[static_cast<std::size_t>(name.location.file)];
+  stem = stem.substr(stem.rfind('/') + 1);
+  stem = stem.substr(0, stem.rfind('.'));
+  if (stem != name.text)
+    reporter_.warning(name.location, what + " '" + std::string(name.text) +
+                                         "' stands in a file of another name, expected '" +
+                                         std::string(name.text) + ".xabsl'");
 }
 
 void Parser::skipToDeclaration() {
@@ -112,7 +125,7 @@ void Parser::agent() {
 
 void Parser::namespaceBlock() {
   take();
-  expectName("the name of a namespace");
+  warnFileName("namespace", expectName("the name of a namespace"));
   expect("(");
   if (token_.kind != TokenKind::string) failExpected("the title of the namespace in quotes");
   take();
@@ -192,8 +205,7 @@ void Parser::symbol(TypeName type) {
   if (token_.is("(")) {
     if (symbol.kind != SymbolKind::input) fail("only input symbols have parameters");
     take();
-    while (!token_.is(")")) symbol.parameters.push_back(parameter(false));
-    take();
+    symbol.parameters = parameters(")");
   }
   expect(";");
   program_.symbols.push_back(std::move(symbol));
@@ -204,8 +216,7 @@ void Parser::behavior() {
   Behavior behavior;
   behavior.name = expectName("the name of a basic behavior");
   expect("{");
-  while (!token_.is("}")) behavior.parameters.push_back(parameter(false));
-  take();
+  behavior.parameters = parameters("}");
   accept(";");
   program_.behaviors.push_back(std::move(behavior));
 }
@@ -222,11 +233,29 @@ bool Parser::typeName(TypeName& type) {
   return true;
 }
 
-syntax::Parameter Parser::parameter(bool ofOption) {
-  syntax::Parameter parameter;
+std::vector<Parameter> Parser::parameters(std::string_view close) {
+  std::vector<Parameter> parameters;
+  while (!token_.is(close)) {
+    try {
+      parameters.push_back(parameter(false));
+    } catch (const SyntaxError&) {
+      skipToMember();
+      if (token_.kind == TokenKind::end || reporter_.full()) throw;
+      if (!token_.is(close) && (token_.kind == TokenKind::punctuation || token_.is("option") ||
+                                token_.is("agent") || token_.is("namespace")))
+        throw;
+    }
+  }
+  take();
+  return parameters;
+}
+
+Parameter Parser::parameter(bool ofOption) {
+  Parameter parameter;
   typeName(parameter.type);
   if (ofOption) {
-    if (token_.kind != TokenKind::parameter) failExpected("the name of a parameter, as in '@speed'");
+    if (token_.kind != TokenKind::parameter)
+      failExpected("the name of a parameter, as in '@speed'");
     const Token name = take();
     parameter.name = {name.text, name.location};
   } else {
@@ -248,6 +277,7 @@ void Parser::option() {
   take();
   Option option;
   option.name = expectName("the name of an option");
+  warnFileName("option", option.name);
   expect("{");
   while (token_.kind == TokenKind::parameter || token_.is("float") || token_.is("bool") ||
          token_.is("enum"))
@@ -282,10 +312,7 @@ void Parser::states(Option& option) {
     }
   }
   // After an error the closing brace may have been skipped together with a broken last state.
-  if (!token_.is("}") && !atState() && reporter_.failed()) {
-    program_.options.push_back(std::move(option));
-    throw SyntaxError();
-  }
+  if (!token_.is("}") && reporter_.failed()) throw SyntaxError();
 }
 
 bool Parser::atState() const {
@@ -322,6 +349,7 @@ void Parser::refuseCooperation() {
 void Parser::stateBody(State& state) {
   if (accept("decision")) {
     expect("{");
+    state.decisionLocation = token_.location;
     state.leadingElse = accept("else");
     state.decision = decision();
     expect("}");

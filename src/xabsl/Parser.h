@@ -16,8 +16,8 @@ struct Include {
   Location location;
 };
 
-/// Reads one file of XABSL 3.1 text into the syntax tree. A syntax error is reported, and reading goes on with the
-/// next action, state or declaration.
+/// Reads one file of XABSL 3.1 text into the syntax tree. A syntax error is reported, and reading
+/// goes on with the next action, state or declaration.
 class Parser {
  public:
   /// Deeper nested expressions and decisions are refused.
@@ -38,6 +38,7 @@ class Parser {
   bool accept(std::string_view text);
   void expect(std::string_view text);
   syntax::Name expectName(const std::string& what);
+  void warnFileName(const std::string& what, const syntax::Name& name);
   void skipToDeclaration();
   void skipToMember();
   void skipToState();
@@ -54,6 +55,7 @@ class Parser {
   void symbol(syntax::TypeName type);
   void behavior();
   bool typeName(syntax::TypeName& type);
+  std::vector<syntax::Parameter> parameters(std::string_view close);
   syntax::Parameter parameter(bool ofOption);
   void unitAndRange();
 

@@ -123,9 +123,9 @@ struct Spelling {
   Operator operation;
 };
 
-constexpr Spelling comparisons[] = {
-    {"==", Operator::equal}, {"!=", Operator::notEqual},     {"<", Operator::less},
-    {">", Operator::greater}, {"<=", Operator::lessEqual}, {">=", Operator::greaterEqual}};
+constexpr Spelling comparisons[] = {{"==", Operator::equal},     {"!=", Operator::notEqual},
+                                    {"<", Operator::less},       {">", Operator::greater},
+                                    {"<=", Operator::lessEqual}, {">=", Operator::greaterEqual}};
 constexpr Spelling sums[] = {{"+", Operator::add}, {"-", Operator::subtract}};
 constexpr Spelling products[] = {
     {"*", Operator::multiply}, {"/", Operator::divide}, {"%", Operator::modulo}};
@@ -185,8 +185,8 @@ ExpressionPtr Parser::primary() {
   }
   if (token_.is("conflict")) fail("cooperative states ('conflict') are not supported");
 
-  using Kind = syntax::Expression::Kind;
-  auto primary = std::make_unique<syntax::Expression>();
+  using Kind = Expression::Kind;
+  auto primary = std::make_unique<Expression>();
   primary->location = token_.location;
   primary->name = token_.text;
   primary->number = token_.number;
@@ -220,8 +220,8 @@ ExpressionPtr Parser::primary() {
 
 ExpressionPtr Parser::operation(Operator op, Location location,
                                 std::vector<ExpressionPtr> operands) {
-  auto node = std::make_unique<syntax::Expression>();
-  node->kind = syntax::Expression::Kind::operation;
+  auto node = std::make_unique<Expression>();
+  node->kind = Expression::Kind::operation;
   node->operation = op;
   node->location = location;
   node->operands = std::move(operands);

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "xabsl/Diagnostic.h"
-#include "xabsl/Model.h"
+#include "xabsl/Language.h"
 
-/// The syntax tree: what stands in the sources, before names and types are resolved. Built by the Parser, read by
-/// the Analyzer. All texts are views into the sources.
+/// The syntax tree: what stands in the sources, before names and types are resolved. Built by the
+/// Parser, read by the Analyzer. All texts are views into the sources.
 namespace xabsl::syntax {
 
 struct Name {
@@ -27,8 +27,17 @@ struct Argument {
 
 /// One operator, literal, or name with all that stands below it.
 struct Expression {
-  enum class Kind { number, boolean, name, parameter, call, stateTime, optionTime, actionDone,
-                    operation };
+  enum class Kind {
+    number,
+    boolean,
+    name,
+    parameter,
+    call,
+    stateTime,
+    optionTime,
+    actionDone,
+    operation
+  };
 
   Kind kind = Kind::number;
   Location location;
@@ -106,6 +115,7 @@ struct State {
   bool initial = false;
   bool target = false;
   bool leadingElse = false;
+  Location decisionLocation;
   DecisionPtr decision;
   std::vector<Action> actions;
 };

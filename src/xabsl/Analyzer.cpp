@@ -1,0 +1,332 @@
+#include "xabsl/Analyzer.h"
+
+#include <utility>
+
+#include "xabsl/OptionGraph.h"
+
+namespace xabsl {
+
+namespace {
+
+// Beyond what anybody writes; they bound time and memory for broken files.
+constexpr std::size_t maximalElements = 1000;
+constexpr std::size_t maximalParameters = 100;
+
+std::string quoted(std::string_view text) {
+  return "'" + std::string(text) + "'";
+}
+
+}  // namespace
+
+Analyzer::Analyzer(const syntax::Program& program, Reporter& reporter)
+    : program_(program), reporter_(reporter) {}
+
+Model Analyzer::analyze() {
+  model_.files = reporter_.files();
+  declareEnumerations();
+  declareSymbols();
+  declareConstants();
+  declareBehaviors();
+  declareOptions();
+  declareAgents();
+  for (std::size_t i = 0; i < program_.options.size() && !reporter_.full(); ++i)
+    resolveOption(program_.options[i], static_cast<int>(i));
+  if (!reporter_.failed()) checkOptionGraph(model_, reporter_);
+  return std::move(model_);
+}
+
+void Analyzer::declare(Names::Table& table, const syntax::Name& name, int index,
+                       const std::string& what) {
+  if (!table.emplace(name.text, index).second)
+    reporter_.error(name.location, what + " " + quoted(name.text) + " is declared twice");
+}
+
+void Analyzer::declareEnumerations() {
+  model_.expressions.push_back({});
+  for (const syntax::Enumeration& source : program_.enumerations) {
+    declare(names_.enumerations, source.name, static_cast<int>(model_.enumerations.size()),
+            "enumeration");
+    model_.expressions.push_back({.operation = Operator::element,
+                                  .a = static_cast<int>(model_.enumerations.size()),
+                                  .b = 0});
+    Enumeration enumeration{std::string(source.name.text), {}, source.name.location};
+    if (source.elements.size() > maximalElements)
+      reporter_.error(source.name.location, "enumeration " + quoted(source.name.text) +
+                                                " has more than " +
+                                                std::to_string(maximalElements) + " elements");
+    const std::string prefix = enumeration.name + ".";
+    std::set<std::string_view> known;
+    for (const syntax::Name& element : source.elements) {
+      std::string_view name = element.text;
+      if (name.size() > prefix.size() && name.substr(0, prefix.size()) == prefix)
+        name.remove_prefix(prefix.size());
+      if (!known.insert(name).second)
+        reporter_.error(element.location, "element " + quoted(name) + " is declared twice");
+      enumeration.elements.push_back({std::string(name), element.location});
+    }
+    model_.enumerations.push_back(std::move(enumeration));
+  }
+  model_.expressionLocations.resize(model_.expressions.size());
+}
+
+void Analyzer::declareSymbols() {
+  for (const syntax::Symbol& source : program_.symbols) {
+    declare(names_.symbols, source.name, static_cast<int>(model_.symbols.size()), "symbol");
+    Symbol symbol;
+    symbol.kind = source.kind;
+    symbol.name = source.name.text;
+    symbol.location = source.name.location;
+    resolve(source.type, symbol.type);
+    symbol.parameters = resolve(source.parameters);
+    model_.symbols.push_back(std::move(symbol));
+  }
+}
+
+void Analyzer::declareConstants() {
+  for (const syntax::Constant& source : program_.constants)
+    if (names_.symbols.count(source.name.text) > 0 ||
+        !names_.constants.emplace(source.name.text, source.value).second)
+      reporter_.error(source.name.location,
+                      "symbol " + quoted(source.name.text) + " is declared twice");
+}
+
+void Analyzer::declareBehaviors() {
+  for (const syntax::Behavior& source : program_.behaviors) {
+    declare(names_.behaviors, source.name, static_cast<int>(model_.behaviors.size()),
+            "basic behavior");
+    model_.behaviors.push_back(
+        {std::string(source.name.text), resolve(source.parameters), source.name.location, {}});
+  }
+}
+
+void Analyzer::declareOptions() {
+  for (const syntax::Option& source : program_.options) {
+    declare(names_.options, source.name, static_cast<int>(model_.options.size()), "option");
+    Option option;
+    option.name = source.name.text;
+    option.location = source.name.location;
+    option.parameters = resolve(source.parameters);
+    declareStates(source, option);
+    model_.options.push_back(std::move(option));
+  }
+}
+
+void Analyzer::declareStates(const syntax::Option& source, Option& option) {
+  option.states = {static_cast<int>(model_.states.size()), static_cast<int>(source.states.size())};
+  std::set<std::string_view> known;
+  for (const syntax::State& state : source.states) {
+    if (!known.insert(state.name.text).second)
+      reporter_.error(state.name.location, "state " + quoted(state.name.text) +
+                                               " is declared twice in option " + option.name);
+    if (state.initial && option.initialState >= 0)
+      reporter_.error(state.name.location, "option " + option.name +
+                                               " has a second initial state, expected exactly one");
+    if (state.initial) option.initialState = static_cast<int>(model_.states.size());
+    model_.states.push_back(
+        {std::string(state.name.text), state.target, {}, {}, state.name.location});
+  }
+  if (option.initialState < 0)
+    reporter_.error(option.location,
+                    "option " + option.name + " has no initial state, expected exactly one");
+}
+
+void Analyzer::declareAgents() {
+  Names::Table known;
+  for (const syntax::Agent& source : program_.agents) {
+    declare(known, source.name, 0, "agent");
+    const int root = Names::find(names_.options, source.rootOption.text);
+    if (root < 0) unknown(names_.options, source.rootOption, "option");
+    model_.agents.push_back({std::string(source.name.text), root, source.name.location});
+  }
+  if (program_.agents.empty())
+    reporter_.error({}, "there is no agent, expected 'agent name(\"title\", root_option);'");
+}
+
+bool Analyzer::resolve(const syntax::TypeName& source, Type& type) {
+  type.kind = source.kind;
+  if (source.kind != ValueKind::enumeration) return true;
+  type.enumeration = Names::find(names_.enumerations, source.enumeration.text);
+  if (type.enumeration >= 0) return true;
+  unknown(names_.enumerations, source.enumeration, "enumeration");
+  // What is declared with it goes on as a number, so that it is still known by its name.
+  type.kind = ValueKind::number;
+  return false;
+}
+
+std::vector<Parameter> Analyzer::resolve(const std::vector<syntax::Parameter>& sources) {
+  std::vector<Parameter> parameters;
+  if (sources.size() > maximalParameters) {
+    reporter_.error(sources.front().name.location,
+                    "more than " + std::to_string(maximalParameters) + " parameters");
+    return parameters;
+  }
+  std::set<std::string_view> known;
+  for (const syntax::Parameter& source : sources) {
+    if (!known.insert(source.name.text).second)
+      reporter_.error(source.name.location,
+                      "parameter " + quoted(source.name.text) + " is declared twice");
+    Parameter parameter{std::string(source.name.text), {}, source.name.location};
+    resolve(source.type, parameter.type);
+    parameters.push_back(std::move(parameter));
+  }
+  return parameters;
+}
+
+void Analyzer::unknown(const Names::Table& table, const syntax::Name& name,
+                       const std::string& what) {
+  if (reporter_.full()) return;
+  Suggestion suggestion(name.text);
+  for (const auto& [candidate, index] : table) suggestion.offer(candidate);
+  reporter_.error(name.location, "unknown " + what + " " + quoted(name.text) + suggestion.text());
+}
+
+void Analyzer::resolveOption(const syntax::Option& source, int index) {
+  const std::size_t i = static_cast<std::size_t>(index);
+  ExpressionAnalyzer expressions(model_, names_, index, reporter_);
+  states_.clear();
+  int stateIndex = model_.options[i].states.first;
+  for (const syntax::State& stateSource : source.states)
+    states_.emplace(stateSource.name.text, stateIndex++);
+  if (source.commonDecision)
+    model_.options[i].commonDecision = branch(*source.commonDecision, expressions);
+  model_.options[i].commonActions = actions(source.commonActions, index, expressions);
+  std::size_t state = static_cast<std::size_t>(model_.options[i].states.first);
+  for (const syntax::State& stateSource : source.states) {
+    checkElse(source, stateSource);
+    model_.states[state].decision = stateSource.decision
+                                        ? branch(*stateSource.decision, expressions)
+                                        : Branch{Branch::Kind::stay, -1};
+    model_.states[state].actions = actions(stateSource.actions, index, expressions);
+    ++state;
+  }
+}
+
+void Analyzer::checkElse(const syntax::Option& option, const syntax::State& state) {
+  if (!state.decision || state.leadingElse == (option.commonDecision != nullptr)) return;
+  const std::string name(option.name.text);
+  reporter_.error(state.decisionLocation,
+                  state.leadingElse
+                      ? "unexpected 'else', since option " + name + " has no common decision"
+                      : "expected 'else', since option " + name + " has a common decision");
+}
+
+Branch Analyzer::branch(const syntax::Decision& source, ExpressionAnalyzer& expressions) {
+  if (source.kind == syntax::Decision::Kind::stay) return {Branch::Kind::stay, -1};
+  if (source.kind == syntax::Decision::Kind::go) return transition(source.target, expressions);
+  // The arms of one chain stand side by side, each one's else is the next.
+  const std::size_t first = model_.decisions.size();
+  model_.decisions.resize(first + source.arms.size());
+  for (std::size_t i = 0; i < source.arms.size(); ++i) {
+    Decision decision;
+    decision.condition =
+        expressions.expression(*source.arms[i].condition, {ValueKind::boolean, -1}, "condition");
+    decision.then = branch(*source.arms[i].decision, expressions);
+    decision.otherwise = {Branch::Kind::decision, static_cast<int>(first + i + 1)};
+    model_.decisions[first + i] = decision;
+  }
+  model_.decisions[first + source.arms.size() - 1].otherwise = {};
+  if (source.otherwise) {
+    const Branch last = branch(*source.otherwise, expressions);
+    model_.decisions[first + source.arms.size() - 1].otherwise = last;
+  }
+  return {Branch::Kind::decision, static_cast<int>(first)};
+}
+
+Branch Analyzer::transition(const syntax::Name& target, ExpressionAnalyzer& expressions) {
+  const int state = Names::find(states_, target.text);
+  if (state >= 0) return {Branch::Kind::state, state};
+  Suggestion suggestion(target.text);
+  for (const auto& [candidate, index] : states_) suggestion.offer(candidate);
+  expressions.error(target.location, "unknown state " + quoted(target.text) + suggestion.text());
+  return {Branch::Kind::stay, -1};
+}
+
+Span Analyzer::actions(const std::vector<syntax::Action>& sources, int option,
+                       ExpressionAnalyzer& expressions) {
+  Span span{static_cast<int>(model_.actions.size()), 0};
+  for (const syntax::Action& source : sources) {
+    Action action;
+    action.location = source.name.location;
+    const bool valid = source.kind == syntax::Action::Kind::assignment
+                           ? assignment(source, option, expressions, action)
+                           : call(source, option, expressions, action);
+    if (!valid) continue;
+    model_.actions.push_back(action);
+    ++span.count;
+  }
+  return span;
+}
+
+bool Analyzer::assignment(const syntax::Action& source, int option, ExpressionAnalyzer& expressions,
+                          Action& action) {
+  action.kind = Action::Kind::assignment;
+  action.target = Names::find(names_.symbols, source.name.text);
+  if (action.target < 0) {
+    Suggestion suggestion(source.name.text);
+    for (const Symbol& symbol : model_.symbols)
+      if (symbol.kind != SymbolKind::input) suggestion.offer(symbol.name);
+    expressions.error(source.name.location,
+                      "unknown output symbol " + quoted(source.name.text) + suggestion.text());
+    return false;
+  }
+  Symbol& symbol = model_.symbols[static_cast<std::size_t>(action.target)];
+  if (symbol.firstUse.option < 0) symbol.firstUse = {option, source.name.location};
+  if (symbol.kind == SymbolKind::input) {
+    expressions.error(source.name.location,
+                      "input symbol " + quoted(source.name.text) + " cannot be set");
+    return false;
+  }
+  action.operand =
+      expressions.expression(*source.value, symbol.type, "value of " + quoted(source.name.text));
+  return action.operand >= 0;
+}
+
+bool Analyzer::call(const syntax::Action& source, int option, ExpressionAnalyzer& expressions,
+                    Action& action) {
+  using Kind = syntax::Action::Kind;
+  const int called = Names::find(names_.options, source.name.text);
+  const int behavior = Names::find(names_.behaviors, source.name.text);
+  if (source.kind == Kind::call && called >= 0 && behavior >= 0) {
+    expressions.error(source.name.location,
+                      quoted(source.name.text) +
+                          " is an option and a basic behavior, expected 'option' or 'behavior' "
+                          "before '('");
+    return false;
+  }
+  const std::string name = quoted(source.name.text);
+  if (called >= 0 && source.kind != Kind::callBehavior) {
+    action.kind = Action::Kind::option;
+    action.target = called;
+    action.operand = expressions.arguments(
+        source.arguments, model_.options[static_cast<std::size_t>(called)].parameters,
+        "option " + name);
+    return true;
+  }
+  if (behavior >= 0 && source.kind != Kind::callOption) {
+    BasicBehavior& prototype = model_.behaviors[static_cast<std::size_t>(behavior)];
+    if (prototype.firstUse.option < 0) prototype.firstUse = {option, source.name.location};
+    action.kind = Action::Kind::behavior;
+    action.target = behavior;
+    action.operand =
+        expressions.arguments(source.arguments, prototype.parameters, "basic behavior " + name);
+    return true;
+  }
+  unknownCallee(source, expressions);
+  return false;
+}
+
+void Analyzer::unknownCallee(const syntax::Action& source, ExpressionAnalyzer& expressions) {
+  using Kind = syntax::Action::Kind;
+  Suggestion suggestion(source.name.text);
+  if (source.kind != Kind::callBehavior)
+    for (const auto& [candidate, index] : names_.options) suggestion.offer(candidate);
+  if (source.kind != Kind::callOption)
+    for (const auto& [candidate, index] : names_.behaviors) suggestion.offer(candidate);
+  const std::string what = source.kind == Kind::callOption ? "unknown option "
+                           : source.kind == Kind::callBehavior
+                               ? "unknown basic behavior "
+                               : "unknown option or basic behavior ";
+  expressions.error(source.name.location, what + quoted(source.name.text) + suggestion.text());
+}
+
+}  // namespace xabsl

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "xabsl/Diagnostic.h"
+#include "xabsl/Model.h"
+
+namespace xabsl {
+
+/// A compiled behavior. Cheap to copy, never changes; any number of engines, in any threads, may
+/// share one.
+class Behavior {
+ public:
+  explicit Behavior(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
+
+  const Model& model() const { return *model_; }
+  std::shared_ptr<const Model> shared() const { return model_; }
+
+ private:
+  std::shared_ptr<const Model> model_;
+};
+
+/// What compiling yields: a behavior if there is no error, and what there is to say.
+struct Compilation {
+  std::optional<Behavior> behavior;
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Files held in memory: text by path. Includes are looked up relative to the including file, as on
+/// disk.
+using VirtualFiles = std::map<std::string, std::string>;
+
+/// Compiles XABSL 3.1 text from the file with the agents and all that it includes.
+Compilation compile(const std::string& path);
+
+/// The same from files in memory.
+Compilation compile(const std::string& path, const VirtualFiles& files);
+
+}  // namespace xabsl

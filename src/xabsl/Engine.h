@@ -1,0 +1,143 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xabsl/Activation.h"
+#include "xabsl/Behavior.h"
+#include "xabsl/Diagnostic.h"
+#include "xabsl/Linker.h"
+#include "xabsl/Model.h"
+#include "xabsl/Symbols.h"
+
+namespace xabsl {
+
+/// Executes a behavior (report 3.8.1.1, H.7). Depends on nothing but its inputs and the time it is
+/// given; a cycle neither allocates nor looks anything up by name. An engine belongs to one thread
+/// at a time.
+class Engine {
+ public:
+  struct Creation;
+
+  /// Joins a behavior with what is registered. Without an engine the diagnostics say what is
+  /// missing.
+  static Creation create(const Behavior& behavior, const Symbols& symbols);
+
+  Engine(Engine&&) = default;
+  Engine& operator=(Engine&&) = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// One cycle: the options from the root option of the selected agent down, each with at most one
+  /// transition. `now` in ms.
+  void execute(std::int64_t now);
+
+  /// Selects the agent, from the next cycle on; false: there is none of that name.
+  bool selectAgent(std::string_view name);
+  const std::string& selectedAgent() const;
+
+  const Model& model() const { return *model_; }
+
+  /// What the last cycle executed, in its order.
+  std::vector<Activation> activations() const;
+
+  /// The value of a symbol now; nothing for functions with parameters and unknown names.
+  std::optional<NamedValue> symbol(std::string_view name) const;
+
+  /// What went wrong while running, each once: division by zero and what was executed twice in a
+  /// cycle.
+  std::vector<Diagnostic> warnings() const;
+
+ private:
+  /// What the engine remembers of an option.
+  struct OptionState {
+    int option = -1;
+    int state = -1;  // the one that is active, or was last
+    std::int64_t activation = 0;
+    std::int64_t stateActivation = 0;
+    std::int64_t optionTime = 0;
+    std::int64_t stateTime = 0;
+    std::uint64_t cycle = 0;     // in which it was active last
+    std::uint64_t previous = 0;  // and the one before that
+  };
+
+  struct Executed {
+    Activation::Kind kind;
+    int index;
+    int depth;
+    int state;
+    std::int64_t optionTime;
+    std::int64_t stateTime;
+  };
+
+  /// An input or output in C++, ready to call.
+  struct Port {
+    double (*call)(void* object, const double* arguments) = nullptr;
+    void* object = nullptr;
+  };
+
+  struct Warning {
+    const char* text;
+    Location location;
+  };
+
+  Engine(const Behavior& behavior, Bindings bindings);
+  void prepareSymbols();
+  void prepareParameters();
+  void prepareExpressions();
+  double firstValue(Type type) const;
+
+  void executeOption(int index, int depth);
+  void executeBehavior(int index, int depth);
+  void executeActions(Span span, const OptionState& caller, int depth);
+  void enter(OptionState& option);
+  bool wasActive(const OptionState& option) const;
+  void decide(OptionState& option);
+  Branch follow(Branch branch, const OptionState& option);
+  void record(const Executed& executed, std::size_t firstSlot, std::size_t count);
+  void warnOnce(char& warned, const char* text, Location location);
+
+  double evaluate(int index, const OptionState& option);
+  double operand(int index, const OptionState& option);
+  double input(const Expression& expression, const OptionState& option);
+  double binary(const Expression& expression, const OptionState& option);
+  double divide(int index, const OptionState& option);
+  double modulo(int index, const OptionState& option);
+  bool actionDone(const OptionState& option) const;
+  bool subOptionDone(Span actions) const;
+
+  NamedValue named(const std::string& name, Type type, double number) const;
+
+  std::shared_ptr<const Model> model_;
+  Bindings bindings_;
+  std::vector<Expression> expressions_;  // the model's, made ready for this engine's bindings
+  std::vector<Port> ports_;              // per symbol
+  std::vector<double> variables_;        // per symbol: the last value of an output or internal one
+  std::vector<double> slots_;            // parameters of options, behaviors and functions
+  std::vector<std::size_t> optionSlots_;
+  std::vector<std::size_t> behaviorSlots_;
+  std::vector<OptionState> options_;
+  std::vector<std::uint64_t> behaviorCycles_;
+  std::uint64_t cycle_ = 1;
+  std::int64_t now_ = 0;
+  std::size_t agent_ = 0;
+
+  std::vector<Executed> executed_;
+  std::vector<double> executedValues_;
+  std::vector<Warning> warnings_;
+  std::vector<char> warnedExpressions_;
+  std::vector<char> warnedOptions_;
+  std::vector<char> warnedBehaviors_;
+};
+
+/// What creating an engine yields: an engine if there is no error, and what there is to say.
+struct Engine::Creation {
+  std::optional<Engine> engine;
+  std::vector<Diagnostic> diagnostics;
+};
+
+}  // namespace xabsl

@@ -1,0 +1,334 @@
+#include "xabsl/ExpressionAnalyzer.h"
+
+namespace xabsl {
+
+namespace {
+
+constexpr Type number{ValueKind::number, -1};
+constexpr Type boolean{ValueKind::boolean, -1};
+
+std::string quoted(std::string_view text) {
+  return "'" + std::string(text) + "'";
+}
+
+std::string_view spelling(Operator operation) {
+  switch (operation) {
+    case Operator::negate:
+    case Operator::subtract:
+      return "'-'";
+    case Operator::logicalNot:
+      return "'!'";
+    case Operator::add:
+      return "'+'";
+    case Operator::multiply:
+      return "'*'";
+    case Operator::divide:
+      return "'/'";
+    case Operator::modulo:
+      return "'%'";
+    case Operator::equal:
+      return "'=='";
+    case Operator::notEqual:
+      return "'!='";
+    case Operator::less:
+      return "'<'";
+    case Operator::lessEqual:
+      return "'<='";
+    case Operator::greater:
+      return "'>'";
+    case Operator::greaterEqual:
+      return "'>='";
+    case Operator::logicalAnd:
+      return "'&&'";
+    case Operator::logicalOr:
+      return "'||'";
+    default:
+      return "'?:'";
+  }
+}
+
+/// The index of an element that is written short, or with the name of the enumeration before it.
+int findElement(const Enumeration& enumeration, std::string_view name) {
+  const std::string& prefix = enumeration.name;
+  if (name.size() > prefix.size() && name.substr(0, prefix.size()) == prefix &&
+      name[prefix.size()] == '.')
+    name.remove_prefix(prefix.size() + 1);
+  for (std::size_t i = 0; i < enumeration.elements.size(); ++i)
+    if (enumeration.elements[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace
+
+std::string describe(const Model& model, Type type) {
+  if (type.kind == ValueKind::number) return "float";
+  if (type.kind == ValueKind::boolean) return "bool";
+  return "enum " + model.enumerations[static_cast<std::size_t>(type.enumeration)].name;
+}
+
+int findParameter(const std::vector<Parameter>& parameters, std::string_view name) {
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+ExpressionAnalyzer::ExpressionAnalyzer(Model& model, const Names& names, int option,
+                                       Reporter& reporter)
+    : model_(model), names_(names), option_(option), reporter_(reporter) {}
+
+void ExpressionAnalyzer::error(Location location, const std::string& message) {
+  const std::string& option = model_.options[static_cast<std::size_t>(option_)].name;
+  // A suggestion stays the end of the sentence.
+  const std::size_t end = message.find("; did you mean");
+  if (end == std::string::npos) return reporter_.error(location, message + " in option " + option);
+  reporter_.error(location, message.substr(0, end) + " in option " + option + message.substr(end));
+}
+
+int ExpressionAnalyzer::expression(const syntax::Expression& source, Type wanted,
+                                   const std::string& purpose) {
+  const Typed typed = analyze(source, wanted.enumeration);
+  if (typed.index < 0 || typed.type == wanted) return typed.index;
+  error(source.location, purpose + " must be " + describe(model_, wanted) + ", found " +
+                             describe(model_, typed.type));
+  return -1;
+}
+
+int ExpressionAnalyzer::arguments(const std::vector<syntax::Argument>& sources,
+                                  const std::vector<Parameter>& parameters,
+                                  const std::string& callee) {
+  std::vector<int> operands(parameters.size(), -1);
+  std::vector<bool> given(parameters.size(), false);
+  for (const syntax::Argument& source : sources) {
+    const int index = findParameter(parameters, source.name.text);
+    if (index < 0) {
+      Suggestion suggestion(source.name.text);
+      for (const Parameter& parameter : parameters) suggestion.offer(parameter.name);
+      error(source.name.location,
+            callee + " has no parameter " + quoted(source.name.text) + suggestion.text());
+      continue;
+    }
+    const std::size_t i = static_cast<std::size_t>(index);
+    if (given[i])
+      error(source.name.location, "parameter " + quoted(source.name.text) + " is set twice");
+    given[i] = true;
+    operands[i] = expression(*source.value, parameters[i].type,
+                             "parameter " + quoted(source.name.text) + " of " + callee);
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (!given[i]) operands[i] = Model::defaultExpression(parameters[i].type);
+  return appendOperands(operands);
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::analyze(const syntax::Expression& source,
+                                                      int enumeration) {
+  using Kind = syntax::Expression::Kind;
+  switch (source.kind) {
+    case Kind::number:
+      return add(source, {.operation = Operator::constant, .number = source.number}, number);
+    case Kind::boolean:
+      return add(source, {.operation = Operator::constant, .number = source.number}, boolean);
+    case Kind::name:
+      return name(source, enumeration);
+    case Kind::parameter:
+      return parameter(source);
+    case Kind::call:
+      return call(source);
+    case Kind::stateTime:
+      return add(source, {.operation = Operator::stateTime}, number);
+    case Kind::optionTime:
+      return add(source, {.operation = Operator::optionTime}, number);
+    case Kind::actionDone:
+      return add(source, {.operation = Operator::actionDone}, boolean);
+    case Kind::operation:
+      return operation(source, enumeration);
+  }
+  return {};
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& source,
+                                                   int enumeration) {
+  if (enumeration >= 0) {
+    const Typed found = element(source, enumeration);
+    if (found.index >= 0) return found;
+  }
+  const auto constant = names_.constants.find(source.name);
+  if (constant != names_.constants.end())
+    return add(source, {.operation = Operator::constant, .number = constant->second}, number);
+  const int index = Names::find(names_.symbols, source.name);
+  if (index >= 0) return symbol(source, index);
+  // Written with the name of the enumeration, an element stands for itself anywhere.
+  for (std::size_t dot = source.name.find('.'); dot != std::string_view::npos;
+       dot = source.name.find('.', dot + 1)) {
+    const int named = Names::find(names_.enumerations, source.name.substr(0, dot));
+    if (named < 0) continue;
+    const Typed found = element(source, named);
+    if (found.index >= 0) return found;
+  }
+  unknownName(source, enumeration);
+  return {};
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& source, int index) {
+  Symbol& symbol = model_.symbols[static_cast<std::size_t>(index)];
+  if (symbol.firstUse.option < 0) symbol.firstUse = {option_, source.location};
+  if (symbol.kind != SymbolKind::input)
+    return add(source, {.operation = Operator::variable, .a = index}, symbol.type);
+  if (!symbol.parameters.empty() && source.kind == syntax::Expression::Kind::name) {
+    error(source.location,
+          "input symbol " + quoted(symbol.name) + " has parameters, expected " +
+              quoted(symbol.name + "(" + symbol.parameters.front().name + " = ...)"));
+    return {};
+  }
+  const int first =
+      arguments(source.arguments, symbol.parameters, "input symbol " + quoted(symbol.name));
+  return add(source, {.operation = Operator::input, .a = index, .b = first}, symbol.type);
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::element(const syntax::Expression& source,
+                                                      int enumeration) {
+  const int index =
+      findElement(model_.enumerations[static_cast<std::size_t>(enumeration)], source.name);
+  if (index < 0) return {};
+  return add(source, {.operation = Operator::element, .a = enumeration, .b = index},
+             {ValueKind::enumeration, enumeration});
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::parameter(const syntax::Expression& source) {
+  const std::vector<Parameter>& parameters =
+      model_.options[static_cast<std::size_t>(option_)].parameters;
+  const int index = findParameter(parameters, source.name);
+  if (index >= 0)
+    return add(source, {.operation = Operator::parameter, .a = option_, .b = index},
+               parameters[static_cast<std::size_t>(index)].type);
+  Suggestion suggestion(source.name);
+  for (const Parameter& parameter : parameters) suggestion.offer(parameter.name);
+  error(source.location,
+        "unknown parameter '@" + std::string(source.name) + "'" + suggestion.text());
+  return {};
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::call(const syntax::Expression& source) {
+  const int index = Names::find(names_.symbols, source.name);
+  if (index >= 0 && model_.symbols[static_cast<std::size_t>(index)].kind == SymbolKind::input)
+    return symbol(source, index);
+  if (index >= 0 || names_.constants.count(source.name) > 0)
+    error(source.location, quoted(source.name) + " is no input symbol and cannot have parameters");
+  else
+    unknownName(source, -1);
+  return {};
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::operation(const syntax::Expression& source,
+                                                        int enumeration) {
+  switch (source.operation) {
+    case Operator::equal:
+    case Operator::notEqual:
+      return equality(source);
+    case Operator::conditional:
+      return conditional(source, enumeration);
+    case Operator::logicalNot:
+    case Operator::logicalAnd:
+    case Operator::logicalOr:
+      return uniform(source, boolean, boolean);
+    case Operator::less:
+    case Operator::lessEqual:
+    case Operator::greater:
+    case Operator::greaterEqual:
+      return uniform(source, number, boolean);
+    default:
+      return uniform(source, number, number);
+  }
+}
+
+/// An operator whose operands all have the same type.
+ExpressionAnalyzer::Typed ExpressionAnalyzer::uniform(const syntax::Expression& source,
+                                                      Type operandType, Type resultType) {
+  const std::string purpose = "operand of " + std::string(spelling(source.operation));
+  std::vector<int> operands;
+  bool failed = false;
+  for (const syntax::ExpressionPtr& operand : source.operands) {
+    operands.push_back(expression(*operand, operandType, purpose));
+    failed = failed || operands.back() < 0;
+  }
+  if (failed) return {};
+  Expression resolved{.operation = source.operation};
+  if (source.operation == Operator::logicalAnd || source.operation == Operator::logicalOr) {
+    resolved.b = appendOperands(operands);
+    resolved.c = static_cast<int>(operands.size());
+  } else {
+    resolved.a = operands[0];
+    if (operands.size() > 1) resolved.b = operands[1];
+  }
+  return add(source, resolved, resultType);
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::equality(const syntax::Expression& source) {
+  const Typed left = analyze(*source.operands[0], -1);
+  // The left side fixes the enumeration, so that the right side may name its elements short.
+  const Typed right = analyze(*source.operands[1], left.type.enumeration);
+  if (left.index < 0 || right.index < 0) return {};
+  if (left.type != right.type) {
+    error(source.location, std::string(spelling(source.operation)) + " compares " +
+                               describe(model_, left.type) + " with " +
+                               describe(model_, right.type));
+    return {};
+  }
+  if (left.type.kind == ValueKind::boolean) {
+    error(source.location, std::string(spelling(source.operation)) +
+                               " compares float or enum, found bool; use '&&', '||' and '!'");
+    return {};
+  }
+  return add(source, {.operation = source.operation, .a = left.index, .b = right.index}, boolean);
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::conditional(const syntax::Expression& source,
+                                                          int enumeration) {
+  const int condition = expression(*source.operands[0], boolean, "condition of '?:'");
+  const Typed then = analyze(*source.operands[1], enumeration);
+  const Typed otherwise =
+      analyze(*source.operands[2], enumeration >= 0 ? enumeration : then.type.enumeration);
+  if (condition < 0 || then.index < 0 || otherwise.index < 0) return {};
+  if (then.type != otherwise.type) {
+    error(source.location, "'?:' chooses between " + describe(model_, then.type) + " and " +
+                               describe(model_, otherwise.type));
+    return {};
+  }
+  if (then.type.kind == ValueKind::boolean) {
+    error(source.location, "'?:' chooses between float or enum, found bool; use '&&' and '||'");
+    return {};
+  }
+  return add(
+      source,
+      {.operation = Operator::conditional, .a = condition, .b = then.index, .c = otherwise.index},
+      then.type);
+}
+
+ExpressionAnalyzer::Typed ExpressionAnalyzer::add(const syntax::Expression& source,
+                                                  const Expression& expression, Type type) {
+  model_.expressions.push_back(expression);
+  model_.expressionLocations.push_back(source.location);
+  return {static_cast<int>(model_.expressions.size()) - 1, type};
+}
+
+int ExpressionAnalyzer::appendOperands(const std::vector<int>& operands) {
+  const int first = static_cast<int>(model_.operands.size());
+  model_.operands.insert(model_.operands.end(), operands.begin(), operands.end());
+  return first;
+}
+
+void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enumeration) {
+  if (reporter_.full()) return;
+  Suggestion suggestion(source.name);
+  for (const auto& [candidate, index] : names_.symbols) suggestion.offer(candidate);
+  for (const auto& [candidate, value] : names_.constants) suggestion.offer(candidate);
+  if (enumeration < 0)
+    return error(source.location,
+                 "unknown input symbol " + quoted(source.name) + suggestion.text());
+  const Enumeration& expected = model_.enumerations[static_cast<std::size_t>(enumeration)];
+  for (const EnumerationElement& element : expected.elements) suggestion.offer(element.name);
+  error(source.location, "enumeration " + quoted(expected.name) + " has no element " +
+                             quoted(source.name) + ", nor is there a symbol of that name" +
+                             suggestion.text());
+}
+
+}  // namespace xabsl

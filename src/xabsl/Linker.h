@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "xabsl/Diagnostic.h"
+#include "xabsl/Model.h"
+#include "xabsl/Symbols.h"
+
+namespace xabsl {
+
+/// What a model's symbols and basic behaviors are in C++, by the model's indices.
+struct Bindings {
+  struct Bound {
+    Function function;
+    std::vector<int> order;  // the argument of the function that each parameter becomes
+    std::function<void()> parametersChanged;
+  };
+
+  std::vector<Bound> symbols;  // internal symbols are bound to nothing
+  std::vector<Bound> behaviors;
+  std::vector<std::vector<double>>
+      elements;  // per enumeration: the registered value of each element
+};
+
+/// Looks up all that a model declares among what is registered. What is missing or of another type
+/// is an error at the place of its declaration, with the option that needs it. The bindings are of
+/// use only without errors.
+Bindings link(const Model& model, const Symbols& symbols, std::vector<Diagnostic>& diagnostics);
+
+}  // namespace xabsl

@@ -1,0 +1,173 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <typeindex>
+#include <utility>
+#include <vector>
+
+#include "xabsl/Function.h"
+
+namespace xabsl {
+
+/// Names a parameter of a registered function, in the order of its arguments. With the name of an
+/// enumeration, an integer argument takes the index of an element.
+struct ParameterName {
+  ParameterName(const char* parameter) : name(parameter) {}  // NOLINT: written as a plain string
+  ParameterName(std::string parameter, std::string enumerationName = {})  // NOLINT: the same
+      : name(std::move(parameter)), enumeration(std::move(enumerationName)) {}
+
+  std::string name;
+  std::string enumeration;
+};
+
+struct RegisteredParameter {
+  std::string name;
+  RegisteredType type;
+};
+
+/// A registered input or output symbol or basic behavior.
+struct RegisteredFunction {
+  Function function;
+  RegisteredType type;  // of the symbol
+  std::vector<RegisteredParameter> parameters;
+  std::function<void()> parametersChanged;  // of a basic behavior; may be empty
+};
+
+struct RegisteredEnumeration {
+  std::vector<std::string> elements;  // the value of an element is its index
+  std::type_index type = typeid(void);
+};
+
+/// What the surroundings offer to behaviors: variables, functions, enumerations and basic
+/// behaviors, by the names used in XABSL (report H.3 to H.5). Types follow from C++: bool is bool,
+/// an enum class is the enumeration registered for it, any other number is float. Registering a
+/// name twice replaces what it stood for. What is registered by pointer must outlive the engines
+/// that use it.
+class Symbols {
+ public:
+  /// The names of an enum's values 0, 1, ..., as XABSL calls them.
+  template <typename Enum>
+  void enumeration(const std::string& name, std::vector<std::string> elements) {
+    static_assert(std::is_enum_v<Enum>);
+    enumerations_[name] = {std::move(elements), typeid(Enum)};
+  }
+
+  /// An enumeration that is known as data only; its values are indices.
+  void enumeration(const std::string& name, std::vector<std::string> elements) {
+    enumerations_[name] = {std::move(elements), typeid(void)};
+  }
+
+  /// A variable, read each time the symbol is used.
+  template <typename T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void input(const std::string& name, const T* variable) {
+    input(name, [variable] { return *variable; });
+  }
+
+  /// A function, called each time the symbol is used. Its arguments are the parameters of the
+  /// symbol.
+  template <typename Callable>
+  requires(!std::is_pointer_v<Callable>) void input(const std::string& name,
+                                                    const std::vector<ParameterName>& parameters,
+                                                    Callable callable) {
+    inputs_[name] = {makeFunction(std::move(callable)),
+                     registeredType<ResultOf<Callable>>(),
+                     named<Callable>(parameters),
+                     {}};
+  }
+  template <typename Callable>
+  requires(!std::is_pointer_v<Callable>) void input(const std::string& name, Callable callable) {
+    input(name, {}, std::move(callable));
+  }
+
+  /// The same for an enumeration known as data: the callable returns an index.
+  template <typename Callable>
+  void inputIndex(const std::string& name, const std::string& enumeration, Callable callable) {
+    static_assert(std::is_integral_v<ResultOf<Callable>>);
+    input(name, {}, std::move(callable));
+    inputs_[name].type = {ValueKind::enumeration, typeid(void), enumeration};
+  }
+
+  /// A variable that is written each time the symbol is set.
+  template <typename T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void output(const std::string& name, T* variable) {
+    output(name, [variable](T value) { *variable = value; });
+  }
+
+  /// A function of one argument, called each time the symbol is set.
+  template <typename Callable>
+  requires(!std::is_pointer_v<Callable>) void output(const std::string& name, Callable callable) {
+    static_assert(std::tuple_size_v<ArgumentsOf<Callable>> == 1);
+    outputs_[name] = {makeFunction(std::move(callable)), argumentTypes<Callable>().front(), {}, {}};
+  }
+
+  /// The same for an enumeration known as data: the callable takes an index.
+  template <typename Callable>
+  void outputIndex(const std::string& name, const std::string& enumeration, Callable callable) {
+    static_assert(std::is_integral_v<std::tuple_element_t<0, ArgumentsOf<Callable>>>);
+    output(name, std::move(callable));
+    outputs_[name].type = {ValueKind::enumeration, typeid(void), enumeration};
+  }
+
+  /// A basic behavior: called in each cycle that executes it, with its parameters as arguments.
+  /// `parametersChanged` is called before, when an argument is another one than at the last call.
+  template <typename Callable>
+  void behavior(const std::string& name, const std::vector<ParameterName>& parameters,
+                Callable callable, std::function<void()> parametersChanged = {}) {
+    behaviors_[name] = {makeFunction(std::move(callable)),
+                        {},
+                        named<Callable>(parameters),
+                        std::move(parametersChanged)};
+  }
+  template <typename Callable>
+  requires(!std::is_convertible_v<Callable, std::vector<ParameterName>>) void behavior(
+      const std::string& name, Callable callable) {
+    behavior(name, {}, std::move(callable));
+  }
+
+  /// What stands for a name, or null.
+  const RegisteredFunction* findInput(const std::string& name) const { return find(inputs_, name); }
+  const RegisteredFunction* findOutput(const std::string& name) const {
+    return find(outputs_, name);
+  }
+  const RegisteredFunction* findBehavior(const std::string& name) const {
+    return find(behaviors_, name);
+  }
+  const RegisteredEnumeration* findEnumeration(const std::string& name) const {
+    return find(enumerations_, name);
+  }
+
+  /// The name under which a C++ enum was registered, or nothing.
+  std::string enumerationName(const RegisteredType& type) const;
+
+  /// The names closest to one that is missing, for messages.
+  const std::map<std::string, RegisteredFunction>& inputs() const { return inputs_; }
+  const std::map<std::string, RegisteredFunction>& outputs() const { return outputs_; }
+  const std::map<std::string, RegisteredFunction>& behaviors() const { return behaviors_; }
+
+ private:
+  template <typename T>
+  static const T* find(const std::map<std::string, T>& table, const std::string& name) {
+    const auto found = table.find(name);
+    return found == table.end() ? nullptr : &found->second;
+  }
+
+  template <typename Callable>
+  static std::vector<RegisteredParameter> named(const std::vector<ParameterName>& names) {
+    return join(argumentTypes<Callable>(), names);
+  }
+  static std::vector<RegisteredParameter> join(std::vector<RegisteredType> types,
+                                               const std::vector<ParameterName>& names);
+
+  std::map<std::string, RegisteredFunction> inputs_;
+  std::map<std::string, RegisteredFunction> outputs_;
+  std::map<std::string, RegisteredFunction> behaviors_;
+  std::map<std::string, RegisteredEnumeration> enumerations_;
+};
+
+}  // namespace xabsl
