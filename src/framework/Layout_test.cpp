@@ -14,7 +14,8 @@ using testing::Reading;
 Result<Plan> plan(const std::string& text) {
   const auto layout = parseLayout(text, "test.layout");
   if (!layout) return layout.error();
-  return makePlan(*layout, testing::table(), {&representation<Reading>()}, {});
+  static const SolutionTable table = testing::table();
+  return makePlan(*layout, table, {&representation<Reading>()}, {});
 }
 
 std::string errorOf(const std::string& text) {

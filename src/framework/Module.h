@@ -129,7 +129,7 @@ class ModuleAdapter<M, void (M::*)(A...)> final : public AnyModule {
   }
   Result<void> configure(std::string_view text, std::string_view file) override {
     if constexpr (detail::HasParameters<M>) {
-      return parseConfig(text, file, module_.parameters);
+      return parseConfig(text, std::string{file}, module_.parameters);
     } else {
       return Error{std::string{file}, 0, "", "this module has no parameters"};
     }

@@ -22,7 +22,7 @@ class ModuleProcessTest : public ::testing::Test {
  protected:
   ModuleProcessTest() {
     const auto layout = parseLayout("process Main on Reading\nFilter\nController\n", "test.layout");
-    plan = *makePlan(*layout, testing::table(), {&representation<Reading>()}, {});
+    plan = *makePlan(*layout, table, {&representation<Reading>()}, {});
     Blackboard blackboard;
     Time& time = blackboard.get<FrameTime>().time;
     process =
