@@ -1,0 +1,169 @@
+#include "streams/Type.h"
+
+#include <charconv>
+#include <cstring>
+#include <limits>
+
+namespace gt {
+namespace {
+
+/// Calls visit with a null pointer to the C++ type of a number.
+template <typename Visit>
+decltype(auto) dispatch(Number number, Visit&& visit) {
+  switch (number) {
+    case Number::int8:
+      return visit(static_cast<std::int8_t*>(nullptr));
+    case Number::uint8:
+      return visit(static_cast<std::uint8_t*>(nullptr));
+    case Number::int16:
+      return visit(static_cast<std::int16_t*>(nullptr));
+    case Number::uint16:
+      return visit(static_cast<std::uint16_t*>(nullptr));
+    case Number::int32:
+      return visit(static_cast<std::int32_t*>(nullptr));
+    case Number::uint32:
+      return visit(static_cast<std::uint32_t*>(nullptr));
+    case Number::int64:
+      return visit(static_cast<std::int64_t*>(nullptr));
+    case Number::uint64:
+      return visit(static_cast<std::uint64_t*>(nullptr));
+    case Number::float32:
+      return visit(static_cast<float*>(nullptr));
+    case Number::float64:
+      break;
+  }
+  return visit(static_cast<double*>(nullptr));
+}
+
+template <typename N>
+N load(const void* data) {
+  N n;
+  std::memcpy(&n, data, sizeof n);
+  return n;
+}
+
+template <typename N>
+std::string numberText(N n) {
+  char buffer[40];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, n).ptr;
+  return {buffer, end};
+}
+
+std::string rangeText(Range range) {
+  return "must be from " + numberText(range.low) + " to " + numberText(range.high);
+}
+
+template <typename N>
+std::optional<std::string> setNumber(void* data, std::string_view text, Range range) {
+  N n{};
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), n);
+  if (failure == std::errc::result_out_of_range) return "is too large a number";
+  if (failure != std::errc{} || end != text.data() + text.size() || text.empty())
+    return std::string(std::is_integral_v<N> ? "expected a whole number" : "expected a number");
+  const auto v = static_cast<double>(n);
+  if (range.bounds() && !(v >= range.low && v <= range.high)) return rangeText(range);
+  std::memcpy(data, &n, sizeof n);
+  return std::nullopt;
+}
+
+std::string choices(std::span<const std::string_view> names) {
+  std::string s = "expected ";
+  for (std::size_t i = 0; i < names.size(); ++i) s += (i == 0 ? "" : " | ") + std::string(names[i]);
+  return s;
+}
+
+/// search-for-ball is searchForBall.
+std::string camelCase(std::string_view word) {
+  std::string s;
+  for (std::size_t i = 0; i < word.size(); ++i)
+    if (word[i] == '-' && i + 1 < word.size() && word[i + 1] >= 'a' && word[i + 1] <= 'z')
+      s += static_cast<char>(word[++i] - 'a' + 'A');
+    else
+      s += word[i];
+  return s;
+}
+
+std::optional<std::string> setEnumeration(Value v, std::string_view text) {
+  const std::string name = camelCase(text);
+  for (std::size_t i = 0; i < v.type->names.size(); ++i)
+    if (v.type->names[i] == name) {
+      setOrdinal(v, static_cast<std::int64_t>(i));
+      return std::nullopt;
+    }
+  return choices(v.type->names);
+}
+
+}  // namespace
+
+bool isFlat(const Type& type) {
+  if (type.kind == Kind::array) return isFlat(type.element()) && type.element().kind != Kind::list;
+  if (type.kind == Kind::list) return isFlat(type.element()) && width(type.element()) > 0;
+  return type.kind != Kind::record || type.basic;
+}
+
+std::size_t width(const Type& type) {
+  std::size_t n = 0;
+  if (type.kind == Kind::array) return type.count * width(type.element());
+  if (type.kind == Kind::list) return 0;
+  if (type.kind != Kind::record) return 1;
+  for (const Part& p : type.parts) n += width(p.type());
+  return n;
+}
+
+std::int64_t ordinal(ConstValue scalar) {
+  if (scalar.type().kind == Kind::boolean) return *static_cast<const bool*>(scalar.data()) ? 1 : 0;
+  return dispatch(scalar.type().number, [&](auto* type) {
+    return static_cast<std::int64_t>(load<std::remove_pointer_t<decltype(type)>>(scalar.data()));
+  });
+}
+
+void setOrdinal(Value scalar, std::int64_t number) {
+  if (scalar.type->kind == Kind::boolean) {
+    *static_cast<bool*>(scalar.data) = number != 0;
+    return;
+  }
+  dispatch(scalar.type->number, [&](auto* type) {
+    const auto n = static_cast<std::remove_pointer_t<decltype(type)>>(number);
+    std::memcpy(scalar.data, &n, sizeof n);
+  });
+}
+
+std::string scalarText(ConstValue scalar) {
+  switch (scalar.type().kind) {
+    case Kind::boolean:
+      return ordinal(scalar) != 0 ? "true" : "false";
+    case Kind::text:
+      return *static_cast<const std::string*>(scalar.data());
+    case Kind::enumeration: {
+      const auto n = static_cast<std::size_t>(ordinal(scalar));
+      return n < scalar.type().names.size() ? std::string(scalar.type().names[n]) : "?";
+    }
+    default:
+      return dispatch(scalar.type().number, [&](auto* type) {
+        return numberText(load<std::remove_pointer_t<decltype(type)>>(scalar.data()));
+      });
+  }
+}
+
+std::optional<std::string> setScalar(Value scalar, std::string_view text, Range range) {
+  switch (scalar.type->kind) {
+    case Kind::boolean:
+      if (text != "true" && text != "false" && text != "0" && text != "1" && text != "on" &&
+          text != "off")
+        return "expected true | false";
+      setOrdinal(scalar, text == "true" || text == "1" || text == "on");
+      return std::nullopt;
+    case Kind::text:
+      *static_cast<std::string*>(scalar.data) = text;
+      return std::nullopt;
+    case Kind::enumeration:
+      return setEnumeration(scalar, text);
+    default:
+      return dispatch(scalar.type->number, [&](auto* type) {
+        return setNumber<std::remove_pointer_t<decltype(type)>>(scalar.data, text, range);
+      });
+  }
+}
+
+}  // namespace gt

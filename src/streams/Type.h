@@ -1,0 +1,177 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "streams/Shape.h"
+
+namespace gt {
+
+/// How a number lies in memory.
+enum class Number { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+struct Type;
+using TypeFunction = const Type& (*)();
+
+/// A part of a record: what its declaration says, and where it lies.
+struct Part : PartInfo {
+  TypeFunction type;
+  void* (*in)(void* record);
+};
+
+/// A type as data: what formats need that are not worth a template for each type (text, config,
+/// JSON, schemas, access by path). Made from the Shape of a type by typeOf().
+struct Type {
+  Kind kind = Kind::number;
+  std::string_view name;                         ///< Without namespaces.
+  bool basic = false;                            ///< A record of the base library, like Vector2d.
+  Number number = Number::int8;                  ///< Of numbers and enumerations.
+  std::span<const std::string_view> names;       ///< Of an enumeration's values.
+  std::span<const std::string_view> indexNames;  ///< Of an array's elements, if they have names.
+  std::vector<Part> parts;                       ///< Of a record.
+  TypeFunction element = nullptr;                ///< Of arrays and lists.
+  std::size_t count = 0;                         ///< Of an array's elements.
+  void* (*at)(void*, std::size_t) = nullptr;     ///< An element of an array or list.
+  std::size_t (*length)(const void*) = nullptr;  ///< Of a list.
+  void (*resize)(void*, std::size_t) = nullptr;  ///< A list.
+};
+
+/// A value of a type that is known at run time only. It does not own what it refers to.
+struct Value {
+  const Type* type = nullptr;
+  void* data = nullptr;
+
+  std::size_t size() const { return type->kind == Kind::list ? type->length(data) : type->count; }
+  Value element(std::size_t i) const { return {&type->element(), type->at(data, i)}; }
+  Value part(const Part& p) const { return {&p.type(), p.in(data)}; }
+};
+
+/// A value that can only be read.
+class ConstValue {
+ public:
+  ConstValue(const Type& type, const void* data) : value_{&type, const_cast<void*>(data)} {}
+  ConstValue(Value value) : value_{value} {}
+
+  const Type& type() const { return *value_.type; }
+  const void* data() const { return value_.data; }
+  std::size_t size() const { return value_.size(); }
+  ConstValue element(std::size_t i) const { return value_.element(i); }
+  ConstValue part(const Part& p) const { return value_.part(p); }
+
+ private:
+  Value value_;
+};
+
+namespace detail {
+
+template <typename N>
+constexpr Number numberOf() {
+  if constexpr (std::same_as<N, float>)
+    return Number::float32;
+  else if constexpr (std::same_as<N, double>)
+    return Number::float64;
+  else {
+    constexpr int width = sizeof(N) == 1 ? 0 : sizeof(N) == 2 ? 1 : sizeof(N) == 4 ? 2 : 3;
+    return static_cast<Number>(2 * width + (std::is_unsigned_v<N> ? 1 : 0));
+  }
+}
+
+template <typename T, std::size_t i>
+Part makePart();
+template <typename T>
+Type makeType();
+
+}  // namespace detail
+
+/// The type of a streamable C++ type.
+template <Streamable T>
+const Type& typeOf() {
+  static const Type type = detail::makeType<T>();
+  return type;
+}
+
+template <Streamable T>
+Value valueOf(T& object) {
+  return {&typeOf<T>(), &object};
+}
+template <Streamable T>
+ConstValue valueOf(const T& object) {
+  return {typeOf<T>(), &object};
+}
+
+namespace detail {
+
+template <typename T, std::size_t i>
+Part makePart() {
+  using S = Shape<T>;
+  using Member = std::remove_reference_t<decltype(S::template part<i>(std::declval<T&>()))>;
+  return {S::template info<i>(), &typeOf<Member>,
+          [](void* record) -> void* { return &S::template part<i>(*static_cast<T*>(record)); }};
+}
+
+template <typename T>
+void describeSequence(Type& type) {
+  using S = Shape<T>;
+  type.element = &typeOf<typename S::Element>;
+  if constexpr (S::kind == Kind::array) {
+    type.count = S::count;
+    type.at = [](void* array, std::size_t i) -> void* {
+      return &S::at(*static_cast<T*>(array), i);
+    };
+    if constexpr (requires { typename S::Index; }) type.indexNames = enumNames<typename S::Index>;
+  } else {
+    type.at = [](void* list, std::size_t i) -> void* { return &(*static_cast<T*>(list))[i]; };
+    type.length = [](const void* list) { return static_cast<const T*>(list)->size(); };
+    type.resize = [](void* list, std::size_t n) { static_cast<T*>(list)->resize(n); };
+  }
+}
+
+template <typename T>
+Type makeType() {
+  using S = Shape<T>;
+  Type type;
+  type.kind = S::kind;
+  type.name = typeName<T>();
+  if constexpr (S::kind == Kind::number)
+    type.number = numberOf<typename S::Number>();
+  else if constexpr (S::kind == Kind::enumeration) {
+    type.number = numberOf<std::underlying_type_t<T>>();
+    type.names = enumNames<T>;
+  } else if constexpr (S::kind == Kind::array || S::kind == Kind::list)
+    describeSequence<T>(type);
+  else if constexpr (S::kind == Kind::record) {
+    type.basic = S::basic;
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      type.parts = {makePart<T, i>()...};
+    }
+    (std::make_index_sequence<S::partCount>{});
+  }
+  return type;
+}
+
+}  // namespace detail
+
+/// Whether a type is written on one line of a config file: scalars, texts, the base library's
+/// records, and arrays and lists of these.
+bool isFlat(const Type& type);
+
+/// The number of scalars in a flat value that holds no list.
+std::size_t width(const Type& type);
+
+/// A scalar (boolean, number, enumeration or text) as text: numbers so short that reading them
+/// gives the same bits, enumerations by name.
+std::string scalarText(ConstValue scalar);
+
+/// Sets a scalar from text. Returns what was expected if the text is no such value or lies out of
+/// the range, and leaves the scalar as it was.
+std::optional<std::string> setScalar(Value scalar, std::string_view text, Range range = {});
+
+/// Reads and writes the number of an enumeration's value, or 0 and 1 of a boolean.
+std::int64_t ordinal(ConstValue scalar);
+void setOrdinal(Value scalar, std::int64_t number);
+
+}  // namespace gt
