@@ -1,0 +1,41 @@
+#pragma once
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// What makes a camera's pictures hard, each by itself; the defaults are those of match scenes, all
+/// zero (and brightness 1) is a perfect camera. Configuration.
+struct CameraEffects {
+  bool rollingShutter = true;
+  double blur = 0.6;
+  double vignetting = 0.2;
+  double brightness = 1;
+  double shiftCb = 0;
+  double shiftCr = 0;
+  double noiseY = 3;
+  double noiseCb = 2;
+  double noiseCr = 2;
+
+  /// A camera without faults.
+  static CameraEffects none() { return {false, 0, 0, 1, 0, 0, 0, 0, 0}; }
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("rollingShutter", &CameraEffects::rollingShutter, "",
+              "rows are exposed one after another; otherwise all with the middle row"),
+        field("blur", &CameraEffects::blur, "pixel", "standard deviation of the lens' blur",
+              {0, 1}),
+        field("vignetting", &CameraEffects::vignetting, "", "part of the light lost in the corners",
+              {0, 0.9}),
+        field("brightness", &CameraEffects::brightness, "", "factor on all light", {0, 1.9}),
+        field("shiftCb", &CameraEffects::shiftCb, "", "colour cast, added to cb", {-128, 128}),
+        field("shiftCr", &CameraEffects::shiftCr, "", "colour cast, added to cr", {-128, 128}),
+        field("noiseY", &CameraEffects::noiseY, "", "standard deviation of a pixel's noise",
+              {0, 60}),
+        field("noiseCb", &CameraEffects::noiseCb, "", "", {0, 60}),
+        field("noiseCr", &CameraEffects::noiseCr, "", "", {0, 60})};
+  }
+};
+static_assert(complete<CameraEffects>);
+
+}  // namespace gt

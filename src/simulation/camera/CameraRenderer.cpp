@@ -1,0 +1,50 @@
+#include "simulation/camera/CameraRenderer.h"
+
+#include <cmath>
+
+#include "simulation/camera/ShapeDrawer.h"
+
+namespace gt {
+
+void CameraRenderer::render(const mjData& data, const CameraView& view,
+                            const CameraEffects& effects, std::uint64_t seed, Image& image,
+                            PictureTruth* truth) {
+  image.info = view.info;
+  image.allocate();
+  projection_.set(view, effects.rollingShutter);
+  rasterizer_.begin(view.info.width, view.info.height, scene_->background(), truth != nullptr);
+  drawScene(data, view.hiddenBody);
+  if (truth) tell(*truth);
+  effects_.apply(rasterizer_, effects, seed, image);
+}
+
+void CameraRenderer::drawScene(const mjData& data, int hiddenBody) {
+  ShapeDrawer drawer{*scene_, projection_, rasterizer_};
+  for (const CameraCluster& cluster : scene_->clusters()) {
+    if (std::isfinite(cluster.reach)) {
+      const Eigen::Vector3d root{data.xpos + 3 * cluster.body};
+      if (projection_.visibility(projection_.toCamera(root.cast<float>()), cluster.reach) ==
+          Projection::Visibility::hidden)
+        continue;
+    }
+    for (int i = cluster.first; i < cluster.first + cluster.count; ++i) {
+      const CameraShape& shape = scene_->shapes()[static_cast<std::size_t>(i)];
+      if (shape.body != hiddenBody)
+        drawer.draw(shape, data.geom_xpos + 3 * shape.geom, data.geom_xmat + 9 * shape.geom);
+    }
+  }
+}
+
+void CameraRenderer::tell(PictureTruth& truth) const {
+  truth.classes.clear();
+  truth.geoms.clear();
+  for (int y = 0; y < rasterizer_.height(); ++y) {
+    const PackedColor* colors = rasterizer_.row(y);
+    for (int x = 0; x < rasterizer_.width(); ++x)
+      truth.classes.push_back(static_cast<ColorClass>(colors[x] >> 24));
+    const std::int32_t* geoms = rasterizer_.geomRow(y);
+    truth.geoms.insert(truth.geoms.end(), geoms, geoms + rasterizer_.width());
+  }
+}
+
+}  // namespace gt

@@ -1,0 +1,81 @@
+#pragma once
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "representations/perception/ColorTable64.h"
+
+namespace gt {
+
+/// A colour as the camera measures it, y in the lowest byte, then cb, cr and the colour class.
+using PackedColor = std::uint32_t;
+
+/// Full range YCbCr (JPEG) of a colour, red, green and blue in 0..1.
+PackedColor packColor(const Eigen::Vector3f& rgb, ColorClass colorClass);
+
+/// The colour class that a person would give a colour, red, green and blue in 0..1.
+ColorClass classOfRgb(const Eigen::Vector3f& rgb);
+
+/// The forms that the cameras draw; a sphere is an ellipsoid.
+enum class CameraForm : std::uint8_t { plane, box, ellipsoid, cylinder, capsule, mesh };
+
+/// What the cameras need to know of one MuJoCo geom beside its pose. Metres.
+struct CameraShape {
+  static constexpr int shadeCount = 32;
+
+  int geom = 0;
+  int body = 0;
+  CameraForm form = CameraForm::box;
+  bool decal = false;  ///< Lies flat on the floor; painted in order, without depth.
+  Eigen::Vector3f size = Eigen::Vector3f::Zero();
+  float reach = 0;  ///< Radius of a sphere around it.
+  int firstFace = 0, faceCount = 0;
+  std::array<PackedColor, shadeCount> shades{};  ///< From turned away from the light to facing it.
+};
+
+/// Shapes that are seen or not seen together: all that stands still, or one robot.
+struct CameraCluster {
+  int body = 0;     ///< Its root, around which it reaches.
+  float reach = 0;  ///< Infinite for what stands still.
+  int first = 0, count = 0;
+};
+
+/// The immutable part of what the cameras see, prepared from a MuJoCo model and shared by all
+/// robots and threads. Provided by the simulator, used by the CameraRenderer.
+///
+/// A geom's colour class is the part of its material's name up to the first dot (behind the last
+/// slash), otherwise it is guessed from its colour. Geoms of group 1 are decals, those of group 5
+/// and transparent ones are not seen.
+class CameraScene {
+ public:
+  struct Face {
+    std::array<Eigen::Vector3f, 3> points;
+    Eigen::Vector3f normal;
+  };
+
+  explicit CameraScene(const mjModel& model,
+                       const Eigen::Vector3f& backgroundRgb = {0.46f, 0.43f, 0.41f});
+
+  const std::vector<CameraShape>& shapes() const { return shapes_; }
+  const std::vector<CameraCluster>& clusters() const { return clusters_; }
+  const std::vector<Face>& faces() const { return faces_; }
+  PackedColor background() const { return background_; }
+  /// The class that a geom is drawn with; noColor for those not seen.
+  ColorClass classOf(int geom) const { return classes_[static_cast<std::size_t>(geom)]; }
+
+ private:
+  void addShape(const mjModel& model, int geom);
+  void addFaces(const mjModel& model, int mesh, CameraShape& shape);
+  void addClusters(const mjModel& model);
+
+  std::vector<CameraShape> shapes_;
+  std::vector<CameraCluster> clusters_;
+  std::vector<Face> faces_;
+  std::vector<ColorClass> classes_;
+  PackedColor background_;
+};
+
+}  // namespace gt

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "representations/infrastructure/Image.h"
+#include "simulation/camera/CameraEffects.h"
+#include "simulation/camera/Rasterizer.h"
+
+namespace gt {
+
+/// Turns a perfect picture into what the camera delivers: blurred by the lens, darker in the
+/// corners, with a colour cast and noisy.
+class PictureEffects {
+ public:
+  /// The same input gives the same bytes. `image` has the rasterizer's size.
+  void apply(const Rasterizer& picture, const CameraEffects& effects, std::uint64_t seed,
+             Image& image);
+
+ private:
+  void setTables(int width, const CameraEffects& effects);
+  const std::uint8_t* blurRow(const Rasterizer& picture, int y, int weight);
+
+  // Four entries for each pixel of a row: y, cb, cr and the unused byte, which becomes 0.
+  std::vector<std::int16_t> offset_, gain_, base_, sigma_;
+  std::vector<std::uint8_t> vertical_, blurred_;
+};
+
+}  // namespace gt

@@ -1,0 +1,78 @@
+#include "simulation/camera/Projection.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace gt {
+
+void Projection::set(const CameraView& view, bool rollingShutter) {
+  constexpr double metres = 0.001;
+  const CameraInfo& info = view.info;
+  const Eigen::AngleAxisd turn{view.first.rotation.transpose() * view.last.rotation};
+  const Matrix3d middle =
+      view.first.rotation * Eigen::AngleAxisd{turn.angle() / 2, turn.axis()}.toRotationMatrix();
+  rotation_ = middle.transpose().cast<float>();
+  position_ = (metres * (view.first.translation + view.last.translation) / 2).cast<float>();
+  focalX_ = static_cast<float>(info.focalX);
+  focalY_ = static_cast<float>(info.focalY);
+  centerX_ = static_cast<float>(info.centerX);
+  centerY_ = static_cast<float>(info.centerY);
+
+  const bool rows = rollingShutter && info.height > 1;
+  turning_.setZero();
+  moving_.setZero();
+  if (rows) {
+    // The axis is the same before and after turning about it.
+    turning_ = (turn.angle() * turn.axis()).cast<float>();
+    moving_ = (metres * (middle.transpose() * (view.last.translation - view.first.translation)))
+                  .cast<float>();
+  }
+  bends_ = turning_.norm() > 1e-4f || moving_.norm() > 1e-5f;
+  rowOffset_ = static_cast<float>(info.height / 2.0 - info.centerY);
+  rowShare_ = rows ? 1 / static_cast<float>(info.height - 1) : 0;
+
+  // What turns into the picture during the exposure lies outside its borders at half time.
+  const double margin = 0.02 + std::min(1.0, 1.0 * static_cast<double>(turning_.norm()) +
+                                                 static_cast<double>(moving_.norm()) / 0.1);
+  const auto border = [&](double pixels, double focal) {
+    return static_cast<float>(pixels / focal + margin);
+  };
+  normals_ = {Eigen::Vector3f{1, 0, 0},
+              Eigen::Vector3f{border(info.centerX, info.focalX), -1, 0}.normalized(),
+              Eigen::Vector3f{border(info.width - info.centerX, info.focalX), 1, 0}.normalized(),
+              Eigen::Vector3f{border(info.centerY, info.focalY), 0, -1}.normalized(),
+              Eigen::Vector3f{border(info.height - info.centerY, info.focalY), 0, 1}.normalized()};
+  offsets_ = {nearest, 0, 0, 0, 0};
+}
+
+int Projection::clip(Eigen::Vector3f* points, int count) const {
+  assert(count + planeCount <= maxPoints);
+  std::array<Eigen::Vector3f, maxPoints> buffer;
+  for (std::size_t plane = 0; plane < planeCount && count >= 3; ++plane) {
+    std::array<float, maxPoints> distance;
+    bool cut = false;
+    for (int i = 0; i < count; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      distance[at] = normals_[plane].dot(points[i]) - offsets_[plane];
+      cut |= distance[at] < 0;
+    }
+    if (!cut) continue;
+    int kept = 0;
+    for (int i = 0; i < count && kept + 2 <= maxPoints; ++i) {
+      const int j = i + 1 == count ? 0 : i + 1;
+      const float a = distance[static_cast<std::size_t>(i)];
+      const float b = distance[static_cast<std::size_t>(j)];
+      if (a >= 0) buffer[static_cast<std::size_t>(kept++)] = points[i];
+      // From the inner to the outer end, so that neighbours are cut at the same point.
+      if ((a >= 0) != (b >= 0))
+        buffer[static_cast<std::size_t>(kept++)] =
+            a >= 0 ? Eigen::Vector3f{points[i] + a / (a - b) * (points[j] - points[i])}
+                   : Eigen::Vector3f{points[j] + b / (b - a) * (points[i] - points[j])};
+    }
+    count = kept;
+    std::copy_n(buffer.begin(), count, points);
+  }
+  return count >= 3 ? count : 0;
+}
+
+}  // namespace gt

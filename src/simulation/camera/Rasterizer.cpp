@@ -1,0 +1,146 @@
+#include "simulation/camera/Rasterizer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace gt {
+namespace {
+
+constexpr int lanes = 4;
+using Floats = float __attribute__((vector_size(16)));
+using Ints = std::int32_t __attribute__((vector_size(16)));
+
+template <typename V, typename T>
+V load(const T* from) {
+  V v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+template <typename V, typename T>
+void store(T* to, V v) {
+  std::memcpy(to, &v, sizeof v);
+}
+/// In each lane a where the mask is set, otherwise b.
+template <typename V>
+V choose(Ints mask, V a, V b) {
+  return std::bit_cast<V>((mask & std::bit_cast<Ints>(a)) | (~mask & std::bit_cast<Ints>(b)));
+}
+
+int ceiling(float v) {
+  const int i = static_cast<int>(v);
+  return i + (v > static_cast<float>(i));
+}
+/// The first pixel (row) whose centre does not lie before a place.
+int pixelFrom(float v) {
+  return ceiling(v - 0.5f);
+}
+
+}  // namespace
+
+void Rasterizer::begin(int width, int height, PackedColor background, bool withGeoms) {
+  width_ = width;
+  height_ = height;
+  stride_ = (width + lanes - 1) / lanes * lanes;
+  withGeoms_ = withGeoms;
+  const std::size_t size = offset(height);
+  colors_.assign(size, background);
+  nearness_.assign(size, 0.0f);
+  if (withGeoms) geoms_.assign(size, -1);
+  left_.resize(static_cast<std::size_t>(height));
+  right_.resize(static_cast<std::size_t>(height));
+}
+
+void Rasterizer::fill(const ScreenPoint* points, int count, PackedColor color) {
+  float top = points[0].y, bottom = top, leftmost = points[0].x, rightmost = leftmost;
+  for (int i = 1; i < count; ++i) {
+    top = std::min(top, points[i].y);
+    bottom = std::max(bottom, points[i].y);
+    leftmost = std::min(leftmost, points[i].x);
+    rightmost = std::max(rightmost, points[i].x);
+  }
+  const int first = std::max(0, pixelFrom(top)), end = std::min(height_, pixelFrom(bottom));
+  if (first >= end || pixelFrom(leftmost) >= std::min(width_, pixelFrom(rightmost)) ||
+      rightmost < 0)
+    return;
+  const auto rows = static_cast<std::size_t>(end - first);
+  std::fill_n(&left_[static_cast<std::size_t>(first)], rows, std::numeric_limits<float>::max());
+  std::fill_n(&right_[static_cast<std::size_t>(first)], rows, std::numeric_limits<float>::lowest());
+  for (int i = 0, j = count - 1; i < count; j = i++) addEdge(points[j], points[i], first, end);
+
+  const Plane plane = nearnessOf(points, count);
+  if (hasDepth_)
+    withGeoms_ ? fillRows<true, true>(first, end, plane, color)
+               : fillRows<true, false>(first, end, plane, color);
+  else
+    withGeoms_ ? fillRows<false, true>(first, end, plane, color)
+               : fillRows<false, false>(first, end, plane, color);
+}
+
+Rasterizer::Plane Rasterizer::nearnessOf(const ScreenPoint* points, int count) {
+  // Newell's normal of the polygon in (x, y, nearness): robust where points nearly coincide.
+  const ScreenPoint origin = points[0];
+  float a = 0, b = 0, c = 0;
+  for (int i = 0, j = count - 1; i < count; j = i++) {
+    const float xi = points[i].x - origin.x, xj = points[j].x - origin.x;
+    const float yi = points[i].y - origin.y, yj = points[j].y - origin.y;
+    const float zi = points[i].nearness, zj = points[j].nearness;
+    a += (yj - yi) * (zj + zi);
+    b += (zj - zi) * (xj + xi);
+    c += (xj - xi) * (yj + yi);
+  }
+  // A polygon without an area covers hardly a pixel: its depth is that of its first point.
+  if (std::abs(c) < 1e-3f) return {origin.nearness, 0, 0};
+  const float perX = -a / c, perY = -b / c;
+  return {origin.nearness - perX * origin.x - perY * origin.y, perX, perY};
+}
+
+void Rasterizer::addEdge(const ScreenPoint& a, const ScreenPoint& b, int first, int end) {
+  const ScreenPoint& upper = a.y < b.y ? a : b;
+  const ScreenPoint& lower = a.y < b.y ? b : a;
+  const int from = std::max(first, pixelFrom(upper.y)), to = std::min(end, pixelFrom(lower.y));
+  if (from >= to) return;
+  const float slope = (lower.x - upper.x) / (lower.y - upper.y);
+  for (int y = from; y < to; ++y) {
+    const float x = upper.x + (static_cast<float>(y) + 0.5f - upper.y) * slope;
+    float& left = left_[static_cast<std::size_t>(y)];
+    float& right = right_[static_cast<std::size_t>(y)];
+    left = std::min(left, x);
+    right = std::max(right, x);
+  }
+}
+
+template <bool hasDepth, bool withGeoms>
+void Rasterizer::fillRows(int first, int end, const Plane& plane, PackedColor color) {
+  const auto value = static_cast<std::int32_t>(color);
+  const Ints lane = {0, 1, 2, 3}, colors = {value, value, value, value};
+  const Ints geoms = {geom_, geom_, geom_, geom_};
+  const float step = lanes * plane.perX;
+  const float limit = static_cast<float>(width_);
+  for (int y = first; y < end; ++y) {
+    const auto row = static_cast<std::size_t>(y);
+    const int from = pixelFrom(std::clamp(left_[row], 0.0f, limit));
+    const int to = pixelFrom(std::clamp(right_[row], 0.0f, limit));
+    if (from >= to) continue;
+    const int start = from & ~(lanes - 1);
+    const float z = plane.atOrigin + plane.perY * (static_cast<float>(y) + 0.5f) +
+                    plane.perX * (static_cast<float>(start) + 0.5f);
+    Floats nearness = {z, z + plane.perX, z + 2 * plane.perX, z + 3 * plane.perX};
+    for (int x = start; x < to; x += lanes, nearness += step) {
+      const std::size_t at = offset(y) + static_cast<std::size_t>(x);
+      const Ints column = lane + x;
+      Ints mask = (column >= from) & (column < to);
+      if constexpr (hasDepth) {
+        const auto old = load<Floats>(&nearness_[at]);
+        mask &= nearness > old;
+        store(&nearness_[at], choose(mask, nearness, old));
+      }
+      store(&colors_[at], choose(mask, colors, load<Ints>(&colors_[at])));
+      if constexpr (withGeoms) store(&geoms_[at], choose(mask, geoms, load<Ints>(&geoms_[at])));
+    }
+  }
+}
+
+}  // namespace gt

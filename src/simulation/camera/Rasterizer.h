@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "simulation/camera/CameraScene.h"
+#include "simulation/camera/Projection.h"
+
+namespace gt {
+
+/// Fills convex polygons of one colour into a picture with a depth for each pixel. A pixel belongs
+/// to a polygon if its centre lies inside; neighbours that share an edge share no pixel and leave
+/// none out.
+class Rasterizer {
+ public:
+  /// Starts a picture; `withGeoms` also notes which geom each pixel shows.
+  void begin(int width, int height, PackedColor background, bool withGeoms);
+
+  /// What is filled next: a geom, painted over everything or hidden by what is nearer.
+  void setSurface(int geom, bool hasDepth) {
+    geom_ = geom;
+    hasDepth_ = hasDepth;
+  }
+  /// The points may go round either way.
+  void fill(const ScreenPoint* points, int count, PackedColor color);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  const PackedColor* row(int y) const { return &colors_[offset(y)]; }
+  /// The geoms of a row, -1 for the background; only if asked for.
+  const std::int32_t* geomRow(int y) const { return &geoms_[offset(y)]; }
+
+ private:
+  struct Plane {
+    float atOrigin = 0, perX = 0, perY = 0;
+  };
+  static Plane nearnessOf(const ScreenPoint* points, int count);
+  void addEdge(const ScreenPoint& a, const ScreenPoint& b, int first, int end);
+  template <bool hasDepth, bool withGeoms>
+  void fillRows(int first, int end, const Plane& plane, PackedColor color);
+  std::size_t offset(int y) const { return static_cast<std::size_t>(y * stride_); }
+
+  int width_ = 0, height_ = 0, stride_ = 0;
+  int geom_ = -1;
+  bool hasDepth_ = true, withGeoms_ = false;
+  std::vector<PackedColor> colors_;
+  std::vector<float> nearness_;
+  std::vector<std::int32_t> geoms_;
+  std::vector<float> left_, right_;
+};
+
+}  // namespace gt
