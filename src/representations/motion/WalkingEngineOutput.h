@@ -1,0 +1,27 @@
+#pragma once
+#include "base/Geometry.h"
+#include "representations/infrastructure/Joints.h"
+
+namespace gt {
+
+/// What the walk does in this frame (report 3.9.1). Provided by the WalkingEngine.
+struct WalkingEngineOutput {
+  JointData joints;
+  Pose2D odometryStep;
+  Pose2D speed;
+  bool mayLeave = true;
+  double positionInWalkCycle = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("joints", &WalkingEngineOutput::joints, "", "the legs; the others are 0"),
+        field("odometryStep", &WalkingEngineOutput::odometryStep, "mm, rad", "of this frame"),
+        field("speed", &WalkingEngineOutput::speed, "mm/s, rad/s",
+              "the request as far as step sizes and accelerations allow"),
+        field("mayLeave", &WalkingEngineOutput::mayLeave, "", "all feet are on the ground"),
+        field("positionInWalkCycle", &WalkingEngineOutput::positionInWalkCycle, "", "", {0, 1})};
+  }
+};
+static_assert(complete<WalkingEngineOutput>);
+
+}  // namespace gt
