@@ -3,29 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "xabsl/TestAllocations.h"
 #include "xabsl/TestBehavior.h"
-
-namespace {
-
-std::atomic<long> allocations = 0;
-
-}  // namespace
-
-// Counts every allocation of this program.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace xabsl {
 namespace {
@@ -35,7 +19,8 @@ using testing::IsEmpty;
 
 enum class Mode { slow, fast, turbo };
 
-/// A small world that every behavior of these tests shares: three inputs, three outputs, two basic behaviors.
+/// A small world that every behavior of these tests shares: three inputs, three outputs, two basic
+/// behaviors.
 struct World {
   double x = 0;
   double y = 0;
@@ -105,7 +90,8 @@ const std::string declarations = R"(
 class EngineTest : public testing::Test {
  protected:
   void load(const std::string& options) {
-    Engine::Creation creation = Engine::create(test::compiled(declarations + options), world.symbols);
+    Engine::Creation creation =
+        Engine::create(test::compiled(declarations + options), world.symbols);
     ASSERT_EQ(test::errors(creation.diagnostics), "");
     engine.emplace(std::move(*creation.engine));
   }
@@ -114,8 +100,7 @@ class EngineTest : public testing::Test {
   std::vector<std::string> path() const {
     std::vector<std::string> path;
     for (const Activation& activation : engine->activations())
-      path.push_back(activation.name +
-                     (activation.state.empty() ? "" : "/" + activation.state));
+      path.push_back(activation.name + (activation.state.empty() ? "" : "/" + activation.state));
     return path;
   }
 

@@ -1,6 +1,7 @@
 #include "xabsl/Symbols.h"
 
 #include <cassert>
+#include <utility>
 
 namespace xabsl {
 
@@ -11,16 +12,31 @@ std::string Symbols::enumerationName(const RegisteredType& type) const {
   return {};
 }
 
-std::vector<RegisteredParameter> Symbols::join(std::vector<RegisteredType> types,
-                                               const std::vector<ParameterName>& names) {
-  assert(types.size() == names.size() && "one name per argument");
-  std::vector<RegisteredParameter> parameters;
-  for (std::size_t i = 0; i < types.size(); ++i) {
+void Symbols::addEnumeration(const std::string& name, std::vector<std::string> elements,
+                             std::type_index type) {
+  RegisteredEnumeration& entry = enumerations_[name];
+  entry.elements = std::move(elements);
+  entry.type = type;
+}
+
+void Symbols::add(RegisteredFunction& entry, Function function, RegisteredType type,
+                  std::vector<RegisteredType> arguments, const std::vector<ParameterName>& names) {
+  assert(arguments.size() == names.size() && "one name per argument");
+  entry.function = std::move(function);
+  entry.type = std::move(type);
+  entry.parameters.clear();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    RegisteredParameter parameter{names[i].name, std::move(arguments[i])};
     if (!names[i].enumeration.empty())
-      types[i] = {ValueKind::enumeration, typeid(void), names[i].enumeration};
-    parameters.push_back({names[i].name, std::move(types[i])});
+      parameter.type = {ValueKind::enumeration, typeid(void), names[i].enumeration};
+    entry.parameters.push_back(std::move(parameter));
   }
-  return parameters;
+}
+
+void Symbols::setIndex(RegisteredFunction& entry, const std::string& enumeration) {
+  entry.type.kind = ValueKind::enumeration;
+  entry.type.type = typeid(void);
+  entry.type.enumeration = enumeration;
 }
 
 }  // namespace xabsl

@@ -53,12 +53,12 @@ class Symbols {
   template <typename Enum>
   void enumeration(const std::string& name, std::vector<std::string> elements) {
     static_assert(std::is_enum_v<Enum>);
-    enumerations_[name] = {std::move(elements), typeid(Enum)};
+    addEnumeration(name, std::move(elements), typeid(Enum));
   }
 
   /// An enumeration that is known as data only; its values are indices.
   void enumeration(const std::string& name, std::vector<std::string> elements) {
-    enumerations_[name] = {std::move(elements), typeid(void)};
+    addEnumeration(name, std::move(elements), typeid(void));
   }
 
   /// A variable, read each time the symbol is used.
@@ -74,10 +74,8 @@ class Symbols {
   requires(!std::is_pointer_v<Callable>) void input(const std::string& name,
                                                     const std::vector<ParameterName>& parameters,
                                                     Callable callable) {
-    inputs_[name] = {makeFunction(std::move(callable)),
-                     registeredType<ResultOf<Callable>>(),
-                     named<Callable>(parameters),
-                     {}};
+    add(inputs_[name], makeFunction(std::move(callable)), registeredType<ResultOf<Callable>>(),
+        argumentTypes<Callable>(), parameters);
   }
   template <typename Callable>
   requires(!std::is_pointer_v<Callable>) void input(const std::string& name, Callable callable) {
@@ -89,7 +87,7 @@ class Symbols {
   void inputIndex(const std::string& name, const std::string& enumeration, Callable callable) {
     static_assert(std::is_integral_v<ResultOf<Callable>>);
     input(name, {}, std::move(callable));
-    inputs_[name].type = {ValueKind::enumeration, typeid(void), enumeration};
+    setIndex(inputs_[name], enumeration);
   }
 
   /// A variable that is written each time the symbol is set.
@@ -103,7 +101,8 @@ class Symbols {
   template <typename Callable>
   requires(!std::is_pointer_v<Callable>) void output(const std::string& name, Callable callable) {
     static_assert(std::tuple_size_v<ArgumentsOf<Callable>> == 1);
-    outputs_[name] = {makeFunction(std::move(callable)), argumentTypes<Callable>().front(), {}, {}};
+    add(outputs_[name], makeFunction(std::move(callable)), argumentTypes<Callable>().front(), {},
+        {});
   }
 
   /// The same for an enumeration known as data: the callable takes an index.
@@ -111,7 +110,7 @@ class Symbols {
   void outputIndex(const std::string& name, const std::string& enumeration, Callable callable) {
     static_assert(std::is_integral_v<std::tuple_element_t<0, ArgumentsOf<Callable>>>);
     output(name, std::move(callable));
-    outputs_[name].type = {ValueKind::enumeration, typeid(void), enumeration};
+    setIndex(outputs_[name], enumeration);
   }
 
   /// A basic behavior: called in each cycle that executes it, with its parameters as arguments.
@@ -119,10 +118,9 @@ class Symbols {
   template <typename Callable>
   void behavior(const std::string& name, const std::vector<ParameterName>& parameters,
                 Callable callable, std::function<void()> parametersChanged = {}) {
-    behaviors_[name] = {makeFunction(std::move(callable)),
-                        {},
-                        named<Callable>(parameters),
-                        std::move(parametersChanged)};
+    add(behaviors_[name], makeFunction(std::move(callable)), {}, argumentTypes<Callable>(),
+        parameters);
+    behaviors_[name].parametersChanged = std::move(parametersChanged);
   }
   template <typename Callable>
   requires(!std::is_convertible_v<Callable, std::vector<ParameterName>>) void behavior(
@@ -145,7 +143,7 @@ class Symbols {
   /// The name under which a C++ enum was registered, or nothing.
   std::string enumerationName(const RegisteredType& type) const;
 
-  /// The names closest to one that is missing, for messages.
+  /// All that is registered, by name.
   const std::map<std::string, RegisteredFunction>& inputs() const { return inputs_; }
   const std::map<std::string, RegisteredFunction>& outputs() const { return outputs_; }
   const std::map<std::string, RegisteredFunction>& behaviors() const { return behaviors_; }
@@ -157,12 +155,11 @@ class Symbols {
     return found == table.end() ? nullptr : &found->second;
   }
 
-  template <typename Callable>
-  static std::vector<RegisteredParameter> named(const std::vector<ParameterName>& names) {
-    return join(argumentTypes<Callable>(), names);
-  }
-  static std::vector<RegisteredParameter> join(std::vector<RegisteredType> types,
-                                               const std::vector<ParameterName>& names);
+  void addEnumeration(const std::string& name, std::vector<std::string> elements,
+                      std::type_index type);
+  static void add(RegisteredFunction& entry, Function function, RegisteredType type,
+                  std::vector<RegisteredType> arguments, const std::vector<ParameterName>& names);
+  static void setIndex(RegisteredFunction& entry, const std::string& enumeration);
 
   std::map<std::string, RegisteredFunction> inputs_;
   std::map<std::string, RegisteredFunction> outputs_;
