@@ -1,0 +1,33 @@
+#pragma once
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/modeling/RobotState.h"
+#include "representations/perception/BodyPercept.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Detects falls and being lifted up, and measures for how long switches have been pressed (report,
+/// chapter 3's table). A solution of RobotStateDetector.
+class DefaultRobotStateDetector {
+ public:
+  struct Parameters {
+    std::int64_t settleTime = 200;
+
+    static constexpr auto fields() {
+      return std::tuple{field("settleTime", &Parameters::settleTime, "ms",
+                              "for which a state must be perceived before it counts", {0, 10000})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const BodyPercept& body, const FrameInfo& frame, RobotState& state);
+
+ private:
+  BodyState believed_ = BodyState::standing, perceived_ = BodyState::standing;
+  Time perceivedSince_ = never(), lastChange_ = never();
+  EnumArray<Switch, bool> pressed_;
+  EnumArray<Switch, Time> pressedSince_;
+};
+static_assert(complete<DefaultRobotStateDetector::Parameters>);
+
+}  // namespace gt

@@ -1,0 +1,86 @@
+#include "modules/modeling/PidSmoothedBallLocator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gt {
+namespace {
+
+const DebugKey drawBall{"BallLocator/ball"};
+
+}  // namespace
+
+void PidSmoothedBallLocator::update(const BallPercept& percept, const OdometryData& odometry,
+                                    const FrameInfo& frame, BallModel& model, Debug& debug) {
+  const bool first = lastUpdate_ == never();
+  const Pose2D step = first ? Pose2D{} : odometry.pose.relativeTo(lastOdometry_.pose);
+  const double seconds = first ? 0 : static_cast<double>(frame.time - lastUpdate_) / 1000;
+  lastOdometry_ = odometry;
+  lastUpdate_ = frame.time;
+
+  const bool seen = percept.seen && percept.time != lastPercept_;
+  predict(step, seconds, seen);
+  if (seen) {
+    if (frame.time - lastSeen_ > parameters.forgetPosition) {
+      restart(percept.offset);
+    } else if (isFar(percept.offset, position_)) {
+      doubt(percept.offset);
+    } else {
+      follow(percept.offset, static_cast<double>(percept.time - lastPercept_) / 1000);
+    }
+    if (outliers_ == 0) {
+      lastPercept_ = percept.time;
+      if (percept.time - lastSeen_ > parameters.longestGap) seenSince_ = percept.time;
+      lastSeen_ = percept.time;
+    }
+  }
+  model.position = position_;
+  model.speed = speed_;
+  model.lastSeen = lastSeen_;
+  model.consecutiveTimeSeen =
+      frame.time - lastSeen_ > parameters.longestGap ? 0 : lastSeen_ - seenSince_;
+  if (auto canvas = debug.onRobot(drawBall)) {
+    canvas.circle(position_, 43, colors::orange);
+    canvas.arrow(position_, position_ + speed_, colors::orange);
+  }
+}
+
+void PidSmoothedBallLocator::predict(const Pose2D& step, double seconds, bool seen) {
+  position_ = relative(step, position_);
+  doubted_ = relative(step, doubted_);
+  speed_ = rotated(speed_, -step.rotation);
+  position_ += speed_ * seconds;
+  speed_ *= std::exp(-(seen ? parameters.slowDown : parameters.slowDownUnseen) * seconds);
+}
+
+bool PidSmoothedBallLocator::isFar(const Vector2d& offset, const Vector2d& expected) const {
+  const double allowed = parameters.outlierDistance + parameters.outlierShare * expected.norm();
+  return (offset - expected).norm() > allowed;
+}
+
+void PidSmoothedBallLocator::doubt(const Vector2d& offset) {
+  // Wrong percepts lie here and there; a ball that was moved is seen again where it is now.
+  outliers_ = outliers_ > 0 && !isFar(offset, doubted_) ? outliers_ + 1 : 1;
+  doubted_ = offset;
+  if (outliers_ >= parameters.outliersBelieved) restart(offset);
+}
+
+void PidSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
+  outliers_ = 0;
+  const double far = offset.norm() / parameters.trustedDistance;
+  const double trust = 1 / (1 + far * far);
+  const Vector2d deviation = offset - position_;
+  position_ += deviation * (parameters.proportional * (1 + trust) / 2);
+  if (seconds <= 0) return;
+  speed_ += deviation * (parameters.integral * trust / seconds);
+  const double length = speed_.norm();
+  if (length > parameters.fastestBall) speed_ *= parameters.fastestBall / length;
+}
+
+void PidSmoothedBallLocator::restart(const Vector2d& offset) {
+  outliers_ = 0;
+  position_ = offset;
+  speed_ = Vector2d::Zero();
+}
+
+}  // namespace gt

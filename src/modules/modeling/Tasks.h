@@ -1,0 +1,36 @@
+#pragma once
+#include <tuple>
+
+#include "representations/behavior/TeamMessage.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/modeling/RobotState.h"
+
+namespace gt {
+
+/// Where the robot is on the field (report 3.3).
+struct SelfLocator {
+  using Outputs = std::tuple<RobotPose>;
+};
+
+/// Where the ball is that the robot itself has seen (report 3.4.1).
+struct BallLocator {
+  using Outputs = std::tuple<BallModel>;
+};
+
+/// Where the team knows the ball to be (report 3.4.2).
+struct TeamBallLocator {
+  using Outputs = std::tuple<TeamBallModel>;
+};
+
+/// What has happened to the robot's body (report, chapter 3's table).
+struct RobotStateDetector {
+  using Outputs = std::tuple<RobotState>;
+};
+
+/// What the robot tells its team mates by radio (report 3.4.2).
+struct TeamMessageSender {
+  using Outputs = std::tuple<TeamMessage>;
+};
+
+}  // namespace gt

@@ -1,0 +1,77 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "modules/modeling/testing/SyntheticRobot.h"
+#include "representations/modeling/RobotPose.h"
+
+namespace gt {
+
+/// Counts the pictures until an estimate is near the truth and stays there for a second.
+class PicturesUntilLocalized {
+ public:
+  /// Tells of one picture; the error in mm.
+  void add(double error) {
+    ++pictures_;
+    good_ = error < near ? good_ + 1 : 0;
+  }
+  /// The first picture from which on the estimate was near; none if it never stayed near.
+  std::optional<int> result() const {
+    return done() ? std::optional{pictures_ - good_ + 1} : std::nullopt;
+  }
+  bool done() const { return good_ >= 25; }
+
+  static constexpr double near = 200;  ///< mm
+
+ private:
+  int pictures_ = 0, good_ = 0;
+};
+
+/// What a self-locator achieved against the truth.
+struct LocalizationTrial {
+  std::vector<double> errors;  ///< mm, of each picture
+  std::vector<double> angles;  ///< rad, of each picture
+  double longestLost = 0;      ///< s, for which the error was above 600 mm at a stretch
+};
+
+/// Lets a locator follow a robot for some pictures. `locate(robot)` returns the RobotPose.
+template <typename Locate>
+LocalizationTrial follow(SyntheticRobot& robot, int pictures, Locate&& locate) {
+  LocalizationTrial trial;
+  double lost = 0;
+  for (int i = 0; i < pictures; ++i) {
+    robot.step();
+    const RobotPose estimate = locate(robot);
+    const double error = (estimate.pose.translation - robot.pose.translation).norm();
+    trial.errors.push_back(error);
+    trial.angles.push_back(std::abs(normalize(estimate.pose.rotation - robot.pose.rotation)));
+    lost = error > 600 ? lost + SyntheticRobot::picturePeriod / 1000.0 : 0;
+    trial.longestLost = std::max(trial.longestLost, lost);
+  }
+  return trial;
+}
+
+/// Pictures until a locator has found the robot; `most` if it has not by then.
+template <typename Locate>
+int picturesUntilLocalized(SyntheticRobot& robot, int most, Locate&& locate) {
+  PicturesUntilLocalized counter;
+  for (int i = 0; i < most && !counter.done(); ++i) {
+    robot.step();
+    counter.add((locate(robot).pose.translation - robot.pose.translation).norm());
+  }
+  return counter.result().value_or(most);
+}
+
+/// The value below which a share of all values lies.
+inline double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank),
+                   values.end());
+  return values[rank];
+}
+
+}  // namespace gt

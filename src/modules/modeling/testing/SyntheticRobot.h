@@ -1,0 +1,76 @@
+#pragma once
+#include <cstdint>
+
+#include "base/Geometry.h"
+#include "base/Random.h"
+#include "base/Time.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/motion/OdometryData.h"
+#include "representations/perception/LandmarksPercept.h"
+
+namespace gt {
+
+/// How the world treats the SyntheticRobot.
+struct SyntheticWorld {
+  double walkingSpeed = 200;         ///< mm/s at most, in any direction
+  double slip = 0.06;                ///< of each component of a walk, at most
+  double stepNoise = 0.15;           ///< of each component, from picture to picture
+  double commonNoise = 0.010;        ///< rad, on all bearings of a picture
+  double edgeNoise = 0.007;          ///< rad, on each edge
+  double sway = 0.010;               ///< rad, amplitude of a yaw in the rhythm of the steps
+  double outliers = 0.01;            ///< landmarks with a wrong name or at a wrong place
+  double hiddenPosts = 0.10;         ///< share of time in which a robot hides a goal's edge
+  double range = 4500;               ///< mm
+  double secondsBetweenBlocks = 30;  ///< after which the robot walks against an obstacle
+  double secondsBlocked = 3;
+  bool turnsHeadAlways = false;  ///< else it looks at a ball for half of the time
+  bool walks = true;
+};
+
+/// A robot that walks about the field, turns its head and sees landmarks, with its true pose: a
+/// test bench for self-locators that needs neither pictures nor physics. One step is one picture.
+class SyntheticRobot {
+ public:
+  explicit SyntheticRobot(std::uint64_t seed, const SyntheticWorld& world = {});
+
+  void step();
+  /// The referee puts the robot somewhere else; its odometry knows nothing of it.
+  void kidnap();
+
+  static constexpr int picturePeriod = 40;  ///< ms
+
+  Pose2D pose;
+  OdometryData odometry;
+  LandmarksPercept percept;
+  FieldDimensions field;
+  Player player;
+  Time time;
+
+ private:
+  Pose2D placeOnField();
+  void chooseGoal();
+  void walk();
+  void turnHead();
+  void see();
+  void seeFlag(FlagType type);
+  void seeGoal(GoalColor color);
+  /// Cuts an interval of angles to what the camera sees; false where too little remains.
+  bool cutToPicture(ConditionalBoundary& boundary);
+  double seconds() const { return static_cast<double>(time.ms) / 1000; }
+
+  SyntheticWorld world_;
+  Random random_;
+  Pose2D goal_, slip_;
+  double headPan_ = 0, ballPan_ = 0;
+  Time blockedUntil_ = never(), modeUntil_ = never();
+  bool tracksBall_ = false;
+  double commonError_ = 0;
+  struct Hidden {
+    Time until = never();
+    double left = 0, right = 0;  ///< Shares of the goal.
+  };
+  std::array<Hidden, 2> hidden_;
+};
+
+}  // namespace gt
