@@ -1,0 +1,39 @@
+#pragma once
+#include "simulation/BallPhysics.h"
+#include "simulation/Obstacles.h"
+#include "simulation/World.h"
+
+namespace gt {
+
+/// The kinematic fidelity (report 5.1.1): robots move by their own motion model, with slip and
+/// noise, and are blocked by robots, walls and goals; their feet set height and tilt of the body.
+/// Only the balls have physics.
+class KinematicWorld : public World {
+ public:
+  static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model,
+                                             const Random& random);
+
+  void step(std::span<const RobotCommand> commands) override;
+
+ private:
+  /// How a robot's steps differ from what it believes.
+  struct Walking {
+    double forward = 1, sideways = 1, turn = 1;
+    Random random;
+  };
+
+  KinematicWorld(const SceneDescription& scene, Model model, const Random& random);
+
+  void moveJoints(RobotBody& robot, const JointAngles& targets) const;
+  void walk(std::size_t i, const Pose2D& step);
+  void partRobots();
+  bool partPair(std::size_t a, std::size_t b);
+  void setStance(std::size_t i);
+
+  NoiseParameters noise_;
+  Obstacles obstacles_;
+  BallPhysics ballPhysics_;
+  std::vector<Walking> walking_;
+};
+
+}  // namespace gt

@@ -1,0 +1,42 @@
+#pragma once
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+
+#include "base/Geometry.h"
+#include "base/Result.h"
+
+namespace gt {
+
+/// Frees MuJoCo's objects.
+struct MuJoCoDeleter {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+using Model = std::unique_ptr<mjModel, MuJoCoDeleter>;
+using ModelData = std::unique_ptr<mjData, MuJoCoDeleter>;
+
+/// Compiles an MJCF text. MuJoCo's own errors become an `Error` of the file that is to blame; none
+/// ends the process.
+Result<Model> compileModel(const std::string& mjcf, const std::string& file);
+
+/// Data for a model. Its state is the model's default.
+ModelData makeData(const mjModel& model);
+
+/// A position of MuJoCo (metres) in millimetres.
+inline Vector3d fromMuJoCo(const mjtNum* position) {
+  return 1000 * Eigen::Map<const Vector3d>(position);
+}
+
+/// A rotation of MuJoCo (9 numbers, row by row).
+inline Matrix3d rotationFromMuJoCo(const mjtNum* matrix) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(matrix);
+}
+
+/// The pose of a site, in millimetres.
+inline Pose3D sitePose(const mjData& data, int site) {
+  return {rotationFromMuJoCo(data.site_xmat + 9 * site), fromMuJoCo(data.site_xpos + 3 * site)};
+}
+
+}  // namespace gt

@@ -1,0 +1,79 @@
+#include "simulation/RobotParts.h"
+
+#include <algorithm>
+
+namespace gt {
+namespace {
+
+/// Looks up names that begin with the same prefix and remembers the first that is missing.
+class Lookup {
+ public:
+  Lookup(const mjModel& model, std::string prefix) : model_(model), prefix_(std::move(prefix)) {}
+
+  int operator()(mjtObj type, const std::string& name) {
+    const int id = mj_name2id(&model_, type, (prefix_ + name).c_str());
+    if (id < 0 && missing_.empty()) missing_ = name;
+    return std::max(id, 0);
+  }
+  int qpos(const std::string& name) {
+    const int id = (*this)(mjOBJ_JOINT, name);
+    return model_.njnt ? model_.jnt_qposadr[id] : 0;
+  }
+  const std::string& missing() const { return missing_; }
+
+ private:
+  const mjModel& model_;
+  std::string prefix_;
+  std::string missing_;
+};
+
+}  // namespace
+
+std::pair<int, int> geomsBelow(const mjModel& model, int body) {
+  int first = model.ngeom, last = 0;
+  for (int geom = 0; geom < model.ngeom; ++geom)
+    if (model.body_rootid[model.geom_bodyid[geom]] == body) {
+      first = std::min(first, geom);
+      last = std::max(last, geom + 1);
+    }
+  return {std::min(first, last), last};
+}
+
+Result<RobotParts> findRobotParts(const mjModel& model, const std::string& robot,
+                                  const std::string& file) {
+  constexpr std::array<const char*, 4> legs{"FR", "FL", "HR", "HL"};
+  Lookup find{model, robot + "/"};
+  RobotParts parts;
+  parts.body = find(mjOBJ_BODY, "robot");
+  parts.poseAddress = find.qpos("pose");
+  for (std::size_t i = 0; i < enumCount<Joint>; ++i)
+    parts.jointAddress.values[i] = find.qpos(std::string{enumNames<Joint>[i]});
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    parts.footSites[i] = find(mjOBJ_SITE, std::string{"foot"} + legs[i]);
+    parts.kneeBodies[i] = find(mjOBJ_BODY, std::string{"lowerLeg"} + legs[i]);
+  }
+  parts.cameraSite = find(mjOBJ_SITE, "camera");
+  parts.psdSite = find(mjOBJ_SITE, "psd");
+  if (model.nsite) parts.headBody = model.site_bodyid[parts.cameraSite];
+  std::tie(parts.firstGeom, parts.lastGeom) = geomsBelow(model, parts.body);
+  if (!find.missing().empty())
+    return Error{file, 0, robot, "the robot's model has no \"" + find.missing() + "\""};
+  return parts;
+}
+
+Result<BallParts> findBallParts(const mjModel& model, std::size_t index, const std::string& file) {
+  const std::string name = "ball" + std::to_string(index);
+  Lookup find{model, name + "/"};
+  BallParts parts;
+  parts.body = find(mjOBJ_BODY, "ball");
+  parts.poseAddress = find.qpos("pose");
+  parts.geom = find(mjOBJ_GEOM, "ball");
+  if (!find.missing().empty())
+    return Error{file, 0, name, "the ball's model has no \"" + find.missing() + "\""};
+  if (model.geom_type[parts.geom] != mjGEOM_SPHERE)
+    return Error{file, 0, name, "the ball's geom is no sphere"};
+  parts.radius = 1000 * model.geom_size[3 * parts.geom];
+  return parts;
+}
+
+}  // namespace gt

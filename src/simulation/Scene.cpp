@@ -1,0 +1,207 @@
+#include "simulation/Scene.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "base/Enum.h"
+#include "simulation/Xml.h"
+
+namespace gt {
+namespace {
+
+/// Reads the elements of one scene file; keeps the file's name for the errors.
+class SceneReader {
+ public:
+  explicit SceneReader(const std::string& path) : path_(path) {}
+
+  Result<SceneDescription> read(const xmlNode* root);
+
+ private:
+  Error error(const xmlNode* node, const std::string& field, const std::string& what) const {
+    return {path_, lineOf(node), field, what};
+  }
+
+  template <typename T>
+  Result<void> readAttributes(const xmlNode* node, T& into) const;
+  Result<void> readElement(const xmlNode* node, SceneDescription& scene) const;
+  Result<void> readRobots(const xmlNode* group, std::vector<SceneRobot>& into) const;
+  Result<void> readBalls(const xmlNode* group, std::vector<SceneBall>& into) const;
+  Result<void> expectEmpty(const xmlNode* node) const;
+  Result<void> checkRobots(const SceneDescription& scene) const;
+
+  std::string path_;
+};
+
+/// An element as a person knows it: <robot>.
+std::string tag(const xmlNode* node) {
+  return std::string{"<"}.append(nameOf(node)).append(">");
+}
+
+std::optional<std::string> parse(const std::string& text, const Range& range, double& value) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end || !std::isfinite(number))
+    return "expected a number, found \"" + text + "\"";
+  if (range.bounds() && (number < range.low || number > range.high))
+    return text + " is outside " + std::to_string(range.low) + " .. " + std::to_string(range.high);
+  value = number;
+  return std::nullopt;
+}
+
+std::optional<std::string> parse(const std::string& text, const Range&, std::string& value) {
+  if (text.empty()) return "must not be empty";
+  value = text;
+  return std::nullopt;
+}
+
+std::optional<std::string> parse(const std::string& text, const Range&, bool& value) {
+  if (text != "true" && text != "false") return "expected true or false, found \"" + text + "\"";
+  value = text == "true";
+  return std::nullopt;
+}
+
+template <typename E>
+requires std::is_enum_v<E> std::optional<std::string> parse(const std::string& text, const Range&,
+                                                            E& value) {
+  if (const auto e = enumValue<E>(text)) {
+    value = *e;
+    return std::nullopt;
+  }
+  std::string names;
+  for (const auto name : enumNames<E>) names += (names.empty() ? "" : ", ") + std::string{name};
+  return "expected one of " + names + ", found \"" + text + "\"";
+}
+
+template <typename T>
+Result<void> SceneReader::readAttributes(const xmlNode* node, T& into) const {
+  for (const xmlAttr* a = node->properties; a; a = a->next) {
+    if (a->ns) continue;  // xsi:noNamespaceSchemaLocation
+    const std::string name = nameOf(reinterpret_cast<const xmlNode*>(a));
+    const std::string value = attribute(node, name.c_str());
+    bool known = false;
+    std::optional<std::string> wrong;
+    forEachField(into, [&](const auto& f, auto& member) {
+      if (f.name != name) return;
+      known = true;
+      wrong = parse(value, f.range, member);
+    });
+    if (!known) return error(node, name, tag(node) + " has no such attribute");
+    if (wrong) return error(node, name, *wrong);
+  }
+  return {};
+}
+
+Result<void> SceneReader::expectEmpty(const xmlNode* node) const {
+  for (const xmlNode* child = node->children; child; child = child->next)
+    if (child->type != XML_COMMENT_NODE)
+      return error(child, nameOf(child), tag(node) + " has no content");
+  return {};
+}
+
+Result<void> SceneReader::readRobots(const xmlNode* group, std::vector<SceneRobot>& into) const {
+  for (const xmlNode* node = group->children; node; node = node->next) {
+    if (node->type == XML_COMMENT_NODE) continue;
+    if (node->type != XML_ELEMENT_NODE || nameOf(node) != "robot")
+      return error(node, nameOf(node), "expected <robot>");
+    SceneRobot robot;
+    robot.line = lineOf(node);
+    if (auto r = readAttributes(node, robot); !r) return r;
+    if (auto r = expectEmpty(node); !r) return r;
+    if (robot.name.empty())
+      robot.name = std::string{enumName(robot.team)} + std::to_string(robot.player().number());
+    into.push_back(robot);
+  }
+  return {};
+}
+
+Result<void> SceneReader::readBalls(const xmlNode* group, std::vector<SceneBall>& into) const {
+  for (const xmlNode* node = group->children; node; node = node->next) {
+    if (node->type == XML_COMMENT_NODE) continue;
+    if (node->type != XML_ELEMENT_NODE || nameOf(node) != "ball")
+      return error(node, nameOf(node), "expected <ball>");
+    SceneBall ball;
+    ball.line = lineOf(node);
+    if (auto r = readAttributes(node, ball); !r) return r;
+    if (auto r = expectEmpty(node); !r) return r;
+    into.push_back(ball);
+  }
+  return {};
+}
+
+Result<void> SceneReader::readElement(const xmlNode* node, SceneDescription& scene) const {
+  const std::string name = nameOf(node);
+  struct NoAttributes {
+    static constexpr auto fields() { return std::tuple{}; }
+  } none;
+  if (name == "robots" || name == "extras" || name == "balls") {
+    if (auto r = readAttributes(node, none); !r) return r;
+    if (name == "balls") return readBalls(node, scene.balls);
+    return readRobots(node, name == "robots" ? scene.robots : scene.extras);
+  }
+  if (auto r = expectEmpty(node); !r) return r;
+  if (name == "noise") return readAttributes(node, scene.noise);
+  if (name == "camera") return readAttributes(node, scene.camera);
+  if (name == "physics") return readAttributes(node, scene.physics);
+  if (name == "radio") return readAttributes(node, scene.radio);
+  if (name == "game") return readAttributes(node, scene.game);
+  return error(
+      node, name,
+      "expected <noise>, <camera>, <physics>, <radio>, <game>, <robots>, <extras> or <balls>");
+}
+
+Result<void> SceneReader::checkRobots(const SceneDescription& scene) const {
+  std::set<std::string> names;
+  std::set<std::pair<TeamColor, PlayerRole>> players;
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group) {
+      if (robot.name.find('/') != std::string::npos)
+        return Error{path_, robot.line, "name", "\"" + robot.name + "\" must not contain a slash"};
+      if (!names.insert(robot.name).second)
+        return Error{path_, robot.line, "name", "a second robot \"" + robot.name + "\""};
+      if (group == &scene.robots && !players.insert({robot.team, robot.role}).second)
+        return Error{path_, robot.line, "role",
+                     "a second " + std::string{enumName(robot.role)} + " of the " +
+                         std::string{enumName(robot.team)} + " team"};
+    }
+  if (names.size() > maxSceneRobots)
+    return Error{path_, 0, "robots", "more than " + std::to_string(maxSceneRobots) + " robots"};
+  if (scene.balls.size() > 100) return Error{path_, 0, "balls", "more than 100 balls"};
+  return {};
+}
+
+Result<SceneDescription> SceneReader::read(const xmlNode* root) {
+  SceneDescription scene;
+  scene.file = path_;
+  if (auto r = readAttributes(root, scene); !r) return r.error();
+  std::set<std::string> seen;
+  for (const xmlNode* node = root->children; node; node = node->next) {
+    if (node->type == XML_COMMENT_NODE) continue;
+    if (node->type != XML_ELEMENT_NODE) return error(node, nameOf(node), "expected an element");
+    if (!seen.insert(nameOf(node)).second)
+      return error(node, nameOf(node), "a second " + tag(node));
+    if (auto r = readElement(node, scene); !r) return r.error();
+  }
+  if (scene.radio.delayMin > scene.radio.delayMax)
+    return Error{path_, 0, "radio", "delayMin is greater than delayMax"};
+  if (auto r = checkRobots(scene); !r) return r.error();
+  return scene;
+}
+
+}  // namespace
+
+std::string SceneDescription::resolve(const std::string& path) const {
+  const std::filesystem::path p{path};
+  if (p.is_absolute()) return path;
+  return (std::filesystem::path{file}.parent_path() / p).lexically_normal().string();
+}
+
+Result<SceneDescription> loadScene(const std::string& path) {
+  const auto document = readXml(path, "scene");
+  if (!document) return document.error();
+  return SceneReader{path}.read(xmlDocGetRootElement(document->get()));
+}
+
+}  // namespace gt

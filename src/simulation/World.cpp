@@ -1,0 +1,128 @@
+#include "simulation/World.h"
+
+#include <algorithm>
+
+#include "simulation/KinematicWorld.h"
+#include "simulation/SceneModel.h"
+
+namespace gt {
+
+Pose3D RobotBody::origin() const {
+  Pose3D origin;
+  origin.translation = {pose.translation.x(), pose.translation.y(), height};
+  origin.rotation = rotationZ(pose.rotation) * rotationY(-tilt) * rotationX(roll);
+  return origin;
+}
+
+World::World(const SceneDescription& scene, Model model)
+    : model_(std::move(model)), data_(makeData(*model_)), active_(scene.robots.size()) {
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group) {
+      RobotBody body;
+      body.pose = robot.pose();
+      robots_.push_back(body);
+    }
+  for (const SceneBall& ball : scene.balls) {
+    BallState state;
+    state.position = ball.position();
+    balls_.push_back(state);
+  }
+  placed_.resize(robots_.size(), true);
+  cameras_.resize(robots_.size());
+}
+
+Result<void> World::findParts(const SceneDescription& scene) {
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group) {
+      const auto parts = findRobotParts(*model_, robot.name, scene.resolve(robot.model));
+      if (!parts) return parts.error();
+      parts_.push_back(*parts);
+    }
+  for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+    const auto parts = findBallParts(*model_, i, scene.resolve(scene.balls[i].model));
+    if (!parts) return parts.error();
+    ballParts_.push_back(*parts);
+  }
+  return {};
+}
+
+const Pose3D& World::camera(std::size_t robot, std::size_t ticksAgo) const {
+  return cameras_[robot][std::min(ticksAgo, cameraHistory - 1)];
+}
+
+void World::placeRobot(std::size_t robot, const Pose2D& pose) {
+  robots_[robot].pose = pose;
+  standUp(robot);
+}
+
+void World::placeBall(std::size_t ball, const Vector2d& position, const Vector2d& speed,
+                      bool forget) {
+  balls_[ball].position = position;
+  balls_[ball].speed = speed;
+  if (forget) balls_[ball].lastToucher = -1;
+  writeBall(ball);
+}
+
+void World::throwOver(std::size_t robot, Posture side) {
+  robots_[robot].posture = side;
+  placed_[robot] = true;
+}
+
+void World::standUp(std::size_t robot) {
+  throwOver(robot, Posture::standing);
+}
+
+void World::writeRobot(std::size_t i) {
+  const RobotBody& robot = robots_[i];
+  const Pose3D origin = robot.origin();
+  const Eigen::Quaterniond q{origin.rotation};
+  mjtNum* pose = data_->qpos + parts_[i].poseAddress;
+  for (int k = 0; k < 3; ++k) pose[k] = origin.translation[k] / 1000;
+  pose[3] = q.w();
+  pose[4] = q.x();
+  pose[5] = q.y();
+  pose[6] = q.z();
+  for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+    data_->qpos[parts_[i].jointAddress.values[j]] = robot.joints.values[j];
+}
+
+void World::writeBall(std::size_t i) {
+  const BallParts& parts = ballParts_[i];
+  mjtNum* pose = data_->qpos + parts.poseAddress;
+  pose[0] = balls_[i].position.x() / 1000;
+  pose[1] = balls_[i].position.y() / 1000;
+  pose[2] = parts.radius / 1000;
+  // The ball's own poses follow at once: it moves after the robots in a tick.
+  mju_copy3(data_->xpos + 3 * parts.body, pose);
+  mju_copy3(data_->geom_xpos + 3 * parts.geom, pose);
+  mju_quat2Mat(data_->xmat + 9 * parts.body, pose + 3);
+  mju_quat2Mat(data_->geom_xmat + 9 * parts.geom, pose + 3);
+}
+
+void World::updateKinematics() {
+  mj_kinematics(model_.get(), data_.get());
+}
+
+void World::advanceTime() {
+  time_ = time_ + tickMs;
+  data_->time = static_cast<double>(time_.ms) / 1000;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    auto& history = cameras_[i];
+    const Pose3D now = sitePose(*data_, parts_[i].cameraSite);
+    if (placed_[i])
+      history.fill(now);
+    else {
+      std::copy_backward(history.begin(), history.end() - 1, history.end());
+      history.front() = now;
+    }
+    placed_[i] = false;
+  }
+}
+
+Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, const Random& random) {
+  auto model = composeModel(scene);
+  if (!model) return model.error();
+  return KinematicWorld::make(scene, std::move(*model), random);
+}
+
+}  // namespace gt
