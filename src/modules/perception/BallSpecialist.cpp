@@ -1,0 +1,287 @@
+#include "modules/perception/BallSpecialist.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace gt {
+namespace {
+
+constexpr ColorSet ballColors{ColorClass::orange, ColorClass::red};
+constexpr int maxGap = 3;          // Pixels within the ball that may have another colour.
+constexpr int traceRays = 24;      // Ways from within the ball to its boundary.
+constexpr int minForCone = 8;      // Boundary points, a third of the circle.
+constexpr double minRadius = 1.2;  // Pixels.
+
+/// Whether fewer than half of the segments' opposite ends lie on the wrong side of a point.
+template <typename Wrong>
+bool isOutlier(std::span<const BallSegment> segments, std::span<const std::size_t> members,
+               Wrong wrong) {
+  std::size_t count = 0;
+  for (const std::size_t i : members) count += wrong(segments[i]) ? 1 : 0;
+  return 2 * count > members.size();
+}
+
+/// The centre of the circle through three points, where two middle perpendiculars intersect;
+/// false if the points lie on a line.
+bool intersectPerpendiculars(const Vector2d& a, const Vector2d& b, const Vector2d& c,
+                             Vector2d& center) {
+  const Vector2d ab = b - a, ac = c - a;
+  const double cross = ab.x() * ac.y() - ab.y() * ac.x();
+  if (std::abs(cross) < 0.02 * ab.norm() * ac.norm() || cross == 0) return false;
+  const double b2 = ab.squaredNorm(), c2 = ac.squaredNorm();
+  center = a + Vector2d{ac.y() * b2 - ab.y() * c2, ab.x() * c2 - ac.x() * b2} / (2 * cross);
+  return true;
+}
+
+double focalLength(const Picture& picture) {
+  return (picture.matrix.info.focalX + picture.matrix.info.focalY) / 2;
+}
+
+}  // namespace
+
+void BallSpecialist::find(const Picture& picture, std::span<const BallSegment> segments,
+                          double ballRadius, BallPercept& percept) {
+  percept = {};
+  cluster(segments);
+  // The largest cluster first; what the check by projection back refuses gives way to the next.
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    Cluster* best = nullptr;
+    for (std::size_t i = 0; i < used_; ++i)
+      if (clusters_[i].orange > (best ? best->orange : 2)) best = &clusters_[i];
+    if (!best) return;
+    if (look(picture, segments, *best, ballRadius, percept)) return;
+    percept = {};
+    best->orange = 0;
+  }
+}
+
+void BallSpecialist::cluster(std::span<const BallSegment> segments) {
+  constexpr double margin = 3, widestGap = 12;
+  used_ = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const BallSegment& s = segments[i];
+    const Vector2d low = s.upper.cwiseMin(s.lower), high = s.upper.cwiseMax(s.lower);
+    Cluster* home = nullptr;
+    for (std::size_t k = 0; k < used_ && !home; ++k) {
+      Cluster& c = clusters_[k];
+      const BallSegment& newest = segments[c.segments.back()];
+      const bool meets =
+          (low.array() <= c.high.array() + margin + Vector2d{widestGap, 0}.array()).all() &&
+          (high.array() >= c.low.array() - margin).all();
+      if (meets && s.u - newest.u <= widestGap) home = &c;
+    }
+    if (!home) {
+      if (used_ == clusters_.size()) clusters_.emplace_back();
+      home = &clusters_[used_++];
+      home->low = low;
+      home->high = high;
+      home->orange = 0;
+      home->segments.clear();
+    }
+    home->low = home->low.cwiseMin(low);
+    home->high = home->high.cwiseMax(high);
+    home->orange += s.orange;
+    home->segments.push_back(i);
+  }
+}
+
+// Upper points below many lower points and lower points above many upper ones are outliers
+// (report 3.2.3).
+void BallSpecialist::collectPoints(std::span<const BallSegment> segments, const Cluster& cluster) {
+  points_.clear();
+  for (const std::size_t i : cluster.segments) {
+    const BallSegment& s = segments[i];
+    if (s.upperKnown && !isOutlier(segments, cluster.segments, [&](const BallSegment& other) {
+          return other.lowerKnown && other.lower.y() < s.upper.y();
+        }))
+      points_.push_back({s.upper, s.above, true});
+    if (s.lowerKnown && !isOutlier(segments, cluster.segments, [&](const BallSegment& other) {
+          return other.upperKnown && other.upper.y() > s.lower.y();
+        }))
+      points_.push_back({s.lower, s.below, false});
+  }
+}
+
+// From within the ball to all sides: points to a fraction of a pixel, also left and right where
+// the scan lines only touch.
+void BallSpecialist::traceBoundary(const Picture& picture, const Vector2d& inside) {
+  points_.clear();
+  for (int i = 0; i < traceRays; ++i) {
+    const ColorEdge edge =
+        picture.findEdge(inside, direction(2 * pi * i / traceRays), ballColors, maxGap);
+    if (!edge.onBorder) points_.push_back({edge.point, edge.beyond, false});
+  }
+}
+
+// The rays that touch a sphere form a cone: all of them have the same angle to its axis, so
+// ray . n = 1 with n = axis / cos(angle), which is linear in n. Points next to green count more;
+// points far from the cone (on a tricot, a highlight or what hides the ball) do not count.
+bool BallSpecialist::fitCone(const Picture& picture, Cone& cone) const {
+  if (points_.size() < minForCone) return false;
+  const double focal = focalLength(picture);
+  std::array<Vector3d, traceRays> rays;
+  std::array<double, traceRays> weights;
+  const std::size_t n = std::min<std::size_t>(points_.size(), traceRays);
+  for (std::size_t i = 0; i < n; ++i) {
+    rays[i] = picture.ray(points_[i].position);
+    weights[i] = points_[i].beyond == ColorClass::green ? 1 : 0.4;
+  }
+  double limit = 1e9;
+  for (int iteration = 0; iteration < 5; ++iteration) {
+    Matrix3d a = Matrix3d::Zero();
+    Vector3d b = Vector3d::Zero();
+    int inliers = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (iteration > 0) {
+        const double error =
+            (std::acos(std::clamp(rays[i].dot(cone.axis), -1.0, 1.0)) - cone.angle) * focal;
+        if (std::abs(error) > limit) continue;
+      }
+      ++inliers;
+      a += weights[i] * rays[i] * rays[i].transpose();
+      b += weights[i] * rays[i];
+    }
+    if (inliers < minForCone) return false;
+    const Vector3d normal = a.ldlt().solve(b);
+    const double length = normal.norm();
+    if (!(length > 1)) return false;
+    cone.axis = normal / length;
+    cone.angle = std::acos(1 / length);
+    limit = std::max(1.0, (0.4 - 0.08 * iteration) * cone.angle * focal);
+  }
+  return true;
+}
+
+bool BallSpecialist::look(const Picture& picture, std::span<const BallSegment> segments,
+                          const Cluster& cluster, double ballRadius, BallPercept& percept) {
+  Cone cone;
+  if (!locate(picture, segments, cluster, ballRadius, cone)) return false;
+  const double focal = focalLength(picture);
+  percept.angle = {azimuth(cone.axis), elevation(cone.axis)};
+  percept.centerInImage = picture.pointOf(cone.axis);
+  percept.radiusInImage = std::tan(cone.angle) * focal;
+  if (cone.angle > 0) {
+    if (percept.radiusInImage < minRadius) return false;
+    percept.distanceBySize = ballRadius / std::sin(cone.angle);
+  }
+  // Where the ray meets the plane through the ball's centre.
+  const Vector3d camera = picture.matrix.pose.translation;
+  constexpr double flattest = 0.01, farthest = 10000;
+  if (cone.axis.z() < -flattest && camera.z() > ballRadius)
+    percept.distanceByProjection = (ballRadius - camera.z()) / cone.axis.z();
+  if (percept.distanceByProjection > farthest) percept.distanceByProjection = 0;
+  const bool projected = picture.matrix.valid && percept.distanceByProjection > 0;
+  const double distance = projected ? percept.distanceByProjection : percept.distanceBySize;
+  if (distance <= 0) return false;
+  percept.offset = (camera + cone.axis * distance).head<2>();
+  if (cone.angle == 0) percept.radiusInImage = focal * ballRadius / distance;
+  percept.seen = isOnGround(picture, percept, cone.axis, ballRadius) && isOrange(picture, percept);
+  return percept.seen;
+}
+
+// The report's cases: three points of the boundary make a circle, a single one is the highest or
+// lowest point, without any the ball fills the picture. Where the boundary can be traced, all of it
+// replaces the circle's three points.
+bool BallSpecialist::locate(const Picture& picture, std::span<const BallSegment> segments,
+                            const Cluster& cluster, double ballRadius, Cone& cone) {
+  Vector2d inside = Vector2d::Zero();
+  double total = 0;
+  for (const std::size_t i : cluster.segments) {
+    inside += (segments[i].upper + segments[i].lower) / 2 * segments[i].orange;
+    total += segments[i].orange;
+  }
+  inside /= total;
+  collectPoints(segments, cluster);
+  const bool circle = circleCone(picture, cone);
+  const bool point = !circle && pointCone(picture, ballRadius, cone);
+  if (!circle && !point) {
+    if (!points_.empty()) return false;
+    cone = {picture.ray(inside), 0};
+  }
+  const Cone first = cone;
+  traceBoundary(picture, inside);
+  if (!fitCone(picture, cone)) cone = first;
+  return true;
+}
+
+// Two points with the largest distance, then the one furthest away from both. A point next to
+// green is preferred: its distance counts double.
+bool BallSpecialist::circleCone(const Picture& picture, Cone& cone) const {
+  if (points_.size() < 3) return false;
+  const auto trust = [](const BoundaryPoint& p) { return p.beyond == ColorClass::green ? 2 : 1; };
+  const BoundaryPoint *a = nullptr, *b = nullptr, *c = nullptr;
+  double best = 0;
+  for (const BoundaryPoint& p : points_)
+    for (const BoundaryPoint& q : points_) {
+      const double value = (p.position - q.position).norm() * trust(p) * trust(q);
+      if (value <= best) continue;
+      best = value;
+      a = &p;
+      b = &q;
+    }
+  if (!a) return false;
+  best = 0;
+  for (const BoundaryPoint& p : points_) {
+    const double value =
+        std::min((p.position - a->position).norm(), (p.position - b->position).norm()) * trust(p);
+    if (value <= best) continue;
+    best = value;
+    c = &p;
+  }
+  Vector2d center;
+  if (!c || !intersectPerpendiculars(a->position, b->position, c->position, center)) return false;
+  const double radius = (a->position - center).norm();
+  cone.axis = picture.ray(center);
+  const Vector3d side = picture.ray(center + picture.horizon.along * radius);
+  cone.angle = std::acos(std::clamp(cone.axis.dot(side), -1.0, 1.0));
+  return cone.angle > 0;
+}
+
+// A highest point lies on the plane through the ball's top, a lowest one on the ground.
+bool BallSpecialist::pointCone(const Picture& picture, double ballRadius, Cone& cone) const {
+  if (points_.empty()) return false;
+  const BoundaryPoint& point = points_.front();
+  const Vector3d camera = picture.matrix.pose.translation;
+  const Vector3d ray = picture.ray(point.position);
+  const double down = camera.z() - (point.upper ? 2 * ballRadius : 0);
+  if (ray.z() >= 0 || down <= 0) return false;
+  Vector3d center = camera - ray * (down / ray.z());
+  center.z() = ballRadius;
+  cone = {(center - camera).normalized(), 0};
+  return true;
+}
+
+// A ball neither floats nor lies deep in the ground: seen at the distance that its size tells, its
+// centre is at its radius above the ground, as far as size and camera matrix can be trusted.
+bool BallSpecialist::isOnGround(const Picture& picture, const BallPercept& percept,
+                                const Vector3d& axis, double ballRadius) const {
+  if (percept.distanceBySize == 0 || !picture.matrix.valid) return true;
+  const double height = picture.matrix.pose.translation.z() + axis.z() * percept.distanceBySize;
+  return std::abs(height - ballRadius) < 60 + 0.12 * percept.distanceBySize;
+}
+
+// A disk around the place where the ball should be must be orange, and what is around it must not
+// (report 3.2.3).
+bool BallSpecialist::isOrange(const Picture& picture, const BallPercept& percept) const {
+  constexpr int directions = 12;
+  const auto countOn = [&](double part, int& pixels, int& orange, int& red) {
+    for (int i = 0; i < directions; ++i) {
+      const Vector2d p = percept.centerInImage +
+                         direction(2 * pi * i / directions) * (percept.radiusInImage * part);
+      if (!picture.contains(p)) continue;
+      const ColorClass c = picture.classAt(p);
+      ++pixels;
+      orange += c == ColorClass::orange ? 1 : 0;
+      red += c == ColorClass::red ? 1 : 0;
+    }
+  };
+  int pixels = 0, orange = 0, red = 0;
+  for (const double part : {0.15, 0.5, 0.8}) countOn(part, pixels, orange, red);
+  if (pixels == 0 || red > orange || 5 * (orange + red) < 2 * pixels) return false;
+  int around = 0, orangeAround = 0, redAround = 0;
+  countOn(1.4, around, orangeAround, redAround);
+  return 2 * (orangeAround + redAround) <= around;
+}
+
+}  // namespace gt

@@ -1,0 +1,43 @@
+#pragma once
+#include "debug/Debug.h"
+#include "modules/perception/BallSpecialist.h"
+#include "modules/perception/FlagSpecialist.h"
+#include "modules/perception/GoalSpecialist.h"
+#include "modules/perception/LineScanner.h"
+#include "modules/perception/ScanGrid.h"
+#include "modules/perception/Tasks.h"
+#include "representations/infrastructure/FieldDimensions.h"
+
+namespace gt {
+
+/// Finds ball, flags and goals on a horizon-aligned grid with a colour table (report 3.2), the
+/// solution GT2003 of the ImageProcessor.
+class GT2003ImageProcessor {
+ public:
+  struct Parameters {
+    double denseSpacing = 2;
+
+    static constexpr auto fields() {
+      return std::tuple{field("denseSpacing", &Parameters::denseSpacing, "pixel",
+                              "between scan lines next to the horizon", {1, 16})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
+              const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
+              Debug& debug);
+
+ private:
+  GridSpacing spacing(const CameraMatrix& matrix, const FieldDimensions& field) const;
+  void draw(const Picture& picture, const BallPercept& ball, const LandmarksPercept& landmarks,
+            Debug& debug) const;
+
+  ScanGrid grid_;
+  LineScanner scanner_;
+  BallSpecialist ballSpecialist_;
+  FlagSpecialist flagSpecialist_;
+  GoalSpecialist goalSpecialist_;
+};
+
+}  // namespace gt

@@ -1,0 +1,153 @@
+#include "modules/perception/LineScanner.h"
+
+#include <algorithm>
+
+namespace gt {
+namespace {
+
+constexpr int maxGap = 2;      // Pixels of a wrong class accepted within an object.
+constexpr int minPink = 2;     // Pixels of each of a flag's colours.
+constexpr int minGoal = 3;     // Pixels of a goal's colour.
+constexpr int minBall = 2;     // Orange pixels.
+constexpr int maxToField = 6;  // Pixels from a goal's lower end to the green.
+
+}  // namespace
+
+void LineScanner::clear() {
+  balls.clear();
+  flags.clear();
+  goals.clear();
+}
+
+void LineScanner::scan(const Picture& picture, const ScanLine& line) {
+  findRuns(picture, line);
+  for (std::size_t i = 0; i < runs_.size();) {
+    std::size_t next = i + 1;
+    switch (runs_[i].color) {
+      case ColorClass::orange:
+      case ColorClass::red:
+        next = findBall(line, i);
+        break;
+      case ColorClass::pink:
+        if (runs_[i].length() >= minPink) findFlag(line, i);
+        break;
+      case ColorClass::yellow:
+      case ColorClass::skyblue:
+        next = findGoal(picture, line, i);
+        break;
+      default:
+        break;
+    }
+    i = next;
+  }
+}
+
+void LineScanner::findRuns(const Picture& picture, const ScanLine& line) {
+  runs_.clear();
+  // In steps of 1/65536 pixel, since this loop sees most of the pixels that are looked at.
+  constexpr double one = 65536;
+  const int stepX = static_cast<int>(line.step.x() * one);
+  const int stepY = static_cast<int>(line.step.y() * one);
+  int x = static_cast<int>(line.start.x() * one);
+  int y = static_cast<int>(line.start.y() * one);
+  const Pixel* pixels = picture.image.pixels.data();
+  const std::ptrdiff_t width = picture.image.info.width;
+  ColorClass last = picture.colors[pixels[(y >> 16) * width + (x >> 16)]];
+  int begin = 0;
+  for (int i = 1; i < line.length; ++i) {
+    x += stepX;
+    y += stepY;
+    const ColorClass c = picture.colors[pixels[(y >> 16) * width + (x >> 16)]];
+    if (c == last) continue;
+    runs_.push_back({last, begin, i});
+    last = c;
+    begin = i;
+  }
+  runs_.push_back({last, begin, line.length});
+}
+
+LineScanner::Stretch LineScanner::stretchFrom(std::size_t first, ColorSet classes, int gap) const {
+  Stretch stretch{first, first, runs_[first].length()};
+  for (std::size_t i = first + 1; i < runs_.size(); ++i) {
+    if (runs_[i].begin - runs_[stretch.last].end > gap) break;
+    if (!classes.contains(runs_[i].color)) continue;
+    stretch.last = i;
+    stretch.pixels += runs_[i].length();
+  }
+  return stretch;
+}
+
+// Shaded orange often appears as red: red counts as ball where there is at least as much orange.
+std::size_t LineScanner::findBall(const ScanLine& line, std::size_t first) {
+  const Stretch stretch = stretchFrom(first, ColorSet{ColorClass::orange, ColorClass::red}, 3);
+  const std::size_t next = stretch.last + 1;
+  int orange = 0;
+  for (std::size_t i = stretch.first; i <= stretch.last; ++i)
+    if (runs_[i].color == ColorClass::orange) orange += runs_[i].length();
+  if (orange < minBall || 2 * orange < stretch.pixels) return next;
+  BallSegment segment;
+  segment.u = line.u;
+  segment.orange = orange;
+  segment.upper = line.at(runs_[stretch.first].begin - 0.5);
+  segment.lower = line.at(runs_[stretch.last].end - 0.5);
+  segment.upperKnown = stretch.first > 0;
+  segment.lowerKnown = next < runs_.size();
+  if (segment.upperKnown) segment.above = runs_[stretch.first - 1].color;
+  if (segment.lowerKnown) segment.below = runs_[next].color;
+  balls.push_back(segment);
+  return next;
+}
+
+// The colours next to pink tell the flag. Single wrong pixels between the colours are skipped.
+void LineScanner::findFlag(const ScanLine& line, std::size_t first) {
+  const Stretch pink = stretchFrom(first, ColorSet{ColorClass::pink}, maxGap);
+  const auto partner = [&](std::size_t from, int direction) -> const Run* {
+    int skipped = 0;
+    for (auto i = static_cast<std::ptrdiff_t>(from);
+         i >= 0 && i < static_cast<std::ptrdiff_t>(runs_.size()); i += direction) {
+      const Run& run = runs_[static_cast<std::size_t>(i)];
+      const bool colored = run.color == ColorClass::yellow || run.color == ColorClass::skyblue ||
+                           run.color == ColorClass::green;
+      if (colored && run.length() >= minPink) return &run;
+      skipped += run.length();
+      if (skipped > maxGap) break;
+    }
+    return nullptr;
+  };
+  if (const Run* below = partner(pink.last + 1, 1)) {
+    const FlagType type = below->color == ColorClass::yellow    ? FlagType::pinkAboveYellow
+                          : below->color == ColorClass::skyblue ? FlagType::pinkAboveSkyblue
+                                                                : FlagType::pinkAboveGreen;
+    flags.push_back({type, line.at((runs_[pink.last].end + below->begin - 1) / 2.0)});
+  }
+  if (const Run* above = first > 0 ? partner(first - 1, -1) : nullptr) {
+    const FlagType type = above->color == ColorClass::yellow    ? FlagType::yellowAbovePink
+                          : above->color == ColorClass::skyblue ? FlagType::skyblueAbovePink
+                                                                : FlagType::greenAbovePink;
+    flags.push_back({type, line.at((runs_[pink.first].begin + above->end - 1) / 2.0)});
+  }
+}
+
+// A goal stands on the field: below its colour comes green, perhaps after a line, or the picture's
+// border.
+std::size_t LineScanner::findGoal(const Picture& picture, const ScanLine& line, std::size_t first) {
+  const ColorClass color = runs_[first].color;
+  const Stretch stretch = stretchFrom(first, ColorSet{color}, maxGap);
+  const std::size_t next = stretch.last + 1;
+  if (stretch.pixels < minGoal) return next;
+  GoalIndication goal;
+  goal.color = color == ColorClass::yellow ? GoalColor::yellow : GoalColor::skyblue;
+  goal.top = line.at(runs_[stretch.first].begin);
+  goal.bottom = line.at(runs_[stretch.last].end - 1);
+  if (picture.horizon.fromPicture(goal.bottom).y() < 0) return next;
+  bool onField = next == runs_.size() && line.toBorder;
+  for (std::size_t i = next; i < runs_.size() && !onField; ++i) {
+    const Run& run = runs_[i];
+    if (run.begin - runs_[stretch.last].end > maxToField) break;
+    onField = run.color == ColorClass::green && run.length() >= minPink;
+  }
+  if (onField) goals.push_back(goal);
+  return next;
+}
+
+}  // namespace gt

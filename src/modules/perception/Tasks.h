@@ -1,0 +1,22 @@
+#pragma once
+#include <tuple>
+
+#include "representations/perception/BallPercept.h"
+#include "representations/perception/BodyPercept.h"
+#include "representations/perception/CameraMatrix.h"
+#include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/PsdPercept.h"
+
+namespace gt {
+
+/// The task of making sense of the body's sensors (report 3.1).
+struct SensorDataProcessor {
+  using Outputs = std::tuple<CameraMatrix, BodyPercept, PsdPercept>;
+};
+
+/// The task of finding things in a picture (report 3.2).
+struct ImageProcessor {
+  using Outputs = std::tuple<BallPercept, LandmarksPercept>;
+};
+
+}  // namespace gt

@@ -1,0 +1,56 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/Geometry.h"
+#include "base/Result.h"
+#include "base/Time.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/perception/CameraMatrix.h"
+
+namespace gt {
+
+/// What a real robot's log of 2009 tells of one camera picture (facts, 3). Provided by readNaoLog.
+struct NaoPicture {
+  int number = 0;  ///< From 0, in the order of the log.
+  CameraMatrix cameraMatrix;
+  Vector2d horizon = Vector2d::Zero();       ///< A point of the horizon in the picture, pixels.
+  Vector2d horizonDirection{1, 0};           ///< Along the horizon to the right.
+  Pose2D odometry;                           ///< The last one before the picture, mm and rad.
+  std::size_t jpegOffset = 0, jpegSize = 0;  ///< Where in the file the picture stands.
+};
+
+/// What a real robot's log tells of one motion frame (facts, 3). Provided by readNaoLog.
+struct NaoMotionFrame {
+  Time time;
+  std::array<double, 22> joints{};                ///< rad; 1000 where a joint is not there.
+  std::array<float, 18> sensors{};                ///< gyro 3, acceleration 3, battery, feet 8, ultrasound, body's angles 2.
+  Pose2D odometry;                                ///< mm and rad.
+};
+
+/// A log of a real robot in memory: its frames in the order of time (facts, 3).
+class NaoLog {
+ public:
+  std::vector<NaoPicture> pictures;
+  std::vector<NaoMotionFrame> motionFrames;
+
+  /// Decodes a picture. The error names the offset of the picture in the file.
+  Result<void> decode(const NaoPicture& picture, Image& image) const;
+
+ private:
+  friend Result<NaoLog> parseNaoLog(std::string bytes, const std::string& file);
+
+  std::string file_;
+  std::string bytes_;
+};
+
+/// The log in the bytes of a file. Errors name the file and the byte.
+Result<NaoLog> parseNaoLog(std::string bytes, const std::string& file);
+
+/// Reads a log file (facts, 3).
+Result<NaoLog> readNaoLog(const std::string& file);
+
+}  // namespace gt
