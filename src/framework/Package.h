@@ -106,24 +106,4 @@ class Receiver : public T, public PackageReceiver {
   }
 };
 
-/// Message queues travel as packages, too; as part of another message they do not.
-template <>
-inline const RepresentationType& representation<MessageQueue>() {
-  static constexpr RepresentationType type{
-      "MessageQueue",
-      hashOf("MessageQueue"),
-      []() -> std::shared_ptr<void> { return std::make_shared<MessageQueue>(); },
-      [](const void* from, void* to) {
-        *static_cast<MessageQueue*>(to) = *static_cast<const MessageQueue*>(from);
-      },
-      [](void* a, void* b) {
-        std::swap(*static_cast<MessageQueue*>(a), *static_cast<MessageQueue*>(b));
-      },
-      [](const void*, Time, MessageQueue&) { return false; },
-      [](const Message&, void*) -> Result<void> {
-        return Error{"", 0, "MessageQueue", "is not part of a message"};
-      }};
-  return type;
-}
-
 }  // namespace gt

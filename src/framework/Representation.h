@@ -32,9 +32,17 @@ const RepresentationType& representation() {
       [](const void* from, void* to) { *static_cast<T*>(to) = *static_cast<const T*>(from); },
       [](void* a, void* b) { std::swap(*static_cast<T*>(a), *static_cast<T*>(b)); },
       [](const void* value, Time time, MessageQueue& queue) {
-        return queue.write(time, *static_cast<const T*>(value));
+        if constexpr (Streamable<T>)
+          return queue.write(time, *static_cast<const T*>(value));
+        else
+          return false;
       },
-      [](const Message& message, void* value) { return message.read(*static_cast<T*>(value)); }};
+      [](const Message& message, void* value) -> Result<void> {
+        if constexpr (Streamable<T>)
+          return message.read(*static_cast<T*>(value));
+        else
+          return Error{"", 0, std::string{typeName<T>()}, "is not part of messages"};
+      }};
   return type;
 }
 

@@ -1,0 +1,92 @@
+#include "modules/behavior/BasicBehaviors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gt {
+
+void BasicBehaviors::stand() {
+  request_ = {MotionType::stand, WalkType::normal, {}, SpecialAction::none};
+}
+
+void BasicBehaviors::getup() {
+  request_ = {MotionType::getup, WalkType::normal, {}, SpecialAction::none};
+}
+
+void BasicBehaviors::specialAction(SpecialAction action) {
+  request_ = {MotionType::specialAction, WalkType::normal, {}, action};
+}
+
+void BasicBehaviors::walk(double x, double y, double turn) {
+  const double maxTurn = fromDegrees(parameters_.maxTurn);
+  request_ = {MotionType::walk,
+              WalkType::normal,
+              {std::clamp(fromDegrees(turn), -maxTurn, maxTurn),
+               std::clamp(x, -parameters_.maxSideways, parameters_.maxForward),
+               std::clamp(y, -parameters_.maxSideways, parameters_.maxSideways)},
+              SpecialAction::none};
+}
+
+void BasicBehaviors::approach(const Vector2d& offset, double turn, double maxSpeed) {
+  // Braking: the last 200 mm are walked ever slower, but never so slowly that the robot does not
+  // arrive.
+  const double distance = offset.norm();
+  const double speed = std::min(maxSpeed, 40 + 1.2 * distance);
+  Vector2d v = distance < 1 ? Vector2d::Zero() : Vector2d{offset / distance * speed};
+  // The same direction at the speed that the slower of the two axes allows.
+  const double maxX = v.x() > 0 ? parameters_.maxForward : parameters_.maxSideways;
+  const double over = std::max(std::abs(v.x()) / maxX, std::abs(v.y()) / parameters_.maxSideways);
+  if (over > 1) v /= over;
+  walk(v.x(), v.y(), toDegrees(1.5 * turn));
+}
+
+Vector2d BasicBehaviors::avoidMates(const Vector2d& offset) const {
+  // A potential field (report 3.8.3): the goal pulls, each team mate nearby pushes away and to the
+  // side on which it is passed, so that the robot does not get stuck right before it.
+  constexpr double clearance = 500;
+  const double distance = std::max(offset.norm(), 1.0);
+  Vector2d heading = offset / distance;
+  world_.forEachMate([&](const TeamMessage& mate) {
+    const Vector2d toMate = relative(world_.self.pose, mate.robotPose.translation);
+    const double away = std::max(toMate.norm(), 1.0);
+    if (away > clearance || toMate.dot(offset) < 0) return;
+    const double side = offset.x() * toMate.y() - offset.y() * toMate.x() > 0 ? -1 : 1;
+    const Vector2d past = rotated(toMate / away, side * pi / 2);
+    heading += (past - toMate / away) * (clearance / away - 1);
+  });
+  return heading.normalized() * distance;
+}
+
+void BasicBehaviors::goToPoint(double x, double y, double angle, double maxSpeed) {
+  const Vector2d offset = relative(world_.self.pose, {x, y});
+  const double distance = offset.norm();
+  const double finalTurn = normalize(fromDegrees(angle) - world_.self.pose.rotation);
+  if (distance < 60 && std::abs(finalTurn) < fromDegrees(8)) return stand();
+  const bool isFar = distance > 400;
+  const double turn = isFar ? angleOf(offset) : finalTurn;
+  // Far away the robot walks where it looks, so it turns first.
+  const double speed =
+      isFar ? maxSpeed * std::max(0.2, std::cos(std::min(std::abs(turn), pi / 2))) : maxSpeed;
+  approach(isFar ? avoidMates(offset) : offset, turn, speed);
+}
+
+void BasicBehaviors::goToBall(double kickAngle, double x, double y) {
+  const Vector2d ball = world_.knownBall();
+  const double distance = ball.norm();
+  const double facing = normalize(fromDegrees(kickAngle) - world_.self.pose.rotation);
+  const Vector2d place = ball - rotated({x, y}, facing);
+  // How far the robot is off the place behind the ball, as an angle around the ball.
+  const double around = normalize(angleOf(-ball) - (facing + pi));
+  const double maxSpeed = parameters_.maxForward;
+
+  if (distance > 600) return approach(ball - ball / distance * 200, angleOf(ball), maxSpeed);
+  if (std::abs(around) > fromDegrees(25)) {
+    const double step = std::copysign(std::min(std::abs(around), fromDegrees(50)), around);
+    const Vector2d next = ball + direction(facing + pi + around - step) * parameters_.aroundBall;
+    return approach(next, distance > 350 ? angleOf(ball) : 0.5 * normalize(facing + angleOf(ball)),
+                    maxSpeed);
+  }
+  approach(place, facing, 0.8 * maxSpeed);
+}
+
+}  // namespace gt

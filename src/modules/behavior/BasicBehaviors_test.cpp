@@ -1,0 +1,68 @@
+#include "modules/behavior/BasicBehaviors.h"
+
+#include <gtest/gtest.h>
+
+#include "base/Random.h"
+
+namespace gt {
+namespace {
+
+class BasicBehaviorsTest : public ::testing::Test {
+ protected:
+  /// Moves the robot as it asks for, for one picture.
+  void move() {
+    if (request.type == MotionType::walk)
+      world.self.pose =
+          world.self.pose * Pose2D{request.walk.rotation * 0.04, request.walk.translation * 0.04};
+  }
+  WorldState world;
+  MotionRequest request;
+  BasicBehaviors::Parameters parameters;
+  BasicBehaviors skills{world, request, parameters};
+};
+
+TEST_F(BasicBehaviorsTest, LimitsSpeeds) {
+  skills.walk(1000, -1000, 1000);
+  EXPECT_EQ(request.type, MotionType::walk);
+  EXPECT_DOUBLE_EQ(request.walk.translation.x(), parameters.maxForward);
+  EXPECT_DOUBLE_EQ(request.walk.translation.y(), -parameters.maxSideways);
+  EXPECT_DOUBLE_EQ(request.walk.rotation, fromDegrees(parameters.maxTurn));
+}
+
+TEST_F(BasicBehaviorsTest, GoToPointArrivesFromAnywhere) {
+  Random random{5};
+  for (int i = 0; i < 50; ++i) {
+    world.self.pose = {random.uniform(-3, 3), random.uniform(-2000, 2000),
+                       random.uniform(-1300, 1300)};
+    const Vector2d goal{random.uniform(-2000, 2000), random.uniform(-1300, 1300)};
+    const double angle = random.uniform(-180, 180);
+    for (int cycle = 0; cycle < 1500; ++cycle) {
+      skills.goToPoint(goal.x(), goal.y(), angle, 200);
+      move();
+    }
+    EXPECT_EQ(request.type, MotionType::stand);
+    EXPECT_LT((world.self.pose.translation - goal).norm(), 70);
+    EXPECT_LT(std::abs(normalize(world.self.pose.rotation - fromDegrees(angle))), fromDegrees(9));
+  }
+}
+
+TEST_F(BasicBehaviorsTest, GoToPointKeepsClearOfMates) {
+  world.player.role = PlayerRole::striker1;
+  auto& mate = world.team.byPlayer[3];
+  mate.message.playerNumber = 4;
+  mate.timeReceived = world.now;
+  mate.message.robotPose = {0, 0, 60};
+  world.self.pose = {0, -1500, 0};
+  double nearest = 1e9;
+  for (int cycle = 0; cycle < 1500; ++cycle) {
+    skills.goToPoint(1500, 0, 0, 200);
+    move();
+    nearest = std::min(nearest,
+                       (world.self.pose.translation - mate.message.robotPose.translation).norm());
+  }
+  EXPECT_GT(nearest, 150);
+  EXPECT_LT((world.self.pose.translation - Vector2d{1500, 0}).norm(), 100);
+}
+
+}  // namespace
+}  // namespace gt

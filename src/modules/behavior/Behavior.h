@@ -1,0 +1,13 @@
+#pragma once
+#include <optional>
+
+#include "xabsl/Behavior.h"
+
+namespace gt {
+
+/// The behavior that BehaviorControl executes, compiled from XABSL. Configuration.
+struct Behavior {
+  std::optional<xabsl::Behavior> compiled;
+};
+
+}  // namespace gt

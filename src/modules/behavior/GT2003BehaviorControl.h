@@ -1,0 +1,59 @@
+#pragma once
+#include <optional>
+
+#include "debug/Debug.h"
+#include "framework/Module.h"
+#include "modules/behavior/BasicBehaviors.h"
+#include "modules/behavior/Behavior.h"
+#include "modules/behavior/Tasks.h"
+#include "modules/behavior/WorldState.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "xabsl/Engine.h"
+
+namespace gt {
+
+/// Decides by executing a behavior written in XABSL (report 3.8). What the behavior may ask and say
+/// stands in one place: registerSymbols().
+class GT2003BehaviorControl {
+ public:
+  using Parameters = BasicBehaviors::Parameters;
+  Parameters parameters;
+
+  GT2003BehaviorControl() = default;
+  GT2003BehaviorControl(const GT2003BehaviorControl&) = delete;  // the symbols refer to it
+  GT2003BehaviorControl& operator=(const GT2003BehaviorControl&) = delete;
+
+  void update(const FrameInfo& frame, const Behavior& behavior, const Player& player,
+              const FieldDimensions& field, const GameControlData& game, const RobotPose& self,
+              const BallModel& ball, const TeamBallModel& teamBall, const RobotState& body,
+              const TeamMessages& team, const MotionInfo& motion, MotionRequest& motionRequest,
+              HeadControlMode& headControlMode, LedRequest& ledRequest,
+              BehaviorTeamMessage& message, Debug& debug);
+
+  /// The symbols and basic behaviors for a behavior to be linked with: to check one without a
+  /// robot, too.
+  const xabsl::Symbols& symbols();
+  const std::optional<xabsl::Engine>& engine() const { return engine_; }
+
+ private:
+  void registerSymbols();
+  void registerBall();
+  void registerSelf();
+  void registerGame();
+  void registerOutputs();
+  void registerBasicBehaviors();
+  void load(const Behavior& behavior, Debug& debug);
+
+  WorldState world_;
+  MotionRequest motionRequest_;
+  HeadControlMode headControlMode_;
+  LedRequest ledRequest_;
+  DynamicRole role_ = DynamicRole::defensiveSupporter;
+  BasicBehaviors skills_{world_, motionRequest_, parameters};
+  xabsl::Symbols symbols_;
+  bool registered_ = false;
+  const xabsl::Model* loaded_ = nullptr;
+  std::optional<xabsl::Engine> engine_;
+};
+
+}  // namespace gt

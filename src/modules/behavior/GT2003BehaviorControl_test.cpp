@@ -1,0 +1,144 @@
+#include "modules/behavior/GT2003BehaviorControl.h"
+
+#include <gtest/gtest.h>
+
+namespace gt {
+namespace {
+
+/// The behavior in behavior/, linked with the module and run on made-up worlds.
+class GT2003BehaviorControlTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    auto compilation = xabsl::compile("behavior/GT2003.xabsl");
+    for (const auto& diagnostic : compilation.diagnostics) ADD_FAILURE() << toString(diagnostic);
+    behavior = new Behavior{compilation.behavior};
+  }
+  static void TearDownTestSuite() { delete behavior; }
+
+  void cycle(int ms = 40) {
+    frame.time = frame.time + ms;
+    control.update(frame, *behavior, player, field, game, self, ball, teamBall, body, team, motion,
+                   motionRequest, headControlMode, ledRequest, message, debug);
+  }
+  void seeBall(const Vector2d& position) {
+    ball.position = position;
+    ball.lastSeen = teamBall.lastSeen = frame.time + 40;
+    teamBall.position = self.pose * position;
+  }
+
+  static Behavior* behavior;
+  GT2003BehaviorControl control;
+  FrameInfo frame{{10000}};
+  Player player{TeamColor::red, PlayerRole::striker1};
+  FieldDimensions field;
+  GameControlData game;
+  RobotPose self{{0, -1000, 0}, 1};
+  BallModel ball;
+  TeamBallModel teamBall;
+  RobotState body;
+  TeamMessages team;
+  MotionInfo motion;
+  MotionRequest motionRequest;
+  HeadControlMode headControlMode;
+  LedRequest ledRequest;
+  BehaviorTeamMessage message;
+  Debug debug;
+};
+Behavior* GT2003BehaviorControlTest::behavior = nullptr;
+
+TEST_F(GT2003BehaviorControlTest, BehaviorLinksWithTheModule) {
+  auto creation = xabsl::Engine::create(*behavior->compiled, control.symbols());
+  for (const auto& diagnostic : creation.diagnostics) ADD_FAILURE() << toString(diagnostic);
+  EXPECT_TRUE(creation.engine);
+}
+
+TEST_F(GT2003BehaviorControlTest, StandsUntilTheGameBegins) {
+  for (const GameState state :
+       {GameState::initial, GameState::set, GameState::penalized, GameState::finished}) {
+    game.state = state;
+    seeBall({300, 0});
+    cycle();
+    EXPECT_EQ(motionRequest.type, MotionType::stand) << enumName(state);
+  }
+}
+
+TEST_F(GT2003BehaviorControlTest, WalksToItsKickOffPosition) {
+  game.state = GameState::ready;
+  game.kickOff = KickOff::opponent;
+  for (int i = 0; i < 2000; ++i) {
+    cycle();
+    if (motionRequest.type == MotionType::walk)
+      self.pose = self.pose *
+                  Pose2D{motionRequest.walk.rotation * 0.04, motionRequest.walk.translation * 0.04};
+  }
+  EXPECT_EQ(motionRequest.type, MotionType::stand);
+  EXPECT_NEAR((self.pose.translation - Vector2d{-650, 0}).norm(), 0, 100);
+}
+
+TEST_F(GT2003BehaviorControlTest, GetsUpAfterAFall) {
+  game.state = GameState::playing;
+  body.state = BodyState::fallen;
+  cycle();
+  EXPECT_EQ(motionRequest.type, MotionType::getup);
+}
+
+TEST_F(GT2003BehaviorControlTest, GoesBehindTheBallAndKicksIt) {
+  // A perfect robot and a ball that lies still: from everywhere around, the kick must come, and
+  // towards the goal.
+  game.state = GameState::playing;
+  const Vector2d ballOnField{300, 200};
+  for (double angle = -3; angle < 3; angle += 0.5) {
+    self.pose = {angle, ballOnField + direction(angle * 2) * 700};
+    bool kicked = false;
+    for (int i = 0; i < 1000 && !kicked; ++i) {
+      seeBall(relative(self.pose, ballOnField));
+      cycle();
+      kicked = motionRequest.type == MotionType::specialAction;
+      if (motionRequest.type == MotionType::walk)
+        self.pose = self.pose * Pose2D{motionRequest.walk.rotation * 0.04,
+                                       motionRequest.walk.translation * 0.04};
+      EXPECT_GT((self.pose.translation - ballOnField).norm(), 90) << "must not run the ball over";
+    }
+    EXPECT_TRUE(kicked) << "from angle " << angle;
+    if (motionRequest.specialAction == SpecialAction::chestKick) {
+      EXPECT_LT(std::abs(normalize(angleOf(Vector2d{2200, 0} - ballOnField) - self.pose.rotation)),
+                0.4);
+    }
+    motion.executed = {};
+    for (int i = 0; i < 200; ++i) cycle();  // the kick is over
+  }
+}
+
+TEST_F(GT2003BehaviorControlTest, NearestRobotIsTheStriker) {
+  game.state = GameState::playing;
+  seeBall({300, 0});
+  auto& mate = team.byPlayer[1];
+  mate.message.playerNumber = 2;
+  mate.timeReceived = frame.time;
+  mate.message.behavior = {DynamicRole::offensiveSupporter, 30000};
+  cycle();
+  EXPECT_EQ(message.role, DynamicRole::striker);
+  mate.timeReceived = frame.time;
+  mate.message.behavior = {DynamicRole::striker, 100};
+  mate.message.robotPose = {0, 1000, 0};
+  seeBall({300, 0});
+  cycle();
+  EXPECT_EQ(message.role, DynamicRole::offensiveSupporter);
+  seeBall({300, 0});
+  cycle(3000);
+  EXPECT_EQ(message.role, DynamicRole::striker) << "the mate has not been heard for three seconds";
+}
+
+TEST_F(GT2003BehaviorControlTest, NeverAllKickOutOfTheOwnGoal) {
+  WorldState world;
+  world.now = {1000};
+  world.ball.lastSeen = {1000};
+  for (double y = -600; y <= 600; y += 100)
+    for (double x = -2050; x < -1500; x += 100) {
+      world.ball.position = {x, y};
+      EXPECT_LE(std::abs(kickDirection(world)), 1.2) << x << ' ' << y;
+    }
+}
+
+}  // namespace
+}  // namespace gt
