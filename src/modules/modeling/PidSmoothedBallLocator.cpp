@@ -67,12 +67,16 @@ void PidSmoothedBallLocator::doubt(const Vector2d& offset) {
 
 void PidSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
   outliers_ = 0;
-  const double far = offset.norm() / parameters.trustedDistance;
+  // A small error of the camera's tilt is a large one of the distance, the more the farther the
+  // ball lies; its direction is always measured well.
+  const double distance = std::max(offset.norm(), 1.0);
+  const double far = distance / parameters.trustedDistance;
   const double trust = 1 / (1 + far * far);
-  const Vector2d deviation = offset - position_;
-  position_ += deviation * (parameters.proportional * (1 + trust) / 2);
+  const Vector2d away = offset / distance, deviation = offset - position_;
+  const Vector2d along = away * away.dot(deviation), across = deviation - along;
+  position_ += parameters.proportional * (across + trust * along);
   if (seconds <= 0) return;
-  speed_ += deviation * (parameters.integral * trust / seconds);
+  speed_ += parameters.integral / seconds * (across + trust * trust * along);
   const double length = speed_.norm();
   if (length > parameters.fastestBall) speed_ *= parameters.fastestBall / length;
 }

@@ -22,7 +22,7 @@ class PidSmoothedBallLocator {
     double outlierShare = 0.25;
     int outliersBelieved = 3;
     std::int64_t forgetPosition = 1000;
-    double slowDown = 0.4;
+    double slowDown = 0.8;
     double slowDownUnseen = 3;
     double fastestBall = 3000;
     std::int64_t longestGap = 240;
@@ -35,7 +35,7 @@ class PidSmoothedBallLocator {
           field("integral", &P::integral, "", "of a deviation per picture that becomes speed",
                 {0, 1}),
           field("trustedDistance", &P::trustedDistance, "mm",
-                "where percepts weigh half, since their noise grows with the distance", {1, 1e5}),
+                "where a percept's distance counts half, since its noise grows with it", {1, 1e5}),
           field("outlierDistance", &P::outlierDistance, "mm",
                 "deviation from which on a percept is doubted", {0, 1e4}),
           field("outlierShare", &P::outlierShare, "", "of the distance, added to outlierDistance",
