@@ -319,16 +319,16 @@ int ExpressionAnalyzer::appendOperands(const std::vector<int>& operands) {
 void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enumeration) {
   if (reporter_.full()) return;
   Suggestion suggestion(source.name);
+  std::string message = "unknown input symbol " + quoted(source.name);
+  if (enumeration >= 0) {
+    const Enumeration& expected = model_.enumerations[static_cast<std::size_t>(enumeration)];
+    for (const EnumerationElement& element : expected.elements) suggestion.offer(element.name);
+    message = "enumeration " + quoted(expected.name) + " has no element " + quoted(source.name) +
+              ", nor is there a symbol of that name";
+  }
   for (const auto& [candidate, index] : names_.symbols) suggestion.offer(candidate);
   for (const auto& [candidate, value] : names_.constants) suggestion.offer(candidate);
-  if (enumeration < 0)
-    return error(source.location,
-                 "unknown input symbol " + quoted(source.name) + suggestion.text());
-  const Enumeration& expected = model_.enumerations[static_cast<std::size_t>(enumeration)];
-  for (const EnumerationElement& element : expected.elements) suggestion.offer(element.name);
-  error(source.location, "enumeration " + quoted(expected.name) + " has no element " +
-                             quoted(source.name) + ", nor is there a symbol of that name" +
-                             suggestion.text());
+  error(source.location, message + suggestion.text());
 }
 
 }  // namespace xabsl

@@ -169,9 +169,14 @@ void Parser::enumeration() {
 }
 
 void Parser::enumerationElements(Enumeration enumeration) {
-  do enumeration.elements.push_back(expectName("the name of an element"));
-  while (accept(","));
-  expect("}");
+  try {
+    do enumeration.elements.push_back(expectName("the name of an element"));
+    while (accept(","));
+    if (!token_.is("}")) failExpected("',' or '}'");
+  } catch (const SyntaxError&) {
+    while (token_.kind != TokenKind::end && !token_.is("}") && !token_.is(";")) take();
+  }
+  accept("}");
   accept(";");
   program_.enumerations.push_back(std::move(enumeration));
 }
@@ -203,7 +208,8 @@ void Parser::symbol(TypeName type) {
   symbol.name = expectName("the name of a symbol");
   unitAndRange();
   if (token_.is("(")) {
-    if (symbol.kind != SymbolKind::input) fail("only input symbols have parameters");
+    if (symbol.kind != SymbolKind::input)
+      reporter_.error(token_.location, "only input symbols have parameters");
     take();
     symbol.parameters = parameters(")");
   }
