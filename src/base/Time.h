@@ -10,8 +10,8 @@ struct Time {
 
   friend constexpr auto operator<=>(Time, Time) = default;
   friend constexpr std::int64_t operator-(Time a, Time b) { return a.ms - b.ms; }
-  friend constexpr Time operator+(Time t, std::int64_t ms) { return {t.ms + ms}; }
-  friend constexpr Time operator-(Time t, std::int64_t ms) { return {t.ms - ms}; }
+  friend constexpr Time operator+(Time t, std::int64_t d) { return {t.ms + d}; }
+  friend constexpr Time operator-(Time t, std::int64_t d) { return {t.ms - d}; }
 };
 
 /// When what never happened happened: an hour before the start, too long ago for every test of age.
