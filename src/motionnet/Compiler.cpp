@@ -1,0 +1,217 @@
+#include "motionnet/Compiler.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "motionnet/Check.h"
+#include "motionnet/Parser.h"
+
+namespace motionnet {
+namespace {
+
+constexpr std::size_t maxMotions = 256;
+constexpr std::size_t maxNodes = 200000;
+constexpr std::uintmax_t maxFileSize = 4 << 20;
+
+/// Puts parsed motions into one net and resolves their names.
+class Linker {
+ public:
+  Linker(std::vector<Motion> motions, std::vector<Diagnostic>& errors)
+      : motions_(std::move(motions)), errors_(errors) {}
+
+  Net link() {
+    nameMotions();
+    nameGroups();
+    // Transitions for a group become one node for each member, so a statement's node is only known
+    // when those before it are: the places first, then the targets.
+    for (std::size_t i = 0; i < motions_.size(); ++i) {
+      place(static_cast<int>(i));
+      if (net_.nodes.size() <= maxNodes) continue;
+      error(motions_[i], 0, "", "the net has more than 200000 nodes");
+      return {};
+    }
+    for (std::size_t i = 0; i < motions_.size(); ++i) resolve(static_cast<int>(i));
+    net_.entry = motions_.empty() ? 0 : firstNode_[0][0];
+    return std::move(net_);
+  }
+
+  /// Labels that no transition leads to; only extern may begin without.
+  void checkLabels() {
+    for (std::size_t i = 0; i < motions_.size(); ++i)
+      for (const auto& [name, label] : motions_[i].labels) {
+        const auto& used = usedLabels_[i];
+        if (std::find(used.begin(), used.end(), name) == used.end() && i != 0)
+          error(motions_[i], label.line, "label", name + " is the target of no transition");
+      }
+  }
+
+ private:
+  void error(const Motion& motion, int line, std::string field, std::string message) {
+    errors_.push_back({motion.file, line, std::move(field), std::move(message)});
+  }
+
+  void nameMotions() {
+    for (const auto& motion : motions_) {
+      const int index = static_cast<int>(net_.motions.size());
+      if (!motion.name.empty() && !byName_.emplace(motion.name, index).second)
+        error(motion, motion.nameLine, "motion_id",
+              motion.name + " is also the name of " +
+                  motions_[static_cast<std::size_t>(byName_[motion.name])].file);
+      net_.motions.push_back(motion.name);
+    }
+  }
+
+  void nameGroups() {
+    for (const auto& motion : motions_)
+      for (const auto& [name, group] : motion.groups) {
+        if (name == "allMotions" || byName_.count(name) || groups_.count(name))
+          error(motion, group.line, "group", name + " has another meaning already");
+        auto& members = groups_[name];
+        for (const auto& member : group.members)
+          if (const auto it = byName_.find(member); it == byName_.end())
+            error(motion, group.line, "group", "unknown motion " + member);
+          else if (std::find(members.begin(), members.end(), it->second) == members.end())
+            members.push_back(it->second);
+      }
+  }
+
+  /// For which requests a transition is followed; empty if the name is unknown.
+  std::vector<int> requests(const std::string& name) const {
+    if (name == "allMotions") return {-1};
+    if (const auto it = byName_.find(name); it != byName_.end()) return {it->second};
+    if (const auto it = groups_.find(name); it != groups_.end()) return it->second;
+    return {};
+  }
+
+  void place(int index) {
+    const auto& motion = motions_[static_cast<std::size_t>(index)];
+    auto& first = firstNode_.emplace_back();
+    for (const auto& statement : motion.statements) {
+      first.push_back(static_cast<int>(net_.nodes.size()));
+      Node node = statement.node;
+      node.motion = index;
+      if (node.kind != Node::Kind::transition) {
+        net_.nodes.push_back(std::move(node));
+        continue;
+      }
+      const auto list = requests(statement.requested);
+      if (list.empty())
+        error(motion, node.line, "requested", "unknown motion or group " + statement.requested);
+      for (const int requested : list) {
+        node.requested = requested;
+        net_.nodes.push_back(node);
+      }
+    }
+    first.push_back(static_cast<int>(net_.nodes.size()));
+    Node end;  // in extern: out of the net; elsewhere the check finds that it is reached
+    end.kind = Node::Kind::leave;
+    end.motion = index;
+    end.line = motion.statements.empty() ? motion.nameLine : motion.statements.back().node.line;
+    net_.nodes.push_back(end);
+  }
+
+  void resolve(int index) {
+    const auto& motion = motions_[static_cast<std::size_t>(index)];
+    for (std::size_t i = 0; i < motion.statements.size(); ++i) {
+      const auto& statement = motion.statements[i];
+      if (statement.node.kind != Node::Kind::transition) continue;
+      const int target = targetOf(motion, statement);
+      const auto& first = firstNode_[static_cast<std::size_t>(index)];
+      for (int n = first[i]; n < first[i + 1]; ++n)
+        net_.nodes[static_cast<std::size_t>(n)].target = target;
+    }
+  }
+
+  int targetOf(const Motion& from, const Statement& statement) {
+    const auto motion = byName_.find(statement.motion);
+    if (motion == byName_.end()) {
+      error(from, statement.node.line, "motion", "unknown motion " + statement.motion);
+      return 0;
+    }
+    const auto index = static_cast<std::size_t>(motion->second);
+    const auto& labels = motions_[index].labels;
+    const auto label = labels.find(statement.label);
+    if (label == labels.end()) {
+      error(from, statement.node.line, "label",
+            statement.motion + " has no label " + statement.label);
+      return 0;
+    }
+    usedLabels_[index].push_back(statement.label);
+    return firstNode_[index][static_cast<std::size_t>(label->second.statement)];
+  }
+
+  std::vector<Motion> motions_;
+  std::vector<Diagnostic>& errors_;
+  Net net_;
+  std::map<std::string, int> byName_;
+  std::map<std::string, std::vector<int>> groups_;
+  std::vector<std::vector<int>> firstNode_;  ///< Of each statement, and the end.
+  std::map<std::size_t, std::vector<std::string>> usedLabels_;
+};
+
+}  // namespace
+
+Compilation compile(const std::vector<Source>& sources, const Rules& rules) {
+  Compilation result;
+  std::vector<Motion> motions;
+  if (sources.size() > maxMotions) {
+    result.errors.push_back({sources[maxMotions].file, 0, "", "more than 256 motions"});
+    return result;
+  }
+  for (const auto& source : sources)
+    motions.push_back(parse(source.text, source.file, rules, result.errors));
+  const auto entry = std::find_if(motions.begin(), motions.end(),
+                                  [](const Motion& motion) { return motion.name == "extern"; });
+  if (entry == motions.end()) {
+    const auto where = sources.empty() ? std::string{"motions"} : sources.front().file;
+    result.errors.push_back({where, 0, "extern", "no file describes extern, the entry to the net"});
+    return result;
+  }
+  std::rotate(motions.begin(), entry, entry + 1);
+  if (!result.errors.empty()) return result;
+
+  std::vector<std::string> files;
+  for (const auto& motion : motions) files.push_back(motion.file);
+  Linker linker{std::move(motions), result.errors};
+  result.net = linker.link();
+  if (result.errors.empty()) result.errors = check(result.net, files);
+  if (result.errors.empty()) linker.checkLabels();
+  return result;
+}
+
+Compilation compileFolder(const std::string& folder, const Rules& rules) {
+  namespace fs = std::filesystem;
+  Compilation result;
+  std::vector<std::string> files;
+  std::error_code failure;
+  for (fs::directory_iterator it{folder, failure}, end; !failure && it != end;
+       it.increment(failure))
+    if (it->path().extension() == ".mof") files.push_back(it->path().string());
+  if (failure) {
+    result.errors.push_back({folder, 0, "", "cannot be read: " + failure.message()});
+    return result;
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Source> sources;
+  for (const auto& file : files) {
+    std::ifstream stream{file, std::ios::binary};
+    std::stringstream text;
+    const auto size = fs::file_size(file, failure);
+    if (failure || size > maxFileSize || !(text << stream.rdbuf())) {
+      result.errors.push_back({file, 0, "", "cannot be read, is empty, or is longer than 4 MB"});
+      continue;
+    }
+    sources.push_back({file, text.str()});
+  }
+  if (!result.errors.empty()) return result;
+  if (sources.empty()) {
+    result.errors.push_back({folder, 0, "", "holds no .mof file"});
+    return result;
+  }
+  return compile(sources, rules);
+}
+
+}  // namespace motionnet

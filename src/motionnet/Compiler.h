@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "motionnet/Diagnostic.h"
+#include "motionnet/Net.h"
+
+namespace motionnet {
+
+/// A file of the set of motion descriptions.
+struct Source {
+  std::string file;
+  std::string text;
+};
+
+/// A net, or what keeps the descriptions from being one.
+struct Compilation {
+  Net net;  ///< Usable only without errors.
+  std::vector<Diagnostic> errors;
+
+  explicit operator bool() const { return errors.empty(); }
+};
+
+/// Compiles a set of motion descriptions (see Parser.h) to one net and checks it for consistency:
+/// no missing transition from one motion to another or out of the net, no unknown motion, label or
+/// group, no label and no line that is never reached, no endless loop without data. One of the
+/// motions must be extern, the entry and exit (report 3.9.2, 5.4).
+Compilation compile(const std::vector<Source>& sources, const Rules& rules);
+
+/// Compiles all `.mof` files of a folder. A folder that cannot be read is an error, too.
+Compilation compileFolder(const std::string& folder, const Rules& rules);
+
+}  // namespace motionnet
