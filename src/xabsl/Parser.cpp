@@ -46,6 +46,8 @@ void Parser::expect(std::string_view text) {
 }
 
 Name Parser::expectName(const std::string& what) {
+  if (token_.kind == TokenKind::keyword)
+    fail("expected " + what + ", found the keyword " + describe(token_));
   if (token_.kind != TokenKind::identifier) failExpected(what);
   const Token name = take();
   return {name.text, name.location};
