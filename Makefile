@@ -1,0 +1,55 @@
+# The front door. `make play` and `make test` start from a bare Debian 12 machine and do it all.
+
+PRESET  ?= release
+BUILD    = build/$(PRESET)
+MINUTES ?= 10
+SEED    ?= 7
+SEEDS   ?= 1..10
+OUT     ?= out/match
+JOBS    ?= $(shell nproc)
+
+.PHONY: help play test replay bench experiments build packages format sanitize clean
+
+help:
+	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
+	@echo 'make test          builds everything and runs all tests'
+	@echo 'make replay        finds the ball in a real robot'"'"'s log'
+	@echo 'make bench         measures speed: out/bench.json'
+	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json'
+	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
+	@echo 'make format        formats the sources'
+	@echo 'Settings: MINUTES, SEED, SEEDS, OUT, PRESET (release, debug, asan, tsan, clang), JOBS'
+
+packages:
+	@scripts/install-packages
+
+build: packages
+	@cmake --preset $(PRESET) >/dev/null
+	@cmake --build --preset $(PRESET) --parallel $(JOBS)
+
+play: build
+	@$(BUILD)/bin/simgt play scenes/match.scene --minutes $(MINUTES) --seed $(SEED) --threads $(JOBS) --out $(OUT)
+
+test: build
+	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS)
+
+replay: build
+	@$(BUILD)/bin/replay --out out/replay
+
+bench: build
+	@$(BUILD)/bin/bench --json out/bench.json
+
+experiments: build
+	@$(BUILD)/bin/experiment --seeds $(SEEDS) --json out/experiments.json
+
+sanitize: packages
+	@for preset in asan tsan; do \
+	  cmake --preset $$preset >/dev/null && cmake --build --preset $$preset --parallel $(JOBS) && \
+	  ctest --test-dir build/$$preset --output-on-failure --parallel $(JOBS) || exit 1; \
+	done
+
+format:
+	@git ls-files '*.h' '*.cpp' | xargs clang-format-14 -i
+
+clean:
+	@rm -rf build out

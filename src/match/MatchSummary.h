@@ -1,0 +1,176 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "representations/infrastructure/Player.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// How a set of errors is distributed.
+struct ErrorStatistics {
+  std::int64_t count = 0;
+  double mean = 0, median = 0, percentile95 = 0, maximum = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("count", &ErrorStatistics::count),
+                      field("mean", &ErrorStatistics::mean),
+                      field("median", &ErrorStatistics::median),
+                      field("percentile95", &ErrorStatistics::percentile95),
+                      field("maximum", &ErrorStatistics::maximum)};
+  }
+};
+static_assert(complete<ErrorStatistics>);
+
+/// Something that happened in a match, as the referee saw it.
+struct MatchEvent {
+  Time time;
+  std::string kind;
+  std::string text;
+  TeamColor team = TeamColor::red;
+  int player = 0;
+  bool ownGoal = false;
+  int redScore = 0, blueScore = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("time", &MatchEvent::time, "ms"),
+        field("kind", &MatchEvent::kind, "", "goal, kickOff, halfTime, stuckBall, kick, end, ..."),
+        field("text", &MatchEvent::text, "", "one line for people"),
+        field("team", &MatchEvent::team, "", "that it is about"),
+        field("player", &MatchEvent::player, "", "1 to 4; 0 none"),
+        field("ownGoal", &MatchEvent::ownGoal),
+        field("redScore", &MatchEvent::redScore, "", "afterwards"),
+        field("blueScore", &MatchEvent::blueScore)};
+  }
+};
+static_assert(complete<MatchEvent>);
+
+/// One moment of a robot, sampled once a second.
+struct RobotSample {
+  Pose2D pose;
+  double localizationError = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("pose", &RobotSample::pose, "mm, rad", "the truth, in the field's coordinates"),
+        field("localizationError", &RobotSample::localizationError, "mm")};
+  }
+};
+static_assert(complete<RobotSample>);
+
+/// How often a robot performed a kick.
+struct KickCount {
+  std::string kick;
+  int count = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("kick", &KickCount::kick), field("count", &KickCount::count)};
+  }
+};
+static_assert(complete<KickCount>);
+
+/// What a match says about one robot.
+struct RobotSummary {
+  std::string name;
+  TeamColor team = TeamColor::red;
+  int player = 0;
+  PlayerRole role = PlayerRole::goalie;
+  ErrorStatistics localizationError;
+  ErrorStatistics rotationError;
+  ErrorStatistics ballError;
+  double distanceWalked = 0;
+  int falls = 0;
+  int goals = 0;
+  int ownGoals = 0;
+  std::vector<KickCount> kicks;
+  std::string log;
+  std::vector<RobotSample> samples;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("name", &RobotSummary::name),
+        field("team", &RobotSummary::team),
+        field("player", &RobotSummary::player, "", "1 to 4"),
+        field("role", &RobotSummary::role),
+        field("localizationError", &RobotSummary::localizationError, "mm",
+              "while the game runs, against the truth"),
+        field("rotationError", &RobotSummary::rotationError, "rad", "likewise"),
+        field("ballError", &RobotSummary::ballError, "mm", "of the own ball, while it is seen"),
+        field("distanceWalked", &RobotSummary::distanceWalked, "mm"),
+        field("falls", &RobotSummary::falls),
+        field("goals", &RobotSummary::goals),
+        field("ownGoals", &RobotSummary::ownGoals),
+        field("kicks", &RobotSummary::kicks),
+        field("log", &RobotSummary::log, "", "file, beside this one"),
+        field("samples", &RobotSummary::samples, "", "one a second")};
+  }
+};
+static_assert(complete<RobotSummary>);
+
+/// What is to be known about a match when it is over: match.json. The same scene and seed give the
+/// same bytes; what was measured by the machine's clock therefore stands elsewhere (MatchTimes).
+struct MatchSummary {
+  std::string scene;
+  std::uint64_t seed = 0;
+  Time duration;
+  int redScore = 0, blueScore = 0;
+  std::vector<MatchEvent> events;
+  std::vector<RobotSummary> robots;
+  std::vector<Vector2d> ball;
+
+  static constexpr auto fields() {
+    return std::tuple{field("scene", &MatchSummary::scene),
+                      field("seed", &MatchSummary::seed),
+                      field("duration", &MatchSummary::duration, "ms", "simulated"),
+                      field("redScore", &MatchSummary::redScore),
+                      field("blueScore", &MatchSummary::blueScore),
+                      field("events", &MatchSummary::events),
+                      field("robots", &MatchSummary::robots),
+                      field("ball", &MatchSummary::ball, "mm", "true position, one a second")};
+  }
+};
+static_assert(complete<MatchSummary>);
+
+/// The time that a part of the system took, by the machine's clock.
+struct PartTime {
+  std::string part;
+  std::int64_t count = 0;
+  double totalMs = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("part", &PartTime::part, "", "a task, or a part of the simulator"),
+                      field("count", &PartTime::count), field("totalMs", &PartTime::totalMs, "ms")};
+  }
+};
+static_assert(complete<PartTime>);
+
+/// How long a match took: times.json.
+struct MatchTimes {
+  double seconds = 0;
+  double realTimeFactor = 0;
+  int threads = 1;
+  std::vector<PartTime> parts;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("seconds", &MatchTimes::seconds, "s", "from the first to the last step"),
+        field("realTimeFactor", &MatchTimes::realTimeFactor, "", "simulated time over seconds"),
+        field("threads", &MatchTimes::threads),
+        field("parts", &MatchTimes::parts, "", "over all robots")};
+  }
+};
+static_assert(complete<MatchTimes>);
+
+/// A camera picture with what the robot saw in it, for the report page.
+struct ReportPicture {
+  std::string title;
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+}  // namespace gt

@@ -1,0 +1,124 @@
+#include "robot/Configuration.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "modules/behavior/GT2003BehaviorControl.h"
+#include "modules/perception/ColorTableFile.h"
+#include "robot/Solutions.h"
+#include "streams/Config.h"
+#include "streams/File.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads a config file that may be missing.
+template <typename T>
+Result<void> readOptional(const fs::path& path, T& value) {
+  return fs::exists(path) ? readConfig(path.string(), value) : Result<void>{};
+}
+
+Result<void> checkSolution(const std::string& task, const std::string& solution, const std::string& file, int line,
+                           bool disabledAllowed) {
+  const Task* known = solutions().find(task);
+  if (!known) return Error{file, line, task, "there is no such task"};
+  if (!known->find(solution) && !(disabledAllowed && solution == SolutionTable::disabled))
+    return Error{file, line, task, "there is no solution '" + solution + "'"};
+  return {};
+}
+
+/// modules.cfg: lines TASK SOLUTION.
+Result<void> readSolutions(const fs::path& path, std::vector<Configuration::SolutionChoice>& choices) {
+  if (!fs::exists(path)) return {};
+  const auto text = readFile(path.string());
+  if (!text) return text.error();
+  std::istringstream lines{*text};
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    line.resize(std::min({line.size(), line.find("//"), line.find('#')}));
+    std::istringstream words{line};
+    std::string task, solution, more;
+    if (!(words >> task)) continue;
+    if (!(words >> solution) || words >> more)
+      return Error{path.string(), number, task, "expected a task and one solution"};
+    if (auto known = checkSolution(task, solution, path.string(), number, true); !known) return known;
+    choices.push_back({task, solution, path.string(), number});
+  }
+  return {};
+}
+
+/// modules/TASK.SOLUTION.cfg: the parameters of a solution.
+Result<void> readParameters(const fs::path& folder, std::vector<Configuration::ParameterFile>& files) {
+  if (!fs::exists(folder)) return {};
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator{folder}) paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  for (const fs::path& path : paths) {
+    const std::string stem = path.stem().string();
+    const auto dot = stem.find('.');
+    if (path.extension() != ".cfg" || dot == stem.npos)
+      return Error{path.string(), 0, stem, "expected a file name TASK.SOLUTION.cfg"};
+    const std::string task = stem.substr(0, dot), solution = stem.substr(dot + 1);
+    if (auto known = checkSolution(task, solution, path.string(), 0, false); !known) return known;
+    auto text = readFile(path.string());
+    if (!text) return text.error();
+    files.push_back({task, solution, path.string(), std::move(*text)});
+  }
+  return {};
+}
+
+Result<void> readBehavior(const std::string& path, Behavior& behavior) {
+  xabsl::Compilation compilation = xabsl::compile(path);
+  for (const xabsl::Diagnostic& diagnostic : compilation.diagnostics)
+    if (diagnostic.severity == xabsl::Diagnostic::Severity::error)
+      return Error{diagnostic.file, diagnostic.line, "column " + std::to_string(diagnostic.column), diagnostic.message};
+  behavior.compiled = std::move(compilation.behavior);
+  // Linking now tells of missing symbols before a robot runs.
+  GT2003BehaviorControl control;
+  for (const xabsl::Diagnostic& diagnostic : xabsl::Engine::create(*behavior.compiled, control.symbols()).diagnostics)
+    if (diagnostic.severity == xabsl::Diagnostic::Severity::error)
+      return Error{diagnostic.file, diagnostic.line, "column " + std::to_string(diagnostic.column), diagnostic.message};
+  return {};
+}
+
+}  // namespace
+
+void Configuration::share(Blackboard& blackboard) const {
+  blackboard.share(field);
+  blackboard.share(robot);
+  blackboard.share(colorTable);
+  blackboard.share(motions);
+  blackboard.share(behavior);
+}
+
+std::vector<const RepresentationType*> Configuration::representations() {
+  return {&representation<FieldDimensions>(), &representation<RobotDimensions>(), &representation<ColorTable64>(),
+          &representation<MotionNet>(), &representation<Behavior>()};
+}
+
+Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths) {
+  const fs::path folder{paths.config};
+  if (!fs::is_directory(folder)) return Error{paths.config, 0, "", "is not a folder"};
+  auto configuration = std::make_shared<Configuration>();
+  configuration->field = std::make_shared<FieldDimensions>();
+  configuration->robot = std::make_shared<RobotDimensions>();
+  configuration->behavior = std::make_shared<Behavior>();
+  if (auto done = readOptional(folder / "field.cfg", *configuration->field); !done) return done.error();
+  if (auto done = readOptional(folder / "robot.cfg", *configuration->robot); !done) return done.error();
+  auto table = readColorTable((folder / "coltable.c64").string());
+  if (!table) return table.error();
+  configuration->colorTable = std::make_shared<ColorTable64>(std::move(*table));
+  auto motions = loadMotionNet(paths.motions);
+  if (!motions) return motions.error();
+  configuration->motions = std::make_shared<MotionNet>(std::move(*motions));
+  if (auto done = readBehavior(paths.behavior, *configuration->behavior); !done) return done.error();
+  if (auto done = readSolutions(folder / "modules.cfg", configuration->solutions); !done) return done.error();
+  if (auto done = readParameters(folder / "modules", configuration->parameters); !done) return done.error();
+  return std::shared_ptr<const Configuration>{std::move(configuration)};
+}
+
+}  // namespace gt

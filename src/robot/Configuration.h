@@ -1,0 +1,56 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/Blackboard.h"
+#include "modules/behavior/Behavior.h"
+#include "motionnet/MotionNet.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/RobotDimensions.h"
+#include "representations/perception/ColorTable64.h"
+
+namespace gt {
+
+/// What a robot reads from files when it starts (report B.4), loaded once and shared by all robots that have the same:
+///
+///     field.cfg      FieldDimensions           coltable.c64   ColorTable64 (report B.4.2)
+///     robot.cfg      RobotDimensions           modules.cfg    the solution of each task: TASK SOLUTION
+///     modules/TASK.SOLUTION.cfg                parameters of that solution
+///
+/// Every file but coltable.c64 may be missing: then the defaults hold.
+struct Configuration {
+  /// A line of modules.cfg.
+  struct SolutionChoice {
+    std::string task, solution, file;
+    int line;
+  };
+  /// A file of the folder modules/.
+  struct ParameterFile {
+    std::string task, solution, path, text;
+  };
+
+  std::shared_ptr<FieldDimensions> field;
+  std::shared_ptr<RobotDimensions> robot;
+  std::shared_ptr<ColorTable64> colorTable;
+  std::shared_ptr<MotionNet> motions;
+  std::shared_ptr<Behavior> behavior;
+  std::vector<SolutionChoice> solutions;
+  std::vector<ParameterFile> parameters;
+
+  /// Lays the shared values on a blackboard.
+  void share(Blackboard& blackboard) const;
+  static std::vector<const RepresentationType*> representations();
+};
+
+/// The folders and files that a configuration is read from.
+struct ConfigurationPaths {
+  std::string config = "config";                         ///< Folder.
+  std::string motions = "motions";                       ///< Folder of `.mof` files.
+  std::string behavior = "behavior/GT2003.xabsl";        ///< The agents file.
+};
+
+/// Reads everything; the first error tells file, line and field.
+Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths);
+
+}  // namespace gt

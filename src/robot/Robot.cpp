@@ -1,0 +1,97 @@
+#include "robot/Robot.h"
+
+#include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/GameControlData.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/infrastructure/OracledWorldState.h"
+#include "representations/infrastructure/SensorData.h"
+#include "robot/Solutions.h"
+
+namespace gt {
+
+const std::vector<const RepresentationType*>& platformRepresentations() {
+  static const std::vector<const RepresentationType*> list{
+      &representation<Image>(),           &representation<SensorDataBuffer>(), &representation<GameControlData>(),
+      &representation<TeamMessages>(),    &representation<OracledWorldState>()};
+  return list;
+}
+
+const std::vector<const RepresentationType*>& givenRepresentations() {
+  static const std::vector<const RepresentationType*> list = [] {
+    std::vector<const RepresentationType*> types = Configuration::representations();
+    types.push_back(&representation<Player>());
+    types.push_back(&representation<FrameInfo>());
+    return types;
+  }();
+  return list;
+}
+
+Result<Plan> robotPlan(const Layout& layout) {
+  return makePlan(layout, solutions(), platformRepresentations(), givenRepresentations());
+}
+
+Result<std::unique_ptr<Robot>> Robot::make(const RobotSetup& setup) {
+  auto plan = robotPlan(setup.layout);
+  if (!plan) return plan.error();
+  std::unique_ptr<Robot> robot{new Robot};
+  robot->plan_ = std::move(*plan);
+  for (const Plan::Process& process : robot->plan_.processes) {
+    if (process.layout.collectsMessages) continue;
+    Blackboard blackboard;
+    setup.configuration->share(blackboard);
+    blackboard.get<Player>() = setup.player;
+    Time& frameTime = blackboard.get<FrameInfo>().time;
+    robot->processes_.push_back(
+        std::make_unique<ModuleProcess>(process, std::move(blackboard), frameTime, Random{setup.seed}));
+  }
+  robot->connect();
+  if (const auto done = robot->configure(*setup.configuration); !done) return done.error();
+  return robot;
+}
+
+void Robot::connect() {
+  for (const Connection& connection : plan_.connections) {
+    PackageReceiver& receiver = find(connection.to)->receiver(*connection.type, connection.blocking);
+    if (connection.from.empty())
+      links_.push_back({connection.type, &receiver});
+    else
+      find(connection.from)->sender(*connection.type).connect(receiver);
+  }
+  for (const auto& process : processes_) debug_.connect(process->debugSender(), process->debugReceiver());
+}
+
+Result<void> Robot::configure(const Configuration& configuration) {
+  for (const Configuration::SolutionChoice& choice : configuration.solutions)
+    if (const auto done = request(SolutionRequest{choice.task, choice.solution}); !done)
+      return Error{choice.file, choice.line, done.error().field, done.error().what};
+  for (const Configuration::ParameterFile& file : configuration.parameters)
+    for (const auto& process : processes_)
+      if (process->solves(file.task))
+        if (auto done = process->configure(file.task, file.solution, file.text, file.path); !done) return done;
+  return {};
+}
+
+ModuleProcess* Robot::find(std::string_view name) const {
+  for (const auto& process : processes_)
+    if (process->name() == name) return process.get();
+  return nullptr;
+}
+
+const void* Robot::provided(const RepresentationType& type) const {
+  for (std::size_t i = 0, p = 0; i < plan_.processes.size(); ++i) {
+    if (plan_.processes[i].layout.collectsMessages) continue;
+    for (const Task* task : plan_.processes[i].order)
+      for (const RepresentationType* output : task->outputs)
+        if (output == &type) return processes_[p]->blackboard().get(type);
+    ++p;
+  }
+  return nullptr;
+}
+
+void Robot::step(Time now) {
+  for (const auto& process : processes_) process->step(now);
+  debug_.step(now);
+}
+
+}  // namespace gt

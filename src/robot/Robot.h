@@ -1,0 +1,99 @@
+#pragma once
+#include <cassert>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/DebugProcess.h"
+#include "framework/ModuleProcess.h"
+#include "representations/infrastructure/Player.h"
+#include "robot/Configuration.h"
+
+namespace gt {
+
+/// What makes a robot: its configuration, its layout, who it is, and the seed of its chance.
+struct RobotSetup {
+  std::shared_ptr<const Configuration> configuration;
+  Layout layout;
+  Player player;
+  std::uint64_t seed = 0;
+};
+
+/// A robot: the processes of its layout, connected to each other and to a platform, which sends it sensor readings and takes
+/// its commands. It does not know whether the platform is a simulator, hardware or a log. One thread at a time.
+class Robot {
+ public:
+  static Result<std::unique_ptr<Robot>> make(const RobotSetup& setup);
+
+  /// Sends a package to every process that reads it, as the platform.
+  template <typename T>
+  void send(const T& package) {
+    for (PlatformLink& link : links_)
+      if (link.type == &representation<T>()) link.receiver->deliver(&package);
+  }
+  /// A representation that some process provides, as it is at the end of its last cycle; null if none does.
+  template <typename T>
+  const T* provided() const {
+    return static_cast<const T*>(provided(representation<T>()));
+  }
+
+  /// Gives each process, in the order of the layout, the chance to run once.
+  void step(Time now);
+
+  /// Messages from and to the robot's processes.
+  MessageQueue& toTools() { return debug_.toTools(); }
+  MessageQueue& fromTools() { return debug_.fromTools(); }
+  /// Hands a request to all processes that it concerns, at once; an error if it concerns none.
+  template <typename Request>
+  Result<void> request(const Request& request);
+
+  const std::vector<std::unique_ptr<ModuleProcess>>& processes() const { return processes_; }
+  const Plan& plan() const { return plan_; }
+
+ private:
+  struct PlatformLink {
+    const RepresentationType* type;
+    PackageReceiver* receiver;
+  };
+
+  Robot() = default;
+  void connect();
+  Result<void> configure(const Configuration& configuration);
+  ModuleProcess* find(std::string_view process) const;
+  const void* provided(const RepresentationType& type) const;
+
+  Plan plan_;
+  std::vector<std::unique_ptr<ModuleProcess>> processes_;
+  DebugProcess debug_{"Debug"};
+  std::vector<PlatformLink> links_;
+};
+
+template <typename Request>
+Result<void> Robot::request(const Request& request) {
+  bool concerned = false;
+  for (const auto& process : processes_) {
+    if constexpr (requires { request.task; }) {
+      if (!process->solves(request.task)) continue;
+    } else if constexpr (requires { request.process; }) {
+      if (process->name() != request.process) continue;
+    }
+    concerned = true;
+    if (auto done = process->request(request); !done) return done;
+  }
+  if (concerned) return {};
+  if constexpr (requires { request.task; })
+    return Error{"", 0, request.task, "no process solves this task"};
+  else if constexpr (requires { request.process; })
+    return Error{"", 0, request.process, "there is no such process"};
+  else
+    return Error{"", 0, "", "the robot has no processes"};
+}
+
+/// What the platform sends to a robot, on any platform.
+const std::vector<const RepresentationType*>& platformRepresentations();
+/// What lies on every blackboard from the start: the configuration and the process's clock.
+const std::vector<const RepresentationType*>& givenRepresentations();
+/// The plan of a layout for a robot; see makePlan.
+Result<Plan> robotPlan(const Layout& layout);
+
+}  // namespace gt
