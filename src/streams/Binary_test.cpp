@@ -65,8 +65,9 @@ static_assert(!cdr::isBlock<samples::Inner> && !cdr::isBlock<bool>);
 TEST(Binary, WritesAlignedCdr) {
   const Bytes expected = bytes({0, 1, 0, 0,                        // header
                                 1, 0, 1, 2,                        // bool, uint16
-                                3, 0, 0, 0, 'a', 'b', 0,    0,     // text, padding
-                                0, 0, 0, 0, 0,   0,   0xf0, 0x3f,  // double at 16
+                                3, 0, 0, 0, 'a', 'b', 0,           // text
+                                0, 0, 0, 0, 0,                     // padding to 16
+                                0, 0, 0, 0, 0,   0,   0xf0, 0x3f,  // double
                                 2, 0, 0, 0, 1,   0,   0,    0,    255, 255, 255, 255,  // enum, list
                                 0, 0, 0, 0, 5,   0,   0,    0,    0,   0,   0,   0});  // time at 40
   EXPECT_EQ(encoded(Aligned{}), expected);

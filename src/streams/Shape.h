@@ -131,9 +131,13 @@ struct VectorShape {
   }
 };
 template <>
-struct Shape<Vector2d> : VectorShape<2> {};
+struct Shape<Vector2d> : VectorShape<2> {
+  static constexpr std::string_view name = "Vector2d";
+};
 template <>
-struct Shape<Vector3d> : VectorShape<3> {};
+struct Shape<Vector3d> : VectorShape<3> {
+  static constexpr std::string_view name = "Vector3d";
+};
 
 /// Poses are records of rotation and translation.
 struct PoseShape {

@@ -135,7 +135,10 @@ Type makeType() {
   using S = Shape<T>;
   Type type;
   type.kind = S::kind;
-  type.name = typeName<T>();
+  if constexpr (requires { S::name; })
+    type.name = S::name;
+  else
+    type.name = typeName<T>();
   if constexpr (S::kind == Kind::number)
     type.number = numberOf<typename S::Number>();
   else if constexpr (S::kind == Kind::enumeration) {

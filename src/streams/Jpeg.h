@@ -1,0 +1,35 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/Result.h"
+
+namespace gt {
+
+/// A picture of interleaved components of 8 bits, row by row from the top.
+struct RawPicture {
+  int width = 0, height = 0;
+  int components = 0;  ///< 1 grey, 3 YCbCr, 4 as they stand in the file (CMYK or YCCK).
+  std::vector<std::uint8_t> data;
+};
+
+/// Packs a picture of YCbCr as JPEG without converting its colours. Pixels are `pixelStride` bytes
+/// apart (Y, Cb, Cr first), rows follow one another. Quality from 1 to 100. Chroma keeps its full
+/// resolution. The picture is not larger than 65500 pixels a side and not empty.
+std::vector<std::uint8_t> encodeJpeg(const std::uint8_t* pixels, int width, int height,
+                                     int pixelStride = 4, int quality = 90);
+
+/// Unpacks a JPEG picture without converting its colours. Not more than 2^26 pixels.
+Result<RawPicture> decodeJpeg(std::span<const std::uint8_t> bytes);
+
+/// Packs a picture of RGB, 3 bytes a pixel, as PNG.
+std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
+
+/// The same, into a file.
+Result<void> writePng(const std::string& path, int width, int height,
+                      std::span<const std::uint8_t> rgb);
+
+}  // namespace gt

@@ -1,0 +1,72 @@
+#include "streams/Json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "streams/Binary.h"
+#include "streams/Samples.h"
+
+namespace gt {
+namespace {
+
+using samples::Everything;
+using samples::Inner;
+
+TEST(Json, WritesFieldsInOrder) {
+  EXPECT_EQ(toJson(Inner{true, "a\"b", 0.1}).dump(), R"({"flag":true,"text":"a\"b","value":0.1})");
+  EXPECT_EQ(toJson(Vector2d{1, 2}).dump(), R"({"x":1.0,"y":2.0})");
+  EXPECT_EQ(toJson(Time{7}).dump(), "7");
+  EXPECT_EQ(toJson(samples::Color::skyblue).dump(), "\"skyblue\"");
+  EXPECT_EQ(toJson(0.1f).dump(), "0.1");
+  EXPECT_EQ(toJson(std::numeric_limits<double>::infinity()).dump(), "null");
+}
+
+/// Infinities become null and texts that are no UTF-8 cannot be written: both are left out here.
+void simplify(Value v) {
+  const Type& type = *v.type;
+  for (const Part& p : type.parts) simplify(v.part(p));
+  if (type.kind == Kind::array || type.kind == Kind::list)
+    for (std::size_t i = 0; i < v.size(); ++i) simplify(v.element(i));
+  if (type.kind == Kind::text) *static_cast<std::string*>(v.data) = "\"\\\n text";
+  if (type.kind == Kind::number && type.number == Number::float64 &&
+      std::isinf(*static_cast<double*>(v.data)))
+    *static_cast<double*>(v.data) = 1e300;
+}
+
+TEST(Json, ReadsWhatItWrote) {
+  Random random{6};
+  for (int i = 0; i < 200; ++i) {
+    Everything value, read;
+    samples::randomize(valueOf(value), random);
+    simplify(valueOf(value));
+    const auto json = parseJson(toJson(value).dump(), "test");
+    ASSERT_TRUE(json);
+    const auto result = fromJson(*json, read);
+    ASSERT_TRUE(result) << result.error().text();
+    std::vector<std::byte> a, b;
+    encode(value, a);
+    encode(read, b);
+    ASSERT_EQ(a, b);
+  }
+}
+
+TEST(Json, TellsWhereItIsWrong) {
+  const auto errorOf = [](const char* text) {
+    Inner inner{true, "old", 1};
+    const auto json = parseJson(text, "test.json");
+    if (!json) return json.error().text();
+    const auto result = fromJson(*json, inner);
+    EXPECT_EQ(inner.text, result ? inner.text : "old");
+    return result ? std::string("none") : result.error().text();
+  };
+  EXPECT_EQ(errorOf(R"({"flag":false})"), "none");
+  EXPECT_EQ(errorOf(R"({"text":"new","value":"x"})"), "value: has a value of a wrong kind");
+  EXPECT_EQ(errorOf(R"({"vlaue":1})"), "vlaue: unknown name");
+  EXPECT_EQ(errorOf(R"({"value":1000})"), "value: must be from -100 to 100");
+  EXPECT_EQ(errorOf(R"([])"), "expected an object");
+  EXPECT_EQ(errorOf("{"), "test.json: 2: is no JSON");
+  EXPECT_EQ(errorOf(std::string(100000, '[').c_str()), "test.json: is nested too deeply");
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,232 @@
+#include "streams/Mcap.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "streams/File.h"
+#include "streams/Jpeg.h"
+#include "streams/Samples.h"
+
+namespace gt {
+namespace {
+
+using samples::Everything;
+using samples::Inner;
+using testing::HasSubstr;
+
+constexpr int messageCount = 600;
+
+/// A file that is removed at the end.
+struct TemporaryFile {
+  std::string path;
+  explicit TemporaryFile(const std::string& name) : path{testing::TempDir() + name} {}
+  ~TemporaryFile() { std::filesystem::remove(path); }
+};
+
+/// What the message of this number says.
+Inner inner(int i) {
+  return {i % 2 == 0, "message " + std::to_string(i), i * 0.1};
+}
+
+CompressedImage picture() {
+  std::vector<std::uint8_t> pixels;
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (const int c : {x * 4, y * 5, 128, 0}) pixels.push_back(static_cast<std::uint8_t>(c));
+  CompressedImage image;
+  image.header = {RosTime::of(Time{40}), "camera"};
+  image.data = encodeJpeg(pixels.data(), 64, 48);
+  return image;
+}
+
+/// A log with three channels, small chunks, metadata and an attachment.
+void writeLog(const std::string& path, const McapOptions& options = {true, 1, 5000}) {
+  auto writer = McapWriter::open(path, options);
+  ASSERT_TRUE(writer);
+  writer->metadata("run", {{"seed", "7"}, {"scene", "match"}});
+  const auto channel = writer->addChannel<Inner>("/inner");
+  Random random{8};
+  for (int i = 0; i < messageCount; ++i) {
+    writer->write(channel, Time{i * 8}, inner(i));
+    if (i % 50 != 0) continue;
+    Everything everything;
+    samples::randomize(valueOf(everything), random);
+    everything.text = "t";
+    everything.texts = {"a", "b"};
+    for (auto& in : everything.inners) in.text = "x";
+    for (auto& in : everything.list) in.text = "y";
+    everything.inner.text = "z";
+    writer->write("/everything", Time{i * 8}, everything);
+    writer->write("/camera", Time{i * 8}, picture());
+  }
+  const std::string note = "a note";
+  writer->attachment("note.txt", "text/plain", Time{9}, std::as_bytes(std::span{note}));
+  const auto closed = writer->close();
+  ASSERT_TRUE(closed) << closed.error().text();
+}
+
+/// Reads all messages; checks those of /inner. Returns how many of those there were, and tells the
+/// errors.
+int readAll(McapReader& reader, std::vector<std::string>& errors) {
+  int count = 0;
+  for (;;) {
+    const auto message = reader.next();
+    if (!message) {
+      errors.push_back(message.error().text());
+      if (errors.size() > 10000) ADD_FAILURE() << "endless errors";
+      if (errors.size() > 10000) return count;
+      continue;
+    }
+    if (!*message) return count;
+    const McapChannel* channel = reader.channel((*message)->channel);
+    if (channel == nullptr || channel->topic != "/inner") continue;
+    Inner read;
+    if (decode((*message)->data, read)) ++count;
+  }
+}
+
+TEST(Mcap, ReadsWhatItWrote) {
+  for (const bool compress : {true, false}) {
+    const TemporaryFile file{"Mcap_test_read.mcap"};
+    writeLog(file.path, {compress, 1, 5000});
+    auto reader = McapReader::open(file.path);
+    ASSERT_TRUE(reader) << reader.error().text();
+    EXPECT_TRUE(reader->complete());
+    EXPECT_FALSE(reader->damage());
+    ASSERT_EQ(reader->channels().size(), 3u);
+    const McapChannel& c = reader->channels()[0];
+    EXPECT_EQ(c.topic, "/inner");
+    EXPECT_EQ(c.messageEncoding, "cdr");
+    EXPECT_EQ(c.schemaEncoding, "ros2msg");
+    EXPECT_EQ(c.schemaName, "gt2003_msgs/msg/Inner");
+    EXPECT_EQ(c.schemaText, schemaOf<Inner>().text);
+    EXPECT_EQ(c.messageCount, static_cast<std::uint64_t>(messageCount));
+    ASSERT_EQ(reader->metadata().size(), 1u);
+    EXPECT_EQ(reader->metadata()[0].entries.at("seed"), "7");
+    ASSERT_EQ(reader->attachments().size(), 1u);
+    EXPECT_EQ(reader->attachments()[0].data.size(), 6u);
+    int i = 0;
+    for (auto m = reader->next(); m && *m; m = reader->next()) {
+      if ((*m)->channel != c.id) continue;
+      Inner read;
+      ASSERT_TRUE(decode((*m)->data, read));
+      ASSERT_EQ((*m)->time, nanoseconds(Time{i * 8}));
+      ASSERT_EQ((*m)->sequence, static_cast<std::uint32_t>(i));
+      ASSERT_EQ(read.text, inner(i).text);
+      ASSERT_EQ(read.value, inner(i).value);
+      ++i;
+    }
+    EXPECT_EQ(i, messageCount);
+  }
+}
+
+TEST(Mcap, WritesTheSameBytesAgain) {
+  const TemporaryFile a{"Mcap_test_a.mcap"}, b{"Mcap_test_b.mcap"};
+  writeLog(a.path);
+  writeLog(b.path);
+  EXPECT_EQ(*readFile(a.path), *readFile(b.path));
+}
+
+TEST(Mcap, SeeksATime) {
+  const TemporaryFile file{"Mcap_test_seek.mcap"};
+  writeLog(file.path);
+  auto reader = McapReader::open(file.path);
+  ASSERT_TRUE(reader);
+  reader->seek(2'000'000'000);
+  std::int64_t before = 0;
+  const auto first = reader->next();
+  ASSERT_TRUE(first && *first);
+  EXPECT_GT((*first)->time, 1'000'000'000);
+  EXPECT_LE((*first)->time, 2'000'000'000);
+  reader->seek(0);
+  const auto again = reader->next();
+  ASSERT_TRUE(again && *again);
+  EXPECT_EQ((*again)->time, before);
+}
+
+// What a crash leaves is read up to the last whole chunk.
+TEST(Mcap, ReadsLogsThatAreCutOff) {
+  const TemporaryFile file{"Mcap_test_cut.mcap"};
+  writeLog(file.path);
+  const std::string whole = *readFile(file.path);
+  int before = 0;
+  for (std::size_t n = 0; n < whole.size(); n += 100) {
+    ASSERT_TRUE(writeFile(file.path, std::string_view{whole}.substr(0, n)));
+    auto reader = McapReader::open(file.path);
+    if (n < 200 && !reader) continue;
+    ASSERT_TRUE(reader) << n << reader.error().text();
+    EXPECT_TRUE(reader->complete() || reader->damage());
+    std::vector<std::string> errors;
+    const int count = readAll(*reader, errors);
+    EXPECT_GE(count, before) << n;
+    EXPECT_LE(errors.size(), 1u);
+    before = count;
+  }
+  EXPECT_EQ(before, messageCount);
+}
+
+TEST(Mcap, SurvivesMutatedLogs) {
+  const TemporaryFile file{"Mcap_test_mutated.mcap"};
+  writeLog(file.path, {true, 1, 20000});
+  const std::string whole = *readFile(file.path);
+  Random random{9};
+  int damaged = 0;
+  for (int i = 0; i < 1500; ++i) {
+    std::string bad = whole;
+    const std::size_t size = bad.size();
+    // Half of the changes hit the begin or the end, where the structure is densest.
+    for (int k = 0; k < 3; ++k) {
+      const auto at = random.index(1000);
+      bad[random.chance(0.5)   ? random.index(size)
+          : random.chance(0.5) ? at
+                               : size - 1 - at] = static_cast<char>(random());
+    }
+    ASSERT_TRUE(writeFile(file.path, bad));
+    auto reader = McapReader::open(file.path);
+    std::vector<std::string> errors;
+    if (reader) readAll(*reader, errors);
+    if (!reader || !errors.empty() || reader->damage()) ++damaged;
+  }
+  EXPECT_GT(damaged, 500);
+}
+
+TEST(Mcap, TellsWhatIsWrong) {
+  const TemporaryFile file{"Mcap_test_wrong.mcap"};
+  const auto missing = McapReader::open(file.path);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().text(), file.path + ": there is no such file");
+  ASSERT_TRUE(writeFile(file.path, "garbage garbage garbage"));
+  const auto garbage = McapReader::open(file.path);
+  ASSERT_FALSE(garbage);
+  EXPECT_EQ(garbage.error().text(), file.path + ": 0: is not an MCAP file");
+  EXPECT_FALSE(McapWriter::open("/nowhere/a.mcap"));
+
+  writeLog(file.path);
+  std::string bytes = *readFile(file.path);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] + 1);
+  ASSERT_TRUE(writeFile(file.path, bytes));
+  auto reader = McapReader::open(file.path);
+  ASSERT_TRUE(reader);
+  std::vector<std::string> errors;
+  const int count = readAll(*reader, errors);
+  EXPECT_LT(count, messageCount);
+  EXPECT_GT(count, messageCount / 2);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr(file.path + ": "));
+  EXPECT_THAT(errors[0], HasSubstr("the chunk"));
+}
+
+TEST(Mcap, TellsOfAFullDisk) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  auto writer = McapWriter::open("/dev/full", {false, 1, 100});
+  ASSERT_TRUE(writer);
+  for (int i = 0; i < 1000; ++i) writer->write("/inner", Time{i}, inner(i));
+  const auto result = writer->close();
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().text(), HasSubstr("/dev/full: cannot be written: No space"));
+}
+
+}  // namespace
+}  // namespace gt

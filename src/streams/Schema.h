@@ -1,0 +1,76 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "streams/Type.h"
+
+namespace gt {
+
+/// What a message of a log or of the net consists of, in the language of ROS 2 (`ros2msg`).
+struct Schema {
+  std::string name;  ///< As in gt2003_msgs/msg/BallModel.
+  std::string text;
+
+  /// Of name and text: two schemas with the same id are the same.
+  std::uint32_t id() const { return hashOf(text, hashOf(name)); }
+};
+
+namespace detail {
+Schema schemaOf(const Type& type);
+}
+
+/// The schema that a type's fields yield: names in ROS's spelling (lastSeen is last_seen), units,
+/// sentences and ranges as comments, enumerations as uint8 with constants, arrays that are elements
+/// of others as messages of their own. A type may bring a schema of its own, `T::schema()`.
+template <Streamable T>
+Schema schemaOf() {
+  if constexpr (requires { T::schema(); })
+    return T::schema();
+  else
+    return detail::schemaOf(typeOf<T>());
+}
+
+/// A name in the spelling that ROS demands for fields: lastSeen is last_seen.
+std::string snakeCase(std::string_view name);
+
+/// A point in time as ROS 2 has it (builtin_interfaces/Time).
+struct RosTime {
+  std::int32_t sec = 0;
+  std::uint32_t nanosec = 0;
+
+  static RosTime of(Time time);
+
+  static constexpr auto fields() {
+    return std::tuple{field("sec", &RosTime::sec, "s"), field("nanosec", &RosTime::nanosec, "ns")};
+  }
+};
+static_assert(complete<RosTime>);
+
+/// When and in which frame of reference something was measured (std_msgs/Header).
+struct RosHeader {
+  RosTime stamp;
+  std::string frameId;
+
+  static constexpr auto fields() {
+    return std::tuple{field("stamp", &RosHeader::stamp), field("frameId", &RosHeader::frameId)};
+  }
+};
+static_assert(complete<RosHeader>);
+
+/// A picture as JPEG or PNG, in the form that viewers know (sensor_msgs/CompressedImage).
+struct CompressedImage {
+  RosHeader header;
+  std::string format = "jpeg";
+  std::vector<std::uint8_t> data;
+
+  static Schema schema();
+  static constexpr auto fields() {
+    return std::tuple{field("header", &CompressedImage::header),
+                      field("format", &CompressedImage::format, "", "jpeg or png"),
+                      field("data", &CompressedImage::data)};
+  }
+};
+static_assert(complete<CompressedImage>);
+
+}  // namespace gt
