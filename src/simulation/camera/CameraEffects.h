@@ -19,12 +19,20 @@ struct CameraEffects {
   /// A camera without faults.
   static CameraEffects none() { return {false, 0, 0, 1, 0, 0, 0, 0, 0}; }
 
+  /// Whether colours change at all.
+  bool colors() const {
+    CameraEffects perfect = none();
+    perfect.rollingShutter = rollingShutter;
+    return *this != perfect;
+  }
+  friend bool operator==(const CameraEffects&, const CameraEffects&) = default;
+
   static constexpr auto fields() {
     return std::tuple{
         field("rollingShutter", &CameraEffects::rollingShutter, "",
               "rows are exposed one after another; otherwise all with the middle row"),
         field("blur", &CameraEffects::blur, "pixel", "standard deviation of the lens' blur",
-              {0, 1}),
+              {0, 0.8}),
         field("vignetting", &CameraEffects::vignetting, "", "part of the light lost in the corners",
               {0, 0.9}),
         field("brightness", &CameraEffects::brightness, "", "factor on all light", {0, 1.9}),

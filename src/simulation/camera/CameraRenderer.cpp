@@ -15,7 +15,10 @@ void CameraRenderer::render(const mjData& data, const CameraView& view,
   rasterizer_.begin(view.info.width, view.info.height, scene_->background(), truth != nullptr);
   drawScene(data, view.hiddenBody);
   if (truth) tell(*truth);
-  effects_.apply(rasterizer_, effects, seed, image);
+  if (effects.colors())
+    effects_.apply(rasterizer_, effects, seed, image);
+  else
+    PictureEffects::copy(rasterizer_, image);
 }
 
 void CameraRenderer::drawScene(const mjData& data, int hiddenBody) {

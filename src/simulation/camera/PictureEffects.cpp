@@ -13,8 +13,10 @@ namespace {
 constexpr int channels = 4;
 /// Values between the steps are kept with 5 binary digits, so that all fits in 16 bits.
 constexpr int fractionBits = 5;
+constexpr double fractionOne = 1 << fractionBits;
 constexpr int gainOne = 1 << 14;
 constexpr int noiseOne = 1 << 12;
+constexpr int weightOne = 8;
 constexpr std::size_t noisePixels = 1 << 14;
 
 /// Normally distributed numbers, in units of 1 / noiseOne, that all pictures share: each row of a
@@ -48,29 +50,53 @@ std::int16_t fixed(double value) {
   return static_cast<std::int16_t>(std::clamp(std::lround(value), -32768l, 32767l));
 }
 
-/// What is left of the light at a place from -1 to 1 across or along the picture; the product of
-/// both is `1 - loss` in the corners.
-double lightAt(double place, double loss) {
-  return 1 - (1 - std::sqrt(1 - loss)) * place * place;
+/// The part of the light that is lost in a column because of its distance from the middle; the same
+/// for rows. Both together are the loss at a pixel.
+double lost(const CameraEffects& effects, int i, int count) {
+  const double place = (2.0 * i + 1) / count - 1;
+  return effects.vignetting / 2 * place * place;
+}
+
+/// Mixes values with their neighbours on both sides; the neighbours' weight is in eighths. Built
+/// from averages of two, which processors have instructions for.
+void mix(const std::uint8_t* before, const std::uint8_t* middle, const std::uint8_t* after,
+         int weight, std::uint8_t* out, std::size_t count) {
+  const auto average = [](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>((a + b + 1) >> 1);
+  };
+  const auto mask = [&](int bit) { return static_cast<std::uint8_t>(weight & bit ? 255 : 0); };
+  const std::uint8_t one = mask(1), two = mask(2), four = mask(4);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint8_t own = middle[i];
+    const auto difference = static_cast<std::uint8_t>(own ^ average(before[i], after[i]));
+    const auto pick = [&](std::uint8_t m) {
+      return static_cast<std::uint8_t>(own ^ (difference & m));
+    };
+    out[i] = average(average(average(own, pick(one)), pick(two)), pick(four));
+  }
 }
 
 }  // namespace
 
 void PictureEffects::setTables(int width, const CameraEffects& effects) {
+  if (width == width_ && effects == known_) return;
+  width_ = width;
+  known_ = effects;
   const auto size = static_cast<std::size_t>(channels * width);
   for (auto* table : {&offset_, &gain_, &base_, &sigma_}) table->resize(size);
+  for (auto* row : {&vertical_, &blurred_}) row->resize(size + 2 * channels);
+  // The sum of the unused channel is always negative, so that the byte becomes 0.
   const std::array<double, channels> neutral{0, 128, 128, 0};
-  const std::array<double, channels> shift{0, effects.shiftCb, effects.shiftCr, 0};
+  const std::array<double, channels> base{0.5, 128.5 + effects.shiftCb, 128.5 + effects.shiftCr,
+                                          -512};
   const std::array<double, channels> noise{effects.noiseY, effects.noiseCb, effects.noiseCr, 0};
-  constexpr double one = 1 << fractionBits;
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t channel = i % channels;
-    const double place = (2.0 * static_cast<double>(i / channels) + 1) / width - 1;
-    const double gain = effects.brightness * lightAt(place, effects.vignetting);
     offset_[i] = fixed(neutral[channel]);
-    gain_[i] = fixed(channel == 3 ? 0 : gain * gainOne);
-    base_[i] = fixed((neutral[channel] + shift[channel] + (channel == 3 ? 0 : 0.5)) * one);
-    sigma_[i] = fixed(noise[channel] * one * 65536 / noiseOne);
+    gain_[i] = fixed(effects.brightness * gainOne *
+                     (1 - lost(effects, static_cast<int>(i / channels), width)));
+    base_[i] = fixed(base[channel] * fractionOne);
+    sigma_[i] = fixed(noise[channel] * fractionOne * 65536 / noiseOne);
   }
 }
 
@@ -81,35 +107,22 @@ const std::uint8_t* PictureEffects::blurRow(const Rasterizer& picture, int y, in
   };
   if (weight == 0) return bytes(y);
   const std::size_t size = static_cast<std::size_t>(channels * picture.width());
-  const auto side = static_cast<std::uint16_t>(weight);
-  const auto center = static_cast<std::uint16_t>(256 - 2 * weight);
-  vertical_.resize(size + 2 * channels);
-  blurred_.resize(size);
-  const std::uint8_t *above = bytes(y - 1), *row = bytes(y), *below = bytes(y + 1);
   std::uint8_t* middle = vertical_.data() + channels;
-  for (std::size_t i = 0; i < size; ++i)
-    middle[i] = static_cast<std::uint8_t>(
-        static_cast<std::uint16_t>(row[i] * center + (above[i] + below[i]) * side + 128) >> 8);
+  mix(bytes(y - 1), bytes(y), bytes(y + 1), weight, middle, size);
   std::memcpy(middle - channels, middle, channels);
   std::memcpy(middle + size, middle + size - channels, channels);
-  std::uint8_t* out = blurred_.data();
-  for (std::size_t i = 0; i < size; ++i)
-    out[i] = static_cast<std::uint8_t>(
-        static_cast<std::uint16_t>(middle[i] * center +
-                                   (vertical_[i] + vertical_[i + 2 * channels]) * side + 128) >>
-        8);
-  return out;
+  mix(middle - channels, middle, middle + channels, weight, blurred_.data(), size);
+  return blurred_.data();
 }
 
 void PictureEffects::apply(const Rasterizer& picture, const CameraEffects& effects,
                            std::uint64_t seed, Image& image) {
   setTables(picture.width(), effects);
-  // A sampled normal distribution, cut off after one pixel.
-  const double tail = effects.blur > 0 ? std::exp(-0.5 / (effects.blur * effects.blur)) : 0;
-  const int weight = static_cast<int>(std::lround(256 * tail / (1 + 2 * tail)));
   const auto size = static_cast<std::size_t>(channels * picture.width());
   const std::int16_t *offset = offset_.data(), *gain = gain_.data(), *base = base_.data(),
                      *sigma = sigma_.data();
+  // The variance of the kernel w/2, 1 - w, w/2 is w.
+  const int weight = static_cast<int>(std::lround(weightOne * effects.blur * effects.blur));
   const auto times = [](std::int16_t a, std::int16_t b) {
     return static_cast<std::int16_t>((a * b) >> 16);
   };
@@ -117,15 +130,26 @@ void PictureEffects::apply(const Rasterizer& picture, const CameraEffects& effec
     const std::uint8_t* in = blurRow(picture, y, weight);
     const std::int16_t* noise = noiseTable.row(seed, y, picture.width());
     auto* out = reinterpret_cast<std::uint8_t*>(&image.at(0, y));
-    const double place = (2.0 * y + 1) / picture.height() - 1;
-    const auto rowLight = fixed(gainOne * lightAt(place, effects.vignetting));
+    const auto rowLoss = fixed(effects.brightness * gainOne * lost(effects, y, picture.height()));
     for (std::size_t i = 0; i < size; ++i) {
-      const auto light = static_cast<std::int16_t>(4 * times(gain[i], rowLight));
+      const auto light = static_cast<std::int16_t>(gain[i] - rowLoss);
       const auto value = static_cast<std::int16_t>((in[i] - offset[i]) << 7);
       const auto sum =
           static_cast<std::int16_t>(times(value, light) + base[i] + times(noise[i], sigma[i]));
       out[i] = static_cast<std::uint8_t>(
           std::clamp<std::int16_t>(static_cast<std::int16_t>(sum >> fractionBits), 0, 255));
+    }
+  }
+}
+
+void PictureEffects::copy(const Rasterizer& picture, Image& image) {
+  const auto size = static_cast<std::size_t>(picture.width());
+  for (int y = 0; y < picture.height(); ++y) {
+    const PackedColor* in = picture.row(y);
+    auto* out = reinterpret_cast<std::uint8_t*>(&image.at(0, y));
+    for (std::size_t x = 0; x < size; ++x) {
+      const PackedColor color = in[x] & 0xffffff;
+      std::memcpy(out + channels * x, &color, channels);
     }
   }
 }

@@ -15,14 +15,18 @@ class PictureEffects {
   /// The same input gives the same bytes. `image` has the rasterizer's size.
   void apply(const Rasterizer& picture, const CameraEffects& effects, std::uint64_t seed,
              Image& image);
+  /// The perfect picture.
+  static void copy(const Rasterizer& picture, Image& image);
 
  private:
   void setTables(int width, const CameraEffects& effects);
   const std::uint8_t* blurRow(const Rasterizer& picture, int y, int weight);
 
-  // Four entries for each pixel of a row: y, cb, cr and the unused byte, which becomes 0.
+  // Four entries for each pixel of a row: y, cb, cr and the unused byte. Made for `known_`.
   std::vector<std::int16_t> offset_, gain_, base_, sigma_;
   std::vector<std::uint8_t> vertical_, blurred_;
+  int width_ = 0;
+  CameraEffects known_;
 };
 
 }  // namespace gt

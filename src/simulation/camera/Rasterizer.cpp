@@ -65,12 +65,9 @@ void Rasterizer::fill(const ScreenPoint* points, int count, PackedColor color) {
   if (first >= end || pixelFrom(leftmost) >= std::min(width_, pixelFrom(rightmost)) ||
       rightmost < 0)
     return;
-  const auto rows = static_cast<std::size_t>(end - first);
-  std::fill_n(&left_[static_cast<std::size_t>(first)], rows, std::numeric_limits<float>::max());
-  std::fill_n(&right_[static_cast<std::size_t>(first)], rows, std::numeric_limits<float>::lowest());
-  for (int i = 0, j = count - 1; i < count; j = i++) addEdge(points[j], points[i], first, end);
-
   const Plane plane = nearnessOf(points, count);
+  for (int i = 0, j = count - 1; i < count; j = i++)
+    addEdge(points[j], points[i], plane.clockwise, first, end);
   if (hasDepth_)
     withGeoms_ ? fillRows<true, true>(first, end, plane, color)
                : fillRows<true, false>(first, end, plane, color);
@@ -92,30 +89,30 @@ Rasterizer::Plane Rasterizer::nearnessOf(const ScreenPoint* points, int count) {
     c += (xj - xi) * (yj + yi);
   }
   // A polygon without an area covers hardly a pixel: its depth is that of its first point.
-  if (std::abs(c) < 1e-3f) return {origin.nearness, 0, 0};
+  if (std::abs(c) < 1e-3f) return {origin.nearness, 0, 0, c > 0};
   const float perX = -a / c, perY = -b / c;
-  return {origin.nearness - perX * origin.x - perY * origin.y, perX, perY};
+  return {origin.nearness - perX * origin.x - perY * origin.y, perX, perY, c > 0};
 }
 
-void Rasterizer::addEdge(const ScreenPoint& a, const ScreenPoint& b, int first, int end) {
-  const ScreenPoint& upper = a.y < b.y ? a : b;
-  const ScreenPoint& lower = a.y < b.y ? b : a;
+void Rasterizer::addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first,
+                         int end) {
+  const bool down = a.y < b.y;
+  // Always from above, so that neighbours agree on the points of their common edge.
+  const ScreenPoint& upper = down ? a : b;
+  const ScreenPoint& lower = down ? b : a;
   const int from = std::max(first, pixelFrom(upper.y)), to = std::min(end, pixelFrom(lower.y));
   if (from >= to) return;
   const float slope = (lower.x - upper.x) / (lower.y - upper.y);
-  for (int y = from; y < to; ++y) {
-    const float x = upper.x + (static_cast<float>(y) + 0.5f - upper.y) * slope;
-    float& left = left_[static_cast<std::size_t>(y)];
-    float& right = right_[static_cast<std::size_t>(y)];
-    left = std::min(left, x);
-    right = std::max(right, x);
-  }
+  float* const side = down == clockwise ? right_.data() : left_.data();
+  float row = static_cast<float>(from) + 0.5f - upper.y;
+  for (int y = from; y < to; ++y, ++row) side[y] = upper.x + row * slope;
 }
 
 template <bool hasDepth, bool withGeoms>
 void Rasterizer::fillRows(int first, int end, const Plane& plane, PackedColor color) {
   const auto value = static_cast<std::int32_t>(color);
   const Ints lane = {0, 1, 2, 3}, colors = {value, value, value, value};
+  const Ints everywhere = {-1, -1, -1, -1};
   const Ints geoms = {geom_, geom_, geom_, geom_};
   const float step = lanes * plane.perX;
   const float limit = static_cast<float>(width_);
@@ -128,18 +125,25 @@ void Rasterizer::fillRows(int first, int end, const Plane& plane, PackedColor co
     const float z = plane.atOrigin + plane.perY * (static_cast<float>(y) + 0.5f) +
                     plane.perX * (static_cast<float>(start) + 0.5f);
     Floats nearness = {z, z + plane.perX, z + 2 * plane.perX, z + 3 * plane.perX};
-    for (int x = start; x < to; x += lanes, nearness += step) {
-      const std::size_t at = offset(y) + static_cast<std::size_t>(x);
-      const Ints column = lane + x;
-      Ints mask = (column >= from) & (column < to);
+    PackedColor* const colorRow = colors_.data() + offset(y);
+    float* const nearnessRow = nearness_.data() + offset(y);
+    std::int32_t* const geomRow = withGeoms ? geoms_.data() + offset(y) : nullptr;
+    const auto fillLanes = [&](int x, Ints mask) {
       if constexpr (hasDepth) {
-        const auto old = load<Floats>(&nearness_[at]);
+        const auto old = load<Floats>(nearnessRow + x);
         mask &= nearness > old;
-        store(&nearness_[at], choose(mask, nearness, old));
+        store(nearnessRow + x, choose(mask, nearness, old));
       }
-      store(&colors_[at], choose(mask, colors, load<Ints>(&colors_[at])));
-      if constexpr (withGeoms) store(&geoms_[at], choose(mask, geoms, load<Ints>(&geoms_[at])));
-    }
+      store(colorRow + x, choose(mask, colors, load<Ints>(colorRow + x)));
+      if constexpr (withGeoms) store(geomRow + x, choose(mask, geoms, load<Ints>(geomRow + x)));
+      nearness += step;
+    };
+    // Only the first and the last group of pixels may reach beyond the ends.
+    int x = start;
+    const Ints column = lane + x;
+    fillLanes(x, (column >= from) & (column < to));
+    for (x += lanes; x + lanes <= to; x += lanes) fillLanes(x, everywhere);
+    if (x < to) fillLanes(x, lane + x < to);
   }
 }
 

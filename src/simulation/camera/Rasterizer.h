@@ -32,9 +32,10 @@ class Rasterizer {
  private:
   struct Plane {
     float atOrigin = 0, perX = 0, perY = 0;
+    bool clockwise = true;  ///< How the points go round in the picture.
   };
   static Plane nearnessOf(const ScreenPoint* points, int count);
-  void addEdge(const ScreenPoint& a, const ScreenPoint& b, int first, int end);
+  void addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first, int end);
   template <bool hasDepth, bool withGeoms>
   void fillRows(int first, int end, const Plane& plane, PackedColor color);
   std::size_t offset(int y) const { return static_cast<std::size_t>(y * stride_); }

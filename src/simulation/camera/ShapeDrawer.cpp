@@ -10,7 +10,8 @@ namespace {
 /// Where the light comes from: above, and a little from one side so that faces differ.
 const Eigen::Vector3f lightDirection = Eigen::Vector3f{0.25f, 0.15f, 0.95f}.normalized();
 
-/// Points of a circle, cosine and sine, for each number of corners.
+/// Corners of polygons around a circle, cosine and sine, for each number of corners; the middle of
+/// an edge lies at angle 0.
 class Circles {
  public:
   static constexpr int most = 48;
@@ -18,7 +19,7 @@ class Circles {
   Circles() {
     for (int n = 3; n <= most; ++n)
       for (int i = 0; i < n; ++i) {
-        const double angle = 2 * pi * i / n;
+        const double angle = 2 * pi * (i + 0.5) / n;
         points_[index(n)][index(i)] = {static_cast<float>(std::cos(angle)),
                                        static_cast<float>(std::sin(angle))};
         // A polygon of this radius has the area of the circle.
@@ -45,8 +46,7 @@ void ShapeDrawer::draw(const CameraShape& shape, const mjtNum* position, const m
   if (visibility == Projection::Visibility::hidden) return;
   clipped_ = visibility == Projection::Visibility::partly;
   shape_ = &shape;
-  pixels_ = projection_.focal() * shape.reach / std::max(center_.x(), shape.reach);
-  bent_ = projection_.bends() && pixels_ > 16;
+  bent_ = projection_.bends() && pixelsOf(shape.reach) > 16;
 
   const Eigen::Matrix3f toWorld =
       Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>>{axes}.cast<float>();
@@ -69,6 +69,10 @@ void ShapeDrawer::draw(const CameraShape& shape, const mjtNum* position, const m
     case CameraForm::mesh:
       return mesh();
   }
+}
+
+float ShapeDrawer::pixelsOf(float length) const {
+  return projection_.focal() * (center_.x() > length ? length / center_.x() : 1);
 }
 
 PackedColor ShapeDrawer::shade(const Vector& normal) const {
@@ -124,6 +128,7 @@ void ShapeDrawer::capsule() {
   const float radius = shape_->size.x(), halfLength = shape_->size.y();
   const Vector radii = Vector::Constant(radius);
   mantle(radius, halfLength);
+  if (pixelsOf(radius) < 0.7f) return;  // The ends would hardly be seen.
   ellipsoid(radii, halfLength);
   ellipsoid(radii, -halfLength);
 }
@@ -133,7 +138,7 @@ void ShapeDrawer::mantle(float radius, float halfLength) {
   if (distance <= radius * 1.001f) return;
   const Vector ahead{eye_.x() / distance, eye_.y() / distance, 0}, aside{-ahead.y(), ahead.x(), 0};
   const float cosine = radius / distance, widest = std::sqrt(1 - cosine * cosine);
-  const int facets = std::clamp(static_cast<int>(pixels_ / 4), 2, 10);
+  const int facets = std::clamp(static_cast<int>(0.8f * pixelsOf(radius)), 1, 10);
   // The corners lie at equal distances across the line of sight, from outline to outline.
   const auto normalAt = [&](float across) -> Vector {
     const float s = widest * across;
@@ -154,7 +159,7 @@ void ShapeDrawer::mantle(float radius, float halfLength) {
 }
 
 void ShapeDrawer::lid(float radius, float height) {
-  const int corners = std::clamp(static_cast<int>(pixels_), 8, Circles::most);
+  const int corners = std::clamp(static_cast<int>(pixelsOf(radius)) + 4, 6, Circles::most);
   const float outer = radius * circles.radius(corners);
   for (int i = 0; i < corners; ++i) {
     const Eigen::Vector2f& p = circles.point(corners, i);
@@ -175,15 +180,25 @@ void ShapeDrawer::ellipsoid(const Vector& radii, float offset) {
   aside.normalize();
   const Vector above = aside.cross(toEye);
 
-  const int strips = std::clamp(static_cast<int>(pixels_ / 3) + 3, 3, Circles::most / 2);
+  const float pixels = pixelsOf(radii.maxCoeff());
+  // Far away there is room for one shade only.
+  const int strips =
+      pixels < 3 ? 3 : std::clamp(static_cast<int>(pixels / 2) + 3, 4, Circles::most / 2);
   const float radius = std::sqrt(1 - 1 / square) * circles.radius(2 * strips);
   const Vector center = place(Vector{0, 0, offset} + radii.cwiseProduct(eye / square));
   const Vector x = axes_ * radii.cwiseProduct(radius * aside);
   const Vector y = axes_ * radii.cwiseProduct(radius * above);
-  for (int i = 0; i < strips; ++i) {
+  if (pixels < 3) {
+    for (int i = 0; i < 2 * strips; ++i) {
+      const Eigen::Vector2f& p = circles.point(2 * strips, i);
+      points_[i] = center - p.x() * y + p.y() * x;
+    }
+    return polygon(2 * strips, shade(toEye));
+  }
+  for (int i = 0; i + 1 < strips; ++i) {
     const Eigen::Vector2f& low = circles.point(2 * strips, i);
     const Eigen::Vector2f& high = circles.point(2 * strips, i + 1);
-    // The circle begins at the lowest point and goes up on both sides.
+    // From the lowest edge, up on both sides.
     points_[0] = center - low.x() * y - low.y() * x;
     points_[1] = center - low.x() * y + low.y() * x;
     points_[2] = center - high.x() * y + high.y() * x;

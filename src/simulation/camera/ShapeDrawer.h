@@ -34,6 +34,8 @@ class ShapeDrawer {
   /// A convex polygon in the camera's system; `points_` holds its points.
   void polygon(int count, PackedColor color);
   int bend(int count);
+  /// How long something at the shape's distance is in the picture, at most the focal length.
+  float pixelsOf(float length) const;
   PackedColor shade(const Vector& normal) const;
   /// From the shape's system to the camera's.
   Vector place(const Vector& point) const { return center_ + axes_ * point; }
@@ -46,7 +48,6 @@ class ShapeDrawer {
 
   const CameraShape* shape_ = nullptr;
   bool clipped_ = false, bent_ = false;
-  float pixels_ = 0;         ///< The shape's radius in the picture.
   Vector center_;            ///< In the camera's system.
   Eigen::Matrix3f axes_;     ///< From the shape's system to the camera's.
   Vector eye_, light_, up_;  ///< In the shape's system.
