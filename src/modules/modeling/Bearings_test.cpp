@@ -61,7 +61,7 @@ TEST(Bearings, PostsSwapSidesInTheOwnGoal) {
     for (const GoalColor goal : {GoalColor::yellow, GoalColor::skyblue}) {
       const Vector2d left = positionOfPost(goal, true, team, field);
       const Vector2d right = positionOfPost(goal, false, team, field);
-      EXPECT_GT(left.x() * -right.y() + left.y() * right.x(), -1e-9 + 0) << "seen from the centre";
+      EXPECT_GT(right.x() * left.y() - right.y() * left.x(), 0);  // Counterclockwise.
       EXPECT_EQ(left.x() < 0, goal == ownGoal(team));
       EXPECT_EQ(left.x(), right.x());
       EXPECT_EQ(left.y(), -right.y());
