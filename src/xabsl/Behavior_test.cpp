@@ -223,9 +223,9 @@ TEST(Compile, TellsWhatWasExpected) {
             "2:4: error: expected '(', found 'ball.seen'\n");
   EXPECT_EQ(errorsInDecision("go s;"),
             "2:1: error: expected 'if', 'goto', 'stay' or '{', found 'go'\n");
-  EXPECT_EQ(errorsInAction("state = 1;"),
+  EXPECT_EQ(errorsInAction("input = 1;"),
             "2:1: error: expected an action (an assignment, an option or a basic behavior) or '}', "
-            "found the keyword 'state'\n");
+            "found the keyword 'input'\n");
   EXPECT_EQ(errorsInAction("speed;"), "2:6: error: expected '=' or '(', found ';'\n");
   EXPECT_EQ(errorsInAction("sub(1);"), "2:5: error: expected the name of a parameter, found '1'\n");
   EXPECT_EQ(errorsInAction("sub(v = 1 b = true);"),
