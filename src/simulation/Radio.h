@@ -1,0 +1,41 @@
+#pragma once
+#include <vector>
+
+#include "base/Random.h"
+#include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/Player.h"
+#include "simulation/Scene.h"
+
+namespace gt {
+
+/// The wireless network: carries team messages to the sender's team mates, to each with a delay and
+/// a chance of loss of its own. All robots' clocks are the simulator's, so times need no
+/// conversion.
+class Radio {
+ public:
+  Radio(const RadioParameters& parameters, const std::vector<Player>& players,
+        const Random& random);
+
+  /// Sends a message at a time; the sender's number is put in by the network.
+  void send(std::size_t sender, const TeamMessage& message, Time now);
+
+  /// Moves what has come in for a robot to its messages; a message that was overtaken by a newer
+  /// one of the same sender is dropped. May run for several robots at once.
+  void receive(std::size_t robot, Time now, TeamMessages& messages);
+
+  std::size_t lost() const { return lost_; }
+
+ private:
+  struct Underway {
+    Time due;
+    TeamMessage message;
+  };
+
+  RadioParameters parameters_;
+  std::vector<Player> players_;
+  std::vector<std::vector<Underway>> underway_;  ///< By receiver.
+  Random random_;
+  std::size_t lost_ = 0;
+};
+
+}  // namespace gt

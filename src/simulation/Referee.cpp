@@ -1,0 +1,256 @@
+#include "simulation/Referee.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "simulation/Oracle.h"
+
+namespace gt {
+namespace {
+
+constexpr std::int64_t initialMs = 1000;
+constexpr std::int64_t readyAtLeastMs = 4000;  // until robots that have to walk do walk
+constexpr std::int64_t standingMs = 1000;
+constexpr double standingMm = 15;
+constexpr double stuckMm = 50;
+/// A robot reaches this far around its middle, at most.
+constexpr double robotRadius = 150;
+
+std::int64_t toMs(double seconds) {
+  return std::llround(1000 * seconds);
+}
+
+}  // namespace
+
+Referee::Referee(const GameParameters& parameters, const FieldDimensions& field,
+                 const std::vector<Player>& players)
+    : parameters_(parameters),
+      field_(field),
+      players_(players),
+      data_(players.size()),
+      penalties_(players.size(), Penalty::none),
+      kickOff_(parameters.kickOff),
+      lastPoses_(players.size()) {
+  if (!parameters_.referee) state_ = GameState::playing;
+  tellRobots(Time{});
+}
+
+std::int64_t Referee::timeLeft(Time now) const {
+  const std::int64_t half = toMs(parameters_.minutes * 60) / 2;
+  return clockRuns_ ? std::max<std::int64_t>(half - (now - halfStarted_), 0) : half;
+}
+
+void Referee::changeState(GameState state, Time now) {
+  state_ = state;
+  stateSince_ = now;
+  movedAt_ = now;
+  ballMovedAt_ = now;
+  tellRobots(now);
+}
+
+void Referee::setPenalty(std::size_t robot, Penalty penalty, Time now) {
+  penalties_[robot] = penalty;
+  tellRobots(now);
+}
+
+void Referee::update(World& world) {
+  const Time now = world.time();
+  if (!parameters_.referee || state_ == GameState::finished) return;
+  if (clockRuns_ && timeLeft(now) == 0) return endHalf(world);
+  switch (state_) {
+    case GameState::initial:
+      if (now - stateSince_ >= initialMs) {
+        if (world.ballCount() > 0) world.placeBall(0, {0, 0});
+        changeState(GameState::ready, now);
+      }
+      break;
+    case GameState::ready:
+      updateReady(world);
+      break;
+    case GameState::set:
+      if (now - stateSince_ < toMs(parameters_.setTime)) break;
+      if (world.ballCount() > 0) world.placeBall(0, {0, 0});
+      if (!clockRuns_) halfStarted_ = now;
+      clockRuns_ = true;
+      record(world, GameEventType::kickOff, kickOff_);
+      changeState(GameState::playing, now);
+      break;
+    case GameState::playing:
+      updatePlaying(world);
+      break;
+    default:
+      break;
+  }
+}
+
+bool Referee::standing(const World& world) {
+  bool moved = false;
+  for (std::size_t i = 0; i < world.activeRobots(); ++i) {
+    const Pose2D& pose = world.robot(i).pose;
+    if ((pose.translation - lastPoses_[i].translation).norm() < standingMm &&
+        std::abs(normalize(pose.rotation - lastPoses_[i].rotation)) < fromDegrees(5))
+      continue;
+    lastPoses_[i] = pose;
+    moved = true;
+  }
+  if (moved) movedAt_ = world.time();
+  return world.time() - movedAt_ >= standingMs;
+}
+
+void Referee::updateReady(World& world) {
+  const std::int64_t waited = world.time() - stateSince_;
+  const bool all =
+      standing(world) && waited >= std::min(readyAtLeastMs, toMs(parameters_.readyTime));
+  if (!all && waited < toMs(parameters_.readyTime)) return;
+  placeForKickOff(world);
+  changeState(GameState::set, world.time());
+}
+
+bool Referee::wellPlaced(const World& world, std::size_t robot, bool inCircle) const {
+  const Player& player = players_[robot];
+  const Vector2d p = toTeam(player.teamColor, world.robot(robot).pose.translation);
+  if (world.robot(robot).posture != Posture::standing) return false;
+  const bool onField = std::abs(p.y()) < field_.ySideline && p.x() > -field_.xGroundline - 100;
+  if (!onField || p.x() > -robotRadius / 2) return false;
+  const bool inArea = p.x() < -field_.xPenaltyArea && std::abs(p.y()) < field_.yPenaltyArea;
+  if ((player.role == PlayerRole::goalie) != inArea) return false;
+  return inCircle || p.norm() >= field_.centerCircleRadius + robotRadius;
+}
+
+Pose2D Referee::kickOffPose(std::size_t robot) const {
+  const bool own = players_[robot].teamColor == kickOff_;
+  switch (players_[robot].role) {
+    case PlayerRole::goalie:
+      return {0, -2000, 0};
+    case PlayerRole::defender:
+      return own ? Pose2D{0, -1100, -400} : Pose2D{0, -1250, -300};
+    case PlayerRole::striker1:
+      return own ? Pose2D{0, -500, 600} : Pose2D{0, -800, 500};
+    default:
+      return own ? Pose2D{0, -230, 0} : Pose2D{0, -650, 0};
+  }
+}
+
+bool Referee::free(const World& world, const Vector2d& position, std::size_t except) const {
+  for (std::size_t i = 0; i < world.robotCount(); ++i)
+    if (i != except && (world.robot(i).pose.translation - position).norm() < 2 * robotRadius)
+      return false;
+  return true;
+}
+
+void Referee::placeRobot(World& world, std::size_t robot) {
+  const TeamColor team = players_[robot].teamColor;
+  const Pose2D wanted = kickOffPose(robot);
+  // Where somebody stands already, the next free place beside it.
+  for (const double aside : {0., 350., -350., 700., -700.}) {
+    const Pose2D pose = toTeam(team, Pose2D{0, wanted.translation + Vector2d{0, aside}});
+    if (!free(world, pose.translation, robot)) continue;
+    world.placeRobot(robot, pose);
+    record(world, GameEventType::placedRobot, team, players_[robot].number());
+    return;
+  }
+}
+
+void Referee::placeForKickOff(World& world) {
+  // Of the team that kicks off the robot nearest to the ball may stand inside the circle.
+  std::size_t kicker = world.activeRobots();
+  double nearest = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < world.activeRobots(); ++i) {
+    const double distance = world.robot(i).pose.translation.norm();
+    if (players_[i].teamColor != kickOff_ || players_[i].role == PlayerRole::goalie ||
+        distance >= nearest)
+      continue;
+    nearest = distance;
+    kicker = i;
+  }
+  for (std::size_t i = 0; i < world.activeRobots(); ++i)
+    if (!wellPlaced(world, i, i == kicker)) placeRobot(world, i);
+  if (world.ballCount() > 0) world.placeBall(0, {0, 0});
+}
+
+void Referee::updatePlaying(World& world) {
+  if (world.ballCount() == 0) return;
+  const Vector2d& ball = world.ball(0).position;
+  const bool betweenPosts = std::abs(ball.y()) < field_.yGoal;
+  const double behindLine = std::abs(ball.x()) - field_.xGroundline;
+  if (betweenPosts && behindLine > field_.ballRadius) return countGoal(world);
+  if ((!betweenPosts && behindLine > 0) || std::abs(ball.y()) > field_.ySideline) {
+    record(world, GameEventType::ballOut, TeamColor::red);
+    world.placeBall(0, {0, 0});
+  }
+  watchStuckBall(world);
+}
+
+void Referee::countGoal(World& world) {
+  const TeamColor scorer = world.ball(0).position.x() > 0 ? TeamColor::red : TeamColor::blue;
+  const int toucher = world.ball(0).lastToucher;
+  const bool touched = toucher >= 0;
+  const std::size_t player = static_cast<std::size_t>(std::max(toucher, 0));
+  ++score_[scorer];
+  record(world, GameEventType::goal, scorer, touched ? players_[player].number() : 0,
+         touched && players_[player].teamColor != scorer);
+  kickOff_ = opponent(scorer);
+  world.placeBall(0, {0, 0});
+  changeState(GameState::ready, world.time());
+}
+
+void Referee::watchStuckBall(World& world) {
+  const Vector2d ball = world.ball(0).position;
+  if ((ball - ballReference_).norm() > stuckMm) {
+    ballReference_ = ball;
+    ballMovedAt_ = world.time();
+  }
+  if (world.time() - ballMovedAt_ < toMs(parameters_.stuckTime)) return;
+  const double x = field_.xGroundline / 2, y = field_.ySideline / 2;
+  const std::array<Vector2d, 5> spots{Vector2d{0, 0}, Vector2d{x, y}, Vector2d{x, -y},
+                                      Vector2d{-x, y}, Vector2d{-x, -y}};
+  Vector2d best = spots[0];
+  double nearest = std::numeric_limits<double>::max();
+  for (const Vector2d& spot : spots) {
+    const double distance = (spot - ball).norm();
+    if (distance < 2 * robotRadius || distance >= nearest || !free(world, spot, world.robotCount()))
+      continue;
+    nearest = distance;
+    best = spot;
+  }
+  record(world, GameEventType::stuckBall, TeamColor::red);
+  world.placeBall(0, best);
+  ballReference_ = best;
+  ballMovedAt_ = world.time();
+}
+
+void Referee::endHalf(World& world) {
+  if (half_ == 2) {
+    record(world, GameEventType::gameOver, TeamColor::red);
+    return changeState(GameState::finished, world.time());
+  }
+  record(world, GameEventType::halfTime, TeamColor::red);
+  half_ = 2;
+  clockRuns_ = false;
+  kickOff_ = opponent(parameters_.kickOff);
+  changeState(GameState::initial, world.time());
+}
+
+void Referee::record(const World& world, GameEventType type, TeamColor team, int number,
+                     bool ownGoal) {
+  const Vector2d ball = world.ballCount() > 0 ? world.ball(0).position : Vector2d{0, 0};
+  events_.push_back({type, world.time(), team, number, ownGoal, ball, score_[TeamColor::red],
+                     score_[TeamColor::blue]});
+}
+
+void Referee::tellRobots(Time now) {
+  for (std::size_t i = 0; i < players_.size(); ++i) {
+    const TeamColor team = players_[i].teamColor;
+    GameControlData& data = data_[i];
+    const GameState state = penalties_[i] == Penalty::none ? state_ : GameState::penalized;
+    if (data.state != state) data.timeOfLastChange = now;
+    data.state = state;
+    data.kickOff = team == kickOff_ ? KickOff::own : KickOff::opponent;
+    data.penalty = penalties_[i];
+    data.ownScore = score_[team];
+    data.opponentScore = score_[opponent(team)];
+  }
+}
+
+}  // namespace gt

@@ -1,0 +1,125 @@
+#include "simulation/Simulation.h"
+
+#include <algorithm>
+
+#include "simulation/Oracle.h"
+
+namespace gt {
+namespace {
+
+std::vector<Player> playersOf(const SceneDescription& scene) {
+  std::vector<Player> players;
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group) players.push_back(robot.player());
+  return players;
+}
+
+Pose3D between(const Pose3D& a, const Pose3D& b, double share) {
+  const Eigen::Quaterniond rotation =
+      Eigen::Quaterniond{a.rotation}.slerp(share, Eigen::Quaterniond{b.rotation});
+  return {rotation.toRotationMatrix(), (1 - share) * a.translation + share * b.translation};
+}
+
+}  // namespace
+
+CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& info) {
+  const double ticks = (info.height - 1) * info.rowTime / static_cast<double>(tickMs);
+  const auto whole = static_cast<std::size_t>(ticks);
+  CameraView view;
+  view.info = info;
+  view.first = between(world.camera(robot, whole), world.camera(robot, whole + 1),
+                       ticks - static_cast<double>(whole));
+  view.last = world.camera(robot);
+  view.hiddenBody = world.parts(robot).headBody;
+  return view;
+}
+
+Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> world,
+                       const Random& random, std::size_t threads, const FieldDimensions& field)
+    : scene_(scene),
+      players_(playersOf(scene)),
+      world_(std::move(world)),
+      referee_(scene.game, field, players_),
+      radio_(scene.radio, players_, random.fork("radio")),
+      cameraScene_(world_->model()),
+      commands_(scene.robots.size()),
+      pool_(threads) {
+  for (std::size_t i = 0; i < pool_.threads(); ++i) renderers_.emplace_back(cameraScene_);
+  for (const SceneRobot& robot : scene.robots)
+    robots_.push_back({nullptr,
+                       Sensors{scene.noise, random.fork("sensors " + robot.name)},
+                       random.fork("pictures " + robot.name),
+                       {},
+                       {},
+                       {},
+                       {}});
+}
+
+Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& scene,
+                                                     std::uint64_t seed, std::size_t threads,
+                                                     const FieldDimensions& field) {
+  const Random random{seed};
+  auto world = makeWorld(scene, random.fork("world"));
+  if (!world) return world.error();
+  return std::unique_ptr<Simulation>{
+      new Simulation{scene, std::move(*world), random, threads, field}};
+}
+
+void Simulation::attach(std::size_t robot, std::unique_ptr<RobotController> controller) {
+  robots_[robot].controller = std::move(controller);
+}
+
+void Simulation::step() {
+  world_->step(commands_);
+  referee_.update(*world_);
+  const bool picture = takePictures_ && tick_ % ticksPerPicture == 0;
+  const auto work = [&](std::size_t robot, std::size_t worker) {
+    SimulatedRobot& r = robots_[robot];
+    if (!r.controller) return;
+    sense(robot);
+    if (picture) takePicture(robot, renderers_[worker]);
+    r.output.message.reset();
+    r.controller->cycle(r.input, r.output);
+  };
+  // Ticks without pictures are so short that sharing them would cost more than it gains.
+  if (picture)
+    pool_.forEach(robots_.size(), work);
+  else
+    for (std::size_t i = 0; i < robots_.size(); ++i) work(i, 0);
+  act();
+  ++tick_;
+}
+
+void Simulation::sense(std::size_t robot) {
+  SimulatedRobot& r = robots_[robot];
+  SensorData readings;
+  r.sensors.read(*world_, robot, readings);
+  if (tick_ == 0) r.input.sensors.frames.fill(readings);
+  r.input.sensors.push(readings);
+  r.input.now = world_->time();
+  r.input.image = nullptr;
+  r.input.game = referee_.dataFor(robot);
+  radio_.receive(robot, r.input.now, r.input.team);
+  askOracle(*world_, players_, robot, r.input.oracle);
+}
+
+void Simulation::takePicture(std::size_t robot, CameraRenderer& renderer) {
+  SimulatedRobot& r = robots_[robot];
+  renderer.render(world_->data(), cameraView(*world_, robot, CameraInfo{}), scene_.camera,
+                  r.pictureSeeds(), r.image);
+  r.image.time = r.input.now;
+  r.input.image = &r.image;
+}
+
+void Simulation::act() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    SimulatedRobot& r = robots_[i];
+    if (!r.controller) continue;
+    commands_[i].joints = r.output.joints.angles;
+    commands_[i].step = r.output.odometry.pose.relativeTo(r.odometry);
+    r.odometry = r.output.odometry.pose;
+    if (r.output.message) radio_.send(i, *r.output.message, world_->time());
+  }
+}
+
+}  // namespace gt

@@ -1,0 +1,133 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "representations/behavior/LedRequest.h"
+#include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/GameControlData.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/infrastructure/OracledWorldState.h"
+#include "representations/infrastructure/SensorData.h"
+#include "representations/motion/OdometryData.h"
+#include "simulation/Radio.h"
+#include "simulation/Referee.h"
+#include "simulation/Scene.h"
+#include "simulation/Sensors.h"
+#include "simulation/WorkerPool.h"
+#include "simulation/World.h"
+#include "simulation/camera/CameraRenderer.h"
+
+namespace gt {
+
+/// What a robot gets from its hardware in one tick: packages, as from sensors, camera and network.
+struct RobotInput {
+  Time now;
+  SensorDataBuffer sensors;
+  const Image* image = nullptr;  ///< Null in ticks without a picture; valid during the cycle only.
+  GameControlData game;
+  TeamMessages team;
+  OracledWorldState oracle;
+};
+
+/// What a robot gives to its hardware. It stays as it is until a cycle changes it; `message` is
+/// empty before each cycle.
+struct RobotOutput {
+  JointData joints;
+  OdometryData odometry;  ///< Moves the robot, in the kinematic fidelity: its change is the step.
+  LedValue leds;
+  std::optional<TeamMessage> message;
+};
+
+/// The controller of one robot (report 5.1.3): senses, thinks and acts once a tick.
+class RobotController {
+ public:
+  virtual ~RobotController() = default;
+
+  /// Runs with the input of this tick. Controllers of different robots run at the same time on
+  /// several threads: they share nothing that changes.
+  virtual void cycle(const RobotInput& input, RobotOutput& output) = 0;
+};
+
+/// A scene that runs. Everything that happens follows from the scene, the seed and the controllers:
+/// the same in, the same bits out, with any number of threads.
+///
+/// A tick of 8 ms: (1) the world moves by the commands of the last tick; (2) the referee looks and
+/// acts; (3) for each robot, in parallel where pictures are due: sensors are read, the radio
+/// delivers, the picture is taken, the controller runs; the world is only read meanwhile, and a
+/// robot touches only what is its own; (4) in the order of the robots, commands and messages are
+/// taken from the outputs. So a command takes effect in the tick after that whose readings it
+/// answers. Pictures are due every fifth tick (40 ms) for all robots at once; each row sees the
+/// world from where the camera was when the row was exposed.
+class Simulation {
+ public:
+  static constexpr int ticksPerPicture = 5;
+
+  /// Fails if the scene's models are wrong. `threads` counts the calling thread.
+  static Result<std::unique_ptr<Simulation>> make(const SceneDescription& scene, std::uint64_t seed,
+                                                  std::size_t threads = 1,
+                                                  const FieldDimensions& field = {});
+
+  /// Gives an active robot its controller. A robot without one stands still.
+  void attach(std::size_t robot, std::unique_ptr<RobotController> controller);
+  /// Pictures are taken unless switched off.
+  void takePictures(bool on) { takePictures_ = on; }
+
+  /// One tick.
+  void step();
+
+  Time time() const { return world_->time(); }
+  bool finished() const { return referee_.state() == GameState::finished; }
+  const SceneDescription& scene() const { return scene_; }
+  /// All robots, the active ones first.
+  const std::vector<Player>& players() const { return players_; }
+  const World& world() const { return *world_; }
+  /// For moving things by hand, between ticks.
+  World& world() { return *world_; }
+  Referee& referee() { return referee_; }
+  const Referee& referee() const { return referee_; }
+  Sensors& sensors(std::size_t robot) { return robots_[robot].sensors; }
+  RobotController* controller(std::size_t robot) { return robots_[robot].controller.get(); }
+  /// What a robot got and gave in the last tick; `image` is its last picture even between pictures.
+  const RobotInput& input(std::size_t robot) const { return robots_[robot].input; }
+  const RobotOutput& output(std::size_t robot) const { return robots_[robot].output; }
+  const Image& image(std::size_t robot) const { return robots_[robot].image; }
+
+ private:
+  /// An active robot's own part of the simulation.
+  struct SimulatedRobot {
+    std::unique_ptr<RobotController> controller;
+    Sensors sensors;
+    Random pictureSeeds;
+    RobotInput input;
+    RobotOutput output;
+    Image image;
+    Pose2D odometry;
+  };
+
+  Simulation(const SceneDescription& scene, std::unique_ptr<World> world, const Random& random,
+             std::size_t threads, const FieldDimensions& field);
+
+  void sense(std::size_t robot);
+  void takePicture(std::size_t robot, CameraRenderer& renderer);
+  void act();
+
+  SceneDescription scene_;
+  std::vector<Player> players_;
+  std::unique_ptr<World> world_;
+  Referee referee_;
+  Radio radio_;
+  CameraScene cameraScene_;
+  std::vector<CameraRenderer> renderers_;  ///< One for each thread.
+  std::vector<SimulatedRobot> robots_;
+  std::vector<RobotCommand> commands_;
+  std::int64_t tick_ = 0;
+  bool takePictures_ = true;
+  WorkerPool pool_;
+};
+
+/// From where a picture is taken whose last row is exposed now.
+CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& info);
+
+}  // namespace gt

@@ -1,0 +1,42 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace gt {
+
+/// Threads that wait for work and share it: each index of a job is worked on by exactly one of
+/// them. A job whose indices touch only what is theirs gives the same result with any number of
+/// threads.
+class WorkerPool {
+ public:
+  using Work = std::function<void(std::size_t index, std::size_t worker)>;
+
+  /// `threads` counts the calling thread; at least 1.
+  explicit WorkerPool(std::size_t threads);
+  ~WorkerPool();
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+
+  std::size_t threads() const { return threads_.size() + 1; }
+
+  /// Calls work(index, worker) for 0 .. count-1, worker in 0 .. threads()-1; returns when all is
+  /// done. The calling thread works, too. Not to be called from within work.
+  void forEach(std::size_t count, const Work& work);
+
+ private:
+  void run(std::size_t worker);
+  void takeShare(std::size_t worker);
+
+  std::vector<std::thread> threads_;
+  const Work* work_ = nullptr;
+  std::size_t count_ = 0;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<std::uint32_t> job_{0};
+  std::atomic<std::size_t> busy_{0};
+  bool stop_ = false;
+};
+
+}  // namespace gt
