@@ -122,6 +122,12 @@ TEST(Mcap, ReadsWhatItWrote) {
   }
 }
 
+// tests/mcap/check.mjs reads this log with readers that know nothing of this project.
+TEST(Mcap, LeavesALogForOtherReaders) {
+  std::filesystem::create_directories("out/tests");
+  writeLog("out/tests/streams.mcap");
+}
+
 TEST(Mcap, WritesTheSameBytesAgain) {
   const TemporaryFile a{"Mcap_test_a.mcap"}, b{"Mcap_test_b.mcap"};
   writeLog(a.path);
