@@ -1,5 +1,6 @@
 #include "xabsl/Behavior.h"
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -86,8 +87,11 @@ class Loader {
     const int file = reporter_.addFile(path);
     texts_.push_back(std::move(text));
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    for (const Include& included : Parser(file, texts_.back(), reporter_, program_).parse())
-      pending_.push_back({normal(folder / std::string(included.path)), included.location});
+    for (const Include& included : Parser(file, texts_.back(), reporter_, program_).parse()) {
+      std::string name(included.path);
+      std::replace(name.begin(), name.end(), '\\', '/');  // as written on Windows
+      pending_.push_back({normal(folder / name), included.location});
+    }
   }
 
   const Reader& read_;

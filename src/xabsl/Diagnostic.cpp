@@ -57,18 +57,18 @@ void Reporter::warning(Location location, const std::string& message) {
 void Reporter::fileError(const std::string& file, const std::string& message) {
   failed_ = true;
   if (full()) return;
+  ++errors_;
   entries_.push_back({{-1, 0, 0}, {Diagnostic::Severity::error, file, 0, 0, message}});
 }
 
 void Reporter::add(Diagnostic::Severity severity, Location location, const std::string& message) {
-  if (full()) return;
-  // The last place is for an error: warnings alone must never make a broken behavior look sound.
-  if (severity == Diagnostic::Severity::warning && entries_.size() + 1 >= maximum) return;
+  std::size_t& count = severity == Diagnostic::Severity::error ? errors_ : warnings_;
+  if (count >= maximum) return;
+  const bool last = ++count == maximum;
   const std::string& file = files_[static_cast<std::size_t>(location.file)];
-  const bool last = entries_.size() + 1 == maximum;
   entries_.push_back({location,
                       {severity, file, location.line, location.column,
-                       last ? message + " (too many errors, stopped here)" : message}});
+                       last ? message + " (no more are shown)" : message}});
 }
 
 std::vector<Diagnostic> Reporter::take() {

@@ -31,7 +31,8 @@ std::string toString(const Diagnostic& diagnostic);
 
 bool hasErrors(const std::vector<Diagnostic>& diagnostics);
 
-/// Collects what the passes of the compiler have to say. Keeps at most `maximum` messages.
+/// Collects what the passes of the compiler have to say. Keeps at most `maximum` errors and as many
+/// warnings.
 class Reporter {
  public:
   static constexpr std::size_t maximum = 100;
@@ -45,7 +46,7 @@ class Reporter {
   void fileError(const std::string& file, const std::string& message);
 
   bool failed() const { return failed_; }
-  bool full() const { return entries_.size() >= maximum; }
+  bool full() const { return errors_ >= maximum; }
 
   /// Everything reported, in the order of files, lines and columns.
   std::vector<Diagnostic> take();
@@ -60,6 +61,8 @@ class Reporter {
 
   std::vector<std::string> files_;
   std::vector<Entry> entries_;
+  std::size_t errors_ = 0;
+  std::size_t warnings_ = 0;
   bool failed_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace xabsl {
@@ -226,6 +227,12 @@ inline double Engine::input(const Expression& expression, const OptionState& opt
 
 double Engine::evaluate(int index, const OptionState& option) {
   const Expression& expression = expressions_[at(index)];
+  // The left operand is read first, whatever the compiler would prefer.
+  const auto apply = [&](auto operation) -> double {
+    const double left = operand(expression.a, option);
+    const double right = operand(expression.b, option);
+    return operation(left, right);
+  };
   const auto anyIs = [&](bool wanted) {
     for (int i = expression.b; i < expression.b + expression.c; ++i)
       if ((operand(model_->operands[at(i)], option) != 0) == wanted) return true;
@@ -261,36 +268,26 @@ double Engine::evaluate(int index, const OptionState& option) {
       return anyIs(true);
     case Operator::conditional:
       return operand(operand(expression.a, option) != 0 ? expression.b : expression.c, option);
-    default:
-      return binary(expression, option);
-  }
-}
-
-/// Operators that need both operands. The left one is read first, whatever the compiler would
-/// prefer.
-double Engine::binary(const Expression& expression, const OptionState& option) {
-  const double left = operand(expression.a, option);
-  const double right = operand(expression.b, option);
-  switch (expression.operation) {
     case Operator::add:
-      return left + right;
+      return apply(std::plus<>());
     case Operator::subtract:
-      return left - right;
+      return apply(std::minus<>());
     case Operator::multiply:
-      return left * right;
+      return apply(std::multiplies<>());
     case Operator::equal:
-      return left == right;
+      return apply(std::equal_to<>());
     case Operator::notEqual:
-      return left != right;
+      return apply(std::not_equal_to<>());
     case Operator::less:
-      return left < right;
+      return apply(std::less<>());
     case Operator::lessEqual:
-      return left <= right;
+      return apply(std::less_equal<>());
     case Operator::greater:
-      return left > right;
-    default:
-      return left >= right;
+      return apply(std::greater<>());
+    case Operator::greaterEqual:
+      return apply(std::greater_equal<>());
   }
+  return 0;
 }
 
 /// Division by zero divides by a very small number instead, as XABSL engines do.

@@ -104,7 +104,6 @@ class Engine {
   double evaluate(int index, const OptionState& option);
   double operand(int index, const OptionState& option);
   double input(const Expression& expression, const OptionState& option);
-  double binary(const Expression& expression, const OptionState& option);
   double divide(int index, const OptionState& option);
   double modulo(int index, const OptionState& option);
   bool actionDone(const OptionState& option) const;

@@ -15,6 +15,8 @@ constexpr std::array<std::string_view, 31> keywords = {
     "float",       "const",    "stay",        "include", "behavior", "namespace",   "internal",
     "capacity",    "conflict", "synchronized"};
 
+constexpr std::size_t longestName = 500;
+
 constexpr std::array<std::string_view, 6> longPunctuation = {"==", "!=", "<=", ">=", "&&", "||"};
 constexpr std::string_view shortPunctuation = "{}();,=!-+*/%<>?:";
 
@@ -129,8 +131,12 @@ void Lexer::skipBlockComment() {
 
 std::string_view Lexer::takeName() {
   const std::size_t start = position_;
+  const Location location = location_;
   while (isNamePart(peek())) advance();
-  return text_.substr(start, position_ - start);
+  const std::size_t length = position_ - start;
+  if (length > longestName)
+    reporter_.error(location, "name is longer than " + std::to_string(longestName) + " characters");
+  return text_.substr(start, std::min(length, longestName));
 }
 
 Token Lexer::enclosed(Token token, TokenKind kind, char close, const char* name) {

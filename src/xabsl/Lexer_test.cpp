@@ -92,6 +92,12 @@ TEST(Lexer, TellsWhatIsNoToken) {
   EXPECT_EQ(lexicalErrors("1e999"), "f:1:1: error: number '1e999' is out of range\n");
 }
 
+TEST(Lexer, CutsNamesThatNobodyWrites) {
+  EXPECT_EQ(lexicalErrors(" " + std::string(501, 'a')),
+            "f:1:2: error: name is longer than 500 characters\n");
+  EXPECT_EQ(lexicalErrors(std::string(500, 'a')), "");
+}
+
 TEST(Lexer, TellsWhatIsNotClosed) {
   EXPECT_EQ(lexicalErrors("a /* b"), "f:1:3: error: comment is not closed, expected '*/'\n");
   EXPECT_EQ(lexicalErrors("\"a\n b"), "f:1:1: error: string is not closed, expected '\"'\n");

@@ -150,7 +150,7 @@ TEST(Symbols, TakeVariablesMembersLambdasAndFunctions) {
   symbols.input("distance", member(&robot, &Robot::distance));
   symbols.input("count", &count);
   symbols.input("big", &big);
-  symbols.input("half", {"value"}, [](double value) { return half(value); });
+  symbols.input("half", {"value"}, &half);
   symbols.output("steps", &steps);
   symbols.output("led", &led);
   symbols.behavior("walk", {"x", "steps"}, member(&robot, &Robot::walk));

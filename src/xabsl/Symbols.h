@@ -42,6 +42,10 @@ struct RegisteredEnumeration {
   std::type_index type = typeid(void);
 };
 
+/// A pointer to data; all else that is registered is called.
+template <typename T>
+constexpr bool isVariable = std::is_pointer_v<T> && !std::is_function_v<std::remove_pointer_t<T>>;
+
 /// What the surroundings offer to behaviors: variables, functions, enumerations and basic
 /// behaviors, by the names used in XABSL (report H.3 to H.5). Types follow from C++: bool is bool,
 /// an enum class is the enumeration registered for it, any other number is float. Registering a
@@ -71,14 +75,14 @@ class Symbols {
   /// A function, called each time the symbol is used. Its arguments are the parameters of the
   /// symbol.
   template <typename Callable>
-  requires(!std::is_pointer_v<Callable>) void input(const std::string& name,
-                                                    const std::vector<ParameterName>& parameters,
-                                                    Callable callable) {
+  requires(!isVariable<Callable>) void input(const std::string& name,
+                                             const std::vector<ParameterName>& parameters,
+                                             Callable callable) {
     add(inputs_[name], makeFunction(std::move(callable)), registeredType<ResultOf<Callable>>(),
         argumentTypes<Callable>(), parameters);
   }
   template <typename Callable>
-  requires(!std::is_pointer_v<Callable>) void input(const std::string& name, Callable callable) {
+  requires(!isVariable<Callable>) void input(const std::string& name, Callable callable) {
     input(name, {}, std::move(callable));
   }
 
@@ -99,7 +103,7 @@ class Symbols {
 
   /// A function of one argument, called each time the symbol is set.
   template <typename Callable>
-  requires(!std::is_pointer_v<Callable>) void output(const std::string& name, Callable callable) {
+  requires(!isVariable<Callable>) void output(const std::string& name, Callable callable) {
     static_assert(std::tuple_size_v<ArgumentsOf<Callable>> == 1);
     add(outputs_[name], makeFunction(std::move(callable)), argumentTypes<Callable>().front(), {},
         {});
