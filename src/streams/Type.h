@@ -14,6 +14,11 @@ namespace gt {
 /// How a number lies in memory.
 enum class Number { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
+constexpr std::size_t numberSize(Number number) {
+  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return sizes[static_cast<std::size_t>(number)];
+}
+
 struct Type;
 using TypeFunction = const Type& (*)();
 

@@ -1,0 +1,298 @@
+#pragma once
+#include <cstddef>
+#include <fstream>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/Result.h"
+#include "streams/Type.h"
+
+/// Streams composed of a medium and a format (report, Appendix D): `OutTextFile stream("a.txt");
+/// stream << 1 << 3.14 << "Hello Dolly" << endl;`. Functions take the abstract In and Out. A new
+/// medium derives from PhysicalOutStream or PhysicalInStream, a new format from StreamWriter or
+/// StreamReader. Where the format is known and speed counts, use encode() and decode() instead.
+namespace gt {
+
+/// Ends a line in formats that have lines.
+struct EndLine {};
+constexpr EndLine endl;
+
+// --- Media
+
+/// A medium that takes bytes.
+class PhysicalOutStream {
+ public:
+  virtual ~PhysicalOutStream() = default;
+  virtual void writeToStream(std::span<const std::byte> bytes) = 0;
+};
+
+/// Writes into a file.
+class OutFile : public PhysicalOutStream {
+ public:
+  explicit OutFile(const std::string& path) : path_{path}, file_{path, std::ios::binary} {}
+  void writeToStream(std::span<const std::byte> bytes) override;
+  /// Tells whether all could be written.
+  Result<void> close();
+
+ private:
+  std::string path_;
+  std::ofstream file_;
+};
+
+/// Writes into memory.
+class OutMemory : public PhysicalOutStream {
+ public:
+  void writeToStream(std::span<const std::byte> bytes) override;
+  const std::vector<std::byte>& bytes() const { return bytes_; }
+  std::string_view text() const {
+    return {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()};
+  }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+/// Determines the memory that storing would need.
+class OutSize : public PhysicalOutStream {
+ public:
+  void writeToStream(std::span<const std::byte> bytes) override { size_ += bytes.size(); }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::size_t size_ = 0;
+};
+
+/// A medium that gives bytes.
+class PhysicalInStream {
+ public:
+  virtual ~PhysicalInStream() = default;
+  /// All that there is to be read.
+  virtual std::span<const std::byte> content() const = 0;
+  /// The error that kept the medium from being read, with the name of the source in any case.
+  const Error& source() const { return source_; }
+  bool opened() const { return source_.what.empty(); }
+
+ protected:
+  Error source_;
+};
+
+/// Reads from a file.
+class InFile : public PhysicalInStream {
+ public:
+  explicit InFile(const std::string& path);
+  std::span<const std::byte> content() const override { return std::as_bytes(std::span{content_}); }
+
+ private:
+  std::string content_;
+};
+
+/// Reads from memory, which must outlive it.
+class InMemory : public PhysicalInStream {
+ public:
+  explicit InMemory(std::span<const std::byte> bytes) : content_{bytes} {}
+  explicit InMemory(std::string_view text) : content_{std::as_bytes(std::span{text})} {}
+  std::span<const std::byte> content() const override { return content_; }
+
+ private:
+  std::span<const std::byte> content_;
+};
+
+// --- Formats
+
+/// Formats scalars and the lengths of lists.
+class StreamWriter {
+ public:
+  virtual ~StreamWriter() = default;
+  virtual void writeScalar(ConstValue scalar, PhysicalOutStream& medium) = 0;
+  virtual void writeEndLine(PhysicalOutStream&) {}
+};
+
+/// Formats data binary, as encode() does.
+class OutBinary : public StreamWriter {
+ public:
+  void writeScalar(ConstValue scalar, PhysicalOutStream& medium) override;
+
+ private:
+  void put(std::span<const std::byte> bytes, std::size_t alignment, PhysicalOutStream& medium);
+
+  std::size_t size_ = 0;
+  bool begun_ = false;
+};
+
+/// Formats data as text: entries separated by spaces; spaces in texts, backslashes, quotes and
+/// control characters are escaped by a backslash; an empty text is "".
+class OutText : public StreamWriter {
+ public:
+  void writeScalar(ConstValue scalar, PhysicalOutStream& medium) override;
+  void writeEndLine(PhysicalOutStream& medium) override;
+
+ private:
+  bool lineBegins_ = true;
+};
+
+/// Reads scalars and the lengths of lists. Its functions return what is wrong, if anything is.
+class StreamReader {
+ public:
+  virtual ~StreamReader() = default;
+  virtual void begin(std::span<const std::byte> content) { content_ = content; }
+  virtual std::optional<std::string> readScalar(Value scalar) = 0;
+  /// In text, where the next entry is, from 1.
+  virtual int line() const { return 0; }
+  /// Whether nothing is left; in text, nothing but blanks.
+  virtual bool eof() { return at_ >= content_.size(); }
+  /// No list can have more elements than there are bytes left.
+  std::size_t left() const { return content_.size() - at_; }
+
+ protected:
+  std::span<const std::byte> content_;
+  std::size_t at_ = 0;
+};
+
+/// Reads what OutBinary wrote.
+class InBinary : public StreamReader {
+ public:
+  std::optional<std::string> readScalar(Value scalar) override;
+
+ private:
+  bool take(void* data, std::size_t size);
+};
+
+/// Reads what OutText wrote; lines do not matter.
+class InText : public StreamReader {
+ public:
+  std::optional<std::string> readScalar(Value scalar) override;
+  int line() const override { return line_; }
+  bool eof() override;
+
+ protected:
+  /// Moves on to the begin of an entry.
+  virtual void skip();
+  char at(std::size_t ahead) const;
+  void advance();
+
+ private:
+  int line_ = 1;
+};
+
+/// Reads the entries of a config file, or of one of its sections, leaving out comments (after `//`
+/// or `#`, and between `/*` and `*/`).
+class InConfig : public InText {
+ public:
+  explicit InConfig(std::string section = {}) : section_{std::move(section)} {}
+  void begin(std::span<const std::byte> content) override;
+  /// Also true at the end of the section.
+  bool eof() override;
+
+ protected:
+  void skip() override;
+
+ private:
+  bool skipComment();
+
+  std::string section_;
+};
+
+// --- Streams
+
+/// A stream that data is written to.
+class Out {
+ public:
+  virtual ~Out() = default;
+  template <Streamable T>
+  Out& operator<<(const T& value) {
+    write(valueOf(value));
+    return *this;
+  }
+  Out& operator<<(const char* text) { return *this << std::string(text); }
+  Out& operator<<(EndLine) {
+    writeEndLine();
+    return *this;
+  }
+
+  virtual void write(ConstValue value) = 0;
+
+ protected:
+  virtual void writeEndLine() = 0;
+};
+
+/// A stream that data is read from. After an error it reads nothing more; the value at which it
+/// happened may be changed in part, but stays valid.
+class In {
+ public:
+  virtual ~In() = default;
+  template <Streamable T>
+  In& operator>>(T& value) {
+    read(valueOf(value));
+    return *this;
+  }
+  In& operator>>(EndLine) { return *this; }
+
+  virtual void read(Value value) = 0;
+  virtual bool eof() = 0;
+  explicit operator bool() const { return !error_; }
+  const std::optional<Error>& error() const { return error_; }
+
+ protected:
+  std::optional<Error> error_;
+};
+
+namespace detail {
+void writeValue(ConstValue value, StreamWriter& format, PhysicalOutStream& medium);
+std::optional<Error> readValue(Value value, StreamReader& format);
+}  // namespace detail
+
+/// A medium for writing and a format make a stream.
+template <std::derived_from<PhysicalOutStream> Medium, std::derived_from<StreamWriter> Format>
+class OutStream : public Out, public Medium {
+ public:
+  using Medium::Medium;
+  void write(ConstValue value) override { detail::writeValue(value, format_, *this); }
+
+ protected:
+  void writeEndLine() override { format_.writeEndLine(*this); }
+
+ private:
+  Format format_;
+};
+
+/// A medium for reading and a format make a stream. Arguments behind the medium's are the format's.
+template <std::derived_from<PhysicalInStream> Medium, std::derived_from<StreamReader> Format>
+class InStream : public In, public Medium {
+ public:
+  template <typename MediumArgument, typename... FormatArguments>
+  explicit InStream(MediumArgument&& medium, FormatArguments&&... format)
+      : Medium{std::forward<MediumArgument>(medium)},
+        format_{std::forward<FormatArguments>(format)...} {
+    format_.begin(this->content());
+    if (!this->opened()) error_ = this->source();
+  }
+
+  void read(Value value) override {
+    if (error_) return;
+    error_ = detail::readValue(value, format_);
+    if (error_) error_->file = this->source().file;
+  }
+  bool eof() override { return error_ || format_.eof(); }
+
+ private:
+  Format format_;
+};
+
+using OutBinaryFile = OutStream<OutFile, OutBinary>;
+using OutTextFile = OutStream<OutFile, OutText>;
+using OutBinaryMemory = OutStream<OutMemory, OutBinary>;
+using OutTextMemory = OutStream<OutMemory, OutText>;
+using OutBinarySize = OutStream<OutSize, OutBinary>;
+using OutTextSize = OutStream<OutSize, OutText>;
+using InBinaryFile = InStream<InFile, InBinary>;
+using InTextFile = InStream<InFile, InText>;
+using InConfigFile = InStream<InFile, InConfig>;
+using InBinaryMemory = InStream<InMemory, InBinary>;
+using InTextMemory = InStream<InMemory, InText>;
+using InConfigMemory = InStream<InMemory, InConfig>;
+
+}  // namespace gt
