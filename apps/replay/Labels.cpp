@@ -34,8 +34,11 @@ Result<std::vector<BallLabel>> readLabels(const std::string& file) {
         return Error{file, line, names[i], "a number was expected"};
     const auto view = enumValue<BallView>(cells[2]);
     if (!view) return Error{file, line, "class", "whole, partial or none was expected"};
-    labels.push_back({static_cast<int>(values[0]), static_cast<std::int64_t>(values[1]), *view,
-                      {values[2], values[3]}, values[4]});
+    labels.push_back({static_cast<int>(values[0]),
+                      static_cast<std::int64_t>(values[1]),
+                      *view,
+                      {values[2], values[3]},
+                      values[4]});
   }
   return labels;
 }

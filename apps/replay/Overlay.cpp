@@ -1,9 +1,9 @@
 #include "Overlay.h"
 
-#include <png.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "streams/Jpeg.h"
 
 namespace gt {
 namespace {
@@ -32,7 +32,8 @@ Overlay::Overlay(const Image& image)
 void Overlay::point(const Vector2d& p, Color color) {
   const double x = p.x() * scale, y = p.y() * scale;
   if (!(x >= 0 && y >= 0 && x < width_ && y < height_)) return;
-  const std::size_t i = 3 * static_cast<std::size_t>(static_cast<int>(y) * width_ + static_cast<int>(x));
+  const std::size_t i =
+      3 * static_cast<std::size_t>(static_cast<int>(y) * width_ + static_cast<int>(x));
   rgb_[i] = color.r;
   rgb_[i + 1] = color.g;
   rgb_[i + 2] = color.b;
@@ -60,15 +61,8 @@ void Overlay::draw(const Drawing& drawing) {
   }
 }
 
-Result<void> Overlay::writePng(const std::string& file) const {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(width_);
-  png.height = static_cast<png_uint_32>(height_);
-  png.format = PNG_FORMAT_RGB;
-  if (!png_image_write_to_file(&png, file.c_str(), 0, rgb_.data(), 0, nullptr))
-    return Error{file, 0, "", png.message};
-  return {};
+Result<void> Overlay::write(const std::string& file) const {
+  return writePng(file, width_, height_, rgb_);
 }
 
 }  // namespace gt

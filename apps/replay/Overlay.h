@@ -18,7 +18,8 @@ class Overlay {
   void draw(const Drawing& drawing);
   void line(const Vector2d& from, const Vector2d& to, Color color);
   void circle(const Vector2d& center, double radius, Color color);
-  Result<void> writePng(const std::string& file) const;
+  /// As PNG.
+  Result<void> write(const std::string& file) const;
 
  private:
   static constexpr int scale = 2;

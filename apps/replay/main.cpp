@@ -21,10 +21,11 @@ struct Options {
   bool pictures = true;
 };
 
-/// The league of that log: only what vision needs (facts, 3).
+/// The league of that log: only what vision needs (facts, 3). The ball is 86 mm wide beside the
+/// field line's 50 mm in the pictures.
 FieldDimensions fieldOf2009() {
   FieldDimensions field;
-  field.ballRadius = 32.5;
+  field.ballRadius = 43;
   field.goalHeight = 800;
   field.yGoal = 700;
   return field;
@@ -48,8 +49,10 @@ class Statistics {
       fmt::print("{:8} {:3} pictures, ball found in {:3}\n", enumName(view), total_[i], seen_[i]);
     }
     if (seen_[0] > 0)
-      fmt::print("whole balls differ from the labels by {:.2f} pixels in the centre and {:.2f} in the radius on average\n",
-                 centerError_ / seen_[0], radiusError_ / seen_[0]);
+      fmt::print(
+          "whole balls differ from the labels by {:.2f} pixels in the centre and {:.2f} in the "
+          "radius on average\n",
+          centerError_ / seen_[0], radiusError_ / seen_[0]);
   }
 
  private:
@@ -57,8 +60,7 @@ class Statistics {
   double centerError_ = 0, radiusError_ = 0;
 };
 
-void printRow(const NaoPicture& picture, const BallPercept& ball, const BallLabel* label,
-              double ballRadius) {
+void printRow(const NaoPicture& picture, const BallPercept& ball, const BallLabel* label) {
   fmt::print("{:3} {:7}  {:7}", picture.number, picture.cameraMatrix.time.ms,
              label ? enumName(label->view) : "-");
   if (!ball.seen) {
@@ -77,7 +79,6 @@ void printRow(const NaoPicture& picture, const BallPercept& ball, const BallLabe
                label->radius);
   if (std::abs(difference) > 10 && ball.distanceBySize < 1500) fmt::print("  differ");
   fmt::print("\n");
-  (void)ballRadius;
 }
 
 Result<void> replay(const Options& options) {
@@ -98,7 +99,9 @@ Result<void> replay(const Options& options) {
   Debug debug;
   Statistics statistics;
   Image image;
-  fmt::print("  #    time  label    seen  left     up       x      y     r  by projection, size, difference\n");
+  fmt::print(
+      "  #    time  label    seen  left     up       x      y     r  by projection, size, "
+      "difference\n");
   for (const NaoPicture& picture : log->pictures) {
     if (auto done = log->decode(picture, image); !done) return done;
     BallPercept ball;
@@ -109,13 +112,14 @@ Result<void> replay(const Options& options) {
       if (candidate.picture == picture.number && candidate.time == picture.cameraMatrix.time.ms)
         label = &candidate;
     if (label) statistics.count(*label, ball);
-    printRow(picture, ball, label, field.ballRadius);
+    printRow(picture, ball, label);
     if (!options.pictures) continue;
     Overlay overlay{image};
     const Vector2d along = picture.horizonDirection * image.info.width;
     overlay.line(picture.horizon - along, picture.horizon + along, colors::white);
     if (ball.seen) overlay.circle(ball.centerInImage, ball.radiusInImage, colors::blue);
-    if (auto done = overlay.writePng(fmt::format("{}/{:03}.png", options.out, picture.number)); !done)
+    if (auto done = overlay.write(fmt::format("{}/{:03}.png", options.out, picture.number));
+        !done)
       return done;
   }
   statistics.print();

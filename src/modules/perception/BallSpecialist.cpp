@@ -7,7 +7,6 @@
 namespace gt {
 namespace {
 
-constexpr ColorSet ballColors{ColorClass::orange, ColorClass::red};
 constexpr int maxGap = 3;          // Pixels within the ball that may have another colour.
 constexpr int traceRays = 24;      // Ways from within the ball to its boundary.
 constexpr int minForCone = 8;      // Boundary points, a third of the circle.
@@ -103,14 +102,58 @@ void BallSpecialist::collectPoints(std::span<const BallSegment> segments, const 
   }
 }
 
+// The mean chroma of the ball: first of its orange pixels, which in a blurred or badly classified
+// ball lie mainly on its rim, then of all that look like them. Unclassified pixels that have it are
+// ball, too.
+void BallSpecialist::learnColor(const Picture& picture, const Cluster& cluster) {
+  constexpr int samples = 12;
+  constexpr double similar = 20;
+  for (int pass = 0; pass < 2; ++pass) {
+    Vector3d sum = Vector3d::Zero();
+    for (int i = 0; i < samples * samples; ++i) {
+      const Vector2d part{(i % samples + 0.5) / samples, (i / samples + 0.5) / samples};
+      const Vector2d p = cluster.low + part.cwiseProduct(cluster.high - cluster.low);
+      if (!picture.contains(p)) continue;
+      const Pixel& pixel = picture.image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
+      const ColorClass c = picture.colors[pixel];
+      const bool like = pass > 0 && c == ColorClass::noColor &&
+                        std::abs(pixel.cb - cb_) < similar && std::abs(pixel.cr - cr_) < similar;
+      if (c == ColorClass::orange || like) sum += Vector3d(1, pixel.cb, pixel.cr);
+    }
+    if (sum[0] == 0) continue;
+    cb_ = sum[1] / sum[0];
+    cr_ = sum[2] / sum[0];
+  }
+}
+
+bool BallSpecialist::isBall(const Pixel& pixel, ColorClass color) const {
+  constexpr double similar = 14;
+  return color == ColorClass::orange || color == ColorClass::red ||
+         (color == ColorClass::noColor && std::abs(pixel.cb - cb_) < similar &&
+          std::abs(pixel.cr - cr_) < similar);
+}
+
+// Whether the ball ends at an edge: an orange highlight on something red does not, it is surrounded
+// by at least as much red.
+bool BallSpecialist::isBoundary(const Picture& picture, const Vector2d& edge, const Vector2d& way) {
+  constexpr double away = 2.5, lessRed = 12;
+  const Vector2d beyond = edge + way * away;
+  return !picture.contains(beyond) ||
+         picture.colorAt(beyond).z() < picture.colorAt(edge - way * away).z() - lessRed;
+}
+
 // From within the ball to all sides: points to a fraction of a pixel, also left and right where
 // the scan lines only touch.
 void BallSpecialist::traceBoundary(const Picture& picture, const Vector2d& inside) {
   points_.clear();
+  traced_ = 0;
   for (int i = 0; i < traceRays; ++i) {
-    const ColorEdge edge =
-        picture.findEdge(inside, direction(2 * pi * i / traceRays), ballColors, maxGap);
-    if (!edge.onBorder) points_.push_back({edge.point, edge.beyond, false});
+    const Vector2d way = direction(2 * pi * i / traceRays);
+    const ColorEdge edge = picture.findEdgeOf(
+        inside, way, maxGap, [this](const Pixel& pixel, ColorClass c) { return isBall(pixel, c); });
+    if (edge.onBorder) continue;
+    ++traced_;
+    if (isBoundary(picture, edge.point, way)) points_.push_back({edge.point, edge.beyond, false});
   }
 }
 
@@ -142,7 +185,7 @@ bool BallSpecialist::fitCone(const Picture& picture, Cone& cone) const {
       a += weights[i] * rays[i] * rays[i].transpose();
       b += weights[i] * rays[i];
     }
-    if (inliers < minForCone) return false;
+    if (inliers < minForCone || 2 * inliers < traced_) return false;
     const Vector3d normal = a.ldlt().solve(b);
     const double length = normal.norm();
     if (!(length > 1)) return false;
@@ -200,6 +243,7 @@ bool BallSpecialist::locate(const Picture& picture, std::span<const BallSegment>
     cone = {picture.ray(inside), 0};
   }
   const Cone first = cone;
+  learnColor(picture, cluster);
   traceBoundary(picture, inside);
   if (!fitCone(picture, cone)) cone = first;
   return true;
@@ -265,23 +309,27 @@ bool BallSpecialist::isOnGround(const Picture& picture, const BallPercept& perce
 // (report 3.2.3).
 bool BallSpecialist::isOrange(const Picture& picture, const BallPercept& percept) const {
   constexpr int directions = 12;
-  const auto countOn = [&](double part, int& pixels, int& orange, int& red) {
+  const auto countOn = [&](double part, int& pixels, int& orange, int& ball) {
     for (int i = 0; i < directions; ++i) {
       const Vector2d p = percept.centerInImage +
                          direction(2 * pi * i / directions) * (percept.radiusInImage * part);
       if (!picture.contains(p)) continue;
-      const ColorClass c = picture.classAt(p);
+      const Pixel& pixel = picture.image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
+      const ColorClass c = picture.colors[pixel];
       ++pixels;
       orange += c == ColorClass::orange ? 1 : 0;
-      red += c == ColorClass::red ? 1 : 0;
+      ball += isBall(pixel, c) ? 1 : 0;
     }
   };
-  int pixels = 0, orange = 0, red = 0;
-  for (const double part : {0.15, 0.5, 0.8}) countOn(part, pixels, orange, red);
-  if (pixels == 0 || red > orange || 5 * (orange + red) < 2 * pixels) return false;
-  int around = 0, orangeAround = 0, redAround = 0;
-  countOn(1.4, around, orangeAround, redAround);
-  return 2 * (orangeAround + redAround) <= around;
+  int pixels = 0, orange = 0, ball = 0;
+  for (const double part : {0.15, 0.5, 0.8}) countOn(part, pixels, orange, ball);
+  if (2 * ball < pixels || 6 * orange < ball) return false;
+  // What is not known to be round must at least be well visible.
+  const int enough = percept.distanceBySize > 0 ? 3 : directions;
+  if (pixels < enough) return false;
+  int around = 0, orangeAround = 0, ballAround = 0;
+  countOn(1.4, around, orangeAround, ballAround);
+  return 2 * ballAround <= around;
 }
 
 }  // namespace gt

@@ -38,6 +38,9 @@ class BallSpecialist {
   bool look(const Picture& picture, std::span<const BallSegment> segments, const Cluster& cluster,
             double ballRadius, BallPercept& percept);
   void collectPoints(std::span<const BallSegment> segments, const Cluster& cluster);
+  void learnColor(const Picture& picture, const Cluster& cluster);
+  bool isBall(const Pixel& pixel, ColorClass color) const;
+  static bool isBoundary(const Picture& picture, const Vector2d& edge, const Vector2d& way);
   void traceBoundary(const Picture& picture, const Vector2d& inside);
   bool locate(const Picture& picture, std::span<const BallSegment> segments, const Cluster& cluster,
               double ballRadius, Cone& cone);
@@ -51,6 +54,8 @@ class BallSpecialist {
   std::vector<Cluster> clusters_;
   std::size_t used_ = 0;
   std::vector<BoundaryPoint> points_;
+  int traced_ = 0;          ///< Ways from within the ball that ended within the picture.
+  double cb_ = 0, cr_ = 0;  ///< Of the orange pixels of the cluster looked at.
 };
 
 }  // namespace gt

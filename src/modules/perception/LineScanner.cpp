@@ -77,9 +77,29 @@ LineScanner::Stretch LineScanner::stretchFrom(std::size_t first, ColorSet classe
   return stretch;
 }
 
+// Colour tables leave holes in balls: unclassified pixels between orange ones are bridged as long
+// as they are not many more than the orange ones.
+LineScanner::Stretch LineScanner::ballFrom(std::size_t first) const {
+  constexpr ColorSet classes{ColorClass::orange, ColorClass::red};
+  Stretch stretch{first, first, runs_[first].length()};
+  int wrong = 0;
+  for (std::size_t i = first + 1; i < runs_.size(); ++i) {
+    const Run& run = runs_[i];
+    if (classes.contains(run.color)) {
+      stretch.last = i;
+      stretch.pixels += run.length();
+      wrong = 0;
+    } else if (run.color != ColorClass::noColor) {
+      wrong += run.length();
+    }
+    if (wrong > maxGap || run.end - runs_[stretch.last].end > maxGap + 2 * stretch.pixels) break;
+  }
+  return stretch;
+}
+
 // Shaded orange often appears as red: red counts as ball where there is at least as much orange.
 std::size_t LineScanner::findBall(const ScanLine& line, std::size_t first) {
-  const Stretch stretch = stretchFrom(first, ColorSet{ColorClass::orange, ColorClass::red}, 3);
+  const Stretch stretch = ballFrom(first);
   const std::size_t next = stretch.last + 1;
   int orange = 0;
   for (std::size_t i = stretch.first; i <= stretch.last; ++i)

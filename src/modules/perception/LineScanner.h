@@ -55,6 +55,7 @@ class LineScanner {
 
   void findRuns(const Picture& picture, const ScanLine& line);
   Stretch stretchFrom(std::size_t first, ColorSet classes, int maxGap) const;
+  Stretch ballFrom(std::size_t first) const;
   std::size_t findBall(const ScanLine& line, std::size_t first);
   void findFlag(const ScanLine& line, std::size_t first);
   std::size_t findGoal(const Picture& picture, const ScanLine& line, std::size_t first);

@@ -28,32 +28,6 @@ Vector3d Picture::colorAt(const Vector2d& p) const {
          (color(image.at(ix, below)) * (1 - fx) + color(image.at(right, below)) * fx) * fy;
 }
 
-ColorEdge Picture::findEdge(const Vector2d& start, const Vector2d& direction, ColorSet classes,
-                            int maxGap) const {
-  ColorEdge edge;
-  Vector2d p = start;
-  int last = 0;
-  for (int i = 0;; ++i, p += direction) {
-    if (!contains(p)) {
-      // The border cuts the colour off where the colour was seen next to it.
-      edge.onBorder = i - last <= 2;
-      break;
-    }
-    const ColorClass c = classAt(p);
-    if (classes.contains(c)) {
-      last = i;
-    } else if (i == last + 1) {
-      edge.beyond = c;
-    } else if (i > last + maxGap) {
-      edge.beyond = c;
-      break;
-    }
-  }
-  edge.point =
-      edge.onBorder ? Vector2d{start + direction * last} : refineEdge(start, direction, last);
-  return edge;
-}
-
 Vector2d Picture::refineEdge(const Vector2d& start, const Vector2d& direction, int last) const {
   constexpr double reach = 2, step = 0.5;
   const Vector2d at = start + direction * last;

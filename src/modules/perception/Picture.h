@@ -49,7 +49,36 @@ struct Picture {
   /// last pixel of one of the classes, gaps of up to maxGap pixels accepted; then to a fraction of
   /// a pixel where the picture is halfway between the colours of both sides.
   ColorEdge findEdge(const Vector2d& start, const Vector2d& direction, ColorSet classes,
-                     int maxGap) const;
+                     int maxGap) const {
+    return findEdgeOf(start, direction, maxGap,
+                      [&](const Pixel&, ColorClass c) { return classes.contains(c); });
+  }
+  /// The same for whatever belongs(pixel, class) accepts.
+  template <typename Belongs>
+  ColorEdge findEdgeOf(const Vector2d& start, const Vector2d& direction, int maxGap,
+                       Belongs belongs) const {
+    ColorEdge edge;
+    Vector2d p = start;
+    int last = 0;
+    for (int i = 0;; ++i, p += direction) {
+      if (!contains(p)) {
+        // The border cuts the colour off where the colour was seen next to it.
+        edge.onBorder = i - last <= 2;
+        break;
+      }
+      const Pixel& pixel = image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
+      const ColorClass c = colors[pixel];
+      if (belongs(pixel, c)) {
+        last = i;
+      } else {
+        if (i <= last + 2) edge.beyond = c;
+        if (i > last + maxGap) break;
+      }
+    }
+    edge.point =
+        edge.onBorder ? Vector2d{start + direction * last} : refineEdge(start, direction, last);
+    return edge;
+  }
 
   /// The colour (Y, Cb, Cr) between pixel centres, interpolated.
   Vector3d colorAt(const Vector2d& p) const;

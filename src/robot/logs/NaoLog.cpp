@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "robot/logs/JpegPlanes.h"
+#include "streams/Jpeg.h"
 
 namespace gt {
 namespace {
@@ -194,19 +194,21 @@ Result<void> NaoLog::decode(const NaoPicture& picture, Image& image) const {
   const auto wrong = [&](std::string what) {
     return Error{file_, 0, "byte " + std::to_string(picture.jpegOffset), std::move(what)};
   };
-  auto planes = decodeJpegPlanes(
-      std::string_view{bytes_}.substr(picture.jpegOffset, picture.jpegSize));
-  if (!planes) return wrong(planes.error().what);
+  const std::string_view jpeg =
+      std::string_view{bytes_}.substr(picture.jpegOffset, picture.jpegSize);
+  const auto raw =
+      decodeJpeg({reinterpret_cast<const std::uint8_t*>(jpeg.data()), jpeg.size()});
+  if (!raw) return wrong(raw.error().what);
   const CameraInfo& info = picture.cameraMatrix.info;
-  if (planes->channels != 4 || planes->width != info.width || planes->height != info.height)
-    return wrong("the JPEG picture's size or number of channels is not that of the image");
+  if (raw->components != 4 || raw->width != info.width || raw->height != info.height)
+    return wrong("the JPEG picture's size or number of components is not that of the image");
   image.time = picture.cameraMatrix.time;
   image.info = info;
   image.allocate();
-  // The four channels are padding, Cb, Y, Cr (facts, 3). They are marked as Adobe's inverted CMYK,
+  // The four components are padding, Cb, Y, Cr (facts, 3). They are marked as Adobe's inverted CMYK,
   // which decoding without conversion leaves alone.
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const std::uint8_t* p = planes->samples.data() + 4 * i;
+    const std::uint8_t* p = raw->data.data() + 4 * i;
     image.pixels[i] = {p[2], p[1], p[3], 0};
   }
   return {};

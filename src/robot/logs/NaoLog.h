@@ -26,9 +26,10 @@ struct NaoPicture {
 /// What a real robot's log tells of one motion frame (facts, 3). Provided by readNaoLog.
 struct NaoMotionFrame {
   Time time;
-  std::array<double, 22> joints{};                ///< rad; 1000 where a joint is not there.
-  std::array<float, 18> sensors{};                ///< gyro 3, acceleration 3, battery, feet 8, ultrasound, body's angles 2.
-  Pose2D odometry;                                ///< mm and rad.
+  std::array<double, 22> joints{};  ///< rad; 1000 where a joint is not there.
+  std::array<float, 18>
+      sensors{};    ///< gyro 3, acceleration 3, battery, feet 8, ultrasound, body's angles 2.
+  Pose2D odometry;  ///< mm and rad.
 };
 
 /// A log of a real robot in memory: its frames in the order of time (facts, 3).
