@@ -44,6 +44,7 @@ bool isKeyword(std::string_view text) {
 }  // namespace
 
 std::string describe(const Token& token) {
+  constexpr std::size_t longestShown = 80;
   switch (token.kind) {
     case TokenKind::end:
       return "the end of the file";
@@ -54,7 +55,8 @@ std::string describe(const Token& token) {
     case TokenKind::parameter:
       return "'@" + std::string(token.text) + "'";
     default:
-      return "'" + std::string(token.text) + "'";
+      if (token.text.size() <= longestShown) return "'" + std::string(token.text) + "'";
+      return "'" + std::string(token.text.substr(0, longestShown)) + "...'";
   }
 }
 
@@ -172,11 +174,11 @@ Token Lexer::number(Token token) {
   token.text = text_.substr(start, position_ - start);
   const char* end = token.text.data() + token.text.size();
   if (std::from_chars(token.text.data(), end, token.number).ec != std::errc())
-    reporter_.error(token.location, "number '" + std::string(token.text) + "' is out of range");
+    reporter_.error(token.location, "number " + describe(token) + " is out of range");
   if (isNamePart(peek())) {
     takeName();
     token.text = text_.substr(start, position_ - start);
-    reporter_.error(token.location, "'" + std::string(token.text) + "' is not a number");
+    reporter_.error(token.location, describe(token) + " is not a number");
   }
   return token;
 }

@@ -1,0 +1,149 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "xabsl/Engine.h"
+#include "xabsl/TestAllocations.h"
+#include "xabsl/TestEngine.h"
+
+namespace xabsl {
+namespace {
+
+using test::declarations;
+using test::EngineTest;
+using test::Mode;
+using test::World;
+using testing::ElementsAre;
+
+// Expressions
+
+TEST_F(EngineTest, ComputesWithTheUsualPrecedence) {
+  EXPECT_EQ(value("1 + 2 * 3 - 4 / 2"), 5);
+  EXPECT_EQ(value("10 - 4 - 3"), 3);
+  EXPECT_EQ(value("100 / 10 / 5"), 2);
+  EXPECT_EQ(value("-(1 + 2) * --2"), -6);
+  EXPECT_EQ(value("limit * 2"), -5);
+  EXPECT_EQ(value("1 < 2 ? (2 > 3 ? 1 : 2) : 3"), 2);
+  EXPECT_TRUE(holds("1 + 1 == 2 && 3 * 2 != 5"));
+  EXPECT_TRUE(holds("true || false && false"));
+  EXPECT_FALSE(holds("(true || false) && false"));
+  EXPECT_TRUE(holds("!(1 > 2) && !false"));
+  EXPECT_TRUE(holds("1 <= 1 && 1 >= 1 && !(1 < 1) && !(1 > 1)"));
+}
+
+TEST_F(EngineTest, ComparesEnumerationsByTheirNames) {
+  world.mode = Mode::fast;
+  EXPECT_TRUE(holds("drive_mode == fast"));
+  EXPECT_TRUE(holds("drive_mode == mode.fast"));
+  EXPECT_TRUE(holds("mode.fast == drive_mode"));
+  EXPECT_TRUE(holds("drive_mode != slow"));
+  EXPECT_TRUE(holds("(seen ? mode.slow : drive_mode) == fast"));
+  world.mode = Mode::turbo;  // an element that the behavior does not know equals none
+  EXPECT_FALSE(holds("drive_mode == fast || drive_mode == slow"));
+}
+
+TEST_F(EngineTest, CallsFunctionsWithParametersByName) {
+  EXPECT_EQ(value("weighted(a = 1, b = 2)"), 12);
+  EXPECT_EQ(value("weighted(b = 1, a = 2)"), 21);
+  EXPECT_EQ(value("weighted(a = 3)"), 30);
+  EXPECT_EQ(value("weighted(a = weighted(a = 1, b = 1), b = weighted(b = 4))"), 114);
+}
+
+// Debugging interfaces (report H.8)
+
+TEST_F(EngineTest, ShowsTheActivationGraph) {
+  load(R"(
+    option main { initial state a { action { sub(speed = 1.5, how = slow); } } }
+    option sub {
+      float @speed; enum mode @how;
+      initial target state s { action { walk(careful = true, style = @how, speed = @speed); } } })");
+  engine->execute(100);
+  engine->execute(150);
+  EXPECT_EQ(toString(engine->activations()),
+            "main() 50 ms: a 50 ms\n"
+            "  sub(speed = 1.5, how = slow) 50 ms: s (target) 50 ms\n"
+            "    walk(speed = 1.5, careful = true, style = slow)\n");
+}
+
+TEST_F(EngineTest, ReadsEverySymbolByName) {
+  load("option main { initial state a { action { result = 4; } } }");
+  world.x = 2.5;
+  world.mode = Mode::fast;
+  EXPECT_EQ(engine->symbol("x")->text, "2.5");
+  EXPECT_EQ(engine->symbol("seen")->text, "false");
+  EXPECT_EQ(engine->symbol("drive_mode")->text, "fast");
+  engine->execute(0);
+  EXPECT_EQ(engine->symbol("result")->number, 4);
+  EXPECT_FALSE(engine->symbol("weighted"));  // a function has no value without parameters
+  EXPECT_FALSE(engine->symbol("nothing"));
+}
+
+TEST_F(EngineTest, SelectsAgents) {
+  load(R"(
+    agent other("Other", other);
+    option main { initial state a { action { } } }
+    option other { initial state b { action { } } })");
+  EXPECT_EQ(engine->selectedAgent(), "main");
+  EXPECT_THAT(pathAt(0), ElementsAre("main/a"));
+  EXPECT_FALSE(engine->selectAgent("nobody"));
+  EXPECT_TRUE(engine->selectAgent("other"));
+  EXPECT_EQ(engine->selectedAgent(), "other");
+  EXPECT_THAT(pathAt(1), ElementsAre("other/b"));
+}
+
+TEST_F(EngineTest, RunsAnyNumberOfInstancesOfOneBehavior) {
+  const Behavior behavior = test::compiled(declarations + R"(option main {
+    initial state a { decision { if (x > 0) goto b; else stay; } action { } }
+    state b { action { } } })");
+  World first;
+  World second;
+  Engine one = std::move(*Engine::create(behavior, first.symbols).engine);
+  Engine two = std::move(*Engine::create(behavior, second.symbols).engine);
+  first.x = 1;
+  one.execute(0);
+  two.execute(0);
+  EXPECT_EQ(one.activations()[0].state, "b");
+  EXPECT_EQ(two.activations()[0].state, "a");
+}
+
+TEST_F(EngineTest, KeepsTheOldBehaviorWhenANewOneHasErrors) {
+  load("option main { initial state a { action { result = 1; } } }");
+  const auto reload = [&](const std::string& text) {
+    const Compilation next = compile("main.xabsl", {{"main.xabsl", declarations + text}});
+    if (!next.behavior) return false;
+    Engine::Creation creation = Engine::create(*next.behavior, world.symbols);
+    if (creation.engine) engine = std::move(creation.engine);
+    return true;
+  };
+  EXPECT_FALSE(reload("option main { initial state a { action { result = ; } } }"));
+  engine->execute(0);
+  EXPECT_EQ(world.result, 1);
+  EXPECT_TRUE(reload("option main { initial state a { action { result = 2; } } }"));
+  engine->execute(1);
+  EXPECT_EQ(world.result, 2);
+}
+
+TEST_F(EngineTest, AllocatesNothingInACycle) {
+  world.symbols.behavior("stop", [] {});
+  world.symbols.output("result", &world.result);
+  load(R"(
+    option main {
+      common action { flag = seen; }
+      initial state a { decision { if (state_time > 20) goto b; else stay; }
+                        action { sub(v = weighted(a = x, b = y)); sub(v = 2); } }
+      state b { decision { if (action_done) goto a; else stay; } action { sub(v = 1 / x); } } }
+    option sub {
+      float @v;
+      initial state s { decision { if (option_time > 50 && @v > 0) goto t; else stay; }
+                        action { stop(); } }
+      target state t { action { result = memory; memory = memory + @v % x; } } })");
+  const long before = test::allocations();
+  for (int i = 0; i < 1000; ++i) engine->execute(10 * i);
+  EXPECT_EQ(test::allocations(), before);
+  EXPECT_EQ(engine->warnings().size(), 4u);  // nothing of this was left out
+}
+
+}  // namespace
+}  // namespace xabsl
