@@ -5,15 +5,24 @@
 #include "simulation/camera/ShapeDrawer.h"
 
 namespace gt {
+namespace {
+
+bool isFinite(const Pose3D& pose) {
+  return pose.rotation.allFinite() && pose.translation.allFinite();
+}
+
+}  // namespace
 
 void CameraRenderer::render(const mjData& data, const CameraView& view,
                             const CameraEffects& effects, std::uint64_t seed, Image& image,
                             PictureTruth* truth) {
   image.info = view.info;
   image.allocate();
-  projection_.set(view, effects.rollingShutter);
   rasterizer_.begin(view.info.width, view.info.height, scene_->background(), truth != nullptr);
-  drawScene(data, view.hiddenBody);
+  if (isFinite(view.first) && isFinite(view.last)) {
+    projection_.set(view, effects.rollingShutter);
+    drawScene(data, view.hiddenBody);
+  }
   if (truth) tell(*truth);
   if (effects.colors())
     effects_.apply(rasterizer_, effects, seed, image);

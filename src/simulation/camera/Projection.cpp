@@ -29,6 +29,7 @@ void Projection::set(const CameraView& view, bool rollingShutter) {
   }
   bends_ = turning_.norm() > 1e-4f || moving_.norm() > 1e-5f;
   rowOffset_ = static_cast<float>(info.height / 2.0 - info.centerY);
+  middleRow_ = static_cast<float>(info.height) / 2;
   rowShare_ = rows ? 1 / static_cast<float>(info.height - 1) : 0;
 
   // What turns into the picture during the exposure lies outside its borders at half time.
@@ -43,6 +44,30 @@ void Projection::set(const CameraView& view, bool rollingShutter) {
               Eigen::Vector3f{border(info.centerY, info.focalY), 0, -1}.normalized(),
               Eigen::Vector3f{border(info.height - info.centerY, info.focalY), 0, 1}.normalized()};
   offsets_ = {nearest, 0, 0, 0, 0};
+}
+
+bool Projection::planeOf(const Eigen::Vector3f* points, int count, ScreenPlane& plane) const {
+  const int quarter = count / 4, half = count / 2;
+  const Eigen::Vector3f normal =
+      count == 3 ? (points[1] - points[0]).cross(points[2] - points[0])
+                 : (points[half] - points[0]).cross(points[half + quarter] - points[quarter]);
+  const float distance = normal.dot(points[0]);
+  constexpr float thinnest = 1e-5f;
+  if (!(distance * distance > thinnest * thinnest * normal.squaredNorm())) return false;
+
+  // At the moment s the plane has the normal n + s * (n x turning); s is linear in the row.
+  const Eigen::Vector3f perRow = rowShare_ * normal.cross(turning_);
+  const Eigen::Vector3f first = normal - middleRow_ * perRow;
+  const float x = centerX_ / focalX_, y = centerY_ / focalY_;
+  plane.first0 = first.x() + first.y() * x + first.z() * y;
+  plane.first1 = perRow.x() + perRow.y() * x + perRow.z() * y - first.z() / focalY_;
+  plane.first2 = -perRow.z() / focalY_;
+  plane.column0 = -first.y() / focalX_;
+  plane.column1 = -perRow.y() / focalX_;
+  plane.distance1 = -rowShare_ * normal.dot(moving_);
+  plane.distance0 = distance - middleRow_ * plane.distance1;
+  plane.clockwise = distance > 0;
+  return true;
 }
 
 int Projection::clip(Eigen::Vector3f* points, int count) const {

@@ -7,9 +7,21 @@
 
 namespace gt {
 
-/// A point of the picture, with the inverse of its distance along the optical axis (1/m).
+/// A point of the picture.
 struct ScreenPoint {
-  float x = 0, y = 0, nearness = 0;
+  float x = 0, y = 0;
+};
+
+/// The nearness (the inverse of the distance along the optical axis, 1/m) of a plane at each place
+/// of the picture; within a row it is linear.
+struct ScreenPlane {
+  float first0 = 0, first1 = 0, first2 = 0, column0 = 0, column1 = 0, distance0 = 1, distance1 = 0;
+  bool clockwise = true;  ///< How the polygon's points go round in the picture.
+
+  float firstColumnAt(float y) const { return first0 + y * (first1 + y * first2); }
+  float perColumnAt(float y) const { return column0 + y * column1; }
+  /// By which both have to be divided.
+  float distanceAt(float y) const { return distance0 + y * distance1; }
 };
 
 /// Maps points in space to the picture, for a camera that moves while its rows are exposed one
@@ -39,6 +51,10 @@ class Projection {
   /// row is exposed in which the point lies at that moment.
   ScreenPoint project(const Eigen::Vector3f& point) const;
 
+  /// The plane through the points of a convex polygon in the camera's system; false if the camera
+  /// lies in it, so that nothing of it is seen.
+  bool planeOf(const Eigen::Vector3f* points, int count, ScreenPlane& plane) const;
+
   /// Cuts a convex polygon in the camera's system to what can be seen; `points` has room for five
   /// more. Returns the new number of points, 0 if none is left.
   int clip(Eigen::Vector3f* points, int count) const;
@@ -52,7 +68,7 @@ class Projection {
   Eigen::Vector3f turning_ = Eigen::Vector3f::Zero();  ///< Over the whole exposure.
   Eigen::Vector3f moving_ = Eigen::Vector3f::Zero();
   float focalX_ = 1, focalY_ = 1, centerX_ = 0, centerY_ = 0;
-  float rowOffset_ = 0, rowShare_ = 0;
+  float rowOffset_ = 0, rowShare_ = 0, middleRow_ = 0;
   bool bends_ = false;
   std::array<Eigen::Vector3f, planeCount> normals_;
   std::array<float, planeCount> offsets_{};
@@ -75,7 +91,7 @@ inline ScreenPoint Projection::project(const Eigen::Vector3f& point) const {
   const float nearness = 1 / std::max(p.x(), nearest / 4);
   const auto bounded = [=](float v) { return std::min(limit, std::max(-limit, v)); };
   return {bounded(centerX_ - focalX_ * p.y() * nearness),
-          bounded(centerY_ - focalY_ * p.z() * nearness), nearness};
+          bounded(centerY_ - focalY_ * p.z() * nearness)};
 }
 
 inline Projection::Visibility Projection::visibility(const Eigen::Vector3f& center,

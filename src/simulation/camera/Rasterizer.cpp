@@ -53,7 +53,8 @@ void Rasterizer::begin(int width, int height, PackedColor background, bool withG
   right_.resize(static_cast<std::size_t>(height));
 }
 
-void Rasterizer::fill(const ScreenPoint* points, int count, PackedColor color) {
+void Rasterizer::fill(const ScreenPoint* points, int count, const ScreenPlane& plane,
+                      PackedColor color) {
   float top = points[0].y, bottom = top, leftmost = points[0].x, rightmost = leftmost;
   for (int i = 1; i < count; ++i) {
     top = std::min(top, points[i].y);
@@ -65,7 +66,6 @@ void Rasterizer::fill(const ScreenPoint* points, int count, PackedColor color) {
   if (first >= end || pixelFrom(leftmost) >= std::min(width_, pixelFrom(rightmost)) ||
       rightmost < 0)
     return;
-  const Plane plane = nearnessOf(points, count);
   for (int i = 0, j = count - 1; i < count; j = i++)
     addEdge(points[j], points[i], plane.clockwise, first, end);
   if (hasDepth_)
@@ -74,24 +74,6 @@ void Rasterizer::fill(const ScreenPoint* points, int count, PackedColor color) {
   else
     withGeoms_ ? fillRows<false, true>(first, end, plane, color)
                : fillRows<false, false>(first, end, plane, color);
-}
-
-Rasterizer::Plane Rasterizer::nearnessOf(const ScreenPoint* points, int count) {
-  // Newell's normal of the polygon in (x, y, nearness): robust where points nearly coincide.
-  const ScreenPoint origin = points[0];
-  float a = 0, b = 0, c = 0;
-  for (int i = 0, j = count - 1; i < count; j = i++) {
-    const float xi = points[i].x - origin.x, xj = points[j].x - origin.x;
-    const float yi = points[i].y - origin.y, yj = points[j].y - origin.y;
-    const float zi = points[i].nearness, zj = points[j].nearness;
-    a += (yj - yi) * (zj + zi);
-    b += (zj - zi) * (xj + xi);
-    c += (xj - xi) * (yj + yi);
-  }
-  // A polygon without an area covers hardly a pixel: its depth is that of its first point.
-  if (std::abs(c) < 1e-3f) return {origin.nearness, 0, 0, c > 0};
-  const float perX = -a / c, perY = -b / c;
-  return {origin.nearness - perX * origin.x - perY * origin.y, perX, perY, c > 0};
 }
 
 void Rasterizer::addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first,
@@ -109,12 +91,11 @@ void Rasterizer::addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockw
 }
 
 template <bool hasDepth, bool withGeoms>
-void Rasterizer::fillRows(int first, int end, const Plane& plane, PackedColor color) {
+void Rasterizer::fillRows(int first, int end, const ScreenPlane& plane, PackedColor color) {
   const auto value = static_cast<std::int32_t>(color);
   const Ints lane = {0, 1, 2, 3}, colors = {value, value, value, value};
   const Ints everywhere = {-1, -1, -1, -1};
   const Ints geoms = {geom_, geom_, geom_, geom_};
-  const float step = lanes * plane.perX;
   const float limit = static_cast<float>(width_);
   for (int y = first; y < end; ++y) {
     const auto row = static_cast<std::size_t>(y);
@@ -122,9 +103,11 @@ void Rasterizer::fillRows(int first, int end, const Plane& plane, PackedColor co
     const int to = pixelFrom(std::clamp(right_[row], 0.0f, limit));
     if (from >= to) continue;
     const int start = from & ~(lanes - 1);
-    const float z = plane.atOrigin + plane.perY * (static_cast<float>(y) + 0.5f) +
-                    plane.perX * (static_cast<float>(start) + 0.5f);
-    Floats nearness = {z, z + plane.perX, z + 2 * plane.perX, z + 3 * plane.perX};
+    const float center = static_cast<float>(y) + 0.5f, scale = 1 / plane.distanceAt(center);
+    const float perX = plane.perColumnAt(center) * scale;
+    const float z = plane.firstColumnAt(center) * scale + perX * (static_cast<float>(start) + 0.5f);
+    Floats nearness = {z, z + perX, z + 2 * perX, z + 3 * perX};
+    const float step = lanes * perX;
     PackedColor* const colorRow = colors_.data() + offset(y);
     float* const nearnessRow = nearness_.data() + offset(y);
     std::int32_t* const geomRow = withGeoms ? geoms_.data() + offset(y) : nullptr;

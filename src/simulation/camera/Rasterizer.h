@@ -20,8 +20,7 @@ class Rasterizer {
     geom_ = geom;
     hasDepth_ = hasDepth;
   }
-  /// The points may go round either way.
-  void fill(const ScreenPoint* points, int count, PackedColor color);
+  void fill(const ScreenPoint* points, int count, const ScreenPlane& plane, PackedColor color);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -30,14 +29,9 @@ class Rasterizer {
   const std::int32_t* geomRow(int y) const { return &geoms_[offset(y)]; }
 
  private:
-  struct Plane {
-    float atOrigin = 0, perX = 0, perY = 0;
-    bool clockwise = true;  ///< How the points go round in the picture.
-  };
-  static Plane nearnessOf(const ScreenPoint* points, int count);
   void addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first, int end);
   template <bool hasDepth, bool withGeoms>
-  void fillRows(int first, int end, const Plane& plane, PackedColor color);
+  void fillRows(int first, int end, const ScreenPlane& plane, PackedColor color);
   std::size_t offset(int y) const { return static_cast<std::size_t>(y * stride_); }
 
   int width_ = 0, height_ = 0, stride_ = 0;

@@ -210,13 +210,15 @@ void ShapeDrawer::ellipsoid(const Vector& radii, float offset) {
 }
 
 void ShapeDrawer::polygon(int count, PackedColor color) {
+  ScreenPlane plane;
+  if (!projection_.planeOf(points_, count, plane)) return;
   if (clipped_) count = projection_.clip(points_, count);
   if (count == 0) return;
   if (bent_)
     count = bend(count);
   else
     for (int i = 0; i < count; ++i) screen_[i] = projection_.project(points_[i]);
-  rasterizer_.fill(screen_, count, color);
+  rasterizer_.fill(screen_, count, plane, color);
 }
 
 int ShapeDrawer::bend(int count) {

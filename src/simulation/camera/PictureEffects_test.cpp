@@ -1,0 +1,168 @@
+#include "simulation/camera/PictureEffects.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "simulation/camera/TestWorld.h"
+
+namespace gt {
+namespace {
+
+/// The mean and deviation of a channel.
+struct Statistics {
+  double mean = 0, deviation = 0;
+};
+template <typename Channel>
+Statistics statisticsOf(const Image& image, Channel channel) {
+  double sum = 0, squares = 0;
+  for (const Pixel& pixel : image.pixels) {
+    sum += channel(pixel);
+    squares += channel(pixel) * channel(pixel);
+  }
+  const auto n = static_cast<double>(image.pixels.size());
+  return {sum / n, std::sqrt(squares / n - sum / n * sum / n)};
+}
+double yOf(const Pixel& p) {
+  return p.y;
+}
+double cbOf(const Pixel& p) {
+  return p.cb;
+}
+double crOf(const Pixel& p) {
+  return p.cr;
+}
+
+/// A picture of nothing but floor: all pixels alike, but for the effects.
+class PictureEffectsTest : public testing::Test {
+ protected:
+  Image floor(const CameraEffects& effects, std::uint64_t seed = 1) const {
+    return world_.picture(viewFrom({0, 0, 200}, 0, -pi / 2), effects, nullptr, seed);
+  }
+  TestWorld world_ =
+      TestWorld::fromBodies(R"(<geom type="plane" size="5 5 1" rgba="0.55 0.45 0.4 1"/>)");
+  const Pixel plain_ = floor(CameraEffects::none()).at(0, 0);
+};
+
+TEST_F(PictureEffectsTest, NothingChangesWithoutEffects) {
+  CameraEffects hardly = CameraEffects::none();
+  hardly.brightness = 1.000001;  // All is computed, but comes out as it was.
+  for (const Image& image : {floor(CameraEffects::none()), floor(hardly)})
+    for (const Pixel& p : image.pixels) {
+      ASSERT_EQ(p.y, plain_.y);
+      ASSERT_EQ(p.cb, plain_.cb);
+      ASSERT_EQ(p.cr, plain_.cr);
+      ASSERT_EQ(p.unused, 0);
+    }
+}
+
+TEST_F(PictureEffectsTest, NoiseHasTheDeviationAskedFor) {
+  CameraEffects effects = CameraEffects::none();
+  effects.noiseY = 5;
+  effects.noiseCb = 2;
+  effects.noiseCr = 1;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Image image = floor(effects, seed);
+    // Rounding adds a variance of 1/12.
+    const Statistics y = statisticsOf(image, yOf), cb = statisticsOf(image, cbOf),
+                     cr = statisticsOf(image, crOf);
+    EXPECT_NEAR(y.mean, plain_.y, 0.15);
+    EXPECT_NEAR(cb.mean, plain_.cb, 0.1);
+    EXPECT_NEAR(cr.mean, plain_.cr, 0.1);
+    EXPECT_NEAR(y.deviation, std::sqrt(25 + 1.0 / 12), 0.15);
+    EXPECT_NEAR(cb.deviation, std::sqrt(4 + 1.0 / 12), 0.08);
+    EXPECT_NEAR(cr.deviation, std::sqrt(1 + 1.0 / 12), 0.05);
+    // Neighbours, across, along and in the next channel, have nothing to do with each other.
+    double across = 0, along = 0, channels = 0;
+    const int width = image.info.width, height = image.info.height;
+    for (int row = 1; row < height; ++row)
+      for (int x = 1; x < width; ++x) {
+        const double value = image.at(x, row).y - y.mean;
+        across += value * (image.at(x - 1, row).y - y.mean);
+        along += value * (image.at(x, row - 1).y - y.mean);
+        channels += value * (image.at(x, row).cb - cb.mean);
+      }
+    const double n = width * height;
+    EXPECT_NEAR(across / n / 25, 0, 0.04);
+    EXPECT_NEAR(along / n / 25, 0, 0.04);
+    EXPECT_NEAR(channels / n / 10, 0, 0.04);
+  }
+}
+
+TEST_F(PictureEffectsTest, EachSeedHasItsOwnNoise) {
+  const Image one = floor({}, 1), again = floor({}, 1), two = floor({}, 2);
+  const std::size_t bytes = one.pixels.size() * sizeof(Pixel);
+  EXPECT_EQ(std::memcmp(one.pixels.data(), again.pixels.data(), bytes), 0);
+  int same = 0;
+  for (std::size_t i = 0; i < one.pixels.size(); ++i) same += one.pixels[i].y == two.pixels[i].y;
+  // Two independent values of deviation 3 are equal in one of 10 pixels.
+  EXPECT_NEAR(same / static_cast<double>(one.pixels.size()), 0.095, 0.02);
+}
+
+TEST_F(PictureEffectsTest, BrightnessActsOnAllChannels) {
+  for (const double factor : {0.5, 0.75, 1.25}) {
+    CameraEffects effects = CameraEffects::none();
+    effects.brightness = factor;
+    const Pixel p = floor(effects).at(30, 30);
+    EXPECT_NEAR(p.y, factor * plain_.y, 0.6);
+    EXPECT_NEAR(p.cb - 128, factor * (plain_.cb - 128), 0.6);
+    EXPECT_NEAR(p.cr - 128, factor * (plain_.cr - 128), 0.6);
+  }
+  CameraEffects effects = CameraEffects::none();
+  effects.brightness = 0;
+  EXPECT_EQ(floor(effects).at(5, 5).y, 0);
+}
+
+TEST_F(PictureEffectsTest, ACastShiftsTheColors) {
+  CameraEffects effects = CameraEffects::none();
+  effects.shiftCb = 7;
+  effects.shiftCr = -11;
+  const Pixel p = floor(effects).at(100, 100);
+  EXPECT_EQ(p.y, plain_.y);
+  EXPECT_EQ(p.cb, plain_.cb + 7);
+  EXPECT_EQ(p.cr, plain_.cr - 11);
+  effects.shiftCb = 128;
+  EXPECT_LE(floor(effects).at(100, 100).cb, 255);
+}
+
+TEST_F(PictureEffectsTest, TheCornersLoseLight) {
+  CameraEffects effects = CameraEffects::none();
+  effects.vignetting = 0.4;
+  const Image image = floor(effects);
+  EXPECT_NEAR(image.at(88, 72).y, plain_.y, 0.6);
+  EXPECT_NEAR(image.at(0, 72).y, 0.8 * plain_.y, 1);
+  EXPECT_NEAR(image.at(88, 0).y, 0.8 * plain_.y, 1);
+  for (const int x : {0, 175})
+    for (const int y : {0, 143}) EXPECT_NEAR(image.at(x, y).y, 0.6 * plain_.y, 1.5);
+}
+
+TEST(PictureEffects, BlurSpreadsAnEdgeByItsDeviation) {
+  const TestWorld world = TestWorld::fromBodies(R"(
+      <geom type="box" size="0.01 2 2" pos="2 0 0" rgba="0 0 0 1"/>
+      <geom type="box" size="0.01 1 2" pos="1.9 1 0" rgba="1 1 1 1"/>)");
+  const CameraView view = viewFrom({0, 0, 0});
+  const Image sharp = world.picture(view);
+  for (const double blur : {0.36, 0.5, 0.61, 0.71}) {
+    CameraEffects effects = CameraEffects::none();
+    effects.blur = blur;
+    const Image image = world.picture(view, effects);
+    const int y = 70;
+    double sum = 0, mean = 0, square = 0;
+    for (int x = 1; x < image.info.width; ++x) {
+      // The derivative of the edge is the kernel.
+      const double step = image.at(x - 1, y).y - image.at(x, y).y;
+      sum += step;
+      mean += step * x;
+      square += step * x * x;
+      EXPECT_GE(step, 0);
+    }
+    mean /= sum;
+    EXPECT_NEAR(std::sqrt(square / sum - mean * mean), blur, 0.03);
+    EXPECT_EQ(image.at(10, y).y, sharp.at(10, y).y);
+    EXPECT_EQ(image.at(170, y).y, sharp.at(170, y).y);
+  }
+}
+
+}  // namespace
+}  // namespace gt
