@@ -1,6 +1,7 @@
 #pragma once
 #include "base/Enum.h"
 #include "base/Geometry.h"
+#include "base/Time.h"
 #include "streams/Reflection.h"
 
 namespace gt {
@@ -26,13 +27,16 @@ struct MotionRequest {
   WalkType walkType = WalkType::normal;
   Pose2D walk;
   SpecialAction specialAction = SpecialAction::none;
+  Time time = never();
 
   static constexpr auto fields() {
     return std::tuple{field("type", &MotionRequest::type),
                       field("walkType", &MotionRequest::walkType),
                       field("walk", &MotionRequest::walk, "mm/s, rad/s",
                             "speed ahead, left and counterclockwise"),
-                      field("specialAction", &MotionRequest::specialAction)};
+                      field("specialAction", &MotionRequest::specialAction),
+                      field("time", &MotionRequest::time, "ms",
+                            "of the decision; too old, the robot stands; never: of no age")};
   }
 };
 static_assert(complete<MotionRequest>);

@@ -1,0 +1,24 @@
+#pragma once
+#include "representations/behavior/LedRequest.h"
+#include "representations/infrastructure/FrameInfo.h"
+
+namespace gt {
+
+/// Solution *Default* of LEDControl: lights what the behaviour asks for, blinking with the clock.
+class DefaultLedControl {
+ public:
+  struct Parameters {
+    int slowPeriod = 1000, fastPeriod = 250;
+
+    static constexpr auto fields() {
+      return std::tuple{
+          field("slowPeriod", &Parameters::slowPeriod, "ms", "on and off", {16, 10000}),
+          field("fastPeriod", &Parameters::fastPeriod, "ms", "on and off", {16, 10000})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const LedRequest&, const FrameInfo&, LedValue&);
+};
+
+}  // namespace gt

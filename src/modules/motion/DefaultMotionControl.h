@@ -1,0 +1,51 @@
+#pragma once
+#include "framework/Module.h"
+#include "modules/motion/Tasks.h"
+#include "representations/behavior/MotionRequest.h"
+#include "representations/infrastructure/FrameInfo.h"
+
+namespace gt {
+
+/// Solution *Default* of MotionControl: passes on what the module of the present motion does, and
+/// changes to the one requested as soon as that module may be left (report 3.9). To stand is to
+/// walk with speed 0. All joints are kept within their limits, the head's and those of a motion
+/// just begun within a speed (report 3.9.3.4).
+class DefaultMotionControl {
+ public:
+  struct Parameters {
+    double headTiltSpeed = 2.1, headPanSpeed = 3.0, headRollSpeed = 3.0;
+    double changeSpeed = 2.5;
+    int requestTimeout = 500;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return std::tuple{
+          field("headTiltSpeed", &P::headTiltSpeed, "rad/s", "fastest", {0.1, 10}),
+          field("headPanSpeed", &P::headPanSpeed, "rad/s", "fastest", {0.1, 10}),
+          field("headRollSpeed", &P::headRollSpeed, "rad/s", "fastest", {0.1, 10}),
+          field("changeSpeed", &P::changeSpeed, "rad/s",
+                "fastest of a leg until a new motion's angles are reached", {0.1, 10}),
+          field("requestTimeout", &P::requestTimeout, "ms",
+                "the robot stands if a request with a time is older", {40, 10000})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const FrameInfo&, const MotionRequest&, const WalkingEngineOutput&,
+              const SpecialActionsOutput&, const HeadMotionRequest&, JointData&, OdometryData&,
+              MotionInfo&);
+
+ private:
+  void choose(const MotionRequest&, const WalkingEngineOutput&, const SpecialActionsOutput&);
+  /// Brings the angles as near to the target as the joints' speeds allow.
+  void protect(const JointAngles& target);
+  void tell(const MotionRequest&, const WalkingEngineOutput&, const SpecialActionsOutput&,
+            MotionInfo&) const;
+
+  bool special_ = false;
+  bool changing_ = true;  ///< The legs are still on their way to where the walk has them.
+  JointAngles angles_;
+  Pose2D odometry_;
+};
+
+}  // namespace gt

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "base/Result.h"
+#include "motionnet/Compiler.h"
+#include "representations/motion/MotionNet.h"
+
+namespace gt {
+
+/// The columns of the ERS-210's data lines with their limits (report 5.4, facts 1.2).
+motionnet::Rules motionRules();
+
+/// The robot's form of a checked net; an error if its motions are not the special actions.
+Result<MotionNet> motionNetOf(const motionnet::Net&, const std::string& source);
+
+/// Compiles all motion descriptions of a folder; the first error, if there are any.
+Result<MotionNet> loadMotionNet(const std::string& folder);
+
+}  // namespace gt
