@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "xabsl/Diagnostic.h"
 #include "xabsl/ExpressionAnalyzer.h"
 #include "xabsl/Model.h"
 #include "xabsl/Names.h"
+#include "xabsl/Reporter.h"
 #include "xabsl/Syntax.h"
 
 namespace xabsl {

@@ -11,6 +11,7 @@
 
 #include "xabsl/Analyzer.h"
 #include "xabsl/Parser.h"
+#include "xabsl/Reporter.h"
 #include "xabsl/Syntax.h"
 
 namespace xabsl {

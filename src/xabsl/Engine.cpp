@@ -9,6 +9,8 @@ namespace xabsl {
 
 namespace {
 
+constexpr std::size_t mostWarnings = 100;
+
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
@@ -38,7 +40,7 @@ Engine::Engine(const Behavior& behavior, Bindings bindings)
   behaviorCycles_.resize(model_->behaviors.size());
   executed_.reserve(model_->largestActivation);
   executedValues_.reserve(model_->largestActivation);
-  warnings_.reserve(Reporter::maximum);
+  warnings_.reserve(mostWarnings);
   warnedExpressions_.resize(expressions_.size());
   warnedOptions_.resize(options_.size());
   warnedBehaviors_.resize(model_->behaviors.size());

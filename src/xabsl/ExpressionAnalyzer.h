@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "xabsl/Diagnostic.h"
 #include "xabsl/Model.h"
 #include "xabsl/Names.h"
+#include "xabsl/Reporter.h"
 #include "xabsl/Syntax.h"
 
 namespace xabsl {

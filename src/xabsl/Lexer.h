@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "xabsl/Diagnostic.h"
+#include "xabsl/Reporter.h"
 
 namespace xabsl {
 

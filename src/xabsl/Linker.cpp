@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "xabsl/ExpressionAnalyzer.h"
+#include "xabsl/Reporter.h"
 
 namespace xabsl {
 

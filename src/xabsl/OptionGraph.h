@@ -1,7 +1,7 @@
 #pragma once
 
-#include "xabsl/Diagnostic.h"
 #include "xabsl/Model.h"
+#include "xabsl/Reporter.h"
 
 namespace xabsl {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "xabsl/Diagnostic.h"
 #include "xabsl/Lexer.h"
+#include "xabsl/Reporter.h"
 #include "xabsl/Syntax.h"
 
 namespace xabsl {
