@@ -1,0 +1,14 @@
+#pragma once
+#include <string_view>
+
+/// The files that the report page is made of, embedded when the program is built.
+namespace gt::page {
+
+std::string_view html();
+std::string_view style();
+std::string_view script();
+std::string_view fieldScript();
+std::string_view chartScript();
+std::string_view chartLibrary();  ///< Chart.js (MIT), from Debian's libjs-chart.js.
+
+}  // namespace gt::page

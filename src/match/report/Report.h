@@ -1,0 +1,31 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/Result.h"
+#include "debug/Drawing.h"
+#include "match/MatchSummary.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/Image.h"
+
+namespace gt {
+
+/// Writes match.json: the fields of `MatchSummary` in their order, one element of a list a line.
+/// The same summary gives the same bytes.
+Result<void> writeMatchJson(const std::string& path, const MatchSummary& summary);
+
+/// Writes times.json, likewise.
+Result<void> writeTimesJson(const std::string& path, const MatchTimes& times);
+
+/// A camera picture, enlarged, with the drawings in the space of the image painted on it.
+ReportPicture reportPicture(std::string title, const Image& image,
+                            std::span<const Drawing> drawings, int scale = 2);
+
+/// Writes a match as one page of HTML that holds all that it shows (data, style, plots, pictures)
+/// and opens offline. It needs about 0.3 MB, 20 kB for each minute, and 30 kB for each picture.
+Result<void> writeReport(const std::string& path, const MatchSummary& summary,
+                         const MatchTimes& times, const std::vector<ReportPicture>& pictures,
+                         const FieldDimensions& field = {});
+
+}  // namespace gt
