@@ -18,7 +18,7 @@ constexpr double servoTime = 0.012;
 
 /// Points of the trunk that rest on the ground when the legs do not reach it, and the radius of a
 /// knee.
-const GroundPoint chest{{75, 0, -20}, 4}, rump{{-80, 0, -20}, 4};
+const GroundPoint chest{{66, 0, -4}, 28}, rump{{-82, 0, -32}, 0};
 constexpr double kneeRadius = 14;
 
 Vector2d disc(const Pose2D& pose, double x) {

@@ -1,0 +1,83 @@
+#include "simulation/Radio.h"
+
+#include <gtest/gtest.h>
+
+namespace gt {
+namespace {
+
+std::vector<Player> twoTeams() {
+  std::vector<Player> players;
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
+    for (const PlayerRole role :
+         {PlayerRole::goalie, PlayerRole::defender, PlayerRole::striker1, PlayerRole::striker2})
+      players.push_back({team, role});
+  return players;
+}
+
+TEST(Radio, onlyTeamMatesHear) {
+  Radio radio{{40, 120, 0}, twoTeams(), Random{1}};
+  TeamMessage message;
+  message.playerNumber = 77;  // the network knows better
+  message.timeSent = {1000};
+  radio.send(2, message, {1000});
+  for (std::size_t i = 0; i < 8; ++i) {
+    TeamMessages messages;
+    radio.receive(i, {1039}, messages);
+    EXPECT_EQ(messages.byPlayer[2].message.playerNumber, 0);
+    radio.receive(i, {1121}, messages);
+    const bool hears = i < 4 && i != 2;
+    EXPECT_EQ(messages.byPlayer[2].message.playerNumber, hears ? 3 : 0) << i;
+    EXPECT_EQ(messages.byPlayer[2].timeReceived, hears ? Time{1121} : never());
+  }
+}
+
+TEST(Radio, delayAndLossAreAsTheSceneSays) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Radio radio{{40, 120, 0.05}, twoTeams(), Random{seed}};
+    int heard = 0;
+    double sum = 0;
+    std::int64_t least = 1000, most = 0;
+    constexpr int n = 4000;
+    for (int i = 0; i < n; ++i) {
+      const Time sent{1000 * i};
+      TeamMessage message;
+      message.timeSent = sent;
+      radio.send(0, message, sent);
+      TeamMessages messages, others;
+      for (std::int64_t t = 0; t < 200; ++t) radio.receive(1, sent + t, messages);
+      for (const std::size_t mate : {2, 3}) radio.receive(mate, sent + 200, others);
+      if (messages.byPlayer[0].timeReceived == never()) continue;
+      ++heard;
+      const std::int64_t delay = messages.byPlayer[0].timeReceived - sent;
+      sum += static_cast<double>(delay);
+      least = std::min(least, delay);
+      most = std::max(most, delay);
+    }
+    EXPECT_NEAR(static_cast<double>(heard) / n, 0.95, 0.015);
+    EXPECT_NEAR(sum / heard, 80, 2);
+    EXPECT_GE(least, 40);
+    EXPECT_LE(least, 42);
+    EXPECT_LE(most, 120);
+    EXPECT_GE(most, 118);
+    // Three team mates, each of which loses its own 5 %.
+    EXPECT_NEAR(static_cast<double>(radio.lost()) / (3 * n), 0.05, 0.01);
+  }
+}
+
+TEST(Radio, anOvertakenMessageIsDropped) {
+  Radio radio{{0, 200, 0}, twoTeams(), Random{4}};
+  TeamMessages messages;
+  Time newest = never();
+  for (std::int64_t t = 0; t < 4000; ++t) {
+    TeamMessage message;
+    message.timeSent = {t};
+    if (t % 8 == 0) radio.send(3, message, {t});
+    radio.receive(0, {t}, messages);
+    ASSERT_GE(messages.byPlayer[3].message.timeSent, newest);
+    newest = messages.byPlayer[3].message.timeSent;
+  }
+  EXPECT_GT(newest, Time{3800});
+}
+
+}  // namespace
+}  // namespace gt

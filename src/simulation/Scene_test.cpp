@@ -1,0 +1,201 @@
+#include "simulation/Scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <libxml/parser.h>
+#include <libxml/xmlschemas.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "simulation/SceneModel.h"
+#include "simulation/TestScenes.h"
+#include "simulation/Xml.h"
+
+namespace gt {
+namespace {
+
+using testing::HasSubstr;
+
+/// A folder for wrong files.
+class WrongFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path{testing::TempDir()} /
+              testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string write(const std::string& text, const std::string& name = "wrong.scene") {
+    const auto path = folder_ / name;
+    std::ofstream{path} << text;
+    return path.string();
+  }
+  /// The error that a scene's text gives.
+  Error errorOf(const std::string& text) {
+    const auto scene = loadScene(write(text));
+    if (!scene) return scene.error();
+    const auto model = composeModel(*scene);
+    return model ? Error{} : model.error();
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST(Scene, matchHasTwoTeams) {
+  const SceneDescription scene = matchScene();
+  ASSERT_EQ(scene.robots.size(), 8u);
+  EXPECT_EQ(scene.robots[0].name, "red1");
+  EXPECT_EQ(scene.robots[7].name, "blue4");
+  EXPECT_EQ(scene.robots[4].player().role, PlayerRole::goalie);
+  EXPECT_NEAR(scene.robots[4].pose().rotation, -pi, 1e-9);
+  EXPECT_EQ(scene.balls.size(), 1u);
+  EXPECT_EQ(scene.resolve("../config"), "config");
+}
+
+TEST(Scene, allScenesOfTheRepositoryLoadAndKeepTheSchema) {
+  xmlSchemaParserCtxt* parser = xmlSchemaNewParserCtxt("scenes/scene.xsd");
+  xmlSchema* schema = xmlSchemaParse(parser);
+  ASSERT_NE(schema, nullptr);
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator{"scenes"}) {
+    if (entry.path().extension() != ".scene") continue;
+    ++scenes;
+    const auto scene = loadScene(entry.path().string());
+    ASSERT_TRUE(scene) << scene.error().text();
+    const auto model = composeModel(*scene);
+    EXPECT_TRUE(model) << model.error().text();
+    const auto document = readXml(entry.path().string(), "scene");
+    xmlSchemaValidCtxt* valid = xmlSchemaNewValidCtxt(schema);
+    EXPECT_EQ(xmlSchemaValidateDoc(valid, document->get()), 0) << entry.path();
+    xmlSchemaFreeValidCtxt(valid);
+  }
+  EXPECT_GE(scenes, 3);
+  xmlSchemaFree(schema);
+  xmlSchemaFreeParserCtxt(parser);
+}
+
+TEST(Scene, schemaKnowsWhatTheLoaderKnows) {
+  std::ifstream file{"scenes/scene.xsd"};
+  const std::string text{std::istreambuf_iterator<char>{file}, {}};
+  const auto check = [&](auto object) {
+    forEachField(object, [&](const auto& f, auto&) {
+      EXPECT_THAT(text, HasSubstr("<xs:attribute name=\"" + std::string{f.name} + "\""));
+    });
+  };
+  check(NoiseParameters{});
+  check(CameraEffects{});
+  check(BallParameters{});
+  check(RadioParameters{});
+  check(GameParameters{});
+  check(SceneRobot{});
+  check(SceneBall{});
+  check(SceneDescription{});
+}
+
+TEST_F(WrongFiles, missingScene) {
+  const auto scene = loadScene("scenes/nowhere.scene");
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().text(), "scenes/nowhere.scene: no such file");
+  EXPECT_FALSE(loadScene("scenes"));
+}
+
+TEST_F(WrongFiles, garbage) {
+  for (const std::string text : {"", "\xff\xfe\x00garbage", "<scene", "not xml at all", "<a/>"})
+    EXPECT_THAT(errorOf(text).text(), HasSubstr("wrong.scene")) << text;
+}
+
+TEST_F(WrongFiles, truncatedAnywhereIsAnErrorWithTheFile) {
+  std::ifstream file{"scenes/match.scene"};
+  const std::string whole{std::istreambuf_iterator<char>{file}, {}};
+  const std::size_t end = whole.rfind("</scene>");
+  for (std::size_t length = 0; length < end + 7; length += 41) {
+    const auto scene = loadScene(write(whole.substr(0, length)));
+    ASSERT_FALSE(scene) << length;
+    EXPECT_THAT(scene.error().file, HasSubstr("wrong.scene"));
+    EXPECT_FALSE(scene.error().what.empty());
+  }
+}
+
+TEST_F(WrongFiles, namesFileLineAndField) {
+  const auto expectError = [&](const std::string& text, int line, const std::string& field,
+                               const std::string& what) {
+    const Error error = errorOf(text);
+    EXPECT_EQ(error.line, line) << error.text();
+    EXPECT_EQ(error.field, field) << error.text();
+    EXPECT_THAT(error.what, HasSubstr(what));
+  };
+  expectError("<scene>\n<robbots/>\n</scene>", 2, "robbots", "expected <noise>");
+  expectError("<scene>\n<noise\njoint=\"1\"/></scene>", 3, "joint", "no such attribute");
+  expectError("<scene>\n<noise joints=\"many\"/></scene>", 2, "joints", "expected a number");
+  expectError("<scene>\n<noise joints=\"nan\"/></scene>", 2, "joints", "expected a number");
+  expectError("<scene>\n<radio loss=\"1.5\"/></scene>", 2, "loss", "outside");
+  expectError("<scene><radio delayMin=\"200\"/></scene>", 0, "radio", "delayMin");
+  expectError("<scene>\n<game referee=\"maybe\"/></scene>", 2, "referee", "true or false");
+  expectError("<scene>\n<robots>\n<robot team=\"green\"/></robots></scene>", 3, "team",
+              "red, blue");
+  expectError("<scene>\n<robots>\n<robot>\n<leg/></robot></robots></scene>", 4, "leg",
+              "no content");
+  expectError("<scene><robots><robot/>\n<robot/></robots></scene>", 2, "name", "red1");
+  expectError("<scene><robots><robot/>\n<robot name=\"x\"/></robots></scene>", 2, "role", "goalie");
+  expectError("<scene><robots>\n<ball/></robots></scene>", 2, "ball", "expected <robot>");
+  expectError("<scene><balls/>\n<balls/></scene>", 2, "balls", "a second <balls>");
+  expectError("<scene fidelity=\"dreamlike\"/>", 1, "fidelity", "kinematic");
+}
+
+TEST_F(WrongFiles, missingAndBrokenModels) {
+  Error error = errorOf("<scene field=\"gone.xml\"/>");
+  EXPECT_EQ(error.field, "field");
+  EXPECT_THAT(error.what, HasSubstr("gone.xml"));
+
+  const std::string field = std::filesystem::absolute("models/field2003.xml").string();
+  const std::string begin = "<scene field=\"" + field + "\">\n<robots>\n<robot model=\"";
+  error = errorOf(begin + "gone.xml\"/></robots></scene>");
+  EXPECT_EQ(error.line, 3);
+  EXPECT_EQ(error.field, "model");
+
+  write("<mujoco><worldbody/></mujoco>", "empty.xml");
+  EXPECT_EQ(errorOf(begin + "empty.xml\"/></robots></scene>").field, "worldbody");
+
+  write(
+      "<mujoco><worldbody><body name=\"robot\"><geom type=\"tetrahedron\"/></body></worldbody>"
+      "</mujoco>",
+      "odd.xml");
+  EXPECT_THAT(errorOf(begin + "odd.xml\"/></robots></scene>").what, HasSubstr("MuJoCo"));
+
+  // A model that MuJoCo takes and that is no robot.
+  write(
+      "<mujoco><worldbody><body name=\"robot\"><freejoint name=\"pose\"/><geom size=\"1\"/></body>"
+      "</worldbody></mujoco>",
+      "ball.xml");
+  const auto scene = loadScene(write(begin + "ball.xml\"/></robots></scene>"));
+  ASSERT_TRUE(scene);
+  const auto world = makeWorld(*scene, Random{1});
+  ASSERT_FALSE(world);
+  EXPECT_THAT(world.error().what, HasSubstr("headTilt"));
+}
+
+TEST(Scene, twentyTwoRobotsAndTenBalls) {
+  SceneDescription scene = matchScene();
+  for (int i = 0; i < 14; ++i) {
+    SceneRobot robot = scene.robots[0];
+    robot.name = "extra" + std::to_string(i);
+    robot.x = -1500 + 220 * i;
+    robot.y = 1000;
+    scene.extras.push_back(robot);
+  }
+  for (int i = 0; i < 9; ++i) {
+    SceneBall ball;
+    ball.x = -900 + 200 * i;
+    ball.y = -1000;
+    scene.balls.push_back(ball);
+  }
+  const auto world = worldOf(scene);
+  EXPECT_EQ(world->robotCount(), 22u);
+  EXPECT_EQ(world->activeRobots(), 8u);
+  EXPECT_EQ(world->ballCount(), 10u);
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,182 @@
+#include "simulation/Simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "simulation/Oracle.h"
+#include "simulation/TestScenes.h"
+
+namespace gt {
+namespace {
+
+/// Runs to the ball by the oracle, looks around, talks, and keeps a checksum of all it gets.
+class Dribbler : public RobotController {
+ public:
+  explicit Dribbler(std::uint64_t seed) : random_(seed) {}
+
+  void cycle(const RobotInput& input, RobotOutput& output) override {
+    remember(input);
+    const Vector2d ball = relative(input.oracle.robotPose, input.oracle.ballPosition);
+    const bool walk = input.game.state == GameState::playing;
+    const Pose2D step{std::clamp(0.02 * angleOf(ball), -0.01, 0.01), 2, 0.3 * random_.symmetric()};
+    if (walk) output.odometry.pose = output.odometry.pose * step;
+    output.joints.angles = standing();
+    output.joints.angles[Joint::headPan] = std::sin(static_cast<double>(input.now.ms) / 300);
+    if (input.image) {
+      TeamMessage message;
+      message.timeSent = input.now;
+      message.ballPosition = input.oracle.ballPosition;
+      output.message = message;
+    }
+  }
+
+  std::uint64_t sum() const { return sum_; }
+  int pictures() const { return pictures_; }
+
+ private:
+  void add(const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i) sum_ = (sum_ ^ bytes[i]) * 0x100000001b3;
+  }
+  void remember(const RobotInput& input) {
+    const SensorData& sensors = input.sensors.newest();
+    add(sensors.joints.values.data(), sizeof sensors.joints.values);
+    add(sensors.acceleration.data(), 3 * sizeof(double));
+    add(&sensors.psd, sizeof sensors.psd);
+    add(input.oracle.ballPosition.data(), 2 * sizeof(double));
+    for (const auto& received : input.team.byPlayer)
+      add(&received.timeReceived, sizeof received.timeReceived);
+    if (!input.image) return;
+    ++pictures_;
+    add(input.image->pixels.data(), sizeof(Pixel) * input.image->pixels.size());
+  }
+
+  Random random_;
+  std::uint64_t sum_ = 0xcbf29ce484222325;
+  int pictures_ = 0;
+};
+
+struct Outcome {
+  std::vector<std::uint64_t> sums;
+  std::vector<double> poses;
+  bool operator==(const Outcome&) const = default;
+};
+
+SceneDescription noisyMatch() {
+  SceneDescription scene = matchScene();
+  scene.noise = {};
+  scene.game.readyTime = 1;
+  scene.game.setTime = 0.5;
+  return scene;
+}
+
+std::unique_ptr<Simulation> simulation(const SceneDescription& scene, std::uint64_t seed,
+                                       std::size_t threads) {
+  auto made = Simulation::make(scene, seed, threads);
+  EXPECT_TRUE(made) << (made ? "" : made.error().text());
+  for (std::size_t i = 0; i < scene.robots.size(); ++i)
+    (*made)->attach(i, std::make_unique<Dribbler>(100 * seed + i));
+  return std::move(*made);
+}
+
+Outcome play(std::uint64_t seed, std::size_t threads, int ticks) {
+  const auto match = simulation(noisyMatch(), seed, threads);
+  for (int i = 0; i < ticks; ++i) match->step();
+  Outcome outcome;
+  for (std::size_t i = 0; i < 8; ++i) {
+    outcome.sums.push_back(static_cast<Dribbler*>(match->controller(i))->sum());
+    outcome.poses.push_back(match->world().robot(i).pose.rotation);
+    outcome.poses.push_back(match->world().robot(i).pose.translation.x());
+  }
+  outcome.poses.push_back(match->world().ball(0).position.x());
+  return outcome;
+}
+
+TEST(Simulation, sameSeedSameBitsWithAnyNumberOfThreads) {
+  for (const std::uint64_t seed : {7, 8}) {
+    const Outcome one = play(seed, 1, 400);
+    EXPECT_EQ(one, play(seed, 1, 400));
+    EXPECT_EQ(one, play(seed, 2, 400));
+    EXPECT_EQ(one, play(seed, 5, 400));
+    EXPECT_NE(one, play(seed + 1, 1, 400));
+  }
+}
+
+TEST(Simulation, picturesComeEveryFortyMilliseconds) {
+  const auto match = simulation(noisyMatch(), 1, 2);
+  for (int i = 0; i < 50; ++i) match->step();
+  EXPECT_EQ(static_cast<Dribbler*>(match->controller(3))->pictures(), 10);
+  EXPECT_EQ(match->image(3).time, Time{46 * tickMs});
+  EXPECT_EQ(match->image(3).pixels.size(), 176u * 144u);
+  match->takePictures(false);
+  for (int i = 0; i < 50; ++i) match->step();
+  EXPECT_EQ(static_cast<Dribbler*>(match->controller(3))->pictures(), 10);
+}
+
+TEST(Simulation, aPictureShowsTheBallWhereTheCameraLooks) {
+  SceneDescription scene = duelScene({0, -800, 0}, {0, 0});
+  scene.camera = CameraEffects::none();
+  auto made = Simulation::make(scene, 1);
+  ASSERT_TRUE(made);
+  Simulation& sim = **made;
+  sim.attach(0, std::make_unique<Dribbler>(1));
+  sim.step();
+  for (const double y : {-150., 0., 150.}) {
+    sim.world().placeBall(0, {0, y});
+    for (int i = 0; i < 5; ++i) sim.step();
+    const Image& image = sim.image(0);
+    Vector2d sum{0, 0};
+    int orange = 0;
+    for (int v = 0; v < image.info.height; ++v)
+      for (int u = 0; u < image.info.width; ++u)
+        if (image.at(u, v).cr > 180 && image.at(u, v).cb < 80) {
+          sum += Vector2d{u + 0.5, v + 0.5};
+          ++orange;
+        }
+    ASSERT_GT(orange, 20);
+    const Pose3D camera = sim.world().camera(0, 2);  // without rolling shutter: the middle row's
+    const Vector2d expected =
+        image.info.project(camera.inverse() * Vector3d{0, y, sim.world().ballRadius(0)});
+    EXPECT_LT((sum / orange - expected).norm(), 2.5) << y;
+  }
+}
+
+TEST(Simulation, sensorBufferReachesBackAndTeamMatesAreHeard) {
+  const auto match = simulation(noisyMatch(), 3, 1);
+  for (int i = 0; i < 100; ++i) match->step();
+  const SensorDataBuffer& buffer = match->input(0).sensors;
+  for (std::size_t i = 1; i < buffer.frames.size(); ++i)
+    EXPECT_EQ(buffer.frames[i].time - buffer.frames[i - 1].time, tickMs);
+  EXPECT_EQ(buffer.newest().time, match->time());
+  for (std::size_t mate = 1; mate < 4; ++mate) {
+    const auto& received = match->input(0).team.byPlayer[mate];
+    EXPECT_GT(received.message.timeSent, Time{300});
+    EXPECT_EQ(received.message.ballPosition, match->input(0).oracle.ballPosition);
+  }
+  EXPECT_EQ(match->input(0).team.byPlayer[0].timeReceived, never());
+}
+
+TEST(Simulation, aRobotWithoutControllerStands) {
+  auto made = Simulation::make(noisyMatch(), 3);
+  ASSERT_TRUE(made);
+  for (int i = 0; i < 50; ++i) (*made)->step();
+  EXPECT_LT(((*made)->world().robot(0).pose.translation - Vector2d{-2000, 0}).norm(), 1);
+}
+
+TEST(Simulation, extrasAreSeenButNotControlled) {
+  SceneDescription scene = noisyMatch();
+  scene.extras.push_back(scene.robots.back());
+  scene.extras.back().name = "extra";
+  scene.extras.back().x = 500;
+  scene.extras.back().y = 900;
+  scene.robots.resize(2);
+  const auto match = simulation(scene, 3, 1);
+  for (int i = 0; i < 20; ++i) match->step();
+  ASSERT_EQ(match->players().size(), 3u);
+  ASSERT_EQ(match->input(0).oracle.others.size(), 2u);
+  EXPECT_EQ(match->input(0).oracle.others[1].teamColor, TeamColor::blue);
+}
+
+}  // namespace
+}  // namespace gt
