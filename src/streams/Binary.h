@@ -67,15 +67,18 @@ constexpr std::size_t leastSize() {
   (std::make_index_sequence<S::partCount>{});
 }
 
-/// Whether fields() lists the members in the order in which they lie in memory.
-template <typename T>
-constexpr bool listedAsStored() {
+/// Whether fields() lists the members, all of one type, in the order in which they lie in memory.
+template <typename T, std::size_t... i>
+constexpr bool listedAsStored(std::index_sequence<i...>) {
+  using S = Shape<T>;
   const T record{};
-  const void* last = nullptr;
-  return forEachPart(record, [&](const PartInfo&, const auto& part) {
-    const void* before = std::exchange(last, &part);
-    return before == nullptr || before < last;
-  });
+  if constexpr ((std::same_as<PartType<T, i>, PartType<T, 0>> && ...)) {
+    const PartType<T, 0>* parts[] = {&S::template part<i>(record)...};
+    for (std::size_t k = 1; k < sizeof...(i); ++k)
+      if (parts[k - 1] >= parts[k]) return false;
+    return true;
+  } else
+    return false;
 }
 
 template <typename T>
@@ -88,8 +91,13 @@ constexpr bool isOrdered() {
   else if constexpr (S::kind != Kind::record || std::is_base_of_v<VectorShape<2>, S> ||
                      std::is_base_of_v<VectorShape<3>, S>)
     return true;
-  else if constexpr (requires { typename std::bool_constant<listedAsStored<T>()>; })
-    return listedAsStored<T>();
+  else if constexpr (S::partCount == 0)
+    return false;
+  else if constexpr (requires {
+                       typename std::bool_constant<listedAsStored<T>(
+                           std::make_index_sequence<S::partCount>{})>;
+                     })
+    return listedAsStored<T>(std::make_index_sequence<S::partCount>{});
   else
     return false;
 }
@@ -112,12 +120,17 @@ constexpr std::size_t valueCount() {
     return enumCount<T>;
 }
 
-/// The first element of an array or list.
+/// The first element of an array or list. That of an array lies where the array does; asked in this
+/// way because gcc 12 folds these functions of all arrays into one and then warns of its bounds.
 template <typename T>
 auto* firstElement(T& sequence) {
-  if constexpr (kindOf<std::remove_const_t<T>> == Kind::array)
-    return &Shape<std::remove_const_t<T>>::at(sequence, 0);
-  else
+  using S = Shape<std::remove_const_t<T>>;
+  using Element = typename S::Element;
+  if constexpr (S::kind == Kind::array) {
+    static_assert(sizeof(T) == S::count * sizeof(Element));
+    using Pointed = std::conditional_t<std::is_const_v<T>, const Element, Element>;
+    return reinterpret_cast<Pointed*>(&sequence);
+  } else
     return sequence.data();
 }
 

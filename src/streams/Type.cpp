@@ -96,6 +96,18 @@ std::optional<std::string> setEnumeration(Value v, std::string_view text) {
 
 }  // namespace
 
+std::size_t Value::size() const {
+  return type->kind == Kind::list ? type->length(data) : type->count;
+}
+
+Value Value::element(std::size_t i) const {
+  return {&type->element(), type->at(data, i)};
+}
+
+Value Value::part(const Part& p) const {
+  return {&p.type(), p.in(data)};
+}
+
 bool isFlat(const Type& type) {
   if (type.kind == Kind::array) return isFlat(type.element()) && type.element().kind != Kind::list;
   if (type.kind == Kind::list) return isFlat(type.element()) && width(type.element()) > 0;

@@ -50,9 +50,11 @@ struct Value {
   const Type* type = nullptr;
   void* data = nullptr;
 
-  std::size_t size() const { return type->kind == Kind::list ? type->length(data) : type->count; }
-  Value element(std::size_t i) const { return {&type->element(), type->at(data, i)}; }
-  Value part(const Part& p) const { return {&p.type(), p.in(data)}; }
+  /// Of arrays and lists.
+  std::size_t size() const;
+  Value element(std::size_t i) const;
+  /// Of records.
+  Value part(const Part& p) const;
 };
 
 /// A value that can only be read.
