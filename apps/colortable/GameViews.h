@@ -1,0 +1,51 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "representations/infrastructure/SensorData.h"
+#include "simulation/Scene.h"
+#include "simulation/Sensors.h"
+#include "simulation/Simulation.h"
+#include "simulation/World.h"
+#include "simulation/camera/CameraRenderer.h"
+
+namespace gt {
+
+/// What one robot sees and feels in one moment, and what is true then.
+struct GameView {
+  std::size_t robot = 0;
+  Image image;
+  PictureTruth truth;
+  SensorDataBuffer sensors;
+  Pose3D camera;  ///< In the robot's system when the middle row was exposed, mm.
+};
+
+/// Random moments of matches as the robots of a scene see them: robots and ball stand anywhere,
+/// legs differ, heads look around. For experiments and for learning colours.
+class GameViews {
+ public:
+  static Result<GameViews> make(const std::string& scene, std::uint64_t seed);
+
+  /// Puts everything somewhere else and lets the heads turn for a while.
+  void shuffle();
+  /// What a robot sees now. The pointer is valid until the next call.
+  const GameView& look(std::size_t robot, const CameraEffects& effects);
+  const World& world() const { return *world_; }
+  const SceneDescription& scene() const { return scene_; }
+
+ private:
+  GameViews(SceneDescription scene, std::unique_ptr<World> world, std::uint64_t seed);
+  void step();
+
+  SceneDescription scene_;
+  std::unique_ptr<World> world_;
+  Random random_;
+  std::unique_ptr<CameraScene> cameraScene_;
+  CameraRenderer renderer_;
+  std::vector<Sensors> sensors_;
+  std::vector<SensorDataBuffer> buffers_;
+  std::vector<RobotCommand> commands_;
+  GameView view_;
+};
+
+}  // namespace gt

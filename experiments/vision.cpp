@@ -1,0 +1,299 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "Figures.h"
+#include "colortable/GameViews.h"
+#include "modules/perception/ColorTableFile.h"
+#include "modules/perception/DefaultSensorDataProcessor.h"
+#include "modules/perception/GT2003ImageProcessor.h"
+
+namespace {
+
+using namespace gt;
+
+/// Errors of one kind.
+class Errors {
+ public:
+  void add(double value) { values_.push_back(value); }
+  std::size_t count() const { return values_.size(); }
+  double mean() const {
+    double sum = 0;
+    for (const double v : values_) sum += v;
+    return values_.empty() ? 0 : sum / static_cast<double>(values_.size());
+  }
+  /// The size that a part of the errors does not exceed.
+  double quantile(double part) const {
+    if (values_.empty()) return 0;
+    std::vector<double> sizes;
+    for (const double v : values_) sizes.push_back(std::abs(v));
+    const auto n = static_cast<std::ptrdiff_t>(part * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), sizes.begin() + n, sizes.end());
+    return sizes[static_cast<std::size_t>(n)];
+  }
+
+ private:
+  std::vector<double> values_;
+};
+
+/// How often something was found of how often it was there.
+struct Rate {
+  int hits = 0, all = 0;
+
+  void count(bool hit) {
+    hits += hit ? 1 : 0;
+    ++all;
+  }
+  double percent() const { return all == 0 ? 0 : 100.0 * hits / all; }
+};
+
+/// One run's measurements.
+struct Run {
+  Rate ball, ballFalse, flags, flagsFalse, goals, goalsFalse;
+  Errors ballBearing, ballDistance, flagBearing, flagDistance, goalBearing, cameraTilt, cameraPan;
+  double microseconds = 0;
+};
+
+/// What is true in one picture, in the robot's system.
+class Truth {
+ public:
+  Truth(const GameViews& views, const GameView& view, const FieldDimensions& field)
+      : views_(views), view_(view), field_(field) {}
+
+  Vector2d onRobot(const Vector2d& onField) const {
+    return relative(views_.world().robot(view_.robot).pose, onField);
+  }
+  double bearing(const Vector2d& onField) const {
+    return angleOf(onRobot(onField) - view_.camera.translation.head<2>());
+  }
+  double distance(const Vector2d& onField) const {
+    return (onRobot(onField) - view_.camera.translation.head<2>()).norm();
+  }
+  /// Pixels of a class that belong to geoms around a point of the field.
+  template <typename Accept>
+  int pixels(const Vector2d& onField, double radius, Accept accept) const {
+    int count = 0;
+    const mjData& data = views_.world().data();
+    for (std::size_t i = 0; i < view_.truth.geoms.size(); ++i) {
+      const int geom = view_.truth.geoms[i];
+      if (geom < 0 || !accept(view_.truth.classes[i])) continue;
+      const Vector2d p{1000 * data.geom_xpos[3 * geom], 1000 * data.geom_xpos[3 * geom + 1]};
+      if ((p - onField).norm() < radius) ++count;
+    }
+    return count;
+  }
+
+ private:
+  const GameViews& views_;
+  const GameView& view_;
+  const FieldDimensions& field_;
+};
+
+constexpr double focal = 161;  // Pixels, of the ERS-210's camera.
+
+void measureBall(const Truth& truth, const GameViews& views, const GameView& view,
+                 const FieldDimensions& field, const BallPercept& percept, Run& run) {
+  const Vector2d position = views.world().ball(0).position;
+  const Vector2d relativePosition = truth.onRobot(position);
+  const Vector3d center{relativePosition.x(), relativePosition.y(), field.ballRadius};
+  const Vector3d ray = center - view.camera.translation;
+  const double distance = ray.norm();
+  const double radius = focal * field.ballRadius / distance;
+  const int visible =
+      truth.pixels(position, 10, [](ColorClass c) { return c == ColorClass::orange; });
+  const double error = std::abs(normalize(percept.angle.x() - azimuth(ray)));
+  // Where the ball's centre is below the camera the horizontal angle means little.
+  const double miss = std::acos(std::clamp(
+      ray.normalized().dot(Vector3d{std::cos(percept.angle.x()) * std::cos(percept.angle.y()),
+                                    std::sin(percept.angle.x()) * std::cos(percept.angle.y()),
+                                    std::sin(percept.angle.y())}),
+      -1.0, 1.0));
+  const bool right = percept.seen && miss < fromDegrees(4);
+  run.ballFalse.count(percept.seen && !right);
+  if (radius < 3 || visible < pi * radius * radius / 2) return;
+  run.ball.count(right);
+  if (!right) return;
+  run.ballBearing.add(toDegrees(error));
+  if (distance < 1500)
+    run.ballDistance.add(100 * (percept.offset.norm() / relativePosition.norm() - 1));
+}
+
+void measureFlags(const Truth& truth, const FieldDimensions& field, const LandmarksPercept& percept,
+                  Run& run) {
+  for (std::size_t type = 0; type < enumCount<FlagType>; ++type) {
+    const Vector2d position = positionOf(static_cast<FlagType>(type), TeamColor::red, field);
+    const double distance = truth.distance(position);
+    const int visible = truth.pixels(position, 30, [](ColorClass c) {
+      return c == ColorClass::pink || c == ColorClass::yellow || c == ColorClass::skyblue ||
+             c == ColorClass::green;
+    });
+    const double whole =
+        2 * field.flagRadius * (field.flagTop - field.flagBottom) * std::pow(focal / distance, 2);
+    const FlagPercept* found = nullptr;
+    for (int i = 0; i < percept.numberOfFlags; ++i)
+      if (percept.flags[static_cast<std::size_t>(i)].type == static_cast<FlagType>(type))
+        found = &percept.flags[static_cast<std::size_t>(i)];
+    run.flagsFalse.count(found && visible < 4);
+    if (distance < 3000 && visible > 0.9 * whole) run.flags.count(found != nullptr);
+    if (!found || visible < 4) continue;
+    const double half = std::asin(field.flagRadius / distance);
+    const double bearing = truth.bearing(position);
+    const ConditionalBoundary& b = found->boundary;
+    if (!b.leftOnBorder) run.flagBearing.add(toDegrees(normalize(b.left - bearing - half)));
+    if (!b.rightOnBorder) run.flagBearing.add(toDegrees(normalize(b.right - bearing + half)));
+    if (found->distance > 0)
+      run.flagDistance.add(100 * (found->distance / truth.onRobot(position).norm() - 1));
+  }
+}
+
+void measureGoals(const Truth& truth, const FieldDimensions& field, const LandmarksPercept& percept,
+                  Run& run) {
+  for (const GoalColor color : {GoalColor::yellow, GoalColor::skyblue}) {
+    const double side = color == GoalColor::yellow ? -1 : 1;
+    const auto colorClass = color == GoalColor::yellow ? ColorClass::yellow : ColorClass::skyblue;
+    const int visible =
+        truth.pixels({side * 2250, 0}, 400, [&](ColorClass c) { return c == colorClass; });
+    const GoalPercept* found = nullptr;
+    for (int i = 0; i < percept.numberOfGoals; ++i)
+      if (percept.goals[static_cast<std::size_t>(i)].color == color)
+        found = &percept.goals[static_cast<std::size_t>(i)];
+    run.goalsFalse.count(found && visible < 4);
+    if (visible > 150) run.goals.count(found != nullptr);
+    if (!found || visible < 4) continue;
+    // Seen from the field, the opponent's left post is at positive y.
+    const double left = truth.bearing({side * field.xGroundline, side * field.yGoal});
+    const double right = truth.bearing({side * field.xGroundline, -side * field.yGoal});
+    if (!found->boundary.leftOnBorder)
+      run.goalBearing.add(toDegrees(normalize(found->boundary.left - left)));
+    if (!found->boundary.rightOnBorder)
+      run.goalBearing.add(toDegrees(normalize(found->boundary.right - right)));
+  }
+}
+
+Result<Run> measure(const std::string& scene, const ColorTable64& colors, std::uint64_t seed,
+                    int moments, bool trueCamera) {
+  auto views = GameViews::make(scene, seed);
+  if (!views) return views.error();
+  const FieldDimensions field;
+  const RobotDimensions dimensions;
+  Run run;
+  Debug debug;
+  GT2003ImageProcessor imageProcessor;
+  double time = 0;
+  for (int i = 0; i < moments; ++i) {
+    views->shuffle();
+    for (std::size_t robot = 0; robot < views->world().activeRobots(); ++robot) {
+      const GameView& view = views->look(robot, views->scene().camera);
+      DefaultSensorDataProcessor sensorDataProcessor;
+      CameraMatrix matrix;
+      BodyPercept body;
+      PsdPercept psd;
+      sensorDataProcessor.update({view.image.time}, view.sensors, view.image, dimensions,
+                                 MotionInfo{}, matrix, body, psd);
+      const Vector3d axis = view.camera.rotation.col(0), seen = matrix.pose.rotation.col(0);
+      run.cameraTilt.add(toDegrees(elevation(seen) - elevation(axis)));
+      run.cameraPan.add(toDegrees(normalize(azimuth(seen) - azimuth(axis))));
+      if (trueCamera) matrix.pose = view.camera;
+      BallPercept ball;
+      LandmarksPercept landmarks;
+      const auto begin = std::chrono::steady_clock::now();
+      imageProcessor.update(view.image, matrix, colors, field, ball, landmarks, debug);
+      time += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin)
+                  .count();
+      const Truth truth{*views, view, field};
+      measureBall(truth, *views, view, field, ball, run);
+      measureFlags(truth, field, landmarks, run);
+      measureGoals(truth, field, landmarks, run);
+    }
+  }
+  run.microseconds = time / (moments * static_cast<double>(views->world().activeRobots()));
+  return run;
+}
+
+void report(const std::vector<Run>& runs, Figures& figures) {
+  const auto add = [&](const char* name, const char* unit, auto value, Aim aim = {}) {
+    std::vector<double> values;
+    for (const Run& run : runs) values.push_back(value(run));
+    figures.add(name, unit, values, aim);
+  };
+  add(
+      "vision.ball.found", "%", [](const Run& r) { return r.ball.percent(); }, Aim::atLeast(98));
+  add(
+      "vision.ball.false", "%", [](const Run& r) { return r.ballFalse.percent(); },
+      Aim::atMost(0.1));
+  add("vision.ball.bearing.median", "deg",
+      [](const Run& r) { return r.ballBearing.quantile(0.5); });
+  add("vision.ball.bearing.p95", "deg", [](const Run& r) { return r.ballBearing.quantile(0.95); });
+  add("vision.ball.distance.mean", "%", [](const Run& r) { return r.ballDistance.mean(); });
+  add(
+      "vision.ball.distance.median", "%", [](const Run& r) { return r.ballDistance.quantile(0.5); },
+      Aim::atMost(5));
+  add("vision.ball.distance.p95", "%", [](const Run& r) { return r.ballDistance.quantile(0.95); });
+  add(
+      "vision.flags.found", "%", [](const Run& r) { return r.flags.percent(); }, Aim::atLeast(97));
+  add(
+      "vision.flags.false", "%", [](const Run& r) { return r.flagsFalse.percent(); },
+      Aim::atMost(0.1));
+  add("vision.flags.bearing.mean", "deg", [](const Run& r) { return r.flagBearing.mean(); });
+  add("vision.flags.bearing.median", "deg",
+      [](const Run& r) { return r.flagBearing.quantile(0.5); });
+  add(
+      "vision.flags.bearing.p95", "deg", [](const Run& r) { return r.flagBearing.quantile(0.95); },
+      Aim::atMost(1));
+  add("vision.flags.distance.median", "%",
+      [](const Run& r) { return r.flagDistance.quantile(0.5); });
+  add(
+      "vision.goals.found", "%", [](const Run& r) { return r.goals.percent(); }, Aim::atLeast(97));
+  add(
+      "vision.goals.false", "%", [](const Run& r) { return r.goalsFalse.percent(); },
+      Aim::atMost(0.1));
+  add("vision.goals.bearing.mean", "deg", [](const Run& r) { return r.goalBearing.mean(); });
+  add("vision.goals.bearing.median", "deg",
+      [](const Run& r) { return r.goalBearing.quantile(0.5); });
+  add("vision.goals.bearing.p95", "deg", [](const Run& r) { return r.goalBearing.quantile(0.95); });
+  add("vision.camera.tilt.p95", "deg", [](const Run& r) { return r.cameraTilt.quantile(0.95); });
+  add("vision.camera.pan.p95", "deg", [](const Run& r) { return r.cameraPan.quantile(0.95); });
+  add("vision.time", "us", [](const Run& r) { return r.microseconds; });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string scene = "scenes/match.scene", colorFile = "config/coltable.c64", out;
+  std::uint64_t firstSeed = 1;
+  int seeds = 5, moments = 500;
+  bool trueCamera = false;
+  CLI::App app{"Measures vision against the truth in random moments of matches"};
+  app.add_option("--scene", scene, "who is in the pictures");
+  app.add_option("--colors", colorFile, "the colour table");
+  app.add_option("--seed", firstSeed, "of the first run");
+  app.add_option("--seeds", seeds, "how many runs")->check(CLI::Range(1, 1000));
+  app.add_option("--moments", moments, "of each run; each gives one picture per robot")
+      ->check(CLI::Range(1, 100000));
+  app.add_flag("--true-camera", trueCamera, "use the true camera pose instead of the measured one");
+  app.add_option("--json", out, "write the figures to this file");
+  CLI11_PARSE(app, argc, argv);
+  const auto colors = readColorTable(colorFile);
+  if (!colors) {
+    fmt::print(stderr, "{}\n", colors.error().text());
+    return 2;
+  }
+  std::vector<Run> runs;
+  for (int i = 0; i < seeds; ++i) {
+    auto run =
+        measure(scene, *colors, firstSeed + static_cast<std::uint64_t>(i), moments, trueCamera);
+    if (!run) {
+      fmt::print(stderr, "{}\n", run.error().text());
+      return 2;
+    }
+    runs.push_back(*std::move(run));
+  }
+  Figures figures;
+  report(runs, figures);
+  figures.print();
+  return out.empty() || figures.write(out) ? 0 : 2;
+}

@@ -1,0 +1,50 @@
+#pragma once
+#include "modules/perception/Tasks.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/infrastructure/RobotDimensions.h"
+#include "representations/infrastructure/SensorData.h"
+#include "representations/motion/MotionInfo.h"
+
+namespace gt {
+
+/// Makes the camera matrix of a picture, the body percept and the PSD percept from the sensor
+/// frames around them (report 3.1), the solution Default of the SensorDataProcessor.
+class DefaultSensorDataProcessor {
+ public:
+  struct Parameters {
+    double longAverage = 1500;
+    double fallenAngle = fromDegrees(50);
+    double liftedChange = 2500;
+    double offGround = 400;
+
+    static constexpr auto fields() {
+      return std::tuple{
+          field("longAverage", &Parameters::longAverage, "ms",
+                "time constant of the long average of acceleration", {100, 10000}),
+          field("fallenAngle", &Parameters::fallenAngle, "rad", "a body that leans more has fallen",
+                {0, pi}),
+          field("liftedChange", &Parameters::liftedChange, "mm/s^2",
+                "short and long average differ by more where the robot is lifted", {0, 20000}),
+          field("offGround", &Parameters::offGround, "ms",
+                "all paws are longer off the ground where the robot is lifted", {0, 10000})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
+              const RobotDimensions& robot, const MotionInfo& motion, CameraMatrix& matrix,
+              BodyPercept& body, PsdPercept& psd);
+
+ private:
+  BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest);
+
+  Vector3d longAverage_ = Vector3d::Zero();
+  Time lastUpdate_ = never();
+  Time lastOnGround_ = never();
+};
+
+/// The joint angles at a point in time, interpolated between the frames around it.
+JointAngles jointsAt(const SensorDataBuffer& sensors, Time start, double milliseconds);
+
+}  // namespace gt
