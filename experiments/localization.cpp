@@ -1,12 +1,11 @@
 // Measures the Monte-Carlo self-locator against the truth on a test bench without simulator: a
 // robot that walks, slips, is blocked, sees landmarks through a narrow camera, and is carried away
 // by the referee (report 3.3.2.5 and 3.3.3.4).
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "Figures.h"
+#include "Experiments.h"
 #include "base/Random.h"
 #include "modules/modeling/MonteCarloSelfLocator.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
@@ -102,8 +101,11 @@ void relocalizing(Figures& figures, const std::string& name, const Parameters& p
   figures.add(name + ".relocalizing.worst", "pictures", worst);
 }
 
-Figures measure(const std::vector<std::uint64_t>& seeds, int minutes) {
-  Figures figures;
+}  // namespace
+
+void measureLocalization(Figures& figures, const ExperimentOptions& options) {
+  constexpr int minutes = 18;  // as in the report's experiment 1
+  const std::vector<std::uint64_t>& seeds = options.seeds;
   const std::string name = "localization.montecarlo";
   const Parameters defaults;
   const SyntheticWorld match;
@@ -135,34 +137,6 @@ Figures measure(const std::vector<std::uint64_t>& seeds, int minutes) {
   literal.newProbability = 0.5;
   walking(figures, name + ".literal", literal, match, minutes, seeds);
   relocalizing(figures, name + ".literal", literal, seeds);
-  return figures;
 }
 
-}  // namespace
 }  // namespace gt
-
-int main(int argc, char** argv) {
-  CLI::App app{"Measures self-localization against the truth, without the simulator"};
-  std::uint64_t first = 1;
-  int seeds = 10, minutes = 18;
-  std::string json;
-  app.add_option("--first-seed", first, "The first seed")->capture_default_str();
-  app.add_option("--seeds", seeds, "How many seeds")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--minutes", minutes, "Duration of each walk")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--json", json, "File to write the figures to");
-  CLI11_PARSE(app, argc, argv);
-
-  std::vector<std::uint64_t> list(static_cast<std::size_t>(seeds));
-  std::iota(list.begin(), list.end(), first);
-  const gt::Figures figures = gt::measure(list, minutes);
-  figures.print();
-  if (!json.empty() && !figures.write(json)) {
-    fmt::print(stderr, "{}: cannot be written\n", json);
-    return 2;
-  }
-  return 0;
-}

@@ -1,6 +1,7 @@
 #include "robot/Configuration.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <sstream>
 
@@ -21,8 +22,8 @@ Result<void> readOptional(const fs::path& path, T& value) {
   return fs::exists(path) ? readConfig(path.string(), value) : Result<void>{};
 }
 
-Result<void> checkSolution(const std::string& task, const std::string& solution, const std::string& file, int line,
-                           bool disabledAllowed) {
+Result<void> checkSolution(const std::string& task, const std::string& solution,
+                           const std::string& file, int line, bool disabledAllowed) {
   const Task* known = solutions().find(task);
   if (!known) return Error{file, line, task, "there is no such task"};
   if (!known->find(solution) && !(disabledAllowed && solution == SolutionTable::disabled))
@@ -30,8 +31,9 @@ Result<void> checkSolution(const std::string& task, const std::string& solution,
   return {};
 }
 
-/// modules.cfg: lines TASK SOLUTION.
-Result<void> readSolutions(const fs::path& path, std::vector<Configuration::SolutionChoice>& choices) {
+/// Reads a file of lines of two words, which may be missing; visit(first, second, line) returns a Result<void>.
+template <typename Visit>
+Result<void> readPairs(const fs::path& path, const char* expected, Visit&& visit) {
   if (!fs::exists(path)) return {};
   const auto text = readFile(path.string());
   if (!text) return text.error();
@@ -41,18 +43,44 @@ Result<void> readSolutions(const fs::path& path, std::vector<Configuration::Solu
     ++number;
     line.resize(std::min({line.size(), line.find("//"), line.find('#')}));
     std::istringstream words{line};
-    std::string task, solution, more;
-    if (!(words >> task)) continue;
-    if (!(words >> solution) || words >> more)
-      return Error{path.string(), number, task, "expected a task and one solution"};
-    if (auto known = checkSolution(task, solution, path.string(), number, true); !known) return known;
-    choices.push_back({task, solution, path.string(), number});
+    std::string first, second, more;
+    if (!(words >> first)) continue;
+    if (!(words >> second) || words >> more) return Error{path.string(), number, first, expected};
+    if (auto done = visit(first, second, number); !done) return done;
   }
   return {};
 }
 
+/// modules.cfg: lines TASK SOLUTION.
+Result<void> readSolutions(const fs::path& path, std::vector<Configuration::SolutionChoice>& choices) {
+  return readPairs(path, "expected a task and one solution",
+                   [&](const std::string& task, const std::string& solution, int line) -> Result<void> {
+                     if (auto known = checkSolution(task, solution, path.string(), line, true); !known) return known;
+                     choices.push_back({task, solution, path.string(), line});
+                     return {};
+                   });
+}
+
+/// log.cfg: lines `representation NAME` and `pictures MS`.
+Result<void> readLog(const fs::path& path, Configuration::LogSettings& log) {
+  constexpr const char* expected = "expected: representation NAME, or: pictures MS";
+  return readPairs(path, expected, [&](const std::string& what, const std::string& value, int line) -> Result<void> {
+    if (what == "representation") {
+      log.representations.push_back(value);
+      return {};
+    }
+    if (what != "pictures") return Error{path.string(), line, what, expected};
+    const char* const end = value.data() + value.size();
+    const auto [stop, error] = std::from_chars(value.data(), end, log.picturePeriod);
+    if (error != std::errc{} || stop != end || log.picturePeriod < 0)
+      return Error{path.string(), line, what, "'" + value + "' is not a period in ms"};
+    return {};
+  });
+}
+
 /// modules/TASK.SOLUTION.cfg: the parameters of a solution.
-Result<void> readParameters(const fs::path& folder, std::vector<Configuration::ParameterFile>& files) {
+Result<void> readParameters(const fs::path& folder,
+                            std::vector<Configuration::ParameterFile>& files) {
   if (!fs::exists(folder)) return {};
   std::vector<fs::path> paths;
   for (const auto& entry : fs::directory_iterator{folder}) paths.push_back(entry.path());
@@ -75,13 +103,16 @@ Result<void> readBehavior(const std::string& path, Behavior& behavior) {
   xabsl::Compilation compilation = xabsl::compile(path);
   for (const xabsl::Diagnostic& diagnostic : compilation.diagnostics)
     if (diagnostic.severity == xabsl::Diagnostic::Severity::error)
-      return Error{diagnostic.file, diagnostic.line, "column " + std::to_string(diagnostic.column), diagnostic.message};
+      return Error{diagnostic.file, diagnostic.line, "column " + std::to_string(diagnostic.column),
+                   diagnostic.message};
   behavior.compiled = std::move(compilation.behavior);
   // Linking now tells of missing symbols before a robot runs.
   GT2003BehaviorControl control;
-  for (const xabsl::Diagnostic& diagnostic : xabsl::Engine::create(*behavior.compiled, control.symbols()).diagnostics)
+  for (const xabsl::Diagnostic& diagnostic :
+       xabsl::Engine::create(*behavior.compiled, control.symbols()).diagnostics)
     if (diagnostic.severity == xabsl::Diagnostic::Severity::error)
-      return Error{diagnostic.file, diagnostic.line, "column " + std::to_string(diagnostic.column), diagnostic.message};
+      return Error{diagnostic.file, diagnostic.line, "column " + std::to_string(diagnostic.column),
+                   diagnostic.message};
   return {};
 }
 
@@ -96,8 +127,9 @@ void Configuration::share(Blackboard& blackboard) const {
 }
 
 std::vector<const RepresentationType*> Configuration::representations() {
-  return {&representation<FieldDimensions>(), &representation<RobotDimensions>(), &representation<ColorTable64>(),
-          &representation<MotionNet>(), &representation<Behavior>()};
+  return {&representation<FieldDimensions>(), &representation<RobotDimensions>(),
+          &representation<ColorTable64>(), &representation<MotionNet>(),
+          &representation<Behavior>()};
 }
 
 Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths) {
@@ -107,17 +139,23 @@ Result<std::shared_ptr<const Configuration>> loadConfiguration(const Configurati
   configuration->field = std::make_shared<FieldDimensions>();
   configuration->robot = std::make_shared<RobotDimensions>();
   configuration->behavior = std::make_shared<Behavior>();
-  if (auto done = readOptional(folder / "field.cfg", *configuration->field); !done) return done.error();
-  if (auto done = readOptional(folder / "robot.cfg", *configuration->robot); !done) return done.error();
+  if (auto done = readOptional(folder / "field.cfg", *configuration->field); !done)
+    return done.error();
+  if (auto done = readOptional(folder / "robot.cfg", *configuration->robot); !done)
+    return done.error();
   auto table = readColorTable((folder / "coltable.c64").string());
   if (!table) return table.error();
   configuration->colorTable = std::make_shared<ColorTable64>(std::move(*table));
   auto motions = loadMotionNet(paths.motions);
   if (!motions) return motions.error();
   configuration->motions = std::make_shared<MotionNet>(std::move(*motions));
-  if (auto done = readBehavior(paths.behavior, *configuration->behavior); !done) return done.error();
-  if (auto done = readSolutions(folder / "modules.cfg", configuration->solutions); !done) return done.error();
-  if (auto done = readParameters(folder / "modules", configuration->parameters); !done) return done.error();
+  if (auto done = readBehavior(paths.behavior, *configuration->behavior); !done)
+    return done.error();
+  if (auto done = readSolutions(folder / "modules.cfg", configuration->solutions); !done)
+    return done.error();
+  if (auto done = readLog(folder / "log.cfg", configuration->log); !done) return done.error();
+  if (auto done = readParameters(folder / "modules", configuration->parameters); !done)
+    return done.error();
   return std::shared_ptr<const Configuration>{std::move(configuration)};
 }
 

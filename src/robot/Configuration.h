@@ -5,18 +5,22 @@
 
 #include "framework/Blackboard.h"
 #include "modules/behavior/Behavior.h"
-#include "motionnet/MotionNet.h"
+#include "modules/motion/MotionNetLoader.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/perception/ColorTable64.h"
 
 namespace gt {
 
-/// What a robot reads from files when it starts (report B.4), loaded once and shared by all robots that have the same:
+/// What a robot reads from files when it starts (report B.4), loaded once and shared by all robots
+/// that have the same. In the configuration folder:
 ///
-///     field.cfg      FieldDimensions           coltable.c64   ColorTable64 (report B.4.2)
-///     robot.cfg      RobotDimensions           modules.cfg    the solution of each task: TASK SOLUTION
-///     modules/TASK.SOLUTION.cfg                parameters of that solution
+///     field.cfg                  FieldDimensions
+///     robot.cfg                  RobotDimensions
+///     coltable.c64               ColorTable64 (report B.4.2)
+///     modules.cfg                the solution of each task
+///     modules/TASK.SOLUTION.cfg  the parameters of that solution
+///     log.cfg                    what is recorded
 ///
 /// Every file but coltable.c64 may be missing: then the defaults hold.
 struct Configuration {
@@ -24,6 +28,11 @@ struct Configuration {
   struct SolutionChoice {
     std::string task, solution, file;
     int line;
+  };
+  /// log.cfg: what a robot's log holds.
+  struct LogSettings {
+    std::vector<std::string> representations;
+    std::int64_t picturePeriod = 0;  ///< ms; 0 for no pictures
   };
   /// A file of the folder modules/.
   struct ParameterFile {
@@ -37,6 +46,7 @@ struct Configuration {
   std::shared_ptr<Behavior> behavior;
   std::vector<SolutionChoice> solutions;
   std::vector<ParameterFile> parameters;
+  LogSettings log;
 
   /// Lays the shared values on a blackboard.
   void share(Blackboard& blackboard) const;
@@ -45,9 +55,9 @@ struct Configuration {
 
 /// The folders and files that a configuration is read from.
 struct ConfigurationPaths {
-  std::string config = "config";                         ///< Folder.
-  std::string motions = "motions";                       ///< Folder of `.mof` files.
-  std::string behavior = "behavior/GT2003.xabsl";        ///< The agents file.
+  std::string config = "config";                   ///< Folder.
+  std::string motions = "motions";                 ///< Folder of `.mof` files.
+  std::string behavior = "behavior/GT2003.xabsl";  ///< The agents file.
 };
 
 /// Reads everything; the first error tells file, line and field.

@@ -12,8 +12,9 @@ namespace gt {
 
 const std::vector<const RepresentationType*>& platformRepresentations() {
   static const std::vector<const RepresentationType*> list{
-      &representation<Image>(),           &representation<SensorDataBuffer>(), &representation<GameControlData>(),
-      &representation<TeamMessages>(),    &representation<OracledWorldState>()};
+      &representation<Image>(), &representation<SensorDataBuffer>(),
+      &representation<GameControlData>(), &representation<TeamMessages>(),
+      &representation<OracledWorldState>()};
   return list;
 }
 
@@ -42,8 +43,8 @@ Result<std::unique_ptr<Robot>> Robot::make(const RobotSetup& setup) {
     setup.configuration->share(blackboard);
     blackboard.get<Player>() = setup.player;
     Time& frameTime = blackboard.get<FrameInfo>().time;
-    robot->processes_.push_back(
-        std::make_unique<ModuleProcess>(process, std::move(blackboard), frameTime, Random{setup.seed}));
+    robot->processes_.push_back(std::make_unique<ModuleProcess>(process, std::move(blackboard),
+                                                                frameTime, Random{setup.seed}));
   }
   robot->connect();
   if (const auto done = robot->configure(*setup.configuration); !done) return done.error();
@@ -52,13 +53,15 @@ Result<std::unique_ptr<Robot>> Robot::make(const RobotSetup& setup) {
 
 void Robot::connect() {
   for (const Connection& connection : plan_.connections) {
-    PackageReceiver& receiver = find(connection.to)->receiver(*connection.type, connection.blocking);
+    PackageReceiver& receiver =
+        find(connection.to)->receiver(*connection.type, connection.blocking);
     if (connection.from.empty())
       links_.push_back({connection.type, &receiver});
     else
       find(connection.from)->sender(*connection.type).connect(receiver);
   }
-  for (const auto& process : processes_) debug_.connect(process->debugSender(), process->debugReceiver());
+  for (const auto& process : processes_)
+    debug_.connect(process->debugSender(), process->debugReceiver());
 }
 
 Result<void> Robot::configure(const Configuration& configuration) {
@@ -68,7 +71,8 @@ Result<void> Robot::configure(const Configuration& configuration) {
   for (const Configuration::ParameterFile& file : configuration.parameters)
     for (const auto& process : processes_)
       if (process->solves(file.task))
-        if (auto done = process->configure(file.task, file.solution, file.text, file.path); !done) return done;
+        if (auto done = process->configure(file.task, file.solution, file.text, file.path); !done)
+          return done;
   return {};
 }
 
@@ -78,15 +82,26 @@ ModuleProcess* Robot::find(std::string_view name) const {
   return nullptr;
 }
 
-const void* Robot::provided(const RepresentationType& type) const {
-  for (std::size_t i = 0, p = 0; i < plan_.processes.size(); ++i) {
-    if (plan_.processes[i].layout.collectsMessages) continue;
-    for (const Task* task : plan_.processes[i].order)
+ModuleProcess* Robot::providerOf(std::string_view representation) const {
+  for (const Plan::Process& process : plan_.processes)
+    for (const Task* task : process.order)
       for (const RepresentationType* output : task->outputs)
-        if (output == &type) return processes_[p]->blackboard().get(type);
-    ++p;
-  }
+        if (output->name == representation) return find(process.layout.name);
   return nullptr;
+}
+
+Result<const RepresentationType*> Robot::watch(const std::string& representation) {
+  ModuleProcess* process = providerOf(representation);
+  for (const auto& reader : processes_)
+    if (!process && reader->blackboard().find(representation)) process = reader.get();
+  if (!process) return Error{"", 0, representation, "no process of the robot has it"};
+  if (auto done = process->request(WatchRequest{representation, process->name(), true}); !done) return done.error();
+  return process->blackboard().find(representation);
+}
+
+const void* Robot::provided(const RepresentationType& type) const {
+  ModuleProcess* process = providerOf(type.name);
+  return process ? process->blackboard().get(type) : nullptr;
 }
 
 void Robot::step(Time now) {

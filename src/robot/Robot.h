@@ -19,8 +19,9 @@ struct RobotSetup {
   std::uint64_t seed = 0;
 };
 
-/// A robot: the processes of its layout, connected to each other and to a platform, which sends it sensor readings and takes
-/// its commands. It does not know whether the platform is a simulator, hardware or a log. One thread at a time.
+/// A robot: the processes of its layout, connected to each other and to a platform, which sends it
+/// sensor readings and takes its commands. It does not know whether the platform is a simulator,
+/// hardware or a log. One thread at a time.
 class Robot {
  public:
   static Result<std::unique_ptr<Robot>> make(const RobotSetup& setup);
@@ -31,11 +32,16 @@ class Robot {
     for (PlatformLink& link : links_)
       if (link.type == &representation<T>()) link.receiver->deliver(&package);
   }
-  /// A representation that some process provides, as it is at the end of its last cycle; null if none does.
+  /// A representation that some process provides, as it is at the end of its last cycle; null if
+  /// none does.
   template <typename T>
   const T* provided() const {
     return static_cast<const T*>(provided(representation<T>()));
   }
+
+  /// Has a representation sent to the tools after each cycle of the process that provides it, or of the first that reads it.
+  /// Returns its type.
+  Result<const RepresentationType*> watch(const std::string& representation);
 
   /// Gives each process, in the order of the layout, the chance to run once.
   void step(Time now);
@@ -60,6 +66,7 @@ class Robot {
   void connect();
   Result<void> configure(const Configuration& configuration);
   ModuleProcess* find(std::string_view process) const;
+  ModuleProcess* providerOf(std::string_view representation) const;
   const void* provided(const RepresentationType& type) const;
 
   Plan plan_;

@@ -10,7 +10,7 @@
 #include "modules/motion/DefaultLedControl.h"
 #include "modules/motion/DefaultMotionControl.h"
 #include "modules/motion/GT2003HeadControl.h"
-#include "modules/motion/GT2003MotionNetSpecialActions.h"
+#include "modules/motion/MotionNetSpecialActions.h"
 #include "modules/motion/InvKinWalkingEngine.h"
 #include "modules/motion/Tasks.h"
 #include "modules/perception/DefaultSensorDataProcessor.h"
@@ -31,9 +31,9 @@ const SolutionTable& solutions() {
     t.add<BehaviorControl, GT2003BehaviorControl>("GT2003");
     t.add<TeamMessageSender, DefaultTeamMessageSender>("Default");
     t.add<HeadControl, GT2003HeadControl>("GT2003");
-    t.add<LEDControl, DefaultLEDControl>("Default");
+    t.add<LEDControl, DefaultLedControl>("Default");
     t.add<WalkingEngine, InvKinWalkingEngine>("InvKin");
-    t.add<SpecialActions, GT2003MotionNetSpecialActions>("GT2003MotionNet");
+    t.add<SpecialActions, MotionNetSpecialActions>("GT2003MotionNet");
     t.add<MotionControl, DefaultMotionControl>("Default");
     return t;
   }();

@@ -3,7 +3,8 @@
 
 namespace gt {
 
-/// All tasks of the robot and all their solutions; the first of a task is its default (report, chapter 3's table).
+/// All tasks of the robot and all their solutions; the first of a task is its default (report,
+/// chapter 3's table).
 const SolutionTable& solutions();
 
 }  // namespace gt

@@ -72,13 +72,13 @@ function showFigures() {
     const box = element('div', {}, element('dt', {text: name}),
         element('dd', {text: value}, element('small', {text: unit ? ' ' + unit : ''})));
     if (aim) box.append(element('span', {class: 'aim ' + (aim.met ? 'met' : 'missed'),
-                                         text: `${aim.met ? '✓' : '✗'} aim: ${aim.text}`}));
+                                         text: `${aim.met ? '✓' : '✗'} aim ${aim.text}`}));
     byId('figures').append(box);
   };
   const median = quantile(errors, .5), percentile95 = quantile(errors, .95);
-  figure('localization error, median', number(median), 'mm', {met: median <= aims.median, text: '≤ 150 mm'});
-  figure('localization error, 95 %', number(percentile95), 'mm',
-         {met: percentile95 <= aims.percentile95, text: '≤ 600 mm'});
+  figure('localization error, median', number(median), 'mm', {met: median <= aims.median, text: '≤ 150\u00a0mm'});
+  figure('localization error, 95\u00a0%', number(percentile95), 'mm',
+         {met: percentile95 <= aims.percentile95, text: '≤ 600\u00a0mm'});
   figure('goals, own goals', `${goals.filter((g) => !g.ownGoal).length} + ${goals.filter((g) => g.ownGoal).length}`);
   figure('kicks', number(sum(robots.map(kicksOf))));
   figure('walked by all', number(sum(robots.map((robot) => robot.distanceWalked)) / 1000), 'm');
@@ -90,8 +90,8 @@ function fillTable(table, caption, head, rows) {
   const cell = (tag, content, attributes) =>
       content instanceof Node ? element(tag, attributes, content) : element(tag, {...attributes, text: content});
   table.setAttribute('aria-label', caption);
-  table.append(element('thead', {}, element('tr', {}, ...head.map((h) =>
-      element('th', {scope: 'col', class: h.text ? 'text' : '', text: h.name})))));
+  table.append(element('thead', {}, element('tr', {}, ...head.map((h, i) =>
+      element('th', {scope: 'col', class: i === 0 || h.text ? 'text' : '', text: h.name})))));
   table.append(element('tbody', {}, ...rows.map((row) => element('tr', {}, ...row.map((content, i) =>
       i === 0 ? cell('th', content, {scope: 'row'}) : cell('td', content, {class: head[i].text ? 'text' : ''}))))));
 }
@@ -101,8 +101,8 @@ function showRobots() {
       {class: value <= aim ? 'met' : 'missed', text: `${number(value)} ${value <= aim ? '✓' : '✗'}`});
   const degrees = (angle) => angle === null ? '–' : number(angle * 180 / Math.PI, 1) + '°';
   const has = (statistics) => statistics.count > 0;
-  const head = ['robot', 'role', 'error mm, median', '95 %', 'rotation, median', '95 %', 'ball mm, median', '95 %',
-                'walked m', 'kicks', 'falls', 'goals', 'own goals'].map((name, i) => ({name, text: i === 1}));
+  const head = ['robot', 'role', 'position error, median, mm', '95\u00a0%, mm', 'rotation error, median', '95\u00a0%',
+                'ball error, median, mm', '95\u00a0%, mm', 'walked, m', 'kicks', 'falls', 'goals', 'own goals'].map((name, i) => ({name, text: i === 1}));
   fillTable(byId('robotTable'), 'Figures of each robot', head, robots.map((robot) => {
     const {localizationError: l, rotationError: r, ballError: b} = robot;
     const kicks = element('span', {text: number(kicksOf(robot)),

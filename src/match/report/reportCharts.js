@@ -64,14 +64,16 @@ function errorOptions() {
     scales: {
       x: {type: 'linear', min: 0, max: lastSecond, title: {display: true, text: 'time, minutes'},
           ticks: {callback: clock, stepSize: lastSecond > 300 ? 60 : 15, maxRotation: 0, autoSkipPadding: 12}},
-      y: {type: 'logarithmic', min: 10, title: {display: true, text: 'error, mm'},
+      y: {type: 'logarithmic', min: 10, suggestedMax: 1000, title: {display: true, text: 'error, mm'},
           afterBuildTicks: (axis) => {
             axis.ticks = logTicks.filter((value) => value >= axis.min && value <= axis.max).map((value) => ({value}));
           },
           ticks: {callback: (value) => number(value)}},
     },
     plugins: {
-      legend: {labels: {usePointStyle: true, pointStyle: 'line', pointStyleWidth: 34, boxWidth: 34}},
+      legend: {labels: {usePointStyle: true, pointStyle: 'line', pointStyleWidth: 34, boxWidth: 34,
+                        generateLabels: (chart) => Chart.defaults.plugins.legend.labels.generateLabels(chart).map(
+                            (label) => ({...label, lineDash: chart.data.datasets[label.datasetIndex].borderDash}))}},
       tooltip: {filter: (item) => item.datasetIndex < robots.length,
                 callbacks: {title: (items) => (items.length ? clock(items[0].parsed.x) : ''),
                             label: (item) => `${item.dataset.label}: ${number(item.parsed.y)} mm`}},

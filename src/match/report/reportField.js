@@ -116,10 +116,11 @@ function pathOf({x, y}, from, to, jumps) {
 
 function robotTrace(robot) {
   const samples = robot.samples, color = `var(--${colorNameOf(robot)})`;
-  const trace = shape('path', {fill: 'none', stroke: color, 'stroke-width': 1.6, 'vector-effect': 'non-scaling-stroke', 'stroke-linejoin': 'round'});
+  const trace = shape('path', {class: 'trace', style: `--color: ${color}`});
+  const seam = robot.team === 'red' ? '#c4121f' : '#1746b8';  // whatever its own colour, the team is plain to see
   const body = shape('g', {},
-      shape('rect', {x: -150, y: -80, width: 260, height: 160, rx: 50, fill: color, stroke: '#10261a', 'stroke-width': 14}),
-      shape('circle', {cx: 120, cy: 0, r: 52, fill: color, stroke: '#10261a', 'stroke-width': 14}));
+      shape('rect', {x: -150, y: -80, width: 260, height: 160, rx: 50, fill: color, stroke: seam, 'stroke-width': 24}),
+      shape('circle', {cx: 120, cy: 0, r: 52, fill: color, stroke: seam, 'stroke-width': 24}));
   const label = shape('text', {'text-anchor': 'middle', 'font-size': 130, 'font-weight': 700, fill: '#10261a', dy: 46});
   label.textContent = robot.player;
   const jumps = (i) => i > 0 && Math.hypot(samples.x[i] - samples.x[i - 1], samples.y[i] - samples.y[i - 1]) > 500 * page.sampleSeconds;
@@ -135,11 +136,11 @@ function robotTrace(robot) {
     body.setAttribute('transform', `${place} rotate(${angle * 180 / Math.PI})`);
     label.setAttribute('transform', `${place} scale(1 -1)`);
   };
-  return {key: robotName(robot), color, nodes: [trace, body, label], draw};
+  return {key: robotName(robot), color, nodes: [trace, shape('g', {}, body, label)], draw};
 }
 
 function ballTrace() {
-  const trace = shape('path', {fill: 'none', stroke: '#ffa531', 'stroke-width': 2.2, 'vector-effect': 'non-scaling-stroke', 'stroke-linejoin': 'round'});
+  const trace = shape('path', {class: 'trace ball', style: '--color: #ffa531'});
   const dot = shape('circle', {r: Math.max(field.ballRadius, 43), fill: '#ff8a00', stroke: '#10261a', 'stroke-width': 14});
   const moved = new Set(events.filter((event) => event.kind !== 'kick').flatMap((event) => {
     const i = Math.floor(event.second / page.sampleSeconds);
@@ -149,7 +150,7 @@ function ballTrace() {
   const draw = (from, to, opacity) => {
     if (match.ball.x.length === 0) return;
     trace.setAttribute('d', pathOf(match.ball, from, to, jumps));
-    trace.setAttribute('opacity', Math.max(opacity, .7));
+    trace.setAttribute('opacity', Math.max(opacity, .6));
     dot.setAttribute('cx', valueAt(match.ball.x, to));
     dot.setAttribute('cy', valueAt(match.ball.y, to));
   };
@@ -162,8 +163,8 @@ function showField() {
   svg.setAttribute('viewBox', `${-wide} ${-high} ${2 * wide} ${2 * high}`);
   const up = shape('g', {transform: 'scale(1 -1)'}, drawGround());
   const traces = [...robots.map(robotTrace), ballTrace()];
-  for (const layer of [0, 1, 2])
-    up.append(...traces.filter((trace) => trace.nodes[layer]).map((trace) => trace.nodes[layer]));
+  for (const layer of [0, 1])
+    up.append(...traces.map((trace) => trace.nodes[layer]));
   svg.append(up);
   for (const trace of traces) {
     const chip = element('button', {'aria-pressed': 'true', style: `--color: ${trace.color}`, onclick: () => {
@@ -175,7 +176,7 @@ function showField() {
     byId('traceChips').append(chip);
   }
   changeOfSelection.push(() => {
-    const opacity = selection.to - selection.from > 120 ? .4 : .95;
+    const opacity = selection.to - selection.from > 120 ? .35 : .95;
     traces.forEach((trace) => trace.draw(selection.from, selection.to, opacity));
   });
 }

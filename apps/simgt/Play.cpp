@@ -1,0 +1,125 @@
+#include "Play.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "match/report/Report.h"
+
+namespace gt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// A line at the terminal's bottom that shows how far the match is; commentary scrolls above it.
+/// Without a terminal only the commentary is printed.
+class ProgressBar {
+ public:
+  explicit ProgressBar(double minutes)
+      : total_{minutes * 60}, terminal_{isatty(STDOUT_FILENO) != 0} {}
+
+  void say(const std::string& line) {
+    if (terminal_) fmt::print("\r\033[K");
+    fmt::print("{}\n", line);
+    if (terminal_) fmt::print("{}", last_);
+    std::fflush(stdout);
+  }
+  void show(const Match& match, int red, int blue) {
+    const double simulated = static_cast<double>(match.time().ms) / 1000,
+                 real = secondsSince(begin_);
+    if (!terminal_ || real < shown_ + 0.1) return;
+    shown_ = real;
+    const auto width = static_cast<std::size_t>(std::min(simulated / total_, 1.0) * 40);
+    last_ = fmt::format("\r[{:<40}] {:2.0f}:{:02.0f}  {}:{}  {:.1f} times real time",
+                        std::string(width, '='), std::floor(simulated / 60),
+                        std::floor(std::fmod(simulated, 60)), red, blue, simulated / real);
+    fmt::print("{}", last_);
+    std::fflush(stdout);
+  }
+  void end() const {
+    if (terminal_) fmt::print("\r\033[K");
+  }
+  double seconds() const { return secondsSince(begin_); }
+
+ private:
+  double total_;
+  bool terminal_;
+  double shown_ = 0;
+  std::string last_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+int fail(const Error& error) {
+  fmt::print(stderr, "simgt: {}\n", error.text());
+  return 2;
+}
+
+std::string minutes(Time time) {
+  return fmt::format("{:2}:{:02}", time.ms / 60000, time.ms / 1000 % 60);
+}
+
+/// The time that the tasks do not take is the simulator's: world, sensors, cameras.
+MatchTimes timesOf(const Match& match, double seconds, std::size_t threads) {
+  MatchTimes times;
+  times.seconds = seconds;
+  times.realTimeFactor = static_cast<double>(match.time().ms) / 1000 / seconds;
+  times.threads = static_cast<int>(threads);
+  times.parts = match.times();
+  return times;
+}
+
+Result<void> writeResults(const Match& match, const MatchTimes& times,
+                          const std::filesystem::path& out) {
+  std::vector<ReportPicture> pictures;
+  for (const Match::Picture& picture : match.pictures())
+    pictures.push_back(reportPicture(picture.title, picture.image, picture.drawings));
+  const MatchSummary summary = match.summary();
+  if (auto done = writeMatchJson((out / "match.json").string(), summary); !done) return done;
+  if (auto done = writeTimesJson((out / "times.json").string(), times); !done) return done;
+  return writeReport((out / "report.html").string(), summary, times, pictures);
+}
+
+}  // namespace
+
+int play(PlayOptions options) {
+  const std::filesystem::path out{options.out};
+  std::error_code failed;
+  std::filesystem::create_directories(out, failed);
+  if (failed) return fail({options.out, 0, "", failed.message()});
+  if (options.logs) options.match.logs = options.out;
+  options.match.pictures = 12;
+  auto match = Match::make(options.match);
+  if (!match) return fail(match.error());
+
+  fmt::print("{}, {} minutes, seed {}\n", options.match.scene, options.match.minutes,
+             options.match.seed);
+  ProgressBar bar{options.match.minutes};
+  const Referee& referee = (*match)->simulation().referee();
+  std::size_t told = 0;
+  while (!(*match)->finished()) {
+    (*match)->step();
+    for (; told < referee.events().size(); ++told)
+      bar.say(minutes(referee.events()[told].time) + "  " + describe(referee.events()[told]));
+    bar.show(**match, referee.score(TeamColor::red), referee.score(TeamColor::blue));
+  }
+  const MatchTimes times = timesOf(**match, bar.seconds(), options.match.threads);
+  bar.end();
+  if (const auto done = (*match)->close(); !done) return fail(done.error());
+  if (const auto done = writeResults(**match, times, out); !done) return fail(done.error());
+  fmt::print("Final score red {} : {} blue, {:.1f} times real time\n",
+             referee.score(TeamColor::red), referee.score(TeamColor::blue), times.realTimeFactor);
+  fmt::print("Report: {}\n", (out / "report.html").string());
+  fmt::print("Data:   {}, {}{}\n", (out / "match.json").string(), (out / "times.json").string(),
+             options.logs ? ", logs beside them (*.mcap)" : "");
+  return 0;
+}
+
+}  // namespace gt

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "match/Match.h"
+
+namespace gt {
+
+/// What `simgt play` was asked for.
+struct PlayOptions {
+  MatchOptions match;
+  std::string out = "out/match";
+  bool logs = true;
+};
+
+/// Plays a match with a progress bar and a line for each event, then writes match.json, times.json
+/// and report.html. Returns the program's exit status: 2 if a file is wrong.
+int play(PlayOptions options);
+
+}  // namespace gt

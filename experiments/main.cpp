@@ -1,0 +1,65 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "Experiments.h"
+
+namespace gt {
+namespace {
+
+/// 1..10 or a single number.
+std::optional<std::vector<std::uint64_t>> parseSeeds(const std::string& text) {
+  std::uint64_t first = 0, last = 0;
+  char more = 0;
+  if (std::sscanf(text.c_str(), "%lu..%lu%c", &first, &last, &more) != 2) {
+    if (std::sscanf(text.c_str(), "%lu%c", &first, &more) != 1) return std::nullopt;
+    last = first;
+  }
+  if (last < first || last - first >= 10'000) return std::nullopt;
+  std::vector<std::uint64_t> seeds;
+  for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
+  return seeds;
+}
+
+using Experiment = void (*)(Figures&, const ExperimentOptions&);
+const std::map<std::string, Experiment> experiments{{"matches", measureMatches},
+                                                    {"localization", measureLocalization}};
+
+}  // namespace
+}  // namespace gt
+
+/// Reproduces the project's figures of accuracy against the truth, over several seeds.
+int main(int argc, char** argv) {
+  CLI::App app{"Experiments: accuracy against the truth, over several seeds"};
+  std::string seeds = "1..10", json = "out/experiments.json";
+  std::vector<std::string> only;
+  gt::ExperimentOptions options;
+  app.add_option("--seeds", seeds, "A range like 101..110, or one")->capture_default_str();
+  app.add_option("--minutes", options.minutes, "Length of a match")->capture_default_str();
+  app.add_option("--only", only, "Which experiments; all if not given")
+      ->check(CLI::IsMember({"matches", "localization"}));
+  app.add_option("--json", json, "File for the figures")->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  const auto parsed = gt::parseSeeds(seeds);
+  if (!parsed) {
+    fmt::print(stderr, "experiment: --seeds: '{}' is not a range like 1..10\n", seeds);
+    return 2;
+  }
+  options.seeds = *parsed;
+
+  gt::Figures figures;
+  for (const auto& [name, measure] : gt::experiments)
+    if (only.empty() || std::find(only.begin(), only.end(), name) != only.end())
+      measure(figures, options);
+  figures.print();
+  std::error_code ignored;
+  std::filesystem::create_directories(std::filesystem::path{json}.parent_path(), ignored);
+  if (figures.write(json)) return 0;
+  fmt::print(stderr, "experiment: {} cannot be written\n", json);
+  return 2;
+}

@@ -1,0 +1,99 @@
+// Plays matches on several seeds and tells what the issue of a whole match asks for: goals, own
+// goals, and how well the robots knew where they were.
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include "Experiments.h"
+#include "match/Match.h"
+
+namespace gt {
+namespace {
+
+/// What one match says.
+struct Row {
+  std::uint64_t seed = 0;
+  int red = 0, blue = 0, ownGoals = 0, kicks = 0, stuckBalls = 0;
+  double distance = 0;
+  ErrorStatistics localization;
+  double longestLost = 0;
+};
+
+Row playMatch(std::uint64_t seed, double minutes) {
+  MatchOptions options;
+  options.seed = seed;
+  options.minutes = minutes;
+  auto match = Match::make(options);
+  Row row{.seed = seed};
+  if (!match) {
+    fmt::print(stderr, "experiment: {}\n", match.error().text());
+    return row;
+  }
+  while (!(*match)->finished()) (*match)->step();
+  const MatchSummary summary = (*match)->summary();
+  row.red = summary.redScore;
+  row.blue = summary.blueScore;
+  for (const MatchEvent& event : summary.events) {
+    row.ownGoals += event.kind == "goal" && event.ownGoal;
+    row.stuckBalls += event.kind == "stuckBall";
+  }
+  for (const RobotSummary& robot : summary.robots) {
+    row.distance += robot.distanceWalked / 1000;
+    for (const KickCount& kick : robot.kicks) row.kicks += kick.count;
+  }
+  row.localization = statisticsOf((*match)->statistics().localizationErrors());
+  row.longestLost = (*match)->statistics().longestLost();
+  return row;
+}
+
+/// One match in a thread, as many at once as there are cores; the order of the rows is that of the
+/// seeds.
+std::vector<Row> playMatches(const std::vector<std::uint64_t>& seeds, double minutes) {
+  std::vector<Row> rows(seeds.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < seeds.size();) rows[i] = playMatch(seeds[i], minutes);
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  return rows;
+}
+
+template <typename Get>
+std::vector<double> column(const std::vector<Row>& rows, Get&& get) {
+  std::vector<double> values;
+  for (const Row& row : rows) values.push_back(static_cast<double>(get(row)));
+  return values;
+}
+
+}  // namespace
+
+void measureMatches(Figures& figures, const ExperimentOptions& options) {
+  const std::vector<Row> rows = playMatches(options.seeds, options.minutes);
+  fmt::print("{:>6} {:>7} {:>4} {:>6} {:>6} {:>9} {:>8} {:>8} {:>8} {:>7}\n", "seed", "score",
+             "own", "kicks", "stuck", "walked m", "median", "p95 mm", "max mm", "lost s");
+  for (const Row& r : rows)
+    fmt::print("{:>6} {:>7} {:>4} {:>6} {:>6} {:>9.0f} {:>8.0f} {:>8.0f} {:>8.0f} {:>7.1f}\n",
+               r.seed, fmt::format("{}:{}", r.red, r.blue), r.ownGoals, r.kicks, r.stuckBalls,
+               r.distance, r.localization.median, r.localization.percentile95,
+               r.localization.maximum, r.longestLost);
+
+  const auto goals = column(rows, [](const Row& r) { return r.red + r.blue - r.ownGoals; });
+  figures.add("match.goals", "goals", column(rows, [](const Row& r) { return r.red + r.blue; }),
+              Aim::atLeast(3));
+  figures.add("match.goals.regular", "goals", goals);
+  figures.add("match.goals.own", "goals", column(rows, [](const Row& r) { return r.ownGoals; }));
+  figures.add("match.kicks", "kicks", column(rows, [](const Row& r) { return r.kicks; }));
+  figures.add("match.stuckBalls", "balls", column(rows, [](const Row& r) { return r.stuckBalls; }));
+  figures.add("match.localization.error.median", "mm",
+              column(rows, [](const Row& r) { return r.localization.median; }), Aim::atMost(150));
+  figures.add("match.localization.error.p95", "mm",
+              column(rows, [](const Row& r) { return r.localization.percentile95; }),
+              Aim::atMost(600));
+  figures.add("match.localization.lost.longest", "s",
+              column(rows, [](const Row& r) { return r.longestLost; }));
+}
+
+}  // namespace gt

@@ -1,0 +1,170 @@
+#include "match/Match.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "robot/Configuration.h"
+
+namespace gt {
+namespace {
+
+MatchEvent toMatchEvent(const GameEvent& event) {
+  return {event.time,      std::string{enumName(event.type)},
+          describe(event), event.team,
+          event.number,    event.ownGoal,
+          event.scoreRed,  event.scoreBlue};
+}
+
+std::string clock(Time time) {
+  const auto seconds = time.ms / 1000;
+  const std::string s = std::to_string(seconds % 60);
+  return std::to_string(seconds / 60) + (s.size() < 2 ? ":0" : ":") + s;
+}
+
+}  // namespace
+
+std::string describe(const GameEvent& event) {
+  const std::string team{enumName(event.team)};
+  const std::string score = std::to_string(event.scoreRed) + ":" + std::to_string(event.scoreBlue);
+  const std::string player = event.number > 0 ? " " + std::to_string(event.number) : "";
+  switch (event.type) {
+    case GameEventType::kickOff:
+      return "Kick-off for " + team;
+    case GameEventType::goal:
+      return "Goal for " + team +
+             (event.ownGoal
+                  ? ", an own goal by " + std::string{enumName(opponent(event.team))} + player
+                  : " by player" + player) +
+             ": " + score;
+    case GameEventType::halfTime:
+      return "Half time, " + score;
+    case GameEventType::stuckBall:
+      return "The ball is stuck and put elsewhere";
+    case GameEventType::ballOut:
+      return "The ball is out and put back";
+    case GameEventType::placedRobot:
+      return "The referee puts " + team + player + " in its place";
+    case GameEventType::gameOver:
+      return "The game is over, " + score;
+  }
+  return "";
+}
+
+Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
+  auto scene = loadScene(options.scene);
+  if (!scene) return scene.error();
+  scene->game.minutes = options.minutes;
+  const auto configuration =
+      loadConfiguration({scene->resolve(scene->config), options.motions, options.behavior});
+  if (!configuration) return configuration.error();
+  std::unique_ptr<Match> match{new Match{options}};
+  auto simulation =
+      Simulation::make(*scene, options.seed, options.threads, *(*configuration)->field);
+  if (!simulation) return simulation.error();
+  match->simulation_ = std::move(*simulation);
+  if (const auto done = match->addRobots(*configuration); !done) return done.error();
+  match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->robots_);
+  return match;
+}
+
+Result<void> Match::addRobots(const std::shared_ptr<const Configuration>& configuration) {
+  const SceneDescription& scene = simulation_->scene();
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    const auto layout = loadLayout(scene.resolve(scene.robots[i].layout));
+    if (!layout) return layout.error();
+    const std::uint64_t seed = Random{options_.seed}.fork(scene.robots[i].name)();
+    auto robot = Robot::make({configuration, *layout, scene.robots[i].player(), seed});
+    if (!robot) return robot.error();
+    auto controller = std::make_unique<SimulatedRobot>(std::move(*robot));
+    if (!options_.logs.empty()) {
+      const McapWriter::Metadata about{
+          {"scene", std::filesystem::path{options_.scene}.filename().string()},
+          {"seed", std::to_string(options_.seed)},
+          {"robot", scene.robots[i].name},
+          {"minutes", std::to_string(options_.minutes)}};
+      const auto path = std::filesystem::path{options_.logs} / (scene.robots[i].name + ".mcap");
+      if (auto done = controller->record(path.string(), about, configuration->log); !done)
+        return done;
+    }
+    robots_.push_back(controller.get());
+    simulation_->attach(i, std::move(controller));
+  }
+  return {};
+}
+
+void Match::step() {
+  if (options_.pictures > 0) keepPicture();
+  simulation_->step();
+  statistics_->update();
+}
+
+/// Spread over the match and the robots: when a picture's time has come, the next picture of the
+/// next robot is kept.
+void Match::keepPicture() {
+  if (requestedPicture_ >= 0) {
+    SimulatedRobot& robot = *robots_[static_cast<std::size_t>(requestedPicture_)];
+    auto drawings = robot.takeDrawings();
+    if (!drawings.empty()) {
+      const std::string title =
+          simulation_->scene().robots[static_cast<std::size_t>(requestedPicture_)].name + " at " +
+          clock(time());
+      pictures_.push_back({title, simulation_->image(static_cast<std::size_t>(requestedPicture_)),
+                           std::move(drawings)});
+      requestedPicture_ = -1;
+    }
+  }
+  const double total = options_.minutes * 60'000;
+  const auto due =
+      static_cast<std::size_t>(static_cast<double>(time().ms) / total * options_.pictures);
+  if (requestedPicture_ < 0 && pictures_.size() < due && !robots_.empty()) {
+    requestedPicture_ = static_cast<int>(pictures_.size() * 3 % robots_.size());
+    robots_[static_cast<std::size_t>(requestedPicture_)]->requestDrawings();
+  }
+}
+
+Result<void> Match::close() {
+  Result<void> first;
+  for (SimulatedRobot* robot : robots_)
+    if (auto done = robot->closeLog(); !done && first) first = done;
+  return first;
+}
+
+MatchSummary Match::summary() const {
+  MatchSummary summary;
+  summary.scene = std::filesystem::path{options_.scene}.filename().string();
+  summary.seed = options_.seed;
+  summary.duration = simulation_->time();
+  summary.redScore = simulation_->referee().score(TeamColor::red);
+  summary.blueScore = simulation_->referee().score(TeamColor::blue);
+  for (const GameEvent& event : simulation_->referee().events())
+    summary.events.push_back(toMatchEvent(event));
+  statistics_->summarize(summary);
+  for (RobotSummary& robot : summary.robots) {
+    if (!options_.logs.empty()) robot.log = robot.name + ".mcap";
+    for (const GameEvent& event : simulation_->referee().events()) {
+      if (event.type != GameEventType::goal || event.number != robot.player) continue;
+      robot.goals += !event.ownGoal && event.team == robot.team;
+      robot.ownGoals += event.ownGoal && event.team != robot.team;
+    }
+  }
+  return summary;
+}
+
+std::vector<PartTime> Match::times() const {
+  std::vector<PartTime> parts;
+  const auto add = [&](const std::string& name, std::int64_t count, double ms) {
+    auto part =
+        std::find_if(parts.begin(), parts.end(), [&](const PartTime& p) { return p.part == name; });
+    if (part == parts.end()) part = parts.insert(parts.end(), PartTime{name, 0, 0});
+    part->count += count;
+    part->totalMs += ms;
+  };
+  for (const SimulatedRobot* robot : robots_)
+    for (const auto& process : robot->robot().processes())
+      for (const Stopwatch& watch : process->times())
+        add(watch.name(), watch.count(), watch.totalMs());
+  return parts;
+}
+
+}  // namespace gt

@@ -1,0 +1,71 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "match/MatchStatistics.h"
+#include "match/MatchSummary.h"
+#include "match/SimulatedRobot.h"
+#include "simulation/Simulation.h"
+
+namespace gt {
+
+/// How a match is to be played.
+struct MatchOptions {
+  std::string scene = "scenes/match.scene";
+  double minutes = 10;  ///< Both halves together.
+  std::uint64_t seed = 1;
+  std::size_t threads = 1;  ///< Do not change what happens.
+  std::string logs;  ///< Folder for the robots' logs, which must exist; none are written if empty.
+  int pictures = 0;  ///< How many camera pictures to keep for the report page.
+  std::string behavior = "behavior/GT2003.xabsl";
+  std::string motions = "motions";
+};
+
+/// A simulated match of robots that run their own programs: the simulator, the robots in it, their
+/// logs, and what is to be known about it all afterwards.
+class Match {
+ public:
+  /// Loads scene, configuration, layouts, motions and behavior; the first error tells file, line
+  /// and field.
+  static Result<std::unique_ptr<Match>> make(const MatchOptions& options);
+
+  /// One tick of 8 ms.
+  void step();
+  bool finished() const { return simulation_->finished(); }
+  Time time() const { return simulation_->time(); }
+  /// Closes the logs and tells the first error that happened in writing one.
+  Result<void> close();
+
+  Simulation& simulation() { return *simulation_; }
+  const std::vector<SimulatedRobot*>& robots() const { return robots_; }
+  const MatchStatistics& statistics() const { return *statistics_; }
+  MatchSummary summary() const;
+  /// The time that each task took so far, over all robots, and the parts of the simulator.
+  std::vector<PartTime> times() const;
+  struct Picture {
+    std::string title;
+    Image image;
+    std::vector<Drawing> drawings;
+  };
+  const std::vector<Picture>& pictures() const { return pictures_; }
+
+ private:
+  explicit Match(const MatchOptions& options) : options_{options} {}
+  Result<void> addRobots(const std::shared_ptr<const Configuration>& configuration);
+  void keepPicture();
+
+  MatchOptions options_;
+  std::unique_ptr<Simulation> simulation_;
+  std::vector<SimulatedRobot*>
+      robots_;  ///< Owned by the simulation; in the order of its active robots.
+  std::unique_ptr<MatchStatistics> statistics_;
+  std::vector<Picture> pictures_;
+  int requestedPicture_ = -1;  ///< The robot whose next picture is kept.
+};
+
+/// What happened, for people: one line.
+std::string describe(const GameEvent& event);
+
+}  // namespace gt

@@ -1,0 +1,123 @@
+#include "match/MatchStatistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "simulation/Oracle.h"
+
+namespace gt {
+namespace {
+
+/// A robot that is further from where it believes to be does not know where it is.
+constexpr double lostDistance = 1000;  // mm
+
+}  // namespace
+
+ErrorStatistics statisticsOf(std::vector<double> errors) {
+  if (errors.empty()) return {};
+  std::sort(errors.begin(), errors.end());
+  const auto at = [&](double share) {
+    return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
+  };
+  return {static_cast<std::int64_t>(errors.size()),
+          std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size()),
+          at(0.5), at(0.95), errors.back()};
+}
+
+MatchStatistics::MatchStatistics(const Simulation& simulation,
+                                 const std::vector<SimulatedRobot*>& robots)
+    : simulation_{simulation}, robots_{robots}, records_(robots.size()) {}
+
+void MatchStatistics::update() {
+  const bool picture = !robots_.empty() && simulation_.input(0).image;
+  const bool second = simulation_.time().ms % 1000 == 0;
+  const GameState state = simulation_.referee().state();
+  const bool running =
+      state == GameState::ready || state == GameState::set || state == GameState::playing;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    countActions(i);
+    if (picture && running) compare(i);
+    if (!second) continue;
+    RobotSample sample{simulation_.world().robot(i).pose, 0};
+    if (const RobotPose* pose = robots_[i]->pose())
+      sample.localizationError =
+          (toTeam(simulation_.players()[i].teamColor, pose->pose).translation -
+           sample.pose.translation)
+              .norm();
+    records_[i].samples.push_back(sample);
+  }
+  if (second && simulation_.world().ballCount() > 0)
+    ball_.push_back(simulation_.world().ball(0).position);
+}
+
+void MatchStatistics::compare(std::size_t robot) {
+  const Pose2D truth =
+      toTeam(simulation_.players()[robot].teamColor, simulation_.world().robot(robot).pose);
+  RobotRecord& record = records_[robot];
+  if (const RobotPose* pose = robots_[robot]->pose()) {
+    record.localization.push_back((pose->pose.translation - truth.translation).norm());
+    record.lostFor = record.localization.back() > lostDistance ? record.lostFor + 1 : 0;
+    record.longestLost = std::max(record.longestLost, record.lostFor);
+    record.rotation.push_back(std::abs(normalize(pose->pose.rotation - truth.rotation)));
+  }
+  const BallModel* ball = robots_[robot]->ball();
+  if (ball && ball->lastSeen == simulation_.image(robot).time && simulation_.world().ballCount() > 0) {
+    const Vector2d onField =
+        toTeam(simulation_.players()[robot].teamColor, simulation_.world().ball(0).position);
+    record.ball.push_back((ball->position - relative(truth, onField)).norm());
+  }
+}
+
+void MatchStatistics::countActions(std::size_t robot) {
+  RobotRecord& record = records_[robot];
+  if (const MotionInfo* motion = robots_[robot]->motion()) {
+    const SpecialAction action = motion->executed.type == MotionType::specialAction
+                                     ? motion->executed.specialAction
+                                     : SpecialAction::none;
+    const bool kick = action != SpecialAction::none && action != SpecialAction::stand &&
+                      action != SpecialAction::getup;
+    if (kick && action != record.lastAction) ++record.kicks[action];
+    record.lastAction = action;
+  }
+  if (const RobotState* state = robots_[robot]->state()) {
+    record.falls += state->state == BodyState::fallen && record.lastState != BodyState::fallen;
+    record.lastState = state->state;
+  }
+}
+
+std::vector<double> MatchStatistics::localizationErrors() const {
+  std::vector<double> all;
+  for (const RobotRecord& record : records_)
+    all.insert(all.end(), record.localization.begin(), record.localization.end());
+  return all;
+}
+
+double MatchStatistics::longestLost() const {
+  double longest = 0;
+  for (const RobotRecord& record : records_) longest = std::max(longest, record.longestLost);
+  return longest * tickSeconds * Simulation::ticksPerPicture;
+}
+
+void MatchStatistics::summarize(MatchSummary& summary) const {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const RobotRecord& record = records_[i];
+    const Player& player = simulation_.players()[i];
+    RobotSummary& robot = summary.robots.emplace_back();
+    robot.name = simulation_.scene().robots[i].name;
+    robot.team = player.teamColor;
+    robot.player = player.number();
+    robot.role = player.role;
+    robot.localizationError = statisticsOf(record.localization);
+    robot.rotationError = statisticsOf(record.rotation);
+    robot.ballError = statisticsOf(record.ball);
+    robot.distanceWalked = simulation_.world().robot(i).walked;
+    robot.falls = record.falls;
+    for (const auto& [kick, count] : record.kicks)
+      robot.kicks.push_back({std::string{enumName(kick)}, count});
+    robot.samples = record.samples;
+  }
+  summary.ball = ball_;
+}
+
+}  // namespace gt

@@ -1,0 +1,49 @@
+#pragma once
+#include <map>
+#include <vector>
+
+#include "match/MatchSummary.h"
+#include "match/SimulatedRobot.h"
+#include "simulation/Simulation.h"
+
+namespace gt {
+
+/// Compares what the robots of a match believe with the truth, picture by picture, while the game
+/// runs (ready, set, playing).
+class MatchStatistics {
+ public:
+  MatchStatistics(const Simulation& simulation, const std::vector<SimulatedRobot*>& robots);
+
+  /// Looks at the world and the robots after a tick.
+  void update();
+  /// Fills in what is to be known about the robots and the ball.
+  void summarize(MatchSummary& summary) const;
+  /// The distances between believed and true positions in mm, of all robots and pictures.
+  std::vector<double> localizationErrors() const;
+  /// The longest time in seconds that a robot was wrong by more than a metre.
+  double longestLost() const;
+
+ private:
+  struct RobotRecord {
+    std::vector<double> localization, rotation, ball;
+    double lostFor = 0, longestLost = 0;  // pictures
+    std::map<SpecialAction, int> kicks;
+    SpecialAction lastAction = SpecialAction::none;
+    BodyState lastState = BodyState::standing;
+    int falls = 0;
+    std::vector<RobotSample> samples;
+  };
+
+  void compare(std::size_t robot);
+  void countActions(std::size_t robot);
+
+  const Simulation& simulation_;
+  const std::vector<SimulatedRobot*>& robots_;
+  std::vector<RobotRecord> records_;
+  std::vector<Vector2d> ball_;
+};
+
+/// Mean, median, 95th percentile and maximum; all 0 of nothing.
+ErrorStatistics statisticsOf(std::vector<double> errors);
+
+}  // namespace gt

@@ -1,0 +1,116 @@
+#include "match/Match.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "streams/File.h"
+#include "streams/Json.h"
+#include "streams/Mcap.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Plays matches into a folder of its own.
+class MatchTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::temp_directory_path() / ("gt2003-match-" + std::to_string(::getpid()));
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::unique_ptr<Match> make(const std::string& name, std::uint64_t seed, std::size_t threads,
+                              double minutes) {
+    MatchOptions options;
+    options.seed = seed;
+    options.threads = threads;
+    options.minutes = minutes;
+    options.logs = (folder / name).string();
+    options.pictures = 4;
+    fs::create_directories(options.logs);
+    auto match = Match::make(options);
+    EXPECT_TRUE(match) << match.error().text();
+    return std::move(*match);
+  }
+  /// Everything that a match leaves, as bytes by name.
+  std::map<std::string, std::string> play(const std::string& name, std::uint64_t seed,
+                                          std::size_t threads) {
+    const auto match = make(name, seed, threads, 0.5);
+    while (!match->finished()) match->step();
+    EXPECT_TRUE(match->close());
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::directory_iterator{folder / name})
+      files[entry.path().filename()] = *readFile(entry.path().string());
+    files["match.json"] = toJson(match->summary()).dump();
+    return files;
+  }
+
+  fs::path folder;
+};
+
+TEST_F(MatchTest, SameSeedSameBytesWithAnyNumberOfThreads) {
+  const auto first = play("first", 3, 1);
+  EXPECT_EQ(first.size(), 9u) << "eight logs and the summary";
+  for (const auto& [name, bytes] : first) EXPECT_GT(bytes.size(), 10'000u) << name;
+  const auto again = play("again", 3, 1), threads = play("threads", 3, 2),
+             other = play("other", 4, 2);
+  for (const auto& [name, bytes] : first) {
+    // Comparisons without the bytes in the message.
+    EXPECT_TRUE(bytes == again.at(name)) << name;
+    EXPECT_TRUE(bytes == threads.at(name)) << name;
+    EXPECT_FALSE(bytes == other.at(name)) << name << " of another seed";
+  }
+}
+
+TEST_F(MatchTest, LogsHoldWhatIsConfigured) {
+  play("log", 5, 2);
+  const auto log = McapReader::open((folder / "log/red1.mcap").string());
+  ASSERT_TRUE(log) << log.error().text();
+  std::map<std::string, std::uint64_t> counts;
+  for (const McapChannel& channel : log->channels()) counts[channel.topic] = channel.messageCount;
+  EXPECT_EQ(counts["/RobotPose"], 750u) << "25 a second";
+  EXPECT_EQ(counts["/BallPercept"], 750u);
+  EXPECT_EQ(counts["/camera"], 15u) << "one in two seconds";
+}
+
+TEST_F(MatchTest, RobotsPlay) {
+  const auto match = make("play", 6, 2, 1);
+  while (!match->finished()) match->step();
+  const MatchSummary summary = match->summary();
+  ASSERT_EQ(summary.robots.size(), 8u);
+  double walked = 0, seen = 0;
+  for (const RobotSummary& robot : summary.robots) {
+    walked += robot.distanceWalked;
+    seen += static_cast<double>(robot.ballError.count);
+    EXPECT_GT(robot.localizationError.count, 500);
+    EXPECT_EQ(robot.samples.size(), 60u);
+  }
+  EXPECT_GT(walked, 8000);
+  EXPECT_GT(seen, 1000);
+  EXPECT_FALSE(match->pictures().empty());
+  EXPECT_EQ(summary.events.back().kind, "gameOver");
+}
+
+TEST_F(MatchTest, WrongFilesAreToldInOneLine) {
+  const auto errorOf = [](MatchOptions options) {
+    const auto match = Match::make(options);
+    return match ? std::string{"no error"} : match.error().text();
+  };
+  MatchOptions options;
+  options.scene = "scenes/nowhere.scene";
+  EXPECT_NE(errorOf(options).find("scenes/nowhere.scene"), std::string::npos);
+  options = {};
+  options.motions = "nowhere";
+  EXPECT_NE(errorOf(options).find("nowhere"), std::string::npos);
+  options = {};
+  options.behavior = "behavior/nowhere.xabsl";
+  EXPECT_NE(errorOf(options).find("nowhere.xabsl"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,92 @@
+#include "match/SimulatedRobot.h"
+
+#include <utility>
+
+namespace gt {
+namespace {
+
+/// A robot tells its team mates what it knows with every third picture, some eight times a second.
+constexpr std::int64_t picturesPerMessage = 3;
+
+/// The drawings of a report page's pictures.
+constexpr const char* pictureKeys[] = {"ImageProcessor/horizon", "ImageProcessor/percepts"};
+
+}  // namespace
+
+SimulatedRobot::SimulatedRobot(std::unique_ptr<Robot> robot)
+    : robot_{std::move(robot)},
+      joints_{robot_->provided<JointData>()},
+      odometry_{robot_->provided<OdometryData>()},
+      leds_{robot_->provided<LedValue>()},
+      message_{robot_->provided<TeamMessage>()},
+      pose_{robot_->provided<RobotPose>()},
+      ball_{robot_->provided<BallModel>()},
+      state_{robot_->provided<RobotState>()},
+      motion_{robot_->provided<MotionInfo>()} {}
+
+Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::Metadata& about,
+                                    const Configuration::LogSettings& settings) {
+  auto log = RobotLog::open(path, about);
+  if (!log) return log.error();
+  for (const std::string& name : settings.representations) {
+    const auto type = robot_->watch(name);
+    if (!type) return Error{"log.cfg", 0, type.error().field, type.error().what};
+    log->know(**type);
+  }
+  picturePeriod_ = settings.picturePeriod;
+  log_ = std::move(*log);
+  return {};
+}
+
+Result<void> SimulatedRobot::closeLog() {
+  if (!log_) return {};
+  auto done = log_->close();
+  log_.reset();
+  return done;
+}
+
+void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
+  robot_->send(input.sensors);
+  if (input.image) {
+    robot_->send(input.game);
+    robot_->send(input.team);
+    robot_->send(input.oracle);
+    robot_->send(*input.image);
+    ++pictures_;
+  }
+  robot_->step(input.now);
+  if (joints_) output.joints = *joints_;
+  if (odometry_) output.odometry = *odometry_;
+  if (leds_) output.leds = *leds_;
+  if (message_ && input.image && pictures_ % picturesPerMessage == 0) output.message = *message_;
+  handleMessages(input);
+}
+
+void SimulatedRobot::handleMessages(const RobotInput& input) {
+  MessageQueue& messages = robot_->toTools();
+  messages.handleAllMessages([this](const Message& message) {
+    Drawing drawing;
+    if (message.is<Drawing>() && message.read(drawing) && drawing.space == DrawingSpace::image)
+      drawings_.push_back(std::move(drawing));
+  });
+  if (log_) {
+    log_->write(messages);
+    if (input.image && picturePeriod_ > 0 && input.now >= nextPicture_) {
+      log_->write(*input.image);
+      nextPicture_ = input.now + picturePeriod_;
+    }
+  }
+  messages.clear();
+}
+
+void SimulatedRobot::requestDrawings() {
+  for (const char* key : pictureKeys)
+    if (DebugKey::find(key))
+      static_cast<void>(robot_->request(DebugRequest{key, DebugKeyMode::times, 1}));
+}
+
+std::vector<Drawing> SimulatedRobot::takeDrawings() {
+  return std::exchange(drawings_, {});
+}
+
+}  // namespace gt

@@ -1,0 +1,62 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "match/MatchSummary.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/modeling/RobotState.h"
+#include "representations/motion/MotionInfo.h"
+#include "robot/Robot.h"
+#include "robot/RobotLog.h"
+#include "simulation/Simulation.h"
+
+namespace gt {
+
+/// The platform of a robot in the simulator: hands what the simulated hardware measured to the
+/// robot's processes and takes their commands. Writes the robot's log.
+class SimulatedRobot : public RobotController {
+ public:
+  explicit SimulatedRobot(std::unique_ptr<Robot> robot);
+
+  /// Records from now on.
+  Result<void> record(const std::string& path, const McapWriter::Metadata& about,
+                      const Configuration::LogSettings& settings);
+  Result<void> closeLog();
+
+  void cycle(const RobotInput& input, RobotOutput& output) override;
+
+  /// Has the percepts of the next picture drawn, for the report page.
+  void requestDrawings();
+  /// The drawings that came since, on the picture.
+  std::vector<Drawing> takeDrawings();
+
+  const Robot& robot() const { return *robot_; }
+  Robot& robot() { return *robot_; }
+  const RobotPose* pose() const { return pose_; }
+  const BallModel* ball() const { return ball_; }
+  const RobotState* state() const { return state_; }
+  const MotionInfo* motion() const { return motion_; }
+
+ private:
+  void handleMessages(const RobotInput& input);
+
+  std::unique_ptr<Robot> robot_;
+  const JointData* joints_;
+  const OdometryData* odometry_;
+  const LedValue* leds_;
+  const TeamMessage* message_;
+  const RobotPose* pose_;
+  const BallModel* ball_;
+  const RobotState* state_;
+  const MotionInfo* motion_;
+  std::int64_t pictures_ = 0;
+  std::optional<RobotLog> log_;
+  std::int64_t picturePeriod_ = 0;
+  Time nextPicture_;
+  std::vector<Drawing> drawings_;
+};
+
+}  // namespace gt

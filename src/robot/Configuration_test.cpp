@@ -1,0 +1,128 @@
+#include "robot/Configuration.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "streams/File.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A copy of the repository's configuration, to break a file of.
+class ConfigurationTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    root = fs::temp_directory_path() / ("gt2003-config-" + std::to_string(::getpid()));
+    fs::remove_all(root);
+    for (const char* folder : {"config", "motions", "behavior"})
+      fs::copy(folder, root / folder, fs::copy_options::recursive);
+    fs::create_directories(root);
+    paths = {(root / "config").string(), (root / "motions").string(),
+             (root / "behavior/GT2003.xabsl").string()};
+  }
+  void TearDown() override { fs::remove_all(root); }
+
+  void write(const std::string& file, std::string_view content) {
+    fs::create_directories((root / file).parent_path());
+    ASSERT_TRUE(writeFile((root / file).string(), content));
+  }
+  std::string read(const std::string& file) { return *readFile((root / file).string()); }
+  /// The error's one line, with the temporary folder cut off.
+  std::string error() {
+    const auto configuration = loadConfiguration(paths);
+    if (configuration) return "no error";
+    std::string text = configuration.error().text();
+    EXPECT_EQ(text.find('\n'), text.npos);
+    const std::string prefix = root.string() + "/";
+    for (auto at = text.find(prefix); at != text.npos; at = text.find(prefix))
+      text.erase(at, prefix.size());
+    return text;
+  }
+
+  fs::path root;
+  ConfigurationPaths paths;
+};
+
+TEST_F(ConfigurationTest, TheRepositorysIsSound) {
+  EXPECT_EQ(error(), "no error");
+}
+
+TEST_F(ConfigurationTest, MissingFolder) {
+  paths.config = (root / "nowhere").string();
+  EXPECT_EQ(error(), "nowhere: is not a folder");
+}
+
+TEST_F(ConfigurationTest, WrongConfigFiles) {
+  write("config/field.cfg", "ballRadius 43\nballRadus 44\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/field.cfg:2: ballRadus: "));
+  write("config/field.cfg", "ballRadius round\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/field.cfg:1: ballRadius: "));
+  write("config/field.cfg", "ballRadius -5\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/field.cfg:1: ballRadius: "));
+  write("config/field.cfg", std::string_view("\0\1\2\377\376", 5));
+  EXPECT_THAT(error(), ::testing::StartsWith("config/field.cfg:1: "));
+}
+
+TEST_F(ConfigurationTest, WrongModules) {
+  write("config/modules.cfg", "SelfLocator MonteCarlo\nSelfLocater MonteCarlo\n");
+  EXPECT_EQ(error(), "config/modules.cfg:2: SelfLocater: there is no such task");
+  write("config/modules.cfg", "SelfLocator MontyCarlo\n");
+  EXPECT_EQ(error(), "config/modules.cfg:1: SelfLocator: there is no solution 'MontyCarlo'");
+  write("config/modules.cfg", "SelfLocator\n");
+  EXPECT_EQ(error(), "config/modules.cfg:1: SelfLocator: expected a task and one solution");
+  write("config/modules.cfg", "SelfLocator disabled // for a test\n");
+  EXPECT_EQ(error(), "no error");
+}
+
+TEST_F(ConfigurationTest, WrongParameterFiles) {
+  write("config/modules/SelfLocator.cfg", "");
+  EXPECT_EQ(error(),
+            "config/modules/SelfLocator.cfg: SelfLocator: expected a file name TASK.SOLUTION.cfg");
+  fs::remove(root / "config/modules/SelfLocator.cfg");
+  write("config/modules/SelfLocator.Unheard.cfg", "");
+  EXPECT_EQ(error(),
+            "config/modules/SelfLocator.Unheard.cfg: SelfLocator: there is no solution 'Unheard'");
+}
+
+TEST_F(ConfigurationTest, WrongColorTables) {
+  const std::string table = read("config/coltable.c64");
+  write("config/coltable.c64", table.substr(0, table.size() / 2));
+  EXPECT_THAT(error(), ::testing::StartsWith("config/coltable.c64: "));
+  write("config/coltable.c64", "garbage, not a colour table at all");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/coltable.c64: "));
+  fs::remove(root / "config/coltable.c64");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/coltable.c64: "));
+}
+
+TEST_F(ConfigurationTest, WrongMotions) {
+  write("motions/stand.mof", "garbage\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("motions/stand.mof:1: "));
+  fs::remove(root / "motions/stand.mof");
+  EXPECT_THAT(error(), ::testing::HasSubstr("stand"));
+  fs::remove_all(root / "motions");
+  EXPECT_THAT(error(), ::testing::StartsWith("motions"));
+}
+
+TEST_F(ConfigurationTest, WrongBehaviors) {
+  const std::string agents = read("behavior/GT2003.xabsl");
+  write("behavior/GT2003.xabsl", agents + "\nagent second(\"Second\", no_such_option);\n");
+  EXPECT_THAT(error(), ::testing::HasSubstr("no_such_option"));
+  write("behavior/GT2003.xabsl", agents.substr(0, agents.size() - 10));
+  EXPECT_THAT(error(), ::testing::StartsWith("behavior/GT2003.xabsl:"));
+  write("behavior/GT2003.xabsl", agents);
+  write("behavior/symbols/math_symbols.xabsl",
+        read("behavior/symbols/math_symbols.xabsl")
+            .insert(read("behavior/symbols/math_symbols.xabsl").rfind('}'),
+                    "  float input unregistered;\n"));
+  EXPECT_THAT(error(), ::testing::HasSubstr("unregistered"));
+  fs::remove(root / "behavior/GT2003.xabsl");
+  EXPECT_THAT(error(), ::testing::StartsWith("behavior/GT2003.xabsl: "));
+}
+
+}  // namespace
+}  // namespace gt

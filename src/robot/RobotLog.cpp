@@ -1,0 +1,41 @@
+#include "robot/RobotLog.h"
+
+#include "debug/Drawing.h"
+#include "streams/Jpeg.h"
+
+namespace gt {
+
+RobotLog::RobotLog(McapWriter writer) : writer_{std::move(writer)} {
+  for (const RepresentationType* type :
+       {&representation<Text>(), &representation<Drawing>(), &representation<Plot>()})
+    know(*type);
+  camera_ = writer_.addChannel<CompressedImage>("/camera");
+}
+
+Result<RobotLog> RobotLog::open(const std::string& path, const McapWriter::Metadata& about) {
+  auto writer = McapWriter::open(path);
+  if (!writer) return writer.error();
+  writer->metadata("gt2003", about);
+  return RobotLog{std::move(*writer)};
+}
+
+void RobotLog::know(const RepresentationType& type) {
+  channels_.try_emplace(type.id, writer_.addChannel("/" + std::string{type.name}, type.schema()));
+}
+
+void RobotLog::write(const MessageQueue& queue) {
+  queue.handleAllMessages([this](const Message& message) {
+    const auto channel = channels_.find(message.id);
+    if (channel != channels_.end())
+      writer_.write(channel->second, nanoseconds(message.time), message.bytes);
+  });
+}
+
+void RobotLog::write(const Image& image) {
+  CompressedImage compressed;
+  compressed.header = {RosTime::of(image.time), "camera"};
+  compressed.data = encodeJpeg(&image.pixels.front().y, image.info.width, image.info.height);
+  writer_.write(camera_, image.time, compressed);
+}
+
+}  // namespace gt
