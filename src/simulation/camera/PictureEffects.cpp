@@ -60,7 +60,7 @@ double lost(const CameraEffects& effects, int i, int count) {
 /// Mixes values with their neighbours on both sides; the neighbours' weight is in eighths. Built
 /// from averages of two, which processors have instructions for.
 void mix(const std::uint8_t* before, const std::uint8_t* middle, const std::uint8_t* after,
-         int weight, std::uint8_t* out, std::size_t count) {
+         int weight, std::uint8_t* __restrict out, std::size_t count) {
   const auto average = [](std::uint8_t a, std::uint8_t b) {
     return static_cast<std::uint8_t>((a + b + 1) >> 1);
   };
@@ -68,11 +68,10 @@ void mix(const std::uint8_t* before, const std::uint8_t* middle, const std::uint
   const std::uint8_t one = mask(1), two = mask(2), four = mask(4);
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint8_t own = middle[i];
-    const auto difference = static_cast<std::uint8_t>(own ^ average(before[i], after[i]));
-    const auto pick = [&](std::uint8_t m) {
-      return static_cast<std::uint8_t>(own ^ (difference & m));
-    };
-    out[i] = average(average(average(own, pick(one)), pick(two)), pick(four));
+    const auto change = static_cast<std::uint8_t>(own ^ average(before[i], after[i]));
+    std::uint8_t mixed = average(own, static_cast<std::uint8_t>(own ^ (change & one)));
+    mixed = average(mixed, static_cast<std::uint8_t>(own ^ (change & two)));
+    out[i] = average(mixed, static_cast<std::uint8_t>(own ^ (change & four)));
   }
 }
 

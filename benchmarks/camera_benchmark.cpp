@@ -1,0 +1,100 @@
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/Random.h"
+#include "simulation/MuJoCo.h"
+#include "simulation/Scene.h"
+#include "simulation/SceneModel.h"
+#include "simulation/camera/CameraRenderer.h"
+
+namespace gt {
+namespace {
+
+/// The eight robots of scenes/match.scene, in their places, looking around so that the horizon is
+/// mostly seen.
+class Match {
+ public:
+  Match() {
+    const auto scene = loadScene("scenes/match.scene");
+    if (!scene) throw std::runtime_error(scene.error().text());
+    auto model = composeModel(*scene);
+    if (!model) throw std::runtime_error(model.error().text());
+    model_ = std::move(*model);
+    data_ = makeData(*model_);
+    for (const SceneRobot& robot : scene->robots) place(robot);
+    mj_forward(model_.get(), data_.get());
+    Random random{1};
+    for (int site = 0; site < model_->nsite; ++site) {
+      const std::string name = model_->names + model_->name_siteadr[site];
+      if (name.size() < 7 || name.substr(name.size() - 7) != "/camera") continue;
+      for (int i = 0; i < 16; ++i) {
+        CameraView view;
+        view.last = sitePose(*data_, site);
+        view.hiddenBody = model_->site_bodyid[site];
+        const double pan = random.uniform(-1.2, 1.2), tilt = random.uniform(-0.2, 0.3);
+        view.last.rotation = view.last.rotation * rotationZ(pan) * rotationY(tilt);
+        view.first = view.last;
+        view.first.rotation = rotationZ(random.uniform(-0.1, 0.1)) * view.last.rotation;
+        views_.push_back(view);
+      }
+    }
+  }
+  const mjModel& model() const { return *model_; }
+  const mjData& data() const { return *data_; }
+  const std::vector<CameraView>& views() const { return views_; }
+
+ private:
+  void place(const SceneRobot& robot) {
+    const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, (robot.name + "/pose").c_str());
+    if (joint < 0) throw std::runtime_error(robot.name + " has no joint named pose");
+    mjtNum* pose = data_->qpos + model_->jnt_qposadr[joint];
+    pose[0] = robot.x / 1000;
+    pose[1] = robot.y / 1000;
+    pose[3] = std::cos(robot.pose().rotation / 2);
+    pose[6] = std::sin(robot.pose().rotation / 2);
+  }
+
+  Model model_;
+  ModelData data_;
+  std::vector<CameraView> views_;
+};
+
+void takePictures(benchmark::State& state, const CameraEffects& effects) {
+  const Match match;
+  const CameraScene scene{match.model()};
+  CameraRenderer renderer{scene};
+  Image image;
+  std::uint64_t seed = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    const CameraView& view = match.views()[seed % match.views().size()];
+    renderer.render(match.data(), view, effects, seed++, image);
+    benchmark::DoNotOptimize(image.pixels.data());
+  }
+  state.counters["pictures/s"] =
+      benchmark::Counter(static_cast<double>(seed), benchmark::Counter::kIsRate);
+}
+
+void cameraPerfect(benchmark::State& state) {
+  takePictures(state, CameraEffects::none());
+}
+void cameraRollingShutter(benchmark::State& state) {
+  CameraEffects effects = CameraEffects::none();
+  effects.rollingShutter = true;
+  takePictures(state, effects);
+}
+void cameraDefault(benchmark::State& state) {
+  takePictures(state, {});
+}
+
+BENCHMARK(cameraPerfect)->Name("camera.perfect")->Unit(benchmark::kMicrosecond);
+BENCHMARK(cameraRollingShutter)->Name("camera.rollingShutter")->Unit(benchmark::kMicrosecond);
+BENCHMARK(cameraDefault)->Name("camera.default")->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace gt
