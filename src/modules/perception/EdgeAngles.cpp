@@ -1,31 +1,27 @@
 #include "modules/perception/EdgeAngles.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace gt {
 
 void EdgeAngles::add(double angle, bool onBorder) {
-  auto& angles = onBorder ? borderAngles_ : insideAngles_;
-  std::size_t& count = onBorder ? border_ : inside_;
-  if (count < capacity) angles[count++] = angle;
+  if (count_ < scans_.size()) scans_[count_++] = {angle, onBorder};
 }
 
-EdgeAngles::Merged EdgeAngles::merge(double sign, double tolerance) const {
-  const bool onBorder = inside_ == 0;
-  const auto& angles = onBorder ? borderAngles_ : insideAngles_;
-  const std::size_t count = onBorder ? border_ : inside_;
-  if (count == 0) return {};
-  double extreme = angles[0];
-  for (std::size_t i = 1; i < count; ++i)
-    if (sign * angles[i] > sign * extreme) extreme = angles[i];
+EdgeAngles::Merged EdgeAngles::merge(double sign, double tolerance, double share) const {
+  if (count_ == 0) return {};
+  double extreme = scans_[0].angle;
+  for (std::size_t i = 1; i < count_; ++i)
+    if (sign * scans_[i].angle > sign * extreme) extreme = scans_[i].angle;
   double sum = 0;
-  int close = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    if (std::abs(angles[i] - extreme) <= tolerance) {
-      sum += angles[i];
-      ++close;
-    }
-  return {onBorder ? extreme : sum / close, onBorder};
+  int met = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (scans_[i].onBorder || std::abs(scans_[i].angle - extreme) > tolerance) continue;
+    sum += scans_[i].angle;
+    ++met;
+  }
+  if (met == 0 || met < share * static_cast<double>(count_)) return {extreme, true};
+  return {sum / met, false};
 }
 
 }  // namespace gt

@@ -2,8 +2,6 @@
 #include <array>
 #include <cstddef>
 
-#include "modules/perception/Picture.h"
-
 namespace gt {
 
 /// The angles at which several scans met the same edge of a landmark (report 3.2.4, 3.2.5).
@@ -14,18 +12,22 @@ class EdgeAngles {
     bool onBorder = true;
   };
 
-  void clear() { inside_ = border_ = 0; }
+  void clear() { count_ = 0; }
   void add(double angle, bool onBorder);
+  bool empty() const { return count_ == 0; }
+
   /// The outermost angle, averaged with those close to it, since each has the picture's noise in
-  /// it; `sign` is 1 where a larger angle lies further out. Scans that met the picture's border
-  /// count only if no other did.
-  Merged merge(double sign, double tolerance) const;
-  bool empty() const { return inside_ + border_ == 0; }
+  /// it; `sign` is 1 where a larger angle lies further out. An edge is straight: where less than
+  /// `share` of the scans met it, something hides it, which counts as the picture's border does.
+  Merged merge(double sign, double tolerance, double share) const;
 
  private:
-  static constexpr std::size_t capacity = 16;
-  std::array<double, capacity> insideAngles_{}, borderAngles_{};
-  std::size_t inside_ = 0, border_ = 0;
+  struct Scan {
+    double angle;
+    bool onBorder;
+  };
+  std::array<Scan, 16> scans_{};
+  std::size_t count_ = 0;
 };
 
 }  // namespace gt

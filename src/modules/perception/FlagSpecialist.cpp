@@ -11,6 +11,7 @@ constexpr int maxGap = 2;
 constexpr std::array parts{0.25, 0.5, 0.75};
 // Scans whose edges differ by less than this many pixels met the same edge.
 constexpr double sameEdge = 1.2;
+constexpr double straight = 0.5;  // The part of the scans that has to meet an edge.
 
 bool pinkIsAbove(FlagType type) {
   return type == FlagType::pinkAboveYellow || type == FlagType::pinkAboveGreen ||
@@ -92,8 +93,10 @@ bool FlagSpecialist::measure(const Picture& picture, const Vector2d& start,
   if (!scanWidth(picture, start, m)) return false;
   scanColumns(picture, start, m);
   const double tolerance = sameEdge / picture.matrix.info.focalX;
-  const auto left = left_.merge(1, tolerance), right = right_.merge(-1, tolerance);
-  const auto top = top_.merge(1, tolerance), bottom = bottom_.merge(-1, tolerance);
+  const auto left = left_.merge(1, tolerance, straight),
+             right = right_.merge(-1, tolerance, straight);
+  const auto top = top_.merge(1, tolerance, straight),
+             bottom = bottom_.merge(-1, tolerance, straight);
   flag.boundary = {left.angle,    right.angle,    top.angle,    bottom.angle,
                    left.onBorder, right.onBorder, top.onBorder, bottom.onBorder};
   return locateFlag(picture.matrix, field, flag);

@@ -9,6 +9,9 @@ namespace {
 
 constexpr int maxGap = 3;
 constexpr double sameEdge = 1.2;  // Pixels, as for flags.
+constexpr double straight = 0.5;  // The part of the rows that has to meet a post.
+constexpr ColorSet robotColors{ColorClass::red, ColorClass::blue, ColorClass::black,
+                               ColorClass::gray};
 constexpr std::size_t minLines = 2;
 // Rows, as parts of the goal's height. Robots hide the lower ones.
 constexpr std::array rows{0.15, 0.3, 0.5, 0.7, 0.85};
@@ -49,15 +52,30 @@ void GoalSpecialist::selectGroup(const Picture& picture,
   close();
 }
 
-void GoalSpecialist::scanRows(const Picture& picture, const GoalIndication& from, ColorSet colors) {
+void GoalSpecialist::scanRows(const Picture& picture, const GoalIndication& from, ColorSet colors,
+                              double sign, EdgeAngles& edge) const {
   for (const double part : rows) {
     const Vector2d p = from.top + (from.bottom - from.top) * part;
     if (!colors.contains(picture.classAt(p))) continue;
-    const ColorEdge left = picture.findEdge(p, -picture.horizon.along, colors, maxGap);
-    const ColorEdge right = picture.findEdge(p, picture.horizon.along, colors, maxGap);
-    left_.add(azimuth(picture.ray(left.point)), left.onBorder);
-    right_.add(azimuth(picture.ray(right.point)), right.onBorder);
+    const ColorEdge end = picture.findEdge(p, picture.horizon.along * -sign, colors, maxGap);
+    // Where a robot begins the goal does not end.
+    const Vector2d beyond = end.point - picture.horizon.along * (2.5 * sign);
+    const bool hidden = picture.contains(beyond) && robotColors.contains(picture.classAt(beyond));
+    edge.add(azimuth(picture.ray(end.point)), end.onBorder || hidden);
   }
+}
+
+// The outermost line that shows most of the goal's height: beyond it robots may hide the goal.
+const GoalIndication& GoalSpecialist::outermost(bool left) const {
+  const auto height = [](const GoalIndication& g) { return (g.bottom - g.top).norm(); };
+  double highest = 0;
+  for (const GoalIndication& g : group_) highest = std::max(highest, height(g));
+  const std::size_t n = group_.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const GoalIndication& g = group_[left ? i : n - 1 - i];
+    if (height(g) >= 0.6 * highest) return g;
+  }
+  return group_.front();
 }
 
 void GoalSpecialist::scanColumn(const Picture& picture, const GoalIndication& at, ColorSet colors) {
@@ -74,15 +92,16 @@ bool GoalSpecialist::measure(const Picture& picture, const FieldDimensions& fiel
   const ColorSet colors{goal.color == GoalColor::yellow ? ColorClass::yellow : ColorClass::skyblue};
   for (EdgeAngles* edge : {&left_, &right_, &top_, &bottom_}) edge->clear();
   // Rows from the outermost lines: what lies between them may be hidden.
-  scanRows(picture, group_.front(), colors);
-  scanRows(picture, group_.back(), colors);
+  scanRows(picture, outermost(true), colors, 1, left_);
+  scanRows(picture, outermost(false), colors, -1, right_);
   constexpr std::size_t columns = 8;
   for (std::size_t i = 0; i < columns; ++i)
     scanColumn(picture, group_[i * (group_.size() - 1) / (columns - 1)], colors);
-  if (left_.empty() || top_.empty()) return false;
+  if (left_.empty() || right_.empty() || top_.empty()) return false;
   const double tolerance = sameEdge / picture.matrix.info.focalX;
-  const auto left = left_.merge(1, tolerance), right = right_.merge(-1, tolerance);
-  const auto top = top_.merge(1, tolerance), bottom = bottom_.merge(-1, tolerance);
+  const auto left = left_.merge(1, tolerance, straight),
+             right = right_.merge(-1, tolerance, straight);
+  const auto top = top_.merge(1, tolerance, 0), bottom = bottom_.merge(-1, tolerance, 0);
   goal.boundary = {left.angle,    right.angle,    top.angle,    bottom.angle,
                    left.onBorder, right.onBorder, top.onBorder, bottom.onBorder};
   return locateGoal(picture.matrix, field, goal);

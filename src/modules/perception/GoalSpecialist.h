@@ -18,7 +18,9 @@ class GoalSpecialist {
   void selectGroup(const Picture& picture, std::span<const GoalIndication> indications,
                    GoalColor color);
   bool measure(const Picture& picture, const FieldDimensions& field, GoalPercept& goal);
-  void scanRows(const Picture& picture, const GoalIndication& from, ColorSet colors);
+  void scanRows(const Picture& picture, const GoalIndication& from, ColorSet colors, double sign,
+                EdgeAngles& edge) const;
+  const GoalIndication& outermost(bool left) const;
   void scanColumn(const Picture& picture, const GoalIndication& at, ColorSet colors);
 
   std::vector<GoalIndication> members_, group_;
