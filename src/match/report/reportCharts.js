@@ -47,12 +47,25 @@ function smoothed(column, length) {
 
 function errorData(length) {
   const lines = robots.map((robot) => ({
-    label: robotName(robot), data: smoothed(robot.samples.error, length), colorName: colorNameOf(robot),
-    borderWidth: 1.8, borderDash: dashes[(robot.player + 3) % 4], pointRadius: 0, pointHitRadius: 6,
-  }));
-  const aimLines = [['aim, median: 150 mm', aims.median, []], ['aim, 95 %: 600 mm', aims.percentile95, [4, 4]]].map(
-      ([label, y, borderDash]) => ({label, data: [{x: 0, y}, {x: lastSecond, y}], colorName: 'text', borderWidth: 1.5,
-                                    borderDash, pointRadius: 0, pointHitRadius: 0}));
+                             label: robotName(robot),
+                             data: smoothed(robot.samples.error, length),
+                             colorName: colorNameOf(robot),
+                             borderWidth: 1.8,
+                             borderDash: dashes[(robot.player + 3) % 4],
+                             pointRadius: 0,
+                             pointHitRadius: 6,
+                           }));
+  const aimLines = [
+    ['aim, median: 150 mm', aims.median, []], ['aim, 95 %: 600 mm', aims.percentile95, [4, 4]]
+  ].map(([label, y, borderDash]) => ({
+          label,
+          data: [{x: 0, y}, {x: lastSecond, y}],
+          colorName: 'text',
+          borderWidth: 1.5,
+          borderDash,
+          pointRadius: 0,
+          pointHitRadius: 0
+        }));
   return [...lines, ...aimLines];
 }
 
@@ -62,21 +75,48 @@ function errorOptions() {
   return {
     interaction: {mode: 'index', intersect: false, axis: 'x'},
     scales: {
-      x: {type: 'linear', min: 0, max: lastSecond, title: {display: true, text: 'time, minutes'},
-          ticks: {callback: clock, stepSize: lastSecond > 300 ? 60 : 15, maxRotation: 0, autoSkipPadding: 12}},
-      y: {type: 'logarithmic', min: 10, suggestedMax: 1000, title: {display: true, text: 'error, mm'},
-          afterBuildTicks: (axis) => {
-            axis.ticks = logTicks.filter((value) => value >= axis.min && value <= axis.max).map((value) => ({value}));
-          },
-          ticks: {callback: (value) => number(value)}},
+      x: {
+        type: 'linear',
+        min: 0,
+        max: lastSecond,
+        title: {display: true, text: 'time, minutes'},
+        ticks: {
+          callback: clock,
+          stepSize: lastSecond > 300 ? 60 : 15,
+          maxRotation: 0,
+          autoSkipPadding: 12
+        }
+      },
+      y: {
+        type: 'logarithmic',
+        min: 10,
+        suggestedMax: 1000,
+        title: {display: true, text: 'error, mm'},
+        afterBuildTicks: (axis) => {
+          axis.ticks = logTicks.filter((value) => value >= axis.min && value <= axis.max)
+                           .map((value) => ({value}));
+        },
+        ticks: {callback: (value) => number(value)}
+      },
     },
     plugins: {
-      legend: {labels: {usePointStyle: true, pointStyle: 'line', pointStyleWidth: 34, boxWidth: 34,
-                        generateLabels: (chart) => Chart.defaults.plugins.legend.labels.generateLabels(chart).map(
-                            (label) => ({...label, lineDash: chart.data.datasets[label.datasetIndex].borderDash}))}},
-      tooltip: {filter: (item) => item.datasetIndex < robots.length,
-                callbacks: {title: (items) => (items.length ? clock(items[0].parsed.x) : ''),
-                            label: (item) => `${item.dataset.label}: ${number(item.parsed.y)} mm`}},
+      legend: {
+        labels: {
+          usePointStyle: true,
+          pointStyle: 'line',
+          pointStyleWidth: 34,
+          boxWidth: 34,
+          generateLabels: (chart) => Chart.defaults.plugins.legend.labels.generateLabels(chart).map(
+              (label) => ({...label, lineDash: chart.data.datasets[label.datasetIndex].borderDash}))
+        }
+      },
+      tooltip: {
+        filter: (item) => item.datasetIndex < robots.length,
+        callbacks: {
+          title: (items) => (items.length ? clock(items[0].parsed.x) : ''),
+          label: (item) => `${item.dataset.label}: ${number(item.parsed.y)} mm`
+        }
+      },
     },
   };
 }
@@ -84,11 +124,16 @@ function errorOptions() {
 function showErrors() {
   const shares = lastSecond > 120 ? [1, 10, 30] : [1, 10];
   let length = shares[1];
-  const chart = new Chart(byId('errorChart'), {type: 'line', data: {datasets: errorData(length)},
-                                               options: {...errorOptions(), parsing: false}, plugins: [matchMarks]});
+  const chart = new Chart(byId('errorChart'), {
+    type: 'line',
+    data: {datasets: errorData(length)},
+    options: {...errorOptions(), parsing: false},
+    plugins: [matchMarks]
+  });
   const paint = () => {
     applyColors();
-    for (const line of chart.data.datasets) line.borderColor = line.backgroundColor = colorOf(line.colorName);
+    for (const line of chart.data.datasets)
+      line.borderColor = line.backgroundColor = colorOf(line.colorName);
     chart.options.color = colorOf('soft');
     for (const scale of Object.values(chart.options.scales)) {
       scale.grid = {color: colorOf('line')};
@@ -97,16 +142,21 @@ function showErrors() {
     chart.options.plugins.legend.labels.color = colorOf('text');
     chart.update();
   };
-  const buttons = shares.map((share) => element('button', {
-    text: share === 1 ? `every ${page.sampleSeconds} s` : `median of ${share * page.sampleSeconds} s`,
-    'aria-pressed': String(share === length),
-    onclick: () => {
-      length = share;
-      errorData(length).forEach((line, i) => { chart.data.datasets[i].data = line.data; });
-      buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(shares[i] === length)));
-      chart.update();
-    },
-  }));
+  const buttons = shares.map(
+      (share) => element('button', {
+        text: share === 1 ? `every ${page.sampleSeconds} s` :
+                            `median of ${share * page.sampleSeconds} s`,
+        'aria-pressed': String(share === length),
+        onclick: () => {
+          length = share;
+          errorData(length).forEach((line, i) => {
+            chart.data.datasets[i].data = line.data;
+          });
+          buttons.forEach(
+              (button, i) => button.setAttribute('aria-pressed', String(shares[i] === length)));
+          chart.update();
+        },
+      }));
   byId('smoothButtons').append(...buttons);
   changeOfColors.push(paint);
   changeOfSelection.push(() => chart.draw());
@@ -117,8 +167,10 @@ function showErrors() {
 function largestParts(parts, count) {
   if (parts.length <= count) return parts;
   const others = parts.slice(count - 1);
-  return [...parts.slice(0, count - 1),
-          {part: `${others.length} others`, count: null, totalMs: sum(others.map((part) => part.totalMs))}];
+  return [
+    ...parts.slice(0, count - 1),
+    {part: `${others.length} others`, count: null, totalMs: sum(others.map((part) => part.totalMs))}
+  ];
 }
 
 function showTimes() {
@@ -126,23 +178,44 @@ function showTimes() {
   const total = sum(all.map((part) => part.totalMs)) || 1;
   const meanOf = (part) => (part.count ? number(1000 * part.totalMs / part.count, 1) : '–');
   const share = (part) => number(100 * part.totalMs / total, 1) + ' %';
-  byId('timesHint').textContent = `${number(times.seconds, 1)} s for ${clock(seconds)} minutes of match on ${times.threads} ` +
-      `thread${times.threads === 1 ? '' : 's'}: ${number(times.realTimeFactor, 1)} times real time. The parts sum up over all robots and threads.`;
-  fillTable(byId('timeTable'), 'Computing time of each part',
-            [{name: 'part'}, {name: 'calls'}, {name: 'total ms'}, {name: 'mean µs'}, {name: 'share'}],
-            all.map((part) => [part.part, number(part.count), number(part.totalMs), meanOf(part), share(part)]));
+  byId('timesHint').textContent =
+      `${number(times.seconds, 1)} s for ${clock(seconds)} minutes of match on ${times.threads} ` +
+      `thread${times.threads === 1 ? '' : 's'}: ${
+          number(
+              times.realTimeFactor,
+              1)} times real time. The parts sum up over all robots and threads.`;
+  fillTable(
+      byId('timeTable'), 'Computing time of each part',
+      [{name: 'part'}, {name: 'calls'}, {name: 'total ms'}, {name: 'mean µs'}, {name: 'share'}],
+      all.map(
+          (part) =>
+              [part.part, number(part.count), number(part.totalMs), meanOf(part), share(part)]));
   byId('timeChartBox').style.height = `${60 + 24 * Math.max(shown.length, 1)}px`;
   const chart = new Chart(byId('timeChart'), {
     type: 'bar',
-    data: {labels: shown.map((part) => part.part),
-           datasets: [{data: shown.map((part) => part.totalMs / 1000), borderRadius: 4, maxBarThickness: 18}]},
+    data: {
+      labels: shown.map((part) => part.part),
+      datasets:
+          [{data: shown.map((part) => part.totalMs / 1000), borderRadius: 4, maxBarThickness: 18}]
+    },
     options: {
       indexAxis: 'y',
-      scales: {x: {title: {display: true, text: 'computing time, seconds'}, ticks: {}}, y: {ticks: {autoSkip: false}, grid: {display: false}}},
-      plugins: {legend: {display: false}, tooltip: {callbacks: {
-        label: (item) => `${number(item.parsed.x, 2)} s, ${share(shown[item.dataIndex])}`,
-        afterLabel: (item) => shown[item.dataIndex].count ?
-            `${number(shown[item.dataIndex].count)} calls of ${meanOf(shown[item.dataIndex])} µs` : ''}}},
+      scales: {
+        x: {title: {display: true, text: 'computing time, seconds'}, ticks: {}},
+        y: {ticks: {autoSkip: false}, grid: {display: false}}
+      },
+      plugins: {
+        legend: {display: false},
+        tooltip: {
+          callbacks: {
+            label: (item) => `${number(item.parsed.x, 2)} s, ${share(shown[item.dataIndex])}`,
+            afterLabel: (item) => shown[item.dataIndex].count ?
+                `${number(shown[item.dataIndex].count)} calls of ${
+                    meanOf(shown[item.dataIndex])} µs` :
+                ''
+          }
+        }
+      },
     },
   });
   const paint = () => {
@@ -160,5 +233,7 @@ function showTimes() {
 showErrors();
 showTimes();
 // Paper has another width than the window.
-addEventListener('beforeprint', () => Object.values(Chart.instances).forEach((chart) => chart.resize()));
-addEventListener('afterprint', () => Object.values(Chart.instances).forEach((chart) => chart.resize()));
+addEventListener(
+    'beforeprint', () => Object.values(Chart.instances).forEach((chart) => chart.resize()));
+addEventListener(
+    'afterprint', () => Object.values(Chart.instances).forEach((chart) => chart.resize()));
