@@ -30,7 +30,7 @@ class NoiseTable {
           std::lround(std::clamp(random.gaussian(), -7.5, 7.5) * noiseOne));
   }
   const std::int16_t* row(std::uint64_t seed, int y, int width) const {
-    return &values_[channels * (hash(seed + static_cast<std::uint64_t>(y)) %
+    return &values_[channels * (hash(hash(seed) + static_cast<std::uint64_t>(y)) %
                                 (noisePixels - static_cast<std::size_t>(width)))];
   }
 
@@ -121,7 +121,8 @@ void PictureEffects::apply(const Rasterizer& picture, const CameraEffects& effec
   const std::int16_t *offset = offset_.data(), *gain = gain_.data(), *base = base_.data(),
                      *sigma = sigma_.data();
   // The variance of the kernel w/2, 1 - w, w/2 is w.
-  const int weight = static_cast<int>(std::lround(weightOne * effects.blur * effects.blur));
+  const int weight = static_cast<int>(
+      std::clamp(std::lround(weightOne * effects.blur * effects.blur), 0l, weightOne - 1l));
   const auto times = [](std::int16_t a, std::int16_t b) {
     return static_cast<std::int16_t>((a * b) >> 16);
   };
