@@ -41,9 +41,7 @@ void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& r
                                   const SpecialActionsOutput& special,
                                   const HeadMotionRequest& head, JointData& joints,
                                   OdometryData& odometry, MotionInfo& info) {
-  const bool stale =
-      request.time != never() && frame.time - request.time > parameters.requestTimeout;
-  const MotionRequest wanted = stale ? MotionRequest{} : request;
+  const MotionRequest wanted = request.validAt(frame.time);
   choose(wanted, walking, special);
 
   JointAngles target = angles_;

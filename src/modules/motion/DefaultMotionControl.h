@@ -15,7 +15,6 @@ class DefaultMotionControl {
   struct Parameters {
     double headTiltSpeed = 2.1, headPanSpeed = 3.0, headRollSpeed = 3.0;
     double changeSpeed = 2.5;
-    int requestTimeout = 500;
 
     static constexpr auto fields() {
       using P = Parameters;
@@ -24,9 +23,7 @@ class DefaultMotionControl {
           field("headPanSpeed", &P::headPanSpeed, "rad/s", "fastest", {0.1, 10}),
           field("headRollSpeed", &P::headRollSpeed, "rad/s", "fastest", {0.1, 10}),
           field("changeSpeed", &P::changeSpeed, "rad/s",
-                "fastest of a leg until a new motion's angles are reached", {0.1, 10}),
-          field("requestTimeout", &P::requestTimeout, "ms",
-                "the robot stands if a request with a time is older", {40, 10000})};
+                "fastest of a leg until a new motion's angles are reached", {0.1, 10})};
     }
   };
   Parameters parameters;

@@ -56,10 +56,12 @@ Flight flightAt(FootMode mode, const Step& step, double phase) {
 
 }  // namespace
 
-void InvKinWalkingEngine::update(const MotionRequest& request, const RobotDimensions& robot,
-                                 Previous<MotionInfo> motion, WalkingEngineOutput& output) {
+void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& motionRequest,
+                                 const RobotDimensions& robot, Previous<MotionInfo> motion,
+                                 WalkingEngineOutput& output) {
   const auto executed = motion->executed.type;
   const bool active = executed == MotionType::walk || executed == MotionType::stand;
+  const MotionRequest request = motionRequest.validAt(frame.time);
   output.odometryStep = {};
   if (!active || frame_ < 0) {
     reset(robot);

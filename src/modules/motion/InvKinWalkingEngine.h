@@ -5,6 +5,7 @@
 #include "base/Geometry.h"
 #include "framework/Module.h"
 #include "representations/behavior/MotionRequest.h"
+#include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/motion/MotionInfo.h"
 #include "representations/motion/WalkingEngineOutput.h"
@@ -94,7 +95,7 @@ class InvKinWalkingEngine {
   using Parameters = WalkParameters;
   Parameters parameters;
 
-  void update(const MotionRequest&, const RobotDimensions&, Previous<MotionInfo>,
+  void update(const FrameInfo&, const MotionRequest&, const RobotDimensions&, Previous<MotionInfo>,
               WalkingEngineOutput&);
 
  private:

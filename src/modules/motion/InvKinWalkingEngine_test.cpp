@@ -20,7 +20,7 @@ struct Walk {
   WalkingEngineOutput output;
 
   Walk() { EXPECT_TRUE(readConfig("config/walk.cfg", engine.parameters)); }
-  void frame() { engine.update(request, robot, {motion}, output); }
+  void frame() { engine.update({}, request, robot, {motion}, output); }
   void frames(int n) {
     for (int i = 0; i < n; ++i) frame();
   }

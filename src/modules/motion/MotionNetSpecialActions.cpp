@@ -18,14 +18,14 @@ SpecialAction specialActionOf(const MotionRequest& request) {
   return request.type == MotionType::specialAction ? request.specialAction : SpecialAction::none;
 }
 
-void MotionNetSpecialActions::update(const MotionRequest& request, const MotionNet& net,
-                                     Previous<MotionInfo> motion, Previous<JointData> joints,
-                                     SpecialActionsOutput& output) {
+void MotionNetSpecialActions::update(const FrameInfo& frame, const MotionRequest& request,
+                                     const MotionNet& net, Previous<MotionInfo> motion,
+                                     Previous<JointData> joints, SpecialActionsOutput& output) {
   const auto executed = motion->executed.type;
   const bool active = executed == MotionType::specialAction || executed == MotionType::getup;
   if (!active || !contains(net, node_)) node_ = -1;  // a net put in for another may be shorter
   if (active && (node_ < 0 || framesLeft_ == 0))
-    advance(net, specialActionOf(request), joints->angles);
+    advance(net, specialActionOf(request.validAt(frame.time)), joints->angles);
   output.joints = joints.value;
   std::fill(output.dontCare.begin(), output.dontCare.end(), true);
   output.odometryStep = {};

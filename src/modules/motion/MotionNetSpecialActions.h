@@ -1,6 +1,7 @@
 #pragma once
 #include "framework/Module.h"
 #include "representations/behavior/MotionRequest.h"
+#include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/Joints.h"
 #include "representations/motion/MotionInfo.h"
 #include "representations/motion/MotionNet.h"
@@ -16,8 +17,8 @@ SpecialAction specialActionOf(const MotionRequest&);
 /// to the next, along the transitions that the request selects (report 3.9.2).
 class MotionNetSpecialActions {
  public:
-  void update(const MotionRequest&, const MotionNet&, Previous<MotionInfo>, Previous<JointData>,
-              SpecialActionsOutput&);
+  void update(const FrameInfo&, const MotionRequest&, const MotionNet&, Previous<MotionInfo>,
+              Previous<JointData>, SpecialActionsOutput&);
 
  private:
   void advance(const MotionNet&, SpecialAction requested, const JointAngles& now);

@@ -29,6 +29,13 @@ struct MotionRequest {
   SpecialAction specialAction = SpecialAction::none;
   Time time = never();
 
+  /// The request, or that to stand if its time lies further back than half a second: the behaviour
+  /// has stopped. A request without a time is always valid.
+  MotionRequest validAt(Time now) const {
+    constexpr std::int64_t oldest = 500;
+    return time == never() || now - time <= oldest ? *this : MotionRequest{};
+  }
+
   static constexpr auto fields() {
     return std::tuple{field("type", &MotionRequest::type),
                       field("walkType", &MotionRequest::walkType),

@@ -1,0 +1,59 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include "modules/motion/DefaultMotionControl.h"
+#include "modules/motion/InvKinWalkingEngine.h"
+#include "modules/motion/MotionNetLoader.h"
+#include "modules/motion/MotionNetSpecialActions.h"
+#include "streams/Config.h"
+
+namespace gt {
+
+/// The modules of the motion in the order in which they run, for tests.
+struct MotionHarness {
+  InvKinWalkingEngine walkingEngine;
+  MotionNetSpecialActions specialActions;
+  DefaultMotionControl motionControl;
+  RobotDimensions robot;
+  MotionNet net;
+  FrameInfo frame;
+  MotionRequest request;
+  HeadMotionRequest head;
+  WalkingEngineOutput walking;
+  SpecialActionsOutput special;
+  JointData joints;
+  OdometryData odometry;
+  MotionInfo info;
+
+  MotionHarness() {
+    EXPECT_TRUE(readConfig("config/walk.cfg", walkingEngine.parameters));
+    auto loaded = loadMotionNet("motions");
+    EXPECT_TRUE(loaded) << loaded.error().text();
+    net = *std::move(loaded);
+  }
+
+  void step() {
+    frame.time.ms += 8;
+    const MotionInfo infoBefore = info;
+    const JointData jointsBefore = joints;
+    walkingEngine.update(frame, request, robot, {infoBefore}, walking);
+    specialActions.update(frame, request, net, {infoBefore}, {jointsBefore}, special);
+    motionControl.update(frame, request, walking, special, head, joints, odometry, info);
+  }
+  void steps(int n) {
+    for (int i = 0; i < n; ++i) step();
+  }
+  void walk(double x, double y, double rotation) {
+    request = {};
+    request.type = MotionType::walk;
+    request.walk = {rotation, x, y};
+  }
+  void perform(SpecialAction action) {
+    request = {};
+    request.type = MotionType::specialAction;
+    request.specialAction = action;
+  }
+  bool performs(SpecialAction action) const { return info.executed.specialAction == action; }
+};
+
+}  // namespace gt
