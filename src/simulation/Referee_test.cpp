@@ -12,7 +12,7 @@ class RefereeMatch : public testing::Test {
  protected:
   void SetUp() override {
     scene_ = matchScene();
-    scene_.game.minutes = 2;
+    scene_.game.minutes = 1;
     start();
   }
   void start() {
@@ -132,13 +132,13 @@ TEST_F(RefereeMatch, halvesAndEnd) {
   ASSERT_TRUE(until(GameState::playing, 30));
   EXPECT_EQ(referee_->half(), 1);
   const Time first = world_->time();
-  ASSERT_TRUE(until(GameState::initial, 61));
-  EXPECT_NEAR(static_cast<double>(world_->time() - first), 60'000, 10);
+  ASSERT_TRUE(until(GameState::initial, 31));
+  EXPECT_NEAR(static_cast<double>(world_->time() - first), 30'000, 10);
   EXPECT_EQ(count(GameEventType::halfTime), 1);
   ASSERT_TRUE(until(GameState::playing, 30));
   EXPECT_EQ(referee_->half(), 2);
   EXPECT_EQ(referee_->events().back().team, TeamColor::blue);
-  ASSERT_TRUE(until(GameState::finished, 61));
+  ASSERT_TRUE(until(GameState::finished, 31));
   EXPECT_EQ(referee_->events().back().type, GameEventType::gameOver);
   EXPECT_EQ(referee_->dataFor(6).state, GameState::finished);
   const std::size_t events = referee_->events().size();

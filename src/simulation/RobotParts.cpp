@@ -12,16 +12,29 @@ class Lookup {
 
   int operator()(mjtObj type, const std::string& name) {
     const int id = mj_name2id(&model_, type, (prefix_ + name).c_str());
-    if (id < 0 && missing_.empty()) missing_ = name;
+    expect(id >= 0, name, "");
     return std::max(id, 0);
   }
-  int qpos(const std::string& name) {
+  /// Where a joint of a kind stands in qpos.
+  int joint(const std::string& name, mjtJoint type) {
     const int id = (*this)(mjOBJ_JOINT, name);
-    return model_.njnt ? model_.jnt_qposadr[id] : 0;
+    if (model_.njnt == 0) return 0;
+    expect(model_.jnt_type[id] == type, name, type == mjJNT_FREE ? ", a free joint" : ", a hinge");
+    return model_.jnt_qposadr[id];
+  }
+  /// A body that stands freely in the world.
+  int root(const std::string& name) {
+    const int id = (*this)(mjOBJ_BODY, name);
+    expect(model_.body_rootid[id] == id, name, ", a body of the world");
+    return id;
   }
   const std::string& missing() const { return missing_; }
 
  private:
+  void expect(bool right, const std::string& name, const std::string& what) {
+    if (!right && missing_.empty()) missing_ = "\"" + name + "\"" + what;
+  }
+
   const mjModel& model_;
   std::string prefix_;
   std::string missing_;
@@ -44,10 +57,10 @@ Result<RobotParts> findRobotParts(const mjModel& model, const std::string& robot
   constexpr std::array<const char*, 4> legs{"FR", "FL", "HR", "HL"};
   Lookup find{model, robot + "/"};
   RobotParts parts;
-  parts.body = find(mjOBJ_BODY, "robot");
-  parts.poseAddress = find.qpos("pose");
+  parts.body = find.root("robot");
+  parts.poseAddress = find.joint("pose", mjJNT_FREE);
   for (std::size_t i = 0; i < enumCount<Joint>; ++i)
-    parts.jointAddress.values[i] = find.qpos(std::string{enumNames<Joint>[i]});
+    parts.jointAddress.values[i] = find.joint(std::string{enumNames<Joint>[i]}, mjJNT_HINGE);
   for (std::size_t i = 0; i < legs.size(); ++i) {
     parts.footSites[i] = find(mjOBJ_SITE, std::string{"foot"} + legs[i]);
     parts.kneeBodies[i] = find(mjOBJ_BODY, std::string{"lowerLeg"} + legs[i]);
@@ -57,7 +70,7 @@ Result<RobotParts> findRobotParts(const mjModel& model, const std::string& robot
   if (model.nsite) parts.headBody = model.site_bodyid[parts.cameraSite];
   std::tie(parts.firstGeom, parts.lastGeom) = geomsBelow(model, parts.body);
   if (!find.missing().empty())
-    return Error{file, 0, robot, "the robot's model has no \"" + find.missing() + "\""};
+    return Error{file, 0, robot, "the robot's model has no " + find.missing()};
   return parts;
 }
 
@@ -65,11 +78,11 @@ Result<BallParts> findBallParts(const mjModel& model, std::size_t index, const s
   const std::string name = "ball" + std::to_string(index);
   Lookup find{model, name + "/"};
   BallParts parts;
-  parts.body = find(mjOBJ_BODY, "ball");
-  parts.poseAddress = find.qpos("pose");
+  parts.body = find.root("ball");
+  parts.poseAddress = find.joint("pose", mjJNT_FREE);
   parts.geom = find(mjOBJ_GEOM, "ball");
   if (!find.missing().empty())
-    return Error{file, 0, name, "the ball's model has no \"" + find.missing() + "\""};
+    return Error{file, 0, name, "the ball's model has no " + find.missing()};
   if (model.geom_type[parts.geom] != mjGEOM_SPHERE)
     return Error{file, 0, name, "the ball's geom is no sphere"};
   parts.radius = 1000 * model.geom_size[3 * parts.geom];

@@ -176,6 +176,26 @@ TEST_F(WrongFiles, missingAndBrokenModels) {
   EXPECT_THAT(world.error().what, HasSubstr("headTilt"));
 }
 
+TEST_F(WrongFiles, aModelWithOtherJointsIsRefused) {
+  std::ifstream file{"models/ers210.xml"};
+  const std::string whole{std::istreambuf_iterator<char>{file}, {}};
+  const auto errorWith = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    text.replace(text.find(from), from.size(), to);
+    write(text, "robot.xml");
+    SceneDescription scene = duelScene({}, {500, 0});
+    scene.robots[0].model = (folder_ / "robot.xml").string();
+    const auto world = makeWorld(scene, Random{1});
+    return world ? std::string{} : world.error().text();
+  };
+  EXPECT_THAT(errorWith("<joint name=\"legFL3\"", "<joint type=\"slide\" name=\"legFL3\""),
+              HasSubstr("robot.xml: red1: the robot's model has no \"legFL3\", a hinge"));
+  EXPECT_THAT(errorWith("<freejoint name=\"pose\"/>", "<joint name=\"pose\" range=\"-1 1\"/>"),
+              HasSubstr("\"pose\", a free joint"));
+  EXPECT_THAT(errorWith("<site name=\"camera\"", "<site name=\"eye\""), HasSubstr("\"camera\""));
+  EXPECT_EQ(errorWith("<site name=\"camera\"", "<site name=\"camera\""), "");
+}
+
 TEST(Scene, twentyTwoRobotsAndTenBalls) {
   SceneDescription scene = matchScene();
   for (int i = 0; i < 14; ++i) {

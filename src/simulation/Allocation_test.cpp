@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "simulation/Simulation.h"
+#include "simulation/TestScenes.h"
+
+namespace {
+std::atomic<int> allocations{0};
+}
+
+// Counts what the whole program takes from the heap.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  std::abort();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size);
+}
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace gt {
+namespace {
+
+/// Runs to the ball and tells where it is.
+class Runner : public RobotController {
+ public:
+  void cycle(const RobotInput& input, RobotOutput& output) override {
+    const Vector2d ball = relative(input.oracle.robotPose, input.oracle.ballPosition);
+    const double turn = std::clamp(0.02 * angleOf(ball), -0.01, 0.01);
+    output.odometry.pose = output.odometry.pose * Pose2D{turn, 2, 0};
+    output.joints.angles = standing();
+    TeamMessage message;
+    message.timeSent = input.now;
+    output.message = message;
+  }
+};
+
+TEST(Simulation, aTickAllocatesNothing) {
+  SceneDescription scene = matchScene();
+  scene.noise = {};
+  scene.game.referee = false;
+  auto made = Simulation::make(scene, 5, 2);
+  ASSERT_TRUE(made);
+  Simulation& match = **made;
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) match.attach(i, std::make_unique<Runner>());
+  for (int i = 0; i < 100; ++i) match.step();
+  const int before = allocations;
+  for (int i = 0; i < 500; ++i) match.step();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GE(match.world().ball(0).lastToucher, 0) << "the ball was to be touched, too";
+  match.attach(0, std::make_unique<Runner>());
+  EXPECT_GT(allocations, before) << "the counter does not count";
+}
+
+}  // namespace
+}  // namespace gt
