@@ -7,10 +7,10 @@
 namespace gt {
 namespace {
 
-constexpr int maxGap = 3;          // Pixels within the ball that may have another colour.
-constexpr int traceRays = 24;      // Ways from within the ball to its boundary.
-constexpr int minForCone = 8;      // Boundary points, a third of the circle.
-constexpr double minRadius = 1.2;  // Pixels.
+constexpr int maxGap = 3;              // Pixels within the ball that may have another colour.
+constexpr int traceRays = 24;          // Ways from within the ball to its boundary.
+constexpr std::size_t minForCone = 8;  // Boundary points, a third of the circle.
+constexpr double minRadius = 1.2;      // Pixels.
 
 /// Whether fewer than half of the segments' opposite ends lie on the wrong side of a point.
 template <typename Wrong>
@@ -31,6 +31,14 @@ bool intersectPerpendiculars(const Vector2d& a, const Vector2d& b, const Vector2
   const double b2 = ab.squaredNorm(), c2 = ac.squaredNorm();
   center = a + Vector2d{ac.y() * b2 - ab.y() * c2, ab.x() * c2 - ac.x() * b2} / (2 * cross);
   return true;
+}
+
+// Far enough from an edge that its blur does not reach there, in pixels.
+constexpr double away = 2.5;
+
+ColorClass classBeyond(const Picture& picture, const Vector2d& edge, const Vector2d& way) {
+  const Vector2d beyond = edge + way * away;
+  return picture.contains(beyond) ? picture.classAt(beyond) : ColorClass::noColor;
 }
 
 double focalLength(const Picture& picture) {
@@ -136,7 +144,7 @@ bool BallSpecialist::isBall(const Pixel& pixel, ColorClass color) const {
 // Whether the ball ends at an edge: an orange highlight on something red does not, it is surrounded
 // by at least as much red.
 bool BallSpecialist::isBoundary(const Picture& picture, const Vector2d& edge, const Vector2d& way) {
-  constexpr double away = 2.5, lessRed = 12;
+  constexpr double lessRed = 12;
   const Vector2d beyond = edge + way * away;
   return !picture.contains(beyond) ||
          picture.colorAt(beyond).z() < picture.colorAt(edge - way * away).z() - lessRed;
@@ -153,45 +161,50 @@ void BallSpecialist::traceBoundary(const Picture& picture, const Vector2d& insid
         inside, way, maxGap, [this](const Pixel& pixel, ColorClass c) { return isBall(pixel, c); });
     if (edge.onBorder) continue;
     ++traced_;
-    if (isBoundary(picture, edge.point, way)) points_.push_back({edge.point, edge.beyond, false});
+    if (isBoundary(picture, edge.point, way))
+      points_.push_back({edge.point, classBeyond(picture, edge.point, way), false});
   }
 }
 
 // The rays that touch a sphere form a cone: all of them have the same angle to its axis, so
-// ray . n = 1 with n = axis / cos(angle), which is linear in n. Points next to green count more;
-// points far from the cone (on a tricot, a highlight or what hides the ball) do not count.
+// ray . n = 1 with n = axis / cos(angle), which is linear in n. The points next to green begin, if
+// they are enough: others may lie on what hides the ball. Then all that are close to the cone
+// count.
 bool BallSpecialist::fitCone(const Picture& picture, Cone& cone) const {
-  if (points_.size() < minForCone) return false;
+  const std::size_t n = std::min<std::size_t>(points_.size(), traceRays);
+  if (n < minForCone) return false;
   const double focal = focalLength(picture);
   std::array<Vector3d, traceRays> rays;
-  std::array<double, traceRays> weights;
-  const std::size_t n = std::min<std::size_t>(points_.size(), traceRays);
+  std::array<bool, traceRays> used{};
+  std::size_t inliers = 0;
   for (std::size_t i = 0; i < n; ++i) {
     rays[i] = picture.ray(points_[i].position);
-    weights[i] = points_[i].beyond == ColorClass::green ? 1 : 0.4;
+    used[i] = points_[i].beyond == ColorClass::green;
+    inliers += used[i] ? 1 : 0;
   }
-  double limit = 1e9;
+  if (inliers < minForCone - 2) used.fill(true);
   for (int iteration = 0; iteration < 5; ++iteration) {
     Matrix3d a = Matrix3d::Zero();
     Vector3d b = Vector3d::Zero();
-    int inliers = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      if (iteration > 0) {
-        const double error =
-            (std::acos(std::clamp(rays[i].dot(cone.axis), -1.0, 1.0)) - cone.angle) * focal;
-        if (std::abs(error) > limit) continue;
-      }
-      ++inliers;
-      a += weights[i] * rays[i] * rays[i].transpose();
-      b += weights[i] * rays[i];
+      if (!used[i]) continue;
+      const double weight = points_[i].beyond == ColorClass::green ? 1 : 0.4;
+      a += weight * rays[i] * rays[i].transpose();
+      b += weight * rays[i];
     }
-    if (inliers < minForCone || 2 * inliers < traced_) return false;
     const Vector3d normal = a.ldlt().solve(b);
     const double length = normal.norm();
     if (!(length > 1)) return false;
     cone.axis = normal / length;
     cone.angle = std::acos(1 / length);
-    limit = std::max(1.0, (0.4 - 0.08 * iteration) * cone.angle * focal);
+    const double limit = std::max(1.0, (0.4 - 0.08 * iteration) * cone.angle * focal);
+    inliers = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle = std::acos(std::clamp(rays[i].dot(cone.axis), -1.0, 1.0));
+      used[i] = std::abs(angle - cone.angle) * focal <= limit;
+      inliers += used[i] ? 1 : 0;
+    }
+    if (inliers < minForCone || 2 * inliers < static_cast<std::size_t>(traced_)) return false;
   }
   return true;
 }
@@ -309,7 +322,7 @@ bool BallSpecialist::isOnGround(const Picture& picture, const BallPercept& perce
 // (report 3.2.3).
 bool BallSpecialist::isOrange(const Picture& picture, const BallPercept& percept) const {
   constexpr int directions = 12;
-  const auto countOn = [&](double part, int& pixels, int& orange, int& ball) {
+  const auto countOn = [&](double part, int& pixels, int& orange, int& red, int& ball) {
     for (int i = 0; i < directions; ++i) {
       const Vector2d p = percept.centerInImage +
                          direction(2 * pi * i / directions) * (percept.radiusInImage * part);
@@ -318,17 +331,18 @@ bool BallSpecialist::isOrange(const Picture& picture, const BallPercept& percept
       const ColorClass c = picture.colors[pixel];
       ++pixels;
       orange += c == ColorClass::orange ? 1 : 0;
+      red += c == ColorClass::red ? 1 : 0;
       ball += isBall(pixel, c) ? 1 : 0;
     }
   };
-  int pixels = 0, orange = 0, ball = 0;
-  for (const double part : {0.15, 0.5, 0.8}) countOn(part, pixels, orange, ball);
-  if (2 * ball < pixels || 6 * orange < ball) return false;
+  int pixels = 0, orange = 0, red = 0, ball = 0;
+  for (const double part : {0.15, 0.5, 0.8}) countOn(part, pixels, orange, red, ball);
+  if (2 * ball < pixels || 6 * orange < ball || 2 * red > orange) return false;
   // What is not known to be round must at least be well visible.
   const int enough = percept.distanceBySize > 0 ? 3 : directions;
   if (pixels < enough) return false;
-  int around = 0, orangeAround = 0, ballAround = 0;
-  countOn(1.4, around, orangeAround, ballAround);
+  int around = 0, orangeAround = 0, redAround = 0, ballAround = 0;
+  countOn(1.4, around, orangeAround, redAround, ballAround);
   return 2 * ballAround <= around;
 }
 

@@ -26,7 +26,6 @@ class ColorSet {
 struct ColorEdge {
   Vector2d point = Vector2d::Zero();  ///< To a fraction of a pixel; pixels are squares of size 1.
   bool onBorder = false;              ///< The colour reaches to the picture's border.
-  ColorClass beyond = ColorClass::noColor;
 };
 
 /// A camera picture with all that it takes to look at it: its colours, its camera, its horizon.
@@ -70,9 +69,8 @@ struct Picture {
       const ColorClass c = colors[pixel];
       if (belongs(pixel, c)) {
         last = i;
-      } else {
-        if (i <= last + 2) edge.beyond = c;
-        if (i > last + maxGap) break;
+      } else if (i > last + maxGap) {
+        break;
       }
     }
     edge.point =
