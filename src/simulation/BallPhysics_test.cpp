@@ -67,6 +67,22 @@ TEST(BallPhysics, aWalkingRobotPushesIt) {
   EXPECT_LE(world->ball(0).lastTouched, world->time());
 }
 
+TEST(BallPhysics, aStandingRobotsChestIsTooLowForItToPassBelow) {
+  RobotCommand command = standingCommand({0, 1.2, 0});
+  for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft}) {
+    command.joints[legJoint(leg, 1)] = isFore(leg) ? -0.726 : -0.799;  // motions/stand.mof
+    command.joints[legJoint(leg, 2)] = 0.32;
+    command.joints[legJoint(leg, 3)] = isFore(leg) ? 1.729 : 1.888;
+  }
+  for (const double y : {-40., 0., 20., 60.}) {
+    const auto world = worldOf(duelScene({0, -1000, 0}, {-600, y}));
+    run(*world, command, 600);
+    const Vector2d ball = relative(world->robot(0).pose, world->ball(0).position);
+    EXPECT_GT(ball.x(), 60) << y;
+    EXPECT_LT(ball.norm(), 300) << y;
+  }
+}
+
 TEST(BallPhysics, aSwingingLegKicksAndTheSpeedIsThatOfTheLeg) {
   const Pose2D pose{0, 0, 0};
   const auto world = worldOf(duelScene(pose, {1000, 1000}));

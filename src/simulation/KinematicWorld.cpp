@@ -18,7 +18,7 @@ constexpr double servoTime = 0.012;
 
 /// Points of the trunk that rest on the ground when the legs do not reach it, and the radius of a
 /// knee.
-const GroundPoint chest{{66, 0, -4}, 28}, rump{{-82, 0, -32}, 0};
+const GroundPoint chest{{66, 0, -12}, 28}, rump{{-82, 0, -38}, 0};
 constexpr double kneeRadius = 14;
 
 Vector2d disc(const Pose2D& pose, double x) {
