@@ -24,7 +24,8 @@ Row playMatch(std::uint64_t seed, double minutes) {
   options.seed = seed;
   options.minutes = minutes;
   auto match = Match::make(options);
-  Row row{.seed = seed};
+  Row row;
+  row.seed = seed;
   if (!match) {
     fmt::print(stderr, "experiment: {}\n", match.error().text());
     return row;
