@@ -111,7 +111,8 @@ class ElementPainter {
   void text() {
     const Color& c = element_.color;
     const double seam = c.r + c.g + c.b > 380 ? 0 : 1;
-    cairo_select_font_face(context_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+    // Cairo's own font: no fonts have to be installed, and text looks the same everywhere.
+    cairo_select_font_face(context_, "@cairo:sans", CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_BOLD);
     cairo_set_font_size(context_, std::clamp(size_, 1.0, 1000.0));
     cairo_move_to(context_, at(0).x(), at(0).y());
