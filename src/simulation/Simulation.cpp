@@ -94,7 +94,8 @@ void Simulation::sense(std::size_t robot) {
   SimulatedRobot& r = robots_[robot];
   SensorData readings;
   r.sensors.read(*world_, robot, readings);
-  if (tick_ == 0) r.input.sensors.frames.fill(readings);
+  const bool first = r.input.now == Time{};  // no past yet: as if it had always been like this
+  if (first) r.input.sensors.frames.fill(readings);
   r.input.sensors.push(readings);
   r.input.now = world_->time();
   r.input.image = nullptr;

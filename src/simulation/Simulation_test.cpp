@@ -164,6 +164,17 @@ TEST(Simulation, aRobotWithoutControllerStands) {
   EXPECT_LT(((*made)->world().robot(0).pose.translation - Vector2d{-2000, 0}).norm(), 1);
 }
 
+TEST(Simulation, aControllerThatComesLaterHasAPast) {
+  auto made = Simulation::make(noisyMatch(), 3);
+  ASSERT_TRUE(made);
+  for (int i = 0; i < 20; ++i) (*made)->step();
+  (*made)->attach(0, std::make_unique<Dribbler>(1));
+  (*made)->step();
+  const SensorDataBuffer& buffer = (*made)->input(0).sensors;
+  EXPECT_EQ(buffer.newest().time, (*made)->time());
+  EXPECT_GT(buffer.frames.front().acceleration.z(), 8000);
+}
+
 TEST(Simulation, extrasAreSeenButNotControlled) {
   SceneDescription scene = noisyMatch();
   scene.extras.push_back(scene.robots.back());
