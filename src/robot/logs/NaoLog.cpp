@@ -196,8 +196,7 @@ Result<void> NaoLog::decode(const NaoPicture& picture, Image& image) const {
   };
   const std::string_view jpeg =
       std::string_view{bytes_}.substr(picture.jpegOffset, picture.jpegSize);
-  const auto raw =
-      decodeJpeg({reinterpret_cast<const std::uint8_t*>(jpeg.data()), jpeg.size()});
+  const auto raw = decodeJpeg({reinterpret_cast<const std::uint8_t*>(jpeg.data()), jpeg.size()});
   if (!raw) return wrong(raw.error().what);
   const CameraInfo& info = picture.cameraMatrix.info;
   if (raw->components != 4 || raw->width != info.width || raw->height != info.height)
@@ -205,8 +204,8 @@ Result<void> NaoLog::decode(const NaoPicture& picture, Image& image) const {
   image.time = picture.cameraMatrix.time;
   image.info = info;
   image.allocate();
-  // The four components are padding, Cb, Y, Cr (facts, 3). They are marked as Adobe's inverted CMYK,
-  // which decoding without conversion leaves alone.
+  // The four components are padding, Cb, Y, Cr (facts, 3). They are marked as Adobe's inverted
+  // CMYK, which decoding without conversion leaves alone.
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const std::uint8_t* p = raw->data.data() + 4 * i;
     image.pixels[i] = {p[2], p[1], p[3], 0};

@@ -1,0 +1,112 @@
+#include "modules/perception/DefaultSensorDataProcessor.h"
+
+#include <gtest/gtest.h>
+
+#include "modules/kinematics/BodyPosture.h"
+#include "modules/kinematics/HeadKinematics.h"
+
+namespace gt {
+namespace {
+
+/// A standing robot whose head pans at constant speed.
+class DefaultSensorDataProcessorTest : public testing::Test {
+ protected:
+  void fill(double panSpeed, const Vector3d& acceleration = {0, 0, 9810}, bool paws = true) {
+    for (int i = 0; i < SensorDataBuffer::capacity; ++i) {
+      SensorData frame;
+      frame.time = {now_.ms - 8 * (SensorDataBuffer::capacity - 1 - i)};
+      frame.joints[Joint::headTilt] = -0.3;
+      frame.joints[Joint::headPan] = panSpeed * static_cast<double>(frame.time.ms) / 1000;
+      frame.acceleration = acceleration;
+      for (const Switch s : {Switch::pawFR, Switch::pawFL, Switch::pawHR, Switch::pawHL})
+        frame.switches[s] = paws;
+      sensors_.push(frame);
+    }
+    image_.time = now_;
+  }
+  void run() { processor_.update({now_}, sensors_, image_, robot_, motion_, matrix_, body_, psd_); }
+
+  Time now_{200};
+  SensorDataBuffer sensors_;
+  Image image_;
+  RobotDimensions robot_;
+  MotionInfo motion_;
+  DefaultSensorDataProcessor processor_;
+  CameraMatrix matrix_;
+  BodyPercept body_;
+  PsdPercept psd_;
+};
+
+TEST_F(DefaultSensorDataProcessorTest, GivesEachRowTheRotationOfItsMoment) {
+  fill(1.5);
+  run();
+  ASSERT_TRUE(matrix_.valid);
+  for (const int row : {0, 40, 72, 110, 143}) {
+    const double time =
+        static_cast<double>(now_.ms) - (image_.info.height - 1 - row) * image_.info.rowTime;
+    const HeadAngles head{-0.3, 1.5 * time / 1000, 0};
+    const Pose3D expected =
+        cameraPose(robot_, bodyPose(bodyPosture(robot_, sensors_.newest().joints)), head);
+    EXPECT_LT((matrix_.rotationAt(row) - expected.rotation).norm(), 1e-3) << row;
+  }
+  EXPECT_NEAR(matrix_.turning.z(), 1.5, 0.2);
+}
+
+TEST_F(DefaultSensorDataProcessorTest, StandsStill) {
+  fill(0);
+  run();
+  EXPECT_EQ(body_.state, BodyState::standing);
+  EXPECT_LT(matrix_.turning.norm(), 1e-9);
+  EXPECT_NEAR(body_.height, bodyPosture(robot_, sensors_.newest().joints).height, 1e-9);
+  EXPECT_TRUE(psd_.tooFarAway);
+}
+
+TEST_F(DefaultSensorDataProcessorTest, DoesNotTrustTheCameraDuringKicks) {
+  fill(0);
+  motion_.stable = false;
+  run();
+  EXPECT_FALSE(matrix_.valid);
+}
+
+TEST_F(DefaultSensorDataProcessorTest, NoticesAFallOnlyWhenItLasts) {
+  for (int i = 0; i < 50; ++i, now_ = now_ + 40) {
+    fill(0);
+    run();
+  }
+  fill(0, {0, 9700, 1000});
+  run();
+  EXPECT_EQ(body_.state, BodyState::standing);
+  for (int i = 0; i < 100; ++i, now_ = now_ + 40) {
+    fill(0, {0, 9700, 1000});
+    run();
+  }
+  EXPECT_EQ(body_.state, BodyState::fallen);
+  EXPECT_FALSE(matrix_.valid);
+}
+
+TEST_F(DefaultSensorDataProcessorTest, NoticesWhenItIsLifted) {
+  for (int i = 0; i < 10; ++i, now_ = now_ + 40) {
+    fill(0);
+    run();
+  }
+  EXPECT_EQ(body_.state, BodyState::standing);
+  for (int i = 0; i < 15; ++i, now_ = now_ + 40) {
+    fill(0, {0, 0, 9810}, false);
+    run();
+  }
+  EXPECT_EQ(body_.state, BodyState::liftedUp);
+}
+
+TEST_F(DefaultSensorDataProcessorTest, PutsTheDistanceSensorsHitAhead) {
+  fill(0);
+  for (SensorData& frame : sensors_.frames) frame.psd = 300;
+  run();
+  EXPECT_FALSE(psd_.tooFarAway);
+  const Vector3d camera = matrix_.pose.translation;
+  // 26.5 before the pan axis, 40.1 behind the camera, 13.4 above its axis.
+  EXPECT_NEAR((psd_.offset - camera).dot(matrix_.pose.rotation.col(0)), 300 - 40.1, 1e-6);
+  EXPECT_NEAR((psd_.offset - camera).dot(matrix_.pose.rotation.col(2)), 13.4, 1e-6);
+}
+
+}  // namespace
+}  // namespace gt
