@@ -53,7 +53,9 @@ Result<Model> compileModel(const std::string& mjcf, const std::string& file) {
   std::string what = guard.message;
   for (char& c : what)
     if (c == '\n') c = ' ';
-  return Error{file, 0, "", "MuJoCo: " + what};
+  const auto line = what.find("line ");
+  return Error{file, line == what.npos ? 0 : std::atoi(what.c_str() + line + 5), "",
+               "MuJoCo: " + what};
 }
 
 ModelData makeData(const mjModel& model) {

@@ -1,7 +1,9 @@
 #include "simulation/SceneModel.h"
 
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <set>
 
 #include "base/Enum.h"
 #include "simulation/Xml.h"
@@ -154,7 +156,19 @@ Result<std::string> composeText(const SceneDescription& scene) {
 Result<Model> composeModel(const SceneDescription& scene) {
   const auto text = composeText(scene);
   if (!text) return text.error();
-  return compileModel(*text, scene.file);
+  auto model = compileModel(*text, scene.file);
+  if (model) return model;
+  // Lines of the joined text tell nothing: one of the files is to blame, or they do not fit.
+  std::set<std::string> files{scene.field};
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group) files.insert(robot.model);
+  for (const SceneBall& ball : scene.balls) files.insert(ball.model);
+  for (const std::string& name : files) {
+    std::ifstream file{scene.resolve(name)};
+    const std::string content{std::istreambuf_iterator<char>{file}, {}};
+    if (auto alone = compileModel(content, scene.resolve(name)); !alone) return alone.error();
+  }
+  return Error{scene.file, 0, "", "its models do not fit together: " + model.error().what};
 }
 
 }  // namespace gt

@@ -159,10 +159,13 @@ TEST_F(WrongFiles, missingAndBrokenModels) {
   EXPECT_EQ(errorOf(begin + "empty.xml\"/></robots></scene>").field, "worldbody");
 
   write(
-      "<mujoco><worldbody><body name=\"robot\"><geom type=\"tetrahedron\"/></body></worldbody>"
+      "<mujoco><worldbody><body name=\"robot\">\n<geom type=\"tetrahedron\"/></body></worldbody>"
       "</mujoco>",
       "odd.xml");
-  EXPECT_THAT(errorOf(begin + "odd.xml\"/></robots></scene>").what, HasSubstr("MuJoCo"));
+  error = errorOf(begin + "odd.xml\"/></robots></scene>");
+  EXPECT_THAT(error.what, HasSubstr("MuJoCo"));
+  EXPECT_THAT(error.file, HasSubstr("odd.xml"));
+  EXPECT_EQ(error.line, 2);
 
   // A model that MuJoCo takes and that is no robot.
   write(

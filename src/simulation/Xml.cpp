@@ -27,7 +27,7 @@ Result<XmlDocument> readXml(const std::string& path, const std::string& root) {
       xmlCtxtReadFile(context.get(), path.c_str(), nullptr, XML_PARSE_NONET | XML_PARSE_NOBLANKS)};
   if (!document) {
     std::string what = text(reinterpret_cast<const xmlChar*>(context->lastError.message));
-    while (!what.empty() && (what.back() == '\n' || what.back() == ' ')) what.pop_back();
+    what = what.substr(0, what.find('\n'));  // the rest shows bytes of the file
     return Error{path, context->lastError.line, "", what.empty() ? "is not XML" : what};
   }
   const xmlNode* node = xmlDocGetRootElement(document.get());
