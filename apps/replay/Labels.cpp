@@ -1,4 +1,4 @@
-#include "Labels.h"
+#include "replay/Labels.h"
 
 #include <array>
 #include <fstream>

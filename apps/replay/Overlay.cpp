@@ -1,4 +1,4 @@
-#include "Overlay.h"
+#include "replay/Overlay.h"
 
 #include <algorithm>
 #include <cmath>

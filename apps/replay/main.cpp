@@ -4,13 +4,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 
-#include "Labels.h"
-#include "Overlay.h"
 #include "modules/perception/ColorTableFile.h"
-#include "modules/perception/GT2003ImageProcessor.h"
-#include "robot/logs/NaoLog.h"
+#include "replay/NaoReplay.h"
+#include "replay/Overlay.h"
 
 namespace {
 
@@ -20,16 +17,6 @@ struct Options {
   std::string log, colors, labels, out;
   bool pictures = true;
 };
-
-/// The league of that log: only what vision needs (facts, 3). The ball is 86 mm wide beside the
-/// field line's 50 mm in the pictures.
-FieldDimensions fieldOf2009() {
-  FieldDimensions field;
-  field.ballRadius = 43;
-  field.goalHeight = 800;
-  field.yGoal = 700;
-  return field;
-}
 
 /// Compares what vision found with what a person saw.
 class Statistics {
@@ -43,6 +30,7 @@ class Statistics {
     centerError_ += (ball.centerInImage - label.center).norm();
     radiusError_ += std::abs(ball.radiusInImage - label.radius);
   }
+  void count(Verdict verdict) { ++verdicts_[static_cast<std::size_t>(verdict)]; }
   void print() const {
     for (const BallView view : {BallView::whole, BallView::partial, BallView::none}) {
       const auto i = static_cast<std::size_t>(view);
@@ -53,35 +41,44 @@ class Statistics {
           "whole balls differ from the labels by {:.2f} pixels in the centre and {:.2f} in the "
           "radius on average\n",
           centerError_ / seen_[0], radiusError_ / seen_[0]);
+    fmt::print("distances by projection and by size, nearer than 1.5 m:");
+    for (std::size_t i = 1; i < verdicts_.size(); ++i)
+      fmt::print(" {} {}", enumNames<Verdict>[i], verdicts_[i]);
+    fmt::print("\n");
   }
 
  private:
   std::array<int, 3> total_{}, seen_{};
+  std::array<int, enumCount<Verdict>> verdicts_{};
   double centerError_ = 0, radiusError_ = 0;
 };
 
-void printRow(const NaoPicture& picture, const BallPercept& ball, const BallLabel* label) {
+void printRow(const NaoPicture& picture, const BallPercept& ball, const BallLabel* label,
+              Verdict verdict) {
   fmt::print("{:3} {:7}  {:7}", picture.number, picture.cameraMatrix.time.ms,
              label ? enumName(label->view) : "-");
   if (!ball.seen) {
     fmt::print("  no\n");
     return;
   }
-  const double difference = ball.distanceByProjection > 0 && ball.distanceBySize > 0
-                                ? 100 * (ball.distanceByProjection / ball.distanceBySize - 1)
-                                : 0;
   fmt::print("  yes {:6.1f} {:6.1f}  {:6.1f} {:6.1f} {:5.2f}  {:6.0f} {:6.0f} {:+6.1f}%",
              toDegrees(ball.angle.x()), toDegrees(ball.angle.y()), ball.centerInImage.x(),
              ball.centerInImage.y(), ball.radiusInImage, ball.distanceByProjection,
-             ball.distanceBySize, difference);
+             ball.distanceBySize, 100 * differenceOfDistances(ball));
   if (label && label->radius > 0)
     fmt::print("  label {:6.1f} {:6.1f} {:5.1f}", label->center.x(), label->center.y(),
                label->radius);
-  if (std::abs(difference) > 10 && ball.distanceBySize < 1500) fmt::print("  differ");
-  fmt::print("\n");
+  fmt::print("  {}\n", enumName(verdict));
 }
 
-Result<void> replay(const Options& options) {
+const BallLabel* findLabel(const std::vector<BallLabel>& labels, const NaoPicture& picture) {
+  for (const BallLabel& label : labels)
+    if (label.picture == picture.number && label.time == picture.cameraMatrix.time.ms)
+      return &label;
+  return nullptr;
+}
+
+Result<void> run(const Options& options) {
   const auto log = readNaoLog(options.log);
   if (!log) return log.error();
   const auto colors = readColorTable(options.colors, nao2009ColorOrder);
@@ -92,34 +89,28 @@ Result<void> replay(const Options& options) {
     if (!read) return read.error();
     labels = *std::move(read);
   }
-  if (options.pictures) std::filesystem::create_directories(options.out);
-
-  const FieldDimensions field = fieldOf2009();
-  GT2003ImageProcessor imageProcessor;
-  Debug debug;
+  if (options.pictures) {
+    std::error_code failed;
+    std::filesystem::create_directories(options.out, failed);
+    if (failed) return Error{options.out, 0, "", failed.message()};
+  }
+  NaoReplay replay{*log, *colors};
+  NaoView view;
   Statistics statistics;
-  Image image;
   fmt::print(
       "  #    time  label    seen  left     up       x      y     r  by projection, size, "
       "difference\n");
   for (const NaoPicture& picture : log->pictures) {
-    if (auto done = log->decode(picture, image); !done) return done;
-    BallPercept ball;
-    LandmarksPercept landmarks;
-    imageProcessor.update(image, picture.cameraMatrix, *colors, field, ball, landmarks, debug);
-    const BallLabel* label = nullptr;
-    for (const BallLabel& candidate : labels)
-      if (candidate.picture == picture.number && candidate.time == picture.cameraMatrix.time.ms)
-        label = &candidate;
-    if (label) statistics.count(*label, ball);
-    printRow(picture, ball, label);
+    if (auto done = replay.look(picture, view); !done) return done;
+    const BallLabel* label = findLabel(labels, picture);
+    const Verdict verdict = compareDistances(view.ball, label);
+    if (label) statistics.count(*label, view.ball);
+    statistics.count(verdict);
+    printRow(picture, view.ball, label, verdict);
     if (!options.pictures) continue;
-    Overlay overlay{image};
-    const Vector2d along = picture.horizonDirection * image.info.width;
-    overlay.line(picture.horizon - along, picture.horizon + along, colors::white);
-    if (ball.seen) overlay.circle(ball.centerInImage, ball.radiusInImage, colors::blue);
-    if (auto done = overlay.write(fmt::format("{}/{:03}.png", options.out, picture.number));
-        !done)
+    Overlay overlay{view.image};
+    for (const Drawing& drawing : view.drawings) overlay.draw(drawing);
+    if (auto done = overlay.write(fmt::format("{}/{:03}.png", options.out, picture.number)); !done)
       return done;
   }
   statistics.print();
@@ -140,7 +131,7 @@ int main(int argc, char** argv) {
   app.add_option("--out", options.out, "folder for the pictures with percepts");
   app.add_flag("!--no-pictures", options.pictures, "write none");
   CLI11_PARSE(app, argc, argv);
-  const auto done = replay(options);
+  const auto done = run(options);
   if (!done) fmt::print(stderr, "{}\n", done.error().text());
   return done ? 0 : 2;
 }
