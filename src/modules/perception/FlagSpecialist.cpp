@@ -184,7 +184,8 @@ bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, FlagPe
   if (wide && height > 1.6 * proportion * width) return false;
 
   const double byWidth = field.flagRadius / std::sin(width / 2);
-  const double byHeight = (field.flagTop - field.flagBottom) / height;
+  // The edges at top and bottom are seen on the side that faces the camera.
+  const double byHeight = field.flagRadius + (field.flagTop - field.flagBottom) / height;
   // The height is twice the width and so twice as exact.
   double distance = high && wide ? (4 * byHeight + byWidth) / 5
                     : high       ? byHeight
@@ -194,8 +195,9 @@ bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, FlagPe
   if (distance > 0 && matrix.valid) {
     // What is not where a flag's edges must be is no flag.
     const double tolerance = 70 + 0.12 * distance;
-    const double top = camera.z() + distance * std::tan(b.top);
-    const double bottom = camera.z() + distance * std::tan(b.bottom);
+    const double side = distance - field.flagRadius;
+    const double top = camera.z() + side * std::tan(b.top);
+    const double bottom = camera.z() + side * std::tan(b.bottom);
     if (!b.topOnBorder && std::abs(top - field.flagTop) > tolerance) return false;
     if (!b.bottomOnBorder && std::abs(bottom - field.flagBottom) > tolerance) return false;
   }

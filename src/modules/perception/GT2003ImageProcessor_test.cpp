@@ -200,7 +200,7 @@ TEST_F(GT2003ImageProcessorTest, MeasuresEachFlag) {
     if (!seen.boundary.rightOnBorder) {
       EXPECT_NEAR(seen.boundary.right, angleOf(to) - half, fromDegrees(0.3));
     }
-    EXPECT_NEAR(seen.distance / flag_->norm(), 1, 0.1);
+    EXPECT_NEAR(seen.distance / flag_->norm(), 1, 0.06);
     EXPECT_NEAR(seen.angle, angleOf(*flag_), fromDegrees(0.5));
   }
 }

@@ -11,7 +11,7 @@ namespace gt {
 
 /// The bounding rectangle of a landmark in angles seen from the camera, horizontal ones in the
 /// robot's system, vertical ones to the horizon; and which of its edges lie on the border of the
-/// picture (report 3.2).
+/// picture or are hidden: the angle is not the edge's then (report 3.2).
 struct ConditionalBoundary {
   double left = 0, right = 0, top = 0, bottom = 0;
   bool leftOnBorder = false, rightOnBorder = false, topOnBorder = false, bottomOnBorder = false;
