@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -76,6 +77,15 @@ TEST(ColorTableFile, SurvivesBrokenFiles) {
       EXPECT_FALSE(read.error().field.empty());
     }
   }
+}
+
+TEST(ColorTableFile, ReadsTheSimulatorsTable) {
+  const auto table = readColorTable("config/coltable.c64");
+  ASSERT_TRUE(table) << table.error().text();
+  for (const ColorClass c :
+       {ColorClass::orange, ColorClass::yellow, ColorClass::skyblue, ColorClass::pink,
+        ColorClass::red, ColorClass::blue, ColorClass::green, ColorClass::white})
+    EXPECT_GT(std::count(table->classes.begin(), table->classes.end(), c), 500) << enumName(c);
 }
 
 TEST(ColorTableFile, ReadsTheRealRobotsTables) {
