@@ -78,15 +78,16 @@ void BasicBehaviors::goToBall(double kickAngle, double x, double y) {
   // How far the robot is off the place behind the ball, as an angle around the ball.
   const double around = normalize(angleOf(-ball) - (facing + pi));
   const double maxSpeed = parameters_.maxForward;
+  if (std::abs(around) < fromDegrees(25) && distance < 600)
+    return approach(place, facing, 0.8 * maxSpeed);
 
-  if (distance > 600) return approach(ball - ball / distance * 200, angleOf(ball), maxSpeed);
-  if (std::abs(around) > fromDegrees(25)) {
-    const double step = std::copysign(std::min(std::abs(around), fromDegrees(50)), around);
-    const Vector2d next = ball + direction(facing + pi + around - step) * parameters_.aroundBall;
-    return approach(next, distance > 350 ? angleOf(ball) : 0.5 * normalize(facing + angleOf(ball)),
-                    maxSpeed);
-  }
-  approach(place, facing, 0.8 * maxSpeed);
+  // On a circle round the ball, from far away along its tangent, to the place behind the ball.
+  const double most = distance > 400 ? fromDegrees(80) : fromDegrees(50);
+  const double step = std::copysign(std::min(std::abs(around), most), around);
+  const Vector2d next = ball + direction(facing + pi + around - step) * parameters_.aroundBall;
+  if (distance > 600) return approach(next, angleOf(next), maxSpeed);
+  approach(next, distance > 350 ? angleOf(ball) : 0.5 * normalize(facing + angleOf(ball)),
+           maxSpeed);
 }
 
 }  // namespace gt

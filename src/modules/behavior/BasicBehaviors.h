@@ -9,8 +9,8 @@ namespace gt {
 class BasicBehaviors {
  public:
   struct Parameters {
-    double maxForward = 220;
-    double maxSideways = 150;
+    double maxForward = 225;
+    double maxSideways = 165;
     double maxTurn = 100;
     double aroundBall = 240;
 

@@ -45,6 +45,11 @@ void GT2003BehaviorControl::registerBall() {
   symbols_.input("ball.kick_direction", [&w] { return toDegrees(kickDirection(w)); });
   symbols_.input("ball.kick_angle",
                  [&w] { return toDegrees(normalize(kickDirection(w) - w.self.pose.rotation)); });
+  symbols_.input("ball.kick_tolerance", [&w] { return toDegrees(kickTolerance(w)); });
+  symbols_.input("ball.angle_around", {"facing"}, [&w](double facing) {
+    return toDegrees(
+        normalize(angleOf(w.knownBall()) + w.self.pose.rotation - fromDegrees(facing)));
+  });
 }
 
 void GT2003BehaviorControl::registerSelf() {
@@ -147,6 +152,7 @@ void GT2003BehaviorControl::update(const FrameInfo& frame, const Behavior& behav
   if (engine_) engine_->execute(frame.time.ms);
 
   motionRequest = motionRequest_;
+  motionRequest.time = frame.time;
   headControlMode = headControlMode_;
   ledRequest = ledRequest_;
   message = {role_, estimatedTimeToReachBall(world_)};

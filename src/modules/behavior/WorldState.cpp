@@ -47,4 +47,13 @@ double kickDirection(const WorldState& world) {
   return angleOf(target - ball);
 }
 
+double kickTolerance(const WorldState& world) {
+  // In the own half any way forward is a good one; before the opponent's goal the ball shall go in.
+  const double distance = std::max((world.opponentGoal() - world.knownBallOnField()).norm(), 1.0);
+  if (distance > 2500) return fromDegrees(50);
+  if (distance > 1700) return fromDegrees(30);
+  return std::clamp(0.8 * std::atan2(world.field.yGoal - world.field.ballRadius, distance),
+                    fromDegrees(10), fromDegrees(25));
+}
+
 }  // namespace gt

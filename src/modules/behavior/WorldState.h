@@ -67,4 +67,8 @@ DynamicRole negotiateRole(const WorldState& world, DynamicRole before);
 /// for a ball beside it.
 double kickDirection(const WorldState& world);
 
+/// How far a kick may go astray to either side: as long as it still hits the goal, and more
+/// generously from far away.
+double kickTolerance(const WorldState& world);
+
 }  // namespace gt
