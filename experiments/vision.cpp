@@ -61,8 +61,7 @@ struct Run {
 /// What is true in one picture, in the robot's system.
 class Truth {
  public:
-  Truth(const GameViews& views, const GameView& view, const FieldDimensions& field)
-      : views_(views), view_(view), field_(field) {}
+  Truth(const GameViews& views, const GameView& view) : views_(views), view_(view) {}
 
   Vector2d onRobot(const Vector2d& onField) const {
     return relative(views_.world().robot(view_.robot).pose, onField);
@@ -90,7 +89,6 @@ class Truth {
  private:
   const GameViews& views_;
   const GameView& view_;
-  const FieldDimensions& field_;
 };
 
 /// What this thread has used of a processor, in microseconds.
@@ -210,7 +208,7 @@ Result<Run> measure(const std::string& scene, const ColorTable64& colors, std::u
       const double begin = processorTime();
       imageProcessor.update(view.image, matrix, colors, field, ball, landmarks, debug);
       time += processorTime() - begin;
-      const Truth truth{*views, view, field};
+      const Truth truth{*views, view};
       measureBall(truth, *views, view, field, ball, run);
       measureFlags(truth, field, landmarks, run);
       measureGoals(truth, field, landmarks, run);
