@@ -21,10 +21,11 @@ void PidSmoothedBallLocator::update(const BallPercept& percept, const OdometryDa
   const bool seen = percept.seen && percept.time != lastPercept_;
   predict(step, seconds, seen);
   if (seen) {
-    if (frame.time - lastSeen_ > parameters.forgetPosition) {
+    const bool forgotten = frame.time - lastSeen_ > parameters.forgetPosition;
+    if (forgotten && percept.offset.norm() < parameters.believedAtOnce) {
       restart(percept.offset);
-    } else if (isFar(percept.offset, position_)) {
-      doubt(percept.offset);
+    } else if (forgotten || isFar(percept.offset, position_)) {
+      doubt(percept);
     } else {
       follow(percept.offset, static_cast<double>(percept.time - lastPercept_) / 1000);
     }
@@ -58,11 +59,14 @@ bool PidSmoothedBallLocator::isFar(const Vector2d& offset, const Vector2d& expec
   return (offset - expected).norm() > allowed;
 }
 
-void PidSmoothedBallLocator::doubt(const Vector2d& offset) {
+void PidSmoothedBallLocator::doubt(const BallPercept& percept) {
   // Wrong percepts lie here and there; a ball that was moved is seen again where it is now.
-  outliers_ = outliers_ > 0 && !isFar(offset, doubted_) ? outliers_ + 1 : 1;
-  doubted_ = offset;
-  if (outliers_ >= parameters.outliersBelieved) restart(offset);
+  const bool agrees =
+      percept.time - lastDoubted_ <= parameters.longestGap && !isFar(percept.offset, doubted_);
+  outliers_ = outliers_ > 0 && agrees ? outliers_ + 1 : 1;
+  doubted_ = percept.offset;
+  lastDoubted_ = percept.time;
+  if (outliers_ >= parameters.outliersBelieved) restart(percept.offset);
 }
 
 void PidSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {

@@ -22,6 +22,7 @@ class PidSmoothedBallLocator {
     double outlierShare = 0.25;
     int outliersBelieved = 3;
     std::int64_t forgetPosition = 1000;
+    double believedAtOnce = 1500;
     double slowDown = 0.8;
     double slowDownUnseen = 3;
     double fastestBall = 3000;
@@ -43,7 +44,10 @@ class PidSmoothedBallLocator {
           field("outliersBelieved", &P::outliersBelieved, "",
                 "so many doubted percepts in a row are believed", {1, 100}),
           field("forgetPosition", &P::forgetPosition, "ms",
-                "after which the next percept is believed at once", {0, 100000}),
+                "after which the next percept is believed if it is near", {0, 100000}),
+          field("believedAtOnce", &P::believedAtOnce, "mm",
+                "nearer than that: what is farther away is small in the picture and often wrong",
+                {0, 1e5}),
           field("slowDown", &P::slowDown, "1/s", "of a rolling ball", {0, 10}),
           field("slowDownUnseen", &P::slowDownUnseen, "1/s", "of a ball that is not seen",
                 {0, 100}),
@@ -60,7 +64,7 @@ class PidSmoothedBallLocator {
  private:
   void predict(const Pose2D& step, double seconds, bool seen);
   bool isFar(const Vector2d& offset, const Vector2d& expected) const;
-  void doubt(const Vector2d& offset);
+  void doubt(const BallPercept& percept);
   void follow(const Vector2d& offset, double seconds);
   void restart(const Vector2d& offset);
 
@@ -69,6 +73,7 @@ class PidSmoothedBallLocator {
   Vector2d doubted_ = Vector2d::Zero();   ///< mm, the last percept that was not believed.
   int outliers_ = 0;
   Time lastPercept_ = never(), lastSeen_ = never(), seenSince_ = never(), lastUpdate_ = never();
+  Time lastDoubted_ = never();
   OdometryData lastOdometry_;
 };
 static_assert(complete<PidSmoothedBallLocator::Parameters>);

@@ -33,7 +33,7 @@ void GT2003HeadControl::update(const HeadControlMode& mode, const BallModel& bal
       posture.tilt,
       lookAtPoint(robot, body, ballPoint),
       {joints[Joint::headTilt], joints[Joint::headPan], joints[Joint::headRoll]}};
-  const double level = parameters.horizonTilt - posture.tilt;
+  const double ahead = parameters.aheadTilt - posture.tilt;
   switch (mode.mode) {
     case HeadMode::none:
       enter(State::idle, frame.time);
@@ -46,7 +46,7 @@ void GT2003HeadControl::update(const HeadControlMode& mode, const BallModel& bal
     case HeadMode::lookLeft:
     case HeadMode::lookRight:
       enter(State::idle, frame.time);
-      head_ = {level, 0, 0};
+      head_ = {ahead, 0, 0};
       if (mode.mode == HeadMode::lookLeft) head_.pan = widestPan;
       if (mode.mode == HeadMode::lookRight) head_.pan = -widestPan;
       break;

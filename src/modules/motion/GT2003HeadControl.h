@@ -20,9 +20,10 @@ class GT2003HeadControl {
     int scanTime = 880;
     double scanWidth = 0.75;
     int ballLostAfter = 400;
-    int ballSearchTime = 3600;
+    int ballSearchTime = 2800;
     int landmarkSearchTime = 4000;
     double horizonTilt = -0.05;
+    double aheadTilt = -0.2;
 
     static constexpr auto fields() {
       using P = Parameters;
@@ -38,7 +39,9 @@ class GT2003HeadControl {
           field("ballSearchTime", &P::ballSearchTime, "ms", "for one round", {1000, 10000}),
           field("landmarkSearchTime", &P::landmarkSearchTime, "ms", "for one round", {1000, 10000}),
           field("horizonTilt", &P::horizonTilt, "rad",
-                "of the camera over ground when landmarks are looked for", {-0.5, 0.5})};
+                "of the camera over ground when landmarks are looked for", {-0.5, 0.5}),
+          field("aheadTilt", &P::aheadTilt, "rad",
+                "likewise when looking straight ahead: balls from 300 mm on are seen", {-1, 0.5})};
     }
   };
   Parameters parameters;
