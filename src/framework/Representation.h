@@ -7,6 +7,7 @@
 #include "streams/Binary.h"
 #include "streams/MessageQueue.h"
 #include "streams/Reflection.h"
+#include "streams/Schema.h"
 
 namespace gt {
 
@@ -20,6 +21,7 @@ struct RepresentationType {
   void (*swap)(void* a, void* b);
   bool (*write)(const void* value, Time time, MessageQueue& queue);
   Result<void> (*read)(const Message& message, void* value);
+  Schema (*schema)();
 };
 
 /// The one description of a type; types are the same if their descriptions have the same address.
@@ -42,6 +44,12 @@ const RepresentationType& representation() {
           return message.read(*static_cast<T*>(value));
         else
           return Error{"", 0, std::string{typeName<T>()}, "is not part of messages"};
+      },
+      []() -> Schema {
+        if constexpr (Streamable<T>)
+          return schemaOf<T>();
+        else
+          return {};
       }};
   return type;
 }

@@ -20,7 +20,7 @@ class GT2003HeadControl {
     int scanTime = 880;
     double scanWidth = 0.75;
     int ballLostAfter = 400;
-    int ballSearchTime = 2800;
+    int ballSearchTime = 3000;
     int landmarkSearchTime = 4000;
     double horizonTilt = -0.05;
     double aheadTilt = -0.2;
