@@ -1,6 +1,55 @@
 #include <CLI/CLI.hpp>
 
+#include "Picture.h"
 #include "Play.h"
+
+namespace {
+
+/// The options that every command has which plays a match.
+void addMatchOptions(CLI::App& command, gt::MatchOptions& match) {
+  command.add_option("scene", match.scene, "Scene file")->capture_default_str();
+  command.add_option("--seed", match.seed, "The same seed gives the same match")
+      ->capture_default_str();
+  command.add_option("--threads", match.threads, "Worker threads; they do not change the match")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command.add_option("--behavior", match.behavior, "Agents file of the behavior")
+      ->capture_default_str();
+  command.add_option("--motions", match.motions, "Folder of motion descriptions")
+      ->capture_default_str();
+}
+
+void addPlay(CLI::App& command, gt::PlayOptions& play) {
+  addMatchOptions(command, play.match);
+  command.add_option("--minutes", play.match.minutes, "Both halves together, simulated")
+      ->check(CLI::Range(0.01, 1e4))
+      ->capture_default_str();
+  command.add_option("--out", play.out, "Folder for the results")->capture_default_str();
+  command.add_flag("!--no-logs", play.logs, "Do not write the robots' logs");
+}
+
+void addPicture(CLI::App& command, gt::PictureOptions& picture) {
+  addMatchOptions(command, picture.match);
+  command.add_option("--time", picture.time, "When, in seconds after the match's begin")
+      ->check(CLI::Range(0.0, 6e5))
+      ->capture_default_str();
+  command.add_option("--from", picture.from, "Where the camera is: x y z on the field in mm")
+      ->capture_default_str();
+  command.add_option("--at", picture.at, "Where the camera looks: x y z on the field in mm")
+      ->capture_default_str();
+  command.add_option("--angle", picture.openingAngle, "Opening angle from left to right, degrees")
+      ->check(CLI::Range(1, 150))
+      ->capture_default_str();
+  command.add_option("--width", picture.width, "Pixels")
+      ->check(CLI::Range(16, 1920))
+      ->capture_default_str();
+  command.add_option("--height", picture.height, "Pixels")
+      ->check(CLI::Range(16, 1080))
+      ->capture_default_str();
+  command.add_option("--out", picture.out, "PNG file")->capture_default_str();
+}
+
+}  // namespace
 
 /// SimGT2003: plays scenes of simulated robots.
 int main(int argc, char** argv) {
@@ -8,29 +57,17 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
 
   gt::PlayOptions play;
-  CLI::App& command =
+  CLI::App& playing =
       *app.add_subcommand("play", "Plays a match and writes logs, match.json and report.html");
-  command.add_option("scene", play.match.scene, "Scene file")->capture_default_str();
-  command.add_option("--minutes", play.match.minutes, "Both halves together, simulated")
-      ->check(CLI::Range(0.01, 1e4))
-      ->capture_default_str();
-  command.add_option("--seed", play.match.seed, "The same seed gives the same match")
-      ->capture_default_str();
-  command
-      .add_option("--threads", play.match.threads, "Worker threads; they do not change the match")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command.add_option("--out", play.out, "Folder for the results")->capture_default_str();
-  command.add_flag("!--no-logs", play.logs, "Do not write the robots' logs");
-  command.add_option("--behavior", play.match.behavior, "Agents file of the behavior")
-      ->capture_default_str();
-  command.add_option("--motions", play.match.motions, "Folder of motion descriptions")
-      ->capture_default_str();
+  addPlay(playing, play);
+  gt::PictureOptions picture;
+  addPicture(*app.add_subcommand("picture", "Takes a picture of a match from beside the field"),
+             picture);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return gt::play(play);
+  return playing.parsed() ? gt::play(play) : gt::takePicture(picture);
 }

@@ -1,0 +1,25 @@
+#pragma once
+#include <array>
+#include <string>
+
+#include "match/Match.h"
+
+namespace gt {
+
+/// What `simgt picture` was asked for.
+struct PictureOptions {
+  MatchOptions match;
+  double time = 60;                               ///< Seconds after the match's begin.
+  std::array<double, 3> from{-900, -2700, 1500};  ///< Where the camera is, mm on the field.
+  std::array<double, 3> at{0, -150, 0};           ///< Where it looks.
+  double openingAngle = 50;                       ///< From left to right, in degrees.
+  int width = 1280;                               ///< Pixels.
+  int height = 720;                               ///< Pixels.
+  std::string out = "out/picture.png";
+};
+
+/// Plays a match up to a time and takes a picture of it from beside the field. Returns the
+/// program's exit status: 2 if a file is wrong.
+int takePicture(const PictureOptions& options);
+
+}  // namespace gt
