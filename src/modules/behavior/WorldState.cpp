@@ -41,19 +41,19 @@ double kickDirection(const WorldState& world) {
   const Vector2d fromOwnGoal = ball - world.ownGoal() + Vector2d{200, 0};
   if (fromOwnGoal.norm() < 900) return std::clamp(angleOf(fromOwnGoal), -1.2, 1.2);
   // A ball at the ground line beside the goal cannot be shot in: play it back before the goal.
-  const Vector2d target{world.field.xGroundline + 100, 0};
+  // The goalie guards the side on which the ball is, so aim a little to the other one.
+  const Vector2d target{world.field.xGroundline + 100, -std::clamp(0.3 * ball.y(), -110.0, 110.0)};
   if (ball.x() > world.field.xGroundline - 250 && std::abs(ball.y()) > world.field.yGoal)
     return angleOf(Vector2d{world.field.xGroundline - 500, 0} - ball);
   return angleOf(target - ball);
 }
 
 double kickTolerance(const WorldState& world) {
-  // In the own half any way forward is a good one; before the opponent's goal the ball shall go in.
+  // A kick rolls some 2.5 m. From where it does not reach the goal, any way forward is a good one.
   const double distance = std::max((world.opponentGoal() - world.knownBallOnField()).norm(), 1.0);
-  if (distance > 2500) return fromDegrees(50);
-  if (distance > 1700) return fromDegrees(30);
+  if (distance > 2600) return fromDegrees(25);
   return std::clamp(0.8 * std::atan2(world.field.yGoal - world.field.ballRadius, distance),
-                    fromDegrees(10), fromDegrees(25));
+                    fromDegrees(5), fromDegrees(20));
 }
 
 }  // namespace gt
