@@ -143,7 +143,9 @@ Result<std::shared_ptr<const Configuration>> loadConfiguration(const Configurati
     return done.error();
   if (auto done = readOptional(folder / "robot.cfg", *configuration->robot); !done)
     return done.error();
-  auto table = readColorTable((folder / "coltable.c64").string());
+  auto table = readColorTable(
+      paths.colorTable.empty() ? (folder / "coltable.c64").string() : paths.colorTable,
+      paths.colorOrder);
   if (!table) return table.error();
   configuration->colorTable = std::make_shared<ColorTable64>(std::move(*table));
   auto motions = loadMotionNet(paths.motions);

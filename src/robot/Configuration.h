@@ -6,6 +6,7 @@
 #include "framework/Blackboard.h"
 #include "modules/behavior/Behavior.h"
 #include "modules/motion/MotionNetLoader.h"
+#include "modules/perception/ColorTableFile.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/perception/ColorTable64.h"
@@ -58,6 +59,8 @@ struct ConfigurationPaths {
   std::string config = "config";                   ///< Folder.
   std::string motions = "motions";                 ///< Folder of `.mof` files.
   std::string behavior = "behavior/GT2003.xabsl";  ///< The agents file.
+  std::string colorTable{};  ///< Instead of the folder's coltable.c64, if not empty.
+  ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the colour table's classes.
 };
 
 /// Reads everything; the first error tells file, line and field.

@@ -19,9 +19,9 @@ class ConfigurationTest : public ::testing::Test {
   void SetUp() override {
     root = fs::temp_directory_path() / ("gt2003-config-" + std::to_string(::getpid()));
     fs::remove_all(root);
+    fs::create_directories(root);
     for (const char* folder : {"config", "motions", "behavior"})
       fs::copy(folder, root / folder, fs::copy_options::recursive);
-    fs::create_directories(root);
     paths = {(root / "config").string(), (root / "motions").string(),
              (root / "behavior/GT2003.xabsl").string()};
   }

@@ -28,12 +28,12 @@ const std::vector<const RepresentationType*>& givenRepresentations() {
   return list;
 }
 
-Result<Plan> robotPlan(const Layout& layout) {
-  return makePlan(layout, solutions(), platformRepresentations(), givenRepresentations());
+Result<Plan> robotPlan(const Layout& layout, const std::vector<const RepresentationType*>& platform) {
+  return makePlan(layout, solutions(), platform, givenRepresentations());
 }
 
 Result<std::unique_ptr<Robot>> Robot::make(const RobotSetup& setup) {
-  auto plan = robotPlan(setup.layout);
+  auto plan = robotPlan(setup.layout, setup.platform);
   if (!plan) return plan.error();
   std::unique_ptr<Robot> robot{new Robot};
   robot->plan_ = std::move(*plan);

@@ -11,12 +11,17 @@
 
 namespace gt {
 
-/// What makes a robot: its configuration, its layout, who it is, and the seed of its chance.
+/// What the platform sends to a robot where it senses for itself: in a simulator or on hardware.
+const std::vector<const RepresentationType*>& platformRepresentations();
+
+/// What makes a robot: its configuration, its layout, who it is, the seed of its chance, and what
+/// its platform sends.
 struct RobotSetup {
   std::shared_ptr<const Configuration> configuration;
   Layout layout;
   Player player;
   std::uint64_t seed = 0;
+  std::vector<const RepresentationType*> platform = platformRepresentations();
 };
 
 /// A robot: the processes of its layout, connected to each other and to a platform, which sends it
@@ -96,11 +101,9 @@ Result<void> Robot::request(const Request& request) {
     return Error{"", 0, "", "the robot has no processes"};
 }
 
-/// What the platform sends to a robot, on any platform.
-const std::vector<const RepresentationType*>& platformRepresentations();
 /// What lies on every blackboard from the start: the configuration and the process's clock.
 const std::vector<const RepresentationType*>& givenRepresentations();
-/// The plan of a layout for a robot; see makePlan.
-Result<Plan> robotPlan(const Layout& layout);
+/// The plan of a layout for a robot on a platform that sends this; see makePlan.
+Result<Plan> robotPlan(const Layout& layout, const std::vector<const RepresentationType*>& platform);
 
 }  // namespace gt

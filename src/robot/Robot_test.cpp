@@ -52,6 +52,8 @@ void live(Robot& robot, int ms) {
 TEST(Robot, EveryLayoutOfTheRepositoryMakesOne) {
   int layouts = 0;
   for (const auto& entry : std::filesystem::directory_iterator{"layouts"}) {
+    // For a robot on a log: LogPlatform_test makes one of it.
+    if (entry.path().filename() == "replay.layout") continue;
     const auto robot = makeRobot(entry.path().string());
     ASSERT_TRUE(robot);
     live(*robot, 400);

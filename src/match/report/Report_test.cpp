@@ -9,6 +9,7 @@
 
 #include "match/report/PageFiles.h"
 #include "match/report/SampleMatch.h"
+#include "painting/PicturePainter.h"
 #include "streams/File.h"
 #include "streams/Json.h"
 
@@ -191,6 +192,17 @@ TEST_F(ReportTest, LongMatchesAreThinnedAndKeepTheirLargestErrors) {
   ASSERT_EQ(errors.size(), 1800u);
   EXPECT_EQ(errors[1000], 1234);
   EXPECT_EQ(errors[1001], 100);
+}
+
+TEST(SampleMatch, PicturesShowTheBallWhereTheySay) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    const PicturePainter painter{sampleImage(seed, {60, 90}, 10), 1};
+    const auto rgb = painter.rgb();
+    const auto* ball = &rgb[static_cast<std::size_t>(3 * (90 * painter.width() + 60))];
+    const auto* carpet = &rgb[static_cast<std::size_t>(3 * (120 * painter.width() + 60))];
+    EXPECT_GT(ball[0], ball[2] + 60);
+    EXPECT_GT(carpet[1], carpet[0] + 20);
+  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "match/report/PicturePainter.h"
+#include "painting/PicturePainter.h"
 
 #include <cairo.h>
 

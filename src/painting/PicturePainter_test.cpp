@@ -1,12 +1,10 @@
-#include "match/report/PicturePainter.h"
+#include "painting/PicturePainter.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
-
-#include "match/report/SampleMatch.h"
 
 namespace gt {
 namespace {
@@ -148,15 +146,6 @@ TEST(PicturePainter, TakesPicturesWithTooFewPixels) {
   EXPECT_EQ(at(painter, 3, 1), white);
   EXPECT_EQ(at(painter, 0, 2), black);
   EXPECT_TRUE(PicturePainter(Image{}, 2).rgb().size() == 352u * 288u * 3u);
-}
-
-TEST(PicturePainter, FindsTheBallOfASamplePictureUnderItsCircle) {
-  for (const std::uint64_t seed : {1u, 2u, 3u}) {
-    const PicturePainter painter{sampleImage(seed, {60, 90}, 10), 1};
-    const Rgb ball = at(painter, 60, 90), carpet = at(painter, 60, 120);
-    EXPECT_GT(ball[0], ball[2] + 60);
-    EXPECT_GT(carpet[1], carpet[0] + 20);
-  }
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "base/Result.h"
+#include "replay/Comparison.h"
+#include "robot/logs/LogPlatform.h"
+
+namespace gt {
+
+/// The files of a replay.
+struct ReplayFiles {
+  std::string log, colors;
+  std::string config = "config/nao2009";
+  std::string layout = "layouts/replay.layout";
+  std::string labels = "tests/real/nao2009-labels.csv";  ///< Empty for none.
+};
+
+/// Lets a robot live on a log, with percepts drawn, and calls `look(platform, ball, label)` after
+/// each picture; the label is null where nobody looked.
+using ReplayVisitor =
+    std::function<Result<void>(const LogPlatform&, const BallPercept&, const BallLabel*)>;
+Result<void> replay(const ReplayFiles& files, const ReplayVisitor& look);
+
+}  // namespace gt

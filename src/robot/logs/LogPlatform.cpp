@@ -1,0 +1,39 @@
+#include "robot/logs/LogPlatform.h"
+
+#include <utility>
+
+#include "representations/motion/OdometryData.h"
+
+namespace gt {
+
+const std::vector<const RepresentationType*>& LogPlatform::representations() {
+  static const std::vector<const RepresentationType*> list{
+      &representation<Image>(), &representation<CameraMatrix>(), &representation<OdometryData>()};
+  return list;
+}
+
+Result<LogPlatform> LogPlatform::make(const NaoLog& log, RobotSetup setup) {
+  setup.platform = representations();
+  auto robot = Robot::make(setup);
+  if (!robot) return robot.error();
+  return LogPlatform{log, std::move(*robot)};
+}
+
+Result<void> LogPlatform::step() {
+  const NaoPicture& picture = log_->pictures[next_++];
+  drawings_.clear();
+  if (auto done = log_->decode(picture, image_); !done) return done;
+  robot_->send(picture.cameraMatrix);
+  robot_->send(OdometryData{picture.odometry});
+  robot_->send(image_);
+  robot_->step(image_.time);
+  robot_->toTools().handleAllMessages([this](const Message& message) {
+    Drawing drawing;
+    if (message.is<Drawing>() && message.read(drawing) && drawing.space == DrawingSpace::image)
+      drawings_.push_back(std::move(drawing));
+  });
+  robot_->toTools().clear();
+  return {};
+}
+
+}  // namespace gt
