@@ -1,0 +1,4 @@
+#pragma once
+#include "Robot.h"
+#include "base/Upward.h"
+#include "robot/Robot.h"
