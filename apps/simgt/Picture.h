@@ -9,12 +9,12 @@ namespace gt {
 /// What `simgt picture` was asked for.
 struct PictureOptions {
   MatchOptions match;
-  double time = 60;                               ///< Seconds after the match's begin.
-  std::array<double, 3> from{-900, -2700, 1500};  ///< Where the camera is, mm on the field.
-  std::array<double, 3> at{0, -150, 0};           ///< Where it looks.
-  double openingAngle = 50;                       ///< From left to right, in degrees.
-  int width = 1280;                               ///< Pixels.
-  int height = 720;                               ///< Pixels.
+  double time = 60;                            ///< Seconds after the match's begin.
+  std::array<double, 3> from{0, -3600, 2300};  ///< Where the camera is, mm on the field.
+  std::array<double, 3> at{0, -150, 0};        ///< Where it looks.
+  double openingAngle = 64;                    ///< From left to right, in degrees.
+  int width = 1280;                            ///< Pixels.
+  int height = 720;                            ///< Pixels.
   std::string out = "out/picture.png";
 };
 
