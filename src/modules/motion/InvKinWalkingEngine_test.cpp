@@ -19,7 +19,7 @@ struct Walk {
   RobotDimensions robot;
   WalkingEngineOutput output;
 
-  Walk() { EXPECT_TRUE(readConfig("config/walk.cfg", engine.parameters)); }
+  Walk() { EXPECT_TRUE(readConfig("config/modules/WalkingEngine.InvKin.cfg", engine.parameters)); }
   void frame() { engine.update({}, request, robot, {motion}, output); }
   void frames(int n) {
     for (int i = 0; i < n; ++i) frame();

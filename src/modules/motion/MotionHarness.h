@@ -26,7 +26,7 @@ struct MotionHarness {
   MotionInfo info;
 
   MotionHarness() {
-    EXPECT_TRUE(readConfig("config/walk.cfg", walkingEngine.parameters));
+    EXPECT_TRUE(readConfig("config/modules/WalkingEngine.InvKin.cfg", walkingEngine.parameters));
     auto loaded = loadMotionNet("motions");
     EXPECT_TRUE(loaded) << loaded.error().text();
     net = *std::move(loaded);
