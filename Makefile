@@ -18,10 +18,12 @@ help:
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
 	@echo 'make format        formats the sources'
+	@echo 'make build         only builds, into $(BUILD); make packages only installs what is missing'
+	@echo 'make clean         removes build/ and out/'
 	@echo 'Settings: MINUTES, SEED, SEEDS, OUT, PRESET (release, debug, asan, tsan, clang), JOBS'
 
 packages:
-	@scripts/install-packages
+	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14)
 
 build: packages
 	@cmake --preset $(PRESET) >/dev/null
@@ -49,6 +51,7 @@ sanitize: packages
 	done
 
 format:
+	@scripts/install-packages clang-format-14
 	@git ls-files '*.h' '*.cpp' | xargs clang-format-14 -i
 
 clean:
