@@ -129,15 +129,30 @@ TEST_F(GT2003BehaviorControlTest, NearestRobotIsTheStriker) {
   EXPECT_EQ(message.role, DynamicRole::striker) << "the mate has not been heard for three seconds";
 }
 
-TEST_F(GT2003BehaviorControlTest, NeverAllKickOutOfTheOwnGoal) {
+TEST_F(GT2003BehaviorControlTest, NeverPlaysTheBallAtTheOwnGoal) {
   WorldState world;
-  world.now = {1000};
-  world.ball.lastSeen = {1000};
-  for (double y = -600; y <= 600; y += 100)
-    for (double x = -2050; x < -1500; x += 100) {
+  world.now = world.ball.lastSeen = {1000};
+  for (double y = -1250; y <= 1250; y += 50)
+    for (double x = -2000; x < 2000; x += 50) {
       world.ball.position = {x, y};
-      EXPECT_LE(std::abs(kickDirection(world)), 1.2) << x << ' ' << y;
+      // Where the ball would cross the own ground line.
+      const Vector2d way = direction(kickDirection(world));
+      if (way.x() >= 0) continue;
+      const double crossing = y + way.y() / way.x() * (-2100 - x);
+      EXPECT_GT(std::abs(crossing), 250) << x << ' ' << y;
     }
+}
+
+TEST_F(GT2003BehaviorControlTest, FindsRoomBehindABallAtTheWall) {
+  WorldState world;
+  world.now = world.ball.lastSeen = {1000};
+  for (const Vector2d& place :
+       {Vector2d{494, 1269}, Vector2d{-1723, -1272}, Vector2d{1584, -1109}}) {
+    world.ball.position = place;
+    const Vector2d behind = place - direction(kickDirection(world)) * 280;
+    EXPECT_LT(std::abs(behind.y()), 1350) << place.transpose();
+    EXPECT_LT(std::abs(behind.x()), 2100) << place.transpose();
+  }
 }
 
 }  // namespace

@@ -34,26 +34,53 @@ DynamicRole negotiateRole(const WorldState& world, DynamicRole before) {
   return mostForward ? DynamicRole::offensiveSupporter : DynamicRole::defensiveSupporter;
 }
 
-double kickDirection(const WorldState& world) {
+namespace {
+
+/// Whether a robot that stands behind the ball and faces a direction has room between the walls.
+bool hasRoom(const FieldDimensions& field, const Vector2d& ball, double facing) {
+  constexpr double clearance = 85;                       // of the body's sides
+  const Vector2d back = ball - direction(facing) * 205;  // the middle of the hind part
+  const bool insideWalls = std::abs(back.x()) < field.xGroundline - clearance &&
+                           std::abs(back.y()) < field.ySideline - clearance;
+  const double corner =
+      (field.xGroundline - std::abs(back.x())) + (field.ySideline - std::abs(back.y()));
+  return insideWalls && corner > field.xGroundline - field.xSideCorner + clearance * 1.4;
+}
+
+/// Where the ball should go if there were no walls.
+double wantedDirection(const WorldState& world) {
   const Vector2d ball = world.knownBallOnField();
   // Near the own goal: away from it, since a ball played across the goal's mouth is a present for
   // the opponent.
   const Vector2d fromOwnGoal = ball - world.ownGoal() + Vector2d{200, 0};
   if (fromOwnGoal.norm() < 900) return std::clamp(angleOf(fromOwnGoal), -1.2, 1.2);
   // A ball at the ground line beside the goal cannot be shot in: play it back before the goal.
-  // The goalie guards the side on which the ball is, so aim a little to the other one.
-  const Vector2d target{world.field.xGroundline + 100, -std::clamp(0.3 * ball.y(), -110.0, 110.0)};
   if (ball.x() > world.field.xGroundline - 250 && std::abs(ball.y()) > world.field.yGoal)
     return angleOf(Vector2d{world.field.xGroundline - 500, 0} - ball);
-  return angleOf(target - ball);
+  // The goalie guards the side on which the ball is, so aim a little to the other one.
+  return angleOf(
+      Vector2d{world.field.xGroundline + 100, -std::clamp(0.3 * ball.y(), -110.0, 110.0)} - ball);
+}
+
+}  // namespace
+
+double kickDirection(const WorldState& world) {
+  const double wanted = wantedDirection(world);
+  const Vector2d ball = world.knownBallOnField();
+  // At a wall the robot cannot get behind the ball everywhere: the nearest direction for which it
+  // can.
+  for (int degrees = 0; degrees <= 180; degrees += 10)
+    for (const int side : {1, -1}) {
+      const double candidate = normalize(wanted + side * fromDegrees(degrees));
+      if (hasRoom(world.field, ball, candidate)) return candidate;
+    }
+  return wanted;
 }
 
 double kickTolerance(const WorldState& world) {
-  // A kick rolls some 2.5 m. From where it does not reach the goal, any way forward is a good one.
+  // The robot turns until the aim is just good enough, so half of what still hits the goal.
   const double distance = std::max((world.opponentGoal() - world.knownBallOnField()).norm(), 1.0);
-  if (distance > 2600) return fromDegrees(25);
-  return std::clamp(0.8 * std::atan2(world.field.yGoal - world.field.ballRadius, distance),
-                    fromDegrees(5), fromDegrees(20));
+  return std::clamp(0.4 * std::atan2(world.field.yGoal, distance), fromDegrees(5), fromDegrees(15));
 }
 
 }  // namespace gt
