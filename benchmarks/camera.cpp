@@ -1,5 +1,4 @@
-#include <benchmark/benchmark.h>
-
+// How long the simulator takes for a camera picture.
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -7,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "Parts.h"
 #include "base/Random.h"
 #include "simulation/MuJoCo.h"
 #include "simulation/Scene.h"
@@ -18,9 +18,9 @@ namespace {
 
 /// The eight robots of scenes/match.scene, in their places, looking around so that the horizon is
 /// mostly seen.
-class Match {
+class Field {
  public:
-  Match() {
+  Field() {
     const auto scene = loadScene("scenes/match.scene");
     if (!scene) throw std::runtime_error(scene.error().text());
     auto model = composeModel(*scene);
@@ -66,18 +66,16 @@ class Match {
 };
 
 void takePictures(benchmark::State& state, const CameraEffects& effects) {
-  const Match match;
-  const CameraScene scene{match.model()};
+  const Field field;
+  const CameraScene scene{field.model()};
   CameraRenderer renderer{scene};
   Image image;
   std::uint64_t seed = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const CameraView& view = match.views()[seed % match.views().size()];
-    renderer.render(match.data(), view, effects, seed++, image);
+    const CameraView& view = field.views()[seed % field.views().size()];
+    renderer.render(field.data(), view, effects, seed++, image);
     benchmark::DoNotOptimize(image.pixels.data());
   }
-  state.counters["pictures/s"] =
-      benchmark::Counter(static_cast<double>(seed), benchmark::Counter::kIsRate);
 }
 
 void cameraPerfect(benchmark::State& state) {
@@ -88,13 +86,13 @@ void cameraRollingShutter(benchmark::State& state) {
   effects.rollingShutter = true;
   takePictures(state, effects);
 }
-void cameraDefault(benchmark::State& state) {
+void cameraNoise(benchmark::State& state) {
   takePictures(state, {});
 }
 
-BENCHMARK(cameraPerfect)->Name("camera.perfect")->Unit(benchmark::kMicrosecond);
-BENCHMARK(cameraRollingShutter)->Name("camera.rollingShutter")->Unit(benchmark::kMicrosecond);
-BENCHMARK(cameraDefault)->Name("camera.default")->Unit(benchmark::kMicrosecond);
+BENCHMARK(cameraPerfect)->Name("speed.camera.perfect")->Apply(inMicroseconds);
+BENCHMARK(cameraRollingShutter)->Name("speed.camera.rollingShutter")->Apply(inMicroseconds);
+BENCHMARK(cameraNoise)->Name("speed.camera.noise")->Apply(inMicroseconds);
 
 }  // namespace
 }  // namespace gt

@@ -1,0 +1,18 @@
+#pragma once
+#include "base/Result.h"
+#include "experiments/Figures.h"
+
+namespace gt {
+
+/// What of matches is measured.
+struct MatchSpeedOptions {
+  double minutes = 1;  ///< Of each match.
+  int runs = 3;        ///< Each on a seed of its own.
+};
+
+/// Plays whole matches 4:4 with all cameras, on one and on two threads, with and without logs: how
+/// many times faster than real time, and how long each module and each part of the simulator takes
+/// for a call. Fails if the scene does not load.
+Result<void> measureMatchSpeed(Figures& figures, const MatchSpeedOptions& options);
+
+}  // namespace gt

@@ -1,0 +1,115 @@
+// How long small pieces of the system take that run often.
+#include "Parts.h"
+
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "framework/Module.h"
+#include "modules/behavior/GT2003BehaviorControl.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/perception/BallPercept.h"
+#include "representations/perception/LandmarksPercept.h"
+#include "robot/Configuration.h"
+#include "streams/Binary.h"
+
+namespace gt {
+namespace {
+
+/// Takes each part's repetitions over as a figure.
+class FigureReporter : public benchmark::BenchmarkReporter {
+ public:
+  explicit FigureReporter(Figures& figures) : figures_{figures} {}
+
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    std::vector<double> times;
+    for (const Run& run : runs)
+      if (run.run_type == Run::RT_Iteration) times.push_back(run.GetAdjustedCPUTime());
+    const Run& first = runs.front();
+    figures_.add(first.run_name.function_name, benchmark::GetTimeUnitString(first.time_unit),
+                 times);
+  }
+
+ private:
+  Figures& figures_;
+};
+
+template <typename T>
+void encodeBinary(benchmark::State& state) {
+  T value;
+  if constexpr (std::is_same_v<T, Image>) value.allocate();
+  std::vector<std::byte> bytes;
+  for ([[maybe_unused]] auto _ : state) {
+    bytes.clear();
+    encode(value, bytes);
+    benchmark::DoNotOptimize(bytes.data());
+  }
+}
+
+const DebugKey unused{"Benchmark/unused"};
+
+void inactiveDebugKey(benchmark::State& state) {
+  Debug debug;
+  for ([[maybe_unused]] auto _ : state) {
+    if (auto canvas = debug.onField(unused)) canvas.point({0, 0});
+    benchmark::ClobberMemory();
+  }
+}
+
+/// Does nothing, so that only the framework's work is left.
+class IdleBallLocator {
+ public:
+  void update(const BallPercept&, Previous<BallModel>, BallModel& ball, Random&, Debug&) {
+    benchmark::DoNotOptimize(&ball);
+  }
+};
+
+void moduleCall(benchmark::State& state) {
+  Blackboard blackboard;
+  Debug debug;
+  ModuleAdapter<IdleBallLocator> adapter{{blackboard, debug, Random{1}}};
+  AnyModule* module = &adapter;
+  benchmark::DoNotOptimize(module);
+  for ([[maybe_unused]] auto _ : state) module->run();
+}
+
+/// The robots' whole behavior, in play, going to a ball ahead.
+void xabslCycle(benchmark::State& state) {
+  const auto configuration = loadConfiguration({});
+  if (!configuration) throw std::runtime_error(configuration.error().text());
+  GT2003BehaviorControl control;
+  FrameInfo frame;
+  GameControlData game;
+  game.state = GameState::playing;
+  BallModel ball;
+  ball.position = {1000, 0};
+  MotionRequest motion;
+  HeadControlMode head;
+  LedRequest leds;
+  BehaviorTeamMessage message;
+  Debug debug;
+  for ([[maybe_unused]] auto _ : state) {
+    ball.lastSeen = frame.time = frame.time + 40;
+    control.update(frame, *(*configuration)->behavior, {}, *(*configuration)->field, game, {}, ball,
+                   {}, {}, {}, {}, motion, head, leds, message, debug);
+  }
+}
+
+BENCHMARK(xabslCycle)->Name("speed.xabsl.cycle")->Apply(inMicroseconds);
+BENCHMARK(encodeBinary<Image>)->Name("speed.encode.Image")->Apply(inMicroseconds);
+BENCHMARK(encodeBinary<LandmarksPercept>)
+    ->Name("speed.encode.LandmarksPercept")
+    ->Apply(inNanoseconds);
+BENCHMARK(inactiveDebugKey)->Name("speed.debug.inactiveKey")->Apply(inNanoseconds);
+BENCHMARK(moduleCall)->Name("speed.framework.call")->Apply(inNanoseconds);
+
+}  // namespace
+
+void measureParts(Figures& figures) {
+  FigureReporter reporter{figures};
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+}
+
+}  // namespace gt
