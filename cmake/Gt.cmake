@@ -31,6 +31,9 @@ if(GT_SANITIZE)
   add_link_options(-fsanitize=${GT_SANITIZE})
 endif()
 
+# What runs but once (tests, the reading of options) is rather built fast than built for speed.
+set(coldCode $<$<CONFIG:Release>:-O1>)
+
 find_package(Threads REQUIRED)
 find_package(GTest REQUIRED)
 
@@ -56,13 +59,15 @@ endfunction()
 function(gt_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  target_compile_options(${name} PRIVATE ${coldCode})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()
 
-# gt_program(name SOURCES main.cpp ... DEPS ...): a program under bin/.
+# gt_program(name SOURCES main.cpp ... DEPS ...): a program under bin/. Its main.cpp reads the options.
 function(gt_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  set_source_files_properties(main.cpp PROPERTIES COMPILE_OPTIONS "${coldCode}")
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
 endfunction()

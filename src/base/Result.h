@@ -14,13 +14,7 @@ struct Error {
   std::string what;   ///< What is wrong, and what was expected.
 
   /// One line: file:line: field: what.
-  std::string text() const {
-    std::string s = file;
-    if (line > 0) s += ":" + std::to_string(line);
-    if (!s.empty()) s += ": ";
-    if (!field.empty()) s += field + ": ";
-    return s + what;
-  }
+  std::string text() const;
 };
 
 /// A value, or the error that kept it from being made.

@@ -1,0 +1,13 @@
+#include "base/Result.h"
+
+namespace gt {
+
+std::string Error::text() const {
+  std::string s = file;
+  if (line > 0) s += ":" + std::to_string(line);
+  if (!s.empty()) s += ": ";
+  if (!field.empty()) s += field + ": ";
+  return s + what;
+}
+
+}  // namespace gt
