@@ -153,17 +153,19 @@ MatchSummary Match::summary() const {
 
 std::vector<PartTime> Match::times() const {
   std::vector<PartTime> parts;
-  const auto add = [&](const std::string& name, std::int64_t count, double ms) {
-    auto part =
-        std::find_if(parts.begin(), parts.end(), [&](const PartTime& p) { return p.part == name; });
-    if (part == parts.end()) part = parts.insert(parts.end(), PartTime{name, 0, 0});
-    part->count += count;
-    part->totalMs += ms;
+  const auto add = [&](const Stopwatch& watch) {
+    if (watch.count() == 0) return;
+    auto part = std::find_if(parts.begin(), parts.end(),
+                             [&](const PartTime& p) { return p.part == watch.name(); });
+    if (part == parts.end()) part = parts.insert(parts.end(), PartTime{watch.name(), 0, 0});
+    part->count += watch.count();
+    part->totalMs += watch.totalMs();
   };
   for (const SimulatedRobot* robot : robots_)
     for (const auto& process : robot->robot().processes())
-      for (const Stopwatch& watch : process->times())
-        add(watch.name(), watch.count(), watch.totalMs());
+      for (const Stopwatch& watch : process->times()) add(watch);
+  for (const Stopwatch* watch : simulation_->times()) add(*watch);
+  for (const SimulatedRobot* robot : robots_) add(robot->logTime());
   return parts;
 }
 

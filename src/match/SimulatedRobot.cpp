@@ -70,6 +70,7 @@ void SimulatedRobot::handleMessages(const RobotInput& input) {
       drawings_.push_back(std::move(drawing));
   });
   if (log_) {
+    const Stopwatch::Lap lap{logTime_};
     log_->write(messages);
     if (input.image && picturePeriod_ > 0 && input.now >= nextPicture_) {
       log_->write(*input.image);

@@ -39,6 +39,8 @@ class SimulatedRobot : public RobotController {
   const BallModel* ball() const { return ball_; }
   const RobotState* state() const { return state_; }
   const MotionInfo* motion() const { return motion_; }
+  /// The time that writing the log has taken.
+  const Stopwatch& logTime() const { return logTime_; }
 
  private:
   void handleMessages(const RobotInput& input);
@@ -57,6 +59,7 @@ class SimulatedRobot : public RobotController {
   std::int64_t picturePeriod_ = 0;
   Time nextPicture_;
   std::vector<Drawing> drawings_;
+  Stopwatch logTime_{"logs"};
 };
 
 }  // namespace gt

@@ -70,8 +70,11 @@ void Simulation::attach(std::size_t robot, std::unique_ptr<RobotController> cont
 }
 
 void Simulation::step() {
-  world_->step(commands_);
-  referee_.update(*world_);
+  {
+    const Stopwatch::Lap lap{worldTime_};
+    world_->step(commands_);
+    referee_.update(*world_);
+  }
   const bool picture = takePictures_ && tick_ % ticksPerPicture == 0;
   const auto work = [&](std::size_t robot, std::size_t worker) {
     SimulatedRobot& r = robots_[robot];
@@ -92,6 +95,7 @@ void Simulation::step() {
 
 void Simulation::sense(std::size_t robot) {
   SimulatedRobot& r = robots_[robot];
+  const Stopwatch::Lap lap{r.sensorTime};
   SensorData readings;
   r.sensors.read(*world_, robot, readings);
   const bool first = r.input.now == Time{};  // no past yet: as if it had always been like this
@@ -106,6 +110,7 @@ void Simulation::sense(std::size_t robot) {
 
 void Simulation::takePicture(std::size_t robot, CameraRenderer& renderer) {
   SimulatedRobot& r = robots_[robot];
+  const Stopwatch::Lap lap{r.cameraTime};
   renderer.render(world_->data(), cameraView(*world_, robot, CameraInfo{}), scene_.camera,
                   r.pictureSeeds(), r.image);
   r.image.time = r.input.now;
@@ -121,6 +126,15 @@ void Simulation::act() {
     r.odometry = r.output.odometry.pose;
     if (r.output.message) radio_.send(i, *r.output.message, world_->time());
   }
+}
+
+std::vector<const Stopwatch*> Simulation::times() const {
+  std::vector<const Stopwatch*> times{&worldTime_};
+  for (const SimulatedRobot& robot : robots_) {
+    times.push_back(&robot.sensorTime);
+    times.push_back(&robot.cameraTime);
+  }
+  return times;
 }
 
 }  // namespace gt

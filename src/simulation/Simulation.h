@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "debug/Stopwatch.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/FieldDimensions.h"
@@ -93,6 +94,9 @@ class Simulation {
   const RobotInput& input(std::size_t robot) const { return robots_[robot].input; }
   const RobotOutput& output(std::size_t robot) const { return robots_[robot].output; }
   const Image& image(std::size_t robot) const { return robots_[robot].image; }
+  /// The time that the parts of the simulator have taken: the world, and for each robot its sensors
+  /// and its camera.
+  std::vector<const Stopwatch*> times() const;
 
  private:
   /// An active robot's own part of the simulation.
@@ -104,6 +108,7 @@ class Simulation {
     RobotOutput output;
     Image image;
     Pose2D odometry;
+    Stopwatch sensorTime{"sensors"}, cameraTime{"camera"};
   };
 
   Simulation(const SceneDescription& scene, std::unique_ptr<World> world, const Random& random,
@@ -124,6 +129,7 @@ class Simulation {
   std::vector<RobotCommand> commands_;
   std::int64_t tick_ = 0;
   bool takePictures_ = true;
+  Stopwatch worldTime_{"world"};
   WorkerPool pool_;
 };
 
