@@ -68,14 +68,17 @@ TEST_F(MatchTest, SameSeedSameBytesWithAnyNumberOfThreads) {
 }
 
 TEST_F(MatchTest, LogsHoldWhatIsConfigured) {
-  play("log", 5, 2);
+  const auto match = make("log", 5, 2, 0.5);
+  while (!match->finished()) match->step();
+  ASSERT_TRUE(match->close());
+  const double seconds = static_cast<double>(match->time().ms) / 1000;
   const auto log = McapReader::open((folder / "log/red1.mcap").string());
   ASSERT_TRUE(log) << log.error().text();
-  std::map<std::string, std::uint64_t> counts;
-  for (const McapChannel& channel : log->channels()) counts[channel.topic] = channel.messageCount;
-  EXPECT_EQ(counts["/RobotPose"], 750u) << "25 a second";
-  EXPECT_EQ(counts["/BallPercept"], 750u);
-  EXPECT_EQ(counts["/camera"], 15u) << "one in two seconds";
+  std::map<std::string, double> counts;
+  for (const McapChannel& channel : log->channels()) counts[channel.topic] = static_cast<double>(channel.messageCount);
+  EXPECT_NEAR(counts["/RobotPose"], 25 * seconds, 1) << "25 a second";
+  EXPECT_NEAR(counts["/BallPercept"], 25 * seconds, 1);
+  EXPECT_NEAR(counts["/camera"], seconds / 2, 1) << "one in two seconds";
 }
 
 TEST_F(MatchTest, RobotsPlay) {
@@ -88,7 +91,8 @@ TEST_F(MatchTest, RobotsPlay) {
     walked += robot.distanceWalked;
     seen += static_cast<double>(robot.ballError.count);
     EXPECT_GT(robot.localizationError.count, 500);
-    EXPECT_EQ(robot.samples.size(), 60u);
+    EXPECT_NEAR(static_cast<double>(robot.samples.size()),
+                static_cast<double>(summary.duration.ms) / 1000, 1);
   }
   EXPECT_GT(walked, 8000);
   EXPECT_GT(seen, 1000);
