@@ -57,9 +57,13 @@ double wantedDirection(const WorldState& world) {
   // A ball at the ground line beside the goal cannot be shot in: play it back before the goal.
   if (ball.x() > world.field.xGroundline - 250 && std::abs(ball.y()) > world.field.yGoal)
     return angleOf(Vector2d{world.field.xGroundline - 500, 0} - ball);
-  // The goalie guards the side on which the ball is, so aim a little to the other one.
-  return angleOf(
-      Vector2d{world.field.xGroundline + 100, -std::clamp(0.3 * ball.y(), -110.0, 110.0)} - ball);
+  // The goalie guards the middle and the side on which the ball is: aim at the other side, before
+  // the middle at the one to which the robot is turned already.
+  const Vector2d middle = world.opponentGoal() - ball;
+  const double turned = normalize(world.self.pose.rotation - angleOf(middle));
+  const double side =
+      std::abs(ball.y()) > 200 ? -std::copysign(1, ball.y()) : std::copysign(1, turned);
+  return angleOf(Vector2d{world.field.xGroundline + 50, side * 0.5 * world.field.yGoal} - ball);
 }
 
 }  // namespace
