@@ -6,9 +6,10 @@ MINUTES ?= 10
 SEED    ?= 7
 SEEDS   ?= 1..10
 OUT     ?= out/match
+SECONDS ?= 60
 JOBS    ?= $(shell nproc)
 
-.PHONY: help play test replay bench experiments build packages format sanitize clean
+.PHONY: help play test replay bench experiments build packages format sanitize fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -17,10 +18,11 @@ help:
 	@echo 'make bench         measures speed: out/bench.json'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
+	@echo 'make fuzz          feeds broken files to all that reads files, SECONDS=$(SECONDS) each'
 	@echo 'make format        formats the sources'
 	@echo 'make build         only builds, into $(BUILD); make packages only installs what is missing'
 	@echo 'make clean         removes build/ and out/'
-	@echo 'Settings: MINUTES, SEED, SEEDS, OUT, PRESET (release, debug, asan, tsan, clang), JOBS'
+	@echo 'Settings: MINUTES, SEED, SEEDS, SECONDS, OUT, PRESET (release, debug, asan, tsan, clang), JOBS'
 
 packages:
 	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14)
@@ -48,6 +50,18 @@ sanitize: packages
 	@for preset in asan tsan; do \
 	  cmake --preset $$preset >/dev/null && cmake --build --preset $$preset --parallel $(JOBS) && \
 	  ctest --test-dir build/$$preset --output-on-failure --parallel $(JOBS) || exit 1; \
+	done
+
+# What is found stays in out/fuzz as a file that reproduces it.
+fuzz:
+	@scripts/install-packages clang-14 libclang-rt-14-dev
+	@cmake --preset fuzz >/dev/null
+	@cmake --build --preset fuzz --parallel $(JOBS)
+	@mkdir -p out/fuzz
+	@for target in build/fuzz/bin/fuzz_*; do \
+	  name=$${target##*/fuzz_}; echo "$$name:"; \
+	  $$target build/fuzz/corpus/$$name -max_total_time=$(SECONDS) -timeout=10 -rss_limit_mb=4096 \
+	    -artifact_prefix=out/fuzz/$$name- -print_final_stats=1 -verbosity=0 || exit 1; \
 	done
 
 format:

@@ -129,7 +129,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 100000));
   app.add_option("--growth", options.growth, "steps into colours never seen")
       ->check(CLI::Range(0, 64));
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   const auto done = learn(options);
   if (!done) fmt::print(stderr, "{}\n", done.error().text());
   return done ? 0 : 2;

@@ -47,6 +47,10 @@ int main(int argc, char** argv) {
   auto* listCommand = app.add_subcommand("list", "the motions as XML for XABSL");
   for (auto* command : {checkCommand, listCommand})
     command->add_option("folder", folder, "folder of the .mof files")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : badData;
+  }
   return checkCommand->parsed() ? check(folder) : list(folder);
 }

@@ -1,13 +1,15 @@
 #include "replay/Labels.h"
 
 #include <array>
-#include <fstream>
 #include <sstream>
 
 #include "base/Enum.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
+
+constexpr const char* heading = "picture,time,class,x,y,r";
 
 bool number(const std::string& text, double& value) {
   std::istringstream stream(text);
@@ -17,11 +19,14 @@ bool number(const std::string& text, double& value) {
 }  // namespace
 
 Result<std::vector<BallLabel>> readLabels(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) return Error{file, 0, "", "cannot be opened"};
+  const auto content = readFile(file);
+  if (!content) return content.error();
+  std::istringstream stream(*content);
   std::vector<BallLabel> labels;
   std::string text;
   for (int line = 1; std::getline(stream, text); ++line) {
+    if (line == 1 && text != heading)
+      return Error{file, line, "", std::string{heading} + " was expected"};
     if (line == 1 || text.empty()) continue;
     std::istringstream row(text);
     std::array<std::string, 6> cells;
@@ -40,6 +45,7 @@ Result<std::vector<BallLabel>> readLabels(const std::string& file) {
                       {values[2], values[3]},
                       values[4]});
   }
+  if (labels.empty()) return Error{file, 0, "", "there are no labels"};
   return labels;
 }
 

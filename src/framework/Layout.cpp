@@ -1,10 +1,11 @@
 #include "framework/Layout.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
+
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -140,10 +141,8 @@ Result<Layout> parseLayout(std::string_view text, const std::string& file) {
 }
 
 Result<Layout> loadLayout(const std::string& file) {
-  std::ifstream stream{file};
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) return Error{file, 0, "", "cannot be read"};
-  return parseLayout(text.str(), file);
+  const auto text = readFile(file);
+  return text ? parseLayout(*text, file) : text.error();
 }
 
 Result<Plan> makePlan(const Layout& layout, const SolutionTable& table, const Types& platform,

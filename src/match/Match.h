@@ -33,7 +33,12 @@ class Match {
 
   /// One tick of 8 ms.
   void step();
-  bool finished() const { return simulation_->finished(); }
+  /// The referee has ended the game; in a scene without one, its time is over.
+  bool finished() const {
+    const auto& game = simulation_->scene().game;
+    return simulation_->finished() ||
+           (!game.referee && static_cast<double>(time().ms) >= game.minutes * 60000);
+  }
   Time time() const { return simulation_->time(); }
   /// Closes the logs and tells the first error that happened in writing one.
   Result<void> close();

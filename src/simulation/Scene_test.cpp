@@ -97,7 +97,7 @@ TEST(Scene, schemaKnowsWhatTheLoaderKnows) {
 TEST_F(WrongFiles, missingScene) {
   const auto scene = loadScene("scenes/nowhere.scene");
   ASSERT_FALSE(scene);
-  EXPECT_EQ(scene.error().text(), "scenes/nowhere.scene: no such file");
+  EXPECT_EQ(scene.error().text(), "scenes/nowhere.scene: there is no such file");
   EXPECT_FALSE(loadScene("scenes"));
 }
 

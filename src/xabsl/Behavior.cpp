@@ -43,6 +43,15 @@ std::optional<std::string> readFile(const std::string& path, std::string& text) 
   return std::nullopt;
 }
 
+/// True if there is no character that only other kinds of files hold. Otherwise each of them would
+/// be an error of its own.
+bool isText(const std::string& text) {
+  return std::none_of(text.begin(), text.end(), [](char c) {
+    return static_cast<unsigned char>(c) < ' ' &&
+           std::string_view("\t\n\v\f\r").find(c) == std::string_view::npos;
+  });
+}
+
 /// Reads a file and all that it includes, each once, in a loop: a chain of includes may be long or
 /// closed.
 class Loader {
@@ -78,6 +87,7 @@ class Loader {
         known_.size() > mostFiles ? "more than 10000 files" : read_(path, text);
     sum_ += text.size();
     if (!problem && sum_ > largestSum) problem = "the files are larger than 8 MiB together";
+    if (!problem && !isText(text)) problem = "this is no text file";
     if (problem) {
       if (include)
         reporter_.error(*include, "cannot include '" + path + "': " + *problem);

@@ -1,8 +1,8 @@
 #include "modules/perception/ColorTableFile.h"
 
 #include <cstdint>
-#include <fstream>
-#include <iterator>
+
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -55,11 +55,8 @@ Result<ColorTable64> parseColorTable(std::string_view bytes, const std::string& 
 }
 
 Result<ColorTable64> readColorTable(const std::string& file, ColorClassOrder order) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return Error{file, 0, "", "cannot be opened"};
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) return Error{file, 0, "", "cannot be read"};
-  return parseColorTable(bytes, file, order);
+  const auto bytes = readFile(file);
+  return bytes ? parseColorTable(*bytes, file, order) : bytes.error();
 }
 
 std::string colorTableBytes(const ColorTable64& table) {

@@ -2,9 +2,8 @@
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
+#include "streams/File.h"
 #include "streams/Jpeg.h"
 
 namespace gt {
@@ -222,11 +221,8 @@ Result<NaoLog> parseNaoLog(std::string bytes, const std::string& file) {
 }
 
 Result<NaoLog> readNaoLog(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return Error{file, 0, "", "cannot be opened"};
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) return Error{file, 0, "", "cannot be read"};
-  return parseNaoLog(std::move(bytes), file);
+  auto bytes = readFile(file);
+  return bytes ? parseNaoLog(*std::move(bytes), file) : bytes.error();
 }
 
 }  // namespace gt

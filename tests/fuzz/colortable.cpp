@@ -1,0 +1,8 @@
+#include "Fuzz.h"
+#include "modules/perception/ColorTableFile.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  (void)!gt::parseColorTable(gt::textOf(data, size), "fuzz");
+  (void)!gt::parseColorTable(gt::textOf(data, size), "fuzz", gt::nao2009ColorOrder);
+  return 0;
+}

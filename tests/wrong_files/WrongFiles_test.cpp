@@ -1,0 +1,272 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/Random.h"
+#include "robot/logs/TestLog.h"
+#include "streams/File.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// How a program ended and what it said about it.
+struct Outcome {
+  int status = -1;  ///< Exit status; -1 if it crashed.
+  std::string errors;
+};
+
+/// A copy of all files that the programs read, to break one of.
+class Workplace {
+ public:
+  Workplace() : root_{fs::temp_directory_path() / ("gt2003-wrong-" + std::to_string(::getpid()))} {
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+    for (const char* folder : {"config", "motions", "behavior", "layouts", "scenes", "models"})
+      fs::copy(folder, root_ / folder, fs::copy_options::recursive);
+    LogBuilder log;
+    for (int i = 0; i < 22; ++i) log.put(0.1 * i);
+    log.put(std::uint32_t{5000}).end(5);
+    log.put(0.25).put(100.0).put(-50.0).end(8);
+    write("robot.log", log.log());
+    // One run of 64^3 colours of class 0, and the end.
+    write("robot.c64", std::string("\0\0\4\0\0\0\0\0\0", 9));
+    write("labels.csv", "picture,time,class,x,y,r\n0,5000,whole,160,120,20\n");
+  }
+  ~Workplace() { fs::remove_all(root_); }
+
+  std::string read(const std::string& file) const { return *readFile((root_ / file).string()); }
+  void write(const std::string& file, std::string_view content) const {
+    ASSERT_TRUE(writeFile((root_ / file).string(), content));
+  }
+  const fs::path& root() const { return root_; }
+
+  /// Runs a program in there; names of files in what it says are relative to it.
+  Outcome run(const std::string& arguments) const {
+    const std::string log = (root_ / "errors").string();
+    const int raw = std::system(
+        ("cd " + root_.string() + " && " + GT_PROGRAMS "/" + arguments + " >/dev/null 2>" + log)
+            .c_str());
+    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, *readFile(log)};
+  }
+
+ private:
+  fs::path root_;
+};
+
+using Break = std::function<std::string(const std::string&)>;
+
+Break truncated(std::size_t size) {
+  return [size](const std::string& text) { return text.substr(0, size); };
+}
+
+Break truncatedAfter(std::string word) {
+  return [word](const std::string& text) { return text.substr(0, text.find(word) + word.size()); };
+}
+
+Break text(std::string content) {
+  return [content](const std::string&) { return content; };
+}
+
+Break replaced(std::string from, std::string to) {
+  return [from, to](std::string content) {
+    const auto at = content.find(from);
+    EXPECT_NE(at, content.npos) << from;
+    return at == content.npos ? content : content.replace(at, from.size(), to);
+  };
+}
+
+Break garbage() {
+  return [](const std::string&) {
+    Random random{1};
+    std::string bytes(500, '\0');
+    for (char& c : bytes) c = static_cast<char>(random.index(256));
+    bytes[0] = '\x07';
+    return bytes;
+  };
+}
+
+/// The file is removed.
+const Break missing;
+
+/// A wrong file: how it is broken, which program reads it, and how the line that tells of it
+/// begins.
+struct WrongFile {
+  const char* name;
+  std::string file;
+  Break change;
+  std::string program;
+  std::string line;
+};
+
+void PrintTo(const WrongFile& wrong, std::ostream* stream) {
+  *stream << wrong.name;
+}
+
+const std::string play = "simgt play scenes/one-robot.scene --minutes 0.01 --no-logs --out out";
+const std::string see = "replay --log robot.log --colors robot.c64 --labels labels.csv --out out";
+const std::string checkBehavior = "xabsl check behavior/GT2003.xabsl";
+const std::string checkMotions = "motionnet check motions";
+
+class WrongFiles : public testing::TestWithParam<WrongFile> {
+ protected:
+  static void SetUpTestSuite() { workplace = std::make_unique<Workplace>(); }
+  static void TearDownTestSuite() { workplace.reset(); }
+
+  static std::unique_ptr<Workplace> workplace;
+};
+std::unique_ptr<Workplace> WrongFiles::workplace;
+
+TEST_P(WrongFiles, EndWithOneLine) {
+  const WrongFile& wrong = GetParam();
+  const std::string good = workplace->read(wrong.file);
+  if (wrong.change)
+    workplace->write(wrong.file, wrong.change(good));
+  else
+    fs::remove(workplace->root() / wrong.file);
+  const Outcome outcome = workplace->run(wrong.program);
+  workplace->write(wrong.file, good);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.errors, StartsWith(wrong.line));
+  EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+}
+
+std::vector<WrongFile> wrongFiles() {
+  const std::string scene = "scenes/one-robot.scene", model = "models/ball.xml";
+  const std::string layout = "layouts/cmd.layout", logLayout = "layouts/replay.layout";
+  const std::string agents = "behavior/GT2003.xabsl", option = "behavior/options/kick.xabsl";
+  const std::string mof = "motions/getup.mof", table = "config/coltable.c64";
+  return {
+      {"SceneMissing", scene, missing, play, "simgt: " + scene + ": there is no such file"},
+      {"SceneTruncated", scene, truncated(300), play, "simgt: " + scene + ":"},
+      {"SceneGarbage", scene, garbage(), play, "simgt: " + scene + ":1: "},
+      {"SceneWrongName", scene, replaced("team=", "crew="), play, "simgt: " + scene + ":6: "},
+      {"SceneWrongValue", scene, replaced("x=\"-800\"", "x=\"left\""), play,
+       "simgt: " + scene + ":6: "},
+      {"ModelMissing", model, missing, play, "simgt: " + scene + ":9: model: "},
+      {"ModelGarbage", model, garbage(), play, "simgt: models/ball.xml"},
+      {"ModelTruncated", model, truncated(200), play, "simgt: models/ball.xml"},
+
+      {"LayoutMissing", layout, missing, play, "simgt: " + layout + ": there is no such file"},
+      {"LayoutTruncated", layout, replaced("  SensorDataProcessor\n", ""), play,
+       "simgt: " + layout + ":"},
+      {"LayoutGarbage", layout, garbage(), play, "simgt: " + layout + ":1: "},
+      {"LayoutWrongName", layout, replaced("BallLocator", "BallFinder"), play,
+       "simgt: " + layout + ":8: BallFinder: there is no such task"},
+      {"LogLayoutMissing", logLayout, missing, see, "replay: " + logLayout + ": "},
+      {"LogLayoutWrongName", logLayout, replaced("SelfLocator", "SelfFinder"), see,
+       "replay: " + logLayout + ":6: SelfFinder: there is no such task"},
+
+      {"BehaviorMissing", agents, missing, play, "simgt: " + agents + ": "},
+      {"BehaviorTruncated", option, truncated(300), play, "simgt: " + option + ":"},
+      {"BehaviorGarbage", option, garbage(), play, "simgt: " + agents + ":"},
+      {"BehaviorWrongName", agents, replaced("agent ", "agnet "), play, "simgt: " + agents + ":"},
+      {"CheckedBehaviorMissing", agents, missing, checkBehavior, agents + ": error: "},
+      {"CheckedBehaviorTruncated", option, truncated(300), checkBehavior, option + ":"},
+      {"CheckedBehaviorGarbage", agents, garbage(), checkBehavior, agents + ": error: "},
+
+      {"MotionMissing", "motions/stand.mof", missing, play, "simgt: motions/"},
+      {"MotionTruncated", mof, truncated(150), play, "simgt: " + mof + ": label start: "},
+      {"MotionGarbage", mof, garbage(), play, "simgt: " + mof + ":1: "},
+      {"MotionWrongName", "motions/extern.mof", replaced("getup", "getupp"), play,
+       "simgt: motions/extern.mof:"},
+      {"CheckedMotionTruncated", mof, truncated(150), checkMotions, mof + ": label start: "},
+      {"CheckedMotionWrongName", mof, replaced("label start", "label begin"), checkMotions,
+       mof + ": label start: "},
+
+      {"ColorTableMissing", table, missing, play, "simgt: " + table + ": there is no such file"},
+      {"ColorTableTruncated", table, truncated(1000), play, "simgt: " + table + ": byte "},
+      {"ColorTableGarbage", table, garbage(), play, "simgt: " + table + ": byte 0: "},
+      {"LogColorTableMissing", "robot.c64", missing, see, "replay: robot.c64: "},
+      {"LogColorTableTruncated", "robot.c64", truncated(5), see, "replay: robot.c64: byte 5: "},
+      {"LogColorTableWrongClass", "robot.c64",
+       replaced(std::string(1, '\4') + '\0' + '\0', "\4\0\13"), see, "replay: robot.c64: byte "},
+
+      {"LogMissing", "robot.log", missing, see, "replay: robot.log: there is no such file"},
+      {"LogEmpty", "robot.log", text(""), see, "replay: robot.log: byte 0: "},
+      {"LogTruncated", "robot.log", truncated(100), see, "replay: robot.log: byte 8: "},
+      {"LogGarbage", "robot.log", garbage(), see, "replay: robot.log: byte 8: "},
+      {"LabelsMissing", "labels.csv", missing, see, "replay: labels.csv: "},
+      {"LabelsGarbage", "labels.csv", garbage(), see, "replay: labels.csv:1: "},
+      {"LabelsTruncated", "labels.csv", truncated(36), see, "replay: labels.csv:2: x: "},
+
+      {"FieldWrongName", "config/nao2009/field.cfg", replaced("ballRadius", "ballRadus"), see,
+       "replay: config/nao2009/field.cfg:11: ballRadus: "},
+      {"FieldGarbage", "config/nao2009/field.cfg", garbage(), see,
+       "replay: config/nao2009/field.cfg:1: "},
+      {"FieldTruncated", "config/nao2009/field.cfg", truncatedAfter("xPenalty"), see,
+       "replay: config/nao2009/field.cfg:"},
+      {"ModulesWrongTask", "config/modules.cfg", replaced("SelfLocator", "SelfFinder"), play,
+       "simgt: config/modules.cfg:4: SelfFinder: there is no such task"},
+      {"ModulesTruncated", "config/modules.cfg", text("SelfLocator\n"), play,
+       "simgt: config/modules.cfg:1: SelfLocator: "},
+      {"ModulesGarbage", "config/modules.cfg", garbage(), play, "simgt: config/modules.cfg:1: "},
+      {"LogSettingsWrongName", "config/log.cfg", replaced("pictures", "images"), play,
+       "simgt: config/log.cfg:14: images: "},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(All, WrongFiles, testing::ValuesIn(wrongFiles()),
+                         [](const auto& test) { return std::string{test.param.name}; });
+
+TEST(Programs, AcceptTheRepositorysFiles) {
+  const Workplace workplace;
+  for (const std::string& program : {play, see, checkBehavior, checkMotions}) {
+    const Outcome outcome = workplace.run(program);
+    EXPECT_EQ(outcome.status, 0) << program;
+    EXPECT_EQ(outcome.errors, "") << program;
+  }
+}
+
+TEST(Programs, TellEveryErrorOfAMotion) {
+  const Workplace workplace;
+  workplace.write("motions/stand.mof", "garbage\n");
+  const Outcome outcome = workplace.run(checkMotions);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.errors, StartsWith("motions/stand.mof:1: "));
+}
+
+TEST(Programs, RefuseFoldersInsteadOfFiles) {
+  const Workplace workplace;
+  for (const std::string program :
+       {"simgt play scenes", "simgt play scenes/one-robot.scene --behavior behavior",
+        "replay --log scenes", "replay --log robot.log --colors scenes", "xabsl check behavior"}) {
+    const Outcome outcome = workplace.run(program);
+    EXPECT_EQ(outcome.status, 2) << program;
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+  }
+}
+
+TEST(Programs, RefuseWrongArguments) {
+  const Workplace workplace;
+  for (const std::string program :
+       {"simgt", "simgt play --bogus", "simgt play --minutes 0", "simgt play --seed many",
+        "simgt play --threads 0", "replay --bogus", "replay robot.log", "xabsl", "xabsl check",
+        "xabsl bogus", "motionnet", "motionnet bogus", "motionnet check a b"}) {
+    const Outcome outcome = workplace.run(program);
+    EXPECT_EQ(outcome.status, 2) << program;
+    EXPECT_NE(outcome.errors, "") << program;
+  }
+}
+
+TEST(Programs, ReplayWithoutTheRealLogIsNoError) {
+  const Workplace workplace;
+  ASSERT_EQ(::setenv("GT_REAL", "nowhere", 1), 0);
+  const Outcome outcome = workplace.run("replay");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.errors, "");
+}
+
+}  // namespace
+}  // namespace gt
