@@ -75,7 +75,8 @@ TEST_F(MatchTest, LogsHoldWhatIsConfigured) {
   const auto log = McapReader::open((folder / "log/red1.mcap").string());
   ASSERT_TRUE(log) << log.error().text();
   std::map<std::string, double> counts;
-  for (const McapChannel& channel : log->channels()) counts[channel.topic] = static_cast<double>(channel.messageCount);
+  for (const McapChannel& channel : log->channels())
+    counts[channel.topic] = static_cast<double>(channel.messageCount);
   EXPECT_NEAR(counts["/RobotPose"], 25 * seconds, 1) << "25 a second";
   EXPECT_NEAR(counts["/BallPercept"], 25 * seconds, 1);
   EXPECT_NEAR(counts["/camera"], seconds / 2, 1) << "one in two seconds";
