@@ -1,5 +1,5 @@
 // Runs a fuzz target where there is no fuzzer: over its corpus, and over the same broken in
-// thousand ways, always the same ones.
+// thousands of ways, always the same ones.
 #include <algorithm>
 #include <cstdio>
 #include <string>
