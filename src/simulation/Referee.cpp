@@ -9,6 +9,10 @@
 namespace gt {
 namespace {
 
+/// A ball of this speed that rolls towards the goal is a shot; whoever deflects it shortly before
+/// it goes in did not score.
+constexpr double shotSpeed = 200;  // mm/s
+constexpr std::int64_t shotMs = 2000;
 constexpr std::int64_t initialMs = 1000;
 constexpr std::int64_t readyAtLeastMs = 4000;  // until robots that have to walk do walk
 constexpr std::int64_t standingMs = 1000;
@@ -179,12 +183,26 @@ void Referee::updatePlaying(World& world) {
     record(world, GameEventType::ballOut, TeamColor::red);
     world.placeBall(0, {0, 0});
   }
+  watchShots(world);
   watchStuckBall(world);
+}
+
+void Referee::watchShots(const World& world) {
+  const BallState& ball = world.ball(0);
+  if (ball.lastToucher < 0 || ball.speed.norm() < shotSpeed) return;
+  const TeamColor team = players_[static_cast<std::size_t>(ball.lastToucher)].teamColor;
+  const double line = team == TeamColor::red ? field_.xGroundline : -field_.xGroundline;
+  const double seconds = (line - ball.position.x()) / ball.speed.x();
+  if (seconds > 0 && std::abs(ball.position.y() + seconds * ball.speed.y()) < field_.yGoal)
+    shot_ = {ball.lastToucher, world.time()};
 }
 
 void Referee::countGoal(World& world) {
   const TeamColor scorer = world.ball(0).position.x() > 0 ? TeamColor::red : TeamColor::blue;
-  const int toucher = world.ball(0).lastToucher;
+  const bool shot = shot_.robot >= 0 && world.time() - shot_.time < shotMs &&
+                    players_[static_cast<std::size_t>(shot_.robot)].teamColor == scorer;
+  const int toucher = shot ? shot_.robot : world.ball(0).lastToucher;
+  shot_ = {};
   const bool touched = toucher >= 0;
   const std::size_t player = static_cast<std::size_t>(std::max(toucher, 0));
   ++score_[scorer];

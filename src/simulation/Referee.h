@@ -44,7 +44,8 @@ static_assert(complete<GameEvent>);
 /// Leads the game by the rules of 2003 (facts, 2.2): initial, ready, set, playing; goals,
 /// kick-offs, halves, and balls that are stuck. The clock runs from the first whistle on and does
 /// not stop; the teams keep their goals for both halves. The other team than in the first half
-/// kicks off in the second.
+/// kicks off in the second. A goal is an own goal if the defender who touched the ball last gave it
+/// its way in; one that deflects a shot on goal does not.
 class Referee {
  public:
   Referee(const GameParameters& parameters, const FieldDimensions& field,
@@ -77,6 +78,7 @@ class Referee {
   bool free(const World& world, const Vector2d& position, std::size_t except) const;
   void placeRobot(World& world, std::size_t robot);
   void countGoal(World& world);
+  void watchShots(const World& world);
   void watchStuckBall(World& world);
   void endHalf(World& world);
   void record(const World& world, GameEventType type, TeamColor team, int number = 0,
@@ -96,6 +98,10 @@ class Referee {
   TeamColor kickOff_;
   EnumArray<TeamColor, int> score_;
   std::vector<GameEvent> events_;
+  struct Shot {
+    int robot = -1;
+    Time time = never();
+  } shot_;  ///< The last ball on its way into the other team's goal, and whose it was.
   std::vector<Pose2D> lastPoses_;
   Time movedAt_;
   Vector2d ballReference_ = Vector2d::Zero();

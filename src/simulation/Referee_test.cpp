@@ -128,6 +128,32 @@ TEST_F(RefereeMatch, ownGoalsAreTold) {
   EXPECT_EQ(goal.scoreBlue, 1);
 }
 
+TEST_F(RefereeMatch, aDeflectedShotIsNoOwnGoal) {
+  ASSERT_TRUE(until(GameState::playing, 30));
+  const std::size_t shooter = 4;  // the blue goalie pushes the ball at the red goal
+  world_->placeRobot(0, {0, 0, 1000});
+  world_->placeRobot(shooter, {-pi, -1650, 0});
+  world_->placeBall(0, {-1850, 0});
+  commands_[shooter] = standingCommand({0, 2.5, 0});
+  for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft})
+    commands_[shooter].joints[legJoint(leg, 2)] = fromDegrees(50);
+  for (int i = 0; i < 500 && world_->ball(0).position.x() > -2050; ++i) tick();
+  ASSERT_EQ(world_->ball(0).lastToucher, 4);
+  // The red goalie comes from the side until it has touched the ball, too.
+  for (double y = 150; y > 60 && world_->ball(0).lastToucher != 0; y -= 2) {
+    world_->placeRobot(0, {0, world_->ball(0).position + Vector2d{0, y}});
+    tick();
+  }
+  ASSERT_EQ(world_->ball(0).lastToucher, 0);
+  world_->placeRobot(0, {0, 0, 1000});
+  world_->placeBall(0, {-2140, 0}, {-200, 0}, false);
+  ASSERT_TRUE(until(GameState::ready, 2));
+  const GameEvent& goal = referee_->events().back();
+  EXPECT_FALSE(goal.ownGoal);
+  EXPECT_EQ(goal.team, TeamColor::blue);
+  EXPECT_EQ(goal.number, 1);
+}
+
 TEST_F(RefereeMatch, halvesAndEnd) {
   ASSERT_TRUE(until(GameState::playing, 30));
   EXPECT_EQ(referee_->half(), 1);
