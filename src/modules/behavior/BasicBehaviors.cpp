@@ -28,10 +28,10 @@ void BasicBehaviors::walk(double x, double y, double turn) {
 }
 
 void BasicBehaviors::approach(const Vector2d& offset, double turn, double maxSpeed) {
-  // Braking: the last 80 mm are walked ever slower, but never so slowly that the robot does not
+  // Braking: the last 150 mm are walked ever slower, but never so slowly that the robot does not
   // arrive.
   const double distance = offset.norm();
-  const double speed = std::min(maxSpeed, 50 + 2.0 * distance);
+  const double speed = std::min(maxSpeed, 40 + 1.2 * distance);
   Vector2d v = distance < 1 ? Vector2d::Zero() : Vector2d{offset / distance * speed};
   // The same direction at the speed that the slower of the two axes allows.
   const double maxX = v.x() > 0 ? parameters_.maxForward : parameters_.maxSideways;
@@ -79,7 +79,7 @@ void BasicBehaviors::goToBall(double kickAngle, double x, double y) {
   const double around = normalize(angleOf(-ball) - (facing + pi));
   const double maxSpeed = parameters_.maxForward;
   if (std::abs(around) < fromDegrees(25) && distance < 600)
-    return approach(place, facing, maxSpeed);
+    return approach(place, facing, 0.8 * maxSpeed);
 
   // On a circle round the ball, from far away along its tangent, to the place behind the ball.
   const double most = distance > 400 ? fromDegrees(80) : fromDegrees(50);
