@@ -62,7 +62,8 @@ void MatchStatistics::compare(std::size_t robot) {
     record.rotation.push_back(std::abs(normalize(pose->pose.rotation - truth.rotation)));
   }
   const BallModel* ball = robots_[robot]->ball();
-  if (ball && ball->lastSeen == simulation_.image(robot).time && simulation_.world().ballCount() > 0) {
+  if (ball && ball->lastSeen == simulation_.image(robot).time &&
+      simulation_.world().ballCount() > 0) {
     const Vector2d onField =
         toTeam(simulation_.players()[robot].teamColor, simulation_.world().ball(0).position);
     record.ball.push_back((ball->position - relative(truth, onField)).norm());

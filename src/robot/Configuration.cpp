@@ -31,7 +31,8 @@ Result<void> checkSolution(const std::string& task, const std::string& solution,
   return {};
 }
 
-/// Reads a file of lines of two words, which may be missing; visit(first, second, line) returns a Result<void>.
+/// Reads a file of lines of two words, which may be missing; visit(first, second, line) returns a
+/// Result<void>.
 template <typename Visit>
 Result<void> readPairs(const fs::path& path, const char* expected, Visit&& visit) {
   if (!fs::exists(path)) return {};
@@ -52,30 +53,35 @@ Result<void> readPairs(const fs::path& path, const char* expected, Visit&& visit
 }
 
 /// modules.cfg: lines TASK SOLUTION.
-Result<void> readSolutions(const fs::path& path, std::vector<Configuration::SolutionChoice>& choices) {
-  return readPairs(path, "expected a task and one solution",
-                   [&](const std::string& task, const std::string& solution, int line) -> Result<void> {
-                     if (auto known = checkSolution(task, solution, path.string(), line, true); !known) return known;
-                     choices.push_back({task, solution, path.string(), line});
-                     return {};
-                   });
+Result<void> readSolutions(const fs::path& path,
+                           std::vector<Configuration::SolutionChoice>& choices) {
+  return readPairs(
+      path, "expected a task and one solution",
+      [&](const std::string& task, const std::string& solution, int line) -> Result<void> {
+        if (auto known = checkSolution(task, solution, path.string(), line, true); !known)
+          return known;
+        choices.push_back({task, solution, path.string(), line});
+        return {};
+      });
 }
 
 /// log.cfg: lines `representation NAME` and `pictures MS`.
 Result<void> readLog(const fs::path& path, Configuration::LogSettings& log) {
   constexpr const char* expected = "expected: representation NAME, or: pictures MS";
-  return readPairs(path, expected, [&](const std::string& what, const std::string& value, int line) -> Result<void> {
-    if (what == "representation") {
-      log.representations.push_back(value);
-      return {};
-    }
-    if (what != "pictures") return Error{path.string(), line, what, expected};
-    const char* const end = value.data() + value.size();
-    const auto [stop, error] = std::from_chars(value.data(), end, log.picturePeriod);
-    if (error != std::errc{} || stop != end || log.picturePeriod < 0)
-      return Error{path.string(), line, what, "'" + value + "' is not a period in ms"};
-    return {};
-  });
+  return readPairs(
+      path, expected,
+      [&](const std::string& what, const std::string& value, int line) -> Result<void> {
+        if (what == "representation") {
+          log.representations.push_back(value);
+          return {};
+        }
+        if (what != "pictures") return Error{path.string(), line, what, expected};
+        const char* const end = value.data() + value.size();
+        const auto [stop, error] = std::from_chars(value.data(), end, log.picturePeriod);
+        if (error != std::errc{} || stop != end || log.picturePeriod < 0)
+          return Error{path.string(), line, what, "'" + value + "' is not a period in ms"};
+        return {};
+      });
 }
 
 /// modules/TASK.SOLUTION.cfg: the parameters of a solution.

@@ -28,7 +28,8 @@ const std::vector<const RepresentationType*>& givenRepresentations() {
   return list;
 }
 
-Result<Plan> robotPlan(const Layout& layout, const std::vector<const RepresentationType*>& platform) {
+Result<Plan> robotPlan(const Layout& layout,
+                       const std::vector<const RepresentationType*>& platform) {
   return makePlan(layout, solutions(), platform, givenRepresentations());
 }
 
@@ -95,7 +96,8 @@ Result<const RepresentationType*> Robot::watch(const std::string& representation
   for (const auto& reader : processes_)
     if (!process && reader->blackboard().find(representation)) process = reader.get();
   if (!process) return Error{"", 0, representation, "no process of the robot has it"};
-  if (auto done = process->request(WatchRequest{representation, process->name(), true}); !done) return done.error();
+  if (auto done = process->request(WatchRequest{representation, process->name(), true}); !done)
+    return done.error();
   return process->blackboard().find(representation);
 }
 

@@ -44,8 +44,8 @@ class Robot {
     return static_cast<const T*>(provided(representation<T>()));
   }
 
-  /// Has a representation sent to the tools after each cycle of the process that provides it, or of the first that reads it.
-  /// Returns its type.
+  /// Has a representation sent to the tools after each cycle of the process that provides it, or of
+  /// the first that reads it. Returns its type.
   Result<const RepresentationType*> watch(const std::string& representation);
 
   /// Gives each process, in the order of the layout, the chance to run once.
@@ -104,6 +104,7 @@ Result<void> Robot::request(const Request& request) {
 /// What lies on every blackboard from the start: the configuration and the process's clock.
 const std::vector<const RepresentationType*>& givenRepresentations();
 /// The plan of a layout for a robot on a platform that sends this; see makePlan.
-Result<Plan> robotPlan(const Layout& layout, const std::vector<const RepresentationType*>& platform);
+Result<Plan> robotPlan(const Layout& layout,
+                       const std::vector<const RepresentationType*>& platform);
 
 }  // namespace gt

@@ -20,7 +20,8 @@ std::string text(const xmlChar* s) {
 
 Result<XmlDocument> readXml(const std::string& path, const std::string& root) {
   std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code)) return Error{path, 0, "", "there is no such file"};
+  if (!std::filesystem::is_regular_file(path, code))
+    return Error{path, 0, "", "there is no such file"};
   const std::unique_ptr<xmlParserCtxt, ContextDeleter> context{xmlNewParserCtxt()};
   context->sax->serror = [](void*, xmlError*) {};
   XmlDocument document{

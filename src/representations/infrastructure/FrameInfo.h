@@ -4,7 +4,8 @@
 
 namespace gt {
 
-/// The time of the present cycle of a process, one sample of the platform's clock. Provided by the process.
+/// The time of the present cycle of a process, one sample of the platform's clock. Provided by the
+/// process.
 struct FrameInfo {
   Time time;
 
