@@ -186,6 +186,8 @@ void KinematicWorld::setStance(std::size_t i) {
     for (std::size_t leg = 0; leg < 4; ++leg)
       robot.footOnGround[leg] = clearance(point(leg, 0), stance) < 1;
   }
+  // The body's own motion is not felt: it follows no forces.
+  robot.specificForce = robot.origin().rotation.transpose() * Vector3d{0, 0, 9810};
   writeRobot(i);
 }
 

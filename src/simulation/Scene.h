@@ -11,8 +11,8 @@
 namespace gt {
 
 /// How truly the bodies move (design: the simulator's two fidelities). Kinematic: robots move by
-/// their own motion model.
-enum class Fidelity { kinematic };
+/// their own motion model. Dynamic: motors, contacts and friction move everything.
+enum class Fidelity { kinematic, dynamic };
 
 /// How much chance there is in the sensors and motions of all robots. Element `noise`.
 struct NoiseParameters {

@@ -5,7 +5,6 @@
 namespace gt {
 namespace {
 
-constexpr double gravity = 9810;  // mm/s^2
 constexpr double psdNearest = 100, psdFurthest = 900;
 
 }  // namespace
@@ -22,7 +21,7 @@ void Sensors::read(const World& world, std::size_t robot, SensorData& readings) 
     readings.joints.values[j] =
         body.joints.values[j] + (feedback ? deviation * random_.gaussian() : 0);
   }
-  readings.acceleration = body.origin().rotation.transpose() * Vector3d{0, 0, gravity};
+  readings.acceleration = body.specificForce;
   for (int k = 0; k < 3; ++k) readings.acceleration[k] += noise_.acceleration * random_.gaussian();
   const double distance = rayDistance(world, robot, psdFurthest);
   readings.psd = std::clamp(distance * (1 + noise_.psd / psdFurthest * random_.gaussian()),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "simulation/DynamicWorld.h"
 #include "simulation/KinematicWorld.h"
 #include "simulation/SceneModel.h"
 
@@ -28,6 +29,7 @@ World::World(const SceneDescription& scene, Model model)
     balls_.push_back(state);
   }
   placed_.resize(robots_.size(), true);
+  placedBalls_.resize(balls_.size(), true);
   cameras_.resize(robots_.size());
 }
 
@@ -60,6 +62,7 @@ void World::placeBall(std::size_t ball, const Vector2d& position, const Vector2d
   balls_[ball].position = position;
   balls_[ball].speed = speed;
   if (forget) balls_[ball].lastToucher = -1;
+  placedBalls_[ball] = true;
   writeBall(ball);
 }
 
@@ -122,6 +125,7 @@ void World::advanceTime() {
 Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, const Random& random) {
   auto model = composeModel(scene);
   if (!model) return model.error();
+  if (scene.fidelity == Fidelity::dynamic) return DynamicWorld::make(scene, std::move(*model));
   return KinematicWorld::make(scene, std::move(*model), random);
 }
 

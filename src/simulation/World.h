@@ -39,6 +39,7 @@ struct RobotBody {
   double walked = 0;     ///< mm since the start, over ground
   Posture posture = Posture::standing;
   std::array<bool, 4> footOnGround{};  ///< in the order of Leg
+  Vector3d specificForce{0, 0, 9810};  ///< mm/s^2, in the body's axes: what is felt
 
   /// The body's origin in space.
   Pose3D origin() const;
@@ -108,6 +109,7 @@ class World {
   std::vector<RobotBody> robots_;
   std::vector<BallState> balls_;
   std::vector<bool> placed_;  ///< By hand since the last tick: no speed follows from that.
+  std::vector<bool> placedBalls_;
 
  private:
   std::size_t active_;
