@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "simulation/Obstacles.h"
 #include "simulation/Servo.h"
 #include "simulation/World.h"
 
@@ -21,7 +22,8 @@ class DynamicWorld : public World {
   /// A robot's motors, and what is to be known of it for measuring.
   struct Motors {
     std::vector<Servo> servos;  ///< In the order of Joint.
-    int firstDof = 0;           ///< Of the body; those of the joints follow it.
+    std::vector<int> solidGeoms;
+    int firstDof = 0;  ///< Of the body; those of the joints follow it.
     Vector3d speed = Vector3d::Zero();
     bool held = true;  ///< In somebody's hand, since it was switched on.
   };
@@ -30,6 +32,7 @@ class DynamicWorld : public World {
 
   void prepareModel();
   void prepareContacts();
+  void lookAround();
   int jointDof(std::size_t robot, std::size_t joint) const;
   void drive();
   void holdRobots();
@@ -45,6 +48,7 @@ class DynamicWorld : public World {
   Vector3d speedOf(std::size_t robot) const;
 
   BallParameters ballParameters_;
+  Obstacles obstacles_;
   std::vector<Motors> motors_;
   std::vector<int> robotOfBody_;       ///< By root body; -1: none.
   std::vector<int> ballOfBody_;        ///< By root body; -1: none.
