@@ -1,36 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "base/TestAllocations.h"
 #include "simulation/Simulation.h"
 #include "simulation/TestScenes.h"
-
-namespace {
-std::atomic<int> allocations{0};
-}
-
-// Counts what the whole program takes from the heap.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  std::abort();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-// Not inlined: gcc would take free() for the wrong match of an operator new that it did not inline.
-[[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace gt {
 namespace {
@@ -59,12 +31,12 @@ TEST(Simulation, aTickAllocatesNothing) {
   Simulation& match = **made;
   for (std::size_t i = 0; i < scene.robots.size(); ++i) match.attach(i, std::make_unique<Runner>());
   for (int i = 0; i < 100; ++i) match.step();
-  const int before = allocations;
+  const long before = allocations();
   for (int i = 0; i < 500; ++i) match.step();
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(allocations(), before);
   EXPECT_GE(match.world().ball(0).lastToucher, 0) << "the ball was to be touched, too";
   match.attach(0, std::make_unique<Runner>());
-  EXPECT_GT(allocations, before) << "the counter does not count";
+  EXPECT_GT(allocations(), before) << "the counter does not count";
 }
 
 }  // namespace

@@ -1,37 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <vector>
 
 #include "base/Random.h"
+#include "base/TestAllocations.h"
 #include "modules/perception/GT2003ImageProcessor.h"
-
-namespace {
-std::atomic<int> allocations{0};
-}
-
-// Counts what the whole program takes from the heap.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  std::abort();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-// Not inlined: gcc would take free() for the wrong match of an operator new that it did not inline.
-[[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace gt {
 namespace {
@@ -67,11 +40,11 @@ TEST(GT2003ImageProcessor, AllocatesNothingOnceItsListsHaveGrown) {
     processor.update(image, matrix, colors, field, ball, landmarks, debug);
   };
   for (std::uint64_t seed = 0; seed < 50; ++seed) look(seed);
-  const int before = allocations;
+  const long before = allocations();
   for (std::uint64_t seed = 0; seed < 50; ++seed) look(seed);
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(allocations(), before);
   patches.push_back({});
-  EXPECT_GT(allocations, before) << "the counter does not count";
+  EXPECT_GT(allocations(), before) << "the counter does not count";
 }
 
 }  // namespace
