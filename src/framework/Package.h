@@ -14,12 +14,15 @@ class PackageLink {
   virtual ~PackageLink() = default;
   /// True if the receiver has taken the last package and waits for a new one.
   virtual bool requested() const = 0;
-  /// Hands a package over; it replaces one that was not taken yet. There is no queueing
-  /// (report 2.2.3.1).
+  /// True if a package can be handed over: one that was not taken yet will be replaced. False while
+  /// the receiver's process calculates.
+  virtual bool accepts() const = 0;
+  /// Hands a package over. There is no queueing (report 2.2.3.1).
   virtual void deliver(const void* package) = 0;
 };
 
 /// Sends a package, which lives elsewhere, to all receivers it is connected to (report C.3.2).
+/// Packages are not buffered: what is transferred is always the package as it is at that moment.
 class PackageSender {
  public:
   PackageSender(const RepresentationType& type, const void* package, bool blocking = false)
@@ -27,23 +30,31 @@ class PackageSender {
   PackageSender(const PackageSender&) = delete;
   PackageSender& operator=(const PackageSender&) = delete;
 
-  void connect(PackageLink& link) { links_.push_back(&link); }
-  /// Transfers the package as it is now.
-  void send() {
-    for (PackageLink* link : links_) link->deliver(package_);
-  }
+  void connect(PackageLink& link) { links_.push_back({&link}); }
+  /// Transfers the package at once to all receivers that requested it, and marks it as to be sent
+  /// to the others.
+  void send();
+  /// Phase 3: transfers the package to the receivers that have not got it yet and accept it now.
+  void sendLater();
   /// True if at least one receiver requested a new package.
   bool requestedNew() const;
   /// True if the process need not wait for this sender: a blocking one waits until all receivers
   /// requested.
   bool ready() const;
+  /// True if it can start a cycle: it blocks, and somebody is there to request.
+  bool triggers() const { return blocking_ && !links_.empty(); }
   const RepresentationType& type() const { return *type_; }
 
  private:
+  struct Link {
+    PackageLink* receiver;
+    bool toBeSent = false;
+  };
+
   const RepresentationType* type_;
   const void* package_;
   bool blocking_;
-  std::vector<PackageLink*> links_;
+  std::vector<Link> links_;
 };
 
 /// Receives packages into a place that lives elsewhere (report C.3.3).
@@ -54,7 +65,8 @@ class PackageReceiver : public PackageLink {
   PackageReceiver(const PackageReceiver&) = delete;
   PackageReceiver& operator=(const PackageReceiver&) = delete;
 
-  bool requested() const override { return !arrived_; }
+  bool requested() const override { return !arrived_ && !busy_; }
+  bool accepts() const override { return !busy_; }
   void deliver(const void* package) override {
     type_->copy(package, incoming_.get());
     arrived_ = true;
@@ -64,7 +76,10 @@ class PackageReceiver : public PackageLink {
     received_ = arrived_;
     if (arrived_) type_->swap(package_, incoming_.get());
     arrived_ = false;
+    busy_ = true;
   }
+  /// Asks for the next package; main() has finished.
+  void request() { busy_ = false; }
   /// True if this cycle began with a new package.
   bool receivedNew() const { return received_; }
   bool ready() const { return !blocking_ || arrived_; }
@@ -77,6 +92,7 @@ class PackageReceiver : public PackageLink {
   std::shared_ptr<void> incoming_;
   bool blocking_;
   bool arrived_ = false;
+  bool busy_ = false;
   bool received_ = false;
 };
 

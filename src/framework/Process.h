@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,30 +17,39 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
+  /// The platform's clock.
+  using Clock = std::function<Time()>;
+
   /// Runs the three phases if the time has come and no blocking sender or receiver holds it up.
   /// True if main() ran.
+  bool stepBy(const Clock& clock);
+  /// For platforms on which main() takes no time, such as a simulator.
   bool step(Time now);
 
   const std::string& name() const { return name_; }
+  /// When this cycle began.
   Time now() const { return now_; }
+  /// Before when main() is not called again, whatever arrives.
+  Time next() const { return next_; }
 
   void enlist(PackageSender& sender) { senders_.push_back(&sender); }
   void enlist(PackageReceiver& receiver) { receivers_.push_back(&receiver); }
 
  protected:
-  /// The process's work. Returns the milliseconds to wait before the next call, negative for a
-  /// cycle time from call to call, 0 to be called again only when a blocking receiver has got a
-  /// package.
+  /// The process's work (report C.2). Returns the milliseconds to wait from its end to the next
+  /// call; negative for a cycle time from call to call; 0 to be called again only when a blocking
+  /// receiver has got a package or a blocking sender was asked for one.
   virtual int main() = 0;
 
  private:
   bool ready() const;
+  void schedule(int wait, Time end);
 
   std::string name_;
   std::vector<PackageSender*> senders_;
   std::vector<PackageReceiver*> receivers_;
   Time now_;
-  Time next_;
+  Time next_ = never();
   bool waitsForPackage_ = false;
 };
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <utility>
@@ -22,7 +24,45 @@ struct RepresentationType {
   bool (*write)(const void* value, Time time, MessageQueue& queue);
   Result<void> (*read)(const Message& message, void* value);
   Schema (*schema)();
+  /// A value as bytes for a wire: the size, the bytes into room of that size, and back. Null for
+  /// types that do not travel.
+  std::size_t (*encodedSize)(const void* value);
+  void (*encodeTo)(const void* value, std::byte* out);
+  Result<void> (*decode)(std::span<const std::byte> bytes, void* value);
 };
+
+namespace detail {
+
+/// How a type travels on a wire: as CDR, a message queue as it is, others not at all.
+template <typename T>
+struct WireFormat {
+  static constexpr std::nullptr_t size = nullptr, write = nullptr, read = nullptr;
+};
+template <Streamable T>
+struct WireFormat<T> {
+  static std::size_t size(const void* value) { return encodedSize(*static_cast<const T*>(value)); }
+  static void write(const void* value, std::byte* out) {
+    encodeTo(*static_cast<const T*>(value), out);
+  }
+  static Result<void> read(std::span<const std::byte> bytes, void* value) {
+    return decode(bytes, *static_cast<T*>(value));
+  }
+};
+template <>
+struct WireFormat<MessageQueue> {
+  static std::size_t size(const void* value) {
+    return static_cast<const MessageQueue*>(value)->bytes().size();
+  }
+  static void write(const void* value, std::byte* out) {
+    std::ranges::copy(static_cast<const MessageQueue*>(value)->bytes(), out);
+  }
+  static Result<void> read(std::span<const std::byte> bytes, void* value) {
+    if (static_cast<MessageQueue*>(value)->assign(bytes)) return {};
+    return Error{"network", 0, "MessageQueue", "this is no message queue, or too large"};
+  }
+};
+
+}  // namespace detail
 
 /// The one description of a type; types are the same if their descriptions have the same address.
 template <typename T>
@@ -50,7 +90,10 @@ const RepresentationType& representation() {
           return schemaOf<T>();
         else
           return {};
-      }};
+      },
+      detail::WireFormat<T>::size,
+      detail::WireFormat<T>::write,
+      detail::WireFormat<T>::read};
   return type;
 }
 
