@@ -3,20 +3,25 @@
 #include <vector>
 
 #include "Figures.h"
+#include "base/Result.h"
 
 namespace gt {
 
 /// What all experiments are asked for.
 struct ExperimentOptions {
   std::vector<std::uint64_t> seeds;
-  double minutes = 10;  ///< Of a match.
+  double minutes = 10;      ///< Of a match.
+  int moments = 500;        ///< For vision, per seed: each gives one picture a robot.
+  bool trueCamera = false;  ///< For vision: the true camera pose instead of the measured one.
 };
 
 /// Whole matches: goals, own goals, localization against the truth.
-void measureMatches(Figures& figures, const ExperimentOptions& options);
+Result<void> measureMatches(Figures& figures, const ExperimentOptions& options);
 /// The Monte-Carlo self-locator on its test bench (report 3.3.2.5, 3.3.3.4).
-void measureLocalization(Figures& figures, const ExperimentOptions& options);
+Result<void> measureLocalization(Figures& figures, const ExperimentOptions& options);
 /// The image processor on random views of the simulated field.
-void measureVision(Figures& figures, const ExperimentOptions& options);
+Result<void> measureVision(Figures& figures, const ExperimentOptions& options);
+/// The same walks in the kinematic and in the dynamic fidelity. Nothing in it is left to chance.
+Result<void> measureFidelity(Figures& figures, const ExperimentOptions& options);
 
 }  // namespace gt

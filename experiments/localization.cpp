@@ -103,7 +103,7 @@ void relocalizing(Figures& figures, const std::string& name, const Parameters& p
 
 }  // namespace
 
-void measureLocalization(Figures& figures, const ExperimentOptions& options) {
+Result<void> measureLocalization(Figures& figures, const ExperimentOptions& options) {
   constexpr int minutes = 18;  // as in the report's experiment 1
   const std::vector<std::uint64_t>& seeds = options.seeds;
   const std::string name = "localization.montecarlo";
@@ -137,6 +137,7 @@ void measureLocalization(Figures& figures, const ExperimentOptions& options) {
   literal.newProbability = 0.5;
   walking(figures, name + ".literal", literal, match, minutes, seeds);
   relocalizing(figures, name + ".literal", literal, seeds);
+  return {};
 }
 
 }  // namespace gt

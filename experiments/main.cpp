@@ -22,9 +22,11 @@ std::optional<std::vector<std::uint64_t>> parseSeeds(const std::string& text) {
   return seeds;
 }
 
-using Experiment = void (*)(Figures&, const ExperimentOptions&);
-const std::map<std::string, Experiment> experiments{{"matches", measureMatches},
-                                                    {"localization", measureLocalization}};
+using Experiment = Result<void> (*)(Figures&, const ExperimentOptions&);
+const std::map<std::string, Experiment> experiments{{"fidelity", measureFidelity},
+                                                    {"localization", measureLocalization},
+                                                    {"matches", measureMatches},
+                                                    {"vision", measureVision}};
 
 }  // namespace
 }  // namespace gt
@@ -38,7 +40,11 @@ int main(int argc, char** argv) {
   app.add_option("--seeds", seeds, "A range like 101..110, or one")->capture_default_str();
   app.add_option("--minutes", options.minutes, "Length of a match")->capture_default_str();
   app.add_option("--only", only, "Which experiments; all if not given")
-      ->check(CLI::IsMember({"matches", "localization"}));
+      ->check(CLI::IsMember(gt::experiments));
+  app.add_option("--moments", options.moments, "For vision: moments of matches per seed")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  app.add_flag("--true-camera", options.trueCamera, "For vision: the true camera pose");
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {
     app.parse(argc, argv);
@@ -55,7 +61,10 @@ int main(int argc, char** argv) {
   gt::Figures figures;
   for (const auto& [name, measure] : gt::experiments)
     if (only.empty() || std::find(only.begin(), only.end(), name) != only.end())
-      measure(figures, options);
+      if (const auto done = measure(figures, options); !done) {
+        fmt::print(stderr, "experiment: {}\n", done.error().text());
+        return 2;
+      }
   figures.print();
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path{json}.parent_path(), ignored);

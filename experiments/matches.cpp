@@ -19,17 +19,14 @@ struct Row {
   double longestLost = 0;
 };
 
-Row playMatch(std::uint64_t seed, double minutes) {
+Result<Row> playMatch(std::uint64_t seed, double minutes) {
   MatchOptions options;
   options.seed = seed;
   options.minutes = minutes;
   auto match = Match::make(options);
+  if (!match) return match.error();
   Row row;
   row.seed = seed;
-  if (!match) {
-    fmt::print(stderr, "experiment: {}\n", match.error().text());
-    return row;
-  }
   while (!(*match)->finished()) (*match)->step();
   const MatchSummary summary = (*match)->summary();
   row.red = summary.redScore;
@@ -49,16 +46,21 @@ Row playMatch(std::uint64_t seed, double minutes) {
 
 /// One match in a thread, as many at once as there are cores; the order of the rows is that of the
 /// seeds.
-std::vector<Row> playMatches(const std::vector<std::uint64_t>& seeds, double minutes) {
-  std::vector<Row> rows(seeds.size());
+Result<std::vector<Row>> playMatches(const std::vector<std::uint64_t>& seeds, double minutes) {
+  std::vector<Result<Row>> results(seeds.size(), Row{});
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i; (i = next++) < seeds.size();) rows[i] = playMatch(seeds[i], minutes);
+    for (std::size_t i; (i = next++) < seeds.size();) results[i] = playMatch(seeds[i], minutes);
   };
   std::vector<std::thread> threads;
   for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
+  std::vector<Row> rows;
+  for (Result<Row>& result : results) {
+    if (!result) return result.error();
+    rows.push_back(*std::move(result));
+  }
   return rows;
 }
 
@@ -71,8 +73,10 @@ std::vector<double> column(const std::vector<Row>& rows, Get&& get) {
 
 }  // namespace
 
-void measureMatches(Figures& figures, const ExperimentOptions& options) {
-  const std::vector<Row> rows = playMatches(options.seeds, options.minutes);
+Result<void> measureMatches(Figures& figures, const ExperimentOptions& options) {
+  const auto played = playMatches(options.seeds, options.minutes);
+  if (!played) return played.error();
+  const std::vector<Row>& rows = *played;
   fmt::print("{:>6} {:>7} {:>4} {:>6} {:>6} {:>9} {:>8} {:>8} {:>8} {:>7}\n", "seed", "score",
              "own", "kicks", "stuck", "walked m", "median", "p95 mm", "max mm", "lost s");
   for (const Row& r : rows)
@@ -95,6 +99,7 @@ void measureMatches(Figures& figures, const ExperimentOptions& options) {
               Aim::atMost(600));
   figures.add("match.localization.lost.longest", "s",
               column(rows, [](const Row& r) { return r.longestLost; }));
+  return {};
 }
 
 }  // namespace gt

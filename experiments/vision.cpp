@@ -1,20 +1,14 @@
-#include <fmt/core.h>
-
-#include <CLI/CLI.hpp>
+// Looks at random moments of matches and compares what is found in the pictures with the truth.
 #include <cmath>
-#include <ctime>
-#include <filesystem>
-#include <fstream>
 
-#include "Figures.h"
+#include "Experiments.h"
 #include "colortable/GameViews.h"
 #include "modules/perception/ColorTableFile.h"
 #include "modules/perception/DefaultSensorDataProcessor.h"
 #include "modules/perception/GT2003ImageProcessor.h"
 
+namespace gt {
 namespace {
-
-using namespace gt;
 
 /// Errors of one kind.
 class Errors {
@@ -55,7 +49,6 @@ struct Rate {
 struct Run {
   Rate ball, ballFalse, flags, flagsFalse, goals, goalsFalse;
   Errors ballBearing, ballDistance, flagBearing, flagDistance, goalBearing, cameraTilt, cameraPan;
-  double microseconds = 0;
 };
 
 /// What is true in one picture, in the robot's system.
@@ -90,13 +83,6 @@ class Truth {
   const GameViews& views_;
   const GameView& view_;
 };
-
-/// What this thread has used of a processor, in microseconds.
-double processorTime() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
 
 constexpr double focal = 161;  // Pixels, of the ERS-210's camera.
 
@@ -180,7 +166,7 @@ void measureGoals(const Truth& truth, const FieldDimensions& field, const Landma
 }
 
 Result<Run> measure(const std::string& scene, const ColorTable64& colors, std::uint64_t seed,
-                    int moments, bool trueCamera) {
+                    const ExperimentOptions& options) {
   auto views = GameViews::make(scene, seed);
   if (!views) return views.error();
   const FieldDimensions field;
@@ -188,8 +174,7 @@ Result<Run> measure(const std::string& scene, const ColorTable64& colors, std::u
   Run run;
   Debug debug;
   GT2003ImageProcessor imageProcessor;
-  double time = 0;
-  for (int i = 0; i < moments; ++i) {
+  for (int i = 0; i < options.moments; ++i) {
     views->shuffle();
     for (std::size_t robot = 0; robot < views->world().activeRobots(); ++robot) {
       const GameView& view = views->look(robot, views->scene().camera);
@@ -202,19 +187,16 @@ Result<Run> measure(const std::string& scene, const ColorTable64& colors, std::u
       const Vector3d axis = view.camera.rotation.col(0), seen = matrix.pose.rotation.col(0);
       run.cameraTilt.add(toDegrees(elevation(seen) - elevation(axis)));
       run.cameraPan.add(toDegrees(normalize(azimuth(seen) - azimuth(axis))));
-      if (trueCamera) matrix.pose = view.camera;
+      if (options.trueCamera) matrix.pose = view.camera;
       BallPercept ball;
       LandmarksPercept landmarks;
-      const double begin = processorTime();
       imageProcessor.update(view.image, matrix, colors, field, ball, landmarks, debug);
-      time += processorTime() - begin;
       const Truth truth{*views, view};
       measureBall(truth, *views, view, field, ball, run);
       measureFlags(truth, field, landmarks, run);
       measureGoals(truth, field, landmarks, run);
     }
   }
-  run.microseconds = time / (moments * static_cast<double>(views->world().activeRobots()));
   return run;
 }
 
@@ -261,43 +243,21 @@ void report(const std::vector<Run>& runs, Figures& figures) {
   add("vision.goals.bearing.p95", "deg", [](const Run& r) { return r.goalBearing.quantile(0.95); });
   add("vision.camera.tilt.p95", "deg", [](const Run& r) { return r.cameraTilt.quantile(0.95); });
   add("vision.camera.pan.p95", "deg", [](const Run& r) { return r.cameraPan.quantile(0.95); });
-  add("vision.time", "us", [](const Run& r) { return r.microseconds; });
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  std::string scene = "scenes/match.scene", colorFile = "config/coltable.c64", out;
-  std::uint64_t firstSeed = 1;
-  int seeds = 5, moments = 500;
-  bool trueCamera = false;
-  CLI::App app{"Measures vision against the truth in random moments of matches"};
-  app.add_option("--scene", scene, "who is in the pictures");
-  app.add_option("--colors", colorFile, "the colour table");
-  app.add_option("--seed", firstSeed, "of the first run");
-  app.add_option("--seeds", seeds, "how many runs")->check(CLI::Range(1, 1000));
-  app.add_option("--moments", moments, "of each run; each gives one picture per robot")
-      ->check(CLI::Range(1, 100000));
-  app.add_flag("--true-camera", trueCamera, "use the true camera pose instead of the measured one");
-  app.add_option("--json", out, "write the figures to this file");
-  CLI11_PARSE(app, argc, argv);
-  const auto colors = readColorTable(colorFile);
-  if (!colors) {
-    fmt::print(stderr, "{}\n", colors.error().text());
-    return 2;
-  }
+Result<void> measureVision(Figures& figures, const ExperimentOptions& options) {
+  const auto colors = readColorTable("config/coltable.c64");
+  if (!colors) return colors.error();
   std::vector<Run> runs;
-  for (int i = 0; i < seeds; ++i) {
-    auto run =
-        measure(scene, *colors, firstSeed + static_cast<std::uint64_t>(i), moments, trueCamera);
-    if (!run) {
-      fmt::print(stderr, "{}\n", run.error().text());
-      return 2;
-    }
+  for (const std::uint64_t seed : options.seeds) {
+    auto run = measure("scenes/match.scene", *colors, seed, options);
+    if (!run) return run.error();
     runs.push_back(*std::move(run));
   }
-  Figures figures;
   report(runs, figures);
-  figures.print();
-  return out.empty() || figures.write(out) ? 0 : 2;
+  return {};
 }
+
+}  // namespace gt
