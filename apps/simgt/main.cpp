@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include "Layout.h"
 #include "Picture.h"
 #include "Play.h"
 
@@ -17,6 +18,7 @@ void addMatchOptions(CLI::App& command, gt::MatchOptions& match) {
       ->capture_default_str();
   command.add_option("--motions", match.motions, "Folder of motion descriptions")
       ->capture_default_str();
+  command.add_option("--layout", match.layout, "Process layout of all robots, not the scene's");
 }
 
 void addPlay(CLI::App& command, gt::PlayOptions& play) {
@@ -49,6 +51,11 @@ void addPicture(CLI::App& command, gt::PictureOptions& picture) {
   command.add_option("--out", picture.out, "PNG file")->capture_default_str();
 }
 
+void addLayout(CLI::App& command, gt::LayoutOptions& layout) {
+  command.add_option("layout", layout.layout, "Layout file")->capture_default_str();
+  command.add_option("--svg", layout.svg, "Draws into an SVG file, too");
+}
+
 }  // namespace
 
 /// SimGT2003: plays scenes of simulated robots.
@@ -63,11 +70,16 @@ int main(int argc, char** argv) {
   gt::PictureOptions picture;
   addPicture(*app.add_subcommand("picture", "Takes a picture of a match from beside the field"),
              picture);
+  gt::LayoutOptions layout;
+  CLI::App& showing =
+      *app.add_subcommand("layout", "Shows what runs in which process and what crosses");
+  addLayout(showing, layout);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  if (showing.parsed()) return gt::showLayout(layout);
   return playing.parsed() ? gt::play(play) : gt::takePicture(picture);
 }

@@ -37,54 +37,44 @@ Types inputsOf(const Task& task, PortKind kind) {
 /// Where each representation is provided.
 struct Provider {
   std::string process;
+  const ProcessLayout::Group* group;
   std::string task;
 };
 using Providers = std::map<const RepresentationType*, Provider>;
 
-Result<void> checkTrigger(const ProcessLayout& process, const std::string& file,
-                          const Types& platform) {
-  const bool known = process.collectsMessages ||
-                     std::any_of(platform.begin(), platform.end(),
-                                 [&](auto* type) { return type->name == process.trigger; });
-  if (!known)
-    return Error{file, process.line, process.name,
-                 "'" + process.trigger + "' is not sent by the platform"};
-  return {};
-}
-
-Result<Providers> findProviders(const Layout& layout, const SolutionTable& table,
-                                const Types& platform) {
+Result<Providers> findProviders(const Layout& layout, const SolutionTable& table) {
   Providers providers;
   std::set<std::string> seen;
-  for (const ProcessLayout& process : layout.processes) {
-    if (const auto ok = checkTrigger(process, layout.file, platform); !ok) return ok.error();
-    for (std::size_t i = 0; i < process.tasks.size(); ++i) {
-      const std::string& name = process.tasks[i];
-      const int line = process.taskLines[i];
-      const Task* task = table.find(name);
-      if (!task) return Error{layout.file, line, name, "there is no such task"};
-      if (!seen.insert(name).second) return Error{layout.file, line, name, "is listed twice"};
-      for (const RepresentationType* output : task->outputs) {
-        const auto [other, added] = providers.insert({output, {process.name, name}});
-        if (!added)
-          return Error{layout.file, line, name,
-                       std::string{output->name} + " is already provided by " + other->second.task};
+  for (const ProcessLayout& process : layout.processes)
+    for (const ProcessLayout::Group& group : process.groups)
+      for (std::size_t i = 0; i < group.tasks.size(); ++i) {
+        const std::string& name = group.tasks[i];
+        const int line = group.taskLines[i];
+        const Task* task = table.find(name);
+        if (!task) return Error{layout.file, line, name, "there is no such task"};
+        if (!seen.insert(name).second) return Error{layout.file, line, name, "is listed twice"};
+        for (const RepresentationType* output : task->outputs) {
+          const auto [other, added] = providers.insert({output, {process.name, &group, name}});
+          if (!added)
+            return Error{
+                layout.file, line, name,
+                std::string{output->name} + " is already provided by " + other->second.task};
+        }
       }
-    }
-  }
   return providers;
 }
 
-/// Sorts a process's tasks so that each runs after those whose outputs it reads; otherwise the
+/// Sorts a group's tasks so that each runs after those whose outputs it reads; otherwise the
 /// file's order holds.
-Result<std::vector<const Task*>> sort(const ProcessLayout& process, const Layout& layout,
-                                      const SolutionTable& table, const Providers& providers) {
+Result<std::vector<const Task*>> sort(const ProcessLayout::Group& group, const std::string& process,
+                                      const Layout& layout, const SolutionTable& table,
+                                      const Providers& providers) {
   std::vector<const Task*> waiting, order;
-  for (const std::string& name : process.tasks) waiting.push_back(table.find(name));
+  for (const std::string& name : group.tasks) waiting.push_back(table.find(name));
   const auto isFree = [&](const Task* task) {
     for (const RepresentationType* input : inputsOf(*task, PortKind::input)) {
       const auto provider = providers.find(input);
-      if (provider == providers.end() || provider->second.process != process.name ||
+      if (provider == providers.end() || provider->second.group != &group ||
           provider->second.task == task->name)
         continue;
       if (std::none_of(order.begin(), order.end(),
@@ -98,13 +88,118 @@ Result<std::vector<const Task*>> sort(const ProcessLayout& process, const Layout
     if (next == waiting.end()) {
       std::string names;
       for (const Task* task : waiting) names += " " + task->name;
-      return Error{layout.file, process.line, process.name,
+      return Error{layout.file, group.line, process,
                    "a circle of modules that wait for each other, among:" + names};
     }
     order.push_back(*next);
     waiting.erase(next);
   }
   return order;
+}
+
+/// Works out what one process receives.
+class Connector {
+ public:
+  Connector(const Layout& layout, const ProcessLayout& process, const Providers& providers,
+            const Types& platform)
+      : layout_{layout}, process_{process}, providers_{providers}, platform_{platform} {}
+
+  /// The type of what starts a cycle or a group; an error if nobody outside the process sends it.
+  Result<const RepresentationType*> trigger(const std::string& name, int line, bool blocking) {
+    for (const auto& [type, provider] : providers_)
+      if (type->name == name && provider.process != process_.name) return add(type, blocking);
+    for (const RepresentationType* type : platform_)
+      if (type->name == name && !providers_.contains(type)) return add(type, blocking);
+    return Error{layout_.file, line, process_.name,
+                 "'" + name + "' is sent neither by the platform nor by another process"};
+  }
+  /// What a task reads; false if nobody provides it.
+  bool input(const RepresentationType* type) {
+    const auto provider = providers_.find(type);
+    if (provider != providers_.end() && provider->second.process == process_.name) return true;
+    if (provider == providers_.end() && !contains(platform_, type)) return false;
+    add(type, false);
+    return true;
+  }
+  const std::vector<Connection>& connections() const { return connections_; }
+
+ private:
+  const RepresentationType* add(const RepresentationType* type, bool blocking) {
+    for (const Connection& connection : connections_)
+      if (connection.type == type) return type;
+    const auto provider = providers_.find(type);
+    connections_.push_back({type, provider == providers_.end() ? "" : provider->second.process,
+                            process_.name, blocking});
+    return type;
+  }
+
+  const Layout& layout_;
+  const ProcessLayout& process_;
+  const Providers& providers_;
+  const Types& platform_;
+  std::vector<Connection> connections_;
+};
+
+/// The plan of one process; appends to the connections of all.
+Result<Plan::Process> planProcess(const ProcessLayout& process, const Layout& layout,
+                                  const SolutionTable& table, const Providers& providers,
+                                  const Types& platform, const Types& given,
+                                  std::vector<Connection>& connections) {
+  Plan::Process plan{process, {}};
+  Connector connector{layout, process, providers, platform};
+  if (!process.collectsMessages)
+    if (const auto type = connector.trigger(process.trigger, process.line, true); !type)
+      return type.error();
+  for (const ProcessLayout::Group& group : process.groups) {
+    const RepresentationType* trigger = nullptr;
+    if (!group.trigger.empty()) {
+      const auto type = connector.trigger(group.trigger, group.line, false);
+      if (!type) return type.error();
+      trigger = *type;
+    }
+    const auto order = sort(group, process.name, layout, table, providers);
+    if (!order) return order.error();
+    for (const Task* task : *order) plan.order.push_back({task, trigger});
+    for (std::size_t i = 0; i < group.tasks.size(); ++i)
+      for (const PortKind kind : {PortKind::input, PortKind::previous})
+        for (const RepresentationType* type : inputsOf(*table.find(group.tasks[i]), kind))
+          if (!contains(given, type) && !connector.input(type))
+            return Error{layout.file, group.taskLines[i], group.tasks[i],
+                         "nobody provides its " + std::string{type->name}};
+  }
+  connections.insert(connections.end(), connector.connections().begin(),
+                     connector.connections().end());
+  return plan;
+}
+
+/// One line of a layout file, without its comment.
+Result<void> parseLine(const std::vector<std::string>& list, int number, Layout& layout) {
+  const auto wrong = [&](std::string field, std::string what) {
+    return Error{layout.file, number, std::move(field), std::move(what)};
+  };
+  if (list[0] == "process") {
+    if (list.size() != 4 || list[2] != "on")
+      return wrong("process",
+                   "expected: process NAME on REPRESENTATION, or: process NAME on messages");
+    for (const ProcessLayout& other : layout.processes)
+      if (other.name == list[1]) return wrong(list[1], "there are two processes of this name");
+    layout.processes.push_back({list[1], list[3], list[3] == "messages", {}, number});
+    layout.processes.back().groups.push_back({"", {}, {}, number});
+    return {};
+  }
+  if (list.size() > 2 || (list.size() == 2 && list[0] != "on"))
+    return wrong(list[0], "expected one task in a line");
+  if (layout.processes.empty()) return wrong(list[0], "stands before the first process");
+  ProcessLayout& process = layout.processes.back();
+  if (process.collectsMessages)
+    return wrong(list[0], "a process that collects messages runs no modules");
+  if (list.size() == 2) {
+    process.groups.push_back({list[1] == "cycle" ? "" : list[1], {}, {}, number});
+  } else {
+    process.groups.back().tasks.push_back(list[0]);
+    process.groups.back().taskLines.push_back(number);
+  }
+  return {};
 }
 
 }  // namespace
@@ -117,24 +212,7 @@ Result<Layout> parseLayout(std::string_view text, const std::string& file) {
     ++number;
     const std::vector<std::string> list = words(line);
     if (list.empty()) continue;
-    if (list[0] == "process") {
-      if (list.size() != 4 || list[2] != "on")
-        return Error{file, number, "process",
-                     "expected: process NAME on REPRESENTATION, or: process NAME on messages"};
-      for (const ProcessLayout& other : layout.processes)
-        if (other.name == list[1])
-          return Error{file, number, list[1], "there are two processes of this name"};
-      layout.processes.push_back({list[1], list[3], list[3] == "messages", {}, number, {}});
-    } else if (list.size() != 1) {
-      return Error{file, number, list[0], "expected one task in a line"};
-    } else if (layout.processes.empty()) {
-      return Error{file, number, list[0], "stands before the first process"};
-    } else if (layout.processes.back().collectsMessages) {
-      return Error{file, number, list[0], "a process that collects messages runs no modules"};
-    } else {
-      layout.processes.back().tasks.push_back(list[0]);
-      layout.processes.back().taskLines.push_back(number);
-    }
+    if (const auto done = parseLine(list, number, layout); !done) return done.error();
   }
   if (layout.processes.empty()) return Error{file, number, "process", "there is none"};
   return layout;
@@ -147,35 +225,14 @@ Result<Layout> loadLayout(const std::string& file) {
 
 Result<Plan> makePlan(const Layout& layout, const SolutionTable& table, const Types& platform,
                       const Types& given) {
-  const auto providers = findProviders(layout, table, platform);
+  const auto providers = findProviders(layout, table);
   if (!providers) return providers.error();
   Plan plan;
   for (const ProcessLayout& process : layout.processes) {
-    const auto order = sort(process, layout, table, *providers);
-    if (!order) return order.error();
-    plan.processes.push_back({process, *order});
-    Types connected;
-    for (const RepresentationType* type : platform)
-      if (type->name == process.trigger) {
-        plan.connections.push_back({type, "", process.name, true});
-        connected.push_back(type);
-      }
-    for (std::size_t i = 0; i < process.tasks.size(); ++i)
-      for (const PortKind kind : {PortKind::input, PortKind::previous})
-        for (const RepresentationType* type : inputsOf(*table.find(process.tasks[i]), kind)) {
-          if (contains(connected, type) || contains(given, type)) continue;
-          const auto provider = providers->find(type);
-          const bool here =
-              provider != providers->end() && provider->second.process == process.name;
-          if (here) continue;
-          if (provider == providers->end() && !contains(platform, type))
-            return Error{layout.file, process.taskLines[i], process.tasks[i],
-                         "nobody provides its " + std::string{type->name}};
-          plan.connections.push_back({type,
-                                      provider == providers->end() ? "" : provider->second.process,
-                                      process.name, false});
-          connected.push_back(type);
-        }
+    auto planned =
+        planProcess(process, layout, table, *providers, platform, given, plan.connections);
+    if (!planned) return planned.error();
+    plan.processes.push_back(std::move(*planned));
   }
   return plan;
 }

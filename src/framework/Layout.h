@@ -10,12 +10,18 @@ namespace gt {
 
 /// One process of a layout and the tasks that it solves.
 struct ProcessLayout {
+  /// Tasks that run together; the groups of a process run in the order of the file.
+  struct Group {
+    std::string trigger;  ///< Runs only in cycles that this representation is new in, if not empty.
+    std::vector<std::string> tasks;  ///< In the order of the file.
+    std::vector<int> taskLines;
+    int line = 0;
+  };
   std::string name;
   std::string trigger;            ///< The representation whose arrival starts a cycle.
   bool collectsMessages = false;  ///< The Debug process: passes message queues on, runs no modules.
-  std::vector<std::string> tasks;  ///< In the order of the file.
+  std::vector<Group> groups;
   int line = 0;
-  std::vector<int> taskLines;
 };
 
 /// Which process runs which modules, as a layout file says it (report 2.2.3):
@@ -23,9 +29,14 @@ struct ProcessLayout {
 ///     process Cognition on Image
 ///       SensorDataProcessor
 ///       ImageProcessor
+///     process Motion on SensorDataBuffer
+///       WalkingEngine
 ///     process Debug on messages
 ///
-/// `//` and `#` begin comments.
+/// A process begins a cycle when what it is `on` arrives, from the platform or from another
+/// process. A line `on REPRESENTATION` inside a process begins a group of tasks that run only in
+/// the cycles in which that is new, `on cycle` one of tasks that run in each; so one process can
+/// run at two rates. `//` and `#` begin comments.
 struct Layout {
   std::string file;
   std::vector<ProcessLayout> processes;
@@ -45,18 +56,24 @@ struct Connection {
 /// What follows from a layout and the signatures of all modules: the order inside each process and
 /// what crosses.
 struct Plan {
+  /// A task in its turn; the trigger is null if it runs in each cycle.
+  struct Step {
+    const Task* task;
+    const RepresentationType* trigger;
+  };
   struct Process {
     ProcessLayout layout;
-    std::vector<const Task*> order;
+    std::vector<Step> order;
   };
   std::vector<Process> processes;
   std::vector<Connection> connections;
 };
 
 /// Works out the plan, for all solutions of each task so that they can be switched at run time.
-/// `platform` names what the platform sends, `given` what lies on every blackboard from the start.
-/// Errors: unknown tasks or triggers, a task listed twice, a missing provider, two providers, a
-/// circle.
+/// Inside a group the signatures give the order; what an earlier group reads of a later one is of
+/// the last cycle, as between processes. `platform` names what the platform sends, `given` what
+/// lies on every blackboard from the start. Errors: unknown tasks or triggers, a task listed twice,
+/// a missing provider, two providers, a circle.
 Result<Plan> makePlan(const Layout& layout, const SolutionTable& table,
                       const std::vector<const RepresentationType*>& platform,
                       const std::vector<const RepresentationType*>& given);

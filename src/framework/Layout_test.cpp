@@ -27,8 +27,8 @@ TEST(Layout, OrdersModulesByTheirSignatures) {
   const auto result = plan("process Main on Reading // all in one\n  Controller\n  Filter\n");
   ASSERT_TRUE(result) << result.error().text();
   ASSERT_EQ(result->processes.size(), 1u);
-  EXPECT_EQ(result->processes[0].order[0]->name, "Filter");
-  EXPECT_EQ(result->processes[0].order[1]->name, "Controller");
+  EXPECT_EQ(result->processes[0].order[0].task->name, "Filter");
+  EXPECT_EQ(result->processes[0].order[1].task->name, "Controller");
   ASSERT_EQ(result->connections.size(), 1u);
   EXPECT_EQ(result->connections[0].type->name, "Reading");
   EXPECT_TRUE(result->connections[0].blocking);
@@ -45,6 +45,31 @@ TEST(Layout, FindsWhatCrosses) {
   EXPECT_EQ(result->connections[2].to, "B");
 }
 
+TEST(Layout, AProcessMayBeTriggeredByAnother) {
+  const auto result = plan("process A on Reading\nFilter\nprocess B on Estimate\nController\n");
+  ASSERT_TRUE(result) << result.error().text();
+  ASSERT_EQ(result->connections.size(), 2u);
+  EXPECT_EQ(result->connections[1].type->name, "Estimate");
+  EXPECT_EQ(result->connections[1].from, "A");
+  EXPECT_TRUE(result->connections[1].blocking);
+  EXPECT_EQ(errorOf("process A on Estimate\nFilter\nController\n"),
+            "test.layout:1: A: 'Estimate' is sent neither by the platform nor by another process");
+}
+
+TEST(Layout, GroupsRunInTheOrderOfTheFile) {
+  const auto result =
+      plan("process A on Reading\n  on cycle\n  Controller\n  on Reading\n  Filter\n");
+  ASSERT_TRUE(result) << result.error().text();
+  EXPECT_EQ(result->processes[0].order[0].task->name, "Controller") << "reads the last Estimate";
+  EXPECT_EQ(result->processes[0].order[0].trigger, nullptr);
+  EXPECT_EQ(result->processes[0].order[1].task->name, "Filter");
+  EXPECT_EQ(result->processes[0].order[1].trigger, &representation<Reading>());
+  EXPECT_EQ(result->connections.size(), 1u);
+  EXPECT_EQ(errorOf("process A on Reading\n\n  on Nothing\n  Filter\n"),
+            "test.layout:3: A: 'Nothing' is sent neither by the platform nor by another process");
+  EXPECT_EQ(errorOf("on Reading\n"), "test.layout:1: on: stands before the first process");
+}
+
 TEST(Layout, TellsWhatIsWrong) {
   EXPECT_EQ(errorOf(""), "test.layout: process: there is none");
   EXPECT_EQ(errorOf("process A\n"),
@@ -56,7 +81,7 @@ TEST(Layout, TellsWhatIsWrong) {
   EXPECT_EQ(errorOf("process A on Reading\nprocess A on Reading\n"),
             "test.layout:2: A: there are two processes of this name");
   EXPECT_EQ(errorOf("process A on Nothing\nFilter\n"),
-            "test.layout:1: A: 'Nothing' is not sent by the platform");
+            "test.layout:1: A: 'Nothing' is sent neither by the platform nor by another process");
   EXPECT_EQ(errorOf("process A on Reading\nFiltre\n"),
             "test.layout:2: Filtre: there is no such task");
   EXPECT_EQ(errorOf("process A on Reading\nFilter\nFilter\n"),

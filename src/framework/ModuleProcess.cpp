@@ -11,8 +11,8 @@ ModuleProcess::ModuleProcess(const Plan::Process& plan, Blackboard blackboard, T
       frameTime_{frameTime},
       debugSender_{representation<MessageQueue>(), &debugOut_},
       debugReceiver_{representation<MessageQueue>(), &debugIn_} {
-  for (const Task* task : plan.order) {
-    Slot& slot = slots_.emplace_back(Slot{task, {}, nullptr});
+  for (const auto& [task, trigger] : plan.order) {
+    Slot& slot = slots_.emplace_back(Slot{task, trigger, {}, nullptr});
     for (const Solution& solution : task->solutions)
       slot.solutions.push_back(solution.make({blackboard_, debug_, random.fork(task->name)}));
     slot.active = slot.solutions.front().get();
@@ -118,6 +118,13 @@ void ModuleProcess::handle(const Message& message) {
       handleAs<WatchRequest>(message) || handleAs<ParameterRequest>(message);
 }
 
+bool ModuleProcess::isDue(const Slot& slot) const {
+  return !slot.trigger ||
+         std::any_of(ownReceivers_.begin(), ownReceivers_.end(), [&](const auto& receiver) {
+           return &receiver->type() == slot.trigger && receiver->receivedNew();
+         });
+}
+
 int ModuleProcess::main() {
   debug_.begin(now());
   frameTime_ = now();
@@ -125,7 +132,7 @@ int ModuleProcess::main() {
     debugIn_.handleAllMessages([this](const Message& message) { handle(message); });
 
   for (std::size_t i = 0; i < slots_.size(); ++i)
-    if (slots_[i].active) {
+    if (slots_[i].active && isDue(slots_[i])) {
       const Stopwatch::Lap lap{times_[i]};
       slots_[i].active->run();
     }

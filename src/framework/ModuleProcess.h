@@ -46,6 +46,7 @@ class ModuleProcess : public Process {
  private:
   struct Slot {
     const Task* task;
+    const RepresentationType* trigger;  ///< Null: runs in each cycle.
     std::vector<std::unique_ptr<AnyModule>> solutions;
     AnyModule* active = nullptr;
   };
@@ -56,6 +57,7 @@ class ModuleProcess : public Process {
 
   Slot* find(std::string_view task);
   Result<AnyModule*> find(std::string_view task, std::string_view solution);
+  bool isDue(const Slot& slot) const;
   void handle(const Message& message);
   template <typename Request>
   bool handleAs(const Message& message);

@@ -71,7 +71,8 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
 Result<void> Match::addRobots(const std::shared_ptr<const Configuration>& configuration) {
   const SceneDescription& scene = simulation_->scene();
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-    const auto layout = loadLayout(scene.resolve(scene.robots[i].layout));
+    const auto layout = loadLayout(
+        options_.layout.empty() ? scene.resolve(scene.robots[i].layout) : options_.layout);
     if (!layout) return layout.error();
     const std::uint64_t seed = Random{options_.seed}.fork(scene.robots[i].name)();
     auto robot = Robot::make({configuration, *layout, scene.robots[i].player(), seed});

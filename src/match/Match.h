@@ -21,6 +21,7 @@ struct MatchOptions {
   int pictures = 0;  ///< How many camera pictures to keep for the report page.
   std::string behavior = "behavior/GT2003.xabsl";
   std::string motions = "motions";
+  std::string layout{};  ///< Of all robots, instead of what the scene says, if not empty.
 };
 
 /// A simulated match of robots that run their own programs: the simulator, the robots in it, their

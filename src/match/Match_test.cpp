@@ -67,6 +67,23 @@ TEST_F(MatchTest, SameSeedSameBytesWithAnyNumberOfThreads) {
   }
 }
 
+/// The report 2.2.3: modules are grouped to processes without a change of their code.
+TEST_F(MatchTest, EveryLayoutPlaysTheSameMatch) {
+  std::string first;
+  for (const char* layout : {"cmd", "single", "pmbm"}) {
+    MatchOptions options;
+    options.minutes = 0.2;
+    options.layout = "layouts/" + std::string{layout} + ".layout";
+    const auto match = Match::make(options);
+    ASSERT_TRUE(match) << match.error().text();
+    while (!(*match)->finished()) (*match)->step();
+    const std::string summary = toJson((*match)->summary()).dump();
+    if (first.empty()) first = summary;
+    EXPECT_TRUE(summary == first) << layout;
+  }
+  EXPECT_GT(first.size(), 10'000u);
+}
+
 TEST_F(MatchTest, LogsHoldWhatIsConfigured) {
   const auto match = make("log", 5, 2, 0.5);
   while (!match->finished()) match->step();

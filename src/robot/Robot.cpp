@@ -1,11 +1,14 @@
 #include "robot/Robot.h"
 
+#include "representations/behavior/LedRequest.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameControlData.h"
 #include "representations/infrastructure/Image.h"
+#include "representations/infrastructure/Joints.h"
 #include "representations/infrastructure/OracledWorldState.h"
 #include "representations/infrastructure/SensorData.h"
+#include "representations/motion/OdometryData.h"
 #include "robot/Solutions.h"
 
 namespace gt {
@@ -15,6 +18,13 @@ const std::vector<const RepresentationType*>& platformRepresentations() {
       &representation<Image>(), &representation<SensorDataBuffer>(),
       &representation<GameControlData>(), &representation<TeamMessages>(),
       &representation<OracledWorldState>()};
+  return list;
+}
+
+const std::vector<const RepresentationType*>& commandRepresentations() {
+  static const std::vector<const RepresentationType*> list{
+      &representation<JointData>(), &representation<OdometryData>(), &representation<LedValue>(),
+      &representation<TeamMessage>()};
   return list;
 }
 
@@ -85,8 +95,8 @@ ModuleProcess* Robot::find(std::string_view name) const {
 
 ModuleProcess* Robot::providerOf(std::string_view representation) const {
   for (const Plan::Process& process : plan_.processes)
-    for (const Task* task : process.order)
-      for (const RepresentationType* output : task->outputs)
+    for (const Plan::Step& step : process.order)
+      for (const RepresentationType* output : step.task->outputs)
         if (output->name == representation) return find(process.layout.name);
   return nullptr;
 }

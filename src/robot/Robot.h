@@ -14,6 +14,9 @@ namespace gt {
 /// What the platform sends to a robot where it senses for itself: in a simulator or on hardware.
 const std::vector<const RepresentationType*>& platformRepresentations();
 
+/// What such a platform takes from the robot: its commands, and what it says to its team.
+const std::vector<const RepresentationType*>& commandRepresentations();
+
 /// What makes a robot: its configuration, its layout, who it is, the seed of its chance, and what
 /// its platform sends.
 struct RobotSetup {

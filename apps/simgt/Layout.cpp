@@ -1,0 +1,34 @@
+#include "Layout.h"
+
+#include <fmt/core.h>
+
+#include "robot/LayoutDrawing.h"
+#include "robot/Robot.h"
+#include "robot/logs/LogPlatform.h"
+
+namespace gt {
+namespace {
+
+int fail(const Error& error) {
+  fmt::print(stderr, "simgt: {}\n", error.text());
+  return 2;
+}
+
+}  // namespace
+
+int showLayout(const LayoutOptions& options) {
+  const auto layout = loadLayout(options.layout);
+  if (!layout) return fail(layout.error());
+  auto plan = robotPlan(*layout, platformRepresentations());
+  // A robot on a log gets from it what others work out for themselves.
+  if (!plan)
+    if (auto onLog = robotPlan(*layout, LogPlatform::representations()); onLog) plan = onLog;
+  if (!plan) return fail(plan.error());
+  fmt::print("{}", describePlan(*plan));
+  if (options.svg.empty()) return 0;
+  if (const auto done = writeSvg(drawPlan(*plan), options.svg); !done) return fail(done.error());
+  fmt::print("Drawing: {}\n", options.svg);
+  return 0;
+}
+
+}  // namespace gt
