@@ -1,5 +1,6 @@
 #include "MatchSpeed.h"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -43,32 +44,47 @@ void addParts(Figures& figures, const std::vector<Run>& runs) {
   }
 }
 
+/// A way to play.
+struct MatchKind {
+  const char* figure;
+  const char* scene;
+  std::size_t threads;
+  bool logged;
+  Aim aim;
+};
+
+const std::array<MatchKind, 6> kinds{
+    {{"speed.match.threads1", "scenes/match.scene", 1, false, {}},
+     {"speed.match.threads2", "scenes/match.scene", 2, false, Aim::atLeast(40)},
+     {"speed.match.logged.threads1", "scenes/match.scene", 1, true, {}},
+     {"speed.match.logged.threads2", "scenes/match.scene", 2, true, {}},
+     {"speed.match.dynamic.threads1", "scenes/dynamic.scene", 1, false, {}},
+     {"speed.match.dynamic.threads2", "scenes/dynamic.scene", 2, false, Aim::atLeast(10)}}};
+
 }  // namespace
 
 Result<void> measureMatchSpeed(Figures& figures, const MatchSpeedOptions& options) {
   const auto logs = std::filesystem::temp_directory_path() / "gt2003-bench";
   std::filesystem::create_directories(logs);
-  for (const bool logged : {false, true})
-    for (const std::size_t threads : {1, 2}) {
-      std::vector<Run> runs;
-      for (int i = 1; i <= options.runs; ++i) {
-        MatchOptions match;
-        match.minutes = options.minutes;
-        match.seed = static_cast<std::uint64_t>(i);
-        match.threads = threads;
-        if (logged) match.logs = logs.string();
-        auto run = play(match);
-        if (!run) return run.error();
-        runs.push_back(std::move(*run));
-      }
-      std::vector<double> factors;
-      for (const Run& run : runs) factors.push_back(run.realTimeFactor);
-      figures.add(
-          (logged ? "speed.match.logged.threads" : "speed.match.threads") + std::to_string(threads),
-          "x", factors, threads == 2 ? Aim::atLeast(10) : Aim{});
-      // With one thread no other work disturbs what is measured.
-      if (threads == 1 && !logged) addParts(figures, runs);
+  for (const MatchKind& kind : kinds) {
+    std::vector<Run> runs;
+    std::vector<double> factors;
+    for (int i = 1; i <= options.runs; ++i) {
+      MatchOptions match;
+      match.scene = kind.scene;
+      match.minutes = options.minutes;
+      match.seed = static_cast<std::uint64_t>(i);
+      match.threads = kind.threads;
+      if (kind.logged) match.logs = logs.string();
+      auto run = play(match);
+      if (!run) return run.error();
+      factors.push_back(run->realTimeFactor);
+      runs.push_back(std::move(*run));
     }
+    figures.add(kind.figure, "x", factors, kind.aim);
+    // With one thread no other work disturbs what is measured.
+    if (&kind == kinds.data()) addParts(figures, runs);
+  }
   std::filesystem::remove_all(logs);
   return {};
 }

@@ -10,9 +10,9 @@ struct MatchSpeedOptions {
   int runs = 3;        ///< Each on a seed of its own.
 };
 
-/// Plays whole matches 4:4 with all cameras, on one and on two threads, with and without logs: how
-/// many times faster than real time, and how long each module and each part of the simulator takes
-/// for a call. Fails if the scene does not load.
+/// Plays whole matches 4:4 with all cameras, on one and on two threads, with and without logs, in
+/// both fidelities: how many times faster than real time, and how long each module and each part of
+/// the simulator takes for a call. Fails if a scene does not load.
 Result<void> measureMatchSpeed(Figures& figures, const MatchSpeedOptions& options);
 
 }  // namespace gt

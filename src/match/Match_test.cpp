@@ -25,8 +25,9 @@ class MatchTest : public ::testing::Test {
   void TearDown() override { fs::remove_all(folder); }
 
   std::unique_ptr<Match> make(const std::string& name, std::uint64_t seed, std::size_t threads,
-                              double minutes) {
+                              double minutes, const std::string& scene = "scenes/match.scene") {
     MatchOptions options;
+    options.scene = scene;
     options.seed = seed;
     options.threads = threads;
     options.minutes = minutes;
@@ -39,8 +40,9 @@ class MatchTest : public ::testing::Test {
   }
   /// Everything that a match leaves, as bytes by name.
   std::map<std::string, std::string> play(const std::string& name, std::uint64_t seed,
-                                          std::size_t threads) {
-    const auto match = make(name, seed, threads, 0.5);
+                                          std::size_t threads, double minutes = 0.5,
+                                          const std::string& scene = "scenes/match.scene") {
+    const auto match = make(name, seed, threads, minutes, scene);
     while (!match->finished()) match->step();
     EXPECT_TRUE(match->close());
     std::map<std::string, std::string> files;
@@ -82,6 +84,13 @@ TEST_F(MatchTest, EveryLayoutPlaysTheSameMatch) {
     EXPECT_TRUE(summary == first) << layout;
   }
   EXPECT_GT(first.size(), 10'000u);
+}
+
+TEST_F(MatchTest, TheDynamicFidelityIsAsRepeatable) {
+  const auto first = play("first", 3, 1, 0.1, "scenes/dynamic.scene");
+  const auto threads = play("threads", 3, 2, 0.1, "scenes/dynamic.scene");
+  EXPECT_EQ(first.size(), 9u);
+  for (const auto& [name, bytes] : first) EXPECT_TRUE(bytes == threads.at(name)) << name;
 }
 
 TEST_F(MatchTest, LogsHoldWhatIsConfigured) {
