@@ -17,6 +17,9 @@ class PackageLink {
   /// True if a package can be handed over: one that was not taken yet will be replaced. False while
   /// the receiver's process calculates.
   virtual bool accepts() const = 0;
+  /// False if the receiver is not there at the moment, as its program has ended: nobody waits for
+  /// it.
+  virtual bool active() const { return true; }
   /// Hands a package over. There is no queueing (report 2.2.3.1).
   virtual void deliver(const void* package) = 0;
 };
@@ -42,7 +45,7 @@ class PackageSender {
   /// requested.
   bool ready() const;
   /// True if it can start a cycle: it blocks, and somebody is there to request.
-  bool triggers() const { return blocking_ && !links_.empty(); }
+  bool triggers() const;
   const RepresentationType& type() const { return *type_; }
 
  private:
@@ -70,6 +73,12 @@ class PackageReceiver : public PackageLink {
   void deliver(const void* package) override {
     type_->copy(package, incoming_.get());
     arrived_ = true;
+  }
+  /// Hands over a package as bytes; one that cannot be read is dropped.
+  Result<void> deliverBytes(std::span<const std::byte> bytes) {
+    const auto done = type_->decode(bytes, incoming_.get());
+    arrived_ = static_cast<bool>(done);
+    return done;
   }
   /// Phase 1: takes the package that has arrived, if one has.
   void receive() {

@@ -25,8 +25,14 @@ bool PackageSender::requestedNew() const {
 }
 
 bool PackageSender::ready() const {
-  return !blocking_ || std::all_of(links_.begin(), links_.end(),
-                                   [](const Link& link) { return link.receiver->requested(); });
+  return !blocking_ || std::all_of(links_.begin(), links_.end(), [](const Link& link) {
+    return link.receiver->requested() || !link.receiver->active();
+  });
+}
+
+bool PackageSender::triggers() const {
+  return blocking_ && std::any_of(links_.begin(), links_.end(),
+                                  [](const Link& link) { return link.receiver->active(); });
 }
 
 namespace detail {

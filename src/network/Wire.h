@@ -1,0 +1,75 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/Package.h"
+#include "network/Network.h"
+
+namespace gt {
+
+/// Connects the senders and receivers of this program's process with those of others (report
+/// 2.2.3.1): each sender serves whoever asks for its package, each receiver asks one process for
+/// it. A process that ends is forgotten after a second; one that is started again asks anew.
+class Wire {
+ public:
+  /// `name` is what other processes know this one by.
+  Wire(Network& network, std::string name);
+  ~Wire();
+
+  Result<void> listen(const std::string& endpoint, const std::optional<Keys>& keys = {});
+  Result<void> connect(const std::string& peer, const std::string& endpoint,
+                       const std::optional<Keys>& keys = {});
+
+  /// Serves this sender's package to every process that asks.
+  void provide(PackageSender& sender) { senders_.push_back(&sender); }
+  /// Asks a process for the package of this receiver, again and again.
+  void receive(const std::string& peer, PackageReceiver& receiver);
+
+  /// Takes what came in, and tells others what the receivers are ready for. To be called before and
+  /// after each cycle of the process.
+  void update();
+
+  /// The newest time that a peer stamped its packages with, and the session it is in; the epoch and
+  /// 0 as long as nothing came from it.
+  struct Clock {
+    Time time;
+    std::uint64_t session = 0;
+  };
+  Clock clockOf(std::string_view peer) const;
+  /// Packages and requests that came in and could not be used.
+  std::uint64_t rejected() const { return rejected_; }
+
+ private:
+  class Link;
+  struct Peer {
+    std::string name;
+    Socket* socket;
+    Clock clock;
+  };
+  struct Inbound {
+    std::string peer;
+    PackageReceiver* receiver;
+    std::int64_t asked = -1;  ///< When the peer was told last; -1 if it has to be told now.
+    FrameKind told = FrameKind::package;
+  };
+
+  Peer* find(std::string_view name);
+  Peer* peerFor(Socket& socket, std::string_view name);
+  void take(Socket& socket, const Received& received);
+  void takeRequest(Peer& peer, const Frame& frame);
+  void takePackage(Peer& peer, const Frame& frame);
+  Link* linkFor(Peer& peer, std::uint32_t type);
+  void ask(Inbound& inbound);
+
+  Network& network_;
+  std::string name_;
+  Socket* listening_ = nullptr;
+  std::vector<std::unique_ptr<Peer>> peers_;
+  std::vector<PackageSender*> senders_;
+  std::vector<std::unique_ptr<Link>> links_;
+  std::vector<Inbound> inbound_;
+  std::uint64_t rejected_ = 0;
+};
+
+}  // namespace gt

@@ -1,0 +1,216 @@
+#include "network/Wire.h"
+
+#include "network/TestWire.h"
+
+namespace gt {
+namespace {
+
+using testing::Custom;
+using testing::eventually;
+using testing::NumberPackage;
+using testing::TestFolder;
+
+/// A program with one process, as on the robot.
+struct Program {
+  explicit Program(const std::string& name) : wire{network, name}, process{name} {}
+  /// A turn of its loop.
+  bool step() {
+    network.wait(0);
+    wire.update();
+    const bool ran = process.step(Time{network.elapsed()});
+    wire.update();
+    return ran;
+  }
+  Network network;
+  Wire wire;
+  Custom process;
+};
+
+struct Source : Program {
+  explicit Source(const std::string& endpoint, bool blocking = false)
+      : Program{"Source"}, numbers{process, blocking} {
+    EXPECT_TRUE(wire.listen(endpoint));
+    wire.provide(numbers);
+    process.work = [this] {
+      ++numbers.number;
+      numbers.send();
+    };
+  }
+  Sender<NumberPackage> numbers;
+};
+
+struct Sink : Program {
+  explicit Sink(const std::string& endpoint, const std::string& name = "Sink")
+      : Program{name}, numbers{process, true} {
+    EXPECT_TRUE(wire.connect("Source", endpoint));
+    wire.receive("Source", numbers);
+    process.pause = 0;
+    process.work = [this] { printed.push_back(numbers.number); };
+  }
+  Receiver<NumberPackage> numbers;
+  std::vector<int> printed;
+};
+
+TEST(Wire, CarriesPackages) {
+  const TestFolder folder;
+  Source source{folder.endpoint("a")};
+  Sink sink{folder.endpoint("a")};
+  EXPECT_TRUE(eventually([&] { return sink.printed.size() >= 20; },
+                         [&] {
+                           source.step();
+                           sink.step();
+                         }));
+  for (std::size_t i = 1; i < sink.printed.size(); ++i)
+    EXPECT_GT(sink.printed[i], sink.printed[i - 1]) << "always a new number";
+  EXPECT_EQ(source.wire.rejected() + sink.wire.rejected(), 0u);
+}
+
+/// "Note that the communication does not involve any queuing."
+TEST(Wire, SlowReceiverGetsTheNewestPackage) {
+  const TestFolder folder;
+  Source source{folder.endpoint("a")};
+  Sink sink{folder.endpoint("a")};
+  ASSERT_TRUE(eventually([&] { return sink.printed.size() >= 3; },
+                         [&] {
+                           source.step();
+                           sink.step();
+                         }));
+  // The receiver's process waits for its time, and takes what comes meanwhile.
+  sink.process.pause = 200;
+  const int before = source.numbers.number;
+  const std::size_t printed = sink.printed.size();
+  ASSERT_TRUE(eventually([&] { return sink.printed.size() >= printed + 3; },
+                         [&] {
+                           source.step();
+                           sink.step();
+                         }));
+  EXPECT_GT(source.numbers.number, before + 50);
+  EXPECT_NEAR(sink.printed.back(), source.numbers.number, 5);
+}
+
+/// A blocking sender waits for all receivers, but not for those that have ended.
+TEST(Wire, BlockingSenderWaitsForAllThatAreThere) {
+  const TestFolder folder;
+  Source source{folder.endpoint("a"), true};
+  Sink fast{folder.endpoint("a"), "Fast"};
+  auto slow = std::make_unique<Sink>(folder.endpoint("a"), "Slow");
+  slow->process.work = nullptr;
+  ASSERT_TRUE(eventually([&] { return fast.printed.size() >= 5; },
+                         [&] {
+                           source.step();
+                           fast.step();
+                           slow->step();
+                         }));
+  slow->process.work = [] {};
+  slow->process.pause = 1'000'000;
+  const auto both = [&] {
+    source.step();
+    fast.step();
+    slow->wire.update();
+  };
+  for (int i = 0; i < 300; ++i) {
+    both();
+    slow->process.step(Time{slow->network.elapsed()});
+    usleep(1000);
+  }
+  const std::size_t count = fast.printed.size();
+  eventually([] { return false; }, both, 200);
+  EXPECT_EQ(fast.printed.size(), count) << "the slow one has not requested";
+  slow.reset();
+  EXPECT_TRUE(eventually([&] { return fast.printed.size() > count + 5; },
+                         [&] {
+                           source.step();
+                           fast.step();
+                         }));
+}
+
+TEST(Wire, ProcessesRejoinWhenStartedAgain) {
+  const TestFolder folder;
+  auto source = std::make_unique<Source>(folder.endpoint("a"));
+  auto sink = std::make_unique<Sink>(folder.endpoint("a"));
+  const auto both = [&] {
+    source->step();
+    sink->step();
+  };
+  ASSERT_TRUE(eventually([&] { return sink->printed.size() >= 3; }, both));
+  const auto session = sink->wire.clockOf("Source").session;
+  source.reset();
+  source = std::make_unique<Source>(folder.endpoint("a"));
+  sink->printed.clear();
+  ASSERT_TRUE(eventually([&] { return sink->printed.size() >= 3; }, both));
+  EXPECT_LT(sink->printed.front(), 100) << "of the new program";
+  EXPECT_NE(sink->wire.clockOf("Source").session, session);
+  sink.reset();
+  sink = std::make_unique<Sink>(folder.endpoint("a"));
+  EXPECT_TRUE(eventually([&] { return sink->printed.size() >= 3; }, both));
+}
+
+TEST(Wire, GarbageHarmsNobody) {
+  const TestFolder folder;
+  Source source{folder.endpoint("a")};
+  Sink sink{folder.endpoint("a")};
+  zmq::context_t context;
+  zmq::socket_t enemy{context, zmq::socket_type::dealer};
+  enemy.set(zmq::sockopt::linger, 0);
+  enemy.connect(folder.endpoint("a"));
+  std::string frame(24, '\0');
+  frame.replace(0, 4, std::string{'G', 'T', 1, 2});
+  for (int i = 0; i < 300; ++i) {
+    enemy.send(
+        zmq::buffer(frame.substr(0, static_cast<std::size_t>(i % 25))),
+        i % 3 ? zmq::send_flags::dontwait : zmq::send_flags::dontwait | zmq::send_flags::sndmore);
+    source.step();
+    sink.step();
+  }
+  sink.printed.clear();
+  EXPECT_TRUE(eventually([&] { return sink.printed.size() >= 10; },
+                         [&] {
+                           source.step();
+                           sink.step();
+                         }));
+}
+
+TEST(Network, ListensBeyondThisMachineOnlyWithKeys) {
+  Network network;
+  EXPECT_FALSE(network.listen("tcp://*:0"));
+  EXPECT_FALSE(network.listen("tcp://0.0.0.0:0"));
+  EXPECT_TRUE(network.listen("tcp://127.0.0.1:0"));
+  EXPECT_FALSE(network.listen("tcp://127.0.0.1:nonsense"));
+  EXPECT_FALSE(network.connect("nonsense", "me"));
+  EXPECT_TRUE(isLocal("ipc:///tmp/x"));
+  EXPECT_FALSE(isLocal("tcp://10.0.1.100:15100"));
+}
+
+/// Who may connect, by keys of its own: true if a package came through.
+bool comesThrough(const Keys& listening, const std::optional<Keys>& connecting) {
+  Network here, there;
+  const auto server = here.listen("tcp://127.0.0.1:0", listening);
+  EXPECT_TRUE(server);
+  const auto client = there.connect((*server)->endpoint(), "", connecting);
+  EXPECT_TRUE(client);
+  Received received;
+  return eventually([&] { return (*server)->receive(received); },
+                    [&] {
+                      (*client)->send("", FrameKind::request, representation<NumberPackage>(),
+                                      nullptr);
+                      here.wait(0);
+                    },
+                    connecting == std::nullopt ? 300 : 600);
+}
+
+TEST(Network, LetsInOnlyWhoHoldsTheKey) {
+  const TestFolder folder;
+  ASSERT_TRUE(makeKeys(folder.file("ours")));
+  ASSERT_TRUE(makeKeys(folder.file("theirs")));
+  const Keys robot = *loadKeys(folder.file("ours/robot.key"));
+  const Keys tool = *loadKeys(folder.file("ours/tool.key"));
+  EXPECT_TRUE(comesThrough(robot, tool));
+  EXPECT_FALSE(comesThrough(robot, std::nullopt));
+  Keys stranger = *loadKeys(folder.file("theirs/tool.key"));
+  EXPECT_FALSE(comesThrough(robot, stranger));
+  stranger.serverPublic = tool.serverPublic;
+  EXPECT_FALSE(comesThrough(robot, stranger)) << "who knows the robot's public key only";
+}
+
+}  // namespace
+}  // namespace gt
