@@ -58,13 +58,19 @@ class SolutionTable {
   void add(std::string solution) {
     static_assert(detail::Provides<T, M>::value,
                   "a solution must provide the outputs of its task, all and no others");
-    Task& task = tasks_[std::string{typeName<T>()}];
-    task.name = typeName<T>();
-    task.outputs = outputsOf(static_cast<typename T::Outputs*>(nullptr));
-    task.solutions.push_back(
+    addTask<T>().solutions.push_back(
         {std::move(solution), ModuleAdapter<M>::ports(), [](ModuleContext context) {
            return std::make_unique<ModuleAdapter<M>>(std::move(context));
          }});
+  }
+
+  /// Makes a task known; without a solution if another program solves it.
+  template <typename T>
+  Task& addTask() {
+    Task& task = tasks_[std::string{typeName<T>()}];
+    task.name = typeName<T>();
+    task.outputs = outputsOf(static_cast<typename T::Outputs*>(nullptr));
+    return task;
   }
 
   const Task* find(std::string_view name) const {

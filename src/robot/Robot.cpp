@@ -1,42 +1,10 @@
 #include "robot/Robot.h"
 
-#include "representations/behavior/LedRequest.h"
-#include "representations/behavior/TeamMessage.h"
-#include "representations/infrastructure/FrameInfo.h"
-#include "representations/infrastructure/GameControlData.h"
-#include "representations/infrastructure/Image.h"
-#include "representations/infrastructure/Joints.h"
-#include "representations/infrastructure/OracledWorldState.h"
-#include "representations/infrastructure/SensorData.h"
-#include "representations/motion/OdometryData.h"
+#include <algorithm>
+
 #include "robot/Solutions.h"
 
 namespace gt {
-
-const std::vector<const RepresentationType*>& platformRepresentations() {
-  static const std::vector<const RepresentationType*> list{
-      &representation<Image>(), &representation<SensorDataBuffer>(),
-      &representation<GameControlData>(), &representation<TeamMessages>(),
-      &representation<OracledWorldState>()};
-  return list;
-}
-
-const std::vector<const RepresentationType*>& commandRepresentations() {
-  static const std::vector<const RepresentationType*> list{
-      &representation<JointData>(), &representation<OdometryData>(), &representation<LedValue>(),
-      &representation<TeamMessage>()};
-  return list;
-}
-
-const std::vector<const RepresentationType*>& givenRepresentations() {
-  static const std::vector<const RepresentationType*> list = [] {
-    std::vector<const RepresentationType*> types = Configuration::representations();
-    types.push_back(&representation<Player>());
-    types.push_back(&representation<FrameInfo>());
-    return types;
-  }();
-  return list;
-}
 
 Result<Plan> robotPlan(const Layout& layout,
                        const std::vector<const RepresentationType*>& platform) {
@@ -50,12 +18,7 @@ Result<std::unique_ptr<Robot>> Robot::make(const RobotSetup& setup) {
   robot->plan_ = std::move(*plan);
   for (const Plan::Process& process : robot->plan_.processes) {
     if (process.layout.collectsMessages) continue;
-    Blackboard blackboard;
-    setup.configuration->share(blackboard);
-    blackboard.get<Player>() = setup.player;
-    Time& frameTime = blackboard.get<FrameInfo>().time;
-    robot->processes_.push_back(std::make_unique<ModuleProcess>(process, std::move(blackboard),
-                                                                frameTime, Random{setup.seed}));
+    robot->processes_.push_back(makeProcess(process, setup));
   }
   robot->connect();
   if (const auto done = robot->configure(*setup.configuration); !done) return done.error();
@@ -77,13 +40,11 @@ void Robot::connect() {
 
 Result<void> Robot::configure(const Configuration& configuration) {
   for (const Configuration::SolutionChoice& choice : configuration.solutions)
-    if (const auto done = request(SolutionRequest{choice.task, choice.solution}); !done)
-      return Error{choice.file, choice.line, done.error().field, done.error().what};
-  for (const Configuration::ParameterFile& file : configuration.parameters)
-    for (const auto& process : processes_)
-      if (process->solves(file.task))
-        if (auto done = process->configure(file.task, file.solution, file.text, file.path); !done)
-          return done;
+    if (std::none_of(processes_.begin(), processes_.end(),
+                     [&](const auto& process) { return process->solves(choice.task); }))
+      return Error{choice.file, choice.line, choice.task, "no process solves this task"};
+  for (const auto& process : processes_)
+    if (auto done = configureProcess(*process, configuration); !done) return done;
   return {};
 }
 

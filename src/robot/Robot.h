@@ -5,27 +5,9 @@
 #include <vector>
 
 #include "framework/DebugProcess.h"
-#include "framework/ModuleProcess.h"
-#include "representations/infrastructure/Player.h"
-#include "robot/Configuration.h"
+#include "robot/Processes.h"
 
 namespace gt {
-
-/// What the platform sends to a robot where it senses for itself: in a simulator or on hardware.
-const std::vector<const RepresentationType*>& platformRepresentations();
-
-/// What such a platform takes from the robot: its commands, and what it says to its team.
-const std::vector<const RepresentationType*>& commandRepresentations();
-
-/// What makes a robot: its configuration, its layout, who it is, the seed of its chance, and what
-/// its platform sends.
-struct RobotSetup {
-  std::shared_ptr<const Configuration> configuration;
-  Layout layout;
-  Player player;
-  std::uint64_t seed = 0;
-  std::vector<const RepresentationType*> platform = platformRepresentations();
-};
 
 /// A robot: the processes of its layout, connected to each other and to a platform, which sends it
 /// sensor readings and takes its commands. It does not know whether the platform is a simulator,
@@ -104,8 +86,6 @@ Result<void> Robot::request(const Request& request) {
     return Error{"", 0, "", "the robot has no processes"};
 }
 
-/// What lies on every blackboard from the start: the configuration and the process's clock.
-const std::vector<const RepresentationType*>& givenRepresentations();
 /// The plan of a layout for a robot on a platform that sends this; see makePlan.
 Result<Plan> robotPlan(const Layout& layout,
                        const std::vector<const RepresentationType*>& platform);

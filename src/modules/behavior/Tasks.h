@@ -13,4 +13,6 @@ struct BehaviorControl {
   using Outputs = std::tuple<MotionRequest, HeadControlMode, LedRequest, BehaviorTeamMessage>;
 };
 
+using BehaviorTasks = std::tuple<BehaviorControl>;
+
 }  // namespace gt

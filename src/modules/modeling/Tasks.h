@@ -33,4 +33,7 @@ struct TeamMessageSender {
   using Outputs = std::tuple<TeamMessage>;
 };
 
+using ModelingTasks =
+    std::tuple<SelfLocator, BallLocator, TeamBallLocator, RobotStateDetector, TeamMessageSender>;
+
 }  // namespace gt

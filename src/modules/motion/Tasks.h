@@ -28,4 +28,7 @@ struct LEDControl {
   using Outputs = std::tuple<LedValue>;
 };
 
+using MotionTasks =
+    std::tuple<WalkingEngine, SpecialActions, HeadControl, MotionControl, LEDControl>;
+
 }  // namespace gt

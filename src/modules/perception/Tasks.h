@@ -19,4 +19,6 @@ struct ImageProcessor {
   using Outputs = std::tuple<BallPercept, LandmarksPercept>;
 };
 
+using PerceptionTasks = std::tuple<SensorDataProcessor, ImageProcessor>;
+
 }  // namespace gt

@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "framework/ModuleProcess.h"
+#include "representations/infrastructure/Player.h"
+#include "robot/Configuration.h"
+
+namespace gt {
+
+/// What the platform sends to a robot where it senses for itself: in a simulator or on hardware.
+const std::vector<const RepresentationType*>& platformRepresentations();
+
+/// What such a platform takes from the robot: its commands, and what it says to its team.
+const std::vector<const RepresentationType*>& commandRepresentations();
+
+/// What makes a robot: its configuration, its layout, who it is, the seed of its chance, and what
+/// its platform sends.
+struct RobotSetup {
+  std::shared_ptr<const Configuration> configuration;
+  Layout layout;
+  Player player;
+  std::uint64_t seed = 0;
+  std::vector<const RepresentationType*> platform = platformRepresentations();
+};
+
+/// What lies on every blackboard from the start: the configuration and the process's clock.
+const std::vector<const RepresentationType*>& givenRepresentations();
+
+/// One process of a robot, with the configuration on its blackboard.
+std::unique_ptr<ModuleProcess> makeProcess(const Plan::Process& plan, const RobotSetup& setup);
+/// Chooses the solutions of the process's tasks and sets their parameters, as configured.
+Result<void> configureProcess(ModuleProcess& process, const Configuration& configuration);
+
+}  // namespace gt

@@ -1,0 +1,19 @@
+#include "modules/modeling/DefaultRobotStateDetector.h"
+#include "modules/modeling/DefaultTeamBallLocator.h"
+#include "modules/modeling/DefaultTeamMessageSender.h"
+#include "modules/modeling/MonteCarloSelfLocator.h"
+#include "modules/modeling/PidSmoothedBallLocator.h"
+#include "modules/modeling/Tasks.h"
+#include "robot/Solutions.h"
+
+namespace gt {
+
+void addModelingSolutions(SolutionTable& table) {
+  table.add<SelfLocator, MonteCarloSelfLocator>("MonteCarlo");
+  table.add<BallLocator, PidSmoothedBallLocator>("PIDSmoothed");
+  table.add<TeamBallLocator, DefaultTeamBallLocator>("Default");
+  table.add<RobotStateDetector, DefaultRobotStateDetector>("Default");
+  table.add<TeamMessageSender, DefaultTeamMessageSender>("Default");
+}
+
+}  // namespace gt
