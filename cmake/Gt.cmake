@@ -71,3 +71,12 @@ function(gt_program name)
   set_source_files_properties(main.cpp PROPERTIES COMPILE_OPTIONS "${coldCode}")
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
 endfunction()
+
+# gt_node_test(name program.mjs argument...): a program of this folder, run by Node in the root of the sources with the
+# packages of the folder's package-lock.json, which are fetched once for each build folder.
+function(gt_node_test name program)
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  add_test(NAME ${name}
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/run-node ${CMAKE_BINARY_DIR}/node/${folder} ${CMAKE_CURRENT_SOURCE_DIR} ${program} ${ARGN}
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endfunction()

@@ -2,12 +2,15 @@
 // decoder of the npm registry. Every message of every channel is decoded by the schema in the log
 // and encoded again, which must give the same bytes.
 //
-//   npm ci && node check.mjs LOG...
+// Pictures are decoded and must be as large as the log says that the camera's pictures are.
+//
+//   scripts/run-node build/node/mcap tests/mcap check.mjs LOG...
 import { open } from "node:fs/promises";
 import { McapIndexedReader, McapStreamReader } from "@mcap/core";
 import { parse } from "@foxglove/rosmsg";
 import { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";
 import { decompress } from "fzstd";
+import jpeg from "jpeg-js";
 
 const decompressHandlers = { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) };
 
@@ -40,14 +43,26 @@ function codecOf(channel, schema) {
   return { reader: new MessageReader(definitions), writer: new MessageWriter(definitions) };
 }
 
-function checkMessage(channel, schema, codec, data) {
+function checkMessage(channel, codec, data) {
   const message = codec.reader.readMessage(data);
   const again = codec.writer.writeMessage(message);
   check(Buffer.compare(Buffer.from(again), Buffer.from(data)) === 0,
     `${channel.topic}: encoded again, a message of ${data.length} bytes differs`);
-  if (schema.name === "sensor_msgs/msg/CompressedImage")
-    check(message.format === "jpeg" && message.data[0] === 0xff && message.data[1] === 0xd8,
-      `${channel.topic}: a picture is no JPEG`);
+  return message;
+}
+
+/// Unpacks the pictures of a log, whose size stands in the camera's matrices.
+class Pictures {
+  check(topic, schema, message) {
+    if (schema.name.endsWith("/CameraMatrix")) this.info = message.info;
+    if (schema.name !== "sensor_msgs/msg/CompressedImage") return;
+    check(message.format === "jpeg", `${topic}: a picture is ${message.format}, no JPEG`);
+    const { width, height, data } = jpeg.decode(message.data, { useTArray: true });
+    check(data.length === 4 * width * height, `${topic}: a picture is cut off`);
+    if (this.info)
+      check(width === this.info.width && height === this.info.height,
+        `${topic}: a picture is ${width} x ${height}, the camera's ${this.info.width} x ${this.info.height}`);
+  }
 }
 
 /// Decodes all messages, found by the log's index.
@@ -56,11 +71,13 @@ async function checkIndexed(file) {
   check(reader.header.profile === "ros2", `the profile is ${reader.header.profile}`);
   const codecs = new Map();
   const counts = new Map();
+  const pictures = new Pictures();
   for (const [id, channel] of reader.channelsById)
     codecs.set(id, codecOf(channel, reader.schemasById.get(channel.schemaId)));
   for await (const m of reader.readMessages({ validateCrcs: true })) {
     const channel = reader.channelsById.get(m.channelId);
-    checkMessage(channel, reader.schemasById.get(channel.schemaId), codecs.get(m.channelId), m.data);
+    const schema = reader.schemasById.get(channel.schemaId);
+    pictures.check(channel.topic, schema, checkMessage(channel, codecs.get(m.channelId), m.data));
     counts.set(m.channelId, (counts.get(m.channelId) ?? 0) + 1);
   }
   for (const [id, count] of reader.statistics.channelMessageCounts)
