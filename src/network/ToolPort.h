@@ -1,0 +1,82 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "network/Network.h"
+#include "streams/MessageQueue.h"
+
+namespace gt {
+
+/// How much is kept for a tool, or from it, at a time.
+constexpr std::size_t toolQueueSize = 2 << 20;
+
+/// Where tools connect to a robot: each gets every message that the robot sends, and may send
+/// messages. Memory is bounded for each tool: what one does not take in time is dropped for that
+/// one, and one that sends without being asked is not listened to (report 5.3).
+class ToolPort {
+ public:
+  static Result<std::unique_ptr<ToolPort>> open(Network& network, const std::string& endpoint,
+                                                const std::optional<Keys>& keys = {});
+
+  /// Passes messages to all tools.
+  void send(const MessageQueue& messages);
+  /// Takes what tools sent to `messages`, and serves tools that ask. What has no room there is left
+  /// with the tools.
+  void update(MessageQueue& messages);
+
+  std::size_t tools() const { return tools_.size(); }
+  std::string endpoint() const { return socket_->endpoint(); }
+  /// Messages that did not fit for some tool, and what came in that was none.
+  std::uint64_t dropped() const;
+  std::uint64_t rejected() const { return rejected_ + socket_->rejected(); }
+
+ private:
+  struct Tool {
+    std::string name;
+    std::int64_t heard = 0;
+    std::int64_t asked = -1;
+    bool mayGet = false;   ///< It requested a queue.
+    bool maySend = false;  ///< It was asked for a queue.
+    MessageQueue out{toolQueueSize};
+  };
+
+  ToolPort(Network& network, Socket& socket) : network_{network}, socket_{&socket} {}
+  Tool* find(std::string_view name);
+  void take(const Received& received, MessageQueue& messages);
+  void serve(Tool& tool);
+
+  Network& network_;
+  Socket* socket_;
+  std::vector<std::unique_ptr<Tool>> tools_;
+  std::uint64_t rejected_ = 0;
+  std::uint64_t droppedOfGone_ = 0;
+};
+
+/// A tool's end: connects to a robot's port, or to the router's for that robot.
+class ToolConnection {
+ public:
+  static Result<std::unique_ptr<ToolConnection>> open(Network& network, const std::string& endpoint,
+                                                      const std::optional<Keys>& keys = {});
+
+  /// Messages for the robot; they leave when it asks for them.
+  MessageQueue& out() { return out_; }
+  /// Takes what the robot sent to `messages`. What has no room there is left with the robot.
+  void update(MessageQueue& messages);
+  /// Something came from the robot within the last second.
+  bool connected() const { return heard_ >= 0 && network_.elapsed() - heard_ < 1000; }
+  std::uint64_t rejected() const { return rejected_ + socket_->rejected(); }
+
+ private:
+  ToolConnection(Network& network, Socket& socket) : network_{network}, socket_{&socket} {}
+
+  Network& network_;
+  Socket* socket_;
+  std::int64_t heard_ = -1;
+  std::int64_t asked_ = -1;
+  bool maySend_ = false;
+  MessageQueue out_{toolQueueSize};
+  std::uint64_t rejected_ = 0;
+};
+
+}  // namespace gt

@@ -1,0 +1,134 @@
+#include "network/ToolPort.h"
+
+#include "debug/Debug.h"
+#include "network/TestWire.h"
+
+namespace gt {
+namespace {
+
+using testing::eventually;
+using testing::NumberPackage;
+using testing::TestFolder;
+
+/// A robot's side and two tools.
+class ToolPortTest : public ::testing::Test {
+ protected:
+  ToolPortTest() {
+    auto opened = ToolPort::open(robotNetwork, folder.endpoint("tools"));
+    EXPECT_TRUE(opened);
+    port = std::move(*opened);
+    for (auto& tool : tools) tool = *ToolConnection::open(toolNetwork, folder.endpoint("tools"));
+  }
+  void step() {
+    port->update(fromTools);
+    for (std::size_t i = 0; i < 2; ++i) tools[i]->update(toTool[i]);
+  }
+  void sendNumbers(int from, int count) {
+    MessageQueue queue;
+    for (int i = from; i < from + count; ++i) queue.write(Time{i}, NumberPackage{i});
+    port->send(queue);
+  }
+  static std::vector<int> numbers(const MessageQueue& queue) {
+    std::vector<int> list;
+    queue.handleAllMessages([&](const Message& message) {
+      NumberPackage package;
+      EXPECT_TRUE(message.read(package));
+      list.push_back(package.number);
+    });
+    return list;
+  }
+
+  TestFolder folder;
+  Network robotNetwork, toolNetwork;
+  std::unique_ptr<ToolPort> port;
+  std::array<std::unique_ptr<ToolConnection>, 2> tools;
+  MessageQueue fromTools, toTool[2];
+};
+
+TEST_F(ToolPortTest, EveryToolGetsEveryMessageInOrder) {
+  ASSERT_TRUE(eventually([&] { return port->tools() == 2; }, [&] { step(); }));
+  int sent = 0;
+  ASSERT_TRUE(eventually(
+      [&] { return numbers(toTool[0]).size() == 100 && numbers(toTool[1]).size() == 100; },
+      [&] {
+        if (sent < 100) sendNumbers(sent, 10), sent += 10;
+        step();
+      }));
+  for (const MessageQueue& queue : toTool)
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(numbers(queue)[static_cast<std::size_t>(i)], i);
+}
+
+TEST_F(ToolPortTest, TheRobotGetsTheMessagesOfAllTools) {
+  tools[0]->out().write(Time{}, NumberPackage{1});
+  tools[1]->out().write(Time{}, NumberPackage{2});
+  ASSERT_TRUE(eventually([&] { return numbers(fromTools).size() == 2; }, [&] { step(); }));
+  EXPECT_EQ(numbers(fromTools)[0] + numbers(fromTools)[1], 3);
+}
+
+TEST_F(ToolPortTest, AToolThatStallsLosesMessagesAndNobodyElse) {
+  ASSERT_TRUE(eventually([&] { return port->tools() == 2; }, [&] { step(); }));
+  MessageQueue big;
+  Text text;
+  text.text = std::string(100'000, 'x');
+  big.write(Time{}, text);
+  std::size_t arrived = 0;
+  for (int i = 0; i < 200; ++i) {
+    port->send(big);
+    port->update(fromTools);
+    toTool[0].clear();
+    tools[0]->update(toTool[0]);  // the other one does nothing
+    arrived += toTool[0].size();
+    usleep(1000);
+  }
+  EXPECT_TRUE(eventually([&] { return arrived >= 200 * big.size(); },
+                         [&] {
+                           port->update(fromTools);
+                           toTool[0].clear();
+                           tools[0]->update(toTool[0]);
+                           arrived += toTool[0].size();
+                         }));
+  EXPECT_GT(port->dropped(), 100u);
+  EXPECT_TRUE(eventually([&] { return port->tools() == 1; },
+                         [&] {
+                           port->update(fromTools);
+                           tools[0]->update(toTool[0]);
+                         }))
+      << "in the end it is forgotten";
+}
+
+TEST_F(ToolPortTest, AToolThatFloodsOrSendsGarbageIsNotListenedTo) {
+  zmq::context_t context;
+  zmq::socket_t enemy{context, zmq::socket_type::dealer};
+  enemy.set(zmq::sockopt::linger, 0);
+  enemy.connect(folder.endpoint("tools"));
+  MessageQueue queue;
+  for (int i = 0; i < 1000; ++i) queue.write(Time{}, NumberPackage{7});
+  std::vector<std::byte> frame(Frame::headerSize);
+  std::ranges::copy(frameHeader({FrameKind::package, representation<MessageQueue>().id, 1, {}, {}}),
+                    frame.begin());
+  frame.insert(frame.end(), queue.bytes().begin(), queue.bytes().end());
+  std::size_t most = 0;
+  for (int i = 0; i < 3000; ++i) {
+    if (i % 2 == 1) frame[frame.size() - static_cast<std::size_t>(i) % 900 - 1] ^= std::byte{0x55};
+    enemy.send(zmq::buffer(frame), zmq::send_flags::dontwait);
+    if (i % 10 == 0) port->update(fromTools);
+    most = std::max(most, fromTools.size());
+  }
+  EXPECT_GT(port->rejected(), 100u);
+  EXPECT_LE(most, toolQueueSize) << "memory is bounded";
+  fromTools.clear();
+  tools[0]->out().write(Time{}, NumberPackage{1});
+  const auto heard = [&] {
+    bool found = false;
+    fromTools.handleAllMessages([&](const Message& message) {
+      NumberPackage package;
+      if (message.is<NumberPackage>() && message.read(package)) found |= package.number == 1;
+    });
+    if (!found) fromTools.clear();
+    return found;
+  };
+  EXPECT_TRUE(eventually(heard, [&] { step(); })) << "the others are";
+}
+
+}  // namespace
+}  // namespace gt
