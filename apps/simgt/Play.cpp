@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <thread>
 
 #include "match/report/Report.h"
 
@@ -57,6 +58,31 @@ class ProgressBar {
   Clock::time_point begin_ = Clock::now();
 };
 
+/// Holds the simulation back to real time.
+class Pace {
+ public:
+  /// Waits until the clock has come to a simulated time. Who falls far behind does not run to catch
+  /// up, but goes on from there.
+  void wait(Time time) {
+    const auto due = begin_ + std::chrono::milliseconds{time.ms};
+    const auto now = Clock::now();
+    if (now > due + std::chrono::milliseconds{100}) begin_ += now - due;
+    std::this_thread::sleep_until(due);
+  }
+
+ private:
+  Clock::time_point begin_ = Clock::now();
+};
+
+/// How robots outside kept up.
+void tellRemote(const Match& match) {
+  for (const RemoteRobot* robot : match.remoteRobots()) {
+    const RemoteStatistics& s = robot->statistics();
+    fmt::print("{}: {} of {} frames and {} of {} pictures without an answer in time\n",
+               robot->name(), s.missedFrames, s.frames, s.missedPictures, s.pictures);
+  }
+}
+
 int fail(const Error& error) {
   fmt::print(stderr, "simgt: {}\n", error.text());
   return 2;
@@ -104,8 +130,10 @@ int play(PlayOptions options) {
   ProgressBar bar{options.match.minutes};
   const Referee& referee = (*match)->simulation().referee();
   std::size_t told = 0;
+  Pace pace;
   while (!(*match)->finished()) {
     (*match)->step();
+    if (options.realTime || !options.match.remote.empty()) pace.wait((*match)->time());
     for (; told < referee.events().size(); ++told)
       bar.say(minutes(referee.events()[told].time) + "  " + describe(referee.events()[told]));
     bar.show(**match, referee.score(TeamColor::red), referee.score(TeamColor::blue));
@@ -116,6 +144,7 @@ int play(PlayOptions options) {
   if (const auto done = writeResults(**match, times, out); !done) return fail(done.error());
   fmt::print("Final score red {} : {} blue, {:.1f} times real time\n",
              referee.score(TeamColor::red), referee.score(TeamColor::blue), times.realTimeFactor);
+  tellRemote(**match);
   fmt::print("Report: {}\n", (out / "report.html").string());
   fmt::print("Data:   {}, {}{}\n", (out / "match.json").string(), (out / "times.json").string(),
              options.logs ? ", logs beside them (*.mcap)" : "");

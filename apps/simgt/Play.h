@@ -10,6 +10,7 @@ struct PlayOptions {
   MatchOptions match;
   std::string out = "out/match";
   bool logs = true;
+  bool realTime = false;  ///< No faster than the clock; so are matches of robots outside.
 };
 
 /// Plays a match with a progress bar and a line for each event, then writes match.json, times.json

@@ -28,6 +28,10 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
       ->capture_default_str();
   command.add_option("--out", play.out, "Folder for the results")->capture_default_str();
   command.add_flag("!--no-logs", play.logs, "Do not write the robots' logs");
+  command.add_flag("--real-time", play.realTime, "No faster than the clock");
+  command.add_option("--remote", play.match.remote,
+                     "Robots whose processes connect from outside (gtrobot-*); in real time");
+  command.add_option("--sockets", play.match.sockets, "Folder in which they find the simulation");
 }
 
 void addPicture(CLI::App& command, gt::PictureOptions& picture) {

@@ -3,10 +3,14 @@
 namespace gt {
 
 void DebugProcess::connect(PackageSender& fromProcess, PackageLink& toProcess) {
+  fromProcess.connect(addReceiver());
+  sender_.connect(toProcess);
+}
+
+PackageReceiver& DebugProcess::addReceiver() {
   in_.push_back(std::make_unique<In>());
   enlist(in_.back()->receiver);
-  fromProcess.connect(in_.back()->receiver);
-  sender_.connect(toProcess);
+  return in_.back()->receiver;
 }
 
 int DebugProcess::main() {

@@ -15,6 +15,10 @@ class DebugProcess : public Process {
 
   /// Connects to one of the robot's processes by its queues.
   void connect(PackageSender& fromProcess, PackageLink& toProcess);
+  /// The same in two halves, for processes in other programs: receives from one more of them; sends
+  /// to all.
+  PackageReceiver& addReceiver();
+  PackageSender& sender() { return sender_; }
   /// What came from the processes since it was last taken.
   MessageQueue& toTools() { return toTools_; }
   /// What shall go to all processes in the next cycle.

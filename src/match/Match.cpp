@@ -64,33 +64,64 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   if (!simulation) return simulation.error();
   match->simulation_ = std::move(*simulation);
   if (const auto done = match->addRobots(*configuration); !done) return done.error();
-  match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->robots_);
+  match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_);
   return match;
 }
 
 Result<void> Match::addRobots(const std::shared_ptr<const Configuration>& configuration) {
   const SceneDescription& scene = simulation_->scene();
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-    const auto layout = loadLayout(
-        options_.layout.empty() ? scene.resolve(scene.robots[i].layout) : options_.layout);
+    const auto layout = loadLayout(options_.layout.empty() ? scene.resolve(scene.robots[i].layout)
+                                                           : options_.layout);
     if (!layout) return layout.error();
-    const std::uint64_t seed = Random{options_.seed}.fork(scene.robots[i].name)();
-    auto robot = Robot::make({configuration, *layout, scene.robots[i].player(), seed});
-    if (!robot) return robot.error();
-    auto controller = std::make_unique<SimulatedRobot>(std::move(*robot));
-    if (!options_.logs.empty()) {
-      const McapWriter::Metadata about{
-          {"scene", std::filesystem::path{options_.scene}.filename().string()},
-          {"seed", std::to_string(options_.seed)},
-          {"robot", scene.robots[i].name},
-          {"minutes", std::to_string(options_.minutes)}};
-      const auto path = std::filesystem::path{options_.logs} / (scene.robots[i].name + ".mcap");
-      if (auto done = controller->record(path.string(), about, configuration->log); !done)
-        return done;
-    }
-    robots_.push_back(controller.get());
-    simulation_->attach(i, std::move(controller));
+    auto added = isRemote(scene.robots[i].name) ? addRemoteRobot(i, *layout)
+                                                : addRobot(i, *layout, configuration);
+    if (!added) return added;
   }
+  for (const std::string& name : options_.remote)
+    if (std::none_of(scene.robots.begin(), scene.robots.end(),
+                     [&](const SceneRobot& robot) { return robot.name == name; }))
+      return Error{options_.scene, 0, name, "the scene has no such robot"};
+  return {};
+}
+
+bool Match::isRemote(const std::string& robot) const {
+  return std::find(options_.remote.begin(), options_.remote.end(), robot) != options_.remote.end();
+}
+
+Result<void> Match::addRobot(std::size_t index, const Layout& layout,
+                             const std::shared_ptr<const Configuration>& configuration) {
+  const SceneRobot& player = simulation_->scene().robots[index];
+  const std::uint64_t seed = Random{options_.seed}.fork(player.name)();
+  auto robot = Robot::make({configuration, layout, player.player(), seed});
+  if (!robot) return robot.error();
+  auto controller = std::make_unique<SimulatedRobot>(std::move(*robot));
+  if (!options_.logs.empty()) {
+    const McapWriter::Metadata about{
+        {"scene", std::filesystem::path{options_.scene}.filename().string()},
+        {"seed", std::to_string(options_.seed)},
+        {"robot", player.name},
+        {"minutes", std::to_string(options_.minutes)}};
+    const auto path = std::filesystem::path{options_.logs} / (player.name + ".mcap");
+    if (auto done = controller->record(path.string(), about, configuration->log); !done)
+      return done;
+  }
+  robots_.push_back(controller.get());
+  indices_.push_back(index);
+  allRobots_.push_back(controller.get());
+  simulation_->attach(index, std::move(controller));
+  return {};
+}
+
+Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
+  const auto plan = robotPlan(layout, platformRepresentations());
+  if (!plan) return plan.error();
+  const std::string folder = options_.sockets.empty() ? defaultSocketFolder() : options_.sockets;
+  auto controller = RemoteRobot::make({folder, simulation_->scene().robots[index].name, {}}, *plan);
+  if (!controller) return controller.error();
+  remoteRobots_.push_back(controller->get());
+  allRobots_.push_back(controller->get());
+  simulation_->attach(index, std::move(*controller));
   return {};
 }
 
@@ -104,14 +135,12 @@ void Match::step() {
 /// next robot is kept.
 void Match::keepPicture() {
   if (requestedPicture_ >= 0) {
-    SimulatedRobot& robot = *robots_[static_cast<std::size_t>(requestedPicture_)];
-    auto drawings = robot.takeDrawings();
+    const auto requested = static_cast<std::size_t>(requestedPicture_);
+    auto drawings = robots_[requested]->takeDrawings();
     if (!drawings.empty()) {
-      const std::string title =
-          simulation_->scene().robots[static_cast<std::size_t>(requestedPicture_)].name + " at " +
-          clock(time());
-      pictures_.push_back({title, simulation_->image(static_cast<std::size_t>(requestedPicture_)),
-                           std::move(drawings)});
+      const std::size_t index = indices_[requested];
+      pictures_.push_back({simulation_->scene().robots[index].name + " at " + clock(time()),
+                           simulation_->image(index), std::move(drawings)});
       requestedPicture_ = -1;
     }
   }
@@ -142,7 +171,7 @@ MatchSummary Match::summary() const {
     summary.events.push_back(toMatchEvent(event));
   statistics_->summarize(summary);
   for (RobotSummary& robot : summary.robots) {
-    if (!options_.logs.empty()) robot.log = robot.name + ".mcap";
+    if (!options_.logs.empty() && !isRemote(robot.name)) robot.log = robot.name + ".mcap";
     for (const GameEvent& event : simulation_->referee().events()) {
       if (event.type != GameEventType::goal || event.number != robot.player) continue;
       robot.goals += !event.ownGoal && event.team == robot.team;

@@ -6,6 +6,7 @@
 
 #include "match/MatchStatistics.h"
 #include "match/MatchSummary.h"
+#include "match/RemoteRobot.h"
 #include "match/SimulatedRobot.h"
 #include "simulation/Simulation.h"
 
@@ -22,6 +23,9 @@ struct MatchOptions {
   std::string behavior = "behavior/GT2003.xabsl";
   std::string motions = "motions";
   std::string layout{};  ///< Of all robots, instead of what the scene says, if not empty.
+  /// Robots whose processes are programs of their own and connect to the simulation; by name.
+  std::vector<std::string> remote{};
+  std::string sockets{};  ///< Folder in which they find it; the user's default if empty.
 };
 
 /// A simulated match of robots that run their own programs: the simulator, the robots in it, their
@@ -45,7 +49,10 @@ class Match {
   Result<void> close();
 
   Simulation& simulation() { return *simulation_; }
+  /// The robots whose processes run in here.
   const std::vector<SimulatedRobot*>& robots() const { return robots_; }
+  /// Those whose processes run elsewhere.
+  const std::vector<RemoteRobot*>& remoteRobots() const { return remoteRobots_; }
   const MatchStatistics& statistics() const { return *statistics_; }
   MatchSummary summary() const;
   /// The time that each task took so far, over all robots, and the parts of the simulator.
@@ -60,12 +67,19 @@ class Match {
  private:
   explicit Match(const MatchOptions& options) : options_{options} {}
   Result<void> addRobots(const std::shared_ptr<const Configuration>& configuration);
+  Result<void> addRobot(std::size_t index, const Layout& layout,
+                        const std::shared_ptr<const Configuration>& configuration);
+  Result<void> addRemoteRobot(std::size_t index, const Layout& layout);
+  bool isRemote(const std::string& robot) const;
   void keepPicture();
 
   MatchOptions options_;
   std::unique_ptr<Simulation> simulation_;
-  std::vector<SimulatedRobot*>
-      robots_;  ///< Owned by the simulation; in the order of its active robots.
+  // All robots are owned by the simulation, and here in the order of its active ones.
+  std::vector<MatchRobot*> allRobots_;
+  std::vector<SimulatedRobot*> robots_;
+  std::vector<std::size_t> indices_;  ///< In the simulation, of each of robots_.
+  std::vector<RemoteRobot*> remoteRobots_;
   std::unique_ptr<MatchStatistics> statistics_;
   std::vector<Picture> pictures_;
   int requestedPicture_ = -1;  ///< The robot whose next picture is kept.

@@ -26,7 +26,7 @@ ErrorStatistics statisticsOf(std::vector<double> errors) {
 }
 
 MatchStatistics::MatchStatistics(const Simulation& simulation,
-                                 const std::vector<SimulatedRobot*>& robots)
+                                 const std::vector<MatchRobot*>& robots)
     : simulation_{simulation}, robots_{robots}, records_(robots.size()) {}
 
 void MatchStatistics::update() {

@@ -2,8 +2,8 @@
 #include <map>
 #include <vector>
 
+#include "match/MatchRobot.h"
 #include "match/MatchSummary.h"
-#include "match/SimulatedRobot.h"
 #include "simulation/Simulation.h"
 
 namespace gt {
@@ -12,7 +12,7 @@ namespace gt {
 /// runs (ready, set, playing).
 class MatchStatistics {
  public:
-  MatchStatistics(const Simulation& simulation, const std::vector<SimulatedRobot*>& robots);
+  MatchStatistics(const Simulation& simulation, const std::vector<MatchRobot*>& robots);
 
   /// Looks at the world and the robots after a tick.
   void update();
@@ -38,7 +38,7 @@ class MatchStatistics {
   void countActions(std::size_t robot);
 
   const Simulation& simulation_;
-  const std::vector<SimulatedRobot*>& robots_;
+  const std::vector<MatchRobot*>& robots_;
   std::vector<RobotRecord> records_;
   std::vector<Vector2d> ball_;
 };

@@ -5,9 +5,6 @@
 namespace gt {
 namespace {
 
-/// A robot tells its team mates what it knows with every third picture, some eight times a second.
-constexpr std::int64_t picturesPerMessage = 3;
-
 /// The drawings of a report page's pictures.
 constexpr const char* pictureKeys[] = {"ImageProcessor/horizon", "ImageProcessor/percepts"};
 
@@ -58,7 +55,8 @@ void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
   if (joints_) output.joints = *joints_;
   if (odometry_) output.odometry = *odometry_;
   if (leds_) output.leds = *leds_;
-  if (message_ && input.image && pictures_ % picturesPerMessage == 0) output.message = *message_;
+  if (message_ && input.image && pictures_ % picturesPerTeamMessage == 0)
+    output.message = *message_;
   handleMessages(input);
 }
 

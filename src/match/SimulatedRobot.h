@@ -4,20 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "match/MatchRobot.h"
 #include "match/MatchSummary.h"
-#include "representations/modeling/BallModel.h"
-#include "representations/modeling/RobotPose.h"
-#include "representations/modeling/RobotState.h"
-#include "representations/motion/MotionInfo.h"
 #include "robot/Robot.h"
 #include "robot/RobotLog.h"
-#include "simulation/Simulation.h"
 
 namespace gt {
 
 /// The platform of a robot in the simulator: hands what the simulated hardware measured to the
 /// robot's processes and takes their commands. Writes the robot's log.
-class SimulatedRobot : public RobotController {
+class SimulatedRobot : public MatchRobot {
  public:
   explicit SimulatedRobot(std::unique_ptr<Robot> robot);
 
@@ -35,10 +31,10 @@ class SimulatedRobot : public RobotController {
 
   const Robot& robot() const { return *robot_; }
   Robot& robot() { return *robot_; }
-  const RobotPose* pose() const { return pose_; }
-  const BallModel* ball() const { return ball_; }
-  const RobotState* state() const { return state_; }
-  const MotionInfo* motion() const { return motion_; }
+  const RobotPose* pose() const override { return pose_; }
+  const BallModel* ball() const override { return ball_; }
+  const RobotState* state() const override { return state_; }
+  const MotionInfo* motion() const override { return motion_; }
   /// The time that writing the log has taken.
   const Stopwatch& logTime() const { return logTime_; }
 

@@ -7,7 +7,6 @@
 
 #include "modules/behavior/GT2003BehaviorControl.h"
 #include "modules/perception/ColorTableFile.h"
-#include "robot/Solutions.h"
 #include "streams/Config.h"
 #include "streams/File.h"
 
@@ -22,9 +21,11 @@ Result<void> readOptional(const fs::path& path, T& value) {
   return fs::exists(path) ? readConfig(path.string(), value) : Result<void>{};
 }
 
-Result<void> checkSolution(const std::string& task, const std::string& solution,
-                           const std::string& file, int line, bool disabledAllowed) {
-  const Task* known = solutions().find(task);
+Result<void> checkSolution(const SolutionTable& table, const std::string& task,
+                           const std::string& solution, const std::string& file, int line,
+                           bool disabledAllowed) {
+  const Task* known = table.find(task);
+  if (known && known->solutions.empty()) return {};  // another program's matter
   if (!known) return Error{file, line, task, "there is no such task"};
   if (!known->find(solution) && !(disabledAllowed && solution == SolutionTable::disabled))
     return Error{file, line, task, "there is no solution '" + solution + "'"};
@@ -53,12 +54,12 @@ Result<void> readPairs(const fs::path& path, const char* expected, Visit&& visit
 }
 
 /// modules.cfg: lines TASK SOLUTION.
-Result<void> readSolutions(const fs::path& path,
+Result<void> readSolutions(const SolutionTable& table, const fs::path& path,
                            std::vector<Configuration::SolutionChoice>& choices) {
   return readPairs(
       path, "expected a task and one solution",
       [&](const std::string& task, const std::string& solution, int line) -> Result<void> {
-        if (auto known = checkSolution(task, solution, path.string(), line, true); !known)
+        if (auto known = checkSolution(table, task, solution, path.string(), line, true); !known)
           return known;
         choices.push_back({task, solution, path.string(), line});
         return {};
@@ -85,7 +86,7 @@ Result<void> readLog(const fs::path& path, Configuration::LogSettings& log) {
 }
 
 /// modules/TASK.SOLUTION.cfg: the parameters of a solution.
-Result<void> readParameters(const fs::path& folder,
+Result<void> readParameters(const SolutionTable& table, const fs::path& folder,
                             std::vector<Configuration::ParameterFile>& files) {
   if (!fs::exists(folder)) return {};
   std::vector<fs::path> paths;
@@ -97,7 +98,8 @@ Result<void> readParameters(const fs::path& folder,
     if (path.extension() != ".cfg" || dot == stem.npos)
       return Error{path.string(), 0, stem, "expected a file name TASK.SOLUTION.cfg"};
     const std::string task = stem.substr(0, dot), solution = stem.substr(dot + 1);
-    if (auto known = checkSolution(task, solution, path.string(), 0, false); !known) return known;
+    if (auto known = checkSolution(table, task, solution, path.string(), 0, false); !known)
+      return known;
     auto text = readFile(path.string());
     if (!text) return text.error();
     files.push_back({task, solution, path.string(), std::move(*text)});
@@ -138,7 +140,8 @@ std::vector<const RepresentationType*> Configuration::representations() {
           &representation<Behavior>()};
 }
 
-Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths) {
+Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths,
+                                                               const SolutionTable& table) {
   const fs::path folder{paths.config};
   if (!fs::is_directory(folder)) return Error{paths.config, 0, "", "is not a folder"};
   auto configuration = std::make_shared<Configuration>();
@@ -149,20 +152,20 @@ Result<std::shared_ptr<const Configuration>> loadConfiguration(const Configurati
     return done.error();
   if (auto done = readOptional(folder / "robot.cfg", *configuration->robot); !done)
     return done.error();
-  auto table = readColorTable(
+  auto colorTable = readColorTable(
       paths.colorTable.empty() ? (folder / "coltable.c64").string() : paths.colorTable,
       paths.colorOrder);
-  if (!table) return table.error();
-  configuration->colorTable = std::make_shared<ColorTable64>(std::move(*table));
+  if (!colorTable) return colorTable.error();
+  configuration->colorTable = std::make_shared<ColorTable64>(std::move(*colorTable));
   auto motions = loadMotionNet(paths.motions);
   if (!motions) return motions.error();
   configuration->motions = std::make_shared<MotionNet>(std::move(*motions));
   if (auto done = readBehavior(paths.behavior, *configuration->behavior); !done)
     return done.error();
-  if (auto done = readSolutions(folder / "modules.cfg", configuration->solutions); !done)
+  if (auto done = readSolutions(table, folder / "modules.cfg", configuration->solutions); !done)
     return done.error();
   if (auto done = readLog(folder / "log.cfg", configuration->log); !done) return done.error();
-  if (auto done = readParameters(folder / "modules", configuration->parameters); !done)
+  if (auto done = readParameters(table, folder / "modules", configuration->parameters); !done)
     return done.error();
   return std::shared_ptr<const Configuration>{std::move(configuration)};
 }

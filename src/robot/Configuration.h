@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "framework/Blackboard.h"
+#include "framework/SolutionTable.h"
 #include "modules/behavior/Behavior.h"
 #include "modules/motion/MotionNetLoader.h"
 #include "modules/perception/ColorTableFile.h"
@@ -63,7 +64,11 @@ struct ConfigurationPaths {
   ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the colour table's classes.
 };
 
-/// Reads everything; the first error tells file, line and field.
+/// Reads everything; the first error tells file, line and field. Names of solutions are checked
+/// where the table holds solutions of the task.
+Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths,
+                                                               const SolutionTable& table);
+/// For programs that hold all solutions.
 Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths);
 
 }  // namespace gt

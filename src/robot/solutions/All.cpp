@@ -1,3 +1,4 @@
+#include "robot/Configuration.h"
 #include "robot/Solutions.h"
 
 namespace gt {
@@ -12,6 +13,10 @@ const SolutionTable& solutions() {
     return all;
   }();
   return table;
+}
+
+Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths) {
+  return loadConfiguration(paths, solutions());
 }
 
 }  // namespace gt

@@ -1,0 +1,85 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+
+#include "Process.h"
+#include "robot/linux/RobotProgram.h"
+
+namespace {
+
+void addOptions(CLI::App& app, gt::RobotProgramOptions& options) {
+  app.add_option("--robot", options.addresses.robot, "The robot's name; one for all its processes")
+      ->capture_default_str();
+  app.add_option("--layout", options.layout, "Process layout; the same for all its processes")
+      ->capture_default_str();
+  app.add_option("--team", options.player.teamColor, "Colour of the team")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, gt::TeamColor>{
+          {"red", gt::TeamColor::red}, {"blue", gt::TeamColor::blue}}));
+  app.add_option("--role", options.player.role, "Role of the player")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, gt::PlayerRole>{{"goalie", gt::PlayerRole::goalie},
+                                                {"defender", gt::PlayerRole::defender},
+                                                {"striker1", gt::PlayerRole::striker1},
+                                                {"striker2", gt::PlayerRole::striker2}}));
+  app.add_option("--seed", options.seed, "Of the modules' chance")->capture_default_str();
+  app.add_option("--config", options.paths.config, "Folder of the configuration")
+      ->capture_default_str();
+  app.add_option("--motions", options.paths.motions, "Folder of motion descriptions")
+      ->capture_default_str();
+  app.add_option("--behavior", options.paths.behavior, "Agents file of the behavior")
+      ->capture_default_str();
+  app.add_option("--sockets", options.addresses.folder, "Folder of the processes' sockets")
+      ->capture_default_str();
+  app.add_option("--tools", options.tools,
+                 "Where tools and the router connect (process Debug): tcp://127.0.0.1:15001; "
+                 "by default a socket in the folder");
+}
+
+/// `PROCESS=ENDPOINT`; empty if it is not.
+std::pair<std::string, std::string> splitAddress(const std::string& text) {
+  const auto at = text.find('=');
+  if (at == text.npos || at == 0) return {};
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+int fail(const gt::Error& error) {
+  fmt::print(stderr, "gtrobot {}: {}\n", gt::processName, error.text());
+  return 2;
+}
+
+}  // namespace
+
+/// One process of a robot on Linux.
+int main(int argc, char** argv) {
+  gt::RobotProgramOptions options;
+  options.process = gt::processName;
+  options.addresses.folder = gt::defaultSocketFolder();
+  CLI::App app{std::string{"The process "} + gt::processName + " of a robot"};
+  addOptions(app, options);
+  std::vector<std::string> addresses;
+  app.add_option("--at", addresses,
+                 "Where a process listens if not in the folder: Motion=tcp://10.0.1.100:5001");
+  std::string listenKeys, connectKeys;
+  app.add_option("--keys", listenKeys, "Key file for listening (robot.key of router --make-keys)");
+  app.add_option("--connect-keys", connectKeys, "Key file for connecting (tool.key)");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  for (const std::string& address : addresses) {
+    const auto [process, endpoint] = splitAddress(address);
+    if (process.empty()) return fail({"", 0, address, "expected PROCESS=ENDPOINT"});
+    options.addresses.elsewhere[process] = endpoint;
+  }
+  for (auto& [file, keys] : {std::pair{&listenKeys, &options.listenKeys},
+                             std::pair{&connectKeys, &options.connectKeys}}) {
+    if (file->empty()) continue;
+    const auto loaded = gt::loadKeys(*file);
+    if (!loaded) return fail(loaded.error());
+    *keys = *loaded;
+  }
+  if (const auto done = gt::runRobotProgram(options, gt::processSolutions()); !done)
+    return fail(done.error());
+  return 0;
+}

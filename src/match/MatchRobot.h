@@ -1,0 +1,23 @@
+#pragma once
+#include "representations/modeling/BallModel.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/modeling/RobotState.h"
+#include "representations/motion/MotionInfo.h"
+#include "simulation/Simulation.h"
+
+namespace gt {
+
+/// A robot of a match, wherever its processes run, with what is to be known of it: what it believes
+/// and does, as it is at the end of its last cycle; null if it does not tell.
+class MatchRobot : public RobotController {
+ public:
+  virtual const RobotPose* pose() const = 0;
+  virtual const BallModel* ball() const = 0;
+  virtual const RobotState* state() const = 0;
+  virtual const MotionInfo* motion() const = 0;
+};
+
+/// A robot tells its team mates what it knows with every third picture, some eight times a second.
+constexpr std::int64_t picturesPerTeamMessage = 3;
+
+}  // namespace gt

@@ -1,0 +1,87 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "match/MatchRobot.h"
+#include "network/Wire.h"
+#include "robot/Robot.h"
+#include "robot/linux/RobotAddresses.h"
+
+namespace gt {
+
+/// How a robot outside keeps up with the simulation.
+struct RemoteStatistics {
+  std::int64_t frames = 0;          ///< Frames of 8 ms since it first gave commands.
+  std::int64_t missedFrames = 0;    ///< Of these, without new commands.
+  std::int64_t pictures = 0;        ///< Pictures since it first told its team something.
+  std::int64_t missedPictures = 0;  ///< Of these, without a new message to the team.
+};
+
+/// The hardware of a robot whose processes are programs of their own (report 2.2.3.1: no difference
+/// between communication among processes and with the operating system): sends them what the
+/// simulated sensors measured and takes their commands. It waits for nobody: a robot that does not
+/// answer keeps its joints where they are.
+class RemoteRobot : public MatchRobot {
+ public:
+  /// Listens for the robot's processes, which its layout names.
+  static Result<std::unique_ptr<RemoteRobot>> make(const RobotAddresses& addresses,
+                                                   const Plan& plan);
+
+  void cycle(const RobotInput& input, RobotOutput& output) override;
+
+  const RobotPose* pose() const override { return &pose_.value; }
+  const BallModel* ball() const override { return &ball_.value; }
+  const RobotState* state() const override { return &state_.value; }
+  const MotionInfo* motion() const override { return &motion_.value; }
+  const std::string& name() const { return name_; }
+  const RemoteStatistics& statistics() const { return statistics_; }
+
+ private:
+  template <typename T>
+  struct Out {
+    T value;
+    PackageSender sender{representation<T>(), &value};
+  };
+  template <typename T>
+  struct In {
+    T value;
+    PackageReceiver receiver{representation<T>(), &value};
+    std::string from;
+    bool take() {
+      receiver.receive();
+      receiver.request();
+      return receiver.receivedNew();
+    }
+  };
+
+  RemoteRobot();
+  template <typename T>
+  void receive(In<T>& in, const Plan& plan);
+  void send(const RobotInput& input);
+  void takeCommands(const RobotInput& input, RobotOutput& output);
+  void walk(const RobotInput& input, RobotOutput& output);
+
+  std::string name_;
+  Network network_;
+  Wire wire_;
+  Out<SensorDataBuffer> sensors_;
+  Out<Image> image_;
+  Out<GameControlData> game_;
+  Out<TeamMessages> team_;
+  Out<OracledWorldState> oracle_;
+  In<JointData> joints_;
+  In<OdometryData> odometry_;
+  In<LedValue> leds_;
+  In<TeamMessage> message_;
+  In<RobotPose> pose_;
+  In<BallModel> ball_;
+  In<RobotState> state_;
+  In<MotionInfo> motion_;
+  Pose2D walked_;  ///< By the robot's odometry, when it last told.
+  Time walkedAt_ = never();
+  std::int64_t pictures_ = 0;
+  bool newMessage_ = false;
+  RemoteStatistics statistics_;
+};
+
+}  // namespace gt

@@ -1,0 +1,148 @@
+#include "robot/linux/RobotProgram.h"
+
+#include <algorithm>
+#include <csignal>
+
+#include "framework/DebugProcess.h"
+#include "network/ToolPort.h"
+#include "network/Wire.h"
+
+namespace gt {
+namespace {
+
+volatile std::sig_atomic_t stopped = 0;
+
+/// How long a program sleeps at most before it looks whether it shall end, in ms.
+constexpr std::int64_t longestWait = 50;
+
+void stopOnSignals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { stopped = 1; };
+  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGINT, &action, nullptr);
+}
+
+/// The keys for an endpoint: on one machine the folder's rights are enough.
+const std::optional<Keys>& keysFor(const std::string& endpoint, const std::optional<Keys>& keys) {
+  static const std::optional<Keys> none;
+  return endpoint.substr(0, 6) == "ipc://" ? none : keys;
+}
+
+/// Each two processes have one connection: the one later in the layout connects to the other, all
+/// connect to the platform.
+Result<void> join(Wire& wire, const RobotProgramOptions& options, const Layout& layout) {
+  const auto connect = [&](const std::string& peer) {
+    const std::string endpoint = options.addresses.endpoint(peer);
+    return wire.connect(peer, endpoint, keysFor(endpoint, options.connectKeys));
+  };
+  const std::string own = options.addresses.endpoint(options.process);
+  if (auto done = wire.listen(own, keysFor(own, options.listenKeys)); !done) return done;
+  if (auto done = connect(platformProcess); !done) return done;
+  for (const ProcessLayout& process : layout.processes) {
+    if (process.name == options.process) break;
+    if (auto done = connect(process.name); !done) return done;
+  }
+  return {};
+}
+
+std::string debugProcessOf(const Layout& layout) {
+  for (const ProcessLayout& process : layout.processes)
+    if (process.collectsMessages) return process.name;
+  return "";
+}
+
+void connect(Wire& wire, ModuleProcess& process, const Plan& plan, const Plan::Process& planned,
+             const std::string& debugProcess) {
+  for (const Connection& connection : plan.connections)
+    if (connection.to == process.name())
+      wire.receive(connection.from.empty() ? platformProcess : connection.from,
+                   process.receiver(*connection.type, connection.blocking));
+  for (const Plan::Step& step : planned.order)
+    for (const RepresentationType* type : step.task->outputs)
+      if (type->encodedSize) wire.provide(process.sender(*type));
+  wire.provide(process.debugSender());
+  if (!debugProcess.empty()) wire.receive(debugProcess, process.debugReceiver());
+}
+
+/// Lives by the platform's clock. Returns when the program shall end, or the platform began anew:
+/// then so does the robot.
+Result<void> runModules(const RobotProgramOptions& options, const Layout& layout,
+                        const SolutionTable& table, const RobotSetup& setup) {
+  const auto plan = makePlan(layout, table, setup.platform, givenRepresentations());
+  if (!plan) return plan.error();
+  const auto planned = std::ranges::find_if(plan->processes, [&](const Plan::Process& process) {
+    return process.layout.name == options.process;
+  });
+  for (const Plan::Step& step : planned->order)
+    if (step.task->solutions.empty())
+      return Error{options.layout, planned->layout.line, step.task->name,
+                   "this program was linked without solutions of this task"};
+
+  const auto process = makeProcess(*planned, setup);
+  if (auto done = configureProcess(*process, *setup.configuration); !done) return done;
+  Network network;
+  Wire wire{network, options.process};
+  if (auto done = join(wire, options, layout); !done) return done;
+  connect(wire, *process, *plan, *planned, debugProcessOf(layout));
+
+  std::uint64_t session = 0;
+  while (!stopped) {
+    network.wait(longestWait);
+    wire.update();
+    const Wire::Clock clock = wire.clockOf(platformProcess);
+    if (session != 0 && clock.session != session) return {};
+    session = clock.session;
+    network.now = clock.time;
+    if (process->step(clock.time)) wire.update();
+  }
+  return {};
+}
+
+/// Passes messages between the robot's other processes and the tools.
+Result<void> runDebug(const RobotProgramOptions& options, const Layout& layout) {
+  DebugProcess debug{options.process};
+  Network network;
+  Wire wire{network, options.process};
+  if (auto done = join(wire, options, layout); !done) return done;
+  const std::string tools =
+      options.tools.empty() ? options.addresses.endpoint("Tools") : options.tools;
+  const auto port = ToolPort::open(network, tools, keysFor(tools, options.listenKeys));
+  if (!port) return port.error();
+  wire.provide(debug.sender());
+  for (const ProcessLayout& process : layout.processes)
+    if (!process.collectsMessages) wire.receive(process.name, debug.addReceiver());
+
+  while (!stopped) {
+    network.wait(std::clamp<std::int64_t>(debug.next().ms - network.elapsed(), 0, longestWait));
+    wire.update();
+    network.now = Time{network.elapsed()};
+    if (debug.step(network.now)) wire.update();
+    (*port)->send(debug.toTools());
+    debug.toTools().clear();
+    (*port)->update(debug.fromTools());
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> runRobotProgram(const RobotProgramOptions& options, const SolutionTable& table) {
+  stopOnSignals();
+  const auto layout = loadLayout(options.layout);
+  if (!layout) return layout.error();
+  const auto process = std::ranges::find_if(
+      layout->processes, [&](const ProcessLayout& p) { return p.name == options.process; });
+  if (process == layout->processes.end())
+    return Error{options.layout, 0, options.process, "the layout has no such process"};
+  if (auto done = makePrivateFolder(options.addresses.folder); !done) return done;
+  if (process->collectsMessages) return runDebug(options, *layout);
+
+  const auto configuration = loadConfiguration(options.paths, table);
+  if (!configuration) return configuration.error();
+  const RobotSetup setup{*configuration, *layout, options.player, options.seed};
+  while (!stopped)
+    if (auto done = runModules(options, *layout, table, setup); !done) return done;
+  return {};
+}
+
+}  // namespace gt

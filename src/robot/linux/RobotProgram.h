@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "network/Keys.h"
+#include "robot/Processes.h"
+#include "robot/linux/RobotAddresses.h"
+
+namespace gt {
+
+/// What a program that is one process of a robot is started with.
+struct RobotProgramOptions {
+  std::string process;  ///< Its name in the layout.
+  std::string layout = "layouts/cmd.layout";
+  Player player;
+  std::uint64_t seed = 1;
+  ConfigurationPaths paths;
+  RobotAddresses addresses;
+  std::optional<Keys> listenKeys, connectKeys;  ///< For endpoints that are reached by network.
+  std::string tools;  ///< Where the Debug process listens for tools; empty: as its process "Tools".
+};
+
+/// Runs one process of a robot as a program of its own (report 2.2.4) until it is told to end
+/// (SIGTERM, SIGINT). `table` holds the solutions that are linked into the program: at least those
+/// of the process. What it reads from and sends to the robot's other processes and the platform
+/// follows from the layout. Errors are those of a wrong start.
+Result<void> runRobotProgram(const RobotProgramOptions& options, const SolutionTable& table);
+
+}  // namespace gt
