@@ -3,6 +3,7 @@
 
 #include "Experiments.h"
 #include "colortable/GameViews.h"
+#include "modules/modeling/FieldEdges.h"
 #include "modules/perception/ColorTableFile.h"
 #include "modules/perception/DefaultSensorDataProcessor.h"
 #include "modules/perception/GT2003ImageProcessor.h"
@@ -49,6 +50,11 @@ struct Rate {
 struct Run {
   Rate ball, ballFalse, flags, flagsFalse, goals, goalsFalse;
   Errors ballBearing, ballDistance, flagBearing, flagDistance, goalBearing, cameraTilt, cameraPan;
+  EnumArray<EdgeType, Rate> edges;
+  EnumArray<EdgeType, Errors> edgeErrors;
+  int pictures = 0;
+  Rate players, playersFalse, playersColor, freeGround;
+  Errors playerDistance, freeDistance;
 };
 
 /// What is true in one picture, in the robot's system.
@@ -64,6 +70,30 @@ class Truth {
   }
   double distance(const Vector2d& onField) const {
     return (onRobot(onField) - view_.camera.translation.head<2>()).norm();
+  }
+  Vector2d onField(const Vector2d& onRobot) const {
+    return views_.world().robot(view_.robot).pose * onRobot;
+  }
+  /// Pixels of a class on a robot.
+  template <typename Accept>
+  int pixelsOf(const RobotParts& parts, Accept accept) const {
+    int count = 0;
+    for (std::size_t i = 0; i < view_.truth.geoms.size(); ++i)
+      count += view_.truth.geoms[i] >= parts.firstGeom && view_.truth.geoms[i] < parts.lastGeom &&
+               accept(view_.truth.classes[i]);
+    return count;
+  }
+  /// Whether something that stands on the ground hides a point of it.
+  bool standsAt(const GameView& view, const Vector2d& onGround) const {
+    const CameraInfo& info = view.image.info;
+    const Vector3d ray = Vector3d{onGround.x(), onGround.y(), 0} - view.camera.translation;
+    const Vector3d inCamera = view.camera.rotation.transpose() * ray;
+    if (inCamera.x() <= 0) return false;
+    const Vector2d p = info.project(inCamera);
+    if (!info.contains(p.x(), p.y())) return false;
+    const int geom = view.truth.geoms[static_cast<std::size_t>(
+        static_cast<int>(p.y()) * info.width + static_cast<int>(p.x()))];
+    return geom >= 0 && views_.world().model().geom_group[geom] >= 2;
   }
   /// Pixels of a class that belong to geoms around a point of the field.
   template <typename Accept>
@@ -165,12 +195,82 @@ void measureGoals(const Truth& truth, const FieldDimensions& field, const Landma
   }
 }
 
+/// An edge point is right if an edge of its type is near enough, for its distance.
+void measureEdges(const Truth& truth, const FieldEdges& edges, const LinesPercept& percept,
+                  Run& run) {
+  for (std::size_t t = 0; t < enumCount<EdgeType>; ++t) {
+    const auto type = static_cast<EdgeType>(t);
+    for (const Vector2d& point : percept.points[type]) {
+      const Vector2d onField = truth.onField(point);
+      const double error = (edges.closest(type, onField) - onField).norm();
+      const bool right = error < std::max(60., 0.1 * point.norm());
+      run.edges[type].count(right);
+      if (right && point.norm() < 1500) run.edgeErrors[type].add(error);
+    }
+  }
+}
+
+void measurePlayers(const Truth& truth, const GameViews& views, const GameView& view,
+                    const std::vector<Player>& players, const PlayersPercept& percept, Run& run) {
+  const auto nearest = [&](const Vector2d& position, TeamColor team) {
+    double least = 1e9;
+    for (const Vector2d& p : percept.players[team]) least = std::min(least, (p - position).norm());
+    return least;
+  };
+  for (std::size_t i = 0; i < views.world().robotCount(); ++i) {
+    if (i == view.robot) continue;
+    const Vector2d position = truth.onRobot(views.world().robot(i).pose.translation);
+    const double tolerance = std::max(250., 0.25 * position.norm());
+    const TeamColor team = players[i].teamColor;
+    const int visible = truth.pixelsOf(views.world().parts(i), [](ColorClass c) {
+      return c == ColorClass::red || c == ColorClass::blue;
+    });
+    if (position.norm() > 1200 || visible < 40) continue;
+    const double error = nearest(position, team);
+    run.players.count(error < tolerance);
+    if (error < tolerance) {
+      run.playerDistance.add(error);
+      run.playersColor.count(nearest(position, opponent(team)) > error);
+    }
+  }
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
+    for (const Vector2d& p : percept.players[team]) {
+      double least = 1e9;
+      for (std::size_t i = 0; i < views.world().robotCount(); ++i)
+        if (i != view.robot && players[i].teamColor == team)
+          least =
+              std::min(least, (truth.onRobot(views.world().robot(i).pose.translation) - p).norm());
+      run.playersFalse.count(least > std::max(400., 0.4 * p.norm()));
+    }
+}
+
+/// Free ground is overestimated where something stands on it, 15 cm before its far point or nearer.
+void measureFreeGround(const Truth& truth, const GameView& view, const ObstaclesPercept& percept,
+                       Run& run) {
+  for (const FreeGround& line : percept.lines) {
+    const Vector2d way = line.farPoint - line.nearPoint;
+    const double length = way.norm();
+    double free = length;
+    for (double s = 0; s < length; s += 10)
+      if (truth.standsAt(view, line.nearPoint + s / length * way)) {
+        free = s;
+        break;
+      }
+    run.freeGround.count(length - free <= 150);
+    run.freeDistance.add(length - free);
+  }
+}
+
 Result<Run> measure(const std::string& scene, const ColorTable64& colors, std::uint64_t seed,
                     const ExperimentOptions& options) {
   auto views = GameViews::make(scene, seed);
   if (!views) return views.error();
   const FieldDimensions field;
   const RobotDimensions dimensions;
+  const FieldEdges edges{field, TeamColor::red};
+  std::vector<Player> players;
+  for (const auto* group : {&views->scene().robots, &views->scene().extras})
+    for (const SceneRobot& robot : *group) players.push_back(robot.player());
   Run run;
   Debug debug;
   GT2003ImageProcessor imageProcessor;
@@ -190,18 +290,26 @@ Result<Run> measure(const std::string& scene, const ColorTable64& colors, std::u
       if (options.trueCamera) matrix.pose = view.camera;
       BallPercept ball;
       LandmarksPercept landmarks;
-      imageProcessor.update(view.image, matrix, colors, field, ball, landmarks, debug);
+      LinesPercept lines;
+      PlayersPercept others;
+      ObstaclesPercept obstacles;
+      imageProcessor.update(view.image, matrix, colors, field, ball, landmarks, lines, others,
+                            obstacles, debug);
       const Truth truth{*views, view};
+      ++run.pictures;
       measureBall(truth, *views, view, field, ball, run);
       measureFlags(truth, field, landmarks, run);
       measureGoals(truth, field, landmarks, run);
+      measureEdges(truth, edges, lines, run);
+      measurePlayers(truth, *views, view, players, others, run);
+      measureFreeGround(truth, view, obstacles, run);
     }
   }
   return run;
 }
 
 void report(const std::vector<Run>& runs, Figures& figures) {
-  const auto add = [&](const char* name, const char* unit, auto value, Aim aim = {}) {
+  const auto add = [&](const std::string& name, const char* unit, auto value, Aim aim = {}) {
     std::vector<double> values;
     for (const Run& run : runs) values.push_back(value(run));
     figures.add(name, unit, values, aim);
@@ -241,6 +349,29 @@ void report(const std::vector<Run>& runs, Figures& figures) {
   add("vision.goals.bearing.median", "deg",
       [](const Run& r) { return r.goalBearing.quantile(0.5); });
   add("vision.goals.bearing.p95", "deg", [](const Run& r) { return r.goalBearing.quantile(0.95); });
+  for (std::size_t t = 0; t < enumCount<EdgeType>; ++t) {
+    const auto type = static_cast<EdgeType>(t);
+    const std::string name = "vision.edges." + std::string{enumNames<EdgeType>[t]};
+    add(
+        name + ".right", "%", [=](const Run& r) { return r.edges[type].percent(); },
+        Aim::atLeast(97));
+    add(name + ".perPicture", "points",
+        [=](const Run& r) { return static_cast<double>(r.edges[type].all) / r.pictures; });
+    add(name + ".error.median", "mm",
+        [=](const Run& r) { return r.edgeErrors[type].quantile(0.5); });
+  }
+  add(
+      "vision.players.found", "%", [](const Run& r) { return r.players.percent(); },
+      Aim::atLeast(90));
+  add(
+      "vision.players.color", "%", [](const Run& r) { return r.playersColor.percent(); },
+      Aim::atLeast(99));
+  add("vision.players.false", "%", [](const Run& r) { return r.playersFalse.percent(); });
+  add("vision.players.error.median", "mm",
+      [](const Run& r) { return r.playerDistance.quantile(0.5); });
+  add(
+      "vision.freeGround.notOverestimated", "%",
+      [](const Run& r) { return r.freeGround.percent(); }, Aim::atLeast(99));
   add("vision.camera.tilt.p95", "deg", [](const Run& r) { return r.cameraTilt.quantile(0.95); });
   add("vision.camera.pan.p95", "deg", [](const Run& r) { return r.cameraPan.quantile(0.95); });
 }

@@ -98,6 +98,10 @@ TEST_F(MatchTest, LogsHoldWhatIsConfigured) {
   while (!match->finished()) match->step();
   ASSERT_TRUE(match->close());
   const double seconds = static_cast<double>(match->time().ms) / 1000;
+  std::size_t balls = 0;
+  for (const RobotSummary& robot : match->summary().robots)
+    balls += static_cast<std::size_t>(robot.ballError.count);
+  EXPECT_GT(balls, 25 * seconds) << "at least one robot in the mean sees the ball";
   const auto log = McapReader::open((folder / "log/red1.mcap").string());
   ASSERT_TRUE(log) << log.error().text();
   std::map<std::string, double> counts;

@@ -26,6 +26,9 @@
 #include "representations/perception/CameraMatrix.h"
 #include "representations/perception/ColorTable64.h"
 #include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/LinesPercept.h"
+#include "representations/perception/ObstaclesPercept.h"
+#include "representations/perception/PlayersPercept.h"
 #include "representations/perception/PsdPercept.h"
 #include "streams/Binary.h"
 #include "streams/Config.h"
@@ -46,7 +49,7 @@ using All =
                    SensorData, SensorDataBuffer, BallModel, TeamBallModel, RobotPose, RobotState,
                    HeadMotionRequest, MotionInfo, OdometryData, SpecialActionsOutput,
                    WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix, ColorTable64,
-                   LandmarksPercept, PsdPercept>;
+                   LandmarksPercept, LinesPercept, ObstaclesPercept, PlayersPercept, PsdPercept>;
 TYPED_TEST_SUITE(Representations, All);
 
 TYPED_TEST(Representations, KeepTheirValuesInAllFormats) {

@@ -28,6 +28,9 @@ TEST(GT2003ImageProcessor, AllocatesNothingOnceItsListsHaveGrown) {
   GT2003ImageProcessor processor;
   BallPercept ball;
   LandmarksPercept landmarks;
+  LinesPercept lines;
+  PlayersPercept players;
+  ObstaclesPercept obstacles;
   Debug debug;
   const auto look = [&](std::uint64_t seed) {
     Random own{seed};
@@ -37,7 +40,8 @@ TEST(GT2003ImageProcessor, AllocatesNothingOnceItsListsHaveGrown) {
       p = pixel;
     }
     matrix.pose.rotation = rotationY(own.uniform(-0.5, 0.5)) * rotationX(own.uniform(-0.3, 0.3));
-    processor.update(image, matrix, colors, field, ball, landmarks, debug);
+    processor.update(image, matrix, colors, field, ball, landmarks, lines, players, obstacles,
+                     debug);
   };
   for (std::uint64_t seed = 0; seed < 50; ++seed) look(seed);
   const long before = allocations();

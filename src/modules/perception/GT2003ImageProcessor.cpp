@@ -2,13 +2,17 @@
 
 #include <algorithm>
 
+#include "modules/perception/FieldView.h"
+
 namespace gt {
 namespace {
 
 const DebugKey drawHorizon{"ImageProcessor/horizon"};
 const DebugKey drawGrid{"ImageProcessor/grid"};
 const DebugKey drawIndications{"ImageProcessor/indications"};
-const DebugKey drawPercepts{"ImageProcessor/percepts"};
+const DebugKey drawEdges{"ImageProcessor/edges"};
+const DebugKey drawFreeGround{"ImageProcessor/freeGround"};
+const DebugKey drawFound{"ImageProcessor/percepts"};
 
 }  // namespace
 
@@ -27,51 +31,98 @@ GridSpacing GT2003ImageProcessor::spacing(const CameraMatrix& matrix,
 
 void GT2003ImageProcessor::update(const Image& image, const CameraMatrix& matrix,
                                   const ColorTable64& colors, const FieldDimensions& field,
-                                  BallPercept& ball, LandmarksPercept& landmarks, Debug& debug) {
+                                  BallPercept& ball, LandmarksPercept& landmarks,
+                                  LinesPercept& lines, PlayersPercept& players,
+                                  ObstaclesPercept& obstacles, Debug& debug) {
   const Horizon horizon = horizonOf(matrix);
   const Picture picture{image, colors, matrix, horizon};
   grid_.build(image.info, horizon, spacing(matrix, field));
   scanner_.clear();
-  for (const ScanLine& line : grid_.lines()) scanner_.scan(picture, line);
+  edgeScanner_.clear();
+  for (const ScanLine& line : grid_.lines()) {
+    scanner_.scan(picture, line, field);
+    if (line.whole) edgeScanner_.scanDown(picture, line, field);
+  }
+  for (const ScanLine& row : grid_.rows()) edgeScanner_.scanAcross(picture, row, field);
+  for (const GoalIndication& goal : scanner_.goals) edgeScanner_.addGoal(picture, goal);
 
   ballSpecialist_.find(picture, scanner_.balls, field.ballRadius, ball);
-  ball.time = image.time;
-  landmarks.time = image.time;
   landmarks.cameraOffset = matrix.pose.translation;
   flagSpecialist_.find(picture, scanner_.flags, field, landmarks);
   goalSpecialist_.find(picture, scanner_.goals, field, landmarks);
-  draw(picture, ball, landmarks, debug);
+  edgeScanner_.finish(lines);
+  playerSpecialist_.find(picture, scanner_.players, players);
+  findFreeGround(picture, obstacles);
+  ball.time = landmarks.time = lines.time = players.time = obstacles.time = image.time;
+  drawScan(picture, debug);
+  drawPercepts(picture, ball, landmarks, players, debug);
 }
 
-void GT2003ImageProcessor::draw(const Picture& picture, const BallPercept& ball,
-                                const LandmarksPercept& landmarks, Debug& debug) const {
+void GT2003ImageProcessor::findFreeGround(const Picture& picture, ObstaclesPercept& percept) const {
+  percept.lines.clear();
+  for (const GreenSection& green : scanner_.greens) {
+    const auto nearPoint = onGround(picture, green.end);
+    if (!nearPoint) continue;
+    // Green up to the horizon is as far as a field can reach.
+    const auto farPoint = onGround(picture, green.begin);
+    const Vector2d horizon = picture.matrix.pose.translation.head<2>() +
+                             farthestOnGround * direction(azimuth(picture.ray(green.begin)));
+    percept.lines.push_back({*nearPoint, farPoint.value_or(horizon), green.beginOnBorder});
+  }
+}
+
+void GT2003ImageProcessor::drawScan(const Picture& picture, Debug& debug) const {
   const double wide = picture.image.info.width;
   if (auto canvas = debug.onImage(drawHorizon))
     canvas.line(picture.horizon.toPicture(-wide, 0), picture.horizon.toPicture(wide, 0),
                 colors::white);
   if (auto canvas = debug.onImage(drawGrid))
-    for (const ScanLine& line : grid_.lines())
-      canvas.line(line.start, line.at(line.length - 1), colors::gray);
+    for (const auto* lines : {&grid_.lines(), &grid_.rows()})
+      for (const ScanLine& line : *lines)
+        canvas.line(line.start, line.at(line.length - 1), colors::gray);
   if (auto canvas = debug.onImage(drawIndications)) {
     for (const BallSegment& s : scanner_.balls) canvas.line(s.upper, s.lower, colors::red);
     for (const FlagIndication& f : scanner_.flags) canvas.point(f.position, colors::pink, 2);
     for (const GoalIndication& g : scanner_.goals) canvas.line(g.top, g.bottom, colors::blue);
+    for (const PlayerIndication& p : scanner_.players)
+      if (p.footKnown)
+        canvas.line(p.upper, p.foot, p.team == TeamColor::red ? colors::red : colors::blue);
   }
-  if (auto canvas = debug.onImage(drawPercepts)) {
-    if (ball.seen) canvas.circle(ball.centerInImage, ball.radiusInImage, colors::red, 2);
-    const auto outline = [&](const ConditionalBoundary& b, Color color) {
-      const auto corner = [&](double azimuth, double elevation) {
-        return picture.pointOf({std::cos(azimuth), std::sin(azimuth), std::tan(elevation)});
-      };
-      canvas.polygon({corner(b.left, b.top), corner(b.right, b.top), corner(b.right, b.bottom),
-                      corner(b.left, b.bottom)},
-                     color, 2);
+  if (auto canvas = debug.onImage(drawEdges)) {
+    constexpr EnumArray<EdgeType, Color> colorOf{
+        {colors::white, colors::red, colors::yellow, colors::skyblue}};
+    for (const EdgeScanner::EdgePoint& p : edgeScanner_.points())
+      canvas.point(p.inPicture, colorOf[p.type], 1.5);
+  }
+  if (auto canvas = debug.onImage(drawFreeGround))
+    for (const GreenSection& green : scanner_.greens)
+      canvas.line(green.end, green.begin, colors::green);
+}
+
+void GT2003ImageProcessor::drawPercepts(const Picture& picture, const BallPercept& ball,
+                                        const LandmarksPercept& landmarks,
+                                        const PlayersPercept& players, Debug& debug) const {
+  auto canvas = debug.onImage(drawFound);
+  if (!canvas) return;
+  if (ball.seen) canvas.circle(ball.centerInImage, ball.radiusInImage, colors::red, 2);
+  const auto outline = [&](const ConditionalBoundary& b, Color color) {
+    const auto corner = [&](double azimuth, double elevation) {
+      return picture.pointOf({std::cos(azimuth), std::sin(azimuth), std::tan(elevation)});
     };
-    for (int i = 0; i < landmarks.numberOfFlags; ++i)
-      outline(landmarks.flags[static_cast<std::size_t>(i)].boundary, colors::pink);
-    for (int i = 0; i < landmarks.numberOfGoals; ++i)
-      outline(landmarks.goals[static_cast<std::size_t>(i)].boundary, colors::blue);
-  }
+    canvas.polygon({corner(b.left, b.top), corner(b.right, b.top), corner(b.right, b.bottom),
+                    corner(b.left, b.bottom)},
+                   color, 2);
+  };
+  for (int i = 0; i < landmarks.numberOfFlags; ++i)
+    outline(landmarks.flags[static_cast<std::size_t>(i)].boundary, colors::pink);
+  for (int i = 0; i < landmarks.numberOfGoals; ++i)
+    outline(landmarks.goals[static_cast<std::size_t>(i)].boundary, colors::blue);
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
+    for (const Vector2d& p : players.players[team]) {
+      const Vector3d ray = Vector3d{p.x(), p.y(), 0} - picture.matrix.pose.translation;
+      if (picture.matrix.pose.rotation.col(0).dot(ray) > 0)
+        canvas.point(picture.pointOf(ray), team == TeamColor::red ? colors::red : colors::blue, 4);
+    }
 }
 
 }  // namespace gt

@@ -1,17 +1,19 @@
 #pragma once
 #include "debug/Debug.h"
 #include "modules/perception/BallSpecialist.h"
+#include "modules/perception/EdgeScanner.h"
 #include "modules/perception/FlagSpecialist.h"
 #include "modules/perception/GoalSpecialist.h"
 #include "modules/perception/LineScanner.h"
+#include "modules/perception/PlayerSpecialist.h"
 #include "modules/perception/ScanGrid.h"
 #include "modules/perception/Tasks.h"
 #include "representations/infrastructure/FieldDimensions.h"
 
 namespace gt {
 
-/// Finds ball, flags and goals on a horizon-aligned grid with a colour table (report 3.2), the
-/// solution GT2003 of the ImageProcessor.
+/// Finds ball, flags, goals, edges, robots and free ground on a horizon-aligned grid with a colour
+/// table (report 3.2), the solution GT2003 of the ImageProcessor.
 class GT2003ImageProcessor {
  public:
   struct Parameters {
@@ -26,18 +28,24 @@ class GT2003ImageProcessor {
 
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
+              LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,
               Debug& debug);
 
  private:
   GridSpacing spacing(const CameraMatrix& matrix, const FieldDimensions& field) const;
-  void draw(const Picture& picture, const BallPercept& ball, const LandmarksPercept& landmarks,
-            Debug& debug) const;
+  void findFreeGround(const Picture& picture, ObstaclesPercept& percept) const;
+  void drawScan(const Picture& picture, Debug& debug) const;
+  void drawPercepts(const Picture& picture, const BallPercept& ball,
+                    const LandmarksPercept& landmarks, const PlayersPercept& players,
+                    Debug& debug) const;
 
   ScanGrid grid_;
   LineScanner scanner_;
   BallSpecialist ballSpecialist_;
   FlagSpecialist flagSpecialist_;
   GoalSpecialist goalSpecialist_;
+  EdgeScanner edgeScanner_;
+  PlayerSpecialist playerSpecialist_;
 };
 
 }  // namespace gt

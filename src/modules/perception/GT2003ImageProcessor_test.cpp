@@ -56,6 +56,9 @@ class GT2003ImageProcessorTest : public testing::Test {
   GT2003ImageProcessor processor_;
   BallPercept percept_;
   LandmarksPercept landmarks_;
+  LinesPercept lines_;
+  PlayersPercept players_;
+  ObstaclesPercept obstacles_;
   Debug debug_;
 
   void look(double pan, double tilt, double roll, Random& random) {
@@ -76,7 +79,8 @@ class GT2003ImageProcessorTest : public testing::Test {
             sum += colorOf(classAlong(matrix_.ray(x + dx, y + dy).normalized())) / 9;
         image_.at(x, y) = {byte(sum[0]), byte(sum[1]), byte(sum[2]), 0};
       }
-    processor_.update(image_, matrix_, colors_, field_, percept_, landmarks_, debug_);
+    processor_.update(image_, matrix_, colors_, field_, percept_, landmarks_, lines_, players_,
+                      obstacles_, debug_);
   }
 
   Vector3d camera() const { return matrix_.pose.translation; }
@@ -168,7 +172,8 @@ TEST_F(GT2003ImageProcessorTest, UsesTheSizeWhereTheCameraCannotBeTrusted) {
   CameraMatrix tilted = matrix_;
   tilted.valid = false;
   tilted.pose.rotation = matrix_.pose.rotation * rotationY(-0.1);
-  processor_.update(image_, tilted, colors_, field_, percept_, landmarks_, debug_);
+  processor_.update(image_, tilted, colors_, field_, percept_, landmarks_, lines_, players_,
+                    obstacles_, debug_);
   ASSERT_TRUE(percept_.seen);
   EXPECT_NEAR(percept_.offset.x(), 700, 60);
 }
@@ -268,7 +273,8 @@ TEST_F(GT2003ImageProcessorTest, SurvivesNoise) {
                             rotationY(random.uniform(-pi, pi)) * rotationX(random.uniform(-pi, pi));
     matrix_.pose.translation.z() = random.uniform(-50, 300);
     matrix_.valid = random.chance(0.8);
-    processor_.update(image_, matrix_, colors_, field_, percept_, landmarks_, debug_);
+    processor_.update(image_, matrix_, colors_, field_, percept_, landmarks_, lines_, players_,
+                      obstacles_, debug_);
     EXPECT_LE(landmarks_.numberOfFlags, 6);
     EXPECT_TRUE(percept_.offset.allFinite());
   }

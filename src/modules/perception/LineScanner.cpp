@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "modules/perception/FieldView.h"
+
 namespace gt {
 namespace {
 
@@ -17,17 +19,26 @@ void LineScanner::clear() {
   balls.clear();
   flags.clear();
   goals.clear();
+  players.clear();
+  greens.clear();
 }
 
-void LineScanner::scan(const Picture& picture, const ScanLine& line) {
+void LineScanner::scan(const Picture& picture, const ScanLine& line, const FieldDimensions& field) {
   findRuns(picture, line);
+  if (line.whole) findGreen(picture, line, field);
   for (std::size_t i = 0; i < runs_.size();) {
     std::size_t next = i + 1;
     switch (runs_[i].color) {
       case ColorClass::orange:
       case ColorClass::red:
-        next = findBall(line, i);
+        next = findBall(picture, line, i);
         break;
+      case ColorClass::blue: {
+        const Stretch tricot = stretchFrom(i, ColorSet{ColorClass::blue}, maxGap);
+        findPlayer(picture, line, tricot, TeamColor::blue);
+        next = tricot.last + 1;
+        break;
+      }
       case ColorClass::pink:
         if (runs_[i].length() >= minPink) findFlag(line, i);
         break;
@@ -98,13 +109,16 @@ LineScanner::Stretch LineScanner::ballFrom(std::size_t first) const {
 }
 
 // Shaded orange often appears as red: red counts as ball where there is at least as much orange.
-std::size_t LineScanner::findBall(const ScanLine& line, std::size_t first) {
+std::size_t LineScanner::findBall(const Picture& picture, const ScanLine& line, std::size_t first) {
   const Stretch stretch = ballFrom(first);
   const std::size_t next = stretch.last + 1;
   int orange = 0;
   for (std::size_t i = stretch.first; i <= stretch.last; ++i)
     if (runs_[i].color == ColorClass::orange) orange += runs_[i].length();
-  if (orange < minBall || 2 * orange < stretch.pixels) return next;
+  if (orange < minBall || 2 * orange < stretch.pixels) {
+    findPlayer(picture, line, stretch, TeamColor::red);
+    return next;
+  }
   BallSegment segment;
   segment.u = line.u;
   segment.orange = orange;
@@ -165,9 +179,64 @@ std::size_t LineScanner::findGoal(const Picture& picture, const ScanLine& line, 
     const Run& run = runs_[i];
     if (run.begin - runs_[stretch.last].end > maxToField) break;
     onField = run.color == ColorClass::green && run.length() >= minPink;
+    // Between both colours may lie some pixels that are mixed of them.
+    const int mixed = run.begin - runs_[stretch.last].end;
+    goal.meetsField = onField && mixed <= maxGap;
+    goal.foot = line.at((run.begin + runs_[stretch.last].end - 1) / 2.0);
   }
   if (onField) goals.push_back(goal);
   return next;
+}
+
+// Below a robot's tricot come its legs, then, at a foot or behind the body, the field.
+void LineScanner::findPlayer(const Picture& picture, const ScanLine& line, const Stretch& tricot,
+                             TeamColor team) {
+  PlayerIndication player;
+  player.team = team;
+  player.pixels = tricot.pixels;
+  player.upper = line.at(runs_[tricot.first].begin - 0.5);
+  player.upperKnown = tricot.first > 0 || !line.fromBorder;
+  for (std::size_t i = tricot.last + 1; i < runs_.size() && !player.footKnown; ++i) {
+    if (runs_[i].color != ColorClass::green || runs_[i].length() < minPink) continue;
+    player.foot = line.at(runs_[i].begin - 0.5);
+    player.footKnown = true;
+  }
+  // The line is followed where it ends above the field, for as far as the picture reaches.
+  int green = 0;
+  for (int i = line.length; !player.footKnown; ++i) {
+    const Vector2d p = line.at(i);
+    if (!picture.contains(p)) break;
+    green = picture.classAt(p) == ColorClass::green ? green + 1 : 0;
+    if (green < minPink) continue;
+    player.foot = line.at(i + 0.5 - minPink);
+    player.footKnown = true;
+  }
+  players.push_back(player);
+}
+
+// From the bottom upwards: green, with gaps that field lines could make (report 3.2.7).
+void LineScanner::findGreen(const Picture& picture, const ScanLine& line,
+                            const FieldDimensions& field) {
+  int begin = line.length;
+  for (std::size_t i = runs_.size(); i-- > 0;) {
+    const Run& run = runs_[i];
+    if (run.color == ColorClass::green && run.length() >= minPink) begin = run.begin;
+    if (begin == run.begin) continue;
+    // What has a colour of its own is no line.
+    constexpr ColorSet lineColors{ColorClass::white, ColorClass::green};
+    if (!lineColors.contains(run.color) && run.length() > maxGap) break;
+    const auto place = onGround(picture, line.at(begin - 1));
+    if (!place) break;
+    const double distance = (*place - picture.matrix.pose.translation.head<2>()).norm();
+    const double gap = 4 * expectedLineWidth(picture, distance, field);
+    if (begin - run.begin > std::max<double>(maxGap, gap)) break;
+  }
+  GreenSection green;
+  green.end = line.at(line.length - 1);
+  // One pixel less, to be on the safe side.
+  green.begin = line.at(std::min(begin + 1, line.length - 1));
+  green.beginOnBorder = begin == 0 && line.fromBorder;
+  greens.push_back(green);
 }
 
 }  // namespace gt

@@ -26,6 +26,22 @@ struct FlagIndication {
 struct GoalIndication {
   GoalColor color = GoalColor::yellow;
   Vector2d top = Vector2d::Zero(), bottom = Vector2d::Zero();
+  bool meetsField = false;  ///< Green begins right below it, at `foot`.
+  Vector2d foot = Vector2d::Zero();
+};
+
+/// A piece of tricot on a scan line, and where the field begins below it (report 3.2.6).
+struct PlayerIndication {
+  TeamColor team = TeamColor::red;
+  Vector2d upper = Vector2d::Zero(), foot = Vector2d::Zero();
+  bool upperKnown = false, footKnown = false;  ///< Whether these were seen within the picture.
+  int pixels = 0;
+};
+
+/// The green that reaches down to the end of a scan line (report 3.2.7).
+struct GreenSection {
+  Vector2d begin = Vector2d::Zero(), end = Vector2d::Zero();
+  bool beginOnBorder = false;
 };
 
 /// Scans lines of a grid pixel by pixel and collects what looks like something (report 3.2.1).
@@ -34,10 +50,12 @@ class LineScanner {
   std::vector<BallSegment> balls;
   std::vector<FlagIndication> flags;
   std::vector<GoalIndication> goals;
+  std::vector<PlayerIndication> players;
+  std::vector<GreenSection> greens;  ///< One for each line that reaches over the whole picture.
 
   /// Forgets what was found.
   void clear();
-  void scan(const Picture& picture, const ScanLine& line);
+  void scan(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
 
  private:
   /// Neighbouring pixels of one class.
@@ -56,8 +74,11 @@ class LineScanner {
   void findRuns(const Picture& picture, const ScanLine& line);
   Stretch stretchFrom(std::size_t first, ColorSet classes, int maxGap) const;
   Stretch ballFrom(std::size_t first) const;
-  std::size_t findBall(const ScanLine& line, std::size_t first);
+  std::size_t findBall(const Picture& picture, const ScanLine& line, std::size_t first);
   void findFlag(const ScanLine& line, std::size_t first);
+  void findPlayer(const Picture& picture, const ScanLine& line, const Stretch& tricot,
+                  TeamColor team);
+  void findGreen(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
   std::size_t findGoal(const Picture& picture, const ScanLine& line, std::size_t first);
 
   std::vector<Run> runs_;

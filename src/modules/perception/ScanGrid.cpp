@@ -71,7 +71,16 @@ void ScanGrid::build(const CameraInfo& info, const Horizon& horizon, const GridS
     const double high = whole ? 1e6 : own * spacing.reachDown;
     ScanLine line = clippedLine(info, horizon.toPicture(u, 0), horizon.down, low, high);
     line.u = u;
+    line.whole = whole;
     if (line.length >= 4) lines_.push_back(line);
+  }
+  // Rows get rarer where a pixel is less of the ground.
+  rows_.clear();
+  double way = 1;
+  for (double v = 5 * spacing.dense; v < diagonal; v *= 1.7, way = -way) {
+    const ScanLine row = clippedLine(info, horizon.toPicture(center.x(), v), way * horizon.along,
+                                     -diagonal, diagonal);
+    if (row.length >= 4) rows_.push_back(row);
   }
 }
 

@@ -7,10 +7,11 @@ namespace gt {
 
 /// A straight row of pixels, one each step along the axis of the picture to which it is closer.
 struct ScanLine {
-  double u = 0;    ///< Where it crosses the horizon's system of coordinates.
-  Vector2d start;  ///< Centre of the first pixel along the closer axis.
-  Vector2d step;   ///< From pixel to pixel.
-  int length = 0;  ///< Pixels.
+  double u = 0;        ///< Where it crosses the horizon's system of coordinates.
+  Vector2d start;      ///< Centre of the first pixel along the closer axis.
+  Vector2d step;       ///< From pixel to pixel.
+  int length = 0;      ///< Pixels.
+  bool whole = false;  ///< One of the lines that reach over the whole picture.
   bool fromBorder = false, toBorder = false;  ///< Whether its ends lie on the picture's border.
 
   Vector2d at(double i) const { return start + step * i; }
@@ -29,9 +30,11 @@ class ScanGrid {
  public:
   void build(const CameraInfo& info, const Horizon& horizon, const GridSpacing& spacing);
   const std::vector<ScanLine>& lines() const { return lines_; }
+  /// A few lines parallel to the horizon, below it; every second one from right to left.
+  const std::vector<ScanLine>& rows() const { return rows_; }
 
  private:
-  std::vector<ScanLine> lines_;
+  std::vector<ScanLine> lines_, rows_;
 };
 
 /// The part of a line base + t * direction (a unit vector), low <= t <= high, that lies in the

@@ -5,6 +5,9 @@
 #include "representations/perception/BodyPercept.h"
 #include "representations/perception/CameraMatrix.h"
 #include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/LinesPercept.h"
+#include "representations/perception/ObstaclesPercept.h"
+#include "representations/perception/PlayersPercept.h"
 #include "representations/perception/PsdPercept.h"
 
 namespace gt {
@@ -16,7 +19,8 @@ struct SensorDataProcessor {
 
 /// The task of finding things in a picture (report 3.2).
 struct ImageProcessor {
-  using Outputs = std::tuple<BallPercept, LandmarksPercept>;
+  using Outputs =
+      std::tuple<BallPercept, LandmarksPercept, LinesPercept, PlayersPercept, ObstaclesPercept>;
 };
 
 using PerceptionTasks = std::tuple<SensorDataProcessor, ImageProcessor>;

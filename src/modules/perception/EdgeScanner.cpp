@@ -1,0 +1,144 @@
+#include "modules/perception/EdgeScanner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "modules/perception/FieldView.h"
+#include "modules/perception/LineScanner.h"
+
+namespace gt {
+namespace {
+
+constexpr int reach = 3;      // Pixels over which an edge is spread at most.
+constexpr int contrast = 24;  // Of the y channel, between both sides of an edge.
+constexpr int minPoints = 3;  // Of a type in a picture; fewer are noise.
+constexpr int farMore = 4;    // That many times more points on lines than on the border.
+
+}  // namespace
+
+/// Where between two pixels the brightness is halfway between both sides of the edge.
+double EdgeScanner::sharpest(int at) const {
+  const auto y = [&](int i) { return static_cast<double>(y_[static_cast<std::size_t>(i)]); };
+  const int first = at - reach, last = at;
+  const double middle = (y(first) + y(last)) / 2;
+  for (int i = first; i < last; ++i) {
+    const double before = y(i) - middle, behind = y(i + 1) - middle;
+    if (before * behind <= 0 && before != behind) return i + before / (before - behind);
+  }
+  return first + reach / 2.0;
+}
+
+void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
+  const auto length = static_cast<std::size_t>(line.length);
+  y_.resize(length);
+  classes_.resize(length);
+  Vector2d p = line.start;
+  for (std::size_t i = 0; i < length; ++i, p += line.step) {
+    const Pixel& pixel = picture.image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
+    y_[i] = pixel.y;
+    classes_[i] = picture.colors[pixel];
+  }
+  const auto difference = [&](int i) {
+    return y_[static_cast<std::size_t>(i)] - y_[static_cast<std::size_t>(i - reach)];
+  };
+  const auto is = [&](double from, int by, ColorClass color) {
+    // One of two pixels beyond the edge's blur.
+    const int i = static_cast<int>(std::lround(from)) + 2 * by;
+    for (const int k : {i, i + by})
+      if (k >= 0 && k < line.length && classes_[static_cast<std::size_t>(k)] == color) return true;
+    return false;
+  };
+  bright_.clear();
+  Bright bright;
+  bool inside = true;  // perhaps: a wall that reaches beyond the picture is bright from the start
+  for (int i = reach; i < line.length; ++i) {
+    const int d = difference(i);
+    const bool rising = d > contrast, falling = d < -contrast;
+    if (!rising && !falling) continue;
+    // The steepest place of this edge.
+    int best = i;
+    while (i + 1 < line.length &&
+           (rising ? difference(i + 1) > contrast : difference(i + 1) < -contrast)) {
+      ++i;
+      if (std::abs(difference(i)) > std::abs(difference(best))) best = i;
+    }
+    const double edge = sharpest(best);
+    if (rising) {
+      bright = {edge, 0, true, is(edge, -1, ColorClass::green), false, false};
+      inside = true;
+    } else if (inside) {
+      bright.fall = edge;
+      bright.white =
+          is(edge, -1, ColorClass::white) ||
+          (bright.riseSeen &&
+           classes_[static_cast<std::size_t>((bright.rise + edge) / 2 + 0.5)] == ColorClass::white);
+      bright.greenBehind = is(edge, 1, ColorClass::green);
+      bright_.push_back(bright);
+      inside = false;
+    }
+  }
+}
+
+void EdgeScanner::scanDown(const Picture& picture, const ScanLine& line,
+                           const FieldDimensions& field) {
+  findBright(picture, line);
+  for (const Bright& bright : bright_) {
+    const auto foot = onGround(picture, line.at(bright.fall));
+    if (!foot) continue;
+    const double distance = (*foot - picture.matrix.pose.translation.head<2>()).norm();
+    const double width = expectedLineWidth(picture, distance, field);
+    const double height = expectedBorderHeight(picture, distance, field);
+    classify(picture, line, bright, std::sqrt(width * std::max(height, 2 * width)));
+  }
+}
+
+void EdgeScanner::scanAcross(const Picture& picture, const ScanLine& line,
+                             const FieldDimensions& field) {
+  constexpr double oblique = 3;  // a line is seen that much wider at most
+  findBright(picture, line);
+  for (const Bright& bright : bright_) {
+    const auto foot = onGround(picture, line.at(bright.fall));
+    if (!foot) continue;
+    const Vector3d way = Vector3d{foot->x(), foot->y(), 0} - picture.matrix.pose.translation;
+    classify(picture, line, bright,
+             oblique * picture.matrix.info.focalX * field.lineWidth / way.norm());
+  }
+}
+
+// A line lies on green, the border does not: where size and colours contradict each other, the line
+// was seen lengthwise or the border in part.
+void EdgeScanner::classify(const Picture& picture, const ScanLine& line, const Bright& bright,
+                           double longestLine) {
+  if (!bright.white || !bright.greenBehind) return;
+  const double size = (bright.fall - bright.rise) * line.step.norm();
+  if (size < longestLine && bright.riseSeen && bright.greenBefore)
+    add(picture, EdgeType::line, line.at((bright.rise + bright.fall) / 2));
+  else if (size >= longestLine && !bright.greenBefore)
+    add(picture, EdgeType::border, line.at(bright.fall));
+}
+
+void EdgeScanner::addGoal(const Picture& picture, const GoalIndication& goal) {
+  if (!goal.meetsField) return;
+  add(picture, goal.color == GoalColor::yellow ? EdgeType::yellowGoal : EdgeType::skyblueGoal,
+      goal.foot);
+}
+
+void EdgeScanner::add(const Picture& picture, EdgeType type, const Vector2d& inPicture) {
+  if (const auto point = onGround(picture, inPicture)) points_.push_back({type, inPicture, *point});
+}
+
+void EdgeScanner::finish(LinesPercept& percept) {
+  EnumArray<EdgeType, int> count{};
+  for (const EdgePoint& point : points_) ++count[point.type];
+  const auto isNoise = [&](const EdgePoint& point) {
+    return count[point.type] < minPoints ||
+           (point.type == EdgeType::border &&
+            count[EdgeType::line] > farMore * count[EdgeType::border]);
+  };
+  points_.erase(std::remove_if(points_.begin(), points_.end(), isNoise), points_.end());
+  for (auto& list : percept.points) list.clear();
+  for (const EdgePoint& point : points_) percept.points[point.type].push_back(point.onGround);
+}
+
+}  // namespace gt

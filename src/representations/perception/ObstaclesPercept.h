@@ -1,0 +1,39 @@
+#pragma once
+#include <vector>
+
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// A piece of free ground along one scan line (report 3.2): free between its points, an obstacle
+/// behind the far one unless that lies on the border of the picture, unknown before the near one.
+/// Both are the same where the ground next to the robot is not free.
+struct FreeGround {
+  Vector2d nearPoint = Vector2d::Zero();
+  Vector2d farPoint = Vector2d::Zero();
+  bool farOnBorder = false;
+
+  static constexpr auto fields() {
+    return std::tuple{field("nearPoint", &FreeGround::nearPoint, "mm", "on the ground"),
+                      field("farPoint", &FreeGround::farPoint, "mm", "on the ground"),
+                      field("farOnBorder", &FreeGround::farOnBorder, "", "of the picture")};
+  }
+};
+static_assert(complete<FreeGround>);
+
+/// The free space around the robot as seen in one picture, from left to right (report 3.2.7).
+/// Provided by the ImageProcessor.
+struct ObstaclesPercept {
+  Time time;
+  std::vector<FreeGround> lines;
+
+  static constexpr auto fields() {
+    return std::tuple{field("time", &ObstaclesPercept::time, "ms", "of the picture"),
+                      field("lines", &ObstaclesPercept::lines)};
+  }
+};
+static_assert(complete<ObstaclesPercept>);
+
+}  // namespace gt

@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include "base/Enum.h"
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "representations/infrastructure/Player.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// The robots seen in one picture by the colour of their tricots, relative to the robot
+/// (report 3.2.6). Provided by the ImageProcessor.
+struct PlayersPercept {
+  Time time;
+  EnumArray<TeamColor, std::vector<Vector2d>> players;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("time", &PlayersPercept::time, "ms", "of the picture"),
+        field("players", &PlayersPercept::players, "mm", "in the order of TeamColor")};
+  }
+};
+static_assert(complete<PlayersPercept>);
+
+}  // namespace gt
