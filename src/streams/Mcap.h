@@ -31,6 +31,15 @@ struct McapOptions {
   std::size_t chunkSize = 1u << 20;  ///< Bytes after which a chunk is complete.
 };
 
+/// A channel of a log.
+struct McapChannel {
+  std::uint16_t id = 0;
+  std::string topic;
+  std::string messageEncoding;
+  std::string schemaName, schemaEncoding, schemaText;
+  std::uint64_t messageCount = 0;  ///< 0 if the log has no index.
+};
+
 /// Writes a log. What was written in whole chunks is readable however the program ends. After an
 /// error (a full disk) nothing more is written; close() tells it. The same calls give the same
 /// bytes.
@@ -44,8 +53,10 @@ class McapWriter {
   McapWriter& operator=(McapWriter&&) noexcept;
   ~McapWriter();  ///< Closes the log.
 
-  /// The channel of a topic; a topic that was added before keeps its channel.
+  /// The channel of a topic; one that was added before with the same schema keeps its channel.
   ChannelId addChannel(const std::string& topic, const Schema& schema);
+  /// A channel as it stands in another log, in whatever encoding.
+  ChannelId addChannel(const McapChannel& channel);
   template <Streamable T>
   ChannelId addChannel(const std::string& topic) {
     return addChannel(topic, schemaOf<T>());
@@ -79,15 +90,6 @@ class McapWriter {
   std::byte* beginMessage(ChannelId channel, std::int64_t time, std::size_t size);
 
   std::unique_ptr<State> state_;
-};
-
-/// A channel of a log.
-struct McapChannel {
-  std::uint16_t id = 0;
-  std::string topic;
-  std::string messageEncoding;
-  std::string schemaName, schemaEncoding, schemaText;
-  std::uint64_t messageCount = 0;  ///< 0 if the log has no index.
 };
 
 /// A message of a log; the data is valid until the next one is read.

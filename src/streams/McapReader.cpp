@@ -1,3 +1,4 @@
+#include <lz4frame.h>
 #include <zlib.h>
 #include <zstd.h>
 
@@ -29,6 +30,22 @@ struct Segment {
   std::uint64_t lastTime = 0;
   bool isChunk = true;
 };
+
+/// Unpacks an lz4 frame; it must fill the bytes.
+std::optional<std::string> unpackLz4(std::span<const std::byte> packed, Bytes& bytes) {
+  LZ4F_dctx* context = nullptr;
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0)
+    return "lz4 has no memory";
+  std::size_t size = bytes.size(), packedSize = packed.size();
+  const std::size_t left =
+      LZ4F_decompress(context, bytes.data(), &size, packed.data(), &packedSize, nullptr);
+  LZ4F_freeDecompressionContext(context);
+  if (LZ4F_isError(left) != 0)
+    return std::string("the chunk is damaged: ") + LZ4F_getErrorName(left);
+  if (left != 0) return "the chunk is damaged: its end is missing";
+  bytes.resize(size);
+  return std::nullopt;
+}
 
 struct RecordHeader {
   Opcode opcode{};
@@ -338,8 +355,11 @@ std::optional<std::string> McapReader::State::unpack(Taker chunk) {
         ZSTD_decompress(unpacked.data(), unpacked.size(), packed.data(), packed.size());
     if (ZSTD_isError(n) != 0) return std::string("the chunk is damaged: ") + ZSTD_getErrorName(n);
     unpacked.resize(n);
+  } else if (compression == "lz4") {
+    unpacked.resize(static_cast<std::size_t>(unpackedSize));
+    if (auto what = unpackLz4(packed, unpacked)) return what;
   } else {
-    return "the compression " + compression + " is not supported, only zstd";
+    return "the compression " + compression + " is not supported, only zstd and lz4";
   }
   if (unpacked.size() != unpackedSize || (crc != 0 && crc != crcOf(unpacked)))
     return "the chunk's checksum is wrong";

@@ -57,9 +57,10 @@ struct McapWriter::State {
   std::uint64_t size = 0;  ///< Of the file.
   std::uint32_t crc = 0;   ///< Of the data section.
 
-  std::map<std::string, ChannelId> channelOfTopic;
+  /// Ids by topic and encoding, and by name, encoding and text.
+  std::map<std::tuple<std::string, std::string, std::uint16_t>, ChannelId> channelIds;
+  std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> schemaIds;
   std::vector<WrittenChannel> channels;  ///< Id is index + 1.
-  std::map<std::pair<std::string, std::string>, std::uint16_t> schemas;
 
   Bytes chunk, record, compressed;
   Span chunkSpan, span;
@@ -77,6 +78,7 @@ struct McapWriter::State {
     if (!error) error = Error{path, 0, "", std::string("cannot be written: ") + strerror(errno)};
   }
 
+  std::uint16_t addSchema(const McapChannel& channel);
   void putChunk();
   void putMessageIndexes();
   void putSummary();
@@ -157,7 +159,7 @@ void McapWriter::State::putSummary() {
   std::uint64_t messageCount = 0;
   for (const WrittenChannel& c : channels) messageCount += c.messageCount;
   append(statistics, messageCount);
-  append(statistics, static_cast<std::uint16_t>(schemas.size()));
+  append(statistics, static_cast<std::uint16_t>(schemaIds.size()));
   append(statistics, static_cast<std::uint32_t>(channels.size()));
   append(statistics, attachmentCount);
   append(statistics, metadataCount);
@@ -222,38 +224,49 @@ Result<McapWriter> McapWriter::open(const std::string& path, const McapOptions& 
   return McapWriter{std::move(state)};
 }
 
-McapWriter::ChannelId McapWriter::addChannel(const std::string& topic, const Schema& schema) {
-  State& s = *state_;
-  const auto known = s.channelOfTopic.find(topic);
-  if (known != s.channelOfTopic.end()) return known->second;
-  assert(s.channels.size() < 0xffff);
-
-  Bytes record;
-  const auto [place, isNew] = s.schemas.try_emplace(
-      {schema.name, schema.text}, static_cast<std::uint16_t>(s.schemas.size() + 1));
-  if (isNew) {
-    const std::size_t at = beginRecord(record, Opcode::schema);
-    append(record, place->second);
-    append(record, std::string_view{schema.name});
-    append(record, std::string_view{"ros2msg"});
-    append(record, std::string_view{schema.text});
-    endRecord(record, at);
-    append(s.schemaRecords, record);
-  }
-  const std::size_t schemaSize = record.size();
-  const auto id = static_cast<ChannelId>(s.channels.size() + 1);
-  const std::size_t at = beginRecord(record, Opcode::channel);
-  append(record, id);
+std::uint16_t McapWriter::State::addSchema(const McapChannel& channel) {
+  if (channel.schemaName.empty() && channel.schemaEncoding.empty()) return 0;
+  const auto [place, isNew] =
+      schemaIds.try_emplace({channel.schemaName, channel.schemaEncoding, channel.schemaText},
+                            static_cast<std::uint16_t>(schemaIds.size() + 1));
+  if (!isNew) return place->second;
+  record.clear();
+  const std::size_t at = beginRecord(record, Opcode::schema);
   append(record, place->second);
-  append(record, std::string_view{topic});
-  append(record, std::string_view{"cdr"});
+  append(record, std::string_view{channel.schemaName});
+  append(record, std::string_view{channel.schemaEncoding});
+  append(record, std::string_view{channel.schemaText});
+  endRecord(record, at);
+  append(schemaRecords, record);
+  put(record);
+  return place->second;
+}
+
+McapWriter::ChannelId McapWriter::addChannel(const std::string& topic, const Schema& schema) {
+  return addChannel(McapChannel{0, topic, "cdr", schema.name, "ros2msg", schema.text, 0});
+}
+
+McapWriter::ChannelId McapWriter::addChannel(const McapChannel& channel) {
+  State& s = *state_;
+  const std::uint16_t schema = s.addSchema(channel);
+  const auto [place, isNew] =
+      s.channelIds.try_emplace({channel.topic, channel.messageEncoding, schema},
+                               static_cast<ChannelId>(s.channels.size() + 1));
+  if (!isNew) return place->second;
+  assert(s.channels.size() < 0xffff);
+  Bytes& record = s.record;
+  record.clear();
+  const std::size_t at = beginRecord(record, Opcode::channel);
+  append(record, place->second);
+  append(record, schema);
+  append(record, std::string_view{channel.topic});
+  append(record, std::string_view{channel.messageEncoding});
   append(record, TextMap{});
   endRecord(record, at);
-  append(s.channelRecords, std::span<const std::byte>{record}.subspan(schemaSize));
+  append(s.channelRecords, record);
   s.put(record);
-  s.channels.push_back({topic, 0, {}});
-  s.channelOfTopic.emplace(topic, id);
-  return id;
+  s.channels.push_back({channel.topic, 0, {}});
+  return place->second;
 }
 
 std::byte* McapWriter::beginMessage(ChannelId channel, std::int64_t time, std::size_t size) {

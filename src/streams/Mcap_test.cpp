@@ -2,11 +2,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <lz4frame.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 
 #include "streams/File.h"
 #include "streams/Jpeg.h"
+#include "streams/McapRecords.h"
 #include "streams/Samples.h"
 
 namespace gt {
@@ -232,6 +236,133 @@ TEST(Mcap, TellsOfAFullDisk) {
   const auto result = writer->close();
   ASSERT_FALSE(result);
   EXPECT_THAT(result.error().text(), HasSubstr("/dev/full: cannot be written: No space"));
+}
+
+/// A limit of the size of files, as a medium that is full has it.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = SIG_DFL;
+};
+
+TEST(Mcap, IsReadableUpToTheLastChunkWhenTheMediumIsFull) {
+  const TemporaryFile file{"Mcap_test_full.mcap"};
+  {
+    const FileSizeLimit limit{40'000};
+    auto writer = McapWriter::open(file.path, {false, 1, 1000});
+    ASSERT_TRUE(writer);
+    for (int i = 0; i < 5000; ++i) writer->write("/inner", Time{i}, inner(i));
+    const auto result = writer->close();
+    ASSERT_FALSE(result);
+    EXPECT_THAT(result.error().text(), HasSubstr("cannot be written: File too large"));
+  }
+  auto reader = McapReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().text();
+  EXPECT_FALSE(reader->complete());
+  EXPECT_TRUE(reader->damage());
+  std::vector<std::string> errors;
+  const int count = readAll(*reader, errors);
+  EXPECT_GT(count, 200);
+  EXPECT_LT(count, 5000);
+  EXPECT_TRUE(errors.empty());
+}
+
+/// A log of one chunk in lz4, as other programs write them.
+std::string lz4Log(const Schema& schema, std::span<const std::byte> message) {
+  using namespace mcap;
+  Bytes out, chunk;
+  append(out, std::as_bytes(std::span{magic, magicSize}));
+  const auto record = [](Bytes& to, Opcode opcode, const auto& fill) {
+    const std::size_t at = beginRecord(to, opcode);
+    fill(to);
+    endRecord(to, at);
+  };
+  record(out, Opcode::header, [](Bytes& to) {
+    append(to, std::string_view{"ros2"});
+    append(to, std::string_view{"test"});
+  });
+  record(chunk, Opcode::schema, [&](Bytes& to) {
+    append(to, std::uint16_t{1});
+    append(to, std::string_view{schema.name});
+    append(to, std::string_view{"ros2msg"});
+    append(to, std::string_view{schema.text});
+  });
+  record(chunk, Opcode::channel, [](Bytes& to) {
+    append(to, std::uint16_t{7});
+    append(to, std::uint16_t{1});
+    append(to, std::string_view{"/inner"});
+    append(to, std::string_view{"cdr"});
+    append(to, TextMap{});
+  });
+  for (int i = 0; i < 100; ++i)
+    record(chunk, Opcode::message, [&](Bytes& to) {
+      append(to, std::uint16_t{7});
+      append(to, std::uint32_t{0});
+      append(to, std::uint64_t{5});
+      append(to, std::uint64_t{5});
+      append(to, message);
+    });
+  Bytes packed(LZ4F_compressFrameBound(chunk.size(), nullptr));
+  packed.resize(
+      LZ4F_compressFrame(packed.data(), packed.size(), chunk.data(), chunk.size(), nullptr));
+  record(out, Opcode::chunk, [&](Bytes& to) {
+    append(to, std::uint64_t{5});
+    append(to, std::uint64_t{5});
+    append(to, std::uint64_t{chunk.size()});
+    append(to, std::uint32_t{0});
+    append(to, std::string_view{"lz4"});
+    append(to, std::uint64_t{packed.size()});
+    append(to, packed);
+  });
+  record(out, Opcode::dataEnd, [](Bytes& to) { append(to, std::uint32_t{0}); });
+  return {reinterpret_cast<const char*>(out.data()), out.size()};
+}
+
+TEST(Mcap, ReadsChunksInLz4) {
+  const TemporaryFile file{"Mcap_test_lz4.mcap"};
+  std::vector<std::byte> message;
+  encode(inner(3), message);
+  const std::string log = lz4Log(schemaOf<Inner>(), message);
+  ASSERT_TRUE(writeFile(file.path, log));
+  auto reader = McapReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().text();
+  std::vector<std::string> errors;
+  EXPECT_EQ(readAll(*reader, errors), 100);
+  EXPECT_TRUE(errors.empty());
+  for (std::size_t i = 200; i < log.size(); i += 7) {
+    std::string bad = log;
+    bad[i] = static_cast<char>(bad[i] ^ 0x55);
+    ASSERT_TRUE(writeFile(file.path, bad));
+    if (auto damaged = McapReader::open(file.path)) readAll(*damaged, errors);
+  }
+}
+
+TEST(Mcap, TellsChannelsOfOneTopicApartByTheirSchemas) {
+  const TemporaryFile file{"Mcap_test_topics.mcap"};
+  auto writer = McapWriter::open(file.path);
+  ASSERT_TRUE(writer);
+  const auto first = writer->addChannel<Inner>("/a");
+  EXPECT_EQ(writer->addChannel<Inner>("/a"), first);
+  EXPECT_NE(writer->addChannel("/a", CompressedImage::schema()), first);
+  EXPECT_NE(writer->addChannel(McapChannel{9, "/a", "json", "x", "jsonschema", "{}", 0}), first);
+  ASSERT_TRUE(writer->close());
+  const auto reader = McapReader::open(file.path);
+  ASSERT_TRUE(reader);
+  ASSERT_EQ(reader->channels().size(), 3u);
+  EXPECT_EQ(reader->channels()[2].messageEncoding, "json");
+  EXPECT_EQ(reader->channels()[2].schemaEncoding, "jsonschema");
 }
 
 }  // namespace

@@ -1,0 +1,267 @@
+#include "streams/MessageDefinition.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+
+#include "streams/Schema.h"
+
+namespace gt {
+namespace {
+
+/// Guards against schemas that claim to be enormous.
+constexpr std::size_t deepestNesting = 64, largestValue = 1u << 28;
+
+struct Primitive {
+  std::string_view name;
+  Kind kind;
+  Number number;
+};
+constexpr std::array primitives{Primitive{"bool", Kind::boolean, Number::uint8},
+                                Primitive{"byte", Kind::number, Number::uint8},
+                                Primitive{"char", Kind::number, Number::uint8},
+                                Primitive{"int8", Kind::number, Number::int8},
+                                Primitive{"uint8", Kind::number, Number::uint8},
+                                Primitive{"int16", Kind::number, Number::int16},
+                                Primitive{"uint16", Kind::number, Number::uint16},
+                                Primitive{"int32", Kind::number, Number::int32},
+                                Primitive{"uint32", Kind::number, Number::uint32},
+                                Primitive{"int64", Kind::number, Number::int64},
+                                Primitive{"uint64", Kind::number, Number::uint64},
+                                Primitive{"float32", Kind::number, Number::float32},
+                                Primitive{"float64", Kind::number, Number::float64},
+                                Primitive{"string", Kind::text, Number::uint8}};
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t\r");
+  if (begin == text.npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+/// Takes the text up to the next blank.
+std::string_view takeWord(std::string_view& text) {
+  text = trimmed(text);
+  const auto end = std::min(text.find_first_of(" \t"), text.size());
+  const auto word = text.substr(0, end);
+  text.remove_prefix(end);
+  text = trimmed(text);
+  return word;
+}
+
+std::string upper(std::string text) {
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return text;
+}
+
+/// package/msg/Name and package/Name are the same.
+std::string shortName(std::string_view name) {
+  std::string s{name};
+  if (const auto at = s.find("/msg/"); at != s.npos) s.erase(at, 4);
+  return s;
+}
+
+}  // namespace
+
+/// Reads a schema line by line, then finds the records that its fields name.
+class MessageDefinitionParser {
+  using Field = MessageDefinition::Field;
+  using Record = MessageDefinition::Record;
+
+ public:
+  MessageDefinitionParser(const std::string& name, std::string_view text)
+      : name_{name}, text_{text} {
+    begin(shortName(name));
+  }
+
+  Result<MessageDefinition> parse() {
+    while (!text_.empty()) {
+      const auto end = std::min(text_.find('\n'), text_.size());
+      const auto row = text_.substr(0, end);
+      text_.remove_prefix(std::min(end + 1, text_.size()));
+      ++line_;
+      if (auto what = readLine(trimmed(row))) return error(*what);
+    }
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (auto what = resolve(i)) return *what;
+    depth_.assign(records().size(), 0);
+    if (auto what = measure(0, 1)) return error(*what);
+    return std::move(definition_);
+  }
+
+ private:
+  struct Constant {
+    std::string name;
+    std::uint64_t value;
+  };
+  /// A field whose record is not known yet.
+  struct Reference {
+    std::size_t record, field;
+    std::string type;
+    int line;
+  };
+
+  std::vector<Record>& records() { return definition_.records_; }
+  Error error(std::string what) const { return {name_, line_, "", std::move(what)}; }
+
+  void begin(const std::string& name) {
+    records().push_back({name, {}, 0});
+    recordOf_.emplace(name, records().size() - 1);
+    constants_.clear();
+  }
+
+  std::optional<std::string> readLine(std::string_view row) {
+    if (row.empty() || row.front() == '#') return std::nullopt;
+    if (row.front() == '=' && row.find_first_not_of('=') == row.npos) return std::nullopt;
+    if (row.starts_with("MSG:")) {
+      begin(shortName(trimmed(row.substr(4))));
+      return std::nullopt;
+    }
+    std::string_view rest = row;
+    const std::string_view type = takeWord(rest);
+    const std::string_view code = trimmed(rest.substr(0, rest.find('#')));
+    if (code.empty()) return "expected a type and a name";
+    const auto end = std::min(code.find_first_of(" \t="), code.size());
+    const std::string_view name = code.substr(0, end), behind = trimmed(code.substr(end));
+    if (!behind.empty() && behind.front() == '=') {
+      readConstant(name, trimmed(behind.substr(1)));
+      return std::nullopt;
+    }
+    const auto comment = rest.find('#');
+    return readField(type, name, comment == rest.npos ? "" : rest.substr(comment + 1));
+  }
+
+  void readConstant(std::string_view name, std::string_view text) {
+    std::uint64_t value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure == std::errc{} && end == text.data() + text.size())
+      constants_.push_back({std::string{name}, value});
+  }
+
+  std::optional<std::string> readField(std::string_view type, std::string_view name,
+                                       std::string_view comment) {
+    Field field;
+    field.name = name;
+    std::string_view element = type;
+    if (const auto bracket = type.find('['); bracket != type.npos) {
+      element = type.substr(0, bracket);
+      if (auto what = readSize(type.substr(bracket), field)) return what;
+    }
+    // A bound of a text's or a list's length does not change how it is written.
+    element = element.substr(0, element.find("<="));
+    const auto primitive = std::find_if(primitives.begin(), primitives.end(),
+                                        [&](const Primitive& p) { return p.name == element; });
+    if (primitive != primitives.end()) {
+      field.kind = primitive->kind;
+      field.number = primitive->number;
+    } else {
+      field.kind = Kind::record;
+      names_.push_back(
+          {records().size() - 1, records().back().fields.size(), std::string{element}, line_});
+    }
+    takeConstants(field);
+    if (field.size == MessageDefinition::Size::array) readIndexNames(comment, field);
+    records().back().fields.push_back(std::move(field));
+    return std::nullopt;
+  }
+
+  static std::optional<std::string> readSize(std::string_view text, Field& field) {
+    const auto end = text.find(']');
+    if (end == text.npos || end + 1 != text.size()) return "expected TYPE[], TYPE[N] or TYPE[<=N]";
+    const std::string_view inside = text.substr(1, end - 1);
+    if (inside.empty() || inside.starts_with("<=")) {
+      field.size = MessageDefinition::Size::list;
+      return std::nullopt;
+    }
+    const auto [last, failure] =
+        std::from_chars(inside.data(), inside.data() + inside.size(), field.count);
+    if (failure != std::errc{} || last != inside.data() + inside.size())
+      return "expected a number between the brackets";
+    if (field.count > largestValue) return "the array is too large";
+    field.size = MessageDefinition::Size::array;
+    return std::nullopt;
+  }
+
+  /// The constants before a field that begin with its name and count from 0 are its enumeration.
+  void takeConstants(Field& field) {
+    const std::string prefix = upper(field.name) + "_";
+    for (const Constant& constant : constants_)
+      if (constant.name.starts_with(prefix) && constant.value == field.names.size())
+        field.names.push_back(constant.name.substr(prefix.size()));
+    constants_.clear();
+  }
+
+  /// "…; of redTeam blueTeam" at a comment's end names the elements (see schemaOf).
+  static void readIndexNames(std::string_view comment, Field& field) {
+    const auto semicolon = comment.rfind(';');
+    std::string_view last = semicolon == comment.npos ? comment : comment.substr(semicolon + 1);
+    if (takeWord(last) != "of") return;
+    while (!last.empty()) field.indexNames.emplace_back(snakeCase(takeWord(last)));
+    if (field.indexNames.size() != field.count) field.indexNames.clear();
+  }
+
+  std::optional<Error> resolve(std::size_t i) {
+    const Reference& reference = names_[i];
+    auto found = recordOf_.find(shortName(reference.type));
+    if (found == recordOf_.end()) {
+      // Within a package its name may be left out.
+      const std::string& owner = records()[reference.record].name;
+      found = recordOf_.find(owner.substr(0, owner.find('/') + 1) + reference.type);
+    }
+    if (found == recordOf_.end())
+      return Error{name_, reference.line, "",
+                   "the schema does not tell what " + reference.type + " is"};
+    records()[reference.record].fields[reference.field].record = found->second;
+    return std::nullopt;
+  }
+
+  /// Computes the least size of a record and of all in it.
+  std::optional<std::string> measure(std::size_t index, std::size_t depth) {
+    if (depth > deepestNesting) return records()[index].name + " is nested too deeply";
+    if (records()[index].leastSize > 0 && depth_[index] >= depth) return std::nullopt;
+    depth_[index] = depth;
+    std::size_t size = 0;
+    for (const Field& field : records()[index].fields) {
+      if (field.kind == Kind::record)
+        if (auto what = measure(field.record, depth + 1)) return what;
+      const std::size_t least =
+          field.size == MessageDefinition::Size::list
+              ? 4
+              : definition_.leastSize(field) *
+                    (field.size == MessageDefinition::Size::array ? field.count : 1);
+      size += least;
+      if (size > largestValue) return records()[index].name + " is too large";
+    }
+    records()[index].leastSize = std::max<std::size_t>(size, 1);
+    return std::nullopt;
+  }
+
+  std::string name_;
+  std::string_view text_;
+  int line_ = 0;
+  MessageDefinition definition_;
+  std::map<std::string, std::size_t> recordOf_;
+  std::vector<Constant> constants_;
+  std::vector<Reference> names_;
+  std::vector<std::size_t> depth_;  ///< Of each record: the deepest place at which it was measured.
+};
+
+Result<MessageDefinition> MessageDefinition::parse(const std::string& name, std::string_view text) {
+  return MessageDefinitionParser{name, text}.parse();
+}
+
+std::size_t MessageDefinition::leastSize(const Field& field) const {
+  switch (field.kind) {
+    case Kind::boolean:
+      return 1;
+    case Kind::number:
+      return numberSize(field.number);
+    case Kind::text:
+      return 4;
+    default:
+      return records_[field.record].leastSize;
+  }
+}
+
+}  // namespace gt
