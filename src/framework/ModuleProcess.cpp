@@ -105,8 +105,11 @@ bool ModuleProcess::handleAs(const Message& message) {
     // Requests go to all processes; each carries out what concerns it.
     if constexpr (requires { wanted.task; })
       if (!solves(wanted.task)) return true;
-    if constexpr (requires { wanted.process; })
-      if (wanted.process != name()) return true;
+    if constexpr (requires { wanted.process; }) {
+      const bool here =
+          wanted.process.empty() ? provides(wanted.representation) : wanted.process == name();
+      if (!here) return true;
+    }
     done = request(wanted);
   }
   if (!done) debug_.text(name() + ": " + done.error().text());
@@ -115,7 +118,27 @@ bool ModuleProcess::handleAs(const Message& message) {
 
 void ModuleProcess::handle(const Message& message) {
   handleAs<SolutionRequest>(message) || handleAs<DebugRequest>(message) ||
-      handleAs<WatchRequest>(message) || handleAs<ParameterRequest>(message);
+      handleAs<WatchRequest>(message) || handleAs<ParameterRequest>(message) ||
+      handlePackage(message);
+}
+
+/// What the process receives as a package may also come as a message: a motion request of a tool, a
+/// message of a team mate that the router brings (report 2.2.2).
+bool ModuleProcess::handlePackage(const Message& message) {
+  for (const auto& receiver : ownReceivers_)
+    if (receiver->type().id == message.id && !receiver->blocking()) {
+      if (const auto done = receiver->deliverBytes(message.bytes); !done)
+        debug_.text(name() + ": " + done.error().text());
+      return true;
+    }
+  return false;
+}
+
+bool ModuleProcess::provides(std::string_view representation) const {
+  return std::any_of(slots_.begin(), slots_.end(), [&](const Slot& slot) {
+    return std::any_of(slot.task->outputs.begin(), slot.task->outputs.end(),
+                       [&](auto* output) { return output->name == representation; });
+  });
 }
 
 bool ModuleProcess::isDue(const Slot& slot) const {

@@ -59,6 +59,8 @@ class ModuleProcess : public Process {
   Result<AnyModule*> find(std::string_view task, std::string_view solution);
   bool isDue(const Slot& slot) const;
   void handle(const Message& message);
+  bool handlePackage(const Message& message);
+  bool provides(std::string_view representation) const;
   template <typename Request>
   bool handleAs(const Message& message);
 

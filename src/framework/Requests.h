@@ -42,7 +42,7 @@ struct WatchRequest {
 
   static constexpr auto fields() {
     return std::tuple{field("representation", &WatchRequest::representation),
-                      field("process", &WatchRequest::process), field("on", &WatchRequest::on)};
+                      field("process", &WatchRequest::process, "", "empty: whichever provides it"), field("on", &WatchRequest::on)};
   }
 };
 static_assert(complete<WatchRequest>);
