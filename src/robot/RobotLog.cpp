@@ -5,6 +5,13 @@
 
 namespace gt {
 
+CompressedImage compressed(const Image& image) {
+  CompressedImage result;
+  result.header = {RosTime::of(image.time), "camera"};
+  result.data = encodeJpeg(&image.pixels.front().y, image.info.width, image.info.height);
+  return result;
+}
+
 RobotLog::RobotLog(McapWriter writer) : writer_{std::move(writer)} {
   for (const RepresentationType* type :
        {&representation<Text>(), &representation<Drawing>(), &representation<Plot>()})
@@ -32,10 +39,7 @@ void RobotLog::write(const MessageQueue& queue) {
 }
 
 void RobotLog::write(const Image& image) {
-  CompressedImage compressed;
-  compressed.header = {RosTime::of(image.time), "camera"};
-  compressed.data = encodeJpeg(&image.pixels.front().y, image.info.width, image.info.height);
-  writer_.write(camera_, image.time, compressed);
+  writer_.write(camera_, image.time, compressed(image));
 }
 
 }  // namespace gt

@@ -5,8 +5,12 @@
 #include "framework/Representation.h"
 #include "representations/infrastructure/Image.h"
 #include "streams/Mcap.h"
+#include "streams/Schema.h"
 
 namespace gt {
+
+/// A picture as JPEG, in the form that viewers know.
+CompressedImage compressed(const Image& image);
 
 /// Writes what a robot sends to its tools into a log file (MCAP), a channel for each type of
 /// message: /RobotPose, /Drawing.
@@ -18,7 +22,7 @@ class RobotLog {
   /// Makes messages of a type known; those of unknown types are passed over.
   void know(const RepresentationType& type);
   void write(const MessageQueue& queue);
-  /// A camera picture as JPEG, in the form that viewers know: /camera.
+  /// A camera picture as JPEG: /camera.
   void write(const Image& image);
   Result<void> close() { return writer_.close(); }
 

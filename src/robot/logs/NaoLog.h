@@ -30,7 +30,17 @@ struct NaoMotionFrame {
   std::array<float, 18>
       sensors{};    ///< gyro 3, acceleration 3, battery, feet 8, ultrasound, body's angles 2.
   Pose2D odometry;  ///< mm and rad.
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("time", &NaoMotionFrame::time, "ms"),
+        field("joints", &NaoMotionFrame::joints, "rad", "1000 where a joint is not there"),
+        field("sensors", &NaoMotionFrame::sensors, "",
+              "gyro 3, acceleration 3, battery, feet 8, ultrasound, body's angles 2"),
+        field("odometry", &NaoMotionFrame::odometry, "mm and rad")};
+  }
 };
+static_assert(complete<NaoMotionFrame>);
 
 /// A log of a real robot in memory: its frames in the order of time (facts, 3).
 class NaoLog {

@@ -1,0 +1,189 @@
+#include "gtlog/Export.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "streams/RecordedMessage.h"
+
+namespace gt {
+namespace {
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, FileCloser>;
+
+/// A list longer than this makes a table that nobody can read.
+constexpr std::size_t mostColumns = 10'000;
+
+Result<File> openFile(const std::string& path) {
+  File file{std::fopen(path.c_str(), "w")};
+  if (!file) return Error{path, 0, "", std::string("cannot be written: ") + std::strerror(errno)};
+  return file;
+}
+
+Result<void> closeFile(File file, const std::string& path) {
+  const bool good = std::ferror(file.get()) == 0;
+  if (std::fclose(file.release()) == 0 && good) return {};
+  return Error{path, 0, "", std::string("cannot be written: ") + std::strerror(errno)};
+}
+
+/// Calls visit(path, scalar) for every scalar of a message; elements are numbered: feet.2.z.
+template <typename Visit>
+void forEachScalar(const Json& json, const std::string& path, const Visit& visit) {
+  const std::string prefix = path.empty() ? "" : path + ".";
+  if (json.is_object())
+    for (const auto& [name, part] : json.items()) forEachScalar(part, prefix + name, visit);
+  else if (json.is_array())
+    for (std::size_t i = 0; i < json.size(); ++i)
+      forEachScalar(json[i], prefix + std::to_string(i), visit);
+  else
+    visit(path, json);
+}
+
+/// A cell of CSV (RFC 4180): texts in quotes where they need it.
+std::string cell(const Json& scalar) {
+  if (scalar.is_null()) return "";
+  if (!scalar.is_string()) return scalar.dump();
+  const auto& text = scalar.get_ref<const std::string&>();
+  if (text.find_first_of(",\"\r\n") == text.npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) (quoted += c) += c == '"' ? "\"" : "";
+  return quoted + "\"";
+}
+
+/// Visits the selected messages as JSON.
+template <typename Visit>
+Result<void> forEachJson(const std::string& log, const Selection& selection, const Visit& visit) {
+  Definitions definitions{log};
+  return selection.forEach(
+      log, [&](const McapChannel& channel, const McapMessage& message) -> Result<void> {
+        const auto definition = definitions.of(channel);
+        if (!definition) return definition.error();
+        const auto json = recordedJson(**definition, message.data);
+        if (!json) return Error{log, 0, channel.topic, json.error().text()};
+        return visit(channel, message.time, *json);
+      });
+}
+
+/// The columns of a topic, in the order of the fields. Of the elements of a list the order is that
+/// of their numbers.
+class Columns {
+ public:
+  /// False if there are too many.
+  bool add(const Json& message) {
+    std::size_t at = 0;
+    forEachScalar(message, "", [&](const std::string& path, const Json&) {
+      const auto known = places_.find(path);
+      if (known != places_.end()) {
+        at = known->second + 1;
+        return;
+      }
+      if (paths_.size() >= mostColumns) return;
+      paths_.insert(paths_.begin() + static_cast<std::ptrdiff_t>(at), path);
+      places_.clear();
+      for (std::size_t i = 0; i < paths_.size(); ++i) places_.emplace(paths_[i], i);
+      ++at;
+    });
+    return paths_.size() < mostColumns;
+  }
+  const std::vector<std::string>& paths() const { return paths_; }
+  std::size_t place(const std::string& path) const { return places_.at(path); }
+
+ private:
+  std::vector<std::string> paths_;
+  std::map<std::string, std::size_t> places_;
+};
+
+}  // namespace
+
+Result<void> exportJson(const std::string& log, const Selection& selection, std::FILE* to,
+                        std::uint64_t limit) {
+  std::uint64_t count = 0;
+  const Error enough{"", 0, "", ""};
+  const auto done = forEachJson(
+      log, selection,
+      [&](const McapChannel& channel, std::int64_t time, const Json& message) -> Result<void> {
+        const Json line{{"topic", channel.topic}, {"time", time}, {"message", message}};
+        // Texts of others may not be UTF-8.
+        fmt::print(to, "{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+        if (++count == limit) return enough;
+        return {};
+      });
+  if (!done && (limit == 0 || count < limit)) return done;
+  return {};
+}
+
+Result<void> exportCsv(const std::string& log, const Selection& selection, const std::string& topic,
+                       const std::string& to) {
+  Selection one = selection;
+  one.topics = {topic};
+  Columns columns;
+  auto done =
+      forEachJson(log, one, [&](const auto&, std::int64_t, const Json& json) -> Result<void> {
+        if (columns.add(json)) return {};
+        return Error{log, 0, topic, "would have more than 10000 columns"};
+      });
+  if (!done) return done;
+  auto file = openFile(to);
+  if (!file) return file.error();
+  fmt::print(file->get(), "time");
+  for (const std::string& path : columns.paths()) fmt::print(file->get(), ",{}", path);
+  fmt::print(file->get(), "\n");
+  std::vector<std::string> row(columns.paths().size());
+  done =
+      forEachJson(log, one, [&](const auto&, std::int64_t time, const Json& json) -> Result<void> {
+        std::fill(row.begin(), row.end(), "");
+        forEachScalar(json, "", [&](const std::string& path, const Json& scalar) {
+          row[columns.place(path)] = cell(scalar);
+        });
+        fmt::print(file->get(), "{}.{:09}", time / 1'000'000'000, time % 1'000'000'000);
+        for (const std::string& text : row) fmt::print(file->get(), ",{}", text);
+        fmt::print(file->get(), "\n");
+        return {};
+      });
+  if (!done) return done;
+  return closeFile(std::move(*file), to);
+}
+
+Result<void> exportLog(const std::string& log, const Selection& selection, const std::string& to) {
+  const std::string extension = std::filesystem::path{to}.extension().string();
+  if (extension == ".json" || extension == ".jsonl") {
+    auto file = openFile(to);
+    if (!file) return file.error();
+    if (auto done = exportJson(log, selection, file->get()); !done) return done;
+    return closeFile(std::move(*file), to);
+  }
+  const auto reader = McapReader::open(log);
+  if (!reader) return reader.error();
+  std::vector<std::string> topics;
+  for (const McapChannel& channel : reader->channels())
+    if (selection.holds(channel) &&
+        std::find(topics.begin(), topics.end(), channel.topic) == topics.end())
+      topics.push_back(channel.topic);
+  if (extension == ".csv") {
+    if (topics.size() != 1)
+      return Error{to, 0, "", "a CSV file is of one topic; choose it by --topic, or name a folder"};
+    return exportCsv(log, selection, topics.front(), to);
+  }
+  std::error_code failed;
+  std::filesystem::create_directories(to, failed);
+  if (failed) return Error{to, 0, "", failed.message()};
+  for (const std::string& topic : topics) {
+    std::string name =
+        topic.substr(topic.find_first_not_of('/') == topic.npos ? 0 : topic.find_first_not_of('/'));
+    std::replace(name.begin(), name.end(), '/', '.');
+    if (auto done = exportCsv(log, selection, topic,
+                              (std::filesystem::path{to} / (name + ".csv")).string());
+        !done)
+      return done;
+  }
+  return {};
+}
+
+}  // namespace gt

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdio>
+
+#include "gtlog/Selection.h"
+
+namespace gt {
+
+/// Prints messages as JSON, one on each line: {"topic":…,"time":…,"message":…}, the time in
+/// nanoseconds. At most `limit` of them, if that is not 0.
+Result<void> exportJson(const std::string& log, const Selection& selection, std::FILE* to,
+                        std::uint64_t limit = 0);
+
+/// Writes one topic as CSV: a column for the time in seconds, and one for each path of a field.
+/// Lists have as many columns as the longest of them needs; what a message lacks is empty.
+Result<void> exportCsv(const std::string& log, const Selection& selection, const std::string& topic,
+                       const std::string& to);
+
+/// By the name of what is written: .json or .jsonl; .csv for one topic; else a folder with a CSV
+/// file for each topic.
+Result<void> exportLog(const std::string& log, const Selection& selection, const std::string& to);
+
+}  // namespace gt

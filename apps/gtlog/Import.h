@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "base/Result.h"
+
+namespace gt {
+
+/// Writes a real robot's log of 2009 (robot/logs/NaoLog.h) as a log of ours: /Image as it was
+/// unpacked and /camera as JPEG, /CameraMatrix, /OdometryData, and /NaoMotionFrame between them.
+Result<void> importNaoLog(const std::string& from, const std::string& to);
+
+}  // namespace gt

@@ -1,0 +1,127 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+
+#include "gtlog/Check.h"
+#include "gtlog/Export.h"
+#include "gtlog/Import.h"
+#include "gtlog/LogList.h"
+#include "gtlog/Transfer.h"
+
+namespace {
+
+using namespace gt;
+
+/// What the commands are told; each uses its part.
+struct Arguments {
+  std::vector<std::string> logs;
+  std::string log, out;
+  Selection selection;
+  std::uint64_t limit = 0;
+};
+
+void addSelection(CLI::App& command, Selection& selection) {
+  command.add_option("--topic", selection.topics, "Only these topics");
+  command.add_option("--without", selection.without, "Not these topics");
+  command.add_option("--from", selection.from, "From this second of the log");
+  command.add_option("--to", selection.to, "Up to this second of the log");
+}
+
+Result<int> list(const Arguments& arguments) {
+  for (const std::string& path : arguments.logs) {
+    const auto text = describeLog(path);
+    if (!text) return text.error();
+    fmt::print("{}", *text);
+  }
+  return 0;
+}
+
+Result<int> show(const Arguments& arguments) {
+  if (auto done = exportJson(arguments.log, arguments.selection, stdout, arguments.limit); !done)
+    return done.error();
+  return 0;
+}
+
+Result<int> check(const Arguments& arguments) {
+  int status = 0;
+  for (const std::string& path : arguments.logs) {
+    const auto found = checkLog(path);
+    if (!found) return found.error();
+    for (const Error& problem : found->problems) fmt::print(stderr, "gtlog: {}\n", problem.text());
+    if (found->problems.empty()) fmt::print("{}: {} messages, all good\n", path, found->messages);
+    if (!found->problems.empty()) status = 2;
+  }
+  return status;
+}
+
+Result<int> tell(const Result<Transferred>& done, const std::string& to) {
+  if (!done) return done.error();
+  for (const Error& lost : done->lost) fmt::print(stderr, "gtlog: {}\n", lost.text());
+  fmt::print("{}: {} messages\n", to, done->messages);
+  return 0;
+}
+
+Result<int> done(const Result<void>& result) {
+  if (!result) return result.error();
+  return 0;
+}
+
+}  // namespace
+
+/// gtlog: what is to be done with logs.
+int main(int argc, char** argv) {
+  CLI::App app{"Logs of robots: MCAP files, which Foxglove and ROS 2 open, too"};
+  app.require_subcommand(1);
+  Arguments a;
+  std::function<Result<int>()> run;
+  const auto command = [&](const char* name, const char* what, auto&& action) -> CLI::App& {
+    CLI::App& sub = *app.add_subcommand(name, what);
+    sub.callback([&run, action] { run = action; });
+    return sub;
+  };
+  command("list", "Tells what is in logs: channels, counts, rates, times, metadata",
+          [&] { return list(a); })
+      .add_option("logs", a.logs)
+      ->required();
+  CLI::App& showing = command("show", "Prints messages, one on each line", [&] { return show(a); });
+  showing.add_option("log", a.log)->required();
+  showing.add_option("--limit", a.limit, "Not more than so many");
+  addSelection(showing, a.selection);
+  CLI::App& cutting = command("cut", "Writes some of a log's messages into a new one",
+                              [&] { return tell(cutLog(a.log, a.selection, a.out), a.out); });
+  cutting.add_option("log", a.log)->required();
+  cutting.add_option("out", a.out)->required();
+  addSelection(cutting, a.selection);
+  CLI::App& joining = command("join", "Joins logs into one, in the order of time",
+                              [&] { return tell(joinLogs(a.logs, a.out), a.out); });
+  joining.add_option("out", a.out, "The new log")->required();
+  joining.add_option("logs", a.logs)->required();
+  command("check", "Reads all of logs: index, checksums, and every message by its schema",
+          [&] { return check(a); })
+      .add_option("logs", a.logs)
+      ->required();
+  CLI::App& repairing = command("repair", "Writes what is whole in a damaged log into a new one",
+                                [&] { return tell(repairLog(a.log, a.out), a.out); });
+  repairing.add_option("log", a.log)->required();
+  repairing.add_option("out", a.out)->required();
+  CLI::App& exporting =
+      command("export",
+              "Writes messages as JSON lines (OUT.json), CSV (OUT.csv, one topic), or into a "
+              "folder of CSV files",
+              [&] { return done(exportLog(a.log, a.selection, a.out)); });
+  exporting.add_option("log", a.log)->required();
+  exporting.add_option("out", a.out)->required();
+  addSelection(exporting, a.selection);
+  CLI::App& importing = command("import", "Writes a real robot's log of 2009 as a log of ours",
+                                [&] { return done(importNaoLog(a.log, a.out)); });
+  importing.add_option("log", a.log)->required();
+  importing.add_option("out", a.out)->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  const auto status = run();
+  if (!status) fmt::print(stderr, "gtlog: {}\n", status.error().text());
+  return status ? *status : 2;
+}
