@@ -30,6 +30,8 @@ void addOptions(CLI::App& app, gt::RobotProgramOptions& options) {
       ->capture_default_str();
   app.add_option("--sockets", options.addresses.folder, "Folder of the processes' sockets")
       ->capture_default_str();
+  app.add_option("--logs", options.logs, "Folder in which the process Debug records a log")
+      ->check(CLI::ExistingDirectory);
   app.add_option("--tools", options.tools,
                  "Where tools and the router connect (process Debug): tcp://127.0.0.1:15001; "
                  "by default a socket in the folder");

@@ -113,6 +113,7 @@ void Wire::take(Socket& socket, const Received& received) {
 }
 
 void Wire::takeRequest(Peer& peer, const Frame& frame) {
+  if (frame.session != peer.clock.session) peer.clock = {frame.time, frame.session};
   if (Link* link = linkFor(peer, frame.type))
     link->hear(frame.kind);
   else

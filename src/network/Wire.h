@@ -30,8 +30,8 @@ class Wire {
   /// after each cycle of the process.
   void update();
 
-  /// The newest time that a peer stamped its packages with, and the session it is in; the epoch and
-  /// 0 as long as nothing came from it.
+  /// The newest time that a peer stamped its packages with, and the session it is in; 0 as long as
+  /// nothing came from it.
   struct Clock {
     Time time;
     std::uint64_t session = 0;

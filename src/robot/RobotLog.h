@@ -24,6 +24,8 @@ class RobotLog {
   void write(const MessageQueue& queue);
   /// A camera picture as JPEG: /camera.
   void write(const Image& image);
+  /// Makes all that was written readable, however the program ends.
+  void flush() { writer_.flush(); }
   Result<void> close() { return writer_.close(); }
 
  private:

@@ -1,11 +1,14 @@
 #include "robot/linux/RobotProgram.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 
 #include "framework/DebugProcess.h"
 #include "network/ToolPort.h"
 #include "network/Wire.h"
+#include "robot/RobotLog.h"
 
 namespace gt {
 namespace {
@@ -98,8 +101,75 @@ Result<void> runModules(const RobotProgramOptions& options, const Layout& layout
   return {};
 }
 
+/// Records what config/log.cfg names, asking each process for it, again when it was started again.
+class Recorder {
+ public:
+  static Result<Recorder> open(const RobotProgramOptions& options, const SolutionTable& table,
+                               std::vector<std::string> representations) {
+    auto log = RobotLog::open(freeFile(options), {{"robot", options.addresses.robot}});
+    if (!log) return log.error();
+    for (const auto& [name, task] : table.tasks())
+      for (const RepresentationType* type : task.outputs) log->know(*type);
+    return Recorder{std::move(*log), std::move(representations)};
+  }
+
+  void write(const MessageQueue& messages, std::int64_t now) {
+    log_.write(messages);
+    if (now < nextFlush_) return;
+    log_.flush();
+    nextFlush_ = now + 1000;
+  }
+  void ask(const Wire& wire, const Layout& layout, MessageQueue& requests) {
+    for (const ProcessLayout& process : layout.processes) {
+      std::uint64_t& known = sessions_[process.name];
+      const std::uint64_t session = wire.clockOf(process.name).session;
+      if (session == known) continue;
+      known = session;
+      for (const std::string& name : representations_)
+        requests.write({}, WatchRequest{name, "", true});
+    }
+  }
+
+ private:
+  Recorder(RobotLog log, std::vector<std::string> representations)
+      : log_{std::move(log)}, representations_{std::move(representations)} {}
+
+  /// ROBOT.mcap, or with the next number: a log is never written over.
+  static std::string freeFile(const RobotProgramOptions& options) {
+    const std::string base = options.logs + "/" + options.addresses.robot;
+    std::string file = base + ".mcap";
+    for (int i = 2; access(file.c_str(), F_OK) == 0; ++i)
+      file = base + "." + std::to_string(i) + ".mcap";
+    return file;
+  }
+
+  RobotLog log_;
+  std::vector<std::string> representations_;
+  std::map<std::string, std::uint64_t> sessions_;
+  std::int64_t nextFlush_ = 0;
+};
+
+Result<std::optional<Recorder>> openRecorder(const RobotProgramOptions& options,
+                                             const SolutionTable& table) {
+  if (options.logs.empty()) return std::optional<Recorder>{};
+  const auto configuration = loadConfiguration(options.paths, table);
+  if (!configuration) return configuration.error();
+  auto recorder = Recorder::open(options, table, (*configuration)->log.representations);
+  if (!recorder) return recorder.error();
+  return std::optional{std::move(*recorder)};
+}
+
+/// Whether all the robot's processes have been heard of, or have had their time to start.
+bool isComplete(const Wire& wire, const Layout& layout, std::int64_t elapsed) {
+  constexpr std::int64_t timeToStart = 3000;  // ms
+  return elapsed > timeToStart || std::ranges::all_of(layout.processes, [&](const auto& process) {
+           return process.collectsMessages || wire.clockOf(process.name).session != 0;
+         });
+}
+
 /// Passes messages between the robot's other processes and the tools.
-Result<void> runDebug(const RobotProgramOptions& options, const Layout& layout) {
+Result<void> runDebug(const RobotProgramOptions& options, const Layout& layout,
+                      const SolutionTable& table) {
   DebugProcess debug{options.process};
   Network network;
   Wire wire{network, options.process};
@@ -108,6 +178,8 @@ Result<void> runDebug(const RobotProgramOptions& options, const Layout& layout) 
       options.tools.empty() ? options.addresses.endpoint("Tools") : options.tools;
   const auto port = ToolPort::open(network, tools, keysFor(tools, options.listenKeys));
   if (!port) return port.error();
+  auto recorder = openRecorder(options, table);
+  if (!recorder) return recorder.error();
   wire.provide(debug.sender());
   for (const ProcessLayout& process : layout.processes)
     if (!process.collectsMessages) wire.receive(process.name, debug.addReceiver());
@@ -116,10 +188,13 @@ Result<void> runDebug(const RobotProgramOptions& options, const Layout& layout) 
     network.wait(std::clamp<std::int64_t>(debug.next().ms - network.elapsed(), 0, longestWait));
     wire.update();
     network.now = Time{network.elapsed()};
+    if (*recorder) (*recorder)->ask(wire, layout, debug.fromTools());
     if (debug.step(network.now)) wire.update();
+    if (*recorder) (*recorder)->write(debug.toTools(), network.elapsed());
     (*port)->send(debug.toTools());
     debug.toTools().clear();
-    (*port)->update(debug.fromTools());
+    // What tools want shall reach all processes, also those that start a little later.
+    if (isComplete(wire, layout, network.elapsed())) (*port)->update(debug.fromTools());
   }
   return {};
 }
@@ -135,7 +210,7 @@ Result<void> runRobotProgram(const RobotProgramOptions& options, const SolutionT
   if (process == layout->processes.end())
     return Error{options.layout, 0, options.process, "the layout has no such process"};
   if (auto done = makePrivateFolder(options.addresses.folder); !done) return done;
-  if (process->collectsMessages) return runDebug(options, *layout);
+  if (process->collectsMessages) return runDebug(options, *layout, table);
 
   const auto configuration = loadConfiguration(options.paths, table);
   if (!configuration) return configuration.error();

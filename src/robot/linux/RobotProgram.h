@@ -17,6 +17,7 @@ struct RobotProgramOptions {
   ConfigurationPaths paths;
   RobotAddresses addresses;
   std::optional<Keys> listenKeys, connectKeys;  ///< For endpoints that are reached by network.
+  std::string logs;   ///< Folder in which the Debug process records a log; none if empty.
   std::string tools;  ///< Where the Debug process listens for tools; empty: as its process "Tools".
 };
 
