@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
 #include "robot/LayoutDrawing.h"
 #include "robot/Robot.h"
 #include "robot/logs/LogPlatform.h"
@@ -26,6 +28,8 @@ int showLayout(const LayoutOptions& options) {
   if (!plan) return fail(plan.error());
   fmt::print("{}", describePlan(*plan));
   if (options.svg.empty()) return 0;
+  std::error_code ignored;  // then drawing tells what is wrong
+  std::filesystem::create_directories(std::filesystem::path{options.svg}.parent_path(), ignored);
   if (const auto done = writeSvg(drawPlan(*plan), options.svg); !done) return fail(done.error());
   fmt::print("Drawing: {}\n", options.svg);
   return 0;
