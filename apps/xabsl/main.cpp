@@ -1,40 +1,23 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <string>
 
-#include "xabsl/Behavior.h"
+#include "Commands.h"
 
-namespace {
-
-constexpr int badInput = 2;
-
-/// Compiles a behavior and prints what there is to say about it.
-int check(const std::string& path) {
-  const xabsl::Compilation compilation = xabsl::compile(path);
-  for (const xabsl::Diagnostic& diagnostic : compilation.diagnostics)
-    std::cerr << toString(diagnostic) << '\n';
-  if (!compilation.behavior) return badInput;
-  const xabsl::Model& model = compilation.behavior->model();
-  std::cout << path << ": " << model.agents.size() << " agents, " << model.options.size()
-            << " options, " << model.states.size() << " states, " << model.symbols.size()
-            << " symbols, " << model.behaviors.size() << " basic behaviors\n";
+int main(int argc, char** argv) {
+  CLI::App program("Works on behaviors written in XABSL");
+  program.require_subcommand(1);
+  xabsl::app::addCheck(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : xabsl::app::Failure{}.status;
+  } catch (const xabsl::app::Failure& failure) {
+    return failure.status;
+  }
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app("Works on behaviors written in XABSL");
-  app.require_subcommand(1);
-
-  std::string path;
-  CLI::App* checkCommand = app.add_subcommand("check", "Tell the errors in a behavior");
-  checkCommand->add_option("agents", path, "The .xabsl file that declares the agents")->required();
-
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : badInput;
-  }
-  return check(path);
+void xabsl::app::print(const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics)
+    std::cerr << toStringWithSource(diagnostic) << '\n';
 }

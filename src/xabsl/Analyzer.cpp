@@ -22,7 +22,7 @@ Analyzer::Analyzer(const syntax::Program& program, Reporter& reporter)
     : program_(program), reporter_(reporter) {}
 
 Model Analyzer::analyze() {
-  model_.files = reporter_.files();
+  describeProgram();
   declareEnumerations();
   declareSymbols();
   declareConstants();
@@ -33,6 +33,22 @@ Model Analyzer::analyze() {
     resolveOption(program_.options[i], static_cast<int>(i));
   if (!reporter_.failed()) checkOptionGraph(model_, reporter_);
   return std::move(model_);
+}
+
+void Analyzer::describeProgram() {
+  model_.files = reporter_.files();
+  model_.dialect = program_.dialect;
+  model_.title = program_.header.title;
+  model_.platform = program_.header.platform;
+  model_.softwareEnvironment = program_.header.softwareEnvironment;
+  std::set<std::string_view> known;
+  for (const syntax::Namespace& source : program_.namespaces) {
+    if (!known.insert(source.name.text).second)
+      reporter_.warning(source.name.location,
+                        "namespace " + quoted(source.name.text) + " is declared twice");
+    model_.namespaces.push_back({std::string(source.name.text), std::string(source.title),
+                                 source.name.location, std::string(source.doc)});
+  }
 }
 
 void Analyzer::declare(Names::Table& table, const syntax::Name& name, int index,
@@ -49,7 +65,9 @@ void Analyzer::declareEnumerations() {
     model_.expressions.push_back({.operation = Operator::element,
                                   .a = static_cast<int>(model_.enumerations.size()),
                                   .b = 0});
-    Enumeration enumeration{std::string(source.name.text), {}, source.name.location};
+    Enumeration enumeration{
+        std::string(source.name.text), {}, source.name.location, source.internal, source.space,
+        std::string(source.doc)};
     if (source.elements.size() > maximalElements)
       reporter_.error(source.name.location, "enumeration " + quoted(source.name.text) +
                                                 " has more than " +
@@ -78,24 +96,38 @@ void Analyzer::declareSymbols() {
     symbol.location = source.name.location;
     resolve(source.type, symbol.type);
     symbol.parameters = resolve(source.parameters);
+    symbol.space = source.space;
+    symbol.range = source.range;
+    symbol.unit = source.unit;
+    symbol.doc = source.doc;
     model_.symbols.push_back(std::move(symbol));
   }
 }
 
 void Analyzer::declareConstants() {
-  for (const syntax::Constant& source : program_.constants)
+  for (const syntax::Constant& source : program_.constants) {
+    const int index = static_cast<int>(model_.constants.size());
     if (names_.symbols.count(source.name.text) > 0 ||
-        !names_.constants.emplace(source.name.text, source.value).second)
+        !names_.constants.emplace(source.name.text, index).second)
       reporter_.error(source.name.location,
                       "symbol " + quoted(source.name.text) + " is declared twice");
+    model_.constants.push_back({std::string(source.name.text),
+                                (source.negative ? "-" : "") + std::string(source.digits),
+                                source.value, source.name.location, source.space,
+                                std::string(source.unit), std::string(source.doc)});
+  }
 }
 
 void Analyzer::declareBehaviors() {
   for (const syntax::Behavior& source : program_.behaviors) {
     declare(names_.behaviors, source.name, static_cast<int>(model_.behaviors.size()),
             "basic behavior");
-    model_.behaviors.push_back(
-        {std::string(source.name.text), resolve(source.parameters), source.name.location, {}});
+    model_.behaviors.push_back({std::string(source.name.text),
+                                resolve(source.parameters),
+                                source.name.location,
+                                {},
+                                source.space,
+                                std::string(source.doc)});
   }
 }
 
@@ -105,6 +137,7 @@ void Analyzer::declareOptions() {
     Option option;
     option.name = source.name.text;
     option.location = source.name.location;
+    option.doc = source.doc;
     option.parameters = resolve(source.parameters);
     declareStates(source, option);
     model_.options.push_back(std::move(option));
@@ -122,8 +155,13 @@ void Analyzer::declareStates(const syntax::Option& source, Option& option) {
       reporter_.error(state.name.location, "option " + option.name +
                                                " has a second initial state, expected exactly one");
     if (state.initial) option.initialState = static_cast<int>(model_.states.size());
-    model_.states.push_back(
-        {std::string(state.name.text), state.target, {}, {}, state.name.location});
+    model_.states.push_back({std::string(state.name.text),
+                             state.target,
+                             {},
+                             {},
+                             state.name.location,
+                             state.cooperation,
+                             std::string(state.doc)});
   }
   if (option.initialState < 0)
     reporter_.error(option.location,
@@ -136,7 +174,8 @@ void Analyzer::declareAgents() {
     declare(known, source.name, 0, "agent");
     const int root = Names::find(names_.options, source.rootOption.text);
     if (root < 0) unknown(names_.options, source.rootOption, "option");
-    model_.agents.push_back({std::string(source.name.text), root, source.name.location});
+    model_.agents.push_back({std::string(source.name.text), root, source.name.location,
+                             std::string(source.title), std::string(source.doc)});
   }
   if (program_.agents.empty())
     reporter_.error({}, "there is no agent, expected 'agent name(\"title\", root_option);'");
@@ -165,7 +204,9 @@ std::vector<Parameter> Analyzer::resolve(const std::vector<syntax::Parameter>& s
     if (!known.insert(source.name.text).second)
       reporter_.error(source.name.location,
                       "parameter " + quoted(source.name.text) + " is declared twice");
-    Parameter parameter{std::string(source.name.text), {}, source.name.location};
+    Parameter parameter{std::string(source.name.text), {},
+                        source.name.location,          std::string(source.range),
+                        std::string(source.unit),      std::string(source.doc)};
     resolve(source.type, parameter.type);
     parameters.push_back(std::move(parameter));
   }
@@ -218,11 +259,12 @@ Branch Analyzer::branch(const syntax::Decision& source, ExpressionAnalyzer& expr
   model_.decisions.resize(first + source.arms.size());
   for (std::size_t i = 0; i < source.arms.size(); ++i) {
     Decision decision;
+    decision.doc = source.arms[i].doc;
     decision.condition =
         expressions.expression(*source.arms[i].condition, {ValueKind::boolean, -1}, "condition");
     decision.then = branch(*source.arms[i].decision, expressions);
     decision.otherwise = {Branch::Kind::decision, static_cast<int>(first + i + 1)};
-    model_.decisions[first + i] = decision;
+    model_.decisions[first + i] = std::move(decision);
   }
   model_.decisions[first + source.arms.size() - 1].otherwise = {};
   if (source.otherwise) {
@@ -299,7 +341,7 @@ bool Analyzer::call(const syntax::Action& source, int option, ExpressionAnalyzer
     action.target = called;
     action.operand = expressions.arguments(
         source.arguments, model_.options[static_cast<std::size_t>(called)].parameters,
-        "option " + name);
+        source.name.text, "option " + name);
     return true;
   }
   if (behavior >= 0 && source.kind != Kind::callOption) {
@@ -307,8 +349,8 @@ bool Analyzer::call(const syntax::Action& source, int option, ExpressionAnalyzer
     if (prototype.firstUse.option < 0) prototype.firstUse = {option, source.name.location};
     action.kind = Action::Kind::behavior;
     action.target = behavior;
-    action.operand =
-        expressions.arguments(source.arguments, prototype.parameters, "basic behavior " + name);
+    action.operand = expressions.arguments(source.arguments, prototype.parameters, source.name.text,
+                                           "basic behavior " + name);
     return true;
   }
   unknownCallee(source, expressions);

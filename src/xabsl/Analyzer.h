@@ -23,6 +23,7 @@ class Analyzer {
   Model analyze();
 
  private:
+  void describeProgram();
   void declareEnumerations();
   void declareSymbols();
   void declareConstants();

@@ -237,13 +237,21 @@ TEST(Compile, TellsWhatWasExpected) {
             "2:25: error: a '?:' inside another one needs parentheses\n");
 }
 
-TEST(Compile, SaysThatCooperationIsNotSupported) {
-  EXPECT_EQ(errorsInMain("option main { initial state s capacity 2 { action { } } }"),
-            "1:31: error: cooperative states ('capacity') are not supported\n");
-  EXPECT_EQ(errorsInMain("option main { initial state s synchronized { action { } } }"),
-            "1:31: error: cooperative states ('synchronized') are not supported\n");
-  EXPECT_EQ(errorsInDecision("if (conflict) stay; else stay;"),
-            "2:5: error: cooperative states ('conflict') are not supported\n");
+TEST(Compile, ReadsCooperation) {
+  const Behavior behavior = test::compiled(
+      "option main { initial state s capacity 2 { decision { if (conflict) goto t; else stay; }\n"
+      "action { } } state t synchronized { action { } } state u synchronized 3 { action { } } }\n"
+      "agent a(\"A\", main);");
+  const std::vector<State>& states = behavior.model().states;
+  EXPECT_EQ(states[0].cooperation.kind, Cooperation::Kind::capacity);
+  EXPECT_EQ(states[0].cooperation.agents, 2);
+  EXPECT_EQ(states[1].cooperation.kind, Cooperation::Kind::synchronized);
+  EXPECT_EQ(states[1].cooperation.agents, 0);
+  EXPECT_EQ(states[2].cooperation.agents, 3);
+  EXPECT_EQ(errorsInMain("option main { initial state s capacity { action { } } }"),
+            "1:40: error: expected the number of agents, found '{'\n");
+  EXPECT_EQ(errorsInMain("option main { initial state s capacity 1.5 { action { } } }"),
+            "1:40: error: the number of agents is a whole number up to 1000\n");
 }
 
 TEST(Compile, FindsSeveralSyntaxErrorsInOneRun) {

@@ -22,10 +22,14 @@ struct Diagnostic {
   int line = 0;  // 0: the message is about the file as a whole
   int column = 0;
   std::string message;
+  std::string source = {};  // the line itself, if it is known
 };
 
 /// `file:line:column: error: message`, as compilers write it.
 std::string toString(const Diagnostic& diagnostic);
+
+/// The same, and below it the line itself with a caret under the place.
+std::string toStringWithSource(const Diagnostic& diagnostic);
 
 bool hasErrors(const std::vector<Diagnostic>& diagnostics);
 

@@ -256,6 +256,8 @@ double Engine::evaluate(int index, const OptionState& option) {
       return static_cast<double>(option.optionTime);
     case Operator::actionDone:
       return actionDone(option);
+    case Operator::conflict:
+      return 0;  // nobody else is there
     case Operator::negate:
       return -operand(expression.a, option);
     case Operator::logicalNot:

@@ -66,10 +66,13 @@ std::string describe(const Model& model, Type type) {
   return "enum " + model.enumerations[static_cast<std::size_t>(type.enumeration)].name;
 }
 
-int findParameter(const std::vector<Parameter>& parameters, std::string_view name) {
+int findParameter(const std::vector<Parameter>& parameters, std::string_view name,
+                  std::string_view owner) {
   for (std::size_t i = 0; i < parameters.size(); ++i)
     if (parameters[i].name == name) return static_cast<int>(i);
-  return -1;
+  const bool qualified = !owner.empty() && name.size() > owner.size() &&
+                         name.substr(0, owner.size()) == owner && name[owner.size()] == '.';
+  return qualified ? findParameter(parameters, name.substr(owner.size() + 1)) : -1;
 }
 
 ExpressionAnalyzer::ExpressionAnalyzer(Model& model, const Names& names, int option,
@@ -94,12 +97,13 @@ int ExpressionAnalyzer::expression(const syntax::Expression& source, Type wanted
 }
 
 int ExpressionAnalyzer::arguments(const std::vector<syntax::Argument>& sources,
-                                  const std::vector<Parameter>& parameters,
+                                  const std::vector<Parameter>& parameters, std::string_view owner,
                                   const std::string& callee) {
   std::vector<int> operands(parameters.size(), -1);
   std::vector<bool> given(parameters.size(), false);
+  std::vector<int> order;
   for (const syntax::Argument& source : sources) {
-    const int index = findParameter(parameters, source.name.text);
+    const int index = findParameter(parameters, source.name.text, owner);
     if (index < 0) {
       Suggestion suggestion(source.name.text);
       for (const Parameter& parameter : parameters) suggestion.offer(parameter.name);
@@ -110,13 +114,15 @@ int ExpressionAnalyzer::arguments(const std::vector<syntax::Argument>& sources,
     const std::size_t i = static_cast<std::size_t>(index);
     if (given[i])
       error(source.name.location, "parameter " + quoted(source.name.text) + " is set twice");
+    else
+      order.push_back(index);
     given[i] = true;
     operands[i] = expression(*source.value, parameters[i].type,
                              "parameter " + quoted(source.name.text) + " of " + callee);
   }
   for (std::size_t i = 0; i < parameters.size(); ++i)
     if (!given[i]) operands[i] = Model::defaultExpression(parameters[i].type);
-  return appendOperands(operands);
+  return appendOperands(operands, order);
 }
 
 ExpressionAnalyzer::Typed ExpressionAnalyzer::analyze(const syntax::Expression& source,
@@ -139,6 +145,8 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::analyze(const syntax::Expression& 
       return add(source, {.operation = Operator::optionTime}, number);
     case Kind::actionDone:
       return add(source, {.operation = Operator::actionDone}, boolean);
+    case Kind::conflict:
+      return add(source, {.operation = Operator::conflict}, boolean);
     case Kind::operation:
       return operation(source, enumeration);
   }
@@ -151,9 +159,13 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& sou
     const Typed found = element(source, enumeration);
     if (found.index >= 0) return found;
   }
-  const auto constant = names_.constants.find(source.name);
-  if (constant != names_.constants.end())
-    return add(source, {.operation = Operator::constant, .number = constant->second}, number);
+  const int constant = Names::find(names_.constants, source.name);
+  if (constant >= 0)
+    return add(source,
+               {.operation = Operator::constant,
+                .a = constant,
+                .number = model_.constants[static_cast<std::size_t>(constant)].value},
+               number);
   const int index = Names::find(names_.symbols, source.name);
   if (index >= 0) return symbol(source, index);
   // Written with the name of the enumeration, an element stands for itself anywhere.
@@ -179,8 +191,8 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& s
               quoted(symbol.name + "(" + symbol.parameters.front().name + " = ...)"));
     return {};
   }
-  const int first =
-      arguments(source.arguments, symbol.parameters, "input symbol " + quoted(symbol.name));
+  const int first = arguments(source.arguments, symbol.parameters, symbol.name,
+                              "input symbol " + quoted(symbol.name));
   return add(source, {.operation = Operator::input, .a = index, .b = first}, symbol.type);
 }
 
@@ -310,9 +322,12 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::add(const syntax::Expression& sour
   return {static_cast<int>(model_.expressions.size()) - 1, type};
 }
 
-int ExpressionAnalyzer::appendOperands(const std::vector<int>& operands) {
+int ExpressionAnalyzer::appendOperands(const std::vector<int>& operands,
+                                       const std::vector<int>& order) {
   const int first = static_cast<int>(model_.operands.size());
   model_.operands.insert(model_.operands.end(), operands.begin(), operands.end());
+  model_.argumentOrder.insert(model_.argumentOrder.end(), order.begin(), order.end());
+  model_.argumentOrder.resize(model_.operands.size(), -1);
   return first;
 }
 
@@ -327,7 +342,7 @@ void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enume
               ", nor is there a symbol of that name";
   }
   for (const auto& [candidate, index] : names_.symbols) suggestion.offer(candidate);
-  for (const auto& [candidate, value] : names_.constants) suggestion.offer(candidate);
+  for (const auto& [candidate, index] : names_.constants) suggestion.offer(candidate);
   error(source.location, message + suggestion.text());
 }
 

@@ -14,8 +14,9 @@ namespace xabsl {
 /// How messages name a type: `float`, `bool` or `enum E`.
 std::string describe(const Model& model, Type type);
 
-/// Finds a parameter by name; -1: there is none.
-int findParameter(const std::vector<Parameter>& parameters, std::string_view name);
+/// Finds a parameter by name, with or without `owner.` before it; -1: there is none.
+int findParameter(const std::vector<Parameter>& parameters, std::string_view name,
+                  std::string_view owner = {});
 
 /// Resolves names and checks types of the expressions of one option and appends them to the model.
 class ExpressionAnalyzer {
@@ -29,7 +30,8 @@ class ExpressionAnalyzer {
   /// Resolves `name = value, ...`; what is not given becomes 0, false or the first element (report
   /// F.6). Returns the index of the first operand.
   int arguments(const std::vector<syntax::Argument>& sources,
-                const std::vector<Parameter>& parameters, const std::string& callee);
+                const std::vector<Parameter>& parameters, std::string_view owner,
+                const std::string& callee);
 
   void error(Location location, const std::string& message);
 
@@ -50,7 +52,7 @@ class ExpressionAnalyzer {
   Typed conditional(const syntax::Expression& source, int enumeration);
   Typed uniform(const syntax::Expression& source, Type operandType, Type resultType);
   Typed add(const syntax::Expression& source, const Expression& expression, Type type);
-  int appendOperands(const std::vector<int>& operands);
+  int appendOperands(const std::vector<int>& operands, const std::vector<int>& order = {});
   void unknownName(const syntax::Expression& source, int enumeration);
 
   Model& model_;

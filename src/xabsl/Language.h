@@ -9,6 +9,19 @@ enum class ValueKind { number, boolean, enumeration };
 
 enum class SymbolKind { input, output, internal };
 
+/// The versions of the language. In 2.1 output symbols are set after the whole graph was executed
+/// (report H.7), in 3.0 and 3.1 at once.
+enum class Dialect { xabsl21, xabsl30, xabsl31 };
+
+/// How the robots that execute the same option agree about a state: at most `agents` of them may be
+/// in it, or at least that many enter it together.
+struct Cooperation {
+  enum class Kind { none, capacity, synchronized };
+
+  Kind kind = Kind::none;
+  int agents = 0;
+};
+
 /// What an expression does, with the indices a, b and c of the resolved Expression.
 enum class Operator {
   constant,   // number
@@ -19,6 +32,7 @@ enum class Operator {
   stateTime,
   optionTime,
   actionDone,
+  conflict,    // in a cooperative state: too many others are in it
   negate,      // a
   logicalNot,  // a
   add,         // a, b: expressions, and so on

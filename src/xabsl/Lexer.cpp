@@ -37,6 +37,12 @@ bool continuesUtf8(char c) {
   return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
 }
 
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
 bool isKeyword(std::string_view text) {
   return std::find(keywords.begin(), keywords.end(), text) != keywords.end();
 }
@@ -60,8 +66,9 @@ std::string describe(const Token& token) {
   }
 }
 
-Lexer::Lexer(int file, std::string_view text, Reporter& reporter)
-    : text_(text), reporter_(reporter) {
+Lexer::Lexer(int file, std::string_view text, Reporter& reporter,
+             std::vector<syntax::Comment>* comments)
+    : text_(text), reporter_(reporter), comments_(comments) {
   location_.file = file;
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
   if (text_.substr(0, byteOrderMark.size()) == byteOrderMark)
@@ -69,6 +76,14 @@ Lexer::Lexer(int file, std::string_view text, Reporter& reporter)
 }
 
 Token Lexer::next() {
+  doc_ = {};
+  Token token = read();
+  token.doc = doc_;
+  token.end = location_;
+  return token;
+}
+
+Token Lexer::read() {
   for (;;) {
     skipBlanks();
     Token token;
@@ -109,7 +124,7 @@ void Lexer::skipBlanks() {
     if (isBlank(peek())) {
       advance();
     } else if (peek() == '/' && peek(1) == '/') {
-      while (!atEnd() && peek() != '\n') advance();
+      skipLineComment();
     } else if (peek() == '/' && peek(1) == '*') {
       skipBlockComment();
     } else {
@@ -118,8 +133,18 @@ void Lexer::skipBlanks() {
   }
 }
 
+void Lexer::skipLineComment() {
+  const std::size_t start = position_;
+  const Location begin = location_;
+  // A file of old editors may end its lines with a carriage return alone.
+  while (!atEnd() && peek() != '\n' && peek() != '\r') advance();
+  keep(syntax::Comment::Kind::line, start, begin);
+}
+
 void Lexer::skipBlockComment() {
+  using Kind = syntax::Comment::Kind;
   const Location start = location_;
+  const std::size_t first = position_;
   advance();
   advance();
   while (!atEnd() && !(peek() == '*' && peek(1) == '/')) advance();
@@ -129,6 +154,20 @@ void Lexer::skipBlockComment() {
   }
   advance();
   advance();
+  std::string_view inner = text_.substr(first, position_ - first);
+  Kind kind = Kind::block;
+  if (inner.size() >= 7 && inner.substr(0, 4) == "/***") {
+    kind = Kind::header;
+  } else if (inner.size() >= 5 && inner.substr(0, 3) == "/**") {
+    kind = Kind::documentation;
+    doc_ = trimmed(inner.substr(3, inner.size() - 5));
+  }
+  keep(kind, first, start);
+}
+
+void Lexer::keep(syntax::Comment::Kind kind, std::size_t start, Location begin) {
+  if (comments_)
+    comments_->push_back({kind, text_.substr(start, position_ - start), {begin, location_}});
 }
 
 std::string_view Lexer::takeName() {
@@ -160,7 +199,7 @@ Token Lexer::enclosed(Token token, TokenKind kind, char close, const char* name)
 Token Lexer::number(Token token) {
   const std::size_t start = position_;
   while (isDigit(peek())) advance();
-  if (peek() == '.' && isDigit(peek(1))) {
+  if (peek() == '.' && !isLetter(peek(1))) {
     advance();
     while (isDigit(peek())) advance();
   }

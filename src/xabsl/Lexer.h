@@ -2,8 +2,10 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "xabsl/Reporter.h"
+#include "xabsl/Syntax.h"
 
 namespace xabsl {
 
@@ -23,6 +25,8 @@ struct Token {
   TokenKind kind = TokenKind::end;
   std::string_view text;
   Location location;
+  Location end;          // behind its last letter
+  std::string_view doc;  // of the documentation comment before it, without the marks
   double number = 0;
 
   bool is(std::string_view expected) const {
@@ -33,20 +37,25 @@ struct Token {
 /// How a message names a token: 'text', or what stands for it.
 std::string describe(const Token& token);
 
-/// Turns XABSL 3.1 text into tokens, one at a time. Comments are skipped; what is no token is
+/// Turns XABSL 3.1 text into tokens, one at a time. Comments are put aside; what is no token is
 /// reported and skipped.
 class Lexer {
  public:
-  Lexer(int file, std::string_view text, Reporter& reporter);
+  /// Comments are appended to `comments`, if that is given.
+  Lexer(int file, std::string_view text, Reporter& reporter,
+        std::vector<syntax::Comment>* comments = nullptr);
 
   Token next();
 
  private:
   bool atEnd(std::size_t ahead = 0) const { return position_ + ahead >= text_.size(); }
   char peek(std::size_t ahead = 0) const { return atEnd(ahead) ? '\0' : text_[position_ + ahead]; }
+  Token read();
   void advance();
   void skipBlanks();
+  void skipLineComment();
   void skipBlockComment();
+  void keep(syntax::Comment::Kind kind, std::size_t start, Location begin);
   std::string_view takeName();
   Token enclosed(Token token, TokenKind kind, char close, const char* name);
   Token number(Token token);
@@ -55,6 +64,8 @@ class Lexer {
 
   std::string_view text_;
   Reporter& reporter_;
+  std::vector<syntax::Comment>* comments_;
+  std::string_view doc_;
   std::size_t position_ = 0;
   Location location_;
 };

@@ -26,12 +26,37 @@ struct Enumeration {
   std::string name;
   std::vector<EnumerationElement> elements;
   Location location;
+  bool internal = false;
+  int space = -1;  // index into Model::namespaces; -1: in none
+  std::string doc = {};
 };
 
 struct Parameter {
   std::string name;
   Type type;
   Location location;
+  std::string range = {};
+  std::string unit = {};
+  std::string doc = {};
+};
+
+/// A group of symbols or of basic behaviors, for documentation.
+struct Namespace {
+  std::string name;
+  std::string title;
+  Location location;
+  std::string doc = {};
+};
+
+/// A named number. Expressions hold its value; this is for those that write and document.
+struct Constant {
+  std::string name;
+  std::string digits;  // of the value, as written
+  double value = 0;
+  Location location;
+  int space = -1;
+  std::string unit = {};
+  std::string doc = {};
 };
 
 /// Where something declared is used first.
@@ -48,6 +73,10 @@ struct Symbol {
   std::vector<Parameter> parameters;
   Location location;
   Use firstUse;
+  int space = -1;
+  std::string range = {};
+  std::string unit = {};
+  std::string doc = {};
 };
 
 /// The prototype of a basic behavior, which is written in C++.
@@ -56,9 +85,12 @@ struct BasicBehavior {
   std::vector<Parameter> parameters;
   Location location;
   Use firstUse;
+  int space = -1;
+  std::string doc = {};
 };
 
-/// One operation; a, b and c are indices, what into is said at Operator.
+/// One operation; a, b and c are indices, what into is said at Operator. A constant's a is its
+/// index in Model::constants, or -1 for a number that was written out.
 struct Expression {
   Operator operation = Operator::constant;
   int a = -1;
@@ -84,6 +116,7 @@ struct Decision {
   int condition = -1;  // index into Model::expressions
   Branch then;
   Branch otherwise;
+  std::string doc = {};
 };
 
 struct Action {
@@ -107,6 +140,8 @@ struct State {
   Branch decision;
   Span actions;
   Location location;
+  Cooperation cooperation = {};
+  std::string doc = {};
 };
 
 /// A state machine that calls other options and basic behaviors (report 3.8.1.1).
@@ -118,18 +153,30 @@ struct Option {
   Branch commonDecision;
   Span commonActions;
   Location location;
+  std::string doc = {};
 };
 
 struct Agent {
   std::string name;
   int rootOption = -1;
   Location location;
+  std::string title = {};
+  std::string doc = {};
 };
 
 /// A whole behavior with all names and types resolved. Built by the compiler, never changed after
 /// that; engines and tools read it.
 struct Model {
+  Dialect dialect = Dialect::xabsl31;
+  /// False: only what is used was known, as in intermediate code, so that functions and basic
+  /// behaviors may have more parameters, enumerations more elements.
+  bool declarationsComplete = true;
+  std::string title;
+  std::string platform;
+  std::string softwareEnvironment;
   std::vector<std::string> files;
+  std::vector<Namespace> namespaces;
+  std::vector<Constant> constants;
   std::vector<Enumeration> enumerations;
   std::vector<Symbol> symbols;
   std::vector<BasicBehavior> behaviors;
@@ -140,6 +187,9 @@ struct Model {
   std::vector<Expression> expressions;  // begins with the default of each type
   std::vector<Location> expressionLocations;
   std::vector<int> operands;
+  /// Beside the operands of each call: which parameter was set as the first, the second, and so on;
+  /// -1 behind the last one. The others have their default.
+  std::vector<int> argumentOrder;
   std::vector<Agent> agents;  // the first is selected when an engine starts
 
   /// The largest number of options and basic behaviors, together with their parameters, in one

@@ -15,7 +15,7 @@ struct Names {
   Table symbols;
   Table behaviors;
   Table options;
-  std::map<std::string_view, double> constants;
+  Table constants;
 
   /// The index of a name, or -1.
   static int find(const Table& table, std::string_view name) {

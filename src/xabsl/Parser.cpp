@@ -7,11 +7,14 @@ namespace xabsl {
 using namespace syntax;
 
 Parser::Parser(int file, std::string_view text, Reporter& reporter, Program& program)
-    : reporter_(reporter), program_(program), lexer_(file, text, reporter) {
+    : reporter_(reporter),
+      program_(program),
+      lexer_(file, text, reporter, &program.files[static_cast<std::size_t>(file)].comments),
+      file_(file) {
   token_ = lexer_.next();
 }
 
-std::vector<Include> Parser::parse() {
+void Parser::parse() {
   while (token_.kind != TokenKind::end && !reporter_.full()) {
     try {
       declaration();
@@ -19,7 +22,30 @@ std::vector<Include> Parser::parse() {
       skipToDeclaration();
     }
   }
-  return std::move(includes_);
+  header();
+}
+
+/// The title and so on of the first header that has some: only the file with the agents has one.
+void Parser::header() {
+  const auto value = [](std::string_view text, std::string_view key) -> std::string_view {
+    const std::size_t start = text.find(key);
+    if (start == std::string_view::npos) return {};
+    std::string_view line = text.substr(start + key.size());
+    line = line.substr(0, line.find_first_of("\r\n"));
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return {};
+    line = line.substr(first);
+    if (line.size() >= 2 && line.substr(line.size() - 2) == "*/") line.remove_suffix(2);
+    return line.substr(0, line.find_last_not_of(" \t*") + 1);
+  };
+  for (const Comment& comment : program_.files[static_cast<std::size_t>(file_)].comments) {
+    if (comment.kind != Comment::Kind::header) continue;
+    Header& header = program_.header;
+    if (header.title.empty()) header.title = value(comment.text, "Title:");
+    if (header.platform.empty()) header.platform = value(comment.text, "Platform:");
+    if (header.softwareEnvironment.empty())
+      header.softwareEnvironment = value(comment.text, "Software-Environment:");
+  }
 }
 
 void Parser::fail(const std::string& message) {
@@ -32,7 +58,13 @@ void Parser::failExpected(const std::string& what) {
 }
 
 Token Parser::take() {
+  end_ = token_.end;
   return std::exchange(token_, lexer_.next());
+}
+
+/// What a declaration that starts at the next token begins with.
+Declaration Parser::begin() const {
+  return {{}, token_.doc, {token_.location, token_.location}, space_};
 }
 
 bool Parser::accept(std::string_view text) {
@@ -108,31 +140,46 @@ void Parser::include() {
   if (token_.kind != TokenKind::string) failExpected("the path of a file in quotes");
   const Token path = take();
   expect(";");
-  includes_.push_back({path.text, path.location});
+  program_.files[static_cast<std::size_t>(file_)].includes.push_back({path.text, path.location});
 }
 
 void Parser::agent() {
-  take();
   Agent agent;
+  static_cast<Declaration&>(agent) = begin();
+  take();
   agent.name = expectName("the name of an agent");
   expect("(");
   if (token_.kind != TokenKind::string) failExpected("the title of the agent in quotes");
-  take();
+  agent.title = take().text;
   expect(",");
   agent.rootOption = expectName("the name of the root option");
   expect(")");
   expect(";");
+  agent.extent.end = end_;
   program_.agents.push_back(agent);
 }
 
 void Parser::namespaceBlock() {
+  Namespace space;
+  static_cast<Declaration&>(space) = begin();
   take();
-  warnFileName("namespace", expectName("the name of a namespace"));
+  space.name = expectName("the name of a namespace");
+  warnFileName("namespace", space.name);
   expect("(");
   if (token_.kind != TokenKind::string) failExpected("the title of the namespace in quotes");
-  take();
+  space.title = take().text;
   expect(")");
   expect("{");
+  space_ = static_cast<int>(program_.namespaces.size());
+  program_.namespaces.push_back(space);
+  namespaceMembers();
+  accept("}");
+  program_.namespaces.back().extent.end = end_;
+  space_ = -1;
+  accept(";");
+}
+
+void Parser::namespaceMembers() {
   while (!token_.is("}") && token_.kind != TokenKind::end && !reporter_.full()) {
     try {
       namespaceMember();
@@ -141,36 +188,59 @@ void Parser::namespaceBlock() {
       if (token_.is("namespace") || token_.is("option") || token_.is("agent")) return;
     }
   }
-  expect("}");
-  accept(";");
+  if (!token_.is("}") && !reporter_.full()) {
+    space_ = -1;
+    failExpected("'}'");
+  }
+}
+
+/// A namespace holds symbols or basic behaviors, never both (they are files of different kinds in
+/// XML).
+void Parser::enterNamespace(Namespace::Kind kind, Location location) {
+  Namespace& space = program_.namespaces[static_cast<std::size_t>(space_)];
+  if (space.kind != Namespace::Kind::empty && space.kind != kind)
+    reporter_.warning(location, "namespace '" + std::string(space.name.text) +
+                                    "' has symbols and basic behaviors, expected one kind only");
+  if (space.kind == Namespace::Kind::empty) space.kind = kind;
 }
 
 void Parser::namespaceMember() {
-  if (token_.is("behavior")) return behavior();
+  const Declaration declaration = begin();
+  const bool behaviors = token_.is("behavior");
+  if (behaviors || token_.kind == TokenKind::keyword)
+    enterNamespace(behaviors ? Namespace::Kind::behaviors : Namespace::Kind::symbols,
+                   token_.location);
+  if (behaviors) return behavior();
   if (token_.is("enum")) return enumeration();
-  if (token_.is("const")) return constant();
+  if (token_.is("const")) return constant(declaration);
   TypeName type;
   const bool typed = typeName(type);
   if (token_.is("const")) {
     if (type.kind != ValueKind::number) fail("constants are of type float");
-    return constant();
+    return constant(declaration);
   }
-  if (token_.is("input") || token_.is("output") || token_.is("internal")) return symbol(type);
+  if (token_.is("input") || token_.is("output") || token_.is("internal"))
+    return symbol(declaration, type);
   failExpected(typed ? "'input', 'output' or 'internal'"
                      : "a declaration of a symbol, a constant, an enumeration or a behavior");
 }
 
 /// `enum` starts a declaration of an enumeration, or of a symbol of that type.
 void Parser::enumeration() {
+  const Declaration declaration = begin();
   take();
   const Name name = expectName("the name of an enumeration");
-  if (accept("{")) return enumerationElements({name, {}});
+  if (accept("{")) return enumerationElements(declaration, name, false);
   if (!token_.is("input") && !token_.is("output") && !token_.is("internal"))
     failExpected("'{', 'input', 'output' or 'internal'");
-  symbol({ValueKind::enumeration, name});
+  symbol(declaration, {ValueKind::enumeration, name});
 }
 
-void Parser::enumerationElements(Enumeration enumeration) {
+void Parser::enumerationElements(const Declaration& declaration, const Name& name, bool internal) {
+  Enumeration enumeration;
+  static_cast<Declaration&>(enumeration) = declaration;
+  enumeration.name = name;
+  enumeration.internal = internal;
   try {
     do enumeration.elements.push_back(expectName("the name of an element"));
     while (accept(","));
@@ -180,35 +250,41 @@ void Parser::enumerationElements(Enumeration enumeration) {
   }
   accept("}");
   accept(";");
+  enumeration.extent.end = end_;
   program_.enumerations.push_back(std::move(enumeration));
 }
 
-void Parser::constant() {
+void Parser::constant(const Declaration& declaration) {
   take();
   Constant constant;
+  static_cast<Declaration&>(constant) = declaration;
   constant.name = expectName("the name of a constant");
   expect("=");
-  const bool negative = accept("-");
+  constant.negative = accept("-");
   if (token_.kind != TokenKind::number) failExpected("a number");
-  constant.value = take().number;
-  if (negative) constant.value = -constant.value;
-  unitAndRange();
+  constant.digits = token_.text;
+  constant.value = constant.negative ? -token_.number : token_.number;
+  take();
+  unitAndRange(constant.range, constant.unit);
   expect(";");
+  constant.extent.end = end_;
   program_.constants.push_back(constant);
 }
 
-void Parser::symbol(TypeName type) {
+void Parser::symbol(const Declaration& declaration, const TypeName& type) {
   Symbol symbol;
+  static_cast<Declaration&>(symbol) = declaration;
   symbol.type = type;
   symbol.kind = token_.is("input")    ? SymbolKind::input
                 : token_.is("output") ? SymbolKind::output
                                       : SymbolKind::internal;
   take();
+  if (symbol.kind == SymbolKind::internal) accept("output");  // as some tools write it
   // `enum E input { a, b }` declares the enumeration: what it is used for is seen from its use.
   if (type.kind == ValueKind::enumeration && accept("{"))
-    return enumerationElements({type.enumeration, {}});
+    return enumerationElements(declaration, type.enumeration, symbol.kind == SymbolKind::internal);
   symbol.name = expectName("the name of a symbol");
-  unitAndRange();
+  unitAndRange(symbol.range, symbol.unit);
   if (token_.is("(")) {
     if (symbol.kind != SymbolKind::input)
       reporter_.error(token_.location, "only input symbols have parameters");
@@ -216,15 +292,18 @@ void Parser::symbol(TypeName type) {
     symbol.parameters = parameters(")");
   }
   expect(";");
+  symbol.extent.end = end_;
   program_.symbols.push_back(std::move(symbol));
 }
 
 void Parser::behavior() {
-  take();
   Behavior behavior;
+  static_cast<Declaration&>(behavior) = begin();
+  take();
   behavior.name = expectName("the name of a basic behavior");
   expect("{");
   behavior.parameters = parameters("}");
+  behavior.extent.end = end_;
   accept(";");
   program_.behaviors.push_back(std::move(behavior));
 }
@@ -260,6 +339,7 @@ std::vector<Parameter> Parser::parameters(std::string_view close) {
 
 Parameter Parser::parameter(bool ofOption) {
   Parameter parameter;
+  static_cast<Declaration&>(parameter) = begin();
   typeName(parameter.type);
   if (ofOption) {
     if (token_.kind != TokenKind::parameter)
@@ -269,21 +349,23 @@ Parameter Parser::parameter(bool ofOption) {
   } else {
     parameter.name = expectName("the name of a parameter");
   }
-  unitAndRange();
+  unitAndRange(parameter.range, parameter.unit);
   expect(";");
+  parameter.extent.end = end_;
   return parameter;
 }
 
 /// Both are for people; the unit comes after the range or before it.
-void Parser::unitAndRange() {
-  if (token_.kind == TokenKind::range) take();
-  if (token_.kind == TokenKind::string) take();
-  if (token_.kind == TokenKind::range) take();
+void Parser::unitAndRange(std::string_view& range, std::string_view& unit) {
+  if (token_.kind == TokenKind::range) range = take().text;
+  if (token_.kind == TokenKind::string) unit = take().text;
+  if (token_.kind == TokenKind::range) range = take().text;
 }
 
 void Parser::option() {
-  take();
   Option option;
+  static_cast<Declaration&>(option) = begin();
+  take();
   option.name = expectName("the name of an option");
   warnFileName("option", option.name);
   expect("{");
@@ -295,8 +377,9 @@ void Parser::option() {
       if (token_.is("decision") && !option.commonDecision) {
         take();
         option.commonDecision = commonDecision();
-      } else if (token_.is("action") && option.commonActions.empty()) {
+      } else if (token_.is("action") && !option.hasCommonActions) {
         take();
+        option.hasCommonActions = true;
         option.commonActions = actions();
       } else {
         failExpected("'decision' or 'action', each at most once");
@@ -307,6 +390,7 @@ void Parser::option() {
   }
   states(option);
   expect("}");
+  option.extent.end = end_;
   program_.options.push_back(std::move(option));
 }
 
@@ -329,6 +413,7 @@ bool Parser::atState() const {
 
 State Parser::state() {
   State state;
+  static_cast<Declaration&>(state) = begin();
   for (;;) {
     if (!state.initial && accept("initial"))
       state.initial = true;
@@ -339,19 +424,30 @@ State Parser::state() {
   }
   expect("state");
   state.name = expectName("the name of a state");
-  refuseCooperation();
+  state.cooperation = cooperation();
   expect("{");
   stateBody(state);
   expect("}");
+  state.extent.end = end_;
   return state;
 }
 
-void Parser::refuseCooperation() {
-  if (!token_.is("capacity") && !token_.is("synchronized")) return;
-  reporter_.error(token_.location,
-                  "cooperative states ('" + std::string(token_.text) + "') are not supported");
-  take();
-  if (token_.kind == TokenKind::number) take();
+Cooperation Parser::cooperation() {
+  constexpr double mostAgents = 1000;
+  Cooperation cooperation;
+  if (accept("capacity")) {
+    cooperation.kind = Cooperation::Kind::capacity;
+    if (token_.kind != TokenKind::number) failExpected("the number of agents");
+  } else if (accept("synchronized")) {
+    cooperation.kind = Cooperation::Kind::synchronized;
+  }
+  if (cooperation.kind == Cooperation::Kind::none || token_.kind != TokenKind::number)
+    return cooperation;
+  const bool whole = token_.number <= mostAgents &&
+                     token_.number == static_cast<double>(static_cast<int>(token_.number));
+  if (!whole) fail("the number of agents is a whole number up to 1000");
+  cooperation.agents = static_cast<int>(take().number);
+  return cooperation;
 }
 
 void Parser::stateBody(State& state) {
@@ -383,11 +479,13 @@ std::vector<Action> Parser::actions() {
 
 Action Parser::action() {
   Action action;
+  action.extent.begin = token_.location;
   action.name = expectName("an action (an assignment, an option or a basic behavior) or '}'");
   if (accept("=")) {
     action.kind = Action::Kind::assignment;
     action.value = expression();
     expect(";");
+    action.extent.end = end_;
     return action;
   }
   if (accept("option"))
@@ -397,6 +495,7 @@ Action Parser::action() {
   if (!token_.is("(")) failExpected("'=' or '('");
   action.arguments = arguments();
   expect(";");
+  action.extent.end = end_;
   return action;
 }
 
@@ -410,7 +509,7 @@ std::vector<Argument> Parser::arguments() {
     expect("=");
     argument.value = expression();
     arguments.push_back(std::move(argument));
-  } while (accept(","));
+  } while (accept(",") && !token_.is(")"));  // a last comma may be left over
   if (!token_.is(")")) failExpected("',' or ')'");
   take();
   return arguments;

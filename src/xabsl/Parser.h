@@ -10,12 +10,6 @@
 
 namespace xabsl {
 
-/// A file that another one asks for.
-struct Include {
-  std::string_view path;
-  Location location;
-};
-
 /// Reads one file of XABSL 3.1 text into the syntax tree. A syntax error is reported, and reading
 /// goes on with the next action, state or declaration.
 class Parser {
@@ -25,8 +19,9 @@ class Parser {
 
   Parser(int file, std::string_view text, Reporter& reporter, syntax::Program& program);
 
-  /// Appends to the program; returns what the file includes.
-  std::vector<Include> parse();
+  /// Appends to the program; what the file includes and its comments go into its
+  /// syntax::File, which must be there.
+  void parse();
 
  private:
   struct SyntaxError {};
@@ -39,6 +34,7 @@ class Parser {
   void expect(std::string_view text);
   syntax::Name expectName(const std::string& what);
   void warnFileName(const std::string& what, const syntax::Name& name);
+  syntax::Declaration begin() const;
   void skipToDeclaration();
   void skipToMember();
   void skipToState();
@@ -48,29 +44,35 @@ class Parser {
   void include();
   void agent();
   void namespaceBlock();
+  void namespaceMembers();
   void namespaceMember();
   void enumeration();
-  void enumerationElements(syntax::Enumeration enumeration);
-  void constant();
-  void symbol(syntax::TypeName type);
+  void enumerationElements(const syntax::Declaration& declaration, const syntax::Name& name,
+                           bool internal);
+  void constant(const syntax::Declaration& declaration);
+  void symbol(const syntax::Declaration& declaration, const syntax::TypeName& type);
+  void enterNamespace(syntax::Namespace::Kind kind, Location location);
+  void header();
   void behavior();
   bool typeName(syntax::TypeName& type);
   std::vector<syntax::Parameter> parameters(std::string_view close);
   syntax::Parameter parameter(bool ofOption);
-  void unitAndRange();
+  void unitAndRange(std::string_view& range, std::string_view& unit);
 
   void option();
   void states(syntax::Option& option);
   bool atState() const;
   syntax::State state();
-  void refuseCooperation();
+  Cooperation cooperation();
   void stateBody(syntax::State& state);
   std::vector<syntax::Action> actions();
   syntax::Action action();
   std::vector<syntax::Argument> arguments();
   syntax::DecisionPtr commonDecision();
+  syntax::DecisionPtr commonChoice();
   syntax::DecisionPtr decision();
   syntax::DecisionPtr choice();
+  syntax::Arm arm(std::string_view doc);
   syntax::DecisionPtr transition();
 
   syntax::ExpressionPtr condition();
@@ -91,7 +93,9 @@ class Parser {
   syntax::Program& program_;
   Lexer lexer_;
   Token token_;
-  std::vector<Include> includes_;
+  Location end_;  // of the last token taken
+  int file_;
+  int space_ = -1;  // the namespace that is being read
   int nesting_ = 0;
 };
 

@@ -26,12 +26,51 @@ class Parser::Nesting {
 
 DecisionPtr Parser::commonDecision() {
   expect("{");
-  if (!token_.is("if")) failExpected("'if'");
-  DecisionPtr decision = choice();
-  if (decision->otherwise)
-    reporter_.error(token_.location, "a common decision ends without an 'else'");
+  DecisionPtr decision = commonChoice();
   expect("}");
   return decision;
+}
+
+/// `if ... else if ...` without an end: the decision tree of the state follows. What stands in
+/// braces behind `else` goes on with the same chain.
+DecisionPtr Parser::commonChoice() {
+  const Nesting nesting(*this);
+  if (accept("{")) {
+    DecisionPtr inner = commonChoice();
+    expect("}");
+    return inner;
+  }
+  if (!token_.is("if")) failExpected("'if'");
+  auto choice = std::make_unique<Decision>();
+  choice->kind = Decision::Kind::choose;
+  choice->extent.begin = token_.location;
+  std::string_view doc = token_.doc;
+  while (token_.is("if")) {
+    choice->arms.push_back(arm(doc));
+    if (!token_.is("else")) break;
+    const Token sign = take();
+    doc = token_.doc.empty() ? sign.doc : token_.doc;
+    if (token_.is("{")) {
+      DecisionPtr rest = commonChoice();
+      for (Arm& next : rest->arms) choice->arms.push_back(std::move(next));
+      break;
+    }
+    if (!token_.is("if")) {
+      decision();
+      reporter_.error(token_.location, "a common decision ends without an 'else'");
+    }
+  }
+  choice->extent.end = end_;
+  return choice;
+}
+
+Arm Parser::arm(std::string_view doc) {
+  Arm arm;
+  take();
+  arm.doc = doc;
+  arm.condition = condition();
+  arm.decision = decision();
+  return arm;
 }
 
 DecisionPtr Parser::decision() {
@@ -50,20 +89,24 @@ DecisionPtr Parser::decision() {
 DecisionPtr Parser::choice() {
   auto choice = std::make_unique<Decision>();
   choice->kind = Decision::Kind::choose;
+  choice->extent.begin = token_.location;
+  std::string_view doc = token_.doc;
   // A chain of `else if` may be long: it is read in a loop, never by recursion.
-  while (accept("if")) {
-    Arm arm;
-    arm.condition = condition();
-    arm.decision = decision();
-    choice->arms.push_back(std::move(arm));
-    if (!accept("else")) return choice;
+  while (token_.is("if")) {
+    choice->arms.push_back(arm(doc));
+    choice->extent.end = end_;
+    if (!token_.is("else")) return choice;
+    const Token sign = take();
+    doc = token_.doc.empty() ? sign.doc : token_.doc;
   }
   choice->otherwise = decision();
+  choice->extent.end = end_;
   return choice;
 }
 
 DecisionPtr Parser::transition() {
   auto transition = std::make_unique<Decision>();
+  transition->extent.begin = token_.location;
   if (accept("goto")) {
     transition->kind = Decision::Kind::go;
     transition->target = expectName("the name of a state");
@@ -71,6 +114,7 @@ DecisionPtr Parser::transition() {
     failExpected("'if', 'goto', 'stay' or '{'");
   }
   expect(";");
+  transition->extent.end = end_;
   return transition;
 }
 
@@ -183,7 +227,6 @@ ExpressionPtr Parser::primary() {
     expect(")");
     return inner;
   }
-  if (token_.is("conflict")) fail("cooperative states ('conflict') are not supported");
 
   using Kind = Expression::Kind;
   auto primary = std::make_unique<Expression>();
@@ -205,6 +248,8 @@ ExpressionPtr Parser::primary() {
     primary->kind = Kind::optionTime;
   } else if (token_.is("action_done")) {
     primary->kind = Kind::actionDone;
+  } else if (token_.is("conflict")) {
+    primary->kind = Kind::conflict;
   } else {
     failExpected("an expression");
   }
@@ -215,6 +260,7 @@ ExpressionPtr Parser::primary() {
     for (const Argument& argument : primary->arguments)
       primary->depth = std::max(primary->depth, argument.value->depth + 1);
   }
+  primary->extent = {primary->location, end_};
   return primary;
 }
 
@@ -225,6 +271,10 @@ ExpressionPtr Parser::operation(Operator op, Location location,
   node->operation = op;
   node->location = location;
   node->operands = std::move(operands);
+  const Location first = node->operands.front()->extent.begin;
+  // A sign stands before its operand, all other operators behind their first one.
+  const bool prefix = op == Operator::negate || op == Operator::logicalNot;
+  node->extent = {prefix ? location : first, end_};
   for (const ExpressionPtr& operand : node->operands)
     node->depth = std::max(node->depth, operand->depth + 1);
   // A long sum nests as deep as it is long, without any parentheses.

@@ -26,8 +26,9 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-int Reporter::addFile(const std::string& name) {
+int Reporter::addFile(const std::string& name, std::string_view text) {
   files_.push_back(name);
+  texts_.push_back(text);
   return static_cast<int>(files_.size()) - 1;
 }
 
@@ -54,7 +55,20 @@ void Reporter::add(Diagnostic::Severity severity, Location location, const std::
   const std::string& file = files_[static_cast<std::size_t>(location.file)];
   entries_.push_back({location,
                       {severity, file, location.line, location.column,
-                       last ? message + " (no more are shown)" : message}});
+                       last ? message + " (no more are shown)" : message, line(location)}});
+}
+
+/// The line a message is about, unless it is longer than anybody would read.
+std::string Reporter::line(Location location) {
+  constexpr std::size_t longestLine = 300;
+  std::string_view text = texts_[static_cast<std::size_t>(location.file)];
+  for (int skipped = 1; skipped < location.line; ++skipped) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  text = text.substr(0, text.find_first_of("\r\n"));
+  return text.size() > longestLine ? std::string() : std::string(text);
 }
 
 std::vector<Diagnostic> Reporter::take() {

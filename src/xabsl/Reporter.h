@@ -15,8 +15,9 @@ class Reporter {
  public:
   static constexpr std::size_t maximum = 100;
 
-  /// The index of a new file in `files()`.
-  int addFile(const std::string& name);
+  /// The index of a new file in `files()`. With its text messages show the line they are about; it
+  /// must stay as long as the reporter.
+  int addFile(const std::string& name, std::string_view text = {});
   const std::vector<std::string>& files() const { return files_; }
 
   void error(Location location, const std::string& message);
@@ -37,7 +38,10 @@ class Reporter {
 
   void add(Diagnostic::Severity severity, Location location, const std::string& message);
 
+  std::string line(Location location);
+
   std::vector<std::string> files_;
+  std::vector<std::string_view> texts_;
   std::vector<Entry> entries_;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;

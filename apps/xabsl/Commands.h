@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "xabsl/Diagnostic.h"
+
+/// The subcommands of the program xabsl. Each adds itself to the program, says what it does with
+/// `--help`, and runs when it is called; it throws a Failure where it cannot go on.
+namespace xabsl::app {
+
+/// Ends the program with a status. What is wrong has been printed.
+struct Failure {
+  int status = 2;
+};
+
+/// Prints messages to the standard error, with the lines they are about.
+void print(const std::vector<Diagnostic>& diagnostics);
+
+void addCheck(CLI::App& program);
+
+}  // namespace xabsl::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "xabsl/Reporter.h"
+#include "xabsl/Syntax.h"
+
+namespace xabsl {
+
+/// Puts the text of a file into its last argument; otherwise returns why it cannot.
+using FileReader =
+    std::function<std::optional<std::string>(const std::string& path, std::string& text)>;
+
+// Far beyond any behavior; they bound memory and time whatever is in the files.
+constexpr std::size_t largestFile = 2u << 20;
+constexpr std::size_t largestSum = 8u << 20;
+constexpr std::size_t mostFiles = 10'000;
+
+/// Reads a regular file from disk that is not larger than `largestFile`.
+std::optional<std::string> readFile(const std::string& path, std::string& text);
+
+/// Reads XABSL 3.1 text from a file and all that it includes, each once, into a program, which
+/// holds the texts. What is wrong is told to the reporter.
+void readSources(const std::string& path, const FileReader& read, syntax::Program& program,
+                 Reporter& reporter);
+
+}  // namespace xabsl
