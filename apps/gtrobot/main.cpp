@@ -1,8 +1,10 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "Process.h"
+#include "crash/CrashHandler.h"
 #include "robot/linux/RobotProgram.h"
 
 namespace {
@@ -64,11 +66,18 @@ int main(int argc, char** argv) {
   std::string listenKeys, connectKeys;
   app.add_option("--keys", listenKeys, "Key file for listening (robot.key of router --make-keys)");
   app.add_option("--connect-keys", connectKeys, "Key file for connecting (tool.key)");
+  std::string crashes = "out/crashes";
+  app.add_option("--crashes", crashes, "Folder for a crash report, which crashlog reads")
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  std::error_code failed;
+  std::filesystem::create_directories(crashes, failed);
+  if (failed) return fail({crashes, 0, "", failed.message()});
+  gt::installCrashHandler({std::string{"gtrobot-"} + gt::processName, crashes});
   for (const std::string& address : addresses) {
     const auto [process, endpoint] = splitAddress(address);
     if (process.empty()) return fail({"", 0, address, "expected PROCESS=ENDPOINT"});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 
+#include "crash/CrashHandler.h"
 #include "framework/DebugProcess.h"
 #include "network/ToolPort.h"
 #include "network/Wire.h"
@@ -96,7 +97,9 @@ Result<void> runModules(const RobotProgramOptions& options, const Layout& layout
     if (session != 0 && clock.session != session) return {};
     session = clock.session;
     network.now = clock.time;
-    if (process->step(clock.time)) wire.update();
+    if (!process->step(clock.time)) continue;
+    noteForCrashReport("cycle at " + std::to_string(clock.time.ms) + " ms");
+    wire.update();
   }
   return {};
 }
