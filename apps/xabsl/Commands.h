@@ -1,8 +1,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 #include <vector>
 
+#include "xabsl/Behavior.h"
 #include "xabsl/Diagnostic.h"
 
 /// The subcommands of the program xabsl. Each adds itself to the program, says what it does with
@@ -17,6 +19,10 @@ struct Failure {
 /// Prints messages to the standard error, with the lines they are about.
 void print(const std::vector<Diagnostic>& diagnostics);
 
+/// Compiles the file with the agents, or reads intermediate code from a file `.dat` or `.ic`.
+Compilation load(const std::string& path);
+
 void addCheck(CLI::App& program);
+void addCompile(CLI::App& program);
 
 }  // namespace xabsl::app

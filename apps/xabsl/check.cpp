@@ -12,7 +12,7 @@ namespace {
 
 /// Compiles a behavior and prints what there is to say about it.
 bool check(const std::string& path) {
-  const Compilation compilation = compile(path);
+  const Compilation compilation = load(path);
   print(compilation.diagnostics);
   if (!compilation.behavior) return false;
   const Model& model = compilation.behavior->model();

@@ -1,12 +1,15 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 
 #include "Commands.h"
+#include "xabsl/IntermediateCode.h"
 
 int main(int argc, char** argv) {
   CLI::App program("Works on behaviors written in XABSL");
   program.require_subcommand(1);
   xabsl::app::addCheck(program);
+  xabsl::app::addCompile(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -15,6 +18,11 @@ int main(int argc, char** argv) {
     return failure.status;
   }
   return 0;
+}
+
+xabsl::Compilation xabsl::app::load(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".dat" || extension == ".ic" ? loadIntermediateCode(path) : compile(path);
 }
 
 void xabsl::app::print(const std::vector<Diagnostic>& diagnostics) {

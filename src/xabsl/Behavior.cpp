@@ -25,7 +25,8 @@ Compilation compile(const std::string& path, const FileReader& read) {
 }  // namespace
 
 Compilation compile(const std::string& path) {
-  return compile(path, FileReader(readFile));
+  return compile(path,
+                 [](const std::string& name, std::string& text) { return readFile(name, text); });
 }
 
 Compilation compile(const std::string& path, const VirtualFiles& files) {

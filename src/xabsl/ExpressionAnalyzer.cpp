@@ -132,7 +132,8 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::analyze(const syntax::Expression& 
     case Kind::number:
       return add(source, {.operation = Operator::constant, .number = source.number}, number);
     case Kind::boolean:
-      return add(source, {.operation = Operator::constant, .number = source.number}, boolean);
+      return add(source, {.operation = Operator::constant, .b = 1, .number = source.number},
+                 boolean);
     case Kind::name:
       return name(source, enumeration);
     case Kind::parameter:

@@ -24,7 +24,7 @@ struct Cooperation {
 
 /// What an expression does, with the indices a, b and c of the resolved Expression.
 enum class Operator {
-  constant,   // number
+  constant,   // number; a: its index if it has a name; b: 1 for true and false
   element,    // a: enumeration, b: element
   parameter,  // a: option, b: parameter of it
   input,      // a: symbol, b: first operand, one per parameter

@@ -99,12 +99,13 @@ class Loader {
 
 }  // namespace
 
-std::optional<std::string> readFile(const std::string& path, std::string& text) {
+std::optional<std::string> readFile(const std::string& path, std::string& text,
+                                    std::size_t largest) {
   std::error_code error;
   // A pipe or a device may never end.
   if (!std::filesystem::is_regular_file(path, error)) return "cannot open the file";
-  if (std::filesystem::file_size(path, error) > largestFile || error)
-    return "the file is larger than 2 MiB";
+  if (std::filesystem::file_size(path, error) > largest || error)
+    return "the file is larger than " + std::to_string(largest >> 20) + " MiB";
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return "cannot open the file";
   text.assign(std::istreambuf_iterator<char>(stream), {});

@@ -18,8 +18,9 @@ constexpr std::size_t largestFile = 2u << 20;
 constexpr std::size_t largestSum = 8u << 20;
 constexpr std::size_t mostFiles = 10'000;
 
-/// Reads a regular file from disk that is not larger than `largestFile`.
-std::optional<std::string> readFile(const std::string& path, std::string& text);
+/// Reads a regular file from disk; returns why it cannot, also if it has more than `largest` bytes.
+std::optional<std::string> readFile(const std::string& path, std::string& text,
+                                    std::size_t largest = largestFile);
 
 /// Reads XABSL 3.1 text from a file and all that it includes, each once, into a program, which
 /// holds the texts. What is wrong is told to the reporter.

@@ -1,0 +1,60 @@
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "Commands.h"
+#include "xabsl/Behavior.h"
+#include "xabsl/IntermediateCode.h"
+
+namespace xabsl::app {
+
+namespace {
+
+struct Options {
+  std::string agents;
+  std::string output;
+  std::string symbols;
+  Dialect dialect = Dialect::xabsl31;
+};
+
+void writeFile(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (file) return;
+  std::cerr << path << ": error: cannot write the file\n";
+  throw Failure{};
+}
+
+void compileTo(const Options& options) {
+  const Compilation compilation = load(options.agents);
+  print(compilation.diagnostics);
+  if (!compilation.behavior) throw Failure{};
+  const Model& model = compilation.behavior->model();
+  const IntermediateCode code = writeIntermediateCode(model, options.dialect);
+  print(code.diagnostics);
+  if (!code.text) throw Failure{};
+  writeFile(options.output, *code.text);
+  if (!options.symbols.empty()) writeFile(options.symbols, writeDebugSymbols(model));
+}
+
+}  // namespace
+
+void addCompile(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("compile", "Write a behavior as intermediate code");
+  auto options = std::make_shared<Options>();
+  const std::map<std::string, Dialect> dialects = {{"3.0", Dialect::xabsl30},
+                                                   {"3.1", Dialect::xabsl31}};
+  command->add_option("agents", options->agents, "The .xabsl file that declares the agents")
+      ->required();
+  command->add_option("-o,--output", options->output, "The file with the intermediate code")
+      ->required();
+  command->add_option("--dialect", options->dialect, "The dialect of the intermediate code")
+      ->transform(CLI::CheckedTransformer(dialects));
+  command->add_option("--symbols", options->symbols, "A file for the debug symbols");
+  command->callback([options] { compileTo(*options); });
+}
+
+}  // namespace xabsl::app
