@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "base/Statistics.h"
 
 namespace gt {
 
@@ -30,7 +31,7 @@ class Figures {
   void add(std::string name, std::string unit, const std::vector<double>& runs, Aim aim = {}) {
     if (runs.empty()) return;
     Figure f{std::move(name), std::move(unit), 0, runs.size(), 0, 0, aim};
-    f.value = std::accumulate(runs.begin(), runs.end(), 0.0) / static_cast<double>(runs.size());
+    f.value = mean(runs);
     f.low = *std::min_element(runs.begin(), runs.end());
     f.high = *std::max_element(runs.begin(), runs.end());
     figures_.push_back(std::move(f));

@@ -7,6 +7,7 @@
 
 #include "Experiments.h"
 #include "base/Random.h"
+#include "base/Statistics.h"
 #include "modules/modeling/MonteCarloSelfLocator.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
 
@@ -36,10 +37,6 @@ class Locator {
   Debug debug_{1024};
 };
 
-double meanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 /// What is asked of a row of the walking experiment.
 struct WalkingAims {
   Aim mean, median, p95, longestLost;
@@ -55,7 +52,7 @@ void walking(Figures& figures, const std::string& name, const Parameters& parame
     Locator locator{parameters, seed};
     follow(robot, picturesPerMinute / 6, locator);
     const LocalizationTrial trial = follow(robot, minutes * picturesPerMinute, locator);
-    mean.push_back(meanOf(trial.errors));
+    mean.push_back(gt::mean(trial.errors));
     median.push_back(quantile(trial.errors, 0.5));
     p95.push_back(quantile(trial.errors, 0.95));
     const auto belowMean = std::count_if(trial.errors.begin(), trial.errors.end(),

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "Experiments.h"
+#include "base/Statistics.h"
 #include "colortable/GameViews.h"
 #include "modules/modeling/FieldEdges.h"
 #include "modules/perception/ColorTableFile.h"
@@ -16,19 +17,12 @@ class Errors {
  public:
   void add(double value) { values_.push_back(value); }
   std::size_t count() const { return values_.size(); }
-  double mean() const {
-    double sum = 0;
-    for (const double v : values_) sum += v;
-    return values_.empty() ? 0 : sum / static_cast<double>(values_.size());
-  }
+  double mean() const { return gt::mean(values_); }
   /// The size that a part of the errors does not exceed.
   double quantile(double part) const {
-    if (values_.empty()) return 0;
     std::vector<double> sizes;
     for (const double v : values_) sizes.push_back(std::abs(v));
-    const auto n = static_cast<std::ptrdiff_t>(part * static_cast<double>(sizes.size() - 1));
-    std::nth_element(sizes.begin(), sizes.begin() + n, sizes.end());
-    return sizes[static_cast<std::size_t>(n)];
+    return gt::quantile(std::move(sizes), part);
   }
 
  private:

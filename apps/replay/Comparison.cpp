@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "base/Statistics.h"
 
 namespace gt {
-namespace {
-
-double mean(const std::vector<double>& values) {
-  if (values.empty()) return 0;
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-}  // namespace
+namespace {}  // namespace
 
 double differenceOfDistances(const BallPercept& ball) {
   if (ball.distanceByProjection <= 0 || ball.distanceBySize <= 0) return 0;

@@ -6,6 +6,9 @@
 
 namespace gt {
 
+/// Vectors and matrices of the report (2.1.4: Vector2, Vector3, Matrix3x3). Eigen has the
+/// operations: `a.dot(b)` is the inner product, `a.cross(b)` the report's `a ^ b`, and there are
+/// `norm()`, `transpose()`, `normalized()`, sums and products.
 using Vector2d = Eigen::Vector2d;
 using Vector3d = Eigen::Vector3d;
 using Matrix3d = Eigen::Matrix3d;
@@ -19,11 +22,11 @@ constexpr double toDegrees(double radians) {
   return radians * (180 / pi);
 }
 
-/// The same angle in [-pi, pi).
+/// The same angle in [-pi, pi); not a number if the angle is none.
 inline double normalize(double angle) {
   if (angle >= -pi && angle < pi) return angle;
-  angle -= 2 * pi * std::floor((angle + pi) / (2 * pi));
-  return angle < pi ? angle : -pi;
+  angle = std::remainder(angle, 2 * pi);
+  return angle >= pi ? -pi : angle;
 }
 
 /// The angle of a vector to the x-axis in (-pi, pi].
@@ -54,25 +57,48 @@ inline Matrix3d rotationZ(double angle) {
   return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
 }
 
+/// The rotation about an axis in a matrix that is rotationZ(z) * rotationY(y) * rotationX(x)
+/// (report 2.1.4, RotationMatrix); y lies in [-pi/2, pi/2].
+inline double angleX(const Matrix3d& rotation) {
+  return std::atan2(rotation(2, 1), rotation(2, 2));
+}
+inline double angleY(const Matrix3d& rotation) {
+  return std::atan2(-rotation(2, 0), std::hypot(rotation(2, 1), rotation(2, 2)));
+}
+inline double angleZ(const Matrix3d& rotation) {
+  return std::atan2(rotation(1, 0), rotation(0, 0));
+}
+
 /// A pose on the ground, or a change of one: first the translation, then the rotation
-/// (report 2.1.4).
+/// (report 2.1.4). Whatever makes a pose normalizes its rotation.
 struct Pose2D {
   double rotation = 0;
   Vector2d translation = Vector2d::Zero();
 
   Pose2D() = default;
-  Pose2D(double angle, const Vector2d& position) : rotation(angle), translation(position) {}
-  Pose2D(double angle, double x, double y) : rotation(angle), translation(x, y) {}
+  Pose2D(double angle, const Vector2d& position)
+      : rotation(normalize(angle)), translation(position) {}
+  Pose2D(double angle, double x, double y) : Pose2D(angle, Vector2d{x, y}) {}
 
   /// A point given relative to this pose, in the system in which the pose is given.
   Vector2d operator*(const Vector2d& point) const { return translation + rotated(point, rotation); }
   /// A pose given relative to this one, in the system in which this one is given.
   Pose2D operator*(const Pose2D& other) const {
-    return {normalize(rotation + other.rotation), *this * other.translation};
+    return {rotation + other.rotation, *this * other.translation};
   }
-  Pose2D inverse() const { return {normalize(-rotation), rotated(-translation, -rotation)}; }
+  Pose2D inverse() const { return {-rotation, rotated(-translation, -rotation)}; }
   /// This pose as seen from another: `base * relativeTo(base) == *this`.
   Pose2D relativeTo(const Pose2D& base) const { return base.inverse() * *this; }
+
+  /// Moves the pose along its own axes.
+  Pose2D& translate(const Vector2d& by) {
+    translation += rotated(by, rotation);
+    return *this;
+  }
+  Pose2D& rotate(double angle) {
+    rotation = normalize(rotation + angle);
+    return *this;
+  }
 };
 
 /// Where a point given in the field's system is, seen from a pose.
@@ -91,10 +117,12 @@ struct Pose3D {
   }
   Pose3D inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
 
-  Pose3D& translate(double x, double y, double z) {
-    translation += rotation * Vector3d{x, y, z};
+  /// Moves the pose along its own axes.
+  Pose3D& translate(const Vector3d& by) {
+    translation += rotation * by;
     return *this;
   }
+  Pose3D& translate(double x, double y, double z) { return translate(Vector3d{x, y, z}); }
   Pose3D& rotate(const Matrix3d& by) {
     rotation = rotation * by;
     return *this;

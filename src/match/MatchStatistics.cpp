@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "base/Statistics.h"
 #include "simulation/Oracle.h"
 
 namespace gt {
@@ -14,15 +14,9 @@ constexpr double lostDistance = 1000;  // mm
 
 }  // namespace
 
-ErrorStatistics statisticsOf(std::vector<double> errors) {
-  if (errors.empty()) return {};
-  std::sort(errors.begin(), errors.end());
-  const auto at = [&](double share) {
-    return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
-  };
-  return {static_cast<std::int64_t>(errors.size()),
-          std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size()),
-          at(0.5), at(0.95), errors.back()};
+ErrorStatistics statisticsOf(const std::vector<double>& errors) {
+  return {static_cast<std::int64_t>(errors.size()), mean(errors), quantile(errors, 0.5),
+          quantile(errors, 0.95), quantile(errors, 1)};
 }
 
 MatchStatistics::MatchStatistics(const Simulation& simulation,

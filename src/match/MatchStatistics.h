@@ -44,6 +44,6 @@ class MatchStatistics {
 };
 
 /// Mean, median, 95th percentile and maximum; all 0 of nothing.
-ErrorStatistics statisticsOf(std::vector<double> errors);
+ErrorStatistics statisticsOf(const std::vector<double>& errors);
 
 }  // namespace gt

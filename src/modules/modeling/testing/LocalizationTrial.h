@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/Statistics.h"
 #include "modules/modeling/testing/SyntheticRobot.h"
 #include "representations/modeling/RobotPose.h"
 
@@ -66,12 +67,4 @@ int picturesUntilLocalized(SyntheticRobot& robot, int most, Locate&& locate) {
 }
 
 /// The value below which a share of all values lies.
-inline double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank),
-                   values.end());
-  return values[rank];
-}
-
 }  // namespace gt
