@@ -1,5 +1,6 @@
 #pragma once
 #include <cassert>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -41,17 +42,16 @@ template <>
 class [[nodiscard]] Result<void> {
  public:
   Result() = default;
-  Result(Error error) : error_{std::move(error)}, ok_{false} {}
+  Result(Error error) : error_{std::move(error)} {}
 
-  explicit operator bool() const { return ok_; }
+  explicit operator bool() const { return !error_; }
   const Error& error() const {
-    assert(!ok_);
-    return error_;
+    assert(error_);
+    return *error_;
   }
 
  private:
-  Error error_;
-  bool ok_ = true;
+  std::optional<Error> error_;
 };
 
 }  // namespace gt

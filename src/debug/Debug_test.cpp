@@ -59,41 +59,5 @@ TEST(Debug, DrawsOnlyWhatWasAskedFor) {
   EXPECT_EQ(count, 1);
 }
 
-TEST(MessageQueue, DropsWhatDoesNotFitAndSaysSo) {
-  MessageQueue queue{200};
-  int written = 0;
-  for (int i = 0; i < 20; ++i) written += queue.write({i}, Plot{"key", 1.0 * i});
-  EXPECT_GT(written, 2);
-  EXPECT_LT(written, 20);
-  EXPECT_EQ(queue.dropped(), 20u - static_cast<unsigned>(written));
-  int read = 0;
-  queue.handleAllMessages([&](const Message& message) {
-    Plot plot;
-    EXPECT_TRUE(message.read(plot));
-    EXPECT_EQ(plot.value, read++);
-  });
-  EXPECT_EQ(read, written);
-}
-
-TEST(MessageQueue, MovesCopiesAndCrossesAWire) {
-  MessageQueue a, b, c;
-  a.write({1}, Text{"one"});
-  a.write({2}, Text{"two"});
-  a.copyAllMessages(b);
-  a.moveAllMessages(b);
-  EXPECT_TRUE(a.empty());
-  ASSERT_TRUE(c.assign(b.bytes()));
-  std::string all;
-  c.handleAllMessages([&](const Message& message) {
-    Text text;
-    if (message.read(text)) all += text.text;
-  });
-  EXPECT_EQ(all, "onetwoonetwo");
-  for (std::size_t size = 1; size < b.size(); ++size)
-    if (c.assign(b.bytes().first(size))) {
-      EXPECT_EQ(size % (b.size() / 4), 0u);
-    }
-}
-
 }  // namespace
 }  // namespace gt

@@ -3,8 +3,7 @@
 namespace gt::cdr {
 
 bool Reader::fail(std::string_view what) {
-  error_.what = what;
-  error_.field.clear();
+  error_ = Error{"", 0, "", std::string{what}};
   return false;
 }
 
@@ -17,8 +16,8 @@ bool Reader::finish() {
 }
 
 bool Reader::failedIn(std::string_view name) {
-  if (!error_.field.empty()) error_.field.insert(0, ".");
-  error_.field.insert(0, name);
+  if (!error_->field.empty()) error_->field.insert(0, ".");
+  error_->field.insert(0, name);
   return false;
 }
 
@@ -41,11 +40,10 @@ bool getText(Reader& reader, std::string& text) {
   return reader.skip(length);
 }
 
-bool checkHeader(std::span<const std::byte> bytes, Error& error) {
-  if (bytes.size() >= headerSize && std::equal(header, header + 2, bytes.begin())) return true;
-  error.what = bytes.size() < headerSize ? "the data ends too early"
-                                         : "no little endian CDR (header 00 01 00 00)";
-  return false;
+Error headerError(std::span<const std::byte> bytes) {
+  return {"", 0, "",
+          bytes.size() < headerSize ? "the data ends too early"
+                                    : "no little endian CDR (header 00 01 00 00)"};
 }
 
 }  // namespace gt::cdr

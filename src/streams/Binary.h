@@ -1,13 +1,15 @@
 #pragma once
-#include <bit>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/Result.h"
+#include "streams/BinaryLayout.h"
 #include "streams/Shape.h"
 
 /// The binary format: CDR as ROS 2 and DDS write it (OMG DDS-XTypes 1.3, 7.4: plain XCDR1, little
@@ -16,137 +18,19 @@
 namespace gt {
 namespace cdr {
 
-static_assert(std::endian::native == std::endian::little);
-
 constexpr std::size_t headerSize = 4;
 constexpr std::byte header[headerSize] = {std::byte{0}, std::byte{1}, std::byte{0}, std::byte{0}};
-
-template <typename T, std::size_t i>
-using PartType = std::remove_cvref_t<decltype(Shape<T>::template part<i>(std::declval<T&>()))>;
-
-template <typename T, std::size_t... i>
-constexpr std::size_t uniformPartSize(std::index_sequence<i...>);
-
-/// The size of the numbers of which a type consists if all have the same one; 0 otherwise.
-template <typename T>
-constexpr std::size_t uniformSize() {
-  using S = Shape<T>;
-  if constexpr (S::kind == Kind::number)
-    return sizeof(T);
-  else if constexpr (S::kind == Kind::array)
-    return uniformSize<typename S::Element>();
-  else if constexpr (S::kind == Kind::record)
-    return uniformPartSize<T>(std::make_index_sequence<S::partCount>{});
-  else
-    return 0;
-}
-template <typename T, std::size_t... i>
-constexpr std::size_t uniformPartSize(std::index_sequence<i...>) {
-  const std::size_t sizes[] = {uniformSize<PartType<T, i>>()..., 0};
-  for (std::size_t k = 0; k < sizeof...(i); ++k)
-    if (sizes[k] != sizes[0]) return 0;
-  return sizes[0];
-}
-
-/// The least number of bytes that a value of a type takes.
-template <typename T>
-constexpr std::size_t leastSize() {
-  using S = Shape<T>;
-  if constexpr (S::kind == Kind::number)
-    return sizeof(T);
-  else if constexpr (S::kind == Kind::boolean || S::kind == Kind::enumeration)
-    return 1;
-  else if constexpr (S::kind == Kind::text || S::kind == Kind::list)
-    return 4;
-  else if constexpr (S::kind == Kind::array)
-    return S::count * leastSize<typename S::Element>();
-  else
-    return []<std::size_t... i>(std::index_sequence<i...>) {
-      return (std::size_t{0} + ... + leastSize<PartType<T, i>>());
-    }
-  (std::make_index_sequence<S::partCount>{});
-}
-
-/// Whether fields() lists the members, all of one type, in the order in which they lie in memory.
-template <typename T, std::size_t... i>
-constexpr bool listedAsStored(std::index_sequence<i...>) {
-  using S = Shape<T>;
-  const T record{};
-  if constexpr ((std::same_as<PartType<T, i>, PartType<T, 0>> && ...)) {
-    const PartType<T, 0>* parts[] = {&S::template part<i>(record)...};
-    for (std::size_t k = 1; k < sizeof...(i); ++k)
-      if (parts[k - 1] >= parts[k]) return false;
-    return true;
-  } else
-    return false;
-}
-
-template <typename T>
-constexpr bool isOrdered() {
-  using S = Shape<T>;
-  if constexpr (std::same_as<T, Matrix3d>)
-    return false;
-  else if constexpr (S::kind == Kind::array)
-    return isOrdered<typename S::Element>();
-  else if constexpr (S::kind != Kind::record || std::is_base_of_v<VectorShape<2>, S> ||
-                     std::is_base_of_v<VectorShape<3>, S>)
-    return true;
-  else if constexpr (S::partCount == 0)
-    return false;
-  else if constexpr (requires {
-                       typename std::bool_constant<listedAsStored<T>(
-                           std::make_index_sequence<S::partCount>{})>;
-                     })
-    return listedAsStored<T>(std::make_index_sequence<S::partCount>{});
-  else
-    return false;
-}
-
-/// A type that lies in memory as it does in the stream, so that whole blocks are copied at once.
-template <typename T>
-constexpr bool isBlock = uniformSize<T>() > 0 && sizeof(T) == leastSize<T>() && isOrdered<T>();
-
-/// A type of one byte of which only the lowest values are valid.
-template <typename T>
-constexpr bool isByte = (kindOf<T> == Kind::boolean || kindOf<T> == Kind::enumeration) &&
-                        sizeof(T) == 1;
-
-/// The number of valid values of a boolean or an enumeration.
-template <typename T>
-constexpr std::size_t valueCount() {
-  if constexpr (kindOf<T> == Kind::boolean)
-    return 2;
-  else
-    return enumCount<T>;
-}
-
-/// The first element of an array or list. That of an array lies where the array does; asked in this
-/// way because gcc 12 folds these functions of all arrays into one and then warns of its bounds.
-template <typename T>
-auto* firstElement(T& sequence) {
-  using S = Shape<std::remove_const_t<T>>;
-  using Element = typename S::Element;
-  if constexpr (S::kind == Kind::array) {
-    static_assert(sizeof(T) == S::count * sizeof(Element));
-    using Pointed = std::conditional_t<std::is_const_v<T>, const Element, Element>;
-    return reinterpret_cast<Pointed*>(&sequence);
-  } else
-    return sequence.data();
-}
-
-template <typename T>
-auto& elementAt(T& sequence, std::size_t i) {
-  if constexpr (kindOf<std::remove_const_t<T>> == Kind::array)
-    return Shape<std::remove_const_t<T>>::at(sequence, i);
-  else
-    return sequence[i];
-}
 
 /// Counts the bytes of a stream.
 class Counter {
  public:
-  void align(std::size_t n) { size_ = (size_ + n - 1) & ~(n - 1); }
+  void align(std::size_t n) { size_ = aligned(size_, n); }
   void put(const void*, std::size_t n) { size_ += n; }
+  template <typename T>
+  bool putWhole(const T&) {
+    size_ = fixedEnd<T>(size_);
+    return true;
+  }
   std::size_t size() const { return size_; }
 
  private:
@@ -164,8 +48,22 @@ class Writer {
     std::memcpy(begin_ + size_, data, n);
     size_ += n;
   }
+  /// Writes a value of a fixed type if it begins where most of them do: aligned, or behind another
+  /// one. False, and nothing is written, if not.
+  template <typename T>
+  bool putWhole(const T& value) {
+    return putWholeAt<0>(value) || putWholeAt<behindAnother<T>()>(value);
+  }
 
  private:
+  template <std::size_t phase, typename T>
+  bool putWholeAt(const T& value) {
+    if (size_ % alignmentOf<T>() != phase) return false;
+    putFixed<phase>(begin_ + size_, value);
+    size_ += fixedEnd<T>(phase) - phase;
+    return true;
+  }
+
   std::byte* begin_;
   std::size_t size_ = 0;
 };
@@ -195,6 +93,8 @@ void putScalar(Sink& sink, T value) {
 template <typename Sink, typename T>
 void put(Sink& sink, const T& value) {
   constexpr Kind kind = kindOf<T>;
+  if constexpr (isFixedGroup<T>)
+    if (sink.putWhole(value)) return;
   if constexpr (kind == Kind::number)
     putScalar(sink, value);
   else if constexpr (kind == Kind::boolean || kind == Kind::enumeration)
@@ -232,6 +132,12 @@ class Reader {
     at_ += n;
     return true;
   }
+  /// Reads a value of a fixed type if it is whole and begins where most of them do, as Writer does.
+  /// False, and nothing is taken, if not.
+  template <typename T>
+  bool takeWhole(T& value) {
+    return takeWholeAt<0>(value) || takeWholeAt<behindAnother<T>()>(value);
+  }
   /// The bytes that follow; there must be that many.
   const std::byte* next() const { return bytes_.data() + at_; }
   std::size_t left() const { return bytes_.size() - at_; }
@@ -243,16 +149,28 @@ class Reader {
   /// Tells in which field the failure was, from the inside to the outside.
   bool failedIn(std::string_view name);
   bool failedIn(std::size_t index);
-  const Error& error() const { return error_; }
+  const Error& error() const { return *error_; }
 
  private:
+  template <std::size_t phase, typename T>
+  bool takeWholeAt(T& value) {
+    constexpr std::size_t size = fixedEnd<T>(phase) - phase;
+    if (at_ % alignmentOf<T>() != phase || left() < size || !getFixed<phase>(next(), value))
+      return false;
+    at_ += size;
+    return true;
+  }
+
   std::span<const std::byte> bytes_;
   std::size_t at_ = 0;
-  Error error_;
+  std::optional<Error> error_;
 };
 
 bool getText(Reader& reader, std::string& text);
-bool checkHeader(std::span<const std::byte> bytes, Error& error);
+inline bool isHeaded(std::span<const std::byte> bytes) {
+  return bytes.size() >= headerSize && bytes[0] == header[0] && bytes[1] == header[1];
+}
+Error headerError(std::span<const std::byte> bytes);
 
 template <typename T>
 bool get(Reader& reader, T& value);
@@ -261,11 +179,10 @@ bool get(Reader& reader, T& value);
 template <typename T>
 bool getBytes(Reader& reader, T* data, std::size_t count) {
   if (count > reader.left()) return reader.fail("the data ends too early");
-  const std::byte* bytes = reader.next();
-  std::byte highest{0};
-  for (std::size_t i = 0; i < count; ++i) highest = std::max(highest, bytes[i]);
-  if (std::to_integer<std::size_t>(highest) >= valueCount<T>())
-    return reader.noValue(std::to_integer<int>(highest));
+  if (!areValues<T>(reader.next(), count)) {
+    const auto* end = reader.next() + count;
+    return reader.noValue(std::to_integer<int>(*std::max_element(reader.next(), end)));
+  }
   return reader.take(data, count);
 }
 
@@ -293,6 +210,9 @@ bool getScalar(Reader& reader, T& value) {
 template <typename T>
 bool get(Reader& reader, T& value) {
   constexpr Kind kind = kindOf<T>;
+  // What is wrong with a value is found out step by step.
+  if constexpr (isFixedGroup<T>)
+    if (reader.takeWhole(value)) return true;
   if constexpr (kind == Kind::number)
     return getScalar(reader, value);
   else if constexpr (kind == Kind::boolean || kind == Kind::enumeration) {
@@ -350,8 +270,7 @@ void encode(const T& value, std::vector<std::byte>& out) {
 /// valid. The error's field is the path of what could not be read.
 template <Streamable T>
 Result<void> decode(std::span<const std::byte> bytes, T& value) {
-  Error error;
-  if (!cdr::checkHeader(bytes, error)) return error;
+  if (!cdr::isHeaded(bytes)) return cdr::headerError(bytes);
   cdr::Reader reader{bytes.subspan(cdr::headerSize)};
   if (!cdr::get(reader, value) || !reader.finish()) return reader.error();
   return {};

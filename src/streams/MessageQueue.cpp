@@ -1,48 +1,123 @@
 #include "streams/MessageQueue.h"
 
 #include <cstring>
+#include <limits>
+#include <utility>
 
 namespace gt {
 
-std::size_t MessageQueue::open(std::uint32_t id, Time time) {
-  const std::size_t begin = bytes_.size();
-  bytes_.resize(begin + headerSize);
-  std::memcpy(&bytes_[begin], &id, 4);
-  std::memcpy(&bytes_[begin + 8], &time.ms, 8);
-  return begin;
+// Memory that nobody has written to yet costs nothing, so it is not cleared.
+MessageQueue::MessageQueue(std::size_t capacity)
+    : capacity_{capacity}, bytes_{new std::byte[capacity]} {}
+
+MessageQueue::MessageQueue(const MessageQueue& other) : MessageQueue{other.capacity_} {
+  *this = other;
 }
 
-bool MessageQueue::close(std::size_t begin) {
-  if (bytes_.size() > capacity_) {
-    bytes_.resize(begin);
-    ++dropped_;
-    return false;
+MessageQueue::MessageQueue(MessageQueue&& other) noexcept : capacity_{0} {
+  *this = std::move(other);
+}
+
+MessageQueue& MessageQueue::operator=(const MessageQueue& other) {
+  if (this == &other) return *this;
+  clear();
+  other.copyAllMessages(*this);
+  return *this;
+}
+
+MessageQueue& MessageQueue::operator=(MessageQueue&& other) noexcept {
+  std::swap(capacity_, other.capacity_);
+  std::swap(bytes_, other.bytes_);
+  std::swap(size_, other.size_);
+  std::swap(dropped_, other.dropped_);
+  std::swap(anyDropped_, other.anyDropped_);
+  return *this;
+}
+
+std::byte* MessageQueue::open(std::uint32_t id, std::string_view type, Time time,
+                              std::size_t size) {
+  const std::size_t room = capacity_ - size_;
+  if (room < headerSize || room - headerSize < size ||
+      size > std::numeric_limits<std::uint32_t>::max()) {
+    countDropped(id, type);
+    return nullptr;
   }
-  const auto size = static_cast<std::uint32_t>(bytes_.size() - begin - headerSize);
-  std::memcpy(&bytes_[begin + 4], &size, 4);
-  return true;
+  std::byte* header = &bytes_[size_];
+  const auto size32 = static_cast<std::uint32_t>(size);
+  std::memcpy(header, &id, 4);
+  std::memcpy(header + 4, &size32, 4);
+  std::memcpy(header + 8, &time.ms, 8);
+  size_ += headerSize + size;
+  return header + headerSize;
 }
 
 bool MessageQueue::append(const Message& message) {
-  const std::size_t begin = open(message.id, message.time);
-  bytes_.insert(bytes_.end(), message.bytes.begin(), message.bytes.end());
-  return close(begin);
+  std::byte* place = open(message.id, {}, message.time, message.bytes.size());
+  if (place && !message.bytes.empty())
+    std::memcpy(place, message.bytes.data(), message.bytes.size());
+  return place != nullptr;
 }
 
 void MessageQueue::copyAllMessages(MessageQueue& to) const {
-  handleAllMessages([&](const Message& message) { to.append(message); });
+  if (size_ <= to.capacity_ - to.size_) {
+    if (size_ > 0) std::memcpy(&to.bytes_[to.size_], bytes_.get(), size_);
+    to.size_ += size_;
+  } else
+    handleAllMessages([&](const Message& message) { to.append(message); });
+}
+
+void MessageQueue::copyMessages(std::uint32_t id, MessageQueue& to) const {
+  handleAllMessages([&](const Message& message) {
+    if (message.id == id) to.append(message);
+  });
 }
 
 void MessageQueue::moveAllMessages(MessageQueue& to) {
-  if (to.empty() && bytes_.size() <= to.capacity_)
+  if (this == &to) return;
+  if (to.empty() && to.capacity_ == capacity_) {
     bytes_.swap(to.bytes_);
-  else
+    std::swap(size_, to.size_);
+  } else
     copyAllMessages(to);
   clear();
 }
 
-void MessageQueue::clear() {
-  bytes_.clear();
+void MessageQueue::moveMessages(std::uint32_t id, MessageQueue& to) {
+  if (this == &to) return;
+  copyMessages(id, to);
+  removeIf([&](const Message& message) { return message.id == id; });
+}
+
+std::uint64_t MessageQueue::dropped() const {
+  std::uint64_t sum = 0;
+  for (const Dropped& dropped : dropped_) sum += dropped.count;
+  return sum;
+}
+
+void MessageQueue::countDropped(std::uint32_t id, std::string_view type) {
+  anyDropped_ = true;
+  for (Dropped& dropped : dropped_) {
+    if (&dropped != &dropped_.back()) {
+      if (dropped.count > 0 && dropped.id != id) continue;
+      dropped.id = id;
+      if (!type.empty()) dropped.type = type;
+    }
+    ++dropped.count;
+    return;
+  }
+}
+
+void MessageQueue::tellDropped(Time now) {
+  if (!anyDropped_) return;
+  DroppedMessages message;
+  for (const Dropped& dropped : dropped_)
+    if (dropped.count > 0)
+      message.types.push_back({dropped.id, std::string{dropped.type}, dropped.count});
+  const std::size_t size = encodedSize(message);
+  if (capacity_ - size_ < headerSize || capacity_ - size_ - headerSize < size) return;
+  write(now, message);
+  dropped_ = {};
+  anyDropped_ = false;
 }
 
 Message MessageQueue::messageAt(std::size_t at) const {
@@ -51,7 +126,7 @@ Message MessageQueue::messageAt(std::size_t at) const {
   std::memcpy(&message.id, &bytes_[at], 4);
   std::memcpy(&size, &bytes_[at + 4], 4);
   std::memcpy(&message.time.ms, &bytes_[at + 8], 8);
-  message.bytes = std::span{bytes_}.subspan(at + headerSize, size);
+  message.bytes = bytes().subspan(at + headerSize, size);
   return message;
 }
 
@@ -65,7 +140,8 @@ bool MessageQueue::assign(std::span<const std::byte> bytes) {
     at += headerSize + size;
   }
   if (bytes.size() > capacity_) return false;
-  bytes_.assign(bytes.begin(), bytes.end());
+  if (!bytes.empty()) std::memmove(bytes_.get(), bytes.data(), bytes.size());
+  size_ = bytes.size();
   return true;
 }
 

@@ -123,8 +123,7 @@ bool InBinary::take(void* data, std::size_t size) {
 }
 
 std::optional<std::string> InBinary::readScalar(Value scalar) {
-  Error error;
-  if (at_ == 0 && !cdr::checkHeader(content_, error)) return error.what;
+  if (at_ == 0 && !cdr::isHeaded(content_)) return cdr::headerError(content_).what;
   const Type& type = *scalar.type;
   std::byte bytes[8]{};
   if (type.kind == Kind::text) {

@@ -47,6 +47,7 @@ class OutFile : public PhysicalOutStream {
 class OutMemory : public PhysicalOutStream {
  public:
   void writeToStream(std::span<const std::byte> bytes) override;
+  void clear() { bytes_.clear(); }
   const std::vector<std::byte>& bytes() const { return bytes_; }
   std::string_view text() const {
     return {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()};
@@ -255,7 +256,6 @@ class OutStream : public Out, public Medium {
  protected:
   void writeEndLine() override { format_.writeEndLine(*this); }
 
- private:
   Format format_;
 };
 
