@@ -15,7 +15,7 @@ help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make test          builds everything and runs all tests'
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
-	@echo 'make bench         measures speed: out/bench.json'
+	@echo 'make bench         measures speed, also against other libraries: out/bench.json'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
 	@echo 'make fuzz          feeds broken files to all that reads files, SECONDS=$(SECONDS) each'
@@ -25,7 +25,7 @@ help:
 	@echo 'Settings: MINUTES, SEED, SEEDS, SECONDS, OUT, PRESET (release, debug, asan, tsan, clang), JOBS'
 
 packages:
-	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14)
+	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14) $(PACKAGES)
 
 build: packages
 	@cmake --preset $(PRESET) >/dev/null
@@ -40,6 +40,7 @@ test: build
 replay: build
 	@$(BUILD)/bin/replay --out out/replay
 
+bench: PACKAGES += libprotobuf-dev protobuf-compiler
 bench: build
 	@$(BUILD)/bin/bench --json out/bench.json
 

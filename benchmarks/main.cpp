@@ -3,6 +3,7 @@
 
 #include "MatchSpeed.h"
 #include "Parts.h"
+#include "benchmarks/streams/Streams.h"
 
 /// Measures the speed of whole matches and of the parts of the system.
 int main(int argc, char** argv) {
@@ -13,6 +14,9 @@ int main(int argc, char** argv) {
   app.add_option("--runs", options.runs, "Matches of each kind")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  std::string only;
+  app.add_option("--only", only, "Measures but one part: matches, streams or parts")
+      ->check(CLI::IsMember({"matches", "streams", "parts"}));
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {
     app.parse(argc, argv);
@@ -21,11 +25,14 @@ int main(int argc, char** argv) {
   }
 
   gt::Figures figures;
-  if (const auto done = gt::measureMatchSpeed(figures, options); !done) {
-    fmt::print(stderr, "bench: {}\n", done.error().text());
-    return 2;
-  }
-  gt::measureParts(figures);
+  const auto wanted = [&](std::string_view part) { return only.empty() || only == part; };
+  if (wanted("matches"))
+    if (const auto done = gt::measureMatchSpeed(figures, options); !done) {
+      fmt::print(stderr, "bench: {}\n", done.error().text());
+      return 2;
+    }
+  if (wanted("streams")) gt::measureStreams(figures);
+  if (wanted("parts")) gt::measureParts(figures);
   figures.print();
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path{json}.parent_path(), ignored);

@@ -2,17 +2,13 @@
 #include "Parts.h"
 
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
 #include "framework/Module.h"
 #include "modules/behavior/GT2003BehaviorControl.h"
-#include "representations/infrastructure/Image.h"
 #include "representations/modeling/BallModel.h"
 #include "representations/perception/BallPercept.h"
-#include "representations/perception/LandmarksPercept.h"
 #include "robot/Configuration.h"
-#include "streams/Binary.h"
 
 namespace gt {
 namespace {
@@ -35,18 +31,6 @@ class FigureReporter : public benchmark::BenchmarkReporter {
  private:
   Figures& figures_;
 };
-
-template <typename T>
-void encodeBinary(benchmark::State& state) {
-  T value;
-  if constexpr (std::is_same_v<T, Image>) value.allocate();
-  std::vector<std::byte> bytes;
-  for ([[maybe_unused]] auto _ : state) {
-    bytes.clear();
-    encode(value, bytes);
-    benchmark::DoNotOptimize(bytes.data());
-  }
-}
 
 const DebugKey unused{"Benchmark/unused"};
 
@@ -98,10 +82,6 @@ void xabslCycle(benchmark::State& state) {
 }
 
 BENCHMARK(xabslCycle)->Name("speed.xabsl.cycle")->Apply(inMicroseconds);
-BENCHMARK(encodeBinary<Image>)->Name("speed.encode.Image")->Apply(inMicroseconds);
-BENCHMARK(encodeBinary<LandmarksPercept>)
-    ->Name("speed.encode.LandmarksPercept")
-    ->Apply(inNanoseconds);
 BENCHMARK(inactiveDebugKey)->Name("speed.debug.inactiveKey")->Apply(inNanoseconds);
 BENCHMARK(moduleCall)->Name("speed.framework.call")->Apply(inNanoseconds);
 

@@ -16,6 +16,7 @@ bool Reader::finish() {
 }
 
 bool Reader::failedIn(std::string_view name) {
+  if (!error_) error_.emplace();
   if (!error_->field.empty()) error_->field.insert(0, ".");
   error_->field.insert(0, name);
   return false;

@@ -149,7 +149,7 @@ class Reader {
   /// Tells in which field the failure was, from the inside to the outside.
   bool failedIn(std::string_view name);
   bool failedIn(std::size_t index);
-  const Error& error() const { return *error_; }
+  Error error() const { return error_.value_or(Error{}); }
 
  private:
   template <std::size_t phase, typename T>

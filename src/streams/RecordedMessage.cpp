@@ -339,8 +339,7 @@ class ValueFiller : private FieldReader {
 
 Result<void> detail::readRecorded(const MessageDefinition& definition,
                                   std::span<const std::byte> bytes, Value value) {
-  Error error;
-  if (!cdr::checkHeader(bytes, error)) return error;
+  if (!cdr::isHeaded(bytes)) return cdr::headerError(bytes);
   Reader reader{bytes.subspan(cdr::headerSize)};
   if (!ValueFiller{definition, reader}.fill(definition.root(), value) || !reader.finish())
     return reader.error();
@@ -348,8 +347,7 @@ Result<void> detail::readRecorded(const MessageDefinition& definition,
 }
 
 Result<Json> recordedJson(const MessageDefinition& definition, std::span<const std::byte> bytes) {
-  Error error;
-  if (!cdr::checkHeader(bytes, error)) return error;
+  if (!cdr::isHeaded(bytes)) return cdr::headerError(bytes);
   Reader reader{bytes.subspan(cdr::headerSize)};
   Json json = Json::object();
   if (!JsonMaker{definition, reader}.make(definition.root(), json) || !reader.finish())
