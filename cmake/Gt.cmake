@@ -31,6 +31,11 @@ if(GT_SANITIZE)
   add_link_options(-fsanitize=${GT_SANITIZE})
 endif()
 
+option(GT_DEBUGGING "Debug keys, drawings, plots and texts; off takes them out of the program" ON)
+if(NOT GT_DEBUGGING)
+  add_compile_definitions(GT_NO_DEBUGGING)
+endif()
+
 # What runs but once (tests, the reading of options) is rather built fast than built for speed.
 set(coldCode $<$<CONFIG:Release>:-O1>)
 

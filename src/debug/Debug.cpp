@@ -3,15 +3,16 @@
 namespace gt {
 
 Canvas::Canvas(Debug& debug, const DebugKey& key, DrawingSpace space)
-    : debug_{&debug}, drawing_{std::string{key.name()}, space, {}} {}
+    : debug_{&debug},
+      drawing_{std::make_unique<Drawing>(Drawing{std::string{key.name()}, space, {}})} {}
 
-Canvas::~Canvas() {
-  if (debug_) debug_->out().write(debug_->now(), drawing_);
+void Canvas::send() {
+  debug_->out().write(debug_->now(), *drawing_);
 }
 
 DrawingElement& Canvas::add(ElementType type, std::vector<Vector2d> points, Color color,
                             double penWidth) {
-  DrawingElement& element = drawing_.elements.emplace_back();
+  DrawingElement& element = drawing_->elements.emplace_back();
   element.type = type;
   element.points = std::move(points);
   element.color = color;
@@ -39,6 +40,33 @@ void Canvas::disk(const Vector2d& center, double radius, Color color) {
   add(ElementType::disk, {center}, color, 1).size = radius;
 }
 
+void Canvas::ellipse(const Vector2d& center, double first, double second, double angle, Color color,
+                     double penWidth) {
+  const Vector2d axis = direction(angle);
+  add(ElementType::ellipse,
+      {center, center + first * axis, center + second * Vector2d{-axis.y(), axis.x()}}, color,
+      penWidth);
+}
+
+void Canvas::sector(const Vector2d& center, double radius, double from, double to, Color color) {
+  add(ElementType::sector,
+      {center, center + radius * direction(from), center + radius * direction(to)}, color, 1);
+}
+
+void Canvas::path(std::vector<Vector2d> points, Color color, double penWidth) {
+  add(ElementType::path, std::move(points), color, penWidth);
+}
+
+void Canvas::area(std::vector<Vector2d> corners, Color color) {
+  add(ElementType::area, std::move(corners), color, 1);
+}
+
+void Canvas::cross(const Vector2d& at, double size, Color color, double penWidth) {
+  const Vector2d up{size, size}, down{size, -size};
+  line(at - up, at + up, color, penWidth);
+  line(at - down, at + down, color, penWidth);
+}
+
 void Canvas::polygon(std::vector<Vector2d> corners, Color color, double penWidth) {
   add(ElementType::polygon, std::move(corners), color, penWidth);
 }
@@ -51,6 +79,12 @@ void Canvas::text(const Vector2d& at, std::string text, Color color, double heig
 
 void Canvas::pose(const Pose2D& pose, Color color, double length) {
   arrow(pose.translation, pose * Vector2d{length, 0}, color);
+}
+
+const std::vector<double>* Debug::received(const DebugKey& key) const {
+  for (auto data = received_.rbegin(); data != received_.rend(); ++data)
+    if (data->id == key.name()) return &data->data;
+  return nullptr;
 }
 
 }  // namespace gt

@@ -1,11 +1,13 @@
 #pragma once
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "debug/DebugKey.h"
 #include "debug/Drawing.h"
+#include "debug/Stopwatch.h"
 #include "streams/MessageQueue.h"
 
 namespace gt {
@@ -13,36 +15,49 @@ namespace gt {
 class Debug;
 
 /// What a module draws on while its key is active; the drawing is sent when the canvas goes out of
-/// scope. `if (auto canvas = debug.onField(key)) canvas.circle(...);`
+/// scope. `if (auto canvas = debug.onField(key)) canvas.circle(...);` Positions and sizes are mm on
+/// the field or around the robot, or pixels of the picture.
 class Canvas {
  public:
   Canvas() = default;
   Canvas(Debug& debug, const DebugKey& key, DrawingSpace space);
-  ~Canvas();
+  ~Canvas() {
+    if (drawing_) send();
+  }
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  explicit operator bool() const { return debug_ != nullptr; }
+  explicit operator bool() const { return debugging && drawing_ != nullptr; }
 
   void point(const Vector2d& at, Color color = {}, double radius = 1);
   void line(const Vector2d& from, const Vector2d& to, Color color = {}, double penWidth = 1);
   void arrow(const Vector2d& from, const Vector2d& to, Color color = {}, double penWidth = 1);
   void circle(const Vector2d& center, double radius, Color color = {}, double penWidth = 1);
   void disk(const Vector2d& center, double radius, Color color = {});
+  /// An ellipse by its half axes; the first one points into the direction (rad).
+  void ellipse(const Vector2d& center, double first, double second, double direction,
+               Color color = {}, double penWidth = 1);
+  /// A filled part of a disk, counterclockwise from one direction to another (rad).
+  void sector(const Vector2d& center, double radius, double from, double to, Color color = {});
+  void path(std::vector<Vector2d> points, Color color = {}, double penWidth = 1);
   void polygon(std::vector<Vector2d> corners, Color color = {}, double penWidth = 1);
+  void area(std::vector<Vector2d> corners, Color color = {});
+  void cross(const Vector2d& at, double size, Color color = {}, double penWidth = 1);
   void text(const Vector2d& at, std::string text, Color color = {}, double height = 10);
   /// A robot's pose: an arrow of 100 mm from where it stands.
   void pose(const Pose2D& pose, Color color = {}, double length = 100);
 
  private:
   DrawingElement& add(ElementType type, std::vector<Vector2d> points, Color color, double penWidth);
+  void send();
 
   Debug* debug_ = nullptr;
-  Drawing drawing_;
+  std::unique_ptr<Drawing> drawing_;
 };
 
 /// A process's way to whoever watches it (report, appendix E): keys, drawings, plots, text, any
-/// representation. All of it leaves as messages; a key that nobody asked for costs one branch.
+/// representation. All of it leaves as messages; a key that nobody asked for costs one branch, and
+/// nothing at all where `debugging` is off.
 class Debug {
  public:
   explicit Debug(std::size_t queueCapacity = 1 << 20) : out_{queueCapacity} {}
@@ -54,26 +69,49 @@ class Debug {
   Canvas onRobot(const DebugKey& key) { return draw(key, DrawingSpace::robot); }
   Canvas onImage(const DebugKey& key) { return draw(key, DrawingSpace::image); }
 
-  void text(std::string text) { out_.write(now_, Text{std::move(text)}); }
+  /// Sends a text in any case.
+  void text(std::string text) {
+    if constexpr (debugging) out_.write(now_, Text{std::move(text)});
+  }
   void plot(const DebugKey& key, double value) {
-    if (keys_.isActive(key, now_)) out_.write(now_, Plot{std::string{key.name()}, value});
+    if (isActive(key)) out_.write(now_, Plot{std::string{key.name()}, value});
   }
   template <typename T>
   void send(const DebugKey& key, const T& representation) {
-    if (keys_.isActive(key, now_)) out_.write(now_, representation);
+    if (isActive(key)) out_.write(now_, representation);
+  }
+  /// Does some work, and sends how long it took if the key is active (report E.7).
+  template <typename Work>
+  void stopTime(const DebugKey& key, Work&& work) {
+    if (!isActive(key)) return std::forward<Work>(work)();
+    Stopwatch watch{std::string{key.name()}};
+    {
+      const Stopwatch::Lap lap{watch};
+      std::forward<Work>(work)();
+    }
+    out_.write(now_, StopwatchTime{watch.name(), 1000 * watch.totalMs()});
   }
 
+  /// The numbers that a tool has sent under a key since the last cycle (report E.2); null if it has
+  /// not.
+  const std::vector<double>* received(const DebugKey& key) const;
+  /// Hands numbers in, for the modules of this cycle.
+  void receive(GenericDebugData data) { received_.push_back(std::move(data)); }
+  void forgetReceived() { received_.clear(); }
+
+  bool isActive(const DebugKey& key) { return debugging && keys_.isActive(key, now_); }
   DebugKeyTable& keys() { return keys_; }
   MessageQueue& out() { return out_; }
 
  private:
   Canvas draw(const DebugKey& key, DrawingSpace space) {
-    return keys_.isActive(key, now_) ? Canvas{*this, key, space} : Canvas{};
+    return isActive(key) ? Canvas{*this, key, space} : Canvas{};
   }
 
   DebugKeyTable keys_;
   MessageQueue out_;
   Time now_;
+  std::vector<GenericDebugData> received_;
 };
 
 }  // namespace gt

@@ -12,8 +12,11 @@ std::vector<const DebugKey*>& registry() {
 
 }  // namespace
 
-DebugKey::DebugKey(std::string_view name) : name_{name}, index_{registry().size()} {
-  registry().push_back(this);
+DebugKey::DebugKey(std::string_view name) : name_{name} {
+  if constexpr (debugging) {
+    index_ = registry().size();
+    registry().push_back(this);
+  }
 }
 
 const std::vector<const DebugKey*>& DebugKey::all() {

@@ -9,6 +9,13 @@
 
 namespace gt {
 
+/// Whether debugging is part of the program. The build switch GT_DEBUGGING=OFF takes all of it out.
+#ifdef GT_NO_DEBUGGING
+constexpr bool debugging = false;
+#else
+constexpr bool debugging = true;
+#endif
+
 /// The name of something that can be asked for at run time, like "SelfLocator/samples" (report
 /// E.3). A constant at namespace scope in the file that uses it; that is the one place one writes
 /// to add a key.
@@ -28,7 +35,7 @@ class DebugKey {
 
  private:
   std::string_view name_;
-  std::size_t index_;
+  std::size_t index_ = 0;
 };
 
 /// When a key's output is sent (report E.3).
@@ -43,18 +50,18 @@ struct DebugKeyRequest {
 /// The states of all keys in one process (report E.3).
 class DebugKeyTable {
  public:
-  DebugKeyTable() : states_(DebugKey::all().size()) {}
+  DebugKeyTable() : asked_(DebugKey::all().size(), false), states_(DebugKey::all().size()) {}
 
   void set(const DebugKey& key, DebugKeyRequest request) {
     states_[key.index()] = {request, 0, never()};
+    asked_[key.index()] = request.mode != DebugKeyMode::disabled;
   }
   DebugKeyRequest get(const DebugKey& key) const { return states_[key.index()].request; }
 
   /// True if the key's output is to be sent this time. Counts, so to be called once for each
   /// output.
   bool isActive(const DebugKey& key, Time now) {
-    State& state = states_[key.index()];
-    return state.request.mode != DebugKeyMode::disabled && isDue(state, now);
+    return asked_[key.index()] && isDue(states_[key.index()], now);
   }
 
  private:
@@ -65,6 +72,7 @@ class DebugKeyTable {
   };
   static bool isDue(State& state, Time now);
 
+  std::vector<char> asked_;  ///< Whether a key is on; next to each other, for speed.
   std::vector<State> states_;
 };
 

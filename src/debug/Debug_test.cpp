@@ -29,6 +29,62 @@ TEST(DebugKey, HasTheStatesOfTheReport) {
   EXPECT_EQ(sentIn100Frames({DebugKeyMode::everyTimes, 0}), 100);
 }
 
+TEST(Debug, HasShapesForAllThatViewersShow) {
+  Debug debug;
+  debug.keys().set(samples, {DebugKeyMode::always});
+  if (auto canvas = debug.onRobot(samples)) {
+    canvas.point({1, 2});
+    canvas.line({0, 0}, {1, 1});
+    canvas.arrow({0, 0}, {1, 1});
+    canvas.circle({0, 0}, 5);
+    canvas.disk({0, 0}, 5);
+    canvas.ellipse({10, 20}, 4, 2, pi / 2);
+    canvas.sector({10, 20}, 5, 0, pi / 2);
+    canvas.path({{0, 0}, {1, 0}, {1, 1}});
+    canvas.polygon({{0, 0}, {1, 0}, {1, 1}});
+    canvas.area({{0, 0}, {1, 0}, {1, 1}});
+    canvas.text({0, 0}, "text");
+  }
+  Drawing drawing;
+  debug.out().handleAllMessages([&](const Message& m) { ASSERT_TRUE(m.read(drawing)); });
+  EXPECT_EQ(drawing.space, DrawingSpace::robot);
+  ASSERT_EQ(drawing.elements.size(), enumCount<ElementType>);
+  for (std::size_t i = 0; i < enumCount<ElementType>; ++i)
+    EXPECT_EQ(drawing.elements[i].type, static_cast<ElementType>(i));
+  const auto& ellipse = drawing.elements[static_cast<std::size_t>(ElementType::ellipse)].points;
+  EXPECT_LT((ellipse[1] - Vector2d{10, 24}).norm(), 1e-9);
+  EXPECT_LT((ellipse[2] - Vector2d{8, 20}).norm(), 1e-9);
+  const auto& sector = drawing.elements[static_cast<std::size_t>(ElementType::sector)].points;
+  EXPECT_LT((sector[1] - Vector2d{15, 20}).norm(), 1e-9);
+  EXPECT_LT((sector[2] - Vector2d{10, 25}).norm(), 1e-9);
+}
+
+TEST(Debug, HandsGenericDebugDataToWhoKnowsItsName) {
+  Debug debug;
+  EXPECT_EQ(debug.received(samples), nullptr);
+  debug.receive({"Test/samples", {1, 2, 3}});
+  debug.receive({"Test/samples", {4}});
+  ASSERT_NE(debug.received(samples), nullptr);
+  EXPECT_EQ(*debug.received(samples), std::vector<double>{4});
+  EXPECT_EQ(debug.received(other), nullptr);
+  debug.forgetReceived();
+  EXPECT_EQ(debug.received(samples), nullptr);
+}
+
+TEST(Debug, StopsTheTimeOnRequest) {
+  Debug debug;
+  int done = 0;
+  debug.stopTime(samples, [&] { ++done; });
+  EXPECT_TRUE(debug.out().empty());
+  debug.keys().set(samples, {DebugKeyMode::always});
+  debug.stopTime(samples, [&] { ++done; });
+  EXPECT_EQ(done, 2);
+  StopwatchTime time;
+  debug.out().handleAllMessages([&](const Message& m) { ASSERT_TRUE(m.read(time)); });
+  EXPECT_EQ(time.event, "Test/samples");
+  EXPECT_GE(time.microseconds, 0);
+}
+
 TEST(DebugKey, IsFoundByName) {
   EXPECT_EQ(DebugKey::find("Test/samples"), &samples);
   EXPECT_EQ(DebugKey::find("Test/nothing"), nullptr);

@@ -28,7 +28,19 @@ constexpr Color black{0, 0, 0}, white{255, 255, 255}, gray{128, 128, 128}, red{2
 
 /// The system of coordinates that a drawing lives in (report E.5).
 enum class DrawingSpace { field, robot, image };
-enum class ElementType { point, line, arrow, circle, disk, polygon, text };
+enum class ElementType {
+  point,
+  line,
+  arrow,
+  circle,
+  disk,
+  ellipse,  ///< Its middle and the ends of its two half axes.
+  sector,   ///< Of a disk: its middle, where the arc begins, where it ends counterclockwise.
+  path,     ///< From point to point.
+  polygon,
+  area,  ///< A filled polygon.
+  text
+};
 
 /// One element of a drawing; what its points mean depends on its type.
 struct DrawingElement {
@@ -74,6 +86,31 @@ struct Plot {
   }
 };
 static_assert(complete<Plot>);
+
+/// Numbers for a module or from it, by a name that both sides know (report E.2): to try things out
+/// without a message of their own.
+struct GenericDebugData {
+  std::string id;
+  std::vector<double> data;
+
+  static constexpr auto fields() {
+    return std::tuple{field("id", &GenericDebugData::id, "", "of a debug key"),
+                      field("data", &GenericDebugData::data)};
+  }
+};
+static_assert(complete<GenericDebugData>);
+
+/// How long something took (report E.7).
+struct StopwatchTime {
+  std::string event;
+  double microseconds = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("event", &StopwatchTime::event, "", "a task, or what the module says"),
+                      field("microseconds", &StopwatchTime::microseconds, "us")};
+  }
+};
+static_assert(complete<StopwatchTime>);
 
 /// A text that a module wrote (report's idText).
 struct Text {

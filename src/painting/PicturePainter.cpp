@@ -25,10 +25,24 @@ double limited(double value) {
   return std::clamp(value, -1e5, 1e5);
 }
 
+std::size_t pointsOf(ElementType type) {
+  switch (type) {
+    case ElementType::ellipse:
+    case ElementType::sector:
+    case ElementType::area:
+      return 3;
+    case ElementType::line:
+    case ElementType::arrow:
+    case ElementType::path:
+    case ElementType::polygon:
+      return 2;
+    default:
+      return 1;
+  }
+}
+
 bool isDrawable(const DrawingElement& element) {
-  const bool twoPoints = element.type == ElementType::line || element.type == ElementType::arrow ||
-                         element.type == ElementType::polygon;
-  return element.points.size() >= (twoPoints ? 2 : 1) && std::isfinite(element.size) &&
+  return element.points.size() >= pointsOf(element.type) && std::isfinite(element.size) &&
          std::isfinite(element.penWidth) &&
          std::all_of(element.points.begin(), element.points.end(),
                      [](const Vector2d& p) { return p.allFinite(); });
@@ -62,9 +76,19 @@ class ElementPainter {
       case ElementType::circle:
         circle();
         return;
+      case ElementType::ellipse:
+        ellipse();
+        return;
+      case ElementType::sector:
+        sector();
+        return;
       case ElementType::line:
+      case ElementType::path:
       case ElementType::polygon:
         lines();
+        return;
+      case ElementType::area:
+        area();
         return;
       case ElementType::arrow:
         lines();
@@ -90,6 +114,30 @@ class ElementPainter {
   void circle() {
     arc(size_);
     cairo_stroke(context_);
+  }
+  void ellipse() {
+    const Vector2d first = at(1) - at(0), second = at(2) - at(0);
+    constexpr int corners = 64;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * pi * i / corners;
+      const Vector2d p = at(0) + std::cos(angle) * first + std::sin(angle) * second;
+      cairo_line_to(context_, p.x(), p.y());
+    }
+    cairo_close_path(context_);
+    cairo_stroke(context_);
+  }
+  void sector() {
+    const Vector2d first = at(1) - at(0), second = at(2) - at(0);
+    cairo_move_to(context_, at(0).x(), at(0).y());
+    cairo_arc(context_, at(0).x(), at(0).y(), first.norm(), angleOf(first), angleOf(second));
+    cairo_close_path(context_);
+    cairo_fill(context_);
+  }
+  void area() {
+    for (std::size_t i = 0; i < element_.points.size(); ++i)
+      cairo_line_to(context_, at(i).x(), at(i).y());
+    cairo_close_path(context_);
+    cairo_fill(context_);
   }
   void lines() {
     for (std::size_t i = 0; i < element_.points.size(); ++i)
