@@ -27,6 +27,13 @@ class Blackboard {
     slots_[representation<T>().name] = {&representation<T>(), std::move(value)};
   }
 
+  /// Takes over the values that another blackboard holds too; both keep those that are shared.
+  void copyFrom(const Blackboard& other) {
+    for (auto& [name, slot] : slots_)
+      if (const auto found = other.slots_.find(name);
+          found != other.slots_.end() && found->second.value != slot.value)
+        slot.type->copy(found->second.value.get(), slot.value.get());
+  }
   /// The type of a slot, by name; null if there is none.
   const RepresentationType* find(std::string_view name) const {
     const auto slot = slots_.find(name);

@@ -111,7 +111,11 @@ class AnyModule {
   virtual Result<void> configure(std::string_view text, std::string_view file) = 0;
   /// Sets one parameter by its path, for instance "gain" or "noise.translation".
   virtual Result<void> set(std::string_view path, std::string_view value) = 0;
+  virtual Result<std::string> get(std::string_view path) = 0;
   virtual std::vector<PathInfo> parameters() = 0;
+  /// Goes on where another module of the same class was, with its parameters and all that it
+  /// remembers; false if it is of another class.
+  virtual bool adopt(AnyModule& other) = 0;
 };
 
 /// Makes a module of a plain class: its ports are the parameters of its update().
@@ -125,25 +129,39 @@ class ModuleAdapter<M, void (M::*)(A...)> final : public AnyModule {
       : context_{std::move(context)}, bindings_{detail::Binding<A>{context_}...} {}
 
   void run() override {
-    std::apply([this](auto&... binding) { module_.update(binding.use()...); }, bindings_);
+    std::apply([this](auto&... binding) { module_->update(binding.use()...); }, bindings_);
   }
   Result<void> configure(std::string_view text, std::string_view file) override {
     if constexpr (detail::HasParameters<M>) {
-      return parseConfig(text, std::string{file}, module_.parameters);
+      return parseConfig(text, std::string{file}, module_->parameters);
     } else {
       return Error{std::string{file}, 0, "", "this module has no parameters"};
     }
   }
   Result<void> set(std::string_view path, std::string_view value) override {
     if constexpr (detail::HasParameters<M>) {
-      return setByPath(module_.parameters, path, value);
+      return setByPath(module_->parameters, path, value);
     } else {
       return Error{"", 0, std::string{path}, "this module has no parameters"};
     }
   }
+  Result<std::string> get(std::string_view path) override {
+    if constexpr (detail::HasParameters<M>) {
+      return getByPath(module_->parameters, path);
+    } else {
+      return Error{"", 0, std::string{path}, "this module has no parameters"};
+    }
+  }
+  bool adopt(AnyModule& other) override {
+    auto* same = dynamic_cast<ModuleAdapter*>(&other);
+    if (!same) return false;
+    std::swap(module_, same->module_);
+    context_.random = same->context_.random;
+    return true;
+  }
   std::vector<PathInfo> parameters() override {
     if constexpr (detail::HasParameters<M>) {
-      return paths(module_.parameters);
+      return paths(module_->parameters);
     } else {
       return {};
     }
@@ -155,7 +173,7 @@ class ModuleAdapter<M, void (M::*)(A...)> final : public AnyModule {
   }
 
  private:
-  M module_;
+  std::unique_ptr<M> module_ = std::make_unique<M>();
   ModuleContext context_;
   std::tuple<detail::Binding<A>...> bindings_;
 };

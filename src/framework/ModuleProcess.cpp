@@ -89,6 +89,83 @@ Result<void> ModuleProcess::request(const ParameterRequest& request) {
   return (*module)->set(request.path, request.value);
 }
 
+Result<void> ModuleProcess::request(const DescriptionRequest& request) {
+  if (request.about.empty() || request.about == name()) debug_.out().write(now(), describe());
+  return {};
+}
+
+Result<void> ModuleProcess::request(const GenericDebugData& data) {
+  debug_.receive(data);
+  return {};
+}
+
+std::string ModuleProcess::activeSolution(std::string_view task) const {
+  for (const Slot& slot : slots_) {
+    if (slot.task->name != task) continue;
+    for (std::size_t i = 0; i < slot.solutions.size(); ++i)
+      if (slot.solutions[i].get() == slot.active) return slot.task->solutions[i].name;
+    return std::string{SolutionTable::disabled};
+  }
+  return {};
+}
+
+Result<std::string> ModuleProcess::parameter(std::string_view task, std::string_view solution,
+                                             std::string_view path) {
+  const auto module = find(task, solution);
+  if (!module) return module.error();
+  return (*module)->get(path);
+}
+
+ProcessDescription ModuleProcess::describe() {
+  ProcessDescription description;
+  description.process = name();
+  for (const Slot& slot : slots_) {
+    TaskDescription& task = description.tasks.emplace_back();
+    task.name = slot.task->name;
+    task.active = activeSolution(task.name);
+    for (const auto* output : slot.task->outputs) task.outputs.emplace_back(output->name);
+    for (std::size_t i = 0; i < slot.solutions.size(); ++i) {
+      SolutionDescription& solution = task.solutions.emplace_back();
+      solution.name = slot.task->solutions[i].name;
+      for (const Port& port : slot.task->solutions[i].ports)
+        if (port.kind != PortKind::output) solution.inputs.emplace_back(port.type->name);
+      for (const PathInfo& p : slot.solutions[i]->parameters())
+        solution.parameters.push_back({p.path, *slot.solutions[i]->get(p.path),
+                                       std::string{p.info.unit}, std::string{p.info.doc},
+                                       p.info.range.low, p.info.range.high});
+    }
+  }
+  for (const DebugKey* key : DebugKey::all()) description.debugKeys.emplace_back(key->name());
+  return description;
+}
+
+void ModuleProcess::copyProvided(Blackboard& to) {
+  for (const Slot& slot : slots_)
+    for (const RepresentationType* output : slot.task->outputs)
+      if (to.find(output->name)) output->copy(blackboard_.get(*output), to.get(*output));
+}
+
+void ModuleProcess::adopt(ModuleProcess& other) {
+  for (Slot& slot : slots_) {
+    const Slot* before = other.find(slot.task->name);
+    if (!before) continue;
+    times_[static_cast<std::size_t>(&slot - slots_.data())] =
+        other.times_[static_cast<std::size_t>(before - other.slots_.data())];
+    for (std::size_t i = 0; i < slot.solutions.size(); ++i) {
+      slot.solutions[i]->adopt(*before->solutions[i]);
+      if (before->solutions[i].get() == before->active) slot.active = slot.solutions[i].get();
+    }
+    if (!before->active) slot.active = nullptr;
+  }
+  debug_.keys() = other.debug_.keys();
+}
+
+std::vector<std::string> ModuleProcess::watched() const {
+  std::vector<std::string> names;
+  for (const Watched& watched : watched_) names.emplace_back(watched.type->name);
+  return names;
+}
+
 Result<void> ModuleProcess::configure(std::string_view task, std::string_view solution,
                                       std::string_view text, const std::string& file) {
   const auto module = find(task, solution);
@@ -119,6 +196,7 @@ bool ModuleProcess::handleAs(const Message& message) {
 void ModuleProcess::handle(const Message& message) {
   handleAs<SolutionRequest>(message) || handleAs<DebugRequest>(message) ||
       handleAs<WatchRequest>(message) || handleAs<ParameterRequest>(message) ||
+      handleAs<DescriptionRequest>(message) || handleAs<GenericDebugData>(message) ||
       handlePackage(message);
 }
 
@@ -160,6 +238,7 @@ int ModuleProcess::main() {
       slots_[i].active->run();
     }
 
+  debug_.forgetReceived();
   for (const auto& sender : ownSenders_) sender->send();
   for (const Watched& watched : watched_) watched.type->write(watched.value, now(), debug_.out());
   if (!debug_.out().empty() && debugSender_.requestedNew()) {

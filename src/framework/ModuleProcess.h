@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "debug/Stopwatch.h"
+#include "framework/Description.h"
 #include "framework/Layout.h"
 #include "framework/Process.h"
 #include "framework/Requests.h"
@@ -30,11 +31,26 @@ class ModuleProcess : public Process {
   Result<void> request(const DebugRequest& request);
   Result<void> request(const WatchRequest& request);
   Result<void> request(const ParameterRequest& request);
+  Result<void> request(const DescriptionRequest& request);
+  Result<void> request(const GenericDebugData& data);
   /// Reads a solution's parameters from a configuration file's text.
   Result<void> configure(std::string_view task, std::string_view solution, std::string_view text,
                          const std::string& file);
 
   bool solves(std::string_view task) const;
+  /// The name of the solution that runs; nothing if the process has no such task.
+  std::string activeSolution(std::string_view task) const;
+  /// A parameter as text.
+  Result<std::string> parameter(std::string_view task, std::string_view solution,
+                                std::string_view path);
+  ProcessDescription describe();
+  /// The representations that are sent after each cycle.
+  std::vector<std::string> watched() const;
+  /// Copies what its modules provide to another blackboard, as far as that has it.
+  void copyProvided(Blackboard& to);
+  /// Goes on where a process was that had some of the same tasks: their modules as they were, the
+  /// values that it provided, and its debug keys.
+  void adopt(ModuleProcess& other);
   Blackboard& blackboard() { return blackboard_; }
   Debug& debug() { return debug_; }
   /// The time that each module has taken, by task, in the order in which they run.

@@ -42,10 +42,34 @@ struct WatchRequest {
 
   static constexpr auto fields() {
     return std::tuple{field("representation", &WatchRequest::representation),
-                      field("process", &WatchRequest::process, "", "empty: whichever provides it"), field("on", &WatchRequest::on)};
+                      field("process", &WatchRequest::process, "", "empty: whichever provides it"),
+                      field("on", &WatchRequest::on)};
   }
 };
 static_assert(complete<WatchRequest>);
+
+/// Regroups a robot's modules to the processes of another layout while it runs.
+struct LayoutRequest {
+  std::string name;
+  std::string text;
+
+  static constexpr auto fields() {
+    return std::tuple{field("name", &LayoutRequest::name, "", "for messages: the file"),
+                      field("text", &LayoutRequest::text, "", "as in a layout file")};
+  }
+};
+static_assert(complete<LayoutRequest>);
+
+/// Asks all processes to describe themselves (`ProcessDescription`).
+struct DescriptionRequest {
+  std::string about;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("about", &DescriptionRequest::about, "", "a process; all of them if empty")};
+  }
+};
+static_assert(complete<DescriptionRequest>);
 
 /// Sets one parameter of a solution.
 struct ParameterRequest {

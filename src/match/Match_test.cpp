@@ -86,6 +86,32 @@ TEST_F(MatchTest, EveryLayoutPlaysTheSameMatch) {
   EXPECT_GT(first.size(), 10'000u);
 }
 
+/// Layouts change under a running match without a trace: modules keep what they remember.
+TEST_F(MatchTest, LayoutsChangeWhileTheMatchGoesOn) {
+  const auto play = [&](bool change) {
+    MatchOptions options;
+    options.minutes = 0.2;
+    const auto match = Match::make(options);
+    EXPECT_TRUE(match) << match.error().text();
+    int ticks = 0;
+    while (!(*match)->finished()) {
+      if (change && ++ticks % 500 == 0) {
+        const char* name = ticks % 1500 == 0   ? "layouts/cmd.layout"
+                           : ticks % 1000 == 0 ? "layouts/single.layout"
+                                               : "layouts/pmbm.layout";
+        for (const auto& robot : (*match)->robots()) {
+          auto* simulated = dynamic_cast<SimulatedRobot*>(robot);
+          simulated->robot().fromTools().write((*match)->time(),
+                                               LayoutRequest{name, *readFile(name)});
+        }
+      }
+      (*match)->step();
+    }
+    return toJson((*match)->summary()).dump();
+  };
+  EXPECT_TRUE(play(false) == play(true));
+}
+
 TEST_F(MatchTest, TheDynamicFidelityIsAsRepeatable) {
   const auto first = play("first", 3, 1, 0.1, "scenes/dynamic.scene");
   const auto threads = play("threads", 3, 2, 0.1, "scenes/dynamic.scene");

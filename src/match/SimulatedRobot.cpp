@@ -10,16 +10,21 @@ constexpr const char* pictureKeys[] = {"ImageProcessor/horizon", "ImageProcessor
 
 }  // namespace
 
-SimulatedRobot::SimulatedRobot(std::unique_ptr<Robot> robot)
-    : robot_{std::move(robot)},
-      joints_{robot_->provided<JointData>()},
-      odometry_{robot_->provided<OdometryData>()},
-      leds_{robot_->provided<LedValue>()},
-      message_{robot_->provided<TeamMessage>()},
-      pose_{robot_->provided<RobotPose>()},
-      ball_{robot_->provided<BallModel>()},
-      state_{robot_->provided<RobotState>()},
-      motion_{robot_->provided<MotionInfo>()} {}
+SimulatedRobot::SimulatedRobot(std::unique_ptr<Robot> robot) : robot_{std::move(robot)} {
+  bind();
+}
+
+void SimulatedRobot::bind() {
+  layoutChanges_ = robot_->layoutChanges();
+  joints_ = robot_->provided<JointData>();
+  odometry_ = robot_->provided<OdometryData>();
+  leds_ = robot_->provided<LedValue>();
+  message_ = robot_->provided<TeamMessage>();
+  pose_ = robot_->provided<RobotPose>();
+  ball_ = robot_->provided<BallModel>();
+  state_ = robot_->provided<RobotState>();
+  motion_ = robot_->provided<MotionInfo>();
+}
 
 Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::Metadata& about,
                                     const Configuration::LogSettings& settings) {
@@ -52,6 +57,7 @@ void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
     ++pictures_;
   }
   robot_->step(input.now);
+  if (robot_->layoutChanges() != layoutChanges_) bind();
   if (joints_) output.joints = *joints_;
   if (odometry_) output.odometry = *odometry_;
   if (leds_) output.leds = *leds_;

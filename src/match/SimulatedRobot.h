@@ -39,17 +39,20 @@ class SimulatedRobot : public MatchRobot {
   const Stopwatch& logTime() const { return logTime_; }
 
  private:
+  void bind();
   void handleMessages(const RobotInput& input);
 
   std::unique_ptr<Robot> robot_;
-  const JointData* joints_;
-  const OdometryData* odometry_;
-  const LedValue* leds_;
-  const TeamMessage* message_;
-  const RobotPose* pose_;
-  const BallModel* ball_;
-  const RobotState* state_;
-  const MotionInfo* motion_;
+  // What the robot provides, until its layout changes.
+  int layoutChanges_ = 0;
+  const JointData* joints_ = nullptr;
+  const OdometryData* odometry_ = nullptr;
+  const LedValue* leds_ = nullptr;
+  const TeamMessage* message_ = nullptr;
+  const RobotPose* pose_ = nullptr;
+  const BallModel* ball_ = nullptr;
+  const RobotState* state_ = nullptr;
+  const MotionInfo* motion_ = nullptr;
   std::int64_t pictures_ = 0;
   std::optional<RobotLog> log_;
   std::int64_t picturePeriod_ = 0;

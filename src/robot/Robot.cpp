@@ -1,6 +1,8 @@
 #include "robot/Robot.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "robot/Solutions.h"
 
@@ -14,15 +16,58 @@ Result<Plan> robotPlan(const Layout& layout,
 Result<std::unique_ptr<Robot>> Robot::make(const RobotSetup& setup) {
   auto plan = robotPlan(setup.layout, setup.platform);
   if (!plan) return plan.error();
-  std::unique_ptr<Robot> robot{new Robot};
-  robot->plan_ = std::move(*plan);
-  for (const Plan::Process& process : robot->plan_.processes) {
-    if (process.layout.collectsMessages) continue;
-    robot->processes_.push_back(makeProcess(process, setup));
-  }
-  robot->connect();
+  std::unique_ptr<Robot> robot{new Robot{setup}};
+  robot->build(std::move(*plan));
   if (const auto done = robot->configure(*setup.configuration); !done) return done.error();
   return robot;
+}
+
+void Robot::build(Plan plan) {
+  plan_ = std::move(plan);
+  for (const Plan::Process& process : plan_.processes)
+    if (!process.layout.collectsMessages) processes_.push_back(makeProcess(process, setup_));
+  debug_ = std::make_unique<DebugProcess>("Debug");
+  connect();
+}
+
+Result<void> Robot::changeLayout(const Layout& layout) {
+  auto plan = robotPlan(layout, setup_.platform);
+  if (!plan) return plan.error();
+  const auto oldProcesses = std::exchange(processes_, {});
+  const auto oldDebug = std::move(debug_);
+  links_.clear();
+  setup_.layout = layout;
+  build(std::move(*plan));
+  for (const auto& process : processes_) {
+    // What a process reads from the platform, then what others have provided, then its own.
+    for (const auto& old : oldProcesses) process->blackboard().copyFrom(old->blackboard());
+    for (const auto& old : oldProcesses) old->copyProvided(process->blackboard());
+    for (const auto& old : oldProcesses) process->adopt(*old);
+  }
+  for (const auto& old : oldProcesses)
+    for (const std::string& name : old->watched()) static_cast<void>(watch(name));
+  oldDebug->toTools().moveAllMessages(debug_->toTools());
+  oldDebug->fromTools().moveAllMessages(debug_->fromTools());
+  ++layoutChanges_;
+  return {};
+}
+
+void Robot::carryOutLayoutRequests(Time now) {
+  std::optional<LayoutRequest> wanted;
+  fromTools().handleAllMessages([&](const Message& message) {
+    LayoutRequest request;
+    if (message.is<LayoutRequest>() && message.read(request)) wanted = std::move(request);
+  });
+  if (!wanted) return;
+  MessageQueue others;
+  fromTools().handleAllMessages([&](const Message& message) {
+    if (!message.is<LayoutRequest>()) others.append(message);
+  });
+  fromTools().clear();
+  others.moveAllMessages(fromTools());
+  const auto layout = parseLayout(wanted->text, wanted->name);
+  const auto done = layout ? changeLayout(*layout) : Result<void>{layout.error()};
+  if (!done) toTools().write(now, Text{done.error().text()});
 }
 
 void Robot::connect() {
@@ -35,7 +80,7 @@ void Robot::connect() {
       find(connection.from)->sender(*connection.type).connect(receiver);
   }
   for (const auto& process : processes_)
-    debug_.connect(process->debugSender(), process->debugReceiver());
+    debug_->connect(process->debugSender(), process->debugReceiver());
 }
 
 Result<void> Robot::configure(const Configuration& configuration) {
@@ -79,7 +124,8 @@ const void* Robot::provided(const RepresentationType& type) const {
 
 void Robot::step(Time now) {
   for (const auto& process : processes_) process->step(now);
-  debug_.step(now);
+  if (!fromTools().empty()) carryOutLayoutRequests(now);
+  debug_->step(now);
 }
 
 }  // namespace gt

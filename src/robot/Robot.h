@@ -33,18 +33,27 @@ class Robot {
   /// the first that reads it. Returns its type.
   Result<const RepresentationType*> watch(const std::string& representation);
 
-  /// Gives each process, in the order of the layout, the chance to run once.
+  /// Gives each process, in the order of the layout, the chance to run once. Then carries out a
+  /// LayoutRequest that came from the tools; what is wrong with it is told by a text.
   void step(Time now);
 
+  /// Regroups the modules to the processes of another layout, between two steps. They go on with
+  /// all that they remember; solutions, parameters, debug keys and representations stay as they
+  /// are. References to what `provided` returned before are no longer valid. An error leaves all as
+  /// it was.
+  Result<void> changeLayout(const Layout& layout);
+
   /// Messages from and to the robot's processes.
-  MessageQueue& toTools() { return debug_.toTools(); }
-  MessageQueue& fromTools() { return debug_.fromTools(); }
+  MessageQueue& toTools() { return debug_->toTools(); }
+  MessageQueue& fromTools() { return debug_->fromTools(); }
   /// Hands a request to all processes that it concerns, at once; an error if it concerns none.
   template <typename Request>
   Result<void> request(const Request& request);
 
   const std::vector<std::unique_ptr<ModuleProcess>>& processes() const { return processes_; }
   const Plan& plan() const { return plan_; }
+  /// Counts the changes of the layout.
+  int layoutChanges() const { return layoutChanges_; }
 
  private:
   struct PlatformLink {
@@ -52,17 +61,21 @@ class Robot {
     PackageReceiver* receiver;
   };
 
-  Robot() = default;
+  explicit Robot(RobotSetup setup) : setup_{std::move(setup)} {}
+  void build(Plan plan);
   void connect();
+  void carryOutLayoutRequests(Time now);
   Result<void> configure(const Configuration& configuration);
   ModuleProcess* find(std::string_view process) const;
   ModuleProcess* providerOf(std::string_view representation) const;
   const void* provided(const RepresentationType& type) const;
 
+  RobotSetup setup_;
   Plan plan_;
   std::vector<std::unique_ptr<ModuleProcess>> processes_;
-  DebugProcess debug_{"Debug"};
+  std::unique_ptr<DebugProcess> debug_;
   std::vector<PlatformLink> links_;
+  int layoutChanges_ = 0;
 };
 
 template <typename Request>
