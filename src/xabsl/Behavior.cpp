@@ -4,6 +4,7 @@
 #include "xabsl/Reporter.h"
 #include "xabsl/Sources.h"
 #include "xabsl/Syntax.h"
+#include "xabsl/Warnings.h"
 
 namespace xabsl {
 
@@ -16,7 +17,10 @@ Compilation compile(const std::string& path, const FileReader& read) {
   Compilation compilation;
   if (!reporter.failed()) {
     auto model = std::make_shared<Model>(Analyzer(program, reporter).analyze());
-    if (!reporter.failed()) compilation.behavior.emplace(std::move(model));
+    if (!reporter.failed()) {
+      warnAbout(*model, reporter);
+      compilation.behavior.emplace(std::move(model));
+    }
   }
   compilation.diagnostics = reporter.take();
   return compilation;

@@ -140,7 +140,7 @@ TEST(Compile, FollowsIncludesRelativeToTheIncludingFileAndEachOnce) {
       {"a/symbols.xabsl", "namespace symbols(\"S\") { float input x; }"},
       {"a/options/main.xabsl",
        "include \"../symbols.xabsl\"; include \"../agents.xabsl\";"
-       "option main { initial state s { action { } } }"}};
+       "option main { initial state s { decision { if (x > 0) stay; else stay; } action { } } }"}};
   const Compilation compilation = compile("a/agents.xabsl", files);
   EXPECT_EQ(errors(compilation.diagnostics), "");
   EXPECT_TRUE(compilation.diagnostics.empty());

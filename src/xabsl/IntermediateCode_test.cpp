@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -181,6 +183,144 @@ TEST(IntermediateCode, ListsDebugSymbols) {
             "// number of basic behaviors 1 //basic behaviors: (name num-of-parameters (d "
             "decimal-parameter | b boolean_parameter | e enum-name "
             "enumerated-parameter)*)+ walk 2 d walk.x e e walk.how");
+}
+
+/// Uses every construct of the language besides cooperation.
+const std::string everything = test::declarations + R"(
+  option sub {
+    float @v [0..10] "mm"; bool @b; enum mode @m;
+    common decision { if (@b && state_time > 40) goto done; else { if (@v > 80) goto begin; } }
+    common action { memory = memory + 1; }
+    initial state begin { decision { else if (@m == slow || @m != drive_mode) goto done; else stay; }
+      action { walk(style = @m, speed = -@v); } }
+    target state done { decision { else if (option_time > 100 && !(seen && flag)) goto begin; else goto done; }
+      action { request = @m; flag = !@b; } }
+  }
+  option main {
+    initial state first {
+      decision {
+        if (x > 50) { if (seen) goto second; else goto third; }
+        else if (x / (y - 20) < limit && weighted(a = x % 7) >= 30) goto third;
+        else stay;
+      }
+      action { sub(m = seen ? fast : drive_mode, v = x * 2 + y - 1.5); stop(); }
+    }
+    state second {
+      decision { if (action_done || was_seen) goto third; else goto first; }
+      action { sub(b = true, m = slow); was_seen = x == y; current = second; }
+    }
+    state third {
+      decision { if (current == second && memory != 3 && request == drive_mode) goto first;
+        else if (state_time <= 30) stay; else goto second; }
+      action { result = state_time + memory; walk(style = fast); current = seen ? third : first; }
+    }
+  }
+)";
+
+/// What an engine does in a cycle, in words.
+std::string cycle(Engine& engine, test::World& world, std::int64_t now) {
+  world.log.clear();
+  engine.execute(now);
+  std::string text;
+  for (const Activation& activation : engine.activations())
+    text += activation.name + "/" + activation.state + " ";
+  for (const std::string& entry : world.log) text += entry + ", ";
+  return text + (world.flag ? "flag " : "") + std::to_string(static_cast<int>(world.request));
+}
+
+TEST(IntermediateCode, RunsAsTheTextDoes) {
+  const Behavior text = test::compiled(everything);
+  for (const Dialect dialect : {Dialect::xabsl31, Dialect::xabsl30}) {
+    test::World worlds[2];
+    const Compilation read =
+        readIntermediateCode("a.dat", written(text, dialect), &worlds[1].symbols);
+    ASSERT_EQ(test::errors(read.diagnostics), "");
+    EXPECT_EQ(read.behavior->model().dialect, dialect);
+    Engine::Creation one = Engine::create(text, worlds[0].symbols);
+    Engine::Creation other = Engine::create(*read.behavior, worlds[1].symbols);
+    ASSERT_EQ(test::errors(other.diagnostics), "");
+    std::mt19937 random(20031);
+    std::set<std::string> seen;
+    for (int i = 0; i < 5000; ++i) {
+      worlds[0].x = static_cast<double>(random() % 100);
+      worlds[0].y = static_cast<double>(random() % 40);
+      worlds[0].seen = random() % 3 == 0;
+      worlds[0].mode = static_cast<test::Mode>(random() % 3);
+      worlds[1].x = worlds[0].x;
+      worlds[1].y = worlds[0].y;
+      worlds[1].seen = worlds[0].seen;
+      worlds[1].mode = worlds[0].mode;
+      const std::string expected = cycle(*one.engine, worlds[0], i * 10);
+      ASSERT_EQ(cycle(*other.engine, worlds[1], i * 10), expected) << "in cycle " << i;
+      seen.insert(expected);
+    }
+    EXPECT_GT(seen.size(), 500u);  // the inputs make a difference
+  }
+}
+
+TEST(IntermediateCode, IsTheSameAfterReading) {
+  for (const Dialect dialect : {Dialect::xabsl31, Dialect::xabsl30}) {
+    const std::string first = written(test::compiled(everything), dialect);
+    const Compilation read = readIntermediateCode("a.dat", first);
+    ASSERT_EQ(test::errors(read.diagnostics), "");
+    // The title is a comment.
+    EXPECT_EQ(words(written(*read.behavior, dialect)), words(first));
+    test::World world;
+    const Compilation completed = readIntermediateCode("a.dat", first, &world.symbols);
+    ASSERT_EQ(test::errors(completed.diagnostics), "");
+    EXPECT_EQ(words(written(*completed.behavior, dialect)), words(first));
+  }
+}
+
+TEST(IntermediateCode, KeepsCooperationWhenRead) {
+  const std::string first = written(
+      test::compiled(test::declarations +
+                     "option main { initial state a capacity 2 { decision { if (conflict) goto b;\n"
+                     "else stay; } action { } } state b synchronized { action { } } }"));
+  const Compilation read = readIntermediateCode("a.dat", first);
+  ASSERT_EQ(test::errors(read.diagnostics), "");
+  EXPECT_EQ(written(*read.behavior), first);
+}
+
+/// The errors in code with one option `main` of one state with these actions and this statement.
+std::string errorsInCode(const std::string& body) {
+  return test::errors(
+      readIntermediateCode("a.dat", "0 0 1 main 1 d main.v 1 s n s 0 " + body + " 1 agent main")
+          .diagnostics);
+}
+
+TEST(IntermediateCode, TellsWhatIsWrong) {
+  EXPECT_EQ(errorsInCode("0 t s"), "");
+  EXPECT_EQ(errorsInCode("0 t x"), "a.dat:1:37: error: unknown state 'x'\n");
+  EXPECT_EQ(errorsInCode("0 y"), "a.dat:1:35: error: expected 't' or 'i', found 'y'\n");
+  EXPECT_EQ(errorsInCode("1 z"),
+            "a.dat:1:35: error: expected an action, 'o', 'a', 'd', 'b' or 'e', found 'z'\n");
+  EXPECT_EQ(errorsInCode("1 o sub 0 t s"), "a.dat:1:37: error: unknown option 'sub'\n");
+  EXPECT_EQ(errorsInCode("1 d out v x t s"), "a.dat:1:43: error: expected a number, found 'x'\n");
+  EXPECT_EQ(errorsInCode("1 d out p main.w t s"),
+            "a.dat:1:43: error: option 'main' has no parameter 'w'\n");
+  EXPECT_EQ(errorsInCode("1 b out p main.v t s"),
+            "a.dat:1:43: error: parameter 'v' is used with two types\n");
+  EXPECT_EQ(errorsInCode("2 b out v true d out v 1 t s"),
+            "a.dat:1:50: error: symbol 'out' is used with two types\n");
+  EXPECT_EQ(errorsInCode("1 o main 0 t s"),
+            "a.dat:1:35: error: options call one another in a cycle: main -> main\n");
+  EXPECT_EQ(errorsInCode("999999999 t s"),
+            "a.dat:1:33: error: expected the number of actions, found '999999999'\n");
+  EXPECT_EQ(errorsInCode("0 t s 7"),
+            "a.dat:1:43: error: expected the root option of agent '1', found 'agent'\n");
+  EXPECT_EQ(test::errors(readIntermediateCode("a.dat", "").diagnostics),
+            "a.dat:1:1: error: expected the number of internal enumerations, found the end of the "
+            "file\n");
+}
+
+TEST(IntermediateCode, EndsWithDeepCodeInBoundedTime) {
+  std::string deep;
+  for (int i = 0; i < 100'000; ++i) deep += "! ";
+  EXPECT_THAT(errorsInCode("1 b out " + deep + "v true t s"), HasSubstr("nested too deeply"));
+  std::string chain;
+  for (int i = 0; i < 20'000; ++i) chain += "i v true t s ";
+  EXPECT_EQ(errorsInCode("0 " + chain + "t s"), "");
 }
 
 }  // namespace

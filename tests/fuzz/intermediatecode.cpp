@@ -1,0 +1,24 @@
+#include "xabsl/IntermediateCode.h"
+
+#include <cstdlib>
+#include <string>
+
+#include "Fuzz.h"
+
+/// What was read must be the same when it was written and read again.
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const xabsl::Compilation read = xabsl::readIntermediateCode("fuzz.dat", gt::textOf(data, size));
+  if (!read.behavior) return 0;
+  const xabsl::Model& model = read.behavior->model();
+  const xabsl::IntermediateCode code = xabsl::writeIntermediateCode(model, model.dialect);
+  if (!code.text) std::abort();
+  const xabsl::Compilation again = xabsl::readIntermediateCode("fuzz.dat", *code.text);
+  if (!again.behavior) std::abort();
+  const xabsl::IntermediateCode rewritten =
+      xabsl::writeIntermediateCode(again.behavior->model(), model.dialect);
+  if (!rewritten.text) std::abort();
+  // A file that is sound in both dialects is taken for 3.1.
+  if (again.behavior->model().dialect == model.dialect && *rewritten.text != *code.text)
+    std::abort();
+  return 0;
+}
