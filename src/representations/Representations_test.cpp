@@ -1,37 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "representations/behavior/HeadControlMode.h"
-#include "representations/behavior/LedRequest.h"
-#include "representations/behavior/MotionRequest.h"
-#include "representations/behavior/TeamMessage.h"
-#include "representations/infrastructure/FieldDimensions.h"
-#include "representations/infrastructure/FrameInfo.h"
-#include "representations/infrastructure/GameControlData.h"
-#include "representations/infrastructure/Image.h"
-#include "representations/infrastructure/Joints.h"
-#include "representations/infrastructure/OracledWorldState.h"
-#include "representations/infrastructure/Player.h"
-#include "representations/infrastructure/RobotDimensions.h"
-#include "representations/infrastructure/SensorData.h"
-#include "representations/modeling/BallModel.h"
-#include "representations/modeling/RobotPose.h"
-#include "representations/modeling/RobotState.h"
-#include "representations/motion/HeadMotionRequest.h"
-#include "representations/motion/MotionInfo.h"
-#include "representations/motion/OdometryData.h"
-#include "representations/motion/SpecialActionsOutput.h"
-#include "representations/motion/WalkingEngineOutput.h"
-#include "representations/perception/BallPercept.h"
-#include "representations/perception/BodyPercept.h"
-#include "representations/perception/CameraMatrix.h"
-#include "representations/perception/ColorTable64.h"
-#include "representations/perception/LandmarksPercept.h"
-#include "representations/perception/LinesPercept.h"
-#include "representations/perception/ObstaclesPercept.h"
-#include "representations/perception/PlayersPercept.h"
-#include "representations/perception/PsdPercept.h"
+#include <filesystem>
+#include <regex>
+
+#include "representations/All.h"
 #include "streams/Binary.h"
 #include "streams/Config.h"
+#include "streams/File.h"
+#include "streams/MessageStreams.h"
 #include "streams/Samples.h"
 #include "streams/Schema.h"
 #include "streams/Streams.h"
@@ -42,46 +18,142 @@ namespace {
 template <typename T>
 class Representations : public testing::Test {};
 
-using All =
-    testing::Types<HeadControlMode, LedRequest, LedValue, MotionRequest, BehaviorTeamMessage,
-                   TeamMessage, TeamMessages, CameraInfo, FieldDimensions, FrameInfo,
-                   GameControlData, Image, JointData, OracledWorldState, Player, RobotDimensions,
-                   SensorData, SensorDataBuffer, BallModel, TeamBallModel, RobotPose, RobotState,
-                   HeadMotionRequest, MotionInfo, OdometryData, SpecialActionsOutput,
-                   WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix, ColorTable64,
-                   LandmarksPercept, LinesPercept, ObstaclesPercept, PlayersPercept, PsdPercept>;
-TYPED_TEST_SUITE(Representations, All);
+TYPED_TEST_SUITE(Representations, AllRepresentations<testing::Types>);
+
+template <typename T>
+std::vector<std::byte> encoded(const T& value) {
+  std::vector<std::byte> bytes;
+  encode(value, bytes);
+  return bytes;
+}
+
+/// Reads a value from a stream that was written by another and holds nothing else.
+template <typename T>
+T readFrom(In& stream) {
+  T value{};
+  stream >> value;
+  EXPECT_TRUE(stream) << stream.error()->text();
+  EXPECT_TRUE(stream.eof());
+  return value;
+}
+
+/// Streams a value by its fields and as a whole, through one medium and one format after the other;
+/// calls check(read, name) for what came out.
+template <typename T, typename Check>
+void throughMemory(const T& value, Check&& check) {
+  OutBinaryMemory binary;
+  OutTextMemory text;
+  OutBinarySize binarySize;
+  OutTextSize textSize;
+  for (Out* out : std::initializer_list<Out*>{&binary, &text, &binarySize, &textSize})
+    *out << value;
+  EXPECT_EQ(binary.bytes(), encoded(value));
+  EXPECT_EQ(binarySize.size(), binary.bytes().size());
+  EXPECT_EQ(textSize.size(), text.bytes().size());
+  InBinaryMemory inBinary{binary.bytes()};
+  InTextMemory inText{text.text()};
+  check(readFrom<T>(inBinary), "binary");
+  check(readFrom<T>(inText), "text");
+  // In config files, what begins with # or // is a comment: a text must not.
+  OutTextMemory lines;
+  lines << "[values]" << endl << value << endl << "[end]";
+  InConfigMemory inConfig{lines.text(), "values"};
+  if (lines.text().find('#') == std::string_view::npos &&
+      lines.text().find("//") == std::string_view::npos)
+    check(readFrom<T>(inConfig), "config stream");
+}
+
+template <typename T, typename Check>
+void throughMessages(const T& value, Check&& check) {
+  MessageQueue queue{64 << 20};
+  OutBinaryMessage binary{queue};
+  OutTextMessage text{queue};
+  ASSERT_TRUE(queue.write({1}, value));
+  binary << value;
+  ASSERT_TRUE(binary.finishMessage(messageId("binary"), {2}));
+  text << value;
+  ASSERT_TRUE(text.finishMessage(messageId("text"), {3}));
+  queue.handleAllMessages([&](const Message& message) {
+    T read{};
+    if (message.template is<T>()) {
+      EXPECT_TRUE(message.read(read));
+      check(read, "message");
+    } else if (message.id == messageId("binary")) {
+      InBinaryMessage in{message};
+      check(readFrom<T>(in), "binary message");
+    } else {
+      InTextMessage in{message};
+      check(readFrom<T>(in), "text message");
+    }
+  });
+}
 
 TYPED_TEST(Representations, KeepTheirValuesInAllFormats) {
   Random random{1};
   for (int i = 0; i < 10; ++i) {
     TypeParam value{};
     samples::randomize(valueOf(value), random);
-    std::vector<std::byte> bytes;
-    encode(value, bytes);
+    const auto bytes = encoded(value);
     const auto expectSame = [&](const TypeParam& read, const char* format) {
-      std::vector<std::byte> again;
-      encode(read, again);
-      EXPECT_TRUE(again == bytes) << format;
+      EXPECT_TRUE(encoded(read) == bytes) << format;
     };
-
-    TypeParam fromBinary{};
+    TypeParam fromBinary{}, fromConfig{};
     ASSERT_TRUE(decode(bytes, fromBinary));
-    expectSame(fromBinary, "binary");
-
-    TypeParam fromText{};
-    OutTextMemory text;
-    text << value;
-    InTextMemory in{text.text()};
-    in >> fromText;
-    ASSERT_TRUE(in) << in.error()->text();
-    expectSame(fromText, "text");
-
-    TypeParam fromConfig{};
+    expectSame(fromBinary, "decode");
     const auto result = parseConfig(writeConfig(value), "test.cfg", fromConfig);
     ASSERT_TRUE(result) << result.error().text();
     expectSame(fromConfig, "config");
+    throughMemory(value, expectSame);
+    if (i < 3) throughMessages(value, expectSame);
   }
+}
+
+TYPED_TEST(Representations, KeepTheirValuesInFiles) {
+  const std::string path = testing::TempDir() + "Representations_test.stream";
+  Random random{2};
+  TypeParam value{};
+  samples::randomize(valueOf(value), random);
+  OutBinaryFile binary{path};
+  binary << value;
+  ASSERT_TRUE(binary.close());
+  InBinaryFile inBinary{path};
+  EXPECT_TRUE(encoded(readFrom<TypeParam>(inBinary)) == encoded(value));
+  OutTextFile text{path};
+  text << value;
+  ASSERT_TRUE(text.close());
+  InTextFile inText{path};
+  EXPECT_TRUE(encoded(readFrom<TypeParam>(inText)) == encoded(value));
+  std::filesystem::remove(path);
+}
+
+/// Whether a type is one of the representations or part of one.
+bool contains(const Type& type, std::string_view name) {
+  if (type.name == name) return true;
+  if (type.element) return contains(type.element(), name);
+  return std::any_of(type.parts.begin(), type.parts.end(),
+                     [&](const Part& part) { return contains(part.type(), name); });
+}
+
+template <typename... T>
+struct AnyContains {
+  static bool ask(std::string_view name) { return (contains(typeOf<T>(), name) || ...); }
+};
+
+// Whoever adds a representation and forgets the list is told so.
+TEST(AllRepresentations, ListsWhatIsInTheFolder) {
+  int found = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{"src/representations"}) {
+    if (entry.path().extension() != ".h") continue;
+    const auto text = readFile(entry.path());
+    ASSERT_TRUE(text);
+    const std::regex declared{"complete<(\\w+)>"};
+    for (std::sregex_iterator match{text->begin(), text->end(), declared}, end; match != end;
+         ++match) {
+      EXPECT_TRUE(AllRepresentations<AnyContains>::ask((*match)[1].str())) << (*match)[1];
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 40);
 }
 
 // ROS demands it of the names of fields, and that no two are the same.

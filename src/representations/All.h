@@ -1,0 +1,47 @@
+#pragma once
+#include "representations/behavior/HeadControlMode.h"
+#include "representations/behavior/LedRequest.h"
+#include "representations/behavior/MotionRequest.h"
+#include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/GameControlData.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/OracledWorldState.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/infrastructure/RobotDimensions.h"
+#include "representations/infrastructure/SensorData.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/modeling/RobotState.h"
+#include "representations/motion/HeadMotionRequest.h"
+#include "representations/motion/MotionInfo.h"
+#include "representations/motion/MotionNet.h"
+#include "representations/motion/OdometryData.h"
+#include "representations/motion/SpecialActionsOutput.h"
+#include "representations/motion/WalkingEngineOutput.h"
+#include "representations/perception/BallPercept.h"
+#include "representations/perception/BodyPercept.h"
+#include "representations/perception/CameraMatrix.h"
+#include "representations/perception/ColorTable64.h"
+#include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/LinesPercept.h"
+#include "representations/perception/ObstaclesPercept.h"
+#include "representations/perception/PlayersPercept.h"
+#include "representations/perception/PsdPercept.h"
+
+namespace gt {
+
+/// All representations, for whoever deals with each of them: `AllRepresentations<std::tuple>`.
+template <template <typename...> typename List>
+using AllRepresentations =
+    List<HeadControlMode, LedRequest, LedValue, MotionRequest, BehaviorTeamMessage, TeamMessage,
+         TeamMessages, CameraInfo, FieldDimensions, FrameInfo, GameControlData, Image, JointData,
+         OracledWorldState, Player, RobotDimensions, SensorData, SensorDataBuffer, BallModel,
+         TeamBallModel, RobotPose, RobotState, HeadMotionRequest, MotionInfo, MotionNet,
+         OdometryData, SpecialActionsOutput, WalkingEngineOutput, BallPercept, BodyPercept,
+         CameraMatrix, ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept,
+         PlayersPercept, PsdPercept>;
+
+}  // namespace gt
