@@ -1,5 +1,7 @@
 #include "framework/DebugProcess.h"
 
+#include "debug/Drawing.h"
+
 namespace gt {
 
 void DebugProcess::connect(PackageSender& fromProcess, PackageLink& toProcess) {
@@ -13,9 +15,28 @@ PackageReceiver& DebugProcess::addReceiver() {
   return in_.back()->receiver;
 }
 
+Result<void> DebugProcess::request(const QueueFillRequest& request) {
+  if (fill_.request(request, now())) return {};
+  return Error{"", 0, "seconds", "collect and save need a time above 0 and up to a day"};
+}
+
+void DebugProcess::handleRequests() {
+  fromTools_.removeIf([this](const Message& message) {
+    if (!message.is<QueueFillRequest>()) return false;
+    QueueFillRequest wanted;
+    auto done = message.read(wanted);
+    if (done) done = request(wanted);
+    if (!done) toTools_.write(now(), Text{name() + ": " + done.error().text()});
+    return true;
+  });
+}
+
 int DebugProcess::main() {
+  handleRequests();
+  fill_.update(now());
+  toTools_.tellDropped(now());
   for (const auto& in : in_)
-    if (in->receiver.receivedNew()) in->queue.copyAllMessages(toTools_);
+    if (in->receiver.receivedNew()) fill_.take(in->queue, toTools_);
   // All processes must have taken the last queue before the next one is sent, or a request would be
   // lost.
   if (!fromTools_.empty() && sender_.ready()) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "framework/Process.h"
+#include "framework/QueueFill.h"
 
 namespace gt {
 
@@ -19,6 +20,11 @@ class DebugProcess : public Process {
   /// to all.
   PackageReceiver& addReceiver();
   PackageSender& sender() { return sender_; }
+  /// Fills the queue to the tools in another way; an error if the request makes no sense. Requests
+  /// also come in by message.
+  Result<void> request(const QueueFillRequest& request);
+  /// What takes messages that a request asks to save (report I: `qfr save`).
+  void onSave(QueueFill::Saver saver) { fill_.onSave(std::move(saver)); }
   /// What came from the processes since it was last taken.
   MessageQueue& toTools() { return toTools_; }
   /// What shall go to all processes in the next cycle.
@@ -28,11 +34,15 @@ class DebugProcess : public Process {
   int main() override;
 
  private:
+  /// Carries out what the tools ask of this process, and takes it out of their messages.
+  void handleRequests();
+
   struct In {
     MessageQueue queue;
     PackageReceiver receiver{representation<MessageQueue>(), &queue};
   };
   std::vector<std::unique_ptr<In>> in_;
+  QueueFill fill_;
   MessageQueue toTools_{8 << 20};
   MessageQueue fromTools_;
   MessageQueue out_;

@@ -244,6 +244,7 @@ int ModuleProcess::main() {
   if (!debug_.out().empty() && debugSender_.requestedNew()) {
     debugOut_.clear();
     debug_.out().moveAllMessages(debugOut_);
+    debug_.out().tellDropped(now());
     debugSender_.send();
   }
   return 0;

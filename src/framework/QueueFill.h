@@ -1,0 +1,66 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "base/Enum.h"
+#include "streams/MessageQueue.h"
+
+namespace gt {
+
+/// How the queue to the tools is filled, by the names of report I. `queue` is what report E.3 calls
+/// immediately, `replace` what it calls real time.
+enum class QueueFillMode { queue, replace, reject, collect, save };
+
+/// Asks the Debug process to fill the queue to the tools in another way (report E.3, I: `qfr`).
+struct QueueFillRequest {
+  QueueFillMode mode = QueueFillMode::queue;
+  double seconds = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("mode", &QueueFillRequest::mode),
+        field("seconds", &QueueFillRequest::seconds, "s", "of collect and save", {0, 86400})};
+  }
+};
+static_assert(complete<QueueFillRequest>);
+
+/// Fills the queue to the tools as the last request says:
+/// - queue: with all messages; what does not fit is dropped, and that is told;
+/// - replace: a message replaces those of its kind that are older; a drawing stays whole, though it
+///   comes in several messages, and replaces none of another key;
+/// - reject: not at all;
+/// - collect: with all messages for some seconds, then not at all;
+/// - save: not at all; the messages of some seconds go to whoever saves them.
+class QueueFill {
+ public:
+  using Saver = std::function<void(const MessageQueue&)>;
+
+  /// What takes the messages that were collected to be saved.
+  void onSave(Saver saver) { saver_ = std::move(saver); }
+  /// False if the seconds are none.
+  bool request(const QueueFillRequest& request, Time now);
+  /// Ends what was asked for some seconds; to be called before messages are taken.
+  void update(Time now);
+  void take(const MessageQueue& messages, MessageQueue& toTools);
+
+ private:
+  /// The newest message of a kind.
+  struct Newest {
+    std::uint64_t kind;
+    Time time;
+    const std::byte* message;
+  };
+
+  void replace(const MessageQueue& messages, MessageQueue& toTools);
+  const Newest* find(std::uint64_t kind) const;
+  bool isReplaced(const Message& message) const;
+
+  QueueFillRequest request_;
+  Time end_;
+  Saver saver_;
+  MessageQueue saved_{16 << 20};
+  std::vector<Newest> newest_;
+};
+
+}  // namespace gt
