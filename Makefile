@@ -9,12 +9,14 @@ OUT     ?= out/match
 SECONDS ?= 60
 JOBS    ?= $(shell nproc)
 
-.PHONY: help play test replay bench experiments build packages format sanitize fuzz clean
+.PHONY: help play play-remote kill-test test replay bench experiments build packages format sanitize fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make test          builds everything and runs all tests'
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
+	@echo 'make play-remote   plays a minute against a team whose robots consist of three programs each'
+	@echo 'make kill-test     kills each program of a robot 50 times during a match'
 	@echo 'make bench         measures speed, also against other libraries: out/bench.json'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
@@ -41,6 +43,14 @@ replay: build
 	@$(BUILD)/bin/replay --out out/replay
 
 bench: PACKAGES += libprotobuf-dev protobuf-compiler
+# The full test of a robot's programs: each is killed 50 times in a match.
+kill-test: build
+	@GT_KILLS=50 $(BUILD)/bin/robot_programs_test --gtest_filter=*AnyProcess*
+
+# A whole team of programs, three a robot, in real time.
+play-remote: build
+	@scripts/play-remote $(BUILD) 1 red1 red2 red3 red4
+
 bench: build
 	@$(BUILD)/bin/bench --json out/bench.json
 
