@@ -87,8 +87,11 @@ std::string EnumerationInference::inferredName(const std::vector<int>& mentions)
        dot = first.rfind('.', dot - 1)) {
     const std::string_view name = first.substr(0, dot);
     bool common = true;
-    for (const int mention : mentions)
-      common = common && mentions_[at(mention)].text.substr(0, dot + 1) == first.substr(0, dot + 1);
+    for (const int mention : mentions) {
+      const std::string_view text = mentions_[at(mention)].text;
+      common =
+          common && text.size() > dot + 1 && text.substr(0, dot + 1) == first.substr(0, dot + 1);
+    }
     if (!common) continue;
     if (isKnown(name)) return std::string(name);
     if (longest.empty()) longest = name;

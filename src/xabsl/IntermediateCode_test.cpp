@@ -314,6 +314,15 @@ TEST(IntermediateCode, TellsWhatIsWrong) {
             "file\n");
 }
 
+TEST(IntermediateCode, TakesOddNamesOfElementsAsTheyAre) {
+  for (const std::string name : {"a.", "a.b.", ".a", "a", "a..b", "e.", "e.e.a"}) {
+    const std::string first = "0 0 1 main 0 1 s n s 0 1 e out v " + name + " t s 1 agent main";
+    const Compilation read = readIntermediateCode("a.dat", first);
+    ASSERT_EQ(test::errors(read.diagnostics), "") << name;
+    EXPECT_THAT(words(written(*read.behavior)), testing::EndsWith(first)) << name;
+  }
+}
+
 TEST(IntermediateCode, EndsWithDeepCodeInBoundedTime) {
   std::string deep;
   for (int i = 0; i < 100'000; ++i) deep += "! ";
