@@ -6,6 +6,7 @@
 #include "representations/infrastructure/Joints.h"
 #include "representations/perception/BallPercept.h"
 #include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/ObstaclesPercept.h"
 #include "representations/perception/PsdPercept.h"
 
 /// From representations to messages of Protocol Buffers, and back.
@@ -142,6 +143,27 @@ inline void get(const rival::PsdPercept& message, PsdPercept& value) {
   value.time.ms = message.time();
   get(message.offset(), value.offset);
   value.tooFarAway = message.too_far_away();
+}
+
+inline void set(const ObstaclesPercept& value, rival::ObstaclesPercept& message) {
+  message.set_time(value.time.ms);
+  message.clear_lines();
+  for (const FreeGround& line : value.lines) {
+    rival::FreeGround& to = *message.add_lines();
+    set(line.nearPoint, *to.mutable_near_point());
+    set(line.farPoint, *to.mutable_far_point());
+    to.set_far_on_border(line.farOnBorder);
+  }
+}
+inline void get(const rival::ObstaclesPercept& message, ObstaclesPercept& value) {
+  value.time.ms = message.time();
+  value.lines.resize(static_cast<std::size_t>(message.lines_size()));
+  for (std::size_t i = 0; i < value.lines.size(); ++i) {
+    const rival::FreeGround& line = message.lines(static_cast<int>(i));
+    get(line.near_point(), value.lines[i].nearPoint);
+    get(line.far_point(), value.lines[i].farPoint);
+    value.lines[i].farOnBorder = line.far_on_border();
+  }
 }
 
 inline void set(const JointData& value, rival::JointData& message) {

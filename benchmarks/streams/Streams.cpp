@@ -139,6 +139,10 @@ void measureStreams(Figures& figures) {
   measure<LandmarksPercept, rival::LandmarksPercept>(figures, "LandmarksPercept", Aim::atLeast(4));
   measure<BallPercept, rival::BallPercept>(figures, "BallPercept", Aim::atLeast(4));
   measure<PsdPercept, rival::PsdPercept>(figures, "PsdPercept", Aim::atLeast(4));
+  ObstaclesPercept obstacles;
+  obstacles.lines.resize(20);
+  measure<ObstaclesPercept, rival::ObstaclesPercept>(figures, "ObstaclesPercept", Aim::atLeast(4),
+                                                     obstacles);
   measure<JointData, rival::JointData>(figures, "JointData", {});
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "streams/Samples.h"
+#include "streams/Streams.h"
 
 namespace gt {
 namespace {
@@ -172,6 +173,97 @@ TEST(Binary, SurvivesMutatedData) {
     encoded(read);  // What was read is valid.
   }
   EXPECT_GT(failures, 1000);
+}
+
+/// Types whose numbers lie elsewhere in the stream each time they begin elsewhere.
+struct Odd {
+  double number = 0;
+  bool flag = false;
+  static constexpr auto fields() {
+    return std::tuple{field("number", &Odd::number), field("flag", &Odd::flag)};
+  }
+};
+struct Mixed {
+  std::int32_t whole = 0;
+  float part = 0;
+  std::int16_t small = 0;
+  samples::Color color = samples::Color::red;
+  static constexpr auto fields() {
+    return std::tuple{field("whole", &Mixed::whole), field("part", &Mixed::part),
+                      field("small", &Mixed::small), field("color", &Mixed::color)};
+  }
+};
+struct Turned {
+  Matrix3d a = Matrix3d::Identity(), b = Matrix3d::Identity();
+  static constexpr auto fields() {
+    return std::tuple{field("a", &Turned::a), field("b", &Turned::b)};
+  }
+};
+template <typename T>
+struct Placed {
+  bool before = false;
+  T one;
+  std::uint8_t between = 0;
+  std::array<T, 5> array;
+  std::vector<T> list;
+  std::vector<std::array<T, 2>> pairs;
+  T last;
+  static constexpr auto fields() {
+    using P = Placed;
+    return std::tuple{field("before", &P::before),   field("one", &P::one),
+                      field("between", &P::between), field("array", &P::array),
+                      field("list", &P::list),       field("pairs", &P::pairs),
+                      field("last", &P::last)};
+  }
+};
+
+/// What is laid out when the program is compiled is what the stream writes number by number.
+template <typename T>
+void expectSameLayout() {
+  Random random{20};
+  for (int i = 0; i < 100; ++i) {
+    Placed<T> value, read;
+    samples::randomize(valueOf(value), random);
+    std::vector<std::byte> bytes;
+    encode(value, bytes);
+    OutBinaryMemory out;
+    out << value;
+    ASSERT_EQ(bytes, out.bytes());
+    ASSERT_TRUE(decode(bytes, read));
+    std::vector<std::byte> again;
+    encode(read, again);
+    ASSERT_EQ(again, bytes);
+    for (std::size_t size = 0; size + 3 < bytes.size(); ++size)
+      ASSERT_FALSE(decode(std::span{bytes}.first(size), read)) << size << " of " << bytes.size();
+  }
+}
+
+TEST(Binary, LaysFixedTypesOutAsItStreamsThem) {
+  expectSameLayout<Odd>();
+  expectSameLayout<Mixed>();
+  expectSameLayout<Turned>();
+  expectSameLayout<Swapped>();
+  expectSameLayout<samples::Byte4>();
+  expectSameLayout<std::array<samples::Small, 3>>();
+  expectSameLayout<Pose2D>();
+}
+
+TEST(Binary, TellsWhereFixedTypesAreWrong) {
+  Placed<Mixed> value;
+  std::vector<std::byte> bytes;
+  encode(value, bytes);
+  int wrong = 0;
+  for (std::byte& b : bytes) {
+    const std::byte good = std::exchange(b, std::byte{0xee});
+    Placed<Mixed> read;
+    if (const auto done = decode(bytes, read); !done) {
+      wrong +=
+          done.error().field.ends_with("color") && done.error().what == "there is no value 238";
+      EXPECT_LT(static_cast<int>(read.one.color), 3);
+    }
+    b = good;
+  }
+  EXPECT_EQ(wrong, 7) << "of one, array and last";
 }
 
 }  // namespace

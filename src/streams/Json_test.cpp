@@ -31,6 +31,9 @@ void simplify(Value v) {
   if (type.kind == Kind::number && type.number == Number::float64 &&
       std::isinf(*static_cast<double*>(v.data)))
     *static_cast<double*>(v.data) = 1e300;
+  if (type.kind == Kind::number && type.number == Number::float32 &&
+      std::isinf(*static_cast<float*>(v.data)))
+    *static_cast<float*>(v.data) = 1e30f;
 }
 
 TEST(Json, ReadsWhatItWrote) {

@@ -101,7 +101,7 @@ inline void randomize(Value value, Random& random, Range range = {}) {
   } else if (type.kind == Kind::text) {
     auto& text = *static_cast<std::string*>(value.data);
     text.clear();
-    const auto length = random.index(8);
+    const auto length = random.chance(0.05) ? 5000 : random.index(8);
     for (std::size_t i = 0; i < length; ++i)
       text += std::string_view("ab \\\"\n\t\r#/[=]\xc3\xa4\0", 16)[random.index(16)];
   } else if (type.kind == Kind::boolean) {
@@ -123,7 +123,11 @@ inline void randomize(Value value, Random& random, Range range = {}) {
     if (*static_cast<double*>(value.data) != *static_cast<double*>(value.data))
       *static_cast<double*>(value.data) = Limits::quiet_NaN();
   } else if (type.number == Number::float32) {
-    *static_cast<float*>(value.data) = static_cast<float>(random.gaussian());
+    using Limits = std::numeric_limits<float>;
+    const float extremes[] = {Limits::quiet_NaN(), Limits::infinity(),   -Limits::infinity(), -0.0f,
+                              Limits::max(),       Limits::denorm_min(), Limits::lowest(),    0.1f};
+    *static_cast<float*>(value.data) =
+        random.chance(0.5) ? extremes[random.index(8)] : static_cast<float>(random.gaussian());
   } else {
     const std::int64_t extremes[] = {std::numeric_limits<std::int64_t>::min(),
                                      std::numeric_limits<std::int64_t>::max(),

@@ -2,6 +2,7 @@
 
 #include "Fuzz.h"
 #include "debug/Drawing.h"
+#include "framework/QueueFill.h"
 #include "framework/Requests.h"
 #include "streams/MessageQueue.h"
 
@@ -16,5 +17,16 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     gt::SolutionRequest request;
     (void)!message.read(request);
   });
+  // What a queue holds can be copied, moved, dropped and replaced, whatever it is.
+  gt::MessageQueue small{size / 2}, other;
+  queue.copyAllMessages(small);
+  small.tellDropped({});
+  queue.copyMessages(gt::messageId<gt::Drawing>(), other);
+  gt::QueueFill fill;
+  (void)fill.request({gt::QueueFillMode::replace, 0}, {});
+  for (int i = 0; i < 2; ++i) fill.take(queue, other);
+  queue.moveMessages(gt::messageId<gt::Text>(), other);
+  queue.moveAllMessages(other);
+  if (!queue.empty() || !queue.assign(other.bytes())) __builtin_trap();
   return 0;
 }
