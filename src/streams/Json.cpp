@@ -1,5 +1,6 @@
 #include "streams/Json.h"
 
+#include <charconv>
 #include <cmath>
 
 namespace gt {
@@ -10,11 +11,14 @@ Json scalarJson(ConstValue value) {
   if (type.kind == Kind::boolean) return ordinal(value) != 0;
   if (type.kind != Kind::number) return scalarText(value);
   switch (type.number) {
-    case Number::float32:
-      // By its shortest text, so that 0.1f is 0.1 and not 0.10000000149.
-      return std::isfinite(*static_cast<const float*>(value.data()))
-                 ? Json::parse(scalarText(value), nullptr, false)
-                 : Json();
+    case Number::float32: {
+      if (!std::isfinite(*static_cast<const float*>(value.data()))) return {};
+      // By its shortest text, so that 0.1f is 0.1 and not 0.10000000149; -0 keeps its sign.
+      const std::string text = scalarText(value);
+      double number = 0;
+      std::from_chars(text.data(), text.data() + text.size(), number);
+      return number;
+    }
     case Number::float64:
       return std::isfinite(*static_cast<const double*>(value.data()))
                  ? Json(*static_cast<const double*>(value.data()))

@@ -18,6 +18,7 @@ TEST(Json, WritesFieldsInOrder) {
   EXPECT_EQ(toJson(Time{7}).dump(), "7");
   EXPECT_EQ(toJson(samples::Color::skyblue).dump(), "\"skyblue\"");
   EXPECT_EQ(toJson(0.1f).dump(), "0.1");
+  EXPECT_EQ(toJson(-0.0f).dump(), "-0.0");
   EXPECT_EQ(toJson(std::numeric_limits<double>::infinity()).dump(), "null");
 }
 
