@@ -45,7 +45,6 @@ IntermediateCodeReader::IntermediateCodeReader(std::string_view text, Dialect di
 
 Model IntermediateCodeReader::read() {
   model_.dialect = dialect_;
-  model_.declarationsComplete = registered_ != nullptr;
   model_.files = reporter_.files();
   try {
     internalEnumerations();

@@ -168,9 +168,6 @@ struct Agent {
 /// that; engines and tools read it.
 struct Model {
   Dialect dialect = Dialect::xabsl31;
-  /// False: only what is used was known, as in intermediate code, so that functions and basic
-  /// behaviors may have more parameters, enumerations more elements.
-  bool declarationsComplete = true;
   std::string title;
   std::string platform;
   std::string softwareEnvironment;
