@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "console/Console.h"
 #include "match/report/Report.h"
 
 namespace gt {
@@ -83,13 +84,50 @@ void tellRemote(const Match& match) {
   }
 }
 
+/// A match with its progress bar and commentary, as the console's world.
+class ShownMatch : public ConsoleWorld {
+ public:
+  ShownMatch(Match& match, const PlayOptions& options)
+      : match_{match},
+        bar_{options.match.minutes},
+        paced_{options.realTime || !options.match.remote.empty()} {}
+
+  std::vector<NamedRobot> robots() override {
+    std::vector<NamedRobot> robots;
+    for (SimulatedRobot* robot : match_.robots())
+      robots.push_back({robot->name(), &robot->robot()});
+    return robots;
+  }
+  bool step() override {
+    if (match_.finished()) return false;
+    match_.step();
+    if (paced_) pace_.wait(match_.time());
+    const Referee& referee = match_.simulation().referee();
+    for (; told_ < referee.events().size(); ++told_)
+      bar_.say(minutes(referee.events()[told_].time) + "  " + describe(referee.events()[told_]));
+    bar_.show(match_, referee.score(TeamColor::red), referee.score(TeamColor::blue));
+    return true;
+  }
+  Time time() const override { return match_.time(); }
+  void print(std::string_view line) override { bar_.say(std::string{line}); }
+  void end() { bar_.end(); }
+  double seconds() const { return bar_.seconds(); }
+
+ private:
+  static std::string minutes(Time time) {
+    return fmt::format("{:2}:{:02}", time.ms / 60000, time.ms / 1000 % 60);
+  }
+
+  Match& match_;
+  ProgressBar bar_;
+  Pace pace_;
+  bool paced_;
+  std::size_t told_ = 0;
+};
+
 int fail(const Error& error) {
   fmt::print(stderr, "simgt: {}\n", error.text());
   return 2;
-}
-
-std::string minutes(Time time) {
-  return fmt::format("{:2}:{:02}", time.ms / 60000, time.ms / 1000 % 60);
 }
 
 /// The time that the tasks do not take is the simulator's: world, sensors, cameras.
@@ -127,21 +165,20 @@ int play(PlayOptions options) {
 
   fmt::print("{}, {} minutes, seed {}\n", options.match.scene, options.match.minutes,
              options.match.seed);
-  ProgressBar bar{options.match.minutes};
-  const Referee& referee = (*match)->simulation().referee();
-  std::size_t told = 0;
-  Pace pace;
-  while (!(*match)->finished()) {
-    (*match)->step();
-    if (options.realTime || !options.match.remote.empty()) pace.wait((*match)->time());
-    for (; told < referee.events().size(); ++told)
-      bar.say(minutes(referee.events()[told].time) + "  " + describe(referee.events()[told]));
-    bar.show(**match, referee.score(TeamColor::red), referee.score(TeamColor::blue));
+  ShownMatch shown{**match, options};
+  if (!options.script.empty()) {
+    Console console{shown};
+    const auto done = console.call(options.script);
+    if (!done) shown.end();
+    if (!done) return fail(done.error());
   }
-  const MatchTimes times = timesOf(**match, bar.seconds(), options.match.threads);
-  bar.end();
+  while (shown.step()) {
+  }
+  const MatchTimes times = timesOf(**match, shown.seconds(), options.match.threads);
+  shown.end();
   if (const auto done = (*match)->close(); !done) return fail(done.error());
   if (const auto done = writeResults(**match, times, out); !done) return fail(done.error());
+  const Referee& referee = (*match)->simulation().referee();
   fmt::print("Final score red {} : {} blue, {:.1f} times real time\n",
              referee.score(TeamColor::red), referee.score(TeamColor::blue), times.realTimeFactor);
   tellRemote(**match);

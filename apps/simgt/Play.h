@@ -9,6 +9,8 @@ namespace gt {
 struct PlayOptions {
   MatchOptions match;
   std::string out = "out/match";
+  std::string
+      script;  ///< Console commands; what they do not take of the match is played after them.
   bool logs = true;
   bool realTime = false;  ///< No faster than the clock; so are matches of robots outside.
 };

@@ -27,6 +27,7 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
       ->check(CLI::Range(0.01, 1e4))
       ->capture_default_str();
   command.add_option("--out", play.out, "Folder for the results")->capture_default_str();
+  command.add_option("--script", play.script, "Console commands to begin with, one per line");
   command.add_flag("!--no-logs", play.logs, "Do not write the robots' logs");
   command.add_flag("--real-time", play.realTime, "No faster than the clock");
   command.add_option("--remote", play.match.remote,

@@ -95,7 +95,7 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
   const std::uint64_t seed = Random{options_.seed}.fork(player.name)();
   auto robot = Robot::make({configuration, layout, player.player(), seed});
   if (!robot) return robot.error();
-  auto controller = std::make_unique<SimulatedRobot>(std::move(*robot));
+  auto controller = std::make_unique<SimulatedRobot>(player.name, std::move(*robot));
   if (!options_.logs.empty()) {
     const McapWriter::Metadata about{
         {"scene", std::filesystem::path{options_.scene}.filename().string()},

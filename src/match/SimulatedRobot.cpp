@@ -10,7 +10,8 @@ constexpr const char* pictureKeys[] = {"ImageProcessor/horizon", "ImageProcessor
 
 }  // namespace
 
-SimulatedRobot::SimulatedRobot(std::unique_ptr<Robot> robot) : robot_{std::move(robot)} {
+SimulatedRobot::SimulatedRobot(std::string name, std::unique_ptr<Robot> robot)
+    : name_{std::move(name)}, robot_{std::move(robot)} {
   bind();
 }
 

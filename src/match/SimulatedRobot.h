@@ -15,7 +15,7 @@ namespace gt {
 /// robot's processes and takes their commands. Writes the robot's log.
 class SimulatedRobot : public MatchRobot {
  public:
-  explicit SimulatedRobot(std::unique_ptr<Robot> robot);
+  SimulatedRobot(std::string name, std::unique_ptr<Robot> robot);
 
   /// Records from now on.
   Result<void> record(const std::string& path, const McapWriter::Metadata& about,
@@ -29,6 +29,7 @@ class SimulatedRobot : public MatchRobot {
   /// The drawings that came since, on the picture.
   std::vector<Drawing> takeDrawings();
 
+  const std::string& name() const { return name_; }
   const Robot& robot() const { return *robot_; }
   Robot& robot() { return *robot_; }
   const RobotPose* pose() const override { return pose_; }
@@ -42,6 +43,7 @@ class SimulatedRobot : public MatchRobot {
   void bind();
   void handleMessages(const RobotInput& input);
 
+  std::string name_;
   std::unique_ptr<Robot> robot_;
   // What the robot provides, until its layout changes.
   int layoutChanges_ = 0;

@@ -52,6 +52,7 @@ class Robot {
 
   const std::vector<std::unique_ptr<ModuleProcess>>& processes() const { return processes_; }
   const Plan& plan() const { return plan_; }
+  const std::vector<const RepresentationType*>& platform() const { return setup_.platform; }
   /// Counts the changes of the layout.
   int layoutChanges() const { return layoutChanges_; }
 
