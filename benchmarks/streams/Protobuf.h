@@ -1,7 +1,7 @@
 #pragma once
 #include <cstring>
 
-#include "representations.pb.h"
+#include "streams/representations.pb.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/infrastructure/Joints.h"
 #include "representations/perception/BallPercept.h"
