@@ -70,23 +70,23 @@ inline double angleZ(const Matrix3d& rotation) {
 }
 
 /// A pose on the ground, or a change of one: first the translation, then the rotation
-/// (report 2.1.4). Whatever makes a pose normalizes its rotation.
+/// (report 2.1.4). Whatever computes a pose normalizes its rotation; the constructors take it as it
+/// is, since speeds are poses, too (rad/s and mm/s).
 struct Pose2D {
   double rotation = 0;
   Vector2d translation = Vector2d::Zero();
 
   Pose2D() = default;
-  Pose2D(double angle, const Vector2d& position)
-      : rotation(normalize(angle)), translation(position) {}
+  Pose2D(double angle, const Vector2d& position) : rotation(angle), translation(position) {}
   Pose2D(double angle, double x, double y) : Pose2D(angle, Vector2d{x, y}) {}
 
   /// A point given relative to this pose, in the system in which the pose is given.
   Vector2d operator*(const Vector2d& point) const { return translation + rotated(point, rotation); }
   /// A pose given relative to this one, in the system in which this one is given.
   Pose2D operator*(const Pose2D& other) const {
-    return {rotation + other.rotation, *this * other.translation};
+    return {normalize(rotation + other.rotation), *this * other.translation};
   }
-  Pose2D inverse() const { return {-rotation, rotated(-translation, -rotation)}; }
+  Pose2D inverse() const { return {normalize(-rotation), rotated(-translation, -rotation)}; }
   /// This pose as seen from another: `base * relativeTo(base) == *this`.
   Pose2D relativeTo(const Pose2D& base) const { return base.inverse() * *this; }
 

@@ -38,9 +38,8 @@ TEST(Geometry, Pose2DIsAGroup) {
   }
 }
 
-TEST(Geometry, PosesAreNormalizedHoweverTheyAreMade) {
-  EXPECT_DOUBLE_EQ((Pose2D{3 * pi, 0, 0}).rotation, -pi);
-  EXPECT_DOUBLE_EQ((Pose2D{4, {1, 2}}).rotation, 4 - 2 * pi);
+TEST(Geometry, PosesAreNormalizedHoweverTheyAreComputed) {
+  EXPECT_DOUBLE_EQ((Pose2D{10, 0, 0}).rotation, 10) << "a speed in rad/s";
   EXPECT_DOUBLE_EQ((Pose2D{-pi, 0, 0}).inverse().rotation, -pi);
   EXPECT_DOUBLE_EQ((Pose2D{2, 0, 0} * Pose2D{2, 0, 0}).rotation, 4 - 2 * pi);
   EXPECT_DOUBLE_EQ((Pose2D{3, 0, 0}).rotate(1).rotation, 4 - 2 * pi);

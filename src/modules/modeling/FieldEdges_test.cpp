@@ -20,7 +20,7 @@ TEST(FieldEdges, LieWhereTheFieldHasThem) {
   expectClosest(edges, EdgeType::border, {500, 1400}, {500, f.ySideline});
   expectClosest(edges, EdgeType::border, {-2050, -800}, {-f.xGroundline, -800});
   expectClosest(edges, EdgeType::border, {1900, 1150}, {1950, 1200});
-  expectClosest(edges, EdgeType::border, {2100, 0}, {f.xGroundline, f.yGoal});
+  expectClosest(edges, EdgeType::border, {2100, 10}, {f.xGroundline, f.yGoal});
   expectClosest(edges, EdgeType::yellowGoal, {-2390, 100}, {-f.xGoalBack, 100});
   expectClosest(edges, EdgeType::skyblueGoal, {2200, -310}, {2200, -f.yGoal});
 }
