@@ -78,6 +78,7 @@ fuzz:
 format:
 	@scripts/install-packages clang-format-14
 	@git ls-files '*.h' '*.cpp' | xargs clang-format-14 -i
+	@if [ -x $(BUILD)/bin/xabsl ]; then git ls-files 'behavior/*.xabsl' | xargs $(BUILD)/bin/xabsl format -i; fi
 
 clean:
 	@rm -rf build out

@@ -24,5 +24,6 @@ Compilation load(const std::string& path);
 
 void addCheck(CLI::App& program);
 void addCompile(CLI::App& program);
+void addFormat(CLI::App& program);
 
 }  // namespace xabsl::app
