@@ -31,7 +31,13 @@ Engine::Creation Engine::create(const Behavior& behavior, const Symbols& symbols
 }
 
 Engine::Engine(const Behavior& behavior, Bindings bindings)
-    : model_(behavior.shared()), bindings_(std::move(bindings)), expressions_(model_->expressions) {
+    : model_(behavior.shared()),
+      bindings_(std::move(bindings)),
+      expressions_(model_->expressions),
+      cooperation_(*model_) {
+  cooperates_ = !cooperation_.message().marks.empty();
+  root_ = model_->agents[agent_].rootOption;
+  if (model_->dialect == Dialect::xabsl21) pending_.resize(model_->symbols.size());
   prepareSymbols();
   prepareParameters();
   prepareExpressions();
@@ -98,7 +104,27 @@ void Engine::execute(std::int64_t now) {
   now_ = now;
   executed_.clear();
   executedValues_.clear();
-  executeOption(model_->agents[agent_].rootOption, 0);
+  if (cooperates_) cooperation_.beginCycle();
+  if (rootKind_ == Activation::Kind::option)
+    executeOption(root_, 0);
+  else
+    executeBehavior(root_, 0);
+  for (std::size_t i = 0; i < pending_.size(); ++i)
+    if (std::exchange(pending_[i], 0)) apply(i);
+}
+
+/// XABSL 2.1 sets outputs after the whole graph (report H.7), its successors at once.
+inline void Engine::assign(std::size_t symbol, double value) {
+  variables_[symbol] = value;
+  if (pending_.empty())
+    apply(symbol);
+  else
+    pending_[symbol] = 1;
+}
+
+void Engine::apply(std::size_t symbol) {
+  const Port& port = ports_[symbol];
+  if (port.call) port.call(port.object, &variables_[symbol]);
 }
 
 bool Engine::wasActive(const OptionState& option) const {
@@ -129,6 +155,7 @@ void Engine::executeOption(int index, int depth) {
   const Option& declared = model_->options[at(index)];
   enter(option);
   decide(option);
+  if (cooperates_) cooperation_.markOption(index, option.state);
   record(
       {Activation::Kind::option, index, depth, option.state, option.optionTime, option.stateTime},
       optionSlots_[at(index)], declared.parameters.size());
@@ -144,6 +171,7 @@ void Engine::decide(OptionState& option) {
   if (end.kind == Branch::Kind::none)
     end = follow(model_->states[at(option.state)].decision, option);
   if (end.kind != Branch::Kind::state || end.index == option.state) return;
+  if (cooperates_ && !cooperation_.mayEnter(end.index)) return;
   option.state = end.index;
   option.stateActivation = now_;
   option.stateTime = 0;
@@ -162,10 +190,7 @@ void Engine::executeActions(Span span, const OptionState& caller, int depth) {
     const Action& action = model_->actions[at(i)];
     const int* operands = model_->operands.data() + action.operand;
     if (action.kind == Action::Kind::assignment) {
-      const double value = operand(action.operand, caller);
-      variables_[at(action.target)] = value;
-      const Port& port = ports_[at(action.target)];
-      if (port.call) port.call(port.object, &value);
+      assign(at(action.target), operand(action.operand, caller));
     } else if (action.kind == Action::Kind::option) {
       double* slot = slots_.data() + optionSlots_[at(action.target)];
       const std::size_t count = model_->options[at(action.target)].parameters.size();
@@ -257,7 +282,7 @@ double Engine::evaluate(int index, const OptionState& option) {
     case Operator::actionDone:
       return actionDone(option);
     case Operator::conflict:
-      return 0;  // nobody else is there
+      return cooperation_.conflict(option.state);
     case Operator::negate:
       return -operand(expression.a, option);
     case Operator::logicalNot:
@@ -328,15 +353,6 @@ bool Engine::subOptionDone(Span actions) const {
     if (action.kind != Action::Kind::option) continue;
     const OptionState& called = options_[at(action.target)];
     if (wasActive(called) && model_->states[at(called.state)].target) return true;
-  }
-  return false;
-}
-
-bool Engine::selectAgent(std::string_view name) {
-  for (std::size_t i = 0; i < model_->agents.size(); ++i) {
-    if (model_->agents[i].name != name) continue;
-    agent_ = i;
-    return true;
   }
   return false;
 }

@@ -13,6 +13,7 @@
 #include "xabsl/Linker.h"
 #include "xabsl/Model.h"
 #include "xabsl/Symbols.h"
+#include "xabsl/TeamCooperation.h"
 
 namespace xabsl {
 
@@ -39,6 +40,25 @@ class Engine {
   /// Selects the agent, from the next cycle on; false: there is none of that name.
   bool selectAgent(std::string_view name);
   const std::string& selectedAgent() const;
+
+  /// Selects what cycles execute instead of the agent's root option, until the next selection: an
+  /// option with all that it calls, or a basic behavior alone (report H.8). Parameters start with
+  /// 0, false or the first element; false: there is none of that name.
+  bool selectRootOption(std::string_view name);
+  bool selectBehavior(std::string_view name);
+
+  /// Sets a parameter of what is executed first. Values are written as NamedValue::text shows them;
+  /// false: no such parameter, or no value of its type.
+  bool setParameter(std::string_view name, std::string_view value);
+
+  /// Sets an output or internal symbol by hand, at once, until the behavior sets it again; false as
+  /// above.
+  bool setOutput(std::string_view name, std::string_view value);
+
+  /// Where the host sets priorities and carries messages between the engines of a team. Without
+  /// messages an engine acts as if it were alone.
+  TeamCooperation& cooperation() { return cooperation_; }
+  const TeamCooperation& cooperation() const { return cooperation_; }
 
   const Model& model() const { return *model_; }
 
@@ -91,9 +111,16 @@ class Engine {
   void prepareExpressions();
   double firstValue(Type type) const;
 
+  bool select(Activation::Kind kind, int index);
+  const std::vector<Parameter>& rootParameters() const;
+  double& rootSlot(std::size_t parameter);
+  std::optional<double> read(Type type, std::string_view text) const;
+
   void executeOption(int index, int depth);
   void executeBehavior(int index, int depth);
   void executeActions(Span span, const OptionState& caller, int depth);
+  void assign(std::size_t symbol, double value);
+  void apply(std::size_t symbol);
   void enter(OptionState& option);
   bool wasActive(const OptionState& option) const;
   void decide(OptionState& option);
@@ -124,6 +151,11 @@ class Engine {
   std::uint64_t cycle_ = 1;
   std::int64_t now_ = 0;
   std::size_t agent_ = 0;
+  Activation::Kind rootKind_ = Activation::Kind::option;
+  int root_ = 0;
+  TeamCooperation cooperation_;
+  bool cooperates_ = false;    // whether any state is cooperative
+  std::vector<char> pending_;  // of XABSL 2.1: the outputs to set after the graph
 
   std::vector<Executed> executed_;
   std::vector<double> executedValues_;

@@ -1,0 +1,103 @@
+#include <charconv>
+#include <utility>
+
+#include "xabsl/Engine.h"
+
+/// How a person or a test takes an engine in hand (report H.8).
+namespace xabsl {
+
+namespace {
+
+template <typename T>
+int indexOf(const std::vector<T>& list, std::string_view name) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace
+
+bool Engine::selectAgent(std::string_view name) {
+  const int index = indexOf(model_->agents, name);
+  if (index < 0) return false;
+  agent_ = static_cast<std::size_t>(index);
+  select(Activation::Kind::option, model_->agents[agent_].rootOption);
+  return true;
+}
+
+bool Engine::selectRootOption(std::string_view name) {
+  return select(Activation::Kind::option, indexOf(model_->options, name));
+}
+
+bool Engine::selectBehavior(std::string_view name) {
+  return select(Activation::Kind::behavior, indexOf(model_->behaviors, name));
+}
+
+/// Parameters begin with their first values, whatever a caller left there.
+bool Engine::select(Activation::Kind kind, int index) {
+  if (index < 0) return false;
+  rootKind_ = kind;
+  root_ = index;
+  const std::vector<Parameter>& parameters = rootParameters();
+  for (std::size_t p = 0; p < parameters.size(); ++p) rootSlot(p) = firstValue(parameters[p].type);
+  return true;
+}
+
+const std::vector<Parameter>& Engine::rootParameters() const {
+  const auto index = static_cast<std::size_t>(root_);
+  return rootKind_ == Activation::Kind::option ? model_->options[index].parameters
+                                               : model_->behaviors[index].parameters;
+}
+
+double& Engine::rootSlot(std::size_t parameter) {
+  const auto index = static_cast<std::size_t>(root_);
+  if (rootKind_ == Activation::Kind::option) return slots_[optionSlots_[index] + parameter];
+  const int place = bindings_.behaviors[index].order[parameter];
+  return slots_[behaviorSlots_[index] + static_cast<std::size_t>(place)];
+}
+
+bool Engine::setParameter(std::string_view name, std::string_view value) {
+  const std::vector<Parameter>& parameters = rootParameters();
+  const int index = indexOf(parameters, name);
+  if (index < 0) return false;
+  const auto parameter = static_cast<std::size_t>(index);
+  const std::optional<double> number = read(parameters[parameter].type, value);
+  if (!number) return false;
+  const double before = std::exchange(rootSlot(parameter), *number);
+  if (rootKind_ == Activation::Kind::behavior && before != *number) {
+    const auto& changed = bindings_.behaviors[static_cast<std::size_t>(root_)].parametersChanged;
+    if (changed) changed();
+  }
+  return true;
+}
+
+bool Engine::setOutput(std::string_view name, std::string_view value) {
+  const int index = indexOf(model_->symbols, name);
+  if (index < 0) return false;
+  const auto symbol = static_cast<std::size_t>(index);
+  if (model_->symbols[symbol].kind == SymbolKind::input) return false;
+  const std::optional<double> number = read(model_->symbols[symbol].type, value);
+  if (!number) return false;
+  variables_[symbol] = *number;
+  apply(symbol);
+  return true;
+}
+
+std::optional<double> Engine::read(Type type, std::string_view text) const {
+  if (type.kind == ValueKind::boolean) {
+    if (text != "true" && text != "false") return std::nullopt;
+    return text == "true" ? 1 : 0;
+  }
+  if (type.kind == ValueKind::enumeration) {
+    const auto enumeration = static_cast<std::size_t>(type.enumeration);
+    const int element = indexOf(model_->enumerations[enumeration].elements, text);
+    if (element < 0) return std::nullopt;
+    return bindings_.elements[enumeration][static_cast<std::size_t>(element)];
+  }
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+}  // namespace xabsl

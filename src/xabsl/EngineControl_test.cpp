@@ -1,0 +1,180 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "xabsl/Engine.h"
+#include "xabsl/TestAllocations.h"
+#include "xabsl/TestEngine.h"
+
+namespace xabsl {
+namespace {
+
+using test::EngineTest;
+using test::Mode;
+using test::World;
+using testing::ElementsAre;
+
+// Debugging interfaces (report H.8)
+
+TEST_F(EngineTest, RunsAnOptionAloneWithParameters) {
+  load(R"(
+    option main { initial state a { action { sub(speed = 1, how = slow); } } }
+    option sub {
+      float @speed; enum mode @how;
+      initial state s { action { result = @speed; request = @how; } } })");
+  EXPECT_THAT(pathAt(0), ElementsAre("main/a", "sub/s"));
+  ASSERT_TRUE(engine->selectRootOption("sub"));
+  EXPECT_THAT(pathAt(1), ElementsAre("sub/s"));
+  EXPECT_EQ(world.result, 0);  // not what main passed
+  EXPECT_EQ(world.request, Mode::fast);
+  EXPECT_TRUE(engine->setParameter("speed", "2.5"));
+  EXPECT_TRUE(engine->setParameter("how", "slow"));
+  EXPECT_FALSE(engine->setParameter("how", "turbo"));  // the behavior does not know it
+  EXPECT_FALSE(engine->setParameter("speed", "2.5mm"));
+  EXPECT_FALSE(engine->setParameter("nothing", "1"));
+  EXPECT_FALSE(engine->selectRootOption("nothing"));
+  engine->execute(2);
+  EXPECT_EQ(world.result, 2.5);
+  EXPECT_EQ(world.request, Mode::slow);
+  ASSERT_TRUE(engine->selectAgent("main"));
+  EXPECT_THAT(pathAt(3), ElementsAre("main/a", "sub/s"));
+}
+
+TEST_F(EngineTest, RunsABasicBehaviorAloneWithParameters) {
+  load("option main { initial state a { action { stop(); } } }");
+  ASSERT_TRUE(engine->selectBehavior("walk"));
+  EXPECT_TRUE(engine->setParameter("speed", "70"));
+  EXPECT_TRUE(engine->setParameter("speed", "70"));
+  EXPECT_TRUE(engine->setParameter("careful", "true"));
+  EXPECT_FALSE(engine->setParameter("careful", "1"));
+  EXPECT_THAT(pathAt(0), ElementsAre("walk"));
+  EXPECT_THAT(world.log, ElementsAre("walk 70 careful 1"));
+  EXPECT_EQ(world.changes, 2);
+  EXPECT_FALSE(engine->selectBehavior("main"));
+}
+
+TEST_F(EngineTest, SetsSymbolsByHand) {
+  load("option main { initial state a { action { result = memory; } } }");
+  EXPECT_TRUE(engine->setOutput("request", "slow"));
+  EXPECT_EQ(world.request, Mode::slow);
+  EXPECT_EQ(engine->symbol("request")->text, "slow");
+  EXPECT_TRUE(engine->setOutput("memory", "-3"));
+  EXPECT_FALSE(engine->setOutput("x", "1"));
+  EXPECT_FALSE(engine->setOutput("flag", "yes"));
+  engine->execute(0);
+  EXPECT_EQ(world.result, -3);
+}
+
+// XABSL 2.1 (report H.7)
+
+TEST_F(EngineTest, SetsOutputsOf21AfterTheGraph) {
+  const Behavior text = test::compiled(test::declarations + R"(
+    option main { initial state a { action { result = 1; stop(); result = 2; } } })");
+  auto model = std::make_shared<Model>(text.model());
+  model->dialect = Dialect::xabsl21;
+  Engine::Creation creation = Engine::create(Behavior(model), world.symbols);
+  ASSERT_TRUE(creation.engine);
+  creation.engine->execute(0);
+  EXPECT_THAT(world.log, ElementsAre("stop", "result 2"));
+  load("option main { initial state a { action { result = 1; stop(); result = 2; } } }");
+  world.log.clear();
+  engine->execute(0);
+  EXPECT_THAT(world.log, ElementsAre("result 1", "stop", "result 2"));
+}
+
+// Cooperative states
+
+/// Several robots that run one behavior and hear each other a cycle later.
+class TeamTest : public testing::Test {
+ protected:
+  void start(std::size_t robots, const std::string& option, int ticks) {
+    const Behavior behavior = test::compiled(test::declarations + option);
+    for (std::size_t i = 0; i < robots; ++i) {
+      worlds.push_back(std::make_unique<World>());
+      Engine::Creation creation = Engine::create(behavior, worlds.back()->symbols);
+      ASSERT_TRUE(creation.engine);
+      engines.push_back(std::move(*creation.engine));
+      engines.back().cooperation().configure(static_cast<double>(i), ticks);
+    }
+  }
+
+  /// The state of each robot after so many more cycles.
+  std::string after(int cycles) {
+    for (; cycles > 0; --cycles) {
+      std::vector<CooperationMessage> said;
+      for (const Engine& engine : engines) said.push_back(engine.cooperation().message());
+      for (std::size_t i = 0; i < engines.size(); ++i) {
+        std::vector<CooperationMessage> heard = said;
+        heard.erase(heard.begin() + static_cast<std::ptrdiff_t>(i));
+        engines[i].cooperation().receive(heard);
+        engines[i].execute(++now);
+      }
+    }
+    std::string states;
+    for (const Engine& engine : engines) states += engine.activations().front().state + " ";
+    return states;
+  }
+
+  std::vector<std::unique_ptr<World>> worlds;
+  std::vector<Engine> engines;
+  std::int64_t now = 0;
+};
+
+const std::string attack = R"(
+  option main {
+    initial state wait { decision { if (seen) goto attack; else stay; } action { } }
+    state attack capacity 1 {
+      decision { if (conflict || !seen) goto wait; else stay; } action { } } })";
+
+TEST_F(TeamTest, KeepsToTheCapacityOfAState) {
+  start(3, attack, 2);
+  worlds[0]->seen = worlds[1]->seen = true;
+  EXPECT_EQ(after(2), "wait wait wait ");  // announced only
+  EXPECT_EQ(after(1), "wait attack wait ");
+  worlds[2]->seen = true;
+  EXPECT_EQ(after(20), "wait attack wait ");
+  worlds[1]->seen = false;
+  EXPECT_EQ(after(20), "wait wait attack ");
+}
+
+TEST_F(TeamTest, SeesAConflict) {
+  start(1, attack, 0);
+  worlds[0]->seen = true;
+  EXPECT_EQ(after(1), "attack ");
+  CooperationMessage other = engines[0].cooperation().message();
+  engines[0].cooperation().receive({other});
+  engines[0].execute(++now);
+  EXPECT_EQ(engines[0].activations().front().state, "wait");
+}
+
+TEST_F(TeamTest, EntersSynchronizedStatesTogether) {
+  start(3, R"(
+    option main {
+      initial state wait { decision { if (seen) goto go; else stay; } action { } }
+      state go synchronized 3 { action { } } })",
+        2);
+  worlds[0]->seen = worlds[2]->seen = true;
+  EXPECT_EQ(after(20), "wait wait wait ");
+  worlds[1]->seen = true;
+  EXPECT_EQ(after(6), "go go go ");
+}
+
+TEST_F(TeamTest, AllocatesNothingToCooperate) {
+  start(1, attack, 0);
+  const std::vector<CooperationMessage> heard{{1, {}}, {2, {7, 7, 7, 7}}};
+  engines[0].execute(0);
+  const long before = test::allocations();
+  for (int i = 1; i < 100; ++i) {
+    worlds[0]->seen = i % 3 == 0;
+    engines[0].cooperation().receive(heard);
+    engines[0].execute(i);
+  }
+  EXPECT_EQ(test::allocations(), before);
+}
+
+}  // namespace
+}  // namespace xabsl
