@@ -160,6 +160,19 @@ TEST_F(ConsoleTest, ChangesLayouts) {
   expectError("run soon", "soon", "is no number");
 }
 
+TEST_F(ConsoleTest, FillsTheQueueToTheToolsAsAskedFor) {
+  for (const char* mode : {"queue", "replace", "reject", "collect 5", "save 2.5"})
+    expectFine(std::string{"qfr "} + mode);
+  QueueFillRequest last;
+  world.robot(1).fromTools().handleAllMessages(
+      [&](const Message& message) { EXPECT_TRUE(message.read(last)); });
+  EXPECT_EQ(last.mode, QueueFillMode::save);
+  EXPECT_EQ(last.seconds, 2.5);
+  expectError("qfr sometimes", "qfr", "expected: qfr queue");
+  expectError("qfr collect", "qfr", "expected");
+  expectError("qfr collect -1", "qfr", "expected");
+}
+
 TEST_F(ConsoleTest, SendsGenericDebugData) {
   expectFine("sg ImageProcessor/percepts 1 2.5");
   expectError("sg ImageProcessor/percepts one", "one", "is no number");

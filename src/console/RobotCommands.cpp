@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -93,6 +94,27 @@ Result<void> sg(Console& console, const Words& words) {
   return console.forEachRobot([&](Robot& robot) { return robot.request(data); });
 }
 
+Result<void> qfr(Console& console, const Words& words) {
+  if (words.size() < 2) return wrongArguments(words);
+  const auto name = std::find(enumNames<QueueFillMode>.begin(), enumNames<QueueFillMode>.end(),
+                              std::string_view{words[1]});
+  if (name == enumNames<QueueFillMode>.end()) return wrongArguments(words);
+  QueueFillRequest request;
+  request.mode = static_cast<QueueFillMode>(name - enumNames<QueueFillMode>.begin());
+  const bool timed = request.mode == QueueFillMode::collect || request.mode == QueueFillMode::save;
+  if (words.size() != (timed ? 3u : 2u)) return wrongArguments(words);
+  if (timed) {
+    const auto seconds = numberOf(words[2]);
+    if (!seconds) return seconds.error();
+    if (*seconds < 0 || *seconds > 86400) return wrongArguments(words);
+    request.seconds = *seconds;
+  }
+  return console.forEachRobot([&](Robot& robot) -> Result<void> {
+    robot.fromTools().write(console.world().time(), request);
+    return {};
+  });
+}
+
 /// TASK.SOLUTION.PATH, or TASK.PATH for the solution that runs.
 struct ParameterName {
   std::string task, solution, path;
@@ -176,6 +198,8 @@ std::vector<Command> robotCommands() {
            "Sets a debug key: never, always, so many times, every so many times or ms.", dk},
           {kind, "get", "? | TASK[.SOLUTION].PATH", "Prints a parameter, or all of them.", get},
           {kind, "layout", "FILE", "Regroups the modules to the processes of a layout.", layout},
+          {kind, "qfr", "queue | replace | reject | collect SECONDS | save SECONDS",
+           "Says how the queue of messages to the tools is filled.", qfr},
           {kind, "set", "TASK[.SOLUTION].PATH VALUE", "Sets a parameter.", set},
           {kind, "sg", "ID {NUMBER}", "Sends generic debug data to the modules.", sg},
           {kind, "sr", "? | TASK (? | SOLUTION)",

@@ -59,12 +59,7 @@ void Robot::carryOutLayoutRequests(Time now) {
     if (message.is<LayoutRequest>() && message.read(request)) wanted = std::move(request);
   });
   if (!wanted) return;
-  MessageQueue others;
-  fromTools().handleAllMessages([&](const Message& message) {
-    if (!message.is<LayoutRequest>()) others.append(message);
-  });
-  fromTools().clear();
-  others.moveAllMessages(fromTools());
+  fromTools().removeIf([](const Message& message) { return message.is<LayoutRequest>(); });
   const auto layout = parseLayout(wanted->text, wanted->name);
   const auto done = layout ? changeLayout(*layout) : Result<void>{layout.error()};
   if (!done) toTools().write(now, Text{done.error().text()});
