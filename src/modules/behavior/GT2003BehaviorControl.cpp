@@ -127,8 +127,7 @@ const xabsl::Symbols& GT2003BehaviorControl::symbols() {
 }
 
 void GT2003BehaviorControl::load(const Behavior& behavior, Debug& debug) {
-  loaded_ = behavior.compiled ? &behavior.compiled->model() : nullptr;
-  if (!loaded_) return;
+  loaded_ = behavior.compiled->shared();
   auto creation = xabsl::Engine::create(*behavior.compiled, symbols());
   for (const xabsl::Diagnostic& diagnostic : creation.diagnostics) debug.text(toString(diagnostic));
   if (creation.engine) engine_ = std::move(creation.engine);
@@ -142,7 +141,7 @@ void GT2003BehaviorControl::update(const FrameInfo& frame, const Behavior& behav
                                    const MotionInfo& motion, MotionRequest& motionRequest,
                                    HeadControlMode& headControlMode, LedRequest& ledRequest,
                                    BehaviorTeamMessage& message, Debug& debug) {
-  if (behavior.compiled && &behavior.compiled->model() != loaded_) load(behavior, debug);
+  if (behavior.compiled && behavior.compiled->shared() != loaded_) load(behavior, debug);
   world_ = {frame.time, player, field, game, self, ball, teamBall, body, team, motion};
   role_ = negotiateRole(world_, role_);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "debug/Debug.h"
@@ -52,7 +53,7 @@ class GT2003BehaviorControl {
   BasicBehaviors skills_{world_, motionRequest_, parameters};
   xabsl::Symbols symbols_;
   bool registered_ = false;
-  const xabsl::Model* loaded_ = nullptr;
+  std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that no other gets its address
   std::optional<xabsl::Engine> engine_;
 };
 

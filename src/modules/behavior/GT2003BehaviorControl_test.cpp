@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace gt {
 namespace {
 
@@ -50,6 +52,30 @@ TEST_F(GT2003BehaviorControlTest, BehaviorLinksWithTheModule) {
   auto creation = xabsl::Engine::create(*behavior->compiled, control.symbols());
   for (const auto& diagnostic : creation.diagnostics) ADD_FAILURE() << toString(diagnostic);
   EXPECT_TRUE(creation.engine);
+}
+
+TEST_F(GT2003BehaviorControlTest, KeepsItsBehaviorWhereANewOneDoesNotLink) {
+  const auto run = [&](const std::string& text) {
+    const Behavior edited{xabsl::compile("a.xabsl", {{"a.xabsl", text}}).behavior};
+    ASSERT_TRUE(edited.compiled);
+    frame.time = frame.time + 40;
+    control.update(frame, edited, player, field, game, self, ball, teamBall, body, team, motion,
+                   motionRequest, headControlMode, ledRequest, message, debug);
+  };
+  const auto calling = [](const std::string& name) {
+    return "namespace skills(\"Skills\") { behavior " + name + " { } }" +
+           "option play { initial state " + name + " { action { " + name + "(); } } }" +
+           "agent player(\"Player\", play);";
+  };
+  cycle();
+  const xabsl::Model* old = &control.engine()->model();
+  for (int i = 0; i < 3; ++i) {
+    run(calling("fly"));
+    EXPECT_EQ(&control.engine()->model(), old);
+  }
+  run(calling("getup"));
+  EXPECT_EQ(control.engine()->activations().back().name, "getup");
+  EXPECT_EQ(motionRequest.type, MotionType::getup);
 }
 
 TEST_F(GT2003BehaviorControlTest, StandsUntilTheGameBegins) {
