@@ -61,7 +61,7 @@ class DebugKeyTable {
   /// True if the key's output is to be sent this time. Counts, so to be called once for each
   /// output.
   bool isActive(const DebugKey& key, Time now) {
-    return asked_[key.index()] && isDue(states_[key.index()], now);
+    return debugging && asked_[key.index()] && isDue(states_[key.index()], now);
   }
 
  private:

@@ -32,22 +32,26 @@ double EdgeScanner::sharpest(int at) const {
 void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
   const auto length = static_cast<std::size_t>(line.length);
   y_.resize(length);
-  classes_.resize(length);
-  Vector2d p = line.start;
-  for (std::size_t i = 0; i < length; ++i, p += line.step) {
-    const Pixel& pixel = picture.image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
-    y_[i] = pixel.y;
-    classes_[i] = picture.colors[pixel];
-  }
+  // In steps of 1/65536 pixel, since all pixels of the line are looked at.
+  constexpr double one = 65536;
+  const int stepX = static_cast<int>(line.step.x() * one);
+  const int stepY = static_cast<int>(line.step.y() * one);
+  int x = static_cast<int>(line.start.x() * one);
+  int y = static_cast<int>(line.start.y() * one);
+  const Pixel* pixels = picture.image.pixels.data();
+  const std::ptrdiff_t width = picture.image.info.width;
+  for (std::size_t i = 0; i < length; ++i, x += stepX, y += stepY)
+    y_[i] = pixels[(y >> 16) * width + (x >> 16)].y;
   const auto difference = [&](int i) {
     return y_[static_cast<std::size_t>(i)] - y_[static_cast<std::size_t>(i - reach)];
+  };
+  const auto isAt = [&](int k, ColorClass color) {
+    return k >= 0 && k < line.length && picture.classAt(line.at(k)) == color;
   };
   const auto is = [&](double from, int by, ColorClass color) {
     // One of two pixels beyond the edge's blur.
     const int i = static_cast<int>(std::lround(from)) + 2 * by;
-    for (const int k : {i, i + by})
-      if (k >= 0 && k < line.length && classes_[static_cast<std::size_t>(k)] == color) return true;
-    return false;
+    return isAt(i, color) || isAt(i + by, color);
   };
   bright_.clear();
   Bright bright;
@@ -65,17 +69,15 @@ void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
     }
     const double edge = sharpest(best);
     if (rising) {
-      bright = {edge, 0, true, is(edge, -1, ColorClass::green), false, false};
+      bright = {edge, 0, true, is(edge, -1, ColorClass::green)};
       inside = true;
     } else if (inside) {
-      bright.fall = edge;
-      bright.white =
-          is(edge, -1, ColorClass::white) ||
-          (bright.riseSeen &&
-           classes_[static_cast<std::size_t>((bright.rise + edge) / 2 + 0.5)] == ColorClass::white);
-      bright.greenBehind = is(edge, 1, ColorClass::green);
-      bright_.push_back(bright);
       inside = false;
+      bright.fall = edge;
+      const bool white = is(edge, -1, ColorClass::white) ||
+                         (bright.riseSeen && isAt(static_cast<int>((bright.rise + edge) / 2 + 0.5),
+                                                  ColorClass::white));
+      if (white && is(edge, 1, ColorClass::green)) bright_.push_back(bright);
     }
   }
 }
@@ -110,7 +112,6 @@ void EdgeScanner::scanAcross(const Picture& picture, const ScanLine& line,
 // was seen lengthwise or the border in part.
 void EdgeScanner::classify(const Picture& picture, const ScanLine& line, const Bright& bright,
                            double longestLine) {
-  if (!bright.white || !bright.greenBehind) return;
   const double size = (bright.fall - bright.rise) * line.step.norm();
   if (size < longestLine && bright.riseSeen && bright.greenBefore)
     add(picture, EdgeType::line, line.at((bright.rise + bright.fall) / 2));

@@ -37,11 +37,11 @@ class EdgeScanner {
   const std::vector<EdgePoint>& points() const { return points_; }
 
  private:
-  /// Something bright between two dark things on a scan line, in steps along it.
+  /// Something white that green follows on a scan line, in steps along it.
   struct Bright {
     double rise = 0, fall = 0;
     bool riseSeen = false;  ///< It began within the picture.
-    bool greenBefore = false, white = false, greenBehind = false;
+    bool greenBefore = false;
   };
 
   void findBright(const Picture& picture, const ScanLine& line);
@@ -51,7 +51,6 @@ class EdgeScanner {
   void add(const Picture& picture, EdgeType type, const Vector2d& inPicture);
 
   std::vector<std::uint8_t> y_;
-  std::vector<ColorClass> classes_;
   std::vector<Bright> bright_;
   std::vector<EdgePoint> points_;
 };

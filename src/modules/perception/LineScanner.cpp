@@ -225,11 +225,12 @@ void LineScanner::findGreen(const Picture& picture, const ScanLine& line,
     // What has a colour of its own is no line.
     constexpr ColorSet lineColors{ColorClass::white, ColorClass::green};
     if (!lineColors.contains(run.color) && run.length() > maxGap) break;
+    if (begin - run.begin <= maxGap) continue;
     const auto place = onGround(picture, line.at(begin - 1));
     if (!place) break;
     const double distance = (*place - picture.matrix.pose.translation.head<2>()).norm();
     const double gap = 4 * expectedLineWidth(picture, distance, field);
-    if (begin - run.begin > std::max<double>(maxGap, gap)) break;
+    if (begin - run.begin > gap) break;
   }
   GreenSection green;
   green.end = line.at(line.length - 1);
