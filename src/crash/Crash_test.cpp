@@ -163,7 +163,8 @@ TEST_F(Crash, DoesNotTakeAnotherProgramForTheOneThatCrashed) {
 TEST_F(Crash, ReadsReportsThatAreCutOffOrBroken) {
   const CrashReport whole = crash(CRASH_CHILD, "segv", SIGSEGV);
   ASSERT_GT(whole.frames.size(), 2u);
-  for (std::size_t size = 0; size < text().size(); size += 13) {
+  // Without the last line break nothing is missing.
+  for (std::size_t size = 0; size + 1 < text().size(); size += 13) {
     const auto report = parseCrashReport(text().substr(0, size), "cut.txt");
     EXPECT_TRUE(!report || !report->complete);
   }
