@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "LogSpeed.h"
 #include "MatchSpeed.h"
 #include "Parts.h"
 #include "benchmarks/streams/Streams.h"
@@ -28,6 +29,11 @@ int main(int argc, char** argv) {
   const auto wanted = [&](std::string_view part) { return only.empty() || only == part; };
   if (wanted("matches"))
     if (const auto done = gt::measureMatchSpeed(figures, options); !done) {
+      fmt::print(stderr, "bench: {}\n", done.error().text());
+      return 2;
+    }
+  if (wanted("logs"))
+    if (const auto done = gt::measureLogSpeed(figures); !done) {
       fmt::print(stderr, "bench: {}\n", done.error().text());
       return 2;
     }

@@ -18,9 +18,10 @@ Result<void> importNaoLog(const std::string& from, const std::string& to) {
     if (auto done = log->decode(picture, image); !done) return done;
     for (; frame != log->motionFrames.end() && frame->time <= image.time; ++frame)
       writer->write("/NaoMotionFrame", frame->time, *frame);
-    writer->write("/CameraMatrix", image.time, picture.cameraMatrix);
-    writer->write("/OdometryData", image.time, OdometryData{picture.odometry});
-    writer->write("/Image", image.time, image);
+    writer->write(inputTopic + std::string{"CameraMatrix"}, image.time, picture.cameraMatrix);
+    writer->write(inputTopic + std::string{"OdometryData"}, image.time,
+                  OdometryData{picture.odometry});
+    writer->write(inputTopic + std::string{"Image"}, image.time, image);
     writer->write("/camera", image.time, compressed(image));
   }
   for (; frame != log->motionFrames.end(); ++frame)

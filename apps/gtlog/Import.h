@@ -5,8 +5,9 @@
 
 namespace gt {
 
-/// Writes a real robot's log of 2009 (robot/logs/NaoLog.h) as a log of ours: /Image as it was
-/// unpacked and /camera as JPEG, /CameraMatrix, /OdometryData, and /NaoMotionFrame between them.
+/// Writes a real robot's log of 2009 (robot/logs/NaoLog.h) as a log of ours: /input/Image
+/// as it was unpacked and /camera as JPEG, /input/CameraMatrix, /input/OdometryData, and
+/// /NaoMotionFrame between them.
 Result<void> importNaoLog(const std::string& from, const std::string& to);
 
 }  // namespace gt

@@ -6,6 +6,7 @@
 #include "gtlog/Export.h"
 #include "gtlog/Import.h"
 #include "gtlog/LogList.h"
+#include "gtlog/ReplayLog.h"
 #include "gtlog/Transfer.h"
 
 namespace {
@@ -18,6 +19,9 @@ struct Arguments {
   std::string log, out;
   Selection selection;
   std::uint64_t limit = 0;
+  std::string layout, config, colors;
+  bool naoColors = false;
+  std::vector<std::string> solutions;
 };
 
 void addSelection(CLI::App& command, Selection& selection) {
@@ -59,6 +63,55 @@ Result<int> tell(const Result<Transferred>& done, const std::string& to) {
   for (const Error& lost : done->lost) fmt::print(stderr, "gtlog: {}\n", lost.text());
   fmt::print("{}: {} messages\n", to, done->messages);
   return 0;
+}
+
+Result<ReplayOptions> replayOptions(const Arguments& arguments) {
+  ReplayOptions options{arguments.log};
+  options.layout = arguments.layout;
+  if (!arguments.config.empty()) {
+    ConfigurationPaths paths;
+    paths.config = arguments.config;
+    paths.colorTable = arguments.colors;
+    if (arguments.naoColors) paths.colorOrder = nao2009ColorOrder;
+    auto configuration = loadConfiguration(paths);
+    if (!configuration) return configuration.error();
+    options.configuration = std::move(*configuration);
+  }
+  for (const std::string& text : arguments.solutions) {
+    const auto at = text.find('=');
+    if (at == text.npos) return Error{"", 0, text, "expected TASK=SOLUTION"};
+    options.solutions.push_back({text.substr(0, at), text.substr(at + 1), "", 0});
+  }
+  return options;
+}
+
+Result<int> replay(const Arguments& arguments) {
+  const auto options = replayOptions(arguments);
+  if (!options) return options.error();
+  const auto topics = replayLog(*options, arguments.out);
+  if (!topics) return topics.error();
+  for (const ReplayedTopic& topic : *topics) {
+    fmt::print("{:24} recorded {:7}, replayed {:7}, ", topic.topic, topic.recorded, topic.replayed);
+    if (topic.different == 0)
+      fmt::print("{}\n", topic.same() ? "the same" : "the same at the same times");
+    else
+      fmt::print("{} differ, the first at {:.3f} s\n", topic.different, seconds(*topic.first));
+  }
+  return 0;
+}
+
+void addReplay(CLI::App& command, Arguments& a) {
+  command.add_option("log", a.log)->required();
+  command.add_option("out", a.out, "The log of what the robot computes now")->required();
+  command.add_option("--solution", a.solutions,
+                     "Another solution of a task: ImageProcessor=GT2003");
+  command.add_option("--layout", a.layout, "Another process layout than the log's");
+  auto* config =
+      command.add_option("--config", a.config, "Another configuration folder than the log's");
+  command.add_option("--colors", a.colors, "Another colour table than the folder's")->needs(config);
+  command
+      .add_flag("--nao2009-colors", a.naoColors, "Its classes are those of the real robot of 2009")
+      ->needs(config);
 }
 
 Result<int> done(const Result<void>& result) {
@@ -112,6 +165,11 @@ int main(int argc, char** argv) {
   exporting.add_option("log", a.log)->required();
   exporting.add_option("out", a.out)->required();
   addSelection(exporting, a.selection);
+  addReplay(command("replay",
+                    "Has a robot live on what a log's robot sensed (simgt play --inputs), and "
+                    "compares what it computes",
+                    [&] { return replay(a); }),
+            a);
   CLI::App& importing = command("import", "Writes a real robot's log of 2009 as a log of ours",
                                 [&] { return done(importNaoLog(a.log, a.out)); });
   importing.add_option("log", a.log)->required();

@@ -29,6 +29,8 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
   command.add_option("--out", play.out, "Folder for the results")->capture_default_str();
   command.add_option("--script", play.script, "Console commands to begin with, one per line");
   command.add_flag("!--no-logs", play.logs, "Do not write the robots' logs");
+  command.add_flag("--inputs", play.match.inputs,
+                   "Log all that the robots sense, too, for gtlog replay (large)");
   command.add_flag("--real-time", play.realTime, "No faster than the clock");
   command.add_option("--remote", play.match.remote,
                      "Robots whose processes connect from outside (gtrobot-*); in real time");

@@ -24,6 +24,8 @@ struct RepresentationType {
   bool (*write)(const void* value, Time time, MessageQueue& queue);
   Result<void> (*read)(const Message& message, void* value);
   Schema (*schema)();
+  /// As data; null for types that are not streamed.
+  const Type* (*type)();
   /// A value as bytes for a wire: the size, the bytes into room of that size, and back. Null for
   /// types that do not travel.
   std::size_t (*encodedSize)(const void* value);
@@ -90,6 +92,12 @@ const RepresentationType& representation() {
           return schemaOf<T>();
         else
           return {};
+      },
+      []() -> const Type* {
+        if constexpr (Streamable<T>)
+          return &typeOf<T>();
+        else
+          return nullptr;
       },
       detail::WireFormat<T>::size,
       detail::WireFormat<T>::write,

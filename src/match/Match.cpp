@@ -103,7 +103,15 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
         {"robot", player.name},
         {"minutes", std::to_string(options_.minutes)}};
     const auto path = std::filesystem::path{options_.logs} / (player.name + ".mcap");
-    if (auto done = controller->record(path.string(), about, configuration->log); !done)
+    const SceneDescription& scene = simulation_->scene();
+    const RecordedSetup setup{
+        {scene.resolve(scene.config), options_.motions, options_.behavior},
+        options_.layout.empty() ? scene.resolve(player.layout) : options_.layout,
+        player.player(),
+        seed};
+    if (auto done =
+            controller->record(path.string(), about, configuration->log, setup, options_.inputs);
+        !done)
       return done;
   }
   robots_.push_back(controller.get());

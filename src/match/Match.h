@@ -19,7 +19,8 @@ struct MatchOptions {
   std::uint64_t seed = 1;
   std::size_t threads = 1;  ///< Do not change what happens.
   std::string logs;  ///< Folder for the robots' logs, which must exist; none are written if empty.
-  int pictures = 0;  ///< How many camera pictures to keep for the report page.
+  bool inputs = false;  ///< Whether the logs hold all that the robots sensed, for replays.
+  int pictures = 0;     ///< How many camera pictures to keep for the report page.
   std::string behavior = "behavior/GT2003.xabsl";
   std::string motions = "motions";
   std::string layout{};  ///< Of all robots, instead of what the scene says, if not empty.

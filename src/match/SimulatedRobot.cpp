@@ -28,14 +28,18 @@ void SimulatedRobot::bind() {
 }
 
 Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::Metadata& about,
-                                    const Configuration::LogSettings& settings) {
+                                    const Configuration::LogSettings& settings,
+                                    const RecordedSetup& setup, bool inputs) {
   auto log = RobotLog::open(path, about);
   if (!log) return log.error();
+  if (auto done = attachSetup(setup, log->file()); !done) return done;
   for (const std::string& name : settings.representations) {
     const auto type = robot_->watch(name);
     if (!type) return Error{"log.cfg", 0, type.error().field, type.error().what};
     log->know(**type);
   }
+  if (inputs)
+    for (const RepresentationType* type : platformRepresentations()) log->knowInput(*type);
   picturePeriod_ = settings.picturePeriod;
   log_ = std::move(*log);
   return {};
@@ -48,13 +52,21 @@ Result<void> SimulatedRobot::closeLog() {
   return done;
 }
 
+template <typename T>
+void SimulatedRobot::send(Time now, const T& package) {
+  robot_->send(package);
+  if (!log_) return;
+  const Stopwatch::Lap lap{logTime_};
+  log_->writeInput(now, package);
+}
+
 void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
-  robot_->send(input.sensors);
+  send(input.now, input.sensors);
   if (input.image) {
-    robot_->send(input.game);
-    robot_->send(input.team);
-    robot_->send(input.oracle);
-    robot_->send(*input.image);
+    send(input.now, input.game);
+    send(input.now, input.team);
+    send(input.now, input.oracle);
+    send(input.now, *input.image);
     ++pictures_;
   }
   robot_->step(input.now);

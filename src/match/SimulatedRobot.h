@@ -6,6 +6,7 @@
 
 #include "match/MatchRobot.h"
 #include "match/MatchSummary.h"
+#include "robot/RecordedSetup.h"
 #include "robot/Robot.h"
 #include "robot/RobotLog.h"
 
@@ -17,9 +18,11 @@ class SimulatedRobot : public MatchRobot {
  public:
   SimulatedRobot(std::string name, std::unique_ptr<Robot> robot);
 
-  /// Records from now on.
+  /// Records from now on, with all that the platform sends if `inputs`, so that a replay does the
+  /// same again.
   Result<void> record(const std::string& path, const McapWriter::Metadata& about,
-                      const Configuration::LogSettings& settings);
+                      const Configuration::LogSettings& settings, const RecordedSetup& setup,
+                      bool inputs);
   Result<void> closeLog();
 
   void cycle(const RobotInput& input, RobotOutput& output) override;
@@ -41,6 +44,8 @@ class SimulatedRobot : public MatchRobot {
 
  private:
   void bind();
+  template <typename T>
+  void send(Time now, const T& package);
   void handleMessages(const RobotInput& input);
 
   std::string name_;

@@ -19,8 +19,11 @@ class Robot {
   /// Sends a package to every process that reads it, as the platform.
   template <typename T>
   void send(const T& package) {
+    send(representation<T>(), &package);
+  }
+  void send(const RepresentationType& type, const void* package) {
     for (PlatformLink& link : links_)
-      if (link.type == &representation<T>()) link.receiver->deliver(&package);
+      if (link.type == &type) link.receiver->deliver(package);
   }
   /// A representation that some process provides, as it is at the end of its last cycle; null if
   /// none does.

@@ -30,6 +30,11 @@ void RobotLog::know(const RepresentationType& type) {
   channels_.try_emplace(type.id, writer_.addChannel("/" + std::string{type.name}, type.schema()));
 }
 
+void RobotLog::knowInput(const RepresentationType& type) {
+  inputs_.try_emplace(type.id,
+                      writer_.addChannel(inputTopic + std::string{type.name}, type.schema()));
+}
+
 void RobotLog::write(const MessageQueue& queue) {
   queue.handleAllMessages([this](const Message& message) {
     const auto channel = channels_.find(message.id);

@@ -9,6 +9,9 @@
 
 namespace gt {
 
+/// Before the names of what the platform sent to the robot.
+constexpr const char* inputTopic = "/input/";
+
 /// A picture as JPEG, in the form that viewers know.
 CompressedImage compressed(const Image& image);
 
@@ -24,15 +27,26 @@ class RobotLog {
   void write(const MessageQueue& queue);
   /// A camera picture as JPEG: /camera.
   void write(const Image& image);
+  /// Makes a type known that the platform sends. It is written to /input/NAME.
+  void knowInput(const RepresentationType& type);
+  /// What the platform sends to the robot before it steps at that time, so that a replay can do the
+  /// same. Without knowInput() it is passed over.
+  template <typename T>
+  void writeInput(Time now, const T& package) {
+    const auto channel = inputs_.find(representation<T>().id);
+    if (channel != inputs_.end()) writer_.write(channel->second, now, package);
+  }
   /// Makes all that was written readable, however the program ends.
   void flush() { writer_.flush(); }
   Result<void> close() { return writer_.close(); }
+
+  McapWriter& file() { return writer_; }
 
  private:
   explicit RobotLog(McapWriter writer);
 
   McapWriter writer_;
-  std::map<std::uint32_t, McapWriter::ChannelId> channels_;
+  std::map<std::uint32_t, McapWriter::ChannelId> channels_, inputs_;  ///< By the types' ids.
   McapWriter::ChannelId camera_;
 };
 

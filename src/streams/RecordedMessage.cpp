@@ -337,8 +337,8 @@ class ValueFiller : private FieldReader {
 
 }  // namespace
 
-Result<void> detail::readRecorded(const MessageDefinition& definition,
-                                  std::span<const std::byte> bytes, Value value) {
+Result<void> readRecorded(const MessageDefinition& definition, std::span<const std::byte> bytes,
+                          Value value) {
   if (!cdr::isHeaded(bytes)) return cdr::headerError(bytes);
   Reader reader{bytes.subspan(cdr::headerSize)};
   if (!ValueFiller{definition, reader}.fill(definition.root(), value) || !reader.finish())

@@ -8,19 +8,16 @@
 /// functions refuse messages of more than four million scalars and elements.
 namespace gt {
 
-namespace detail {
-Result<void> readRecorded(const MessageDefinition& definition, std::span<const std::byte> bytes,
-                          Value value);
-}
-
 /// Reads a message into a value whose type may have changed since: fields are found by name, what
 /// was not recorded keeps its value, what is not there any more is passed over. Numbers are
 /// converted (rounded and kept in range where need be), enumerations go by name where the schema
 /// tells names. After an error the value may be changed in part; it stays valid.
+Result<void> readRecorded(const MessageDefinition& definition, std::span<const std::byte> bytes,
+                          Value value);
 template <Streamable T>
 Result<void> readRecorded(const MessageDefinition& definition, std::span<const std::byte> bytes,
                           T& value) {
-  return detail::readRecorded(definition, bytes, valueOf(value));
+  return readRecorded(definition, bytes, valueOf(value));
 }
 
 /// A message as JSON: names as in the schema, enumerations by name where it tells them, lists of

@@ -5,34 +5,11 @@
 // Pictures are decoded and must be as large as the log says that the camera's pictures are.
 //
 //   scripts/run-node build/node/mcap tests/mcap check.mjs LOG...
-import { open } from "node:fs/promises";
 import { McapIndexedReader, McapStreamReader } from "@mcap/core";
 import { parse } from "@foxglove/rosmsg";
 import { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";
-import { decompress } from "fzstd";
 import jpeg from "jpeg-js";
-
-const decompressHandlers = { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) };
-
-class File {
-  constructor(handle, length) {
-    this.handle = handle;
-    this.length = BigInt(length);
-  }
-  async size() {
-    return this.length;
-  }
-  async read(offset, size) {
-    const bytes = new Uint8Array(Number(size));
-    const { bytesRead } = await this.handle.read(bytes, 0, bytes.length, Number(offset));
-    if (bytesRead !== bytes.length) throw new Error(`only ${bytesRead} bytes at ${offset}`);
-    return bytes;
-  }
-}
-
-function check(condition, what) {
-  if (!condition) throw new Error(what);
-}
+import { File, check, decompressHandlers } from "./File.mjs";
 
 /// What decodes and encodes the messages of a channel.
 function codecOf(channel, schema) {
@@ -108,10 +85,9 @@ async function countStreamed(file) {
 let failed = process.argv.length < 3;
 if (failed) console.error("usage: node check.mjs LOG...");
 for (const path of process.argv.slice(2)) {
-  let handle;
+  let file;
   try {
-    handle = await open(path);
-    const file = new File(handle, (await handle.stat()).size);
+    file = await File.open(path);
     const { reader, counts } = await checkIndexed(file);
     const total = [...counts.values()].reduce((a, b) => a + b, 0);
     const streamed = await countStreamed(file);
@@ -124,7 +100,7 @@ for (const path of process.argv.slice(2)) {
     console.error(`${path}: ${error.message}`);
     failed = true;
   } finally {
-    await handle?.close();
+    await file?.close();
   }
 }
 process.exit(failed ? 1 : 0);

@@ -206,6 +206,20 @@ std::vector<WrongFile> wrongFiles() {
       {"LogEmpty", "robot.log", text(""), see, "replay: robot.log: byte 0: "},
       {"LogTruncated", "robot.log", truncated(100), see, "replay: robot.log: byte 8: "},
       {"LogGarbage", "robot.log", garbage(), see, "replay: robot.log: byte 8: "},
+      {"ListedLogMissing", "robot.log", missing, "gtlog list robot.log",
+       "gtlog: robot.log: there is no such file"},
+      {"CheckedLogGarbage", "robot.log", garbage(), "gtlog check robot.log",
+       "gtlog: robot.log: 0: is not an MCAP file"},
+      {"RepairedLogGarbage", "robot.log", garbage(), "gtlog repair robot.log new.mcap",
+       "gtlog: robot.log: 0: is not an MCAP file"},
+      {"ReplayedLogGarbage", "robot.log", garbage(), "gtlog replay robot.log new.mcap",
+       "gtlog: robot.log: 0: is not an MCAP file"},
+      {"ImportedLogTruncated", "robot.log", truncated(100), "gtlog import robot.log new.mcap",
+       "gtlog: robot.log: byte 8: "},
+      {"CrashReportMissing", "labels.csv", missing, "crashlog labels.csv",
+       "crashlog: labels.csv: there is no such file"},
+      {"CrashReportGarbage", "labels.csv", garbage(), "crashlog labels.csv",
+       "crashlog: labels.csv:1: is no crash report"},
       {"LabelsMissing", "labels.csv", missing, see, "replay: labels.csv: "},
       {"LabelsGarbage", "labels.csv", garbage(), see, "replay: labels.csv:1: "},
       {"LabelsTruncated", "labels.csv", truncated(36), see, "replay: labels.csv:2: x: "},
@@ -262,7 +276,8 @@ TEST(Programs, RefuseWrongArguments) {
   for (const std::string program :
        {"simgt", "simgt play --bogus", "simgt play --minutes 0", "simgt play --seed many",
         "simgt play --threads 0", "replay --bogus", "replay robot.log", "xabsl", "xabsl check",
-        "xabsl bogus", "motionnet", "motionnet bogus", "motionnet check a b"}) {
+        "xabsl bogus", "motionnet", "motionnet bogus", "motionnet check a b", "gtlog",
+        "gtlog bogus", "gtlog cut robot.log", "crashlog"}) {
     const Outcome outcome = workplace.run(program);
     EXPECT_EQ(outcome.status, 2) << program;
     EXPECT_NE(outcome.errors, "") << program;
