@@ -131,19 +131,20 @@ Result<void> measureLogSpeed(Figures& figures) {
   const std::string plain = (folder / "plain.mcap").string();
   const std::string packed = (folder / "packed.mcap").string();
   Zstd zstd{*messages};
-  struct Part {
+  struct Measurement {
     const char* name;
     std::function<Result<void>()> work;
   };
-  const Part parts[] = {
+  const Measurement measurements[] = {
       {"speed.log.write.plain", [&] { return write(*messages, plain, false); }},
       {"speed.log.write.zstd", [&] { return write(*messages, packed, true); }},
       {"speed.log.zstd.compress", [&] { return zstd.compress(), Result<void>{}; }},
       {"speed.log.read.plain", [&] { return read(plain); }},
       {"speed.log.read.zstd", [&] { return read(packed); }},
       {"speed.log.zstd.decompress", [&] { return zstd.decompress(), Result<void>{}; }}};
-  for (const Part& part : parts)
-    if (auto done = measure(figures, part.name, messages->size, part.work); !done) return done;
+  for (const Measurement& measurement : measurements)
+    if (auto done = measure(figures, measurement.name, messages->size, measurement.work); !done)
+      return done;
   figures.add("speed.log.size.zstd", "%",
               {100 * static_cast<double>(std::filesystem::file_size(packed)) /
                static_cast<double>(messages->size)});

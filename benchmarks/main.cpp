@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   std::string only;
   app.add_option("--only", only, "Measures but one part: matches, streams or parts")
-      ->check(CLI::IsMember({"matches", "streams", "parts"}));
+      ->check(CLI::IsMember({"matches", "logs", "streams", "parts"}));
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {
     app.parse(argc, argv);

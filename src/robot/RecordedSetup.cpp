@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "Commit.h"
+#include "robot/Commit.h"
 #include "streams/File.h"
 
 namespace gt {
