@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   std::string only;
-  app.add_option("--only", only, "Measures but one part: matches, streams or parts")
+  app.add_option("--only", only, "Measures but one part: matches, logs, streams or parts")
       ->check(CLI::IsMember({"matches", "logs", "streams", "parts"}));
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {
