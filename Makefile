@@ -9,7 +9,7 @@ OUT     ?= out/match
 SECONDS ?= 60
 JOBS    ?= $(shell nproc)
 
-.PHONY: help play play-remote kill-test test replay bench experiments build packages format sanitize fuzz clean
+.PHONY: help play play-remote kill-test test replay bench experiments docs build packages format sanitize fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -19,6 +19,7 @@ help:
 	@echo 'make kill-test     kills each program of a robot 50 times during a match'
 	@echo 'make bench         measures speed, also against other libraries: out/bench.json'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json'
+	@echo 'make docs          writes pages with charts about the soccer behavior: out/docs/index.html'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
 	@echo 'make fuzz          feeds broken files to all that reads files, SECONDS=$(SECONDS) each'
 	@echo 'make format        formats the sources'
@@ -56,6 +57,9 @@ bench: build
 
 experiments: build
 	@$(BUILD)/bin/experiment --seeds $(SEEDS) --json out/experiments.json
+
+docs: build
+	@$(BUILD)/bin/xabsl doc behavior/GT2003.xabsl -o out/docs
 
 sanitize: packages
 	@for preset in asan tsan; do \

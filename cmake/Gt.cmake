@@ -77,6 +77,19 @@ function(gt_program name)
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
 endfunction()
 
+# gt_embed(output.cpp HEADER header.h NAMESPACE name FILES name=path ...): files as a part of the program: a source file in
+# the binary folder with a function for each, as the header declares them.
+function(gt_embed output)
+  cmake_parse_arguments(ARG "" "HEADER;NAMESPACE" "FILES" ${ARGN})
+  list(TRANSFORM ARG_FILES REPLACE "^[^=]*=" "" OUTPUT_VARIABLE embedded)
+  add_custom_command(
+    OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${output}
+    COMMAND ${CMAKE_COMMAND} -Dheader=${ARG_HEADER} -Dnamespace=${ARG_NAMESPACE} "-Dfiles=${ARG_FILES}"
+            -Doutput=${CMAKE_CURRENT_BINARY_DIR}/${output} -P ${PROJECT_SOURCE_DIR}/cmake/EmbedFiles.cmake
+    DEPENDS ${embedded} ${PROJECT_SOURCE_DIR}/cmake/EmbedFiles.cmake
+    VERBATIM)
+endfunction()
+
 # gt_node_test(name program.mjs argument...): a program of this folder, run by Node in the root of the sources with the
 # packages of the folder's package-lock.json, which are fetched once for each build folder.
 function(gt_node_test name program)

@@ -24,6 +24,7 @@ Compilation load(const std::string& path);
 
 void addCheck(CLI::App& program);
 void addCompile(CLI::App& program);
+void addDoc(CLI::App& program);
 void addFormat(CLI::App& program);
 
 }  // namespace xabsl::app

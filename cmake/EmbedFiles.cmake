@@ -1,7 +1,7 @@
-# cmake -Dfiles=name=path;... -Doutput=X.cpp -P EmbedFiles.cmake
-# Writes a source file with one function for each file, as PageFiles.h declares them.
+# cmake -Dheader=FILE -Dnamespace=NAME "-Dfiles=name=path;..." -Doutput=X.cpp -P EmbedFiles.cmake
+# Writes a source file with one function for each file, as the header declares them.
 
-set(text "#include \"match/report/PageFiles.h\"\n\nnamespace gt::page {\n")
+set(text "#include \"${header}\"\n\nnamespace ${namespace} {\n")
 foreach(entry ${files})
   string(REGEX MATCH "^([^=]*)=(.*)$" all "${entry}")
   set(name ${CMAKE_MATCH_1})
@@ -10,4 +10,4 @@ foreach(entry ${files})
   string(APPEND text "\nstd::string_view ${name}() {\n  static const unsigned char bytes[] = {${bytes}};\n"
     "  return {reinterpret_cast<const char*>(bytes), sizeof bytes};\n}\n")
 endforeach()
-file(WRITE ${output} "${text}\n}  // namespace gt::page\n")
+file(WRITE ${output} "${text}\n}  // namespace ${namespace}\n")
