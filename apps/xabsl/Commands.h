@@ -22,9 +22,13 @@ void print(const std::vector<Diagnostic>& diagnostics);
 /// Compiles the file with the agents, or reads intermediate code from a file `.dat` or `.ic`.
 Compilation load(const std::string& path);
 
+/// Writes a file, or tells that it cannot.
+void writeFile(const std::string& path, const std::string& text);
+
 void addCheck(CLI::App& program);
 void addCompile(CLI::App& program);
 void addDoc(CLI::App& program);
 void addFormat(CLI::App& program);
+void addHeader(CLI::App& program);
 
 }  // namespace xabsl::app

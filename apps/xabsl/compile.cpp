@@ -1,5 +1,3 @@
-#include <fstream>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <string>
@@ -18,15 +16,6 @@ struct Options {
   std::string symbols;
   Dialect dialect = Dialect::xabsl31;
 };
-
-void writeFile(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (file) return;
-  std::cerr << path << ": error: cannot write the file\n";
-  throw Failure{};
-}
 
 void compileTo(const Options& options) {
   const Compilation compilation = load(options.agents);

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include "Commands.h"
@@ -12,6 +13,7 @@ int main(int argc, char** argv) {
   xabsl::app::addCompile(program);
   xabsl::app::addDoc(program);
   xabsl::app::addFormat(program);
+  xabsl::app::addHeader(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -30,4 +32,13 @@ xabsl::Compilation xabsl::app::load(const std::string& path) {
 void xabsl::app::print(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics)
     std::cerr << toStringWithSource(diagnostic) << '\n';
+}
+
+void xabsl::app::writeFile(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (file) return;
+  std::cerr << path << ": error: cannot write the file\n";
+  throw Failure{};
 }

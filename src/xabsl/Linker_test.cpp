@@ -4,9 +4,11 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "xabsl/Engine.h"
+#include "xabsl/SymbolsHeader.h"
 #include "xabsl/TestBehavior.h"
 
 namespace xabsl {
@@ -195,6 +197,53 @@ TEST(Symbols, CutNumbersToTheRangeOfIntegers) {
   EXPECT_EQ(fromNumber<int>(std::numeric_limits<double>::quiet_NaN()), 0);
   EXPECT_EQ(fromNumber<long>(-3.9), -3);
   EXPECT_EQ(fromNumber<unsigned>(-1), 0u);
+}
+
+enum class Gait { fast = 5, slow = 2 };
+
+TEST(Linker, TakesEnumerationsWhoseValuesHaveGaps) {
+  Symbols symbols;
+  Gait gait{};
+  symbols.enumerationValues<Gait>("gait", {{Gait::fast, "fast"}, {Gait::slow, "slow"}});
+  symbols.output("gait", &gait);
+  for (const auto& [element, value] :
+       std::vector<std::pair<std::string, Gait>>{{"slow", Gait::slow}, {"fast", Gait::fast}}) {
+    auto creation = Engine::create(
+        test::compiled(
+            "namespace s(\"S\") { enum gait output { slow, fast }; enum gait output gait; }"
+            "option o { initial state s { action { gait = " +
+            element +
+            "; } } }"
+            "agent a(\"A\", o);"),
+        symbols);
+    ASSERT_TRUE(creation.engine);
+    creation.engine->execute(0);
+    EXPECT_EQ(gait, value);
+  }
+}
+
+TEST(SymbolsHeader, MakesNamesOfCppThatDoNotMeet) {
+  const Behavior named = test::compiled(
+      "namespace s(\"S\") { enum do_it output { switch_, a.b, a_b, x2 }; enum inputs output { k };"
+      "enum do_it output do_it; float input ball.seen_x [0..1] \"mm\"; float input ball.seen.x;"
+      "/** how\n * it is\\ */ float input new(float new \"deg\"; bool class;); }"
+      "namespace b(\"B\") { behavior go_to { enum do_it what; } }"
+      "option o { initial state s { action { } } } agent a(\"A\", o);");
+  const std::string header =
+      writeSymbolsHeader(named.model(), {"robot", {{"inputs", "our::Inputs"}}, {"our/Inputs.h"}});
+  for (const std::string expected :
+       {"#include \"our/Inputs.h\"", "namespace robot {",
+        "enum class DoIt { switch_, aB, aB_2, x2 };", "using Inputs_ = our::Inputs;",
+        "  /// In [0..1] mm\n  virtual double ballSeenX() const = 0;",
+        "virtual double ballSeenX_2() const = 0;",
+        "  /// how\n  /// it is\n  /// `new`: In deg\n  virtual double new_(double new_, bool "
+        "class_) "
+        "const = 0;",
+        "virtual void setDoIt(DoIt value) = 0;", "virtual void goTo(DoIt what) = 0;",
+        "{DoIt::aB_2, \"a_b\"}",
+        "symbols.input(\"new\", {\"new\", \"class\"}, "
+        "[&inputs](double p0, bool p1) { return inputs.new_(p0, p1); });"})
+    EXPECT_NE(header.find(expected), std::string::npos) << expected << "\n" << header;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "xabsl/Symbols.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -10,6 +11,13 @@ std::string Symbols::enumerationName(const RegisteredType& type) const {
   for (const auto& [name, enumeration] : enumerations_)
     if (enumeration.type == type.type) return name;
   return {};
+}
+
+void Symbols::place(std::vector<std::string>& names, int value, const std::string& name) {
+  constexpr int largest = 10'000;
+  assert(value >= 0 && value <= largest && "values of enumerations are indices");
+  names.resize(std::max(names.size(), static_cast<std::size_t>(value) + 1));
+  names[static_cast<std::size_t>(value)] = name;
 }
 
 void Symbols::addEnumeration(const std::string& name, std::vector<std::string> elements,

@@ -60,6 +60,15 @@ class Symbols {
     addEnumeration(name, std::move(elements), typeid(Enum));
   }
 
+  /// The names of some of an enum's values, which may stand in any order and have gaps.
+  template <typename Enum>
+  void enumerationValues(const std::string& name,
+                         const std::vector<std::pair<Enum, std::string>>& elements) {
+    std::vector<std::string> names;
+    for (const auto& [value, element] : elements) place(names, static_cast<int>(value), element);
+    enumeration<Enum>(name, std::move(names));
+  }
+
   /// An enumeration that is known as data only; its values are indices.
   void enumeration(const std::string& name, std::vector<std::string> elements) {
     addEnumeration(name, std::move(elements), typeid(void));
@@ -159,6 +168,7 @@ class Symbols {
     return found == table.end() ? nullptr : &found->second;
   }
 
+  static void place(std::vector<std::string>& names, int value, const std::string& name);
   void addEnumeration(const std::string& name, std::vector<std::string> elements,
                       std::type_index type);
   static void add(RegisteredFunction& entry, Function function, RegisteredType type,

@@ -13,7 +13,7 @@ void BasicBehaviors::getup() {
   request_ = {MotionType::getup, WalkType::normal, {}, SpecialAction::none};
 }
 
-void BasicBehaviors::specialAction(SpecialAction action) {
+void BasicBehaviors::performSpecialAction(SpecialAction action) {
   request_ = {MotionType::specialAction, WalkType::normal, {}, action};
 }
 

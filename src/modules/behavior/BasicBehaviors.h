@@ -1,4 +1,5 @@
 #pragma once
+#include "modules/behavior/SoccerSymbols.h"
 #include "modules/behavior/WorldState.h"
 #include "representations/behavior/MotionRequest.h"
 
@@ -6,7 +7,7 @@ namespace gt {
 
 /// The skills that the behavior's options end in (report 3.8.2, 3.8.3); each sets the motion
 /// request. Angles in degrees, as people write them in XABSL.
-class BasicBehaviors {
+class BasicBehaviors final : public soccer::BasicBehaviors {
  public:
   struct Parameters {
     double maxForward = 225;
@@ -28,17 +29,17 @@ class BasicBehaviors {
   BasicBehaviors(const WorldState& world, MotionRequest& request, const Parameters& parameters)
       : world_{world}, request_{request}, parameters_{parameters} {}
 
-  void stand();
-  void getup();
+  void stand() override;
+  void getup() override;
   /// Speeds in mm/s and degrees/s.
-  void walk(double x, double y, double turn);
-  void specialAction(SpecialAction action);
+  void walk(double x, double y, double turn) override;
+  void performSpecialAction(SpecialAction action) override;
   /// Walks to a pose on the field, keeping clear of team mates. The nearer it comes the slower; far
   /// away it walks ahead.
-  void goToPoint(double x, double y, double angle, double maxSpeed);
+  void goToPoint(double x, double y, double angle, double maxSpeed) override;
   /// Walks behind the ball so that it lies at (x, y) before the robot, which then faces a direction
   /// on the field; goes round the ball where it would else push it the wrong way.
-  void goToBall(double direction, double x, double y);
+  void goToBall(double direction, double x, double y) override;
 
  private:
   /// Sets the speed to walk by an offset and to turn by an angle, within the limits.

@@ -6,6 +6,7 @@
 #include "framework/Module.h"
 #include "modules/behavior/BasicBehaviors.h"
 #include "modules/behavior/Behavior.h"
+#include "modules/behavior/SymbolSources.h"
 #include "modules/behavior/Tasks.h"
 #include "modules/behavior/WorldState.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -14,7 +15,8 @@
 namespace gt {
 
 /// Decides by executing a behavior written in XABSL (report 3.8). What the behavior may ask and say
-/// stands in one place: registerSymbols().
+/// is declared in behavior/; from there SoccerSymbols.h is generated, with a function for each
+/// symbol and basic behavior, which SymbolSources.h and BasicBehaviors.h implement.
 class GT2003BehaviorControl {
  public:
   using Parameters = BasicBehaviors::Parameters;
@@ -37,22 +39,15 @@ class GT2003BehaviorControl {
   const std::optional<xabsl::Engine>& engine() const { return engine_; }
 
  private:
-  void registerSymbols();
-  void registerBall();
-  void registerSelf();
-  void registerGame();
-  void registerOutputs();
-  void registerBasicBehaviors();
   void load(const Behavior& behavior, Debug& debug);
 
   WorldState world_;
   MotionRequest motionRequest_;
-  HeadControlMode headControlMode_;
-  LedRequest ledRequest_;
   DynamicRole role_ = DynamicRole::defensiveSupporter;
+  SoccerInputs inputs_{world_, role_};
+  SoccerOutputs outputs_;
   BasicBehaviors skills_{world_, motionRequest_, parameters};
   xabsl::Symbols symbols_;
-  bool registered_ = false;
   std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that no other gets its address
   std::optional<xabsl::Engine> engine_;
 };

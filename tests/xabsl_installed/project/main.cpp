@@ -2,11 +2,22 @@
 
 #include <iostream>
 
+#include "DoorSymbols.h"  // generated from door.xabsl
+
+struct Door final : door::Inputs, door::Outputs, door::BasicBehaviors {
+  bool visitorWaits = false;
+
+  bool visitor() const override { return visitorWaits; }
+  void setLamp(door::Light light) override {
+    std::cout << (light == door::Light::green ? '+' : '-');
+  }
+  void hold(bool open) override { std::cout << (open ? "open" : "closed"); }
+};
+
 int main(int, char** argv) {
-  bool visitor = false;
+  Door door;
   xabsl::Symbols symbols;
-  symbols.input("visitor", &visitor);
-  symbols.behavior("hold", {"open"}, [](bool open) { std::cout << (open ? "open" : "closed"); });
+  registerSymbols(symbols, door, door, door);
 
   const xabsl::Compilation compilation = xabsl::compile(argv[1]);
   for (const auto& diagnostic : compilation.diagnostics) std::cerr << toString(diagnostic) << '\n';
@@ -16,7 +27,7 @@ int main(int, char** argv) {
   if (!engine) return 2;
 
   for (int now = 0; now < 4000; now += 1000) {
-    visitor = now == 1000;
+    door.visitorWaits = now == 1000;
     engine->execute(now);
     std::cout << (now < 3000 ? " " : "\n");
   }

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "Commands.h"
+#include "xabsl/Behavior.h"
+#include "xabsl/SymbolsHeader.h"
+
+namespace xabsl::app {
+
+namespace {
+
+struct Options {
+  std::string agents;
+  std::string output;
+  std::string dependencies;
+  std::vector<std::string> enumerations;
+  SymbolsHeaderSettings settings;
+};
+
+[[noreturn]] void fail(const std::string& message) {
+  std::cerr << "xabsl: error: " << message << '\n';
+  throw Failure{};
+}
+
+bool isCppName(const std::string& name) {
+  return std::regex_match(name, std::regex("(::)?[A-Za-z_]\\w*(::[A-Za-z_]\\w*)*"));
+}
+
+/// `name=Type` of the command line; the behavior must have the enumeration.
+void bindEnumerations(const Model& model, Options& options) {
+  for (const std::string& entry : options.enumerations) {
+    const std::size_t sign = entry.find('=');
+    const std::string name = entry.substr(0, sign);
+    const std::string type = sign == std::string::npos ? "" : entry.substr(sign + 1);
+    if (!isCppName(type)) fail("'" + entry + "' is not NAME=TYPE");
+    if (std::none_of(model.enumerations.begin(), model.enumerations.end(),
+                     [&](const Enumeration& known) { return known.name == name; }))
+      fail("the behavior has no enumeration '" + name + "'");
+    options.settings.enumerations[name] = type;
+  }
+}
+
+/// The rule of make that says which files the header depends on.
+std::string dependencies(const Options& options, const Model& model) {
+  const auto escaped = [](const std::string& path) {
+    std::string text;
+    for (const char c : path) text += c == ' ' || c == '#' ? std::string{'\\', c} : std::string{c};
+    return text;
+  };
+  std::string text = escaped(options.output) + ":";
+  for (const std::string& file : model.files)
+    text += " \\\n  " + escaped(std::filesystem::absolute(file).lexically_normal().string());
+  return text + "\n";
+}
+
+void writeHeader(Options& options) {
+  if (!isCppName(options.settings.space))
+    fail("'" + options.settings.space + "' is no namespace of C++");
+  const Compilation compilation = load(options.agents);
+  print(compilation.diagnostics);
+  if (!compilation.behavior) throw Failure{};
+  const Model& model = compilation.behavior->model();
+  bindEnumerations(model, options);
+  std::error_code ignored;  // writing tells
+  std::filesystem::create_directories(std::filesystem::path(options.output).parent_path(), ignored);
+  writeFile(options.output, writeSymbolsHeader(model, options.settings));
+  if (!options.dependencies.empty()) writeFile(options.dependencies, dependencies(options, model));
+}
+
+}  // namespace
+
+void addHeader(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "header", "Write a C++ header with the symbols and basic behaviors to be implemented");
+  auto options = std::make_shared<Options>();
+  command->add_option("agents", options->agents, "The file that declares the agents")->required();
+  command->add_option("-o,--output", options->output, "The header")->required();
+  command->add_option("--namespace", options->settings.space, "The C++ namespace")
+      ->capture_default_str();
+  command->add_option("--enumeration", options->enumerations,
+                      "NAME=TYPE: a C++ type that stands for an enumeration");
+  command->add_option("--include", options->settings.includes, "A header with such types");
+  command->add_option("--depfile", options->dependencies,
+                      "A file for the sources of the behavior, as a rule of make");
+  command->callback([options] { writeHeader(*options); });
+}
+
+}  // namespace xabsl::app
