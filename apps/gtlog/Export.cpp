@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "streams/File.h"
 #include "streams/RecordedMessage.h"
 
 namespace gt {
@@ -151,6 +152,24 @@ Result<void> exportCsv(const std::string& log, const Selection& selection, const
   return closeFile(std::move(*file), to);
 }
 
+Result<void> exportTrace(const std::string& log, const Selection& selection,
+                         const std::string& to) {
+  Selection one = selection;
+  one.topics = {"/BehaviorTrace"};
+  std::string trace;
+  const auto done =
+      forEachJson(log, one, [&](const auto&, std::int64_t, const Json& json) -> Result<void> {
+        const auto text = json.find("text");
+        if (text == json.end() || !text->is_string())
+          return Error{log, 0, one.topics.front(), "is no behavior trace"};
+        trace += text->template get_ref<const std::string&>();
+        return {};
+      });
+  if (!done) return done;
+  if (trace.empty()) return Error{log, 0, one.topics.front(), "is not there: simgt play --trace"};
+  return writeFile(to, trace);
+}
+
 Result<void> exportLog(const std::string& log, const Selection& selection, const std::string& to) {
   const std::string extension = std::filesystem::path{to}.extension().string();
   if (extension == ".json" || extension == ".jsonl") {
@@ -159,6 +178,7 @@ Result<void> exportLog(const std::string& log, const Selection& selection, const
     if (auto done = exportJson(log, selection, file->get()); !done) return done;
     return closeFile(std::move(*file), to);
   }
+  if (extension == ".trace") return exportTrace(log, selection, to);
   const auto reader = McapReader::open(log);
   if (!reader) return reader.error();
   std::vector<std::string> topics;

@@ -15,7 +15,10 @@ Result<void> exportJson(const std::string& log, const Selection& selection, std:
 Result<void> exportCsv(const std::string& log, const Selection& selection, const std::string& topic,
                        const std::string& to);
 
-/// By the name of what is written: .json or .jsonl; .csv for one topic; else a folder with a CSV
+/// Writes what the behavior did as a file for `xabsl trace`.
+Result<void> exportTrace(const std::string& log, const Selection& selection, const std::string& to);
+
+/// By the name of what is written: .json or .jsonl; .trace; .csv for one topic; else a folder with a CSV
 /// file for each topic.
 Result<void> exportLog(const std::string& log, const Selection& selection, const std::string& to);
 

@@ -159,8 +159,8 @@ int main(int argc, char** argv) {
   repairing.add_option("out", a.out)->required();
   CLI::App& exporting =
       command("export",
-              "Writes messages as JSON lines (OUT.json), CSV (OUT.csv, one topic), or into a "
-              "folder of CSV files",
+              "Writes messages as JSON lines (OUT.json), CSV (OUT.csv, one topic), a trace of the "
+              "behavior (OUT.trace, for xabsl trace), or into a folder of CSV files",
               [&] { return done(exportLog(a.log, a.selection, a.out)); });
   exporting.add_option("log", a.log)->required();
   exporting.add_option("out", a.out)->required();

@@ -31,6 +31,8 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
   command.add_flag("!--no-logs", play.logs, "Do not write the robots' logs");
   command.add_flag("--inputs", play.match.inputs,
                    "Log all that the robots sense, too, for gtlog replay (large)");
+  command.add_flag("--trace", play.match.trace,
+                   "Log all that the behavior decides, for gtlog export LOG OUT.trace");
   command.add_flag("--real-time", play.realTime, "No faster than the clock");
   command.add_option("--remote", play.match.remote,
                      "Robots whose processes connect from outside (gtrobot-*); in real time");

@@ -113,6 +113,9 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
             controller->record(path.string(), about, configuration->log, setup, options_.inputs);
         !done)
       return done;
+    const DebugRequest decisions{"BehaviorControl/trace", DebugKeyMode::always, 0};
+    if (options_.trace)
+      if (auto done = controller->robot().request(decisions); !done) return done;
   }
   robots_.push_back(controller.get());
   indices_.push_back(index);

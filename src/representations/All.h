@@ -1,4 +1,5 @@
 #pragma once
+#include "representations/behavior/BehaviorTrace.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/MotionRequest.h"
@@ -36,10 +37,10 @@ namespace gt {
 /// All representations, for whoever deals with each of them: `AllRepresentations<std::tuple>`.
 template <template <typename...> typename List>
 using AllRepresentations =
-    List<HeadControlMode, LedRequest, LedValue, MotionRequest, BehaviorTeamMessage, TeamMessage,
-         TeamMessages, CameraInfo, FieldDimensions, FrameInfo, GameControlData, Image, JointData,
-         OracledWorldState, Player, RobotDimensions, SensorData, SensorDataBuffer, BallModel,
-         TeamBallModel, RobotPose, RobotState, HeadMotionRequest, MotionInfo, MotionNet,
+    List<BehaviorTrace, HeadControlMode, LedRequest, LedValue, MotionRequest, BehaviorTeamMessage,
+         TeamMessage, TeamMessages, CameraInfo, FieldDimensions, FrameInfo, GameControlData, Image,
+         JointData, OracledWorldState, Player, RobotDimensions, SensorData, SensorDataBuffer,
+         BallModel, TeamBallModel, RobotPose, RobotState, HeadMotionRequest, MotionInfo, MotionNet,
          OdometryData, SpecialActionsOutput, WalkingEngineOutput, BallPercept, BodyPercept,
          CameraMatrix, ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept,
          PlayersPercept, PsdPercept>;

@@ -1,6 +1,7 @@
 #include "robot/RobotLog.h"
 
 #include "debug/Drawing.h"
+#include "representations/behavior/BehaviorTrace.h"
 #include "streams/Jpeg.h"
 
 namespace gt {
@@ -13,8 +14,8 @@ CompressedImage compressed(const Image& image) {
 }
 
 RobotLog::RobotLog(McapWriter writer) : writer_{std::move(writer)} {
-  for (const RepresentationType* type :
-       {&representation<Text>(), &representation<Drawing>(), &representation<Plot>()})
+  for (const RepresentationType* type : {&representation<Text>(), &representation<Drawing>(),
+                                         &representation<Plot>(), &representation<BehaviorTrace>()})
     know(*type);
   camera_ = writer_.addChannel<CompressedImage>("/camera");
 }

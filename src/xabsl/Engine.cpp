@@ -105,12 +105,21 @@ void Engine::execute(std::int64_t now) {
   executed_.clear();
   executedValues_.clear();
   if (cooperates_) cooperation_.beginCycle();
-  if (rootKind_ == Activation::Kind::option)
-    executeOption(root_, 0);
+  if (recorder_)
+    executeRoot<true>();
   else
-    executeBehavior(root_, 0);
+    executeRoot<false>();
   for (std::size_t i = 0; i < pending_.size(); ++i)
     if (std::exchange(pending_[i], 0)) apply(i);
+}
+
+template <bool recorded>
+void Engine::executeRoot() {
+  if constexpr (recorded) recorder_->add(TraceEvent::Kind::cycle, 0, static_cast<double>(now_));
+  if (rootKind_ == Activation::Kind::option)
+    executeOption<recorded>(root_, 0);
+  else
+    executeBehavior<recorded>(root_, 0);
 }
 
 /// XABSL 2.1 sets outputs after the whole graph (report H.7), its successors at once.
@@ -150,67 +159,78 @@ void Engine::enter(OptionState& option) {
   option.stateTime = since(option.stateActivation, now_);
 }
 
+template <bool recorded>
 void Engine::executeOption(int index, int depth) {
   OptionState& option = options_[at(index)];
   const Option& declared = model_->options[at(index)];
   enter(option);
-  decide(option);
+  if constexpr (recorded) recorder_->add(TraceEvent::Kind::option, index, depth);
+  decide<recorded>(option);
   if (cooperates_) cooperation_.markOption(index, option.state);
-  record(
-      {Activation::Kind::option, index, depth, option.state, option.optionTime, option.stateTime},
-      optionSlots_[at(index)], declared.parameters.size());
+  note({Activation::Kind::option, index, depth, option.state, option.optionTime, option.stateTime},
+       optionSlots_[at(index)], declared.parameters.size());
+  if constexpr (recorded) recordOption(option);
   const Span actions = model_->states[at(option.state)].actions;
-  executeActions(declared.commonActions, option, depth);
-  executeActions(actions, option, depth);
+  executeActions<recorded>(declared.commonActions, option, depth);
+  executeActions<recorded>(actions, option, depth);
 }
 
 /// The common decision tree comes first; the state's own is asked where that one decided nothing
 /// (report F.5).
+template <bool recorded>
 void Engine::decide(OptionState& option) {
-  Branch end = follow(model_->options[at(option.option)].commonDecision, option);
+  Branch end = follow<recorded>(model_->options[at(option.option)].commonDecision, option);
   if (end.kind == Branch::Kind::none)
-    end = follow(model_->states[at(option.state)].decision, option);
+    end = follow<recorded>(model_->states[at(option.state)].decision, option);
   if (end.kind != Branch::Kind::state || end.index == option.state) return;
   if (cooperates_ && !cooperation_.mayEnter(end.index)) return;
+  if constexpr (recorded) recorder_->add(TraceEvent::Kind::change, option.state, end.index);
   option.state = end.index;
   option.stateActivation = now_;
   option.stateTime = 0;
 }
 
+template <bool recorded>
 Branch Engine::follow(Branch branch, const OptionState& option) {
   while (branch.kind == Branch::Kind::decision) {
     const Decision& decision = model_->decisions[at(branch.index)];
-    branch = evaluate(decision.condition, option) != 0 ? decision.then : decision.otherwise;
+    const bool holds = evaluate<recorded>(decision.condition, option) != 0;
+    if constexpr (recorded) recorder_->add(TraceEvent::Kind::decide, branch.index, holds);
+    branch = holds ? decision.then : decision.otherwise;
   }
   return branch;
 }
 
+template <bool recorded>
 void Engine::executeActions(Span span, const OptionState& caller, int depth) {
   for (int i = span.first; i < span.first + span.count; ++i) {
     const Action& action = model_->actions[at(i)];
     const int* operands = model_->operands.data() + action.operand;
     if (action.kind == Action::Kind::assignment) {
-      assign(at(action.target), operand(action.operand, caller));
+      assign(at(action.target), operand<recorded>(action.operand, caller));
+      if constexpr (recorded)
+        recorder_->add(TraceEvent::Kind::assign, action.target, variables_[at(action.target)]);
     } else if (action.kind == Action::Kind::option) {
       double* slot = slots_.data() + optionSlots_[at(action.target)];
       const std::size_t count = model_->options[at(action.target)].parameters.size();
-      for (std::size_t p = 0; p < count; ++p) slot[p] = operand(operands[p], caller);
-      executeOption(action.target, depth + 1);
+      for (std::size_t p = 0; p < count; ++p) slot[p] = operand<recorded>(operands[p], caller);
+      executeOption<recorded>(action.target, depth + 1);
     } else {
       const Bindings::Bound& behavior = bindings_.behaviors[at(action.target)];
       double* slot = slots_.data() + behaviorSlots_[at(action.target)];
       bool changed = false;
       for (std::size_t p = 0; p < behavior.order.size(); ++p) {
         double& parameter = slot[behavior.order[p]];
-        const double before = std::exchange(parameter, operand(operands[p], caller));
+        const double before = std::exchange(parameter, operand<recorded>(operands[p], caller));
         changed = changed || before != parameter;
       }
       if (changed && behavior.parametersChanged) behavior.parametersChanged();
-      executeBehavior(action.target, depth + 1);
+      executeBehavior<recorded>(action.target, depth + 1);
     }
   }
 }
 
+template <bool recorded>
 void Engine::executeBehavior(int index, int depth) {
   const std::size_t firstSlot = behaviorSlots_[at(index)];
   const Function& function = bindings_.behaviors[at(index)].function;
@@ -218,12 +238,31 @@ void Engine::executeBehavior(int index, int depth) {
     warnOnce(warnedBehaviors_[at(index)], "basic behavior is executed more than once in a cycle",
              model_->behaviors[at(index)].location);
   behaviorCycles_[at(index)] = cycle_;
-  record({Activation::Kind::behavior, index, depth, -1, 0, 0}, firstSlot,
-         model_->behaviors[at(index)].parameters.size());
+  note({Activation::Kind::behavior, index, depth, -1, 0, 0}, firstSlot,
+       model_->behaviors[at(index)].parameters.size());
+  if constexpr (recorded) recordBehavior(index, depth);
   function.call(function.object.get(), slots_.data() + firstSlot);
 }
 
-void Engine::record(const Executed& executed, std::size_t firstSlot, std::size_t count) {
+void Engine::recordOption(const OptionState& option) {
+  const std::size_t count = model_->options[at(option.option)].parameters.size();
+  recorder_->add(TraceEvent::Kind::state, option.state, static_cast<double>(option.stateTime));
+  recorder_->add(TraceEvent::Kind::optionTime, option.option,
+                 static_cast<double>(option.optionTime));
+  for (std::size_t p = 0; p < count; ++p)
+    recorder_->add(TraceEvent::Kind::parameter, static_cast<int>(p),
+                   slots_[optionSlots_[at(option.option)] + p]);
+}
+
+void Engine::recordBehavior(int index, int depth) {
+  recorder_->add(TraceEvent::Kind::behavior, index, depth);
+  const std::vector<int>& order = bindings_.behaviors[at(index)].order;
+  for (std::size_t p = 0; p < order.size(); ++p)
+    recorder_->add(TraceEvent::Kind::parameter, static_cast<int>(p),
+                   slots_[behaviorSlots_[at(index)] + at(order[p])]);
+}
+
+void Engine::note(const Executed& executed, std::size_t firstSlot, std::size_t count) {
   executed_.push_back(executed);
   for (std::size_t i = firstSlot; i < firstSlot + count; ++i) executedValues_.push_back(slots_[i]);
 }
@@ -234,35 +273,49 @@ void Engine::warnOnce(char& warned, const char* text, Location location) {
   warnings_.push_back({text, location});
 }
 
+/// A value that was not computed from others.
+template <bool recorded>
+inline double Engine::read(int index, double value) {
+  if constexpr (recorded) recorder_->add(TraceEvent::Kind::read, index, value);
+  return value;
+}
+
 /// Leaves are most of what conditions consist of: they are not worth a call.
+template <bool recorded>
 inline double Engine::operand(int index, const OptionState& option) {
   const Expression& expression = expressions_[at(index)];
   if (expression.operation == Operator::constant) return expression.number;
-  if (expression.operation == Operator::input) return input(expression, option);
-  return evaluate(index, option);
+  if (expression.operation == Operator::input) return input<recorded>(index, option);
+  return evaluate<recorded>(index, option);
 }
 
-inline double Engine::input(const Expression& expression, const OptionState& option) {
+template <bool recorded>
+inline double Engine::input(int index, const OptionState& option) {
+  const Expression& expression = expressions_[at(index)];
   const Port& port = ports_[at(expression.a)];
-  if (expression.c < 0) return port.call(port.object, nullptr);
+  if (expression.c < 0) return read<recorded>(index, port.call(port.object, nullptr));
   const std::vector<int>& order = bindings_.symbols[at(expression.a)].order;
   double* slots = slots_.data() + expression.c;
   for (std::size_t p = 0; p < order.size(); ++p)
-    slots[order[p]] = operand(model_->operands[at(expression.b) + p], option);
-  return port.call(port.object, slots);
+    slots[order[p]] = operand<recorded>(model_->operands[at(expression.b) + p], option);
+  if constexpr (recorded)
+    for (std::size_t p = 0; p < order.size(); ++p)
+      recorder_->add(TraceEvent::Kind::argument, static_cast<int>(p), slots[order[p]]);
+  return read<recorded>(index, port.call(port.object, slots));
 }
 
+template <bool recorded>
 double Engine::evaluate(int index, const OptionState& option) {
   const Expression& expression = expressions_[at(index)];
   // The left operand is read first, whatever the compiler would prefer.
   const auto apply = [&](auto operation) -> double {
-    const double left = operand(expression.a, option);
-    const double right = operand(expression.b, option);
+    const double left = operand<recorded>(expression.a, option);
+    const double right = operand<recorded>(expression.b, option);
     return operation(left, right);
   };
   const auto anyIs = [&](bool wanted) {
     for (int i = expression.b; i < expression.b + expression.c; ++i)
-      if ((operand(model_->operands[at(i)], option) != 0) == wanted) return true;
+      if ((operand<recorded>(model_->operands[at(i)], option) != 0) == wanted) return true;
     return false;
   };
   switch (expression.operation) {
@@ -270,33 +323,34 @@ double Engine::evaluate(int index, const OptionState& option) {
     case Operator::element:
       return expression.number;
     case Operator::parameter:
-      return slots_[at(expression.a)];
+      return read<recorded>(index, slots_[at(expression.a)]);
     case Operator::input:
-      return input(expression, option);
+      return input<recorded>(index, option);
     case Operator::variable:
-      return variables_[at(expression.a)];
+      return read<recorded>(index, variables_[at(expression.a)]);
     case Operator::stateTime:
-      return static_cast<double>(option.stateTime);
+      return read<recorded>(index, static_cast<double>(option.stateTime));
     case Operator::optionTime:
-      return static_cast<double>(option.optionTime);
+      return read<recorded>(index, static_cast<double>(option.optionTime));
     case Operator::actionDone:
-      return actionDone(option);
+      return read<recorded>(index, actionDone(option));
     case Operator::conflict:
-      return cooperation_.conflict(option.state);
+      return read<recorded>(index, cooperation_.conflict(option.state));
     case Operator::negate:
-      return -operand(expression.a, option);
+      return -operand<recorded>(expression.a, option);
     case Operator::logicalNot:
-      return operand(expression.a, option) == 0;
+      return operand<recorded>(expression.a, option) == 0;
     case Operator::divide:
-      return divide(index, option);
+      return divide<recorded>(index, option);
     case Operator::modulo:
-      return modulo(index, option);
+      return modulo<recorded>(index, option);
     case Operator::logicalAnd:
       return !anyIs(false);
     case Operator::logicalOr:
       return anyIs(true);
     case Operator::conditional:
-      return operand(operand(expression.a, option) != 0 ? expression.b : expression.c, option);
+      return operand<recorded>(
+          operand<recorded>(expression.a, option) != 0 ? expression.b : expression.c, option);
     case Operator::add:
       return apply(std::plus<>());
     case Operator::subtract:
@@ -320,11 +374,12 @@ double Engine::evaluate(int index, const OptionState& option) {
 }
 
 /// Division by zero divides by a very small number instead, as XABSL engines do.
+template <bool recorded>
 double Engine::divide(int index, const OptionState& option) {
   constexpr double almostZero = 1e-7;
   const Expression& expression = expressions_[at(index)];
-  const double dividend = operand(expression.a, option);
-  const double divisor = operand(expression.b, option);
+  const double dividend = operand<recorded>(expression.a, option);
+  const double divisor = operand<recorded>(expression.b, option);
   if (divisor != 0) return dividend / divisor;
   warnOnce(warnedExpressions_[at(index)], "division by zero",
            model_->expressionLocations[at(index)]);
@@ -332,10 +387,11 @@ double Engine::divide(int index, const OptionState& option) {
 }
 
 /// The remainder of the whole parts; of a division by zero it is 0.
+template <bool recorded>
 double Engine::modulo(int index, const OptionState& option) {
   const Expression& expression = expressions_[at(index)];
-  const double dividend = std::trunc(operand(expression.a, option));
-  const double divisor = std::trunc(operand(expression.b, option));
+  const double dividend = std::trunc(operand<recorded>(expression.a, option));
+  const double divisor = std::trunc(operand<recorded>(expression.b, option));
   if (divisor != 0) return std::fmod(dividend, divisor);
   warnOnce(warnedExpressions_[at(index)], "remainder of a division by zero",
            model_->expressionLocations[at(index)]);

@@ -14,6 +14,7 @@
 #include "xabsl/Model.h"
 #include "xabsl/Symbols.h"
 #include "xabsl/TeamCooperation.h"
+#include "xabsl/TraceRecorder.h"
 
 namespace xabsl {
 
@@ -60,7 +61,15 @@ class Engine {
   TeamCooperation& cooperation() { return cooperation_; }
   const TeamCooperation& cooperation() const { return cooperation_; }
 
+  /// Has all later cycles recorded, or none (null). The recorder must outlive that.
+  void record(TraceRecorder* recorder) { recorder_ = recorder; }
+
   const Model& model() const { return *model_; }
+
+  /// The registered value of each element of an enumeration.
+  const std::vector<double>& elementValues(int enumeration) const {
+    return bindings_.elements[static_cast<std::size_t>(enumeration)];
+  }
 
   /// What the last cycle executed, in its order.
   std::vector<Activation> activations() const;
@@ -116,23 +125,40 @@ class Engine {
   double& rootSlot(std::size_t parameter);
   std::optional<double> read(Type type, std::string_view text) const;
 
+  // What a cycle consists of, with and without a recorder; so it costs nothing without one.
+  template <bool recorded>
+  void executeRoot();
+  template <bool recorded>
   void executeOption(int index, int depth);
+  template <bool recorded>
   void executeBehavior(int index, int depth);
+  template <bool recorded>
   void executeActions(Span span, const OptionState& caller, int depth);
+  template <bool recorded>
+  void decide(OptionState& option);
+  template <bool recorded>
+  Branch follow(Branch branch, const OptionState& option);
+  template <bool recorded>
+  double evaluate(int index, const OptionState& option);
+  template <bool recorded>
+  double operand(int index, const OptionState& option);
+  template <bool recorded>
+  double input(int index, const OptionState& option);
+  template <bool recorded>
+  double divide(int index, const OptionState& option);
+  template <bool recorded>
+  double modulo(int index, const OptionState& option);
+  template <bool recorded>
+  double read(int index, double value);
+
   void assign(std::size_t symbol, double value);
   void apply(std::size_t symbol);
   void enter(OptionState& option);
   bool wasActive(const OptionState& option) const;
-  void decide(OptionState& option);
-  Branch follow(Branch branch, const OptionState& option);
-  void record(const Executed& executed, std::size_t firstSlot, std::size_t count);
+  void recordOption(const OptionState& option);
+  void recordBehavior(int index, int depth);
+  void note(const Executed& executed, std::size_t firstSlot, std::size_t count);
   void warnOnce(char& warned, const char* text, Location location);
-
-  double evaluate(int index, const OptionState& option);
-  double operand(int index, const OptionState& option);
-  double input(const Expression& expression, const OptionState& option);
-  double divide(int index, const OptionState& option);
-  double modulo(int index, const OptionState& option);
   bool actionDone(const OptionState& option) const;
   bool subOptionDone(Span actions) const;
 
@@ -154,6 +180,7 @@ class Engine {
   Activation::Kind rootKind_ = Activation::Kind::option;
   int root_ = 0;
   TeamCooperation cooperation_;
+  TraceRecorder* recorder_ = nullptr;
   bool cooperates_ = false;    // whether any state is cooperative
   std::vector<char> pending_;  // of XABSL 2.1: the outputs to set after the graph
 

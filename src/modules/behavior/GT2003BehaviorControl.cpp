@@ -1,9 +1,13 @@
 #include "modules/behavior/GT2003BehaviorControl.h"
 
+#include "representations/behavior/BehaviorTrace.h"
+#include "xabsl/trace/TraceFile.h"
+
 namespace gt {
 namespace {
 
 const DebugKey sendActivations{"BehaviorControl/activations"};
+const DebugKey sendTrace{"BehaviorControl/trace"};
 
 }  // namespace
 
@@ -16,7 +20,25 @@ void GT2003BehaviorControl::load(const Behavior& behavior, Debug& debug) {
   loaded_ = behavior.compiled->shared();
   auto creation = xabsl::Engine::create(*behavior.compiled, symbols());
   for (const xabsl::Diagnostic& diagnostic : creation.diagnostics) debug.text(toString(diagnostic));
-  if (creation.engine) engine_ = std::move(creation.engine);
+  if (!creation.engine) return;
+  engine_ = std::move(creation.engine);
+  recording_ = false;
+}
+
+/// What the trace is about comes first, once; then each cycle by itself.
+void GT2003BehaviorControl::execute(Time now, Debug& debug) {
+  const bool record = debug.isActive(sendTrace);
+  engine_->record(record ? &recorder_ : nullptr);
+  engine_->execute(now.ms);
+  if (record) {
+    std::string text;
+    if (!recording_) text = toText(xabsl::TraceSubject::of(*engine_));
+    text += toText(recorder_.events());
+    recorder_.clear();
+    debug.out().write(now, BehaviorTrace{std::move(text)});
+  }
+  recording_ = record;
+  if (debug.isActive(sendActivations)) debug.text(xabsl::toString(engine_->activations()));
 }
 
 void GT2003BehaviorControl::update(const FrameInfo& frame, const Behavior& behavior,
@@ -33,15 +55,13 @@ void GT2003BehaviorControl::update(const FrameInfo& frame, const Behavior& behav
 
   skills_.stand();
   outputs_ = {};
-  if (engine_) engine_->execute(frame.time.ms);
+  if (engine_) execute(frame.time, debug);
 
   motionRequest = motionRequest_;
   motionRequest.time = frame.time;
   headControlMode = outputs_.head;
   ledRequest = outputs_.leds;
   message = {role_, estimatedTimeToReachBall(world_)};
-  if (engine_ && debug.keys().isActive(sendActivations, frame.time))
-    debug.text(xabsl::toString(engine_->activations()));
 }
 
 }  // namespace gt

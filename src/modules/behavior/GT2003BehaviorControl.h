@@ -40,6 +40,7 @@ class GT2003BehaviorControl {
 
  private:
   void load(const Behavior& behavior, Debug& debug);
+  void execute(Time now, Debug& debug);
 
   WorldState world_;
   MotionRequest motionRequest_;
@@ -50,6 +51,8 @@ class GT2003BehaviorControl {
   xabsl::Symbols symbols_;
   std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that no other gets its address
   std::optional<xabsl::Engine> engine_;
+  xabsl::TraceRecorder recorder_{10'000};
+  bool recording_ = false;
 };
 
 }  // namespace gt

@@ -1,8 +1,13 @@
 #include "modules/behavior/GT2003BehaviorControl.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "representations/behavior/BehaviorTrace.h"
+#include "xabsl/trace/TraceFile.h"
+#include "xabsl/trace/TracePrinter.h"
 
 namespace gt {
 namespace {
@@ -76,6 +81,33 @@ TEST_F(GT2003BehaviorControlTest, KeepsItsBehaviorWhereANewOneDoesNotLink) {
   run(calling("getup"));
   EXPECT_EQ(control.engine()->activations().back().name, "getup");
   EXPECT_EQ(motionRequest.type, MotionType::getup);
+}
+
+TEST_F(GT2003BehaviorControlTest, TellsWhatItDecidedWhileTheKeyIsActive) {
+  const auto traced = [&] {
+    std::string text;
+    debug.out().handleAllMessages([&](const Message& sent) {
+      BehaviorTrace part;
+      if (sent.is<BehaviorTrace>() && sent.read(part)) text += part.text;
+    });
+    debug.out().clear();
+    return text;
+  };
+  cycle();
+  EXPECT_EQ(traced(), "");
+  debug.keys().set(*DebugKey::find("BehaviorControl/trace"), {DebugKeyMode::always, 0});
+  cycle();
+  body.state = BodyState::fallen;
+  cycle();
+  const auto reading = xabsl::readTraces("trace", traced());
+  ASSERT_EQ(reading.traces.size(), 1u);
+  std::string text;
+  xabsl::forEachCycle(reading.traces[0].events, [&](const auto* first, const auto* last) {
+    text += xabsl::printCycle(reading.traces[0].subject, first, last);
+  });
+  EXPECT_THAT(text,
+              ::testing::HasSubstr("play_soccer(): wait -> get_up\n"
+                                   "      yes: body.fallen  (behavior/options/play_soccer.xabsl:"));
 }
 
 TEST_F(GT2003BehaviorControlTest, StandsUntilTheGameBegins) {

@@ -1,0 +1,97 @@
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "Commands.h"
+#include "xabsl/trace/Coverage.h"
+#include "xabsl/trace/Moment.h"
+#include "xabsl/trace/Question.h"
+#include "xabsl/trace/TraceFile.h"
+#include "xabsl/trace/TracePrinter.h"
+
+namespace xabsl::app {
+
+namespace {
+
+struct Options {
+  std::string file;
+  std::string first;
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  bool all = false;
+  bool coverage = false;
+};
+
+void printTrace(const Trace& trace, const Options& options) {
+  const TraceEvent* before = nullptr;
+  forEachCycle(trace.events, [&](const TraceEvent* first, const TraceEvent* last) {
+    const bool wanted = first->value >= options.from && first->value <= options.to;
+    if (wanted && (options.all || isEventful(first, last, before)))
+      std::cout << printCycle(trace.subject, first, last, options.all);
+    before = first;
+  });
+}
+
+/// Prints the first cycle for which the condition holds; false: there is none.
+bool printFirst(const Trace& trace, const Options& options) {
+  Moment moment(trace.subject);
+  Question::Making making =
+      Question::make(moment, options.first, {ValueKind::boolean, -1}, "condition", {0, 1, 1});
+  print(making.diagnostics);
+  if (!making.question) throw Failure{};
+  bool found = false;
+  forEachCycle(trace.events, [&](const TraceEvent* first, const TraceEvent* last) {
+    if (found) return;
+    moment.take(first, last);
+    if (first->value < options.from || first->value > options.to) return;
+    if (making.question->answer().value_or(0) == 0) return;
+    std::cout << printCycle(trace.subject, first, last, true);
+    found = true;
+  });
+  return found;
+}
+
+void show(const Options& options) {
+  const TraceReading reading = loadTraces(options.file);
+  print(reading.diagnostics);
+  if (reading.traces.empty()) throw Failure{};
+  for (const Trace& trace : reading.traces) {
+    if (options.coverage) {
+      Coverage coverage(trace.subject);
+      coverage.add(trace.events);
+      std::cout << coverage.report();
+    } else if (options.first.empty()) {
+      printTrace(trace, options);
+    } else if (printFirst(trace, options)) {
+      return;
+    }
+  }
+  if (options.first.empty()) return;
+  std::cerr << options.file << ": this never holds: " << options.first << '\n';
+  throw Failure{1};
+}
+
+}  // namespace
+
+void addTrace(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("trace", "Tell from a recorded trace why a behavior did what it did");
+  auto options = std::make_shared<Options>();
+  command->add_option("file", options->file, "The trace")->required();
+  auto* first = command->add_option(
+      "--first", options->first,
+      "Print the first cycle in which a condition holds: 'ball.distance < 200', 'OPTION == STATE', "
+      "'OPTION.previous == STATE', 'OPTION.active', 'BASIC_BEHAVIOR'");
+  auto* coverage = command->add_flag("--coverage", options->coverage,
+                                     "Tell which states and transitions never occurred");
+  command->add_option("--from", options->from, "From this time, in ms");
+  command->add_option("--to", options->to, "Up to this time, in ms");
+  command->add_flag("--all", options->all,
+                    "Print all cycles, conditions and outputs, not only where something changed");
+  first->excludes(coverage);
+  command->callback([options] { show(*options); });
+}
+
+}  // namespace xabsl::app

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace xabsl {
+
+/// One thing that an engine did. Index and value depend on the kind:
+struct TraceEvent {
+  enum class Kind : std::uint8_t {
+    cycle,       // value: the time in ms
+    option,      // an option begins to decide; index: option, value: depth
+    read,        // index: expression, value: what it was
+    argument,    // of the next read, which is a function; index: parameter
+    decide,      // index: decision, value: 1 if its condition held
+    change,      // from one state to another; index: from, value: to
+    state,       // an option has decided; index: state, value: ms since it became active
+    optionTime,  // of the same option; index: option, value: ms since it became active
+    behavior,    // index: basic behavior, value: depth
+    parameter,   // of the option or basic behavior before; index: parameter
+    assign       // index: output or internal symbol
+  };
+  static constexpr int kinds = 11;
+
+  Kind kind = Kind::cycle;
+  int index = 0;
+  double value = 0;
+
+  bool operator==(const TraceEvent&) const = default;
+};
+
+/// Remembers what an engine did in its last cycles, in memory that is allocated once: the oldest
+/// events give way to new ones.
+class TraceRecorder {
+ public:
+  /// A cycle is some ten events for each active option.
+  explicit TraceRecorder(std::size_t events) : ring_(events < 1 ? 1 : events) {}
+
+  void add(TraceEvent::Kind kind, int index, double value) {
+    ring_[next_] = {kind, index, value};
+    if (++next_ == ring_.size()) next_ = 0;
+    if (count_ < ring_.size()) ++count_;
+  }
+
+  /// What is remembered, oldest first; begins with the first cycle that is there whole.
+  std::vector<TraceEvent> events() const {
+    std::vector<TraceEvent> events;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const TraceEvent& event = ring_[(next_ + ring_.size() - count_ + i) % ring_.size()];
+      if (!events.empty() || event.kind == TraceEvent::Kind::cycle) events.push_back(event);
+    }
+    return events;
+  }
+
+  void clear() { count_ = 0; }
+
+ private:
+  std::vector<TraceEvent> ring_;
+  std::size_t next_ = 0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace xabsl
