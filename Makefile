@@ -32,8 +32,10 @@ packages:
 
 build: packages
 	@cmake --preset $(PRESET) >/dev/null
-	@cmake --build --preset $(PRESET) --parallel $(JOBS)
+	@cmake --build --preset $(PRESET) --parallel $(JOBS) $(TARGETS)
 
+# A match needs one program only.
+play: TARGETS = --target simgt
 play: build
 	@$(BUILD)/bin/simgt play scenes/match.scene --minutes $(MINUTES) --seed $(SEED) --threads $(JOBS) --out $(OUT)
 
@@ -43,7 +45,6 @@ test: build
 replay: build
 	@$(BUILD)/bin/replay --out out/replay
 
-bench: PACKAGES += libprotobuf-dev protobuf-compiler
 # The full test of a robot's programs: each is killed 50 times in a match.
 kill-test: build
 	@GT_KILLS=50 $(BUILD)/bin/robot_programs_test --gtest_filter=*AnyProcess*
@@ -52,6 +53,7 @@ kill-test: build
 play-remote: build
 	@scripts/play-remote $(BUILD) 1 red1 red2 red3 red4
 
+bench: PACKAGES += libprotobuf-dev protobuf-compiler
 bench: build
 	@$(BUILD)/bin/bench --json out/bench.json
 
