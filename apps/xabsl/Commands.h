@@ -30,6 +30,7 @@ void addCompile(CLI::App& program);
 void addDoc(CLI::App& program);
 void addFormat(CLI::App& program);
 void addHeader(CLI::App& program);
+void addTest(CLI::App& program);
 void addTrace(CLI::App& program);
 
 }  // namespace xabsl::app

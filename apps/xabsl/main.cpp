@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   xabsl::app::addDoc(program);
   xabsl::app::addFormat(program);
   xabsl::app::addHeader(program);
+  xabsl::app::addTest(program);
   xabsl::app::addTrace(program);
   try {
     program.parse(argc, argv);

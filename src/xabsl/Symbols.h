@@ -141,6 +141,17 @@ class Symbols {
     behavior(name, {}, std::move(callable));
   }
 
+  /// The same for tools, which know names and types as data only.
+  void addInput(const std::string& name, RegisteredFunction function) {
+    inputs_[name] = std::move(function);
+  }
+  void addOutput(const std::string& name, RegisteredFunction function) {
+    outputs_[name] = std::move(function);
+  }
+  void addBehavior(const std::string& name, RegisteredFunction function) {
+    behaviors_[name] = std::move(function);
+  }
+
   /// What stands for a name, or null.
   const RegisteredFunction* findInput(const std::string& name) const { return find(inputs_, name); }
   const RegisteredFunction* findOutput(const std::string& name) const {

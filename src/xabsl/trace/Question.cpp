@@ -57,6 +57,9 @@ Diagnostic placed(Diagnostic diagnostic, std::string_view expression, const std:
   const int line = std::clamp(diagnostic.line - 2, 0, lines - 1);
   if (line != diagnostic.line - 2) diagnostic.column = 1;
   diagnostic.file = file;
+  constexpr std::string_view where = " in option question.option";
+  if (const std::size_t at = diagnostic.message.find(where); at != std::string::npos)
+    diagnostic.message.erase(at, where.size());
   if (line == 0) diagnostic.column += place.column - 1;
   diagnostic.line = place.line + line;
   if (line == 0 && place.column > 1 && !diagnostic.source.empty())
