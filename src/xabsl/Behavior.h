@@ -35,7 +35,7 @@ struct Compilation {
 /// disk.
 using VirtualFiles = std::map<std::string, std::string>;
 
-/// Compiles XABSL 3.1 text from the file with the agents and all that it includes.
+/// Compiles XABSL 3.1 text, or XABSL 2.1 in XML, from the file with the agents and all that it includes.
 Compilation compile(const std::string& path);
 
 /// The same from files in memory.

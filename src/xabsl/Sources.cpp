@@ -10,6 +10,10 @@
 #include <utility>
 
 #include "xabsl/Parser.h"
+#include "xabsl/XmlParser.h"
+#include "xabsl/XmlReader.h"
+#include "xabsl/XmlSchema.h"
+#include "xabsl/XmlSources.h"
 
 namespace xabsl {
 
@@ -114,7 +118,12 @@ std::optional<std::string> readFile(const std::string& path, std::string& text,
 
 void readSources(const std::string& path, const FileReader& read, syntax::Program& program,
                  Reporter& reporter) {
-  Loader(read, program, reporter).run(normal(path));
+  std::string first;
+  if (read(normal(path), first) || !xml::isXml(first))
+    return Loader(read, program, reporter).run(normal(path));
+  const xml::Files files = xml::readFiles(path, read, program, reporter);
+  if (!reporter.failed()) xml::validate(files, reporter);
+  if (!reporter.failed()) xml::Parser(files, reporter, program).parse();
 }
 
 }  // namespace xabsl

@@ -22,8 +22,8 @@ constexpr std::size_t mostFiles = 10'000;
 std::optional<std::string> readFile(const std::string& path, std::string& text,
                                     std::size_t largest = largestFile);
 
-/// Reads XABSL 3.1 text from a file and all that it includes, each once, into a program, which
-/// holds the texts. What is wrong is told to the reporter.
+/// Reads XABSL 3.1 text or XABSL 2.1 in XML from a file and all that it includes, each once, into a
+/// program, which holds the texts. What is wrong is told to the reporter.
 void readSources(const std::string& path, const FileReader& read, syntax::Program& program,
                  Reporter& reporter);
 

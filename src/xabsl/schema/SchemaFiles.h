@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+/// The XML Schemas of XABSL 2.1, as they stand in this folder, held in the program.
+namespace xabsl::schema {
+
+std::string_view agentCollection();
+std::string_view option();
+std::string_view symbols();
+std::string_view basicBehaviors();
+std::string_view optionDefinitions();
+std::string_view parameter();
+std::string_view expressions();
+
+}  // namespace xabsl::schema
