@@ -79,6 +79,12 @@ void Engine::prepareParameters() {
 /// Puts this engine's values and slots into the expressions, so that a cycle need not look for
 /// them.
 void Engine::prepareExpressions() {
+  // The first expressions are what stands for parameters that are not given.
+  for (std::size_t i = 0; i < bindings_.firstElements.size(); ++i) {
+    const auto index = at(Model::defaultExpression({ValueKind::enumeration, static_cast<int>(i)}));
+    expressions_[index].operation = Operator::constant;
+    expressions_[index].number = bindings_.firstElements[i];
+  }
   for (Expression& expression : expressions_) {
     if (expression.operation == Operator::element) {
       expression.number = bindings_.elements[at(expression.a)][at(expression.b)];
@@ -96,7 +102,7 @@ void Engine::prepareExpressions() {
 }
 
 double Engine::firstValue(Type type) const {
-  return type.kind == ValueKind::enumeration ? bindings_.elements[at(type.enumeration)][0] : 0;
+  return type.kind == ValueKind::enumeration ? bindings_.firstElements[at(type.enumeration)] : 0;
 }
 
 void Engine::execute(std::int64_t now) {

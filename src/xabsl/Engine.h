@@ -77,6 +77,16 @@ class Engine {
   /// The value of a symbol now; nothing for functions with parameters and unknown names.
   std::optional<NamedValue> symbol(std::string_view name) const;
 
+  /// An argument for a symbol with parameters, written as NamedValue::text shows it.
+  struct Argument {
+    std::string_view parameter;
+    std::string_view value;
+  };
+  /// The value of a symbol with parameters now; those not given are 0, false or the first element.
+  /// Nothing if there is no such symbol, parameter or value.
+  std::optional<NamedValue> symbol(std::string_view name,
+                                   const std::vector<Argument>& arguments) const;
+
   /// What went wrong while running, each once: division by zero and what was executed twice in a
   /// cycle.
   std::vector<Diagnostic> warnings() const;

@@ -83,6 +83,28 @@ bool Engine::setOutput(std::string_view name, std::string_view value) {
   return true;
 }
 
+std::optional<NamedValue> Engine::symbol(std::string_view name,
+                                         const std::vector<Argument>& arguments) const {
+  const int index = indexOf(model_->symbols, name);
+  if (index < 0) return std::nullopt;
+  const auto i = static_cast<std::size_t>(index);
+  const Symbol& symbol = model_->symbols[i];
+  if (symbol.parameters.empty()) return arguments.empty() ? this->symbol(name) : std::nullopt;
+  std::vector<double> values(symbol.parameters.size());
+  const std::vector<int>& order = bindings_.symbols[i].order;
+  for (std::size_t p = 0; p < values.size(); ++p)
+    values[static_cast<std::size_t>(order[p])] = firstValue(symbol.parameters[p].type);
+  for (const Argument& argument : arguments) {
+    const int parameter = indexOf(symbol.parameters, argument.parameter);
+    if (parameter < 0) return std::nullopt;
+    const auto p = static_cast<std::size_t>(parameter);
+    const std::optional<double> value = read(symbol.parameters[p].type, argument.value);
+    if (!value) return std::nullopt;
+    values[static_cast<std::size_t>(order[p])] = *value;
+  }
+  return named(symbol.name, symbol.type, ports_[i].call(ports_[i].object, values.data()));
+}
+
 std::optional<double> Engine::read(Type type, std::string_view text) const {
   if (type.kind == ValueKind::boolean) {
     if (text != "true" && text != "false") return std::nullopt;

@@ -78,6 +78,12 @@ TEST_F(EngineTest, ReadsEverySymbolByName) {
   EXPECT_EQ(engine->symbol("result")->number, 4);
   EXPECT_FALSE(engine->symbol("weighted"));  // a function has no value without parameters
   EXPECT_FALSE(engine->symbol("nothing"));
+  EXPECT_EQ(engine->symbol("weighted", {{"b", "3"}, {"a", "2"}})->number, 23);
+  EXPECT_EQ(engine->symbol("weighted", {})->number, 0);
+  EXPECT_EQ(engine->symbol("x", {})->number, 2.5);
+  EXPECT_FALSE(engine->symbol("weighted", {{"c", "3"}}));
+  EXPECT_FALSE(engine->symbol("weighted", {{"a", "true"}}));
+  EXPECT_FALSE(engine->symbol("x", {{"a", "1"}}));
 }
 
 TEST_F(EngineTest, SelectsAgents) {

@@ -23,8 +23,10 @@ class Linker {
 
   Bindings run() {
     Bindings bindings;
-    for (const Enumeration& enumeration : model_.enumerations)
+    for (const Enumeration& enumeration : model_.enumerations) {
       bindings.elements.push_back(elements(enumeration));
+      bindings.firstElements.push_back(firstElement(enumeration));
+    }
     for (const Symbol& symbol : model_.symbols) bindings.symbols.push_back(bind(symbol));
     for (const BasicBehavior& behavior : model_.behaviors)
       bindings.behaviors.push_back(bind(behavior));
@@ -49,6 +51,15 @@ class Linker {
       values.push_back(static_cast<double>(found - registered->elements.begin()));
     }
     return values;
+  }
+
+  double firstElement(const Enumeration& enumeration) const {
+    const RegisteredEnumeration* registered = symbols_.findEnumeration(enumeration.name);
+    if (!registered) return 0;
+    // Values may have gaps, which have no names.
+    const auto first = std::find_if(registered->elements.begin(), registered->elements.end(),
+                                    [](const std::string& name) { return !name.empty(); });
+    return static_cast<double>(first - registered->elements.begin());
   }
 
   void missingElement(const Enumeration& enumeration, const EnumerationElement& element,

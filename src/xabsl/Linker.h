@@ -20,6 +20,9 @@ struct Bindings {
   std::vector<Bound> behaviors;
   std::vector<std::vector<double>>
       elements;  // per enumeration: the registered value of each element
+  /// Per enumeration: what symbols and parameters begin with. As in the engines of others it is the
+  /// first element that was registered, wherever that stands in XABSL.
+  std::vector<double> firstElements;
 };
 
 /// Looks up all that a model declares among what is registered. What is missing or of another type
