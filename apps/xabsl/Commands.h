@@ -27,6 +27,7 @@ void writeFile(const std::string& path, const std::string& text);
 
 void addCheck(CLI::App& program);
 void addCompile(CLI::App& program);
+void addConvert(CLI::App& program);
 void addDoc(CLI::App& program);
 void addFormat(CLI::App& program);
 void addHeader(CLI::App& program);

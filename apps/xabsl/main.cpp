@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   xabsl::app::addCheck(program);
   xabsl::app::addCompile(program);
+  xabsl::app::addConvert(program);
   xabsl::app::addDoc(program);
   xabsl::app::addFormat(program);
   xabsl::app::addHeader(program);

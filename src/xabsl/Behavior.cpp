@@ -34,14 +34,7 @@ Compilation compile(const std::string& path) {
 }
 
 Compilation compile(const std::string& path, const VirtualFiles& files) {
-  return compile(path, FileReader([&](const std::string& name,
-                                      std::string& text) -> std::optional<std::string> {
-                   const auto found = files.find(name);
-                   if (found == files.end()) return "there is no such file";
-                   if (found->second.size() > largestFile) return "the file is larger than 2 MiB";
-                   text = found->second;
-                   return std::nullopt;
-                 }));
+  return compile(path, readerOf(files));
 }
 
 }  // namespace xabsl

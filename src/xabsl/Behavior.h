@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "xabsl/Diagnostic.h"
 #include "xabsl/Model.h"
+#include "xabsl/VirtualFiles.h"
 
 namespace xabsl {
 
@@ -30,10 +30,6 @@ struct Compilation {
   std::optional<Behavior> behavior;
   std::vector<Diagnostic> diagnostics;
 };
-
-/// Files held in memory: text by path. Includes are looked up relative to the including file, as on
-/// disk.
-using VirtualFiles = std::map<std::string, std::string>;
 
 /// Compiles XABSL 3.1 text, or XABSL 2.1 in XML, from the file with the agents and all that it includes.
 Compilation compile(const std::string& path);

@@ -116,6 +116,16 @@ std::optional<std::string> readFile(const std::string& path, std::string& text,
   return std::nullopt;
 }
 
+FileReader readerOf(const VirtualFiles& files) {
+  return [&files](const std::string& path, std::string& text) -> std::optional<std::string> {
+    const auto found = files.find(path);
+    if (found == files.end()) return "there is no such file";
+    if (found->second.size() > largestFile) return "the file is larger than 2 MiB";
+    text = found->second;
+    return std::nullopt;
+  };
+}
+
 void readSources(const std::string& path, const FileReader& read, syntax::Program& program,
                  Reporter& reporter) {
   std::string first;

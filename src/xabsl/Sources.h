@@ -6,6 +6,7 @@
 
 #include "xabsl/Reporter.h"
 #include "xabsl/Syntax.h"
+#include "xabsl/VirtualFiles.h"
 
 namespace xabsl {
 
@@ -21,6 +22,9 @@ constexpr std::size_t mostFiles = 10'000;
 /// Reads a regular file from disk; returns why it cannot, also if it has more than `largest` bytes.
 std::optional<std::string> readFile(const std::string& path, std::string& text,
                                     std::size_t largest = largestFile);
+
+/// Reads from files in memory, which must stay as long as it is used.
+FileReader readerOf(const VirtualFiles& files);
 
 /// Reads XABSL 3.1 text or XABSL 2.1 in XML from a file and all that it includes, each once, into a
 /// program, which holds the texts. What is wrong is told to the reporter.

@@ -1,7 +1,7 @@
 #include "xabsl/XmlParser.h"
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <utility>
 
 /// What is declared: agents, symbols, basic behaviors and prototypes of options (report F.2 to F.4,
@@ -34,6 +34,18 @@ bool same(const Element& a, const Element& b) {
   return true;
 }
 
+/// What stands before the last point of all elements, or nothing.
+std::string_view commonPrefix(const Enumeration& enumeration) {
+  std::string_view prefix;
+  for (const Name& element : enumeration.elements) {
+    const std::string_view own = element.text.substr(0, element.text.rfind('.'));
+    if (own.size() == element.text.size() || own.empty()) return {};
+    if (&element != &enumeration.elements.front() && own != prefix) return {};
+    prefix = own;
+  }
+  return prefix;
+}
+
 }  // namespace
 
 std::string_view withoutOwner(std::string_view name, std::string_view owner) {
@@ -41,6 +53,19 @@ std::string_view withoutOwner(std::string_view name, std::string_view owner) {
                          name[owner.size()] == '.';
   return qualified ? name.substr(owner.size() + 1) : name;
 }
+
+namespace {
+
+/// Whether an enumeration has the elements of another one, which bear its name before them or not.
+bool haveSameElements(const Enumeration& known, const Enumeration& other) {
+  const std::string_view owner = known.name.text;
+  return std::equal(known.elements.begin(), known.elements.end(), other.elements.begin(),
+                    other.elements.end(), [&](const Name& a, const Name& b) {
+                      return withoutOwner(a.text, owner) == withoutOwner(b.text, owner);
+                    });
+}
+
+}  // namespace
 
 Parser::Parser(const Files& files, Reporter& reporter, Program& program)
     : files_(files), reporter_(reporter), program_(program) {}
@@ -180,7 +205,9 @@ void Parser::symbol(const Element& element, int space) {
   program_.symbols.push_back(std::move(symbol));
 }
 
-/// In 2.1 each enumerated symbol has elements of its own: an enumeration of its name.
+/// In 2.1 each enumerated symbol has elements of its own. Their enumeration bears the name that
+/// stands before all of them (`op-mode.fast`), otherwise that of the symbol; symbols with the same
+/// elements share it.
 void Parser::enumeratedSymbol(const Element& element, int space) {
   Enumeration enumeration;
   static_cast<Declaration&>(enumeration) = declaration(element, "name", space);
@@ -193,6 +220,19 @@ void Parser::enumeratedSymbol(const Element& element, int space) {
   static_cast<Declaration&>(symbol) = declaration(element, "name", space);
   symbol.kind = element.is("enumerated-input-symbol") ? SymbolKind::input : SymbolKind::output;
   symbol.type = {ValueKind::enumeration, enumeration.name};
+  const std::string_view prefix = commonPrefix(enumeration);
+  for (const std::string_view name : {prefix, symbol.name.text}) {
+    if (name.empty()) continue;
+    const auto known =
+        std::find_if(program_.enumerations.begin(), program_.enumerations.end(),
+                     [&](const Enumeration& other) { return other.name.text == name; });
+    const bool taken = known != program_.enumerations.end();
+    if (taken && !haveSameElements(*known, enumeration)) continue;
+    enumeration.name.text = name;
+    symbol.type.enumeration = enumeration.name;
+    if (taken) return program_.symbols.push_back(std::move(symbol));
+    break;
+  }
   program_.enumerations.push_back(std::move(enumeration));
   program_.symbols.push_back(std::move(symbol));
 }

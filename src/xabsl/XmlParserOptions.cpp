@@ -135,7 +135,8 @@ std::vector<Argument> Parser::arguments(const Element& element) {
   std::vector<Argument> arguments;
   for (const Element* child : elementsOf(element)) {
     Argument argument;
-    argument.name = {child->attribute("ref"), child->find("ref")->location};
+    argument.name = {withoutOwner(child->attribute("ref"), element.attribute("ref")),
+                     child->find("ref")->location};
     argument.value = expression(*elementsOf(*child).front());
     arguments.push_back(std::move(argument));
   }

@@ -1,0 +1,44 @@
+#include "xabsl/Convert.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "Commands.h"
+
+namespace xabsl::app {
+
+void addConvert(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "convert", "Write a behavior in the other form: XABSL 2.1 in XML, or XABSL 3.1 as text");
+  auto input = std::make_shared<std::string>();
+  auto output = std::make_shared<std::string>();
+  command->add_option("agents", *input, "The file that declares the agents")->required();
+  command
+      ->add_option(
+          "-o,--output", *output,
+          "The new file with the agents; `.xml` or `.xabsl` says in which form. The others "
+          "are written beside it")
+      ->required();
+  command->callback([input, output] {
+    const std::filesystem::path root(*output);
+    const bool toXml = root.extension() == ".xml";
+    if (!toXml && root.extension() != ".xabsl") {
+      std::cerr << *output << ": error: expected a name that ends with .xml or .xabsl\n";
+      throw Failure{};
+    }
+    const Conversion conversion =
+        convert(*input, toXml ? Form::xml21 : Form::text31, root.filename().string());
+    print(conversion.diagnostics);
+    if (!conversion.files) throw Failure{};
+    for (const auto& [path, text] : *conversion.files) {
+      const std::filesystem::path target = root.parent_path() / path;
+      std::error_code ignored;  // writing tells
+      std::filesystem::create_directories(target.parent_path(), ignored);
+      writeFile(target.string(), text);
+    }
+  });
+}
+
+}  // namespace xabsl::app

@@ -1,0 +1,43 @@
+#include "xabsl/Convert.h"
+
+#include <utility>
+
+#include "xabsl/Analyzer.h"
+#include "xabsl/SourceWriter.h"
+#include "xabsl/Sources.h"
+
+namespace xabsl {
+
+namespace {
+
+Conversion convert(const std::string& path, const FileReader& read, Form form,
+                   const std::string& root) {
+  Reporter reporter;
+  syntax::Program program;
+  readSources(path, read, program, reporter);
+  // Only what is sound is converted: a writer need not ask what names stand for.
+  if (!reporter.failed()) Analyzer(program, reporter).analyze();
+  Conversion conversion;
+  if (!reporter.failed()) {
+    VirtualFiles files = form == Form::xml21 ? writeXml(program, root, reporter)
+                                             : writeText(program, root, reporter);
+    if (!reporter.failed()) conversion.files = std::move(files);
+  }
+  conversion.diagnostics = reporter.take();
+  return conversion;
+}
+
+}  // namespace
+
+Conversion convert(const std::string& path, Form form, const std::string& root) {
+  return convert(
+      path, [](const std::string& name, std::string& text) { return readFile(name, text); }, form,
+      root);
+}
+
+Conversion convert(const std::string& path, const VirtualFiles& files, Form form,
+                   const std::string& root) {
+  return convert(path, readerOf(files), form, root);
+}
+
+}  // namespace xabsl
