@@ -31,7 +31,8 @@ struct Compilation {
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Compiles XABSL 3.1 text, or XABSL 2.1 in XML, from the file with the agents and all that it includes.
+/// Compiles XABSL 3.1 text, or XABSL 2.1 in XML, from the file with the agents and all that it
+/// includes.
 Compilation compile(const std::string& path);
 
 /// The same from files in memory.
