@@ -190,11 +190,20 @@ Result<void> layout(Console& console, const Words& words) {
   });
 }
 
+Result<void> behavior(Console& console, const Words& words) {
+  if (words.size() != 2) return wrongArguments(words);
+  return console.forEachRobot([&](Robot& robot) {
+    return robot.request(BehaviorRequest{words[1], {}});
+  });
+}
+
 }  // namespace
 
 std::vector<Command> robotCommands() {
   constexpr auto kind = Command::Kind::robot;
-  return {{kind, "dk", "? | KEY (off | on | NUMBER | every NUMBER [ms])",
+  return {{kind, "behavior", "FILE",
+           "Goes on with a behavior, or with the same one after it was edited.", behavior},
+          {kind, "dk", "? | KEY (off | on | NUMBER | every NUMBER [ms])",
            "Sets a debug key: never, always, so many times, every so many times or ms.", dk},
           {kind, "get", "? | TASK[.SOLUTION].PATH", "Prints a parameter, or all of them.", get},
           {kind, "layout", "FILE", "Regroups the modules to the processes of a layout.", layout},

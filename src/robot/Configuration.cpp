@@ -107,17 +107,9 @@ Result<void> readParameters(const SolutionTable& table, const fs::path& folder,
   return {};
 }
 
-Result<void> readBehavior(const std::string& path, Behavior& behavior) {
-  xabsl::Compilation compilation = xabsl::compile(path);
-  for (const xabsl::Diagnostic& diagnostic : compilation.diagnostics)
-    if (diagnostic.severity == xabsl::Diagnostic::Severity::error)
-      return Error{diagnostic.file, diagnostic.line, "column " + std::to_string(diagnostic.column),
-                   diagnostic.message};
-  behavior.compiled = std::move(compilation.behavior);
-  // Linking now tells of missing symbols before a robot runs.
-  GT2003BehaviorControl control;
-  for (const xabsl::Diagnostic& diagnostic :
-       xabsl::Engine::create(*behavior.compiled, control.symbols()).diagnostics)
+/// The first error of a compiler or linker.
+Result<void> check(const std::vector<xabsl::Diagnostic>& diagnostics) {
+  for (const xabsl::Diagnostic& diagnostic : diagnostics)
     if (diagnostic.severity == xabsl::Diagnostic::Severity::error)
       return Error{diagnostic.file, diagnostic.line, "column " + std::to_string(diagnostic.column),
                    diagnostic.message};
@@ -126,12 +118,26 @@ Result<void> readBehavior(const std::string& path, Behavior& behavior) {
 
 }  // namespace
 
+Result<Behavior> loadBehavior(const BehaviorRequest& request) {
+  xabsl::Compilation compilation =
+      request.text.empty() ? xabsl::compile(request.path)
+                           : xabsl::compile(request.path, {{request.path, request.text}});
+  if (auto done = check(compilation.diagnostics); !done) return done.error();
+  // Linking now tells of missing symbols before a robot runs.
+  GT2003BehaviorControl control;
+  if (auto done =
+          check(xabsl::Engine::create(*compilation.behavior, control.symbols()).diagnostics);
+      !done)
+    return done.error();
+  return Behavior{std::move(compilation.behavior)};
+}
+
 void Configuration::share(Blackboard& blackboard) const {
   blackboard.share(field);
   blackboard.share(robot);
   blackboard.share(colorTable);
   blackboard.share(motions);
-  blackboard.share(behavior);
+  blackboard.get<Behavior>() = behavior;
 }
 
 std::vector<const RepresentationType*> Configuration::representations() {
@@ -147,7 +153,6 @@ Result<std::shared_ptr<const Configuration>> loadConfiguration(const Configurati
   auto configuration = std::make_shared<Configuration>();
   configuration->field = std::make_shared<FieldDimensions>();
   configuration->robot = std::make_shared<RobotDimensions>();
-  configuration->behavior = std::make_shared<Behavior>();
   if (auto done = readOptional(folder / "field.cfg", *configuration->field); !done)
     return done.error();
   if (auto done = readOptional(folder / "robot.cfg", *configuration->robot); !done)
@@ -160,8 +165,9 @@ Result<std::shared_ptr<const Configuration>> loadConfiguration(const Configurati
   auto motions = loadMotionNet(paths.motions);
   if (!motions) return motions.error();
   configuration->motions = std::make_shared<MotionNet>(std::move(*motions));
-  if (auto done = readBehavior(paths.behavior, *configuration->behavior); !done)
-    return done.error();
+  auto behavior = loadBehavior({paths.behavior, {}});
+  if (!behavior) return behavior.error();
+  configuration->behavior = std::move(*behavior);
   if (auto done = readSolutions(table, folder / "modules.cfg", configuration->solutions); !done)
     return done.error();
   if (auto done = readLog(folder / "log.cfg", configuration->log); !done) return done.error();

@@ -6,6 +6,7 @@
 #include "framework/Blackboard.h"
 #include "framework/SolutionTable.h"
 #include "modules/behavior/Behavior.h"
+#include "modules/behavior/BehaviorRequest.h"
 #include "modules/motion/MotionNetLoader.h"
 #include "modules/perception/ColorTableFile.h"
 #include "representations/infrastructure/FieldDimensions.h"
@@ -45,7 +46,7 @@ struct Configuration {
   std::shared_ptr<RobotDimensions> robot;
   std::shared_ptr<ColorTable64> colorTable;
   std::shared_ptr<MotionNet> motions;
-  std::shared_ptr<Behavior> behavior;
+  Behavior behavior;  ///< Each robot has its own: it may be edited while it runs.
   std::vector<SolutionChoice> solutions;
   std::vector<ParameterFile> parameters;
   LogSettings log;
@@ -54,6 +55,10 @@ struct Configuration {
   void share(Blackboard& blackboard) const;
   static std::vector<const RepresentationType*> representations();
 };
+
+/// Compiles a behavior and links it with what this robot offers; the first error tells file, line
+/// and column.
+Result<Behavior> loadBehavior(const BehaviorRequest& request);
 
 /// The folders and files that a configuration is read from.
 struct ConfigurationPaths {

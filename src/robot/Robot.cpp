@@ -52,16 +52,31 @@ Result<void> Robot::changeLayout(const Layout& layout) {
   return {};
 }
 
-void Robot::carryOutLayoutRequests(Time now) {
-  std::optional<LayoutRequest> wanted;
+Result<void> Robot::carryOut(const LayoutRequest& request) {
+  const auto layout = parseLayout(request.text, request.name);
+  return layout ? changeLayout(*layout) : Result<void>{layout.error()};
+}
+
+Result<void> Robot::request(const BehaviorRequest& request) {
+  auto behavior = loadBehavior(request);
+  if (!behavior) return behavior.error();
+  for (const auto& process : processes_)
+    if (process->blackboard().find(representation<Behavior>().name))
+      process->blackboard().get<Behavior>() = *behavior;
+  return {};
+}
+
+/// Requests that concern the robot as a whole: the last of a kind that came counts.
+template <typename Request, typename CarryOut>
+void Robot::carryOutLast(Time now, CarryOut carryOut) {
+  std::optional<Request> wanted;
   fromTools().handleAllMessages([&](const Message& message) {
-    LayoutRequest request;
-    if (message.is<LayoutRequest>() && message.read(request)) wanted = std::move(request);
+    Request request;
+    if (message.is<Request>() && message.read(request)) wanted = std::move(request);
   });
   if (!wanted) return;
-  fromTools().removeIf([](const Message& message) { return message.is<LayoutRequest>(); });
-  const auto layout = parseLayout(wanted->text, wanted->name);
-  const auto done = layout ? changeLayout(*layout) : Result<void>{layout.error()};
+  fromTools().removeIf([](const Message& message) { return message.is<Request>(); });
+  const Result<void> done = carryOut(*wanted);
   if (!done) toTools().write(now, Text{done.error().text()});
 }
 
@@ -119,7 +134,12 @@ const void* Robot::provided(const RepresentationType& type) const {
 
 void Robot::step(Time now) {
   for (const auto& process : processes_) process->step(now);
-  if (!fromTools().empty()) carryOutLayoutRequests(now);
+  if (!fromTools().empty()) {
+    carryOutLast<LayoutRequest>(now,
+                                [this](const LayoutRequest& wanted) { return carryOut(wanted); });
+    carryOutLast<BehaviorRequest>(
+        now, [this](const BehaviorRequest& wanted) { return request(wanted); });
+  }
   debug_->step(now);
 }
 

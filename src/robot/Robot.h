@@ -36,8 +36,12 @@ class Robot {
   /// the first that reads it. Returns its type.
   Result<const RepresentationType*> watch(const std::string& representation);
 
+  /// Has the robot go on with another behavior from its next cycle on; see BehaviorRequest.
+  Result<void> request(const BehaviorRequest& request);
+
   /// Gives each process, in the order of the layout, the chance to run once. Then carries out a
-  /// LayoutRequest that came from the tools; what is wrong with it is told by a text.
+  /// LayoutRequest or BehaviorRequest that came from the tools; what is wrong with it is told by a
+  /// text.
   void step(Time now);
 
   /// Regroups the modules to the processes of another layout, between two steps. They go on with
@@ -68,7 +72,9 @@ class Robot {
   explicit Robot(RobotSetup setup) : setup_{std::move(setup)} {}
   void build(Plan plan);
   void connect();
-  void carryOutLayoutRequests(Time now);
+  Result<void> carryOut(const LayoutRequest& request);
+  template <typename Request, typename CarryOut>
+  void carryOutLast(Time now, CarryOut carryOut);
   Result<void> configure(const Configuration& configuration);
   ModuleProcess* find(std::string_view process) const;
   ModuleProcess* providerOf(std::string_view representation) const;

@@ -32,11 +32,11 @@ std::unique_ptr<Robot> makeRobot(const std::string& layout = "layouts/cmd.layout
 }
 
 /// Lets a robot live without a simulator: it sees grey pictures and its joints obey.
-void live(Robot& robot, int ms) {
+void live(Robot& robot, int ms, int from = 0) {
   Image image;
   image.allocate();
   SensorDataBuffer sensors;
-  for (Time now{8}; now.ms <= ms; now = now + 8) {
+  for (Time now{from + 8}; now.ms <= from + ms; now = now + 8) {
     SensorData frame = sensors.newest();
     frame.time = now;
     if (const JointData* joints = robot.provided<JointData>()) frame.joints = joints->angles;
@@ -84,6 +84,49 @@ TEST(Robot, RequestsConcernWhatTheyName) {
   EXPECT_FALSE(robot->request(SolutionRequest{"SelfLocater", "MonteCarlo"}));
   EXPECT_FALSE(robot->request(WatchRequest{"RobotPose", "Nobody"}));
   EXPECT_FALSE(robot->request(DebugRequest{"no such key", DebugKeyMode::always}));
+}
+
+/// All texts that the robot has told, which are taken away.
+std::string told(Robot& robot) {
+  std::string texts;
+  robot.toTools().handleAllMessages([&](const Message& message) {
+    Text text;
+    if (message.is<Text>() && message.read(text)) texts += text.text + "\n";
+  });
+  robot.toTools().clear();
+  return texts;
+}
+
+TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {
+  const auto robot = makeRobot();
+  ASSERT_TRUE(robot->request(DebugRequest{"BehaviorControl/activations", DebugKeyMode::always, 0}));
+  live(*robot, 1000);
+  const std::string before = told(*robot);
+  EXPECT_NE(before.find("play_soccer() 960 ms: wait 960 ms"), before.npos) << before;
+
+  const auto wrong = robot->request(BehaviorRequest{"edited.xabsl", "option play {"});
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().file, "edited.xabsl");
+  const std::string flying =
+      "namespace s(\"\") { behavior fly {} } agent a(\"\", play_soccer);"
+      "option play_soccer { initial state wait { action { fly(); } } }";
+  robot->fromTools().write({1000}, BehaviorRequest{"edited.xabsl", flying});
+  live(*robot, 1000, 1000);
+  const std::string between = told(*robot);
+  EXPECT_NE(between.find("edited.xabsl"), between.npos) << "the message is shown";
+  EXPECT_NE(between.find("play_soccer() 1960 ms: wait 1960 ms"), between.npos) << between;
+
+  std::string edited = flying;
+  edited.replace(edited.find("fly"), 3, "getup");
+  edited.replace(edited.find("fly"), 3, "getup");
+  robot->fromTools().write({2000}, BehaviorRequest{"edited.xabsl", edited});
+  live(*robot, 1000, 2000);
+  const std::string after = told(*robot);
+  EXPECT_NE(after.find("play_soccer() 2960 ms: wait 2960 ms\n  getup()"), after.npos) << after;
+
+  ASSERT_TRUE(robot->request(BehaviorRequest{"behavior/GT2003.xabsl", {}}));
+  live(*robot, 1000, 3000);
+  EXPECT_NE(told(*robot).find("play_soccer() 3960 ms: wait 3960 ms\n  show_role"), after.npos);
 }
 
 TEST(Robot, SameSeedSameRobot) {

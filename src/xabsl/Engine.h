@@ -56,6 +56,12 @@ class Engine {
   /// above.
   bool setOutput(std::string_view name, std::string_view value);
 
+  /// Goes on where another engine is, with its behavior as it was edited: what has the same name
+  /// stays as it is. That are active options in states that are still there, with their times;
+  /// the values of output and internal symbols of the same type; the selected agent. All else
+  /// begins anew. To be called before the first cycle.
+  void goOnFrom(const Engine& other);
+
   /// Where the host sets priorities and carries messages between the engines of a team. Without
   /// messages an engine acts as if it were alone.
   TeamCooperation& cooperation() { return cooperation_; }

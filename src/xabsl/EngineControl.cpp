@@ -25,6 +25,39 @@ bool Engine::selectAgent(std::string_view name) {
   return true;
 }
 
+void Engine::goOnFrom(const Engine& other) {
+  cycle_ = other.cycle_;
+  now_ = other.now_;
+  for (OptionState& option : options_) {
+    const Option& declared = model_->options[static_cast<std::size_t>(option.option)];
+    const int before = indexOf(other.model_->options, declared.name);
+    if (before < 0) continue;
+    const OptionState& old = other.options_[static_cast<std::size_t>(before)];
+    if (old.state < 0) continue;
+    const std::string& state = other.model_->states[static_cast<std::size_t>(old.state)].name;
+    for (int i = declared.states.first; i < declared.states.first + declared.states.count; ++i) {
+      if (model_->states[static_cast<std::size_t>(i)].name != state) continue;
+      const int index = option.option;
+      option = old;
+      option.option = index;
+      option.state = i;
+    }
+  }
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    const Symbol& symbol = model_->symbols[i];
+    const int before = indexOf(other.model_->symbols, symbol.name);
+    if (symbol.kind == SymbolKind::input || before < 0) continue;
+    const Symbol& old = other.model_->symbols[static_cast<std::size_t>(before)];
+    if (old.kind != symbol.kind) continue;
+    // By its text, for elements may have changed their order.
+    const NamedValue value =
+        other.named(old.name, old.type, other.variables_[static_cast<std::size_t>(before)]);
+    if (old.type.kind == symbol.type.kind)
+      variables_[i] = read(symbol.type, value.text).value_or(variables_[i]);
+  }
+  selectAgent(other.selectedAgent());
+}
+
 bool Engine::selectRootOption(std::string_view name) {
   return select(Activation::Kind::option, indexOf(model_->options, name));
 }

@@ -69,6 +69,62 @@ TEST_F(EngineTest, SetsSymbolsByHand) {
   EXPECT_EQ(world.result, -3);
 }
 
+// An edited behavior
+
+TEST_F(EngineTest, GoesOnWithAnEditedBehavior) {
+  load(R"(
+    agent other("Other", main);
+    option main {
+      initial state a { decision { if (seen) goto b; else stay; } action { } }
+      state b { action { memory = memory + 1; current = third; sub(); } } }
+    option sub { initial state s { decision { goto t; } action { } } state t { action { } } })");
+  ASSERT_TRUE(engine->selectAgent("other"));
+  world.seen = true;
+  engine->execute(100);
+  engine->execute(130);
+  engine->execute(160);
+  const Engine before = std::move(*engine);
+  load(R"(
+    agent other("Other", main);
+    option added { initial state s { action { } } }
+    option main {
+      state c { action { } }
+      state b { action { result = memory; sub(); added(); } }
+      initial state a { decision { if (seen) goto c; else stay; } action { } } }
+    option sub { initial state u { action { } } state s { action { } } })");
+  engine->goOnFrom(before);
+  EXPECT_EQ(engine->selectedAgent(), "other");
+  EXPECT_EQ(engine->symbol("current")->text, "third");
+  engine->execute(190);
+  EXPECT_EQ(world.result, 3);
+  EXPECT_EQ(toString(engine->activations()),
+            "main() 90 ms: b 90 ms\n"
+            "  sub() 0 ms: u 0 ms\n"  // its state is gone
+            "  added() 0 ms: s 0 ms\n");
+}
+
+TEST_F(EngineTest, GoesOnWithTheSameBehaviorAsIfNothingHadHappened) {
+  const std::string text = R"(option main {
+    initial state a { decision { if (state_time >= 50) goto b; else stay; } action { } }
+    state b { decision { if (state_time >= 30) goto a; else stay; } action { } } })";
+  load(text);
+  std::string straight;
+  for (int i = 0; i < 20; ++i) {
+    engine->execute(10 * i);
+    straight += toString(engine->activations());
+  }
+  load(text);
+  std::string reloaded;
+  for (int i = 0; i < 20; ++i) {
+    engine->execute(10 * i);
+    reloaded += toString(engine->activations());
+    const Engine before = std::move(*engine);
+    load(text);
+    engine->goOnFrom(before);
+  }
+  EXPECT_EQ(reloaded, straight);
+}
+
 // XABSL 2.1 (report H.7)
 
 TEST_F(EngineTest, SetsOutputsOf21AfterTheGraph) {

@@ -21,6 +21,7 @@ void GT2003BehaviorControl::load(const Behavior& behavior, Debug& debug) {
   auto creation = xabsl::Engine::create(*behavior.compiled, symbols());
   for (const xabsl::Diagnostic& diagnostic : creation.diagnostics) debug.text(toString(diagnostic));
   if (!creation.engine) return;
+  if (engine_) creation.engine->goOnFrom(*engine_);
   engine_ = std::move(creation.engine);
   recording_ = false;
 }
