@@ -13,6 +13,7 @@ namespace xabsl::xml {
 namespace {
 
 constexpr std::size_t mostElements = 300'000;  // of one file; each costs memory
+constexpr std::size_t longestTag = 16u << 10;  // libxml2 compares each attribute with all others
 constexpr std::string_view includeNamespaces[] = {"http://www.w3.org/2001/XInclude",
                                                   "http://www.w3.org/2003/XInclude"};
 
@@ -53,20 +54,25 @@ class Lines {
   }
 
   Location at(std::size_t offset) const {
+    offset = std::min(offset, text_.size());
     const auto next = std::upper_bound(starts_.begin(), starts_.end(), offset);
-    const std::size_t start = *(next - 1);
+    // A file may be one line: what was counted for the last place is not counted again.
+    if (last_ > offset || last_ < *(next - 1)) {
+      last_ = *(next - 1);
+      letters_ = 0;
+    }
     // Columns count letters, not bytes.
-    const auto letters =
-        std::count_if(text_.begin() + static_cast<std::ptrdiff_t>(start),
-                      text_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text_.size())),
-                      [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; });
-    return {file_, static_cast<int>(next - starts_.begin()), static_cast<int>(letters) + 1};
+    for (; last_ < offset; ++last_)
+      letters_ += (static_cast<unsigned char>(text_[last_]) & 0xC0u) != 0x80u;
+    return {file_, static_cast<int>(next - starts_.begin()), letters_ + 1};
   }
 
  private:
   int file_;
   std::string_view text_;
   std::vector<std::size_t> starts_;
+  mutable std::size_t last_ = 0;  // the place that was asked for last
+  mutable int letters_ = 0;       // before it in its line
 };
 
 /// Reads one file with libxml2, and turns its tree into ours.
@@ -77,6 +83,8 @@ class Reader {
 
   std::vector<Element> read() {
     std::vector<Element> roots;
+    checkTags();
+    if (reported_) return roots;
     const std::unique_ptr<xmlParserCtxt, ParserDeleter> parser(xmlNewParserCtxt());
     if (!parser) return roots;
     parser_ = parser.get();
@@ -98,6 +106,15 @@ class Reader {
   }
 
  private:
+  void checkTags() {
+    std::size_t end = 0;
+    for (std::size_t i = text_.find('<'); i != std::string_view::npos; i = text_.find('<', end)) {
+      end = std::min(text_.find('>', i), text_.size());
+      if (text_.substr(i, 2) != "<!" && end - i > longestTag)
+        return fail(lines_.at(i), "the tag is longer than 16 KiB");
+    }
+  }
+
   /// Notes where each start tag begins; libxml2 itself only knows the line where it ends.
   static void startElement(void* context, const xmlChar* name, const xmlChar* prefix,
                            const xmlChar* uri, int namespaceCount, const xmlChar** namespaces,
@@ -140,7 +157,7 @@ class Reader {
       if (node->type == XML_ELEMENT_NODE) {
         element(*node, parent, place, depth);
       } else if (node->type == XML_ENTITY_REF_NODE) {
-        reference(*node, parent, place, depth);
+        reference(*node, parent, place);
       } else if (node->type == XML_COMMENT_NODE) {
         Element comment;
         comment.kind = Element::Kind::comment;
@@ -200,6 +217,10 @@ class Reader {
     if (space == "http://www.w3.org/2001/XMLSchema-instance" ||
         space == "http://www.w3.org/XML/1998/namespace")
       return;
+    for (const xmlNode* part = attribute.children; part; part = part->next)
+      if (part->type == XML_ENTITY_REF_NODE)
+        return fail(element.location,
+                    "entity '" + std::string(view(part->name)) + "' in the value of an attribute");
     const std::unique_ptr<xmlChar, StringDeleter> value(
         xmlNodeListGetString(node.doc, attribute.children, 1));
     const Location location =
@@ -229,12 +250,13 @@ class Reader {
   }
 
   /// `&name;` stands for an external file, or for what was declared inside of this one.
-  void reference(const xmlNode& node, Element& parent, Location place, int depth) {
+  void reference(const xmlNode& node, Element& parent, Location place) {
     const xmlEntity* entity = xmlGetDocEntity(node.doc, node.name);
     if (!entity)
       return fail(place, "entity '" + std::string(view(node.name)) + "' is not declared");
+    // Texts that stand for texts grow without bounds, and behaviors do not need them.
     if (entity->etype != XML_EXTERNAL_GENERAL_PARSED_ENTITY)
-      return children(entity->children, parent, place, depth + 1);
+      return fail(place, "entity '" + std::string(view(node.name)) + "' names no file");
     Element inclusion;
     inclusion.kind = Element::Kind::entity;
     inclusion.name = keep(view(node.name));
