@@ -18,8 +18,10 @@ std::string quoted(std::string_view text) {
 
 }  // namespace
 
-Analyzer::Analyzer(const syntax::Program& program, Reporter& reporter)
-    : program_(program), reporter_(reporter) {}
+Analyzer::Analyzer(const syntax::Program& program, Reporter& reporter, References* references)
+    : program_(program), reporter_(reporter), references_(references) {
+  if (references_) references_->declare(program);
+}
 
 Model Analyzer::analyze() {
   describeProgram();
@@ -173,7 +175,10 @@ void Analyzer::declareAgents() {
   for (const syntax::Agent& source : program_.agents) {
     declare(known, source.name, 0, "agent");
     const int root = Names::find(names_.options, source.rootOption.text);
-    if (root < 0) unknown(names_.options, source.rootOption, "option");
+    if (root < 0)
+      unknown(names_.options, source.rootOption, "option");
+    else
+      refer({Entity::Kind::option, root}, source.rootOption);
     model_.agents.push_back({std::string(source.name.text), root, source.name.location,
                              std::string(source.title), std::string(source.doc)});
   }
@@ -181,11 +186,18 @@ void Analyzer::declareAgents() {
     reporter_.error({}, "there is no agent, expected 'agent name(\"title\", root_option);'");
 }
 
+void Analyzer::refer(const Entity& entity, const syntax::Name& name) {
+  if (references_) references_->add(entity, name.text, name.location);
+}
+
 bool Analyzer::resolve(const syntax::TypeName& source, Type& type) {
   type.kind = source.kind;
   if (source.kind != ValueKind::enumeration) return true;
   type.enumeration = Names::find(names_.enumerations, source.enumeration.text);
-  if (type.enumeration >= 0) return true;
+  if (type.enumeration >= 0) {
+    refer({Entity::Kind::enumeration, type.enumeration}, source.enumeration);
+    return true;
+  }
   unknown(names_.enumerations, source.enumeration, "enumeration");
   // What is declared with it goes on as a number, so that it is still known by its name.
   type.kind = ValueKind::number;
@@ -223,7 +235,7 @@ void Analyzer::unknown(const Names::Table& table, const syntax::Name& name,
 
 void Analyzer::resolveOption(const syntax::Option& source, int index) {
   const std::size_t i = static_cast<std::size_t>(index);
-  ExpressionAnalyzer expressions(model_, names_, index, reporter_);
+  ExpressionAnalyzer expressions(model_, names_, index, reporter_, references_);
   states_.clear();
   int stateIndex = model_.options[i].states.first;
   for (const syntax::State& stateSource : source.states)
@@ -276,7 +288,10 @@ Branch Analyzer::branch(const syntax::Decision& source, ExpressionAnalyzer& expr
 
 Branch Analyzer::transition(const syntax::Name& target, ExpressionAnalyzer& expressions) {
   const int state = Names::find(states_, target.text);
-  if (state >= 0) return {Branch::Kind::state, state};
+  if (state >= 0) {
+    refer({Entity::Kind::state, state}, target);
+    return {Branch::Kind::state, state};
+  }
   Suggestion suggestion(target.text);
   for (const auto& [candidate, index] : states_) suggestion.offer(candidate);
   expressions.error(target.location, "unknown state " + quoted(target.text) + suggestion.text());
@@ -311,6 +326,7 @@ bool Analyzer::assignment(const syntax::Action& source, int option, ExpressionAn
                       "unknown output symbol " + quoted(source.name.text) + suggestion.text());
     return false;
   }
+  refer({Entity::Kind::symbol, action.target}, source.name);
   Symbol& symbol = model_.symbols[static_cast<std::size_t>(action.target)];
   if (symbol.firstUse.option < 0) symbol.firstUse = {option, source.name.location};
   if (symbol.kind == SymbolKind::input) {
@@ -339,9 +355,10 @@ bool Analyzer::call(const syntax::Action& source, int option, ExpressionAnalyzer
   if (called >= 0 && source.kind != Kind::callBehavior) {
     action.kind = Action::Kind::option;
     action.target = called;
+    refer({Entity::Kind::option, called}, source.name);
     action.operand = expressions.arguments(
         source.arguments, model_.options[static_cast<std::size_t>(called)].parameters,
-        source.name.text, "option " + name);
+        source.name.text, "option " + name, {Entity::Kind::option, called});
     return true;
   }
   if (behavior >= 0 && source.kind != Kind::callOption) {
@@ -349,8 +366,10 @@ bool Analyzer::call(const syntax::Action& source, int option, ExpressionAnalyzer
     if (prototype.firstUse.option < 0) prototype.firstUse = {option, source.name.location};
     action.kind = Action::Kind::behavior;
     action.target = behavior;
-    action.operand = expressions.arguments(source.arguments, prototype.parameters, source.name.text,
-                                           "basic behavior " + name);
+    refer({Entity::Kind::behavior, behavior}, source.name);
+    action.operand =
+        expressions.arguments(source.arguments, prototype.parameters, source.name.text,
+                              "basic behavior " + name, {Entity::Kind::behavior, behavior});
     return true;
   }
   unknownCallee(source, expressions);

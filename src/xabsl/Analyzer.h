@@ -8,6 +8,7 @@
 #include "xabsl/ExpressionAnalyzer.h"
 #include "xabsl/Model.h"
 #include "xabsl/Names.h"
+#include "xabsl/References.h"
 #include "xabsl/Reporter.h"
 #include "xabsl/Syntax.h"
 
@@ -17,7 +18,8 @@ namespace xabsl {
 /// the language.
 class Analyzer {
  public:
-  Analyzer(const syntax::Program& program, Reporter& reporter);
+  /// What names stand for is added to `references`, if that is given.
+  Analyzer(const syntax::Program& program, Reporter& reporter, References* references = nullptr);
 
   /// The model; of use only if the reporter has not failed.
   Model analyze();
@@ -32,6 +34,7 @@ class Analyzer {
   void declareStates(const syntax::Option& source, Option& option);
   void declareAgents();
   void declare(Names::Table& table, const syntax::Name& name, int index, const std::string& what);
+  void refer(const Entity& entity, const syntax::Name& name);
   bool resolve(const syntax::TypeName& source, Type& type);
   std::vector<Parameter> resolve(const std::vector<syntax::Parameter>& sources);
   void unknown(const Names::Table& table, const syntax::Name& name, const std::string& what);
@@ -50,6 +53,7 @@ class Analyzer {
 
   const syntax::Program& program_;
   Reporter& reporter_;
+  References* references_;
   Names names_;
   Names::Table states_;  // of the option that is being resolved
   Model model_;

@@ -47,6 +47,12 @@ std::string_view spelling(Operator operation) {
   }
 }
 
+Entity::Kind parameterKind(Entity::Kind owner) {
+  if (owner == Entity::Kind::option) return Entity::Kind::optionParameter;
+  return owner == Entity::Kind::behavior ? Entity::Kind::behaviorParameter
+                                         : Entity::Kind::symbolParameter;
+}
+
 /// The index of an element that is written short, or with the name of the enumeration before it.
 int findElement(const Enumeration& enumeration, std::string_view name) {
   const std::string& prefix = enumeration.name;
@@ -76,8 +82,12 @@ int findParameter(const std::vector<Parameter>& parameters, std::string_view nam
 }
 
 ExpressionAnalyzer::ExpressionAnalyzer(Model& model, const Names& names, int option,
-                                       Reporter& reporter)
-    : model_(model), names_(names), option_(option), reporter_(reporter) {}
+                                       Reporter& reporter, References* references)
+    : model_(model), names_(names), option_(option), reporter_(reporter), references_(references) {}
+
+void ExpressionAnalyzer::refer(const Entity& entity, const syntax::Expression& source) {
+  if (references_) references_->add(entity, source.name, source.location);
+}
 
 void ExpressionAnalyzer::error(Location location, const std::string& message) {
   const std::string& option = model_.options[static_cast<std::size_t>(option_)].name;
@@ -98,7 +108,7 @@ int ExpressionAnalyzer::expression(const syntax::Expression& source, Type wanted
 
 int ExpressionAnalyzer::arguments(const std::vector<syntax::Argument>& sources,
                                   const std::vector<Parameter>& parameters, std::string_view owner,
-                                  const std::string& callee) {
+                                  const std::string& callee, const Entity& entity) {
   std::vector<int> operands(parameters.size(), -1);
   std::vector<bool> given(parameters.size(), false);
   std::vector<int> order;
@@ -112,6 +122,10 @@ int ExpressionAnalyzer::arguments(const std::vector<syntax::Argument>& sources,
       continue;
     }
     const std::size_t i = static_cast<std::size_t>(index);
+    if (references_)
+      references_->addQualified(entity, {parameterKind(entity.kind), entity.index, index},
+                                source.name.text, source.name.location,
+                                source.name.text == parameters[i].name ? 0 : owner.size());
     if (given[i])
       error(source.name.location, "parameter " + quoted(source.name.text) + " is set twice");
     else
@@ -161,12 +175,14 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& sou
     if (found.index >= 0) return found;
   }
   const int constant = Names::find(names_.constants, source.name);
-  if (constant >= 0)
+  if (constant >= 0) {
+    refer({Entity::Kind::constant, constant}, source);
     return add(source,
                {.operation = Operator::constant,
                 .a = constant,
                 .number = model_.constants[static_cast<std::size_t>(constant)].value},
                number);
+  }
   const int index = Names::find(names_.symbols, source.name);
   if (index >= 0) return symbol(source, index);
   // Written with the name of the enumeration, an element stands for itself anywhere.
@@ -182,6 +198,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& sou
 }
 
 ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& source, int index) {
+  refer({Entity::Kind::symbol, index}, source);
   Symbol& symbol = model_.symbols[static_cast<std::size_t>(index)];
   if (symbol.firstUse.option < 0) symbol.firstUse = {option_, source.location};
   if (symbol.kind != SymbolKind::input)
@@ -193,7 +210,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& s
     return {};
   }
   const int first = arguments(source.arguments, symbol.parameters, symbol.name,
-                              "input symbol " + quoted(symbol.name));
+                              "input symbol " + quoted(symbol.name), {Entity::Kind::symbol, index});
   return add(source, {.operation = Operator::input, .a = index, .b = first}, symbol.type);
 }
 
@@ -202,6 +219,12 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::element(const syntax::Expression& 
   const int index =
       findElement(model_.enumerations[static_cast<std::size_t>(enumeration)], source.name);
   if (index < 0) return {};
+  const Enumeration& found = model_.enumerations[static_cast<std::size_t>(enumeration)];
+  const bool qualified = source.name != found.elements[static_cast<std::size_t>(index)].name;
+  if (references_)
+    references_->addQualified({Entity::Kind::enumeration, enumeration},
+                              {Entity::Kind::element, enumeration, index}, source.name,
+                              source.location, qualified ? found.name.size() : 0);
   return add(source, {.operation = Operator::element, .a = enumeration, .b = index},
              {ValueKind::enumeration, enumeration});
 }
@@ -210,9 +233,15 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::parameter(const syntax::Expression
   const std::vector<Parameter>& parameters =
       model_.options[static_cast<std::size_t>(option_)].parameters;
   const int index = findParameter(parameters, source.name);
-  if (index >= 0)
+  if (index >= 0) {
+    if (references_) {
+      Location name = source.location;
+      ++name.column;  // behind the @
+      references_->add({Entity::Kind::optionParameter, option_, index}, source.name, name);
+    }
     return add(source, {.operation = Operator::parameter, .a = option_, .b = index},
                parameters[static_cast<std::size_t>(index)].type);
+  }
   Suggestion suggestion(source.name);
   for (const Parameter& parameter : parameters) suggestion.offer(parameter.name);
   error(source.location,

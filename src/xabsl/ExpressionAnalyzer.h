@@ -6,6 +6,7 @@
 
 #include "xabsl/Model.h"
 #include "xabsl/Names.h"
+#include "xabsl/References.h"
 #include "xabsl/Reporter.h"
 #include "xabsl/Syntax.h"
 
@@ -21,17 +22,18 @@ int findParameter(const std::vector<Parameter>& parameters, std::string_view nam
 /// Resolves names and checks types of the expressions of one option and appends them to the model.
 class ExpressionAnalyzer {
  public:
-  ExpressionAnalyzer(Model& model, const Names& names, int option, Reporter& reporter);
+  ExpressionAnalyzer(Model& model, const Names& names, int option, Reporter& reporter,
+                     References* references = nullptr);
 
   /// The index of the resolved expression, or -1 after an error. `purpose` begins the message when
   /// the type is another one.
   int expression(const syntax::Expression& source, Type wanted, const std::string& purpose);
 
   /// Resolves `name = value, ...`; what is not given becomes 0, false or the first element (report
-  /// F.6). Returns the index of the first operand.
+  /// F.6). `entity` is what has the parameters. Returns the index of the first operand.
   int arguments(const std::vector<syntax::Argument>& sources,
                 const std::vector<Parameter>& parameters, std::string_view owner,
-                const std::string& callee);
+                const std::string& callee, const Entity& entity);
 
   void error(Location location, const std::string& message);
 
@@ -51,6 +53,7 @@ class ExpressionAnalyzer {
   Typed equality(const syntax::Expression& source);
   Typed conditional(const syntax::Expression& source, int enumeration);
   Typed uniform(const syntax::Expression& source, Type operandType, Type resultType);
+  void refer(const Entity& entity, const syntax::Expression& source);
   Typed add(const syntax::Expression& source, const Expression& expression, Type type);
   int appendOperands(const std::vector<int>& operands, const std::vector<int>& order = {});
   void unknownName(const syntax::Expression& source, int enumeration);
@@ -59,6 +62,7 @@ class ExpressionAnalyzer {
   const Names& names_;
   int option_;
   Reporter& reporter_;
+  References* references_;
 };
 
 }  // namespace xabsl
