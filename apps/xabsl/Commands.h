@@ -31,6 +31,7 @@ void addConvert(CLI::App& program);
 void addDoc(CLI::App& program);
 void addFormat(CLI::App& program);
 void addHeader(CLI::App& program);
+void addLsp(CLI::App& program);
 void addTest(CLI::App& program);
 void addTrace(CLI::App& program);
 

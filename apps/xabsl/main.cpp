@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   xabsl::app::addDoc(program);
   xabsl::app::addFormat(program);
   xabsl::app::addHeader(program);
+  xabsl::app::addLsp(program);
   xabsl::app::addTest(program);
   xabsl::app::addTrace(program);
   try {

@@ -1,0 +1,69 @@
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "Commands.h"
+#include "xabsl/server/MessageReader.h"
+#include "xabsl/server/Server.h"
+
+namespace xabsl::app {
+
+namespace {
+
+std::vector<std::string> sourcesIn(const std::string& folder) {
+  std::vector<std::string> paths;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().extension() == ".xabsl")
+      paths.push_back(entry->path().lexically_normal().generic_string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// True if no input waits: then there is time for diagnostics.
+bool idle() {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return poll(&input, 1, 0) == 0;
+}
+
+/// Serves an editor on the standard input and output until it says goodbye or goes away.
+void serve() {
+  server::MessageReader reader;
+  server::Server server(
+      {[](const std::string& path, std::string& text) { return readFile(path, text); }, sourcesIn},
+      [](const std::string& message) {
+        std::cout << "Content-Length: " << message.size() << "\r\n\r\n" << message << std::flush;
+      });
+  std::array<char, 65536> bytes;
+  while (!server.ended() && !reader.broken()) {
+    const ssize_t count = read(STDIN_FILENO, bytes.data(), bytes.size());
+    if (count <= 0) break;
+    reader.add({bytes.data(), static_cast<std::size_t>(count)});
+    while (const auto message = reader.next()) {
+      server.handle(*message);
+      if (server.ended()) break;
+    }
+    if (idle()) server.publish();
+  }
+  if (reader.broken()) {
+    std::cerr << "xabsl: error: the input is no message of the language server protocol\n";
+    throw Failure{};
+  }
+  if (server.status() != 0) throw Failure{server.status()};
+}
+
+}  // namespace
+
+void addLsp(CLI::App& program) {
+  program
+      .add_subcommand("lsp", "Serve an editor by the language server protocol, on stdin and stdout")
+      ->callback([] { serve(); });
+}
+
+}  // namespace xabsl::app

@@ -1,0 +1,120 @@
+// An editor's side of the language server: opens the soccer behavior, breaks it in an unsaved
+// buffer, and asks all that the server offers.
+//
+//   scripts/run-node build/node/editors tests/editors lsp.mjs XABSL
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import rpc from "vscode-languageserver-protocol/node";
+
+const child = spawn(process.argv[2], ["lsp"], { stdio: ["pipe", "pipe", "inherit"] });
+const ended = new Promise((done) => child.on("exit", done));
+const connection = rpc.createProtocolConnection(
+  new rpc.StreamMessageReader(child.stdout), new rpc.StreamMessageWriter(child.stdin));
+
+const diagnostics = new Map();
+const waiting = [];
+connection.onNotification(rpc.PublishDiagnosticsNotification.type, ({ uri, diagnostics: list }) => {
+  diagnostics.set(uri, list);
+  waiting.splice(0).forEach((check) => check());
+});
+/// Waits until the diagnostics of a file fulfil a condition.
+const until = (uri, holds) => new Promise((done) => {
+  const check = () => diagnostics.has(uri) && holds(diagnostics.get(uri)) ? done(diagnostics.get(uri)) : waiting.push(check);
+  check();
+});
+
+const uriOf = (path) => pathToFileURL(resolve(path)).href;
+const kick = uriOf("behavior/options/kick.xabsl"), ball = uriOf("behavior/symbols/ball_symbols.xabsl");
+const text = readFileSync("behavior/options/kick.xabsl", "utf8");
+/// The position behind (or with an offset, in) the n-th occurrence of a piece of text.
+const at = (source, piece, offset = piece.length) => {
+  const index = source.indexOf(piece);
+  assert.notEqual(index, -1, piece);
+  const lines = source.slice(0, index + offset).split("\n");
+  return { line: lines.length - 1, character: lines.at(-1).length };
+};
+const ask = (type, position, uri = kick, more = {}) =>
+  connection.sendRequest(type, { textDocument: { uri }, position, ...more });
+const labels = async (source, piece, offset) => {
+  change(source);
+  return (await ask(rpc.CompletionRequest.type, at(source, piece, offset))).map((item) => item.label);
+};
+let version = 1;
+const change = (source) => connection.sendNotification(rpc.DidChangeTextDocumentNotification.type,
+  { textDocument: { uri: kick, version: ++version }, contentChanges: [{ text: source }] });
+const open = (uri, source) => connection.sendNotification(rpc.DidOpenTextDocumentNotification.type,
+  { textDocument: { uri, languageId: "xabsl", version: 1, text: source } });
+
+connection.listen();
+const { capabilities } = await connection.sendRequest(rpc.InitializeRequest.type,
+  { processId: process.pid, rootUri: uriOf("."), capabilities: {} });
+assert.equal(capabilities.positionEncoding, "utf-16");
+connection.sendNotification(rpc.InitializedNotification.type, {});
+
+// Diagnostics of unsaved buffers.
+open(kick, text);
+await until(kick, (list) => list.length === 0);
+change(text.replace("goto going_on", "goto going_om"));
+const [error] = await until(kick, (list) => list.length > 0);
+assert.equal(error.severity, 1);
+assert.match(error.message, /unknown state .going_om..*did you mean/);
+assert.deepEqual(error.range.start, at(text, "goto going_on", 5));
+change(text);
+await until(kick, (list) => list.length === 0);
+
+// Definition, references, hover, highlights.
+const definition = await ask(rpc.DefinitionRequest.type, at(text, "goto going_on", 7));
+assert.deepEqual(definition, { uri: kick, range: { start: at(text, "state going_on", 6), end: at(text, "state going_on") } });
+const parameter = await ask(rpc.ReferencesRequest.type, at(text, "== @id", 4), kick, { context: { includeDeclaration: true } });
+assert.equal(parameter.filter(({ uri }) => uri === kick).length, text.split("@id").length - 1);
+assert.ok(parameter.some(({ uri }) => uri.endsWith("handle_ball.xabsl")), "calls set it by name");
+const special = await ask(rpc.ReferencesRequest.type, at(text, "motion.special_action", 3), kick, { context: { includeDeclaration: true } });
+assert.ok(special.some(({ uri }) => uri.endsWith("robot_symbols.xabsl")));
+const hover = await ask(rpc.HoverRequest.type, at(text, "motion.special_action", 3));
+assert.match(hover.contents.value, /enum special_action input motion\.special_action/);
+assert.match(hover.contents.value, /being executed/);
+const ballText = readFileSync("behavior/symbols/ball_symbols.xabsl", "utf8");
+const unit = await ask(rpc.HoverRequest.type, at(ballText, "ball.seen.x"), ball);
+assert.match(unit.contents.value, /float input ball\.seen\.x "mm"/);
+assert.ok((await ask(rpc.DocumentHighlightRequest.type, at(text, "goto done", 6))).length >= 3);
+
+// Completion by context, in texts that are broken there.
+assert.deepEqual((await labels(text.replace("goto going_on;", "goto "), "goto ")).sort(), ["begin", "done", "going_on"]);
+assert.deepEqual(await labels(text.replace("== @id)", "== @)"), "== @"), ["@id"]);
+const elements = await labels(text.replace("(id = none)", "(id = )"), "(id = )", 6);
+assert.deepEqual(elements.slice(0, 3), ["none", "stand", "chest_kick"]);
+assert.deepEqual(await labels(text.replace("perform_special_action(id = none)", "go_to_point("), "go_to_point("),
+  ["x", "y", "angle", "max_speed"]);
+const calls = await labels(text.replace("action { stand(); }", "action {  }"), "action {  }", 9);
+for (const name of ["search_ball", "go_to_ball", "head_control_mode"]) assert.ok(calls.includes(name), name);
+assert.ok(!calls.includes("ball.seen.x"));
+const inputs = await labels(text.replace("state_time > 2000", "state_time > "), "state_time > ");
+for (const name of ["ball.seen.x", "@id", "state_time"]) assert.ok(inputs.includes(name), name);
+change(text);
+
+// Rename, everywhere, and refused where it would change what the behavior means.
+const renamed = await ask(rpc.RenameRequest.type, at(text, "goto going_on", 7), kick, { newName: "running" });
+assert.deepEqual(Object.keys(renamed.changes), [kick]);
+assert.equal(renamed.changes[kick].length, 2);
+const option = await ask(rpc.RenameRequest.type, at(text, "option kick", 8), kick, { newName: "shoot" });
+assert.ok(Object.keys(option.changes).some((uri) => uri.endsWith("handle_ball.xabsl")));
+for (const newName of ["begin", "goto", "two words", ""])
+  await assert.rejects(ask(rpc.RenameRequest.type, at(text, "goto going_on", 7), kick, { newName }));
+
+// Outline and format.
+const outline = await connection.sendRequest(rpc.DocumentSymbolRequest.type, { textDocument: { uri: kick } });
+assert.deepEqual(outline.map(({ name }) => name), ["kick"]);
+assert.deepEqual(outline[0].children.map(({ name }) => name), ["begin", "going_on", "done"]);
+const options = { tabSize: 2, insertSpaces: true };
+assert.deepEqual(await connection.sendRequest(rpc.DocumentFormattingRequest.type, { textDocument: { uri: kick }, options }), []);
+change(text.replaceAll("  ", "\t"));
+const [edit] = await connection.sendRequest(rpc.DocumentFormattingRequest.type, { textDocument: { uri: kick }, options });
+assert.equal(edit.newText, text);
+
+await connection.sendRequest(rpc.ShutdownRequest.type);
+await connection.sendNotification(rpc.ExitNotification.type);
+assert.equal(await ended, 0);
+console.log("The language server did all that it was asked");
