@@ -36,10 +36,11 @@ void askAll(std::string_view text, unsigned line, unsigned character) {
       R"({"method":"textDocument/didOpen","params":{"textDocument":{"uri":"file:///a.xabsl","text":)" +
       quoted(text) + "}}}");
   server.publish();
-  for (const char* method : {"completion", "definition", "references", "documentHighlight", "hover",
-                             "prepareRename", "rename", "documentSymbol", "formatting"})
+  for (const std::string_view method :
+       {"completion", "definition", "references", "documentHighlight", "hover", "prepareRename",
+        "rename", "documentSymbol", "formatting"})
     server.handle(
-        R"({"id":2,"method":"textDocument/)" + method +
+        R"({"id":2,"method":"textDocument/)" + std::string(method) +
         R"(","params":{"textDocument":{"uri":"file:///a.xabsl"},"newName":"other","context":{"includeDeclaration":true},"position":{"line":)" +
         std::to_string(line) + R"(,"character":)" + std::to_string(character) + "}}}");
 }
