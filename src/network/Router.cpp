@@ -50,7 +50,7 @@ Result<std::vector<RoutedRobot>> parseRobots(const std::vector<std::string>& arg
   for (const std::string& argument : arguments) {
     const auto equals = argument.find('=');
     const std::vector<int> numbers = numbersOf(argument);
-    if (equals != argument.npos && equals > 0)
+    if (equals != argument.npos && equals > 0 && equals + 1 < argument.size())
       add(argument.substr(0, equals), argument.substr(equals + 1), firstNamedPort + named++);
     else if (numbers.size() == 4)
       add(argument, "tcp://" + argument + ":" + std::to_string(port), numbers.back());
