@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "console/Commands.h"
+#include "representations/infrastructure/SensorData.h"
 
 namespace gt {
 namespace {
@@ -32,7 +33,14 @@ class TestWorld : public ConsoleWorld {
   }
   bool step() override {
     time_ = time_ + 8;
-    for (const auto& robot : robots_) robot->step(time_);
+    SensorDataBuffer sensors;
+    SensorData frame;
+    frame.time = time_;
+    sensors.push(frame);
+    for (const auto& robot : robots_) {
+      robot->send(sensors);
+      robot->step(time_);
+    }
     return time_.ms < 10'000;
   }
   Time time() const override { return time_; }
@@ -163,11 +171,32 @@ TEST_F(ConsoleTest, ChangesLayouts) {
 TEST_F(ConsoleTest, FillsTheQueueToTheToolsAsAskedFor) {
   for (const char* mode : {"queue", "replace", "reject", "collect 5", "save 2.5"})
     expectFine(std::string{"qfr "} + mode);
-  QueueFillRequest last;
-  world.robot(1).fromTools().handleAllMessages(
-      [&](const Message& message) { EXPECT_TRUE(message.read(last)); });
-  EXPECT_EQ(last.mode, QueueFillMode::save);
-  EXPECT_EQ(last.seconds, 2.5);
+  for (const std::size_t i : {0u, 1u})
+    ASSERT_TRUE(world.robot(i).request(WatchRequest{"OdometryData", "", true}));
+  /// In bytes.
+  const auto messagesAfter = [&](const std::string& line, const std::string& seconds) {
+    expectFine(line);
+    world.robot(0).toTools().clear();
+    expectFine("run " + seconds);
+    return world.robot(0).toTools().size();
+  };
+  expectFine("robot red1");
+  EXPECT_EQ(messagesAfter("qfr reject", "0.2"), 0u);
+  const std::size_t all = messagesAfter("qfr queue", "0.2");
+  EXPECT_GT(all, 0u);
+  const std::size_t newest = messagesAfter("qfr replace", "0.2");
+  EXPECT_GT(newest, 0u);
+  EXPECT_LT(newest, all / 5);
+  const std::size_t collected = messagesAfter("qfr collect 0.1", "0.2");
+  EXPECT_GT(collected, 0u);
+  EXPECT_LT(collected, all);
+  std::size_t saved = 0;
+  world.robot(0).onSave([&](const MessageQueue& queue) { saved = queue.size(); });
+  EXPECT_EQ(messagesAfter("qfr save 0.1", "0.05"), 0u);
+  EXPECT_EQ(saved, 0u) << "not yet";
+  expectFine("run 0.1");
+  EXPECT_GT(saved, newest);
+  EXPECT_GT(world.robot(1).toTools().size(), 0u) << "the other robot was not asked";
   expectError("qfr sometimes", "qfr", "expected: qfr queue");
   expectError("qfr collect", "qfr", "expected");
   expectError("qfr collect -1", "qfr", "expected");

@@ -109,10 +109,7 @@ Result<void> qfr(Console& console, const Words& words) {
     if (*seconds < 0 || *seconds > 86400) return wrongArguments(words);
     request.seconds = *seconds;
   }
-  return console.forEachRobot([&](Robot& robot) -> Result<void> {
-    robot.fromTools().write(console.world().time(), request);
-    return {};
-  });
+  return console.forEachRobot([&](Robot& robot) { return robot.request(request); });
 }
 
 /// TASK.SOLUTION.PATH, or TASK.PATH for the solution that runs.

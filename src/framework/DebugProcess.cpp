@@ -1,5 +1,7 @@
 #include "framework/DebugProcess.h"
 
+#include <utility>
+
 #include "debug/Drawing.h"
 
 namespace gt {
@@ -18,6 +20,12 @@ PackageReceiver& DebugProcess::addReceiver() {
 Result<void> DebugProcess::request(const QueueFillRequest& request) {
   if (fill_.request(request, now())) return {};
   return Error{"", 0, "seconds", "collect and save need a time above 0 and up to a day"};
+}
+
+void DebugProcess::adopt(DebugProcess& other) {
+  fill_ = std::move(other.fill_);
+  other.toTools_.moveAllMessages(toTools_);
+  other.fromTools_.moveAllMessages(fromTools_);
 }
 
 void DebugProcess::handleRequests() {

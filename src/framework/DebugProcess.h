@@ -25,6 +25,8 @@ class DebugProcess : public Process {
   Result<void> request(const QueueFillRequest& request);
   /// What takes messages that a request asks to save (report I: `qfr save`).
   void onSave(QueueFill::Saver saver) { fill_.onSave(std::move(saver)); }
+  /// Goes on where another one stops: with its messages, and as its queue was asked to be filled.
+  void adopt(DebugProcess& other);
   /// What came from the processes since it was last taken.
   MessageQueue& toTools() { return toTools_; }
   /// What shall go to all processes in the next cycle.

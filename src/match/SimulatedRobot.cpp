@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "robot/Solutions.h"
+
 namespace gt {
 namespace {
 
@@ -13,6 +15,14 @@ constexpr const char* pictureKeys[] = {"ImageProcessor/horizon", "ImageProcessor
 SimulatedRobot::SimulatedRobot(std::string name, std::unique_ptr<Robot> robot)
     : name_{std::move(name)}, robot_{std::move(robot)} {
   bind();
+}
+
+void SimulatedRobot::saveTo(const std::string& base) {
+  robot_->onSave([this, base](const MessageQueue& messages) {
+    const auto file = saveQueue(messages, base, solutions());
+    robot_->toTools().write(robot_->processes().front()->now(),
+                            Text{file ? "saved " + *file : file.error().text()});
+  });
 }
 
 void SimulatedRobot::bind() {

@@ -24,6 +24,8 @@ class SimulatedRobot : public MatchRobot {
                       const Configuration::LogSettings& settings, const RecordedSetup& setup,
                       bool inputs);
   Result<void> closeLog();
+  /// Where messages go that a QueueFillRequest asks to save: BASE.saved.mcap, BASE.saved.2.mcap.
+  void saveTo(const std::string& base);
 
   void cycle(const RobotInput& input, RobotOutput& output) override;
 

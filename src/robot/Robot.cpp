@@ -46,8 +46,7 @@ Result<void> Robot::changeLayout(const Layout& layout) {
   }
   for (const auto& old : oldProcesses)
     for (const std::string& name : old->watched()) static_cast<void>(watch(name));
-  oldDebug->toTools().moveAllMessages(debug_->toTools());
-  oldDebug->fromTools().moveAllMessages(debug_->fromTools());
+  debug_->adopt(*oldDebug);
   ++layoutChanges_;
   return {};
 }

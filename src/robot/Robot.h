@@ -56,6 +56,10 @@ class Robot {
   /// Hands a request to all processes that it concerns, at once; an error if it concerns none.
   template <typename Request>
   Result<void> request(const Request& request);
+  /// Fills the queue to the tools in another way, from now on.
+  Result<void> request(const QueueFillRequest& request) { return debug_->request(request); }
+  /// What takes the messages that a QueueFillRequest asks to save.
+  void onSave(QueueFill::Saver saver) { debug_->onSave(std::move(saver)); }
 
   const std::vector<std::unique_ptr<ModuleProcess>>& processes() const { return processes_; }
   const Plan& plan() const { return plan_; }

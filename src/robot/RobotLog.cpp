@@ -1,5 +1,7 @@
 #include "robot/RobotLog.h"
 
+#include <filesystem>
+
 #include "debug/Drawing.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "streams/Jpeg.h"
@@ -11,6 +13,13 @@ CompressedImage compressed(const Image& image) {
   result.header = {RosTime::of(image.time), "camera"};
   result.data = encodeJpeg(&image.pixels.front().y, image.info.width, image.info.height);
   return result;
+}
+
+std::string freeLogFile(const std::string& base) {
+  std::string file = base + ".mcap";
+  for (int i = 2; std::filesystem::exists(file); ++i)
+    file = base + "." + std::to_string(i) + ".mcap";
+  return file;
 }
 
 RobotLog::RobotLog(McapWriter writer) : writer_{std::move(writer)} {
@@ -46,6 +55,19 @@ void RobotLog::write(const MessageQueue& queue) {
 
 void RobotLog::write(const Image& image) {
   writer_.write(camera_, image.time, compressed(image));
+}
+
+Result<std::string> saveQueue(const MessageQueue& queue, const std::string& base,
+                              const SolutionTable& table) {
+  const std::string file = freeLogFile(base + ".saved");
+  auto log = RobotLog::open(file, {{"robot", std::filesystem::path{base}.filename().string()}});
+  if (!log) return log.error();
+  log->know(representation<DroppedMessages>());
+  for (const auto& [name, task] : table.tasks())
+    for (const RepresentationType* type : task.outputs) log->know(*type);
+  log->write(queue);
+  if (const auto done = log->close(); !done) return done.error();
+  return file;
 }
 
 }  // namespace gt

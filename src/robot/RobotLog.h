@@ -3,6 +3,7 @@
 #include <string>
 
 #include "framework/Representation.h"
+#include "framework/SolutionTable.h"
 #include "representations/infrastructure/Image.h"
 #include "streams/Mcap.h"
 #include "streams/Schema.h"
@@ -14,6 +15,9 @@ constexpr const char* inputTopic = "/input/";
 
 /// A picture as JPEG, in the form that viewers know.
 CompressedImage compressed(const Image& image);
+
+/// The name of a log that is not there yet: BASE.mcap, or with the next number BASE.2.mcap.
+std::string freeLogFile(const std::string& base);
 
 /// Writes what a robot sends to its tools into a log file (MCAP), a channel for each type of
 /// message: /RobotPose, /Drawing.
@@ -49,5 +53,10 @@ class RobotLog {
   std::map<std::uint32_t, McapWriter::ChannelId> channels_, inputs_;  ///< By the types' ids.
   McapWriter::ChannelId camera_;
 };
+
+/// Saves the messages of a queue as a log, BASE.saved.mcap or with the next number: those of the
+/// types that the tasks of a table provide, of texts, drawings and plots. Returns the file's name.
+Result<std::string> saveQueue(const MessageQueue& queue, const std::string& base,
+                              const SolutionTable& table);
 
 }  // namespace gt
