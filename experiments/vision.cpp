@@ -277,7 +277,7 @@ Result<Run> measure(const std::string& scene, const ColorTable64& colors, std::u
       BodyPercept body;
       PsdPercept psd;
       sensorDataProcessor.update({view.image.time}, view.sensors, view.image, dimensions,
-                                 MotionInfo{}, matrix, body, psd);
+                                 RobotCalibration{}, MotionInfo{}, matrix, body, psd);
       const Vector3d axis = view.camera.rotation.col(0), seen = matrix.pose.rotation.col(0);
       run.cameraTilt.add(toDegrees(elevation(seen) - elevation(axis)));
       run.cameraPan.add(toDegrees(normalize(azimuth(seen) - azimuth(axis))));

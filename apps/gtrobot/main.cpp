@@ -23,6 +23,11 @@ void addOptions(CLI::App& app, gt::RobotProgramOptions& options) {
                                                 {"defender", gt::PlayerRole::defender},
                                                 {"striker1", gt::PlayerRole::striker1},
                                                 {"striker2", gt::PlayerRole::striker2}}));
+  app.add_option("--address", options.hardwareAddress,
+                 "Hardware address for robot.cfg; by default the machine's")
+      ->check([](const std::string& text) {
+        return gt::isHardwareAddress(text) ? "" : "expected 12 digits, as 00022D1F626B";
+      });
   app.add_option("--seed", options.seed, "Of the modules' chance")->capture_default_str();
   app.add_option("--config", options.paths.config, "Folder of the configuration")
       ->capture_default_str();
@@ -46,6 +51,52 @@ std::pair<std::string, std::string> splitAddress(const std::string& text) {
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
+/// What the command line tells in words.
+struct Arguments {
+  std::vector<std::string> processes;
+  std::string keys, connectKeys;
+};
+
+/// Takes from player.cfg and network.cfg what the command line does not tell.
+gt::Result<void> readSettings(const CLI::App& app, gt::RobotProgramOptions& options,
+                              Arguments& arguments) {
+  const auto player = gt::loadPlayer(options.paths.config);
+  if (!player) return player.error();
+  const auto network = gt::loadNetwork(options.paths.config);
+  if (!network) return network.error();
+  const auto take = [&app](const char* option, auto& value, const auto& settings) {
+    if (app.count(option) == 0) value = settings;
+  };
+  take("--team", options.player.teamColor, player->teamColor);
+  take("--role", options.player.role, player->role);
+  take("--robot", options.addresses.robot, network->robot);
+  take("--tools", options.tools, network->tools);
+  take("--address", options.hardwareAddress, network->address);
+  take("--keys", arguments.keys, network->keys);
+  take("--connect-keys", arguments.connectKeys, network->connectKeys);
+  take("--at", arguments.processes, network->processes);
+  if (options.hardwareAddress.empty()) options.hardwareAddress = gt::machineAddress();
+  return {};
+}
+
+gt::Result<void> readFiles(const CLI::App& app, gt::RobotProgramOptions& options,
+                           Arguments& arguments) {
+  if (auto done = readSettings(app, options, arguments); !done) return done;
+  for (const std::string& address : arguments.processes) {
+    const auto [process, endpoint] = splitAddress(address);
+    if (process.empty()) return gt::Error{"", 0, address, "expected PROCESS=ENDPOINT"};
+    options.addresses.elsewhere[process] = endpoint;
+  }
+  for (auto& [file, keys] : {std::pair{&arguments.keys, &options.listenKeys},
+                             std::pair{&arguments.connectKeys, &options.connectKeys}}) {
+    if (file->empty()) continue;
+    const auto loaded = gt::loadKeys(*file);
+    if (!loaded) return loaded.error();
+    *keys = *loaded;
+  }
+  return {};
+}
+
 int fail(const gt::Error& error) {
   fmt::print(stderr, "gtrobot {}: {}\n", gt::processName, error.text());
   return 2;
@@ -60,12 +111,12 @@ int main(int argc, char** argv) {
   options.addresses.folder = gt::defaultSocketFolder();
   CLI::App app{std::string{"The process "} + gt::processName + " of a robot"};
   addOptions(app, options);
-  std::vector<std::string> addresses;
-  app.add_option("--at", addresses,
+  Arguments arguments;
+  app.add_option("--at", arguments.processes,
                  "Where a process listens if not in the folder: Motion=tcp://10.0.1.100:5001");
-  std::string listenKeys, connectKeys;
-  app.add_option("--keys", listenKeys, "Key file for listening (robot.key of router --make-keys)");
-  app.add_option("--connect-keys", connectKeys, "Key file for connecting (tool.key)");
+  app.add_option("--keys", arguments.keys,
+                 "Key file for listening (robot.key of router --make-keys)");
+  app.add_option("--connect-keys", arguments.connectKeys, "Key file for connecting (tool.key)");
   std::string crashes = "out/crashes";
   app.add_option("--crashes", crashes, "Folder for a crash report, which crashlog reads")
       ->capture_default_str();
@@ -78,18 +129,7 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(crashes, failed);
   if (failed) return fail({crashes, 0, "", failed.message()});
   gt::installCrashHandler({std::string{"gtrobot-"} + gt::processName, crashes});
-  for (const std::string& address : addresses) {
-    const auto [process, endpoint] = splitAddress(address);
-    if (process.empty()) return fail({"", 0, address, "expected PROCESS=ENDPOINT"});
-    options.addresses.elsewhere[process] = endpoint;
-  }
-  for (auto& [file, keys] : {std::pair{&listenKeys, &options.listenKeys},
-                             std::pair{&connectKeys, &options.connectKeys}}) {
-    if (file->empty()) continue;
-    const auto loaded = gt::loadKeys(*file);
-    if (!loaded) return fail(loaded.error());
-    *keys = *loaded;
-  }
+  if (const auto done = readFiles(app, options, arguments); !done) return fail(done.error());
   if (const auto done = gt::runRobotProgram(options, gt::processSolutions()); !done)
     return fail(done.error());
   return 0;

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include "Check.h"
 #include "Layout.h"
 #include "Picture.h"
 #include "Play.h"
@@ -84,11 +85,17 @@ int main(int argc, char** argv) {
       *app.add_subcommand("layout", "Shows what runs in which process and what crosses");
   addLayout(showing, layout);
 
+  gt::CheckOptions check;
+  CLI::App& checking = *app.add_subcommand(
+      "check", "Loads every configuration, layout, scene, motion and behavior; tells all errors");
+  checking.add_option("root", check.root, "Folder of the tree")->capture_default_str();
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  if (checking.parsed()) return gt::checkTree(check);
   if (showing.parsed()) return gt::showLayout(layout);
   return playing.parsed() ? gt::play(play) : gt::takePicture(picture);
 }

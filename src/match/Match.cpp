@@ -93,10 +93,12 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
                              const std::shared_ptr<const Configuration>& configuration) {
   const SceneRobot& player = simulation_->scene().robots[index];
   const std::uint64_t seed = Random{options_.seed}.fork(player.name)();
-  auto robot = Robot::make({configuration, layout, player.player(), seed});
+  auto robot = Robot::make(
+      {configuration, layout, player.player(), seed, platformRepresentations(), player.address});
   if (!robot) return robot.error();
   auto controller = std::make_unique<SimulatedRobot>(player.name, std::move(*robot));
   if (!options_.logs.empty()) {
+    controller->saveTo((std::filesystem::path{options_.logs} / player.name).string());
     const McapWriter::Metadata about{
         {"scene", std::filesystem::path{options_.scene}.filename().string()},
         {"seed", std::to_string(options_.seed)},
@@ -108,7 +110,8 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
         {scene.resolve(scene.config), options_.motions, options_.behavior},
         options_.layout.empty() ? scene.resolve(player.layout) : options_.layout,
         player.player(),
-        seed};
+        seed,
+        player.address};
     if (auto done =
             controller->record(path.string(), about, configuration->log, setup, options_.inputs);
         !done)
@@ -117,6 +120,8 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
     if (options_.trace)
       if (auto done = controller->robot().request(decisions); !done) return done;
   }
+  simulation_->setCamera(
+      index, withSettings(simulation_->scene().camera, configuration->camera.of(player.address)));
   robots_.push_back(controller.get());
   indices_.push_back(index);
   allRobots_.push_back(controller.get());

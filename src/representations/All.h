@@ -11,6 +11,7 @@
 #include "representations/infrastructure/Joints.h"
 #include "representations/infrastructure/OracledWorldState.h"
 #include "representations/infrastructure/Player.h"
+#include "representations/infrastructure/RobotCalibration.h"
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/modeling/BallModel.h"
@@ -39,10 +40,10 @@ template <template <typename...> typename List>
 using AllRepresentations =
     List<BehaviorTrace, HeadControlMode, LedRequest, LedValue, MotionRequest, BehaviorTeamMessage,
          TeamMessage, TeamMessages, CameraInfo, FieldDimensions, FrameInfo, GameControlData, Image,
-         JointData, OracledWorldState, Player, RobotDimensions, SensorData, SensorDataBuffer,
-         BallModel, TeamBallModel, RobotPose, RobotState, HeadMotionRequest, MotionInfo, MotionNet,
-         OdometryData, SpecialActionsOutput, WalkingEngineOutput, BallPercept, BodyPercept,
-         CameraMatrix, ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept,
-         PlayersPercept, PsdPercept>;
+         JointData, OracledWorldState, Player, RobotCalibration, RobotDimensions, SensorData,
+         SensorDataBuffer, BallModel, TeamBallModel, RobotPose, RobotState, HeadMotionRequest,
+         MotionInfo, MotionNet, OdometryData, SpecialActionsOutput, WalkingEngineOutput,
+         BallPercept, BodyPercept, CameraMatrix, ColorTable64, LandmarksPercept, LinesPercept,
+         ObstaclesPercept, PlayersPercept, PsdPercept>;
 
 }  // namespace gt

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 #include "modules/behavior/GT2003BehaviorControl.h"
 #include "modules/perception/ColorTableFile.h"
+#include "robot/Processes.h"
 #include "streams/Config.h"
 #include "streams/File.h"
 
@@ -15,10 +17,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Errors = std::vector<Error>;
+
+void collect(Errors& errors, const Result<void>& done) {
+  if (!done) errors.push_back(done.error());
+}
+
 /// Reads a config file that may be missing.
 template <typename T>
-Result<void> readOptional(const fs::path& path, T& value) {
-  return fs::exists(path) ? readConfig(path.string(), value) : Result<void>{};
+Result<void> readOptional(const std::string& path, T& value) {
+  return fs::exists(path) ? readConfig(path, value) : Result<void>{};
+}
+
+template <typename T>
+Result<void> readOptional(const std::string& path, PerRobot<T>& value) {
+  if (!fs::exists(path)) return {};
+  const auto text = readFile(path);
+  return text ? parsePerRobot(*text, path, value) : text.error();
 }
 
 Result<void> checkSolution(const SolutionTable& table, const std::string& task,
@@ -35,10 +50,10 @@ Result<void> checkSolution(const SolutionTable& table, const std::string& task,
 /// Reads a file of lines of two words, which may be missing; visit(first, second, line) returns a
 /// Result<void>.
 template <typename Visit>
-Result<void> readPairs(const fs::path& path, const char* expected, Visit&& visit) {
-  if (!fs::exists(path)) return {};
-  const auto text = readFile(path.string());
-  if (!text) return text.error();
+void readPairs(const std::string& path, const char* expected, Errors& errors, Visit&& visit) {
+  if (!fs::exists(path)) return;
+  const auto text = readFile(path);
+  if (!text) return errors.push_back(text.error());
   std::istringstream lines{*text};
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -47,133 +62,221 @@ Result<void> readPairs(const fs::path& path, const char* expected, Visit&& visit
     std::istringstream words{line};
     std::string first, second, more;
     if (!(words >> first)) continue;
-    if (!(words >> second) || words >> more) return Error{path.string(), number, first, expected};
-    if (auto done = visit(first, second, number); !done) return done;
+    if (!(words >> second) || words >> more)
+      errors.push_back({path, number, first, expected});
+    else
+      collect(errors, visit(first, second, number));
   }
-  return {};
 }
 
 /// modules.cfg: lines TASK SOLUTION.
-Result<void> readSolutions(const SolutionTable& table, const fs::path& path,
-                           std::vector<Configuration::SolutionChoice>& choices) {
-  return readPairs(
-      path, "expected a task and one solution",
-      [&](const std::string& task, const std::string& solution, int line) -> Result<void> {
-        if (auto known = checkSolution(table, task, solution, path.string(), line, true); !known)
-          return known;
-        choices.push_back({task, solution, path.string(), line});
-        return {};
-      });
+void readSolutions(const SolutionTable& table, const std::string& path,
+                   std::vector<Configuration::SolutionChoice>& choices, Errors& errors) {
+  readPairs(path, "expected a task and one solution", errors,
+            [&](const std::string& task, const std::string& solution, int line) -> Result<void> {
+              if (auto known = checkSolution(table, task, solution, path, line, true); !known)
+                return known;
+              choices.push_back({task, solution, path, line});
+              return {};
+            });
+}
+
+/// Whether a robot can have a representation of that name.
+bool isKnown(const SolutionTable& table, const std::string& name) {
+  const auto named = [&](const RepresentationType* type) { return type->name == name; };
+  const auto holds = [&](const auto& list) { return std::any_of(list.begin(), list.end(), named); };
+  return holds(platformRepresentations()) || holds(givenRepresentations()) ||
+         std::any_of(table.tasks().begin(), table.tasks().end(),
+                     [&](const auto& task) { return holds(task.second.outputs); });
 }
 
 /// log.cfg: lines `representation NAME` and `pictures MS`.
-Result<void> readLog(const fs::path& path, Configuration::LogSettings& log) {
+void readLog(const SolutionTable& table, const std::string& path, Configuration::LogSettings& log,
+             Errors& errors) {
   constexpr const char* expected = "expected: representation NAME, or: pictures MS";
-  return readPairs(
-      path, expected,
-      [&](const std::string& what, const std::string& value, int line) -> Result<void> {
-        if (what == "representation") {
-          log.representations.push_back(value);
-          return {};
-        }
-        if (what != "pictures") return Error{path.string(), line, what, expected};
-        const char* const end = value.data() + value.size();
-        const auto [stop, error] = std::from_chars(value.data(), end, log.picturePeriod);
-        if (error != std::errc{} || stop != end || log.picturePeriod < 0)
-          return Error{path.string(), line, what, "'" + value + "' is not a period in ms"};
-        return {};
-      });
+  readPairs(path, expected, errors,
+            [&](const std::string& what, const std::string& value, int line) -> Result<void> {
+              if (what == "representation") {
+                if (!isKnown(table, value))
+                  return Error{path, line, value, "there is no such representation"};
+                log.representations.push_back(value);
+                return {};
+              }
+              if (what != "pictures") return Error{path, line, what, expected};
+              const char* const end = value.data() + value.size();
+              const auto [stop, error] = std::from_chars(value.data(), end, log.picturePeriod);
+              if (error != std::errc{} || stop != end || log.picturePeriod < 0)
+                return Error{path, line, what, "'" + value + "' is not a period in ms"};
+              return {};
+            });
 }
 
 /// modules/TASK.SOLUTION.cfg: the parameters of a solution.
-Result<void> readParameters(const SolutionTable& table, const fs::path& folder,
-                            std::vector<Configuration::ParameterFile>& files) {
-  if (!fs::exists(folder)) return {};
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator{folder}) paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  for (const fs::path& path : paths) {
-    const std::string stem = path.stem().string();
-    const auto dot = stem.find('.');
-    if (path.extension() != ".cfg" || dot == stem.npos)
-      return Error{path.string(), 0, stem, "expected a file name TASK.SOLUTION.cfg"};
-    const std::string task = stem.substr(0, dot), solution = stem.substr(dot + 1);
-    if (auto known = checkSolution(table, task, solution, path.string(), 0, false); !known)
-      return known;
-    auto text = readFile(path.string());
-    if (!text) return text.error();
-    files.push_back({task, solution, path.string(), std::move(*text)});
-  }
+Result<void> readParameterFile(const SolutionTable& table, const fs::path& path,
+                               std::vector<Configuration::ParameterFile>& files) {
+  const std::string stem = path.stem().string();
+  const auto dot = stem.find('.');
+  if (path.extension() != ".cfg" || dot == stem.npos)
+    return Error{path.string(), 0, stem, "expected a file name TASK.SOLUTION.cfg"};
+  const std::string task = stem.substr(0, dot), solution = stem.substr(dot + 1);
+  if (auto known = checkSolution(table, task, solution, path.string(), 0, false); !known)
+    return known;
+  auto text = readFile(path.string());
+  if (!text) return text.error();
+  files.push_back({task, solution, path.string(), std::move(*text)});
   return {};
 }
 
-/// The first error of a compiler or linker.
-Result<void> check(const std::vector<xabsl::Diagnostic>& diagnostics) {
+/// The files of the common folder `modules` and of the location's, where those win.
+void readParameters(const SolutionTable& table, const ConfigFolder& folder,
+                    std::vector<Configuration::ParameterFile>& files, Errors& errors) {
+  std::set<std::string> names;
+  for (const std::string& modules : folder.paths("modules")) {
+    if (!fs::is_directory(modules)) continue;
+    for (const auto& entry : fs::directory_iterator{modules})
+      names.insert(entry.path().filename().string());
+  }
+  for (const std::string& name : names)
+    collect(errors, readParameterFile(table, folder.path("modules/" + name), files));
+}
+
+void add(const std::vector<xabsl::Diagnostic>& diagnostics, Errors& errors) {
   for (const xabsl::Diagnostic& diagnostic : diagnostics)
     if (diagnostic.severity == xabsl::Diagnostic::Severity::error)
-      return Error{diagnostic.file, diagnostic.line, "column " + std::to_string(diagnostic.column),
-                   diagnostic.message};
-  return {};
+      errors.push_back({diagnostic.file, diagnostic.line,
+                        "column " + std::to_string(diagnostic.column), diagnostic.message});
+}
+
+/// Compiles a behavior, and links it: that tells of missing symbols before a robot runs.
+Behavior readBehavior(const BehaviorRequest& request, Errors& errors) {
+  xabsl::Compilation compilation =
+      request.text.empty() ? xabsl::compile(request.path)
+                           : xabsl::compile(request.path, {{request.path, request.text}});
+  const std::size_t before = errors.size();
+  add(compilation.diagnostics, errors);
+  if (errors.size() > before) return {};
+  GT2003BehaviorControl control;
+  add(xabsl::Engine::create(*compilation.behavior, control.symbols()).diagnostics, errors);
+  return Behavior{std::move(compilation.behavior)};
+}
+
+void readMotions(const std::string& folder, MotionNet& motions, Errors& errors) {
+  const auto compilation = motionnet::compileFolder(folder, motionRules());
+  for (const motionnet::Diagnostic& error : compilation.errors)
+    errors.push_back({error.file, error.line, error.field, error.message});
+  if (!compilation) return;
+  auto net = motionNetOf(compilation.net, folder);
+  if (net)
+    motions = std::move(*net);
+  else
+    errors.push_back(net.error());
+}
+
+Result<ConfigFolder> openFolder(const ConfigurationPaths& paths) {
+  if (paths.location.empty()) return ConfigFolder::open(paths.config);
+  return ConfigFolder{paths.config, paths.location};
+}
+
+/// Reads everything, and goes on after errors.
+std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const SolutionTable& table,
+                                    Errors& errors) {
+  auto configuration = std::make_shared<Configuration>();
+  Configuration& c = *configuration;
+  const auto folder = openFolder(paths);
+  if (!folder) {
+    errors.push_back(folder.error());
+    return configuration;
+  }
+  c.field = std::make_shared<FieldDimensions>();
+  c.robot = std::make_shared<RobotDimensions>();
+  c.motions = std::make_shared<MotionNet>();
+  collect(errors, readOptional(folder->path("field.cfg"), *c.field));
+  collect(errors, readOptional(folder->path("dimensions.cfg"), *c.robot));
+  collect(errors, readOptional(folder->path("robot.cfg"), c.calibration));
+  collect(errors, readOptional(folder->path("camera.cfg"), c.camera));
+  auto colorTable = readColorTable(
+      paths.colorTable.empty() ? folder->path("coltable.c64") : paths.colorTable, paths.colorOrder);
+  if (colorTable)
+    c.colorTable = std::make_shared<ColorTable64>(std::move(*colorTable));
+  else
+    errors.push_back(colorTable.error());
+  readMotions(paths.motions, *c.motions, errors);
+  c.behavior = readBehavior({paths.behavior, ""}, errors);
+  readSolutions(table, folder->path("modules.cfg"), c.solutions, errors);
+  readLog(table, folder->path("log.cfg"), c.log, errors);
+  readParameters(table, *folder, c.parameters, errors);
+  return configuration;
+}
+
+/// Whether a solution has the parameters of its file, within their ranges.
+Result<void> checkParameters(const Solution& solution, const Configuration::ParameterFile& file) {
+  Blackboard blackboard;
+  Debug debug;
+  return solution.make({blackboard, debug, Random{0}})->configure(file.text, file.path);
+}
+
+template <typename T>
+Result<T> loadOne(const std::string& folder, const char* file) {
+  const auto opened = ConfigFolder::open(folder);
+  if (!opened) return opened.error();
+  T value;
+  if (auto done = readOptional(opened->path(file), value); !done) return done.error();
+  return value;
 }
 
 }  // namespace
 
 Result<Behavior> loadBehavior(const BehaviorRequest& request) {
-  xabsl::Compilation compilation =
-      request.text.empty() ? xabsl::compile(request.path)
-                           : xabsl::compile(request.path, {{request.path, request.text}});
-  if (auto done = check(compilation.diagnostics); !done) return done.error();
-  // Linking now tells of missing symbols before a robot runs.
-  GT2003BehaviorControl control;
-  if (auto done =
-          check(xabsl::Engine::create(*compilation.behavior, control.symbols()).diagnostics);
-      !done)
-    return done.error();
-  return Behavior{std::move(compilation.behavior)};
+  Errors errors;
+  Behavior behavior = readBehavior(request, errors);
+  if (!errors.empty()) return errors.front();
+  return behavior;
 }
 
-void Configuration::share(Blackboard& blackboard) const {
+void Configuration::share(Blackboard& blackboard, const std::string& address) const {
   blackboard.share(field);
   blackboard.share(robot);
   blackboard.share(colorTable);
   blackboard.share(motions);
   blackboard.get<Behavior>() = behavior;
+  blackboard.get<RobotCalibration>() = calibration.of(address);
 }
 
 std::vector<const RepresentationType*> Configuration::representations() {
   return {&representation<FieldDimensions>(), &representation<RobotDimensions>(),
-          &representation<ColorTable64>(), &representation<MotionNet>(),
-          &representation<Behavior>()};
+          &representation<ColorTable64>(),    &representation<MotionNet>(),
+          &representation<Behavior>(),        &representation<RobotCalibration>()};
 }
 
 Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths,
                                                                const SolutionTable& table) {
-  const fs::path folder{paths.config};
-  if (!fs::is_directory(folder)) return Error{paths.config, 0, "", "is not a folder"};
-  auto configuration = std::make_shared<Configuration>();
-  configuration->field = std::make_shared<FieldDimensions>();
-  configuration->robot = std::make_shared<RobotDimensions>();
-  if (auto done = readOptional(folder / "field.cfg", *configuration->field); !done)
-    return done.error();
-  if (auto done = readOptional(folder / "robot.cfg", *configuration->robot); !done)
-    return done.error();
-  auto colorTable = readColorTable(
-      paths.colorTable.empty() ? (folder / "coltable.c64").string() : paths.colorTable,
-      paths.colorOrder);
-  if (!colorTable) return colorTable.error();
-  configuration->colorTable = std::make_shared<ColorTable64>(std::move(*colorTable));
-  auto motions = loadMotionNet(paths.motions);
-  if (!motions) return motions.error();
-  configuration->motions = std::make_shared<MotionNet>(std::move(*motions));
-  auto behavior = loadBehavior({paths.behavior, {}});
-  if (!behavior) return behavior.error();
-  configuration->behavior = std::move(*behavior);
-  if (auto done = readSolutions(table, folder / "modules.cfg", configuration->solutions); !done)
-    return done.error();
-  if (auto done = readLog(folder / "log.cfg", configuration->log); !done) return done.error();
-  if (auto done = readParameters(table, folder / "modules", configuration->parameters); !done)
-    return done.error();
+  Errors errors;
+  auto configuration = read(paths, table, errors);
+  if (!errors.empty()) return errors.front();
   return std::shared_ptr<const Configuration>{std::move(configuration)};
+}
+
+std::vector<Error> checkConfiguration(const ConfigurationPaths& paths, const SolutionTable& table) {
+  Errors errors;
+  const auto configuration = read(paths, table, errors);
+  for (const Configuration::ParameterFile& file : configuration->parameters) {
+    const Task* task = table.find(file.task);
+    const Solution* solution = task ? task->find(file.solution) : nullptr;
+    if (solution) collect(errors, checkParameters(*solution, file));
+  }
+  return errors;
+}
+
+Result<Player> loadPlayer(const std::string& configFolder) {
+  return loadOne<Player>(configFolder, "player.cfg");
+}
+
+Result<NetworkSettings> loadNetwork(const std::string& configFolder) {
+  auto settings = loadOne<NetworkSettings>(configFolder, "network.cfg");
+  if (settings && !settings->address.empty() && !isHardwareAddress(settings->address))
+    return Error{configFolder + "/network.cfg", 0, "address",
+                 "expected 12 digits, as 00022D1F626B"};
+  return settings;
 }
 
 }  // namespace gt

@@ -9,23 +9,31 @@
 #include "modules/behavior/BehaviorRequest.h"
 #include "modules/motion/MotionNetLoader.h"
 #include "modules/perception/ColorTableFile.h"
+#include "representations/infrastructure/CameraSettings.h"
 #include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/infrastructure/RobotCalibration.h"
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/perception/ColorTable64.h"
+#include "robot/ConfigFolder.h"
 
 namespace gt {
 
 /// What a robot reads from files when it starts (report B.4), loaded once and shared by all robots
 /// that have the same. In the configuration folder:
 ///
+///     location.cfg               the folder in this one whose files win (report B.4.1)
 ///     field.cfg                  FieldDimensions
-///     robot.cfg                  RobotDimensions
+///     dimensions.cfg             RobotDimensions
+///     robot.cfg                  RobotCalibration of each robot by hardware address (B.4.5)
+///     camera.cfg                 CameraSettings, for each robot if wanted (B.4.3)
 ///     coltable.c64               ColorTable64 (report B.4.2)
 ///     modules.cfg                the solution of each task
 ///     modules/TASK.SOLUTION.cfg  the parameters of that solution
 ///     log.cfg                    what is recorded
 ///
-/// Every file but coltable.c64 may be missing: then the defaults hold.
+/// Every file but coltable.c64 may be missing: then the defaults hold. Who the robot is and how it
+/// is reached are its program's matter: `loadPlayer`, `loadNetwork`.
 struct Configuration {
   /// A line of modules.cfg.
   struct SolutionChoice {
@@ -44,6 +52,8 @@ struct Configuration {
 
   std::shared_ptr<FieldDimensions> field;
   std::shared_ptr<RobotDimensions> robot;
+  PerRobot<RobotCalibration> calibration;
+  PerRobot<CameraSettings> camera;
   std::shared_ptr<ColorTable64> colorTable;
   std::shared_ptr<MotionNet> motions;
   Behavior behavior;  ///< Each robot has its own: it may be edited while it runs.
@@ -51,8 +61,8 @@ struct Configuration {
   std::vector<ParameterFile> parameters;
   LogSettings log;
 
-  /// Lays the shared values on a blackboard.
-  void share(Blackboard& blackboard) const;
+  /// Lays the shared values on a blackboard, and those of the robot with a hardware address.
+  void share(Blackboard& blackboard, const std::string& address) const;
   static std::vector<const RepresentationType*> representations();
 };
 
@@ -67,6 +77,7 @@ struct ConfigurationPaths {
   std::string behavior = "behavior/GT2003.xabsl";  ///< The agents file.
   std::string colorTable{};  ///< Instead of the folder's coltable.c64, if not empty.
   ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the colour table's classes.
+  std::string location{};  ///< Instead of what location.cfg says, if not empty.
 };
 
 /// Reads everything; the first error tells file, line and field. Names of solutions are checked
@@ -75,5 +86,12 @@ Result<std::shared_ptr<const Configuration>> loadConfiguration(const Configurati
                                                                const SolutionTable& table);
 /// For programs that hold all solutions.
 Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths);
+
+/// The same, but goes on after an error, and tells all.
+std::vector<Error> checkConfiguration(const ConfigurationPaths& paths, const SolutionTable& table);
+
+/// player.cfg and network.cfg of a robot's own program; each may be missing.
+Result<Player> loadPlayer(const std::string& configFolder);
+Result<NetworkSettings> loadNetwork(const std::string& configFolder);
 
 }  // namespace gt

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "robot/Solutions.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -122,6 +123,88 @@ TEST_F(ConfigurationTest, WrongBehaviors) {
   EXPECT_THAT(error(), ::testing::HasSubstr("unregistered"));
   fs::remove(root / "behavior/GT2003.xabsl");
   EXPECT_THAT(error(), ::testing::StartsWith("behavior/GT2003.xabsl: "));
+}
+
+TEST_F(ConfigurationTest, FilesOfTheLocationWin) {
+  write("config/field.cfg", "ballRadius 43\n");
+  write("config/Padua/field.cfg", "ballRadius 50\n");
+  write("config/Padua/modules.cfg", "SelfLocator disabled\n");
+  write("config/Padua/modules/SelfLocator.MonteCarlo.cfg", "");
+  EXPECT_EQ((*loadConfiguration(paths))->field->ballRadius, 43) << "no location yet";
+  write("config/location.cfg", "Padua\n");
+  const auto padua = *loadConfiguration(paths);
+  EXPECT_EQ(padua->field->ballRadius, 50);
+  ASSERT_EQ(padua->solutions.size(), 1u);
+  EXPECT_EQ(padua->solutions[0].solution, "disabled");
+  EXPECT_EQ(padua->parameters.size(), 2u) << "the common one of the walk, and the location's";
+  EXPECT_FALSE(padua->log.representations.empty()) << "what it has not is the common one";
+  write("config/location.cfg", " // nothing chosen\n");
+  EXPECT_EQ((*loadConfiguration(paths))->field->ballRadius, 43);
+}
+
+TEST_F(ConfigurationTest, WrongLocations) {
+  write("config/location.cfg", "Lisbon\n");
+  EXPECT_EQ(error(), "config/location.cfg: Lisbon: there is no such folder beside it");
+  write("config/location.cfg", "../config\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/location.cfg:1: ../config: "));
+  write("config/location.cfg", "nao2009\nmodules\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/location.cfg:2: modules: "));
+}
+
+TEST_F(ConfigurationTest, RobotsAreCalibratedByTheirAddresses) {
+  // The report's example, B.4.5.
+  write("config/robot.cfg", "[00022D1F626B]\nbodyTiltOffset 0.06\nbodyRollOffset 0\n");
+  write("config/camera.cfg",
+        "whiteBalance wb_fl_mode\n[00022D1F626B]\ngain gain_high\nshutterSpeed shutter_slow\n");
+  const auto configuration = *loadConfiguration(paths);
+  EXPECT_EQ(configuration->calibration.of("00022D1F626B").bodyTiltOffset, 0.06);
+  EXPECT_EQ(configuration->calibration.of("00022D1F626C").bodyTiltOffset, 0);
+  const CameraSettings& camera = configuration->camera.of("00022D1F626B");
+  EXPECT_EQ(camera.whiteBalance, WhiteBalance::wb_fl_mode) << "as for all robots";
+  EXPECT_EQ(camera.gain, Gain::gain_high);
+  EXPECT_EQ(configuration->camera.of("").gain, Gain::gain_mid);
+  Blackboard blackboard;
+  configuration->share(blackboard, "00022D1F626B");
+  EXPECT_EQ(blackboard.get<RobotCalibration>().bodyTiltOffset, 0.06);
+}
+
+TEST_F(ConfigurationTest, WrongRobots) {
+  write("config/robot.cfg", "[00022D1F626B]\nbodyTiltOffset 0.06\n[red1]\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/robot.cfg:3: red1: "));
+  write("config/robot.cfg", "[00022D1F626B]\n\n[00022D1F626B]\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/robot.cfg:3: 00022D1F626B: "));
+  write("config/robot.cfg", "[00022D1F626B]\n[00022D1F626C]\nbodyTiltOffset 6\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/robot.cfg:3: bodyTiltOffset: "));
+  fs::remove(root / "config/robot.cfg");
+  write("config/camera.cfg", "gain loud\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/camera.cfg:1: gain: "));
+}
+
+TEST_F(ConfigurationTest, PlayerAndNetwork) {
+  // The report's example, B.4.4.
+  write("config/player.cfg",
+        "// teamColor red | blue\nteamColor blue\n"
+        "// playerRole goalie | defender | striker1 | striker2\nplayerRole striker2\n");
+  EXPECT_EQ(loadPlayer(paths.config)->role, PlayerRole::striker2);
+  write("config/player.cfg", "teamColor green\n");
+  EXPECT_EQ(loadPlayer(paths.config).error().line, 1);
+  EXPECT_EQ(loadNetwork(paths.config)->robot, "robot") << "the default";
+  write("config/network.cfg",
+        "robot blue4\nprocesses Motion=tcp://10.0.1.100:5001 Debug=tcp://10.0.1.100:5002\n");
+  EXPECT_EQ(loadNetwork(paths.config)->processes.size(), 2u);
+  write("config/network.cfg", "address 00:02:2D:1F:62:6B\n");
+  EXPECT_EQ(loadNetwork(paths.config).error().field, "address");
+}
+
+TEST_F(ConfigurationTest, CheckTellsAllErrorsAtOnce) {
+  EXPECT_TRUE(checkConfiguration(paths, solutions()).empty());
+  write("config/modules.cfg", "SelfLocater MonteCarlo\nBallLocator Wrong\n");
+  write("config/log.cfg", "representation BallMoodel\npictures often\n");
+  write("config/camera.cfg", "gain loud\n");
+  write("config/coltable.c64", "garbage, not a colour table at all");
+  write("config/modules/SelfLocator.MonteCarlo.cfg", "nonsense 1\n");
+  write("motions/stand.mof", "garbage\n");
+  EXPECT_GE(checkConfiguration(paths, solutions()).size(), 8u);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ const std::vector<const RepresentationType*>& givenRepresentations() {
 
 std::unique_ptr<ModuleProcess> makeProcess(const Plan::Process& plan, const RobotSetup& setup) {
   Blackboard blackboard;
-  setup.configuration->share(blackboard);
+  setup.configuration->share(blackboard, setup.address);
   blackboard.get<Player>() = setup.player;
   Time& frameTime = blackboard.get<FrameInfo>().time;
   return std::make_unique<ModuleProcess>(plan, std::move(blackboard), frameTime,

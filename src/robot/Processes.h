@@ -14,14 +14,15 @@ const std::vector<const RepresentationType*>& platformRepresentations();
 /// What such a platform takes from the robot: its commands, and what it says to its team.
 const std::vector<const RepresentationType*>& commandRepresentations();
 
-/// What makes a robot: its configuration, its layout, who it is, the seed of its chance, and what
-/// its platform sends.
+/// What makes a robot: its configuration, its layout, who it is, the seed of its chance, what its
+/// platform sends, and the hardware address by which files know it (report B.4.5).
 struct RobotSetup {
   std::shared_ptr<const Configuration> configuration;
   Layout layout;
   Player player;
   std::uint64_t seed = 0;
   std::vector<const RepresentationType*> platform = platformRepresentations();
+  std::string address{};
 };
 
 /// What lies on every blackboard from the start: the configuration and the process's clock.

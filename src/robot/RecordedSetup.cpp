@@ -103,6 +103,7 @@ Result<std::string> readRobot(const std::map<std::string, std::string>& entries,
   if (!team || !role || failure != std::errc{} || end != seed.data() + seed.size())
     return Error{file, 0, metadataName, "does not tell team, role and seed"};
   setup.player = {*team, *role};
+  setup.address = entry("address");
   const std::string agents = entry("behavior");
   if (!staysInside(agents)) return Error{file, 0, metadataName, "has a wrong behavior"};
   return agents;
@@ -115,6 +116,7 @@ Result<void> attachSetup(const RecordedSetup& setup, McapWriter& log) {
   log.metadata(metadataName, {{"team", std::string{enumName(setup.player.teamColor)}},
                               {"role", std::string{enumName(setup.player.role)}},
                               {"seed", std::to_string(setup.seed)},
+                              {"address", setup.address},
                               {"layout", fs::path{setup.layout}.filename().string()},
                               {"behavior", behavior.filename().string()},
                               {"commit", commit()}});

@@ -12,6 +12,7 @@ struct RecordedSetup {
   std::string layout;
   Player player;
   std::uint64_t seed = 0;
+  std::string address{};  ///< Hardware address.
 };
 
 /// Puts it into a log: the files of configuration, motions and behavior and the layout as

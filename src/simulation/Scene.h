@@ -106,6 +106,7 @@ struct SceneRobot {
   double x = 0, y = 0, rotation = 0;
   std::string model = "../models/ers210.xml";
   std::string layout = "../layouts/cmd.layout";
+  std::string address;
   int line = 0;
 
   Player player() const { return {team, role}; }
@@ -120,7 +121,8 @@ struct SceneRobot {
         field("y", &SceneRobot::y, "mm", "", {-1e4, 1e4}),
         field("rotation", &SceneRobot::rotation, "deg", "", {-360, 360}),
         field("model", &SceneRobot::model, "", "MJCF file, from the scene's folder"),
-        field("layout", &SceneRobot::layout, "", "process layout, from the scene's folder")};
+        field("layout", &SceneRobot::layout, "", "process layout, from the scene's folder"),
+        field("address", &SceneRobot::address, "", "hardware address, for robot.cfg")};
   }
 };
 

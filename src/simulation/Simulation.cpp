@@ -49,6 +49,7 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
     robots_.push_back({nullptr,
                        Sensors{scene.noise, random.fork("sensors " + robot.name)},
                        random.fork("pictures " + robot.name),
+                       scene.camera,
                        {},
                        {},
                        {},
@@ -111,7 +112,7 @@ void Simulation::sense(std::size_t robot) {
 void Simulation::takePicture(std::size_t robot, CameraRenderer& renderer) {
   SimulatedRobot& r = robots_[robot];
   const Stopwatch::Lap lap{r.cameraTime};
-  renderer.render(world_->data(), cameraView(*world_, robot, CameraInfo{}), scene_.camera,
+  renderer.render(world_->data(), cameraView(*world_, robot, CameraInfo{}), r.camera,
                   r.pictureSeeds(), r.image);
   r.image.time = r.input.now;
   r.input.image = &r.image;

@@ -72,6 +72,10 @@ class Simulation {
 
   /// Gives an active robot its controller. A robot without one stands still.
   void attach(std::size_t robot, std::unique_ptr<RobotController> controller);
+  /// Sets an active robot's camera in its own way; at the start all are as the scene says.
+  void setCamera(std::size_t robot, const CameraEffects& effects) {
+    robots_[robot].camera = effects;
+  }
   /// Pictures are taken unless switched off.
   void takePictures(bool on) { takePictures_ = on; }
 
@@ -104,6 +108,7 @@ class Simulation {
     std::unique_ptr<RobotController> controller;
     Sensors sensors;
     Random pictureSeeds;
+    CameraEffects camera;
     RobotInput input;
     RobotOutput output;
     Image image;

@@ -245,7 +245,8 @@ INSTANTIATE_TEST_SUITE_P(All, WrongFiles, testing::ValuesIn(wrongFiles()),
 
 TEST(Programs, AcceptTheRepositorysFiles) {
   const Workplace workplace;
-  for (const std::string& program : {play, see, checkBehavior, checkMotions}) {
+  for (const std::string& program :
+       {play, see, checkBehavior, checkMotions, std::string{"simgt check"}}) {
     const Outcome outcome = workplace.run(program);
     EXPECT_EQ(outcome.status, 0) << program;
     EXPECT_EQ(outcome.errors, "") << program;
@@ -258,6 +259,33 @@ TEST(Programs, TellEveryErrorOfAMotion) {
   const Outcome outcome = workplace.run(checkMotions);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.errors, StartsWith("motions/stand.mof:1: "));
+}
+
+TEST(Programs, CheckTellsAllErrorsOfATree) {
+  const Workplace workplace;
+  workplace.write("behavior/options/kick.xabsl", "garbage");
+  workplace.write("config/camera.cfg", "gain loud\n");
+  workplace.write("config/log.cfg", "pictures 100\nrepresentation BallMoodel\n");
+  workplace.write("config/modules.cfg", "SelfLocater MonteCarlo\nBallLocator Unheard\n");
+  workplace.write("config/nao2009/field.cfg", "ballRadus 3\n");
+  workplace.write("config/player.cfg", "teamColor green\n");
+  workplace.write("layouts/single.layout", "process All on Image\n  BallFinder\n");
+  workplace.write("motions/stand.mof", "garbage\n");
+  workplace.write("scenes/empty.scene", "<scene><robots/></scean>");
+  const Outcome outcome = workplace.run("simgt check");
+  EXPECT_EQ(outcome.status, 2);
+  std::istringstream lines{outcome.errors};
+  std::size_t at = 0;
+  for (const char* file :
+       {"behavior/", "config/camera.cfg:1: gain", "config/log.cfg:2: BallMoodel",
+        "config/modules.cfg:1: SelfLocater", "config/modules.cfg:2: BallLocator",
+        "config/nao2009/field.cfg:1: ballRadus", "config/player.cfg:1: teamColor",
+        "layouts/single.layout:2: BallFinder", "motions/stand.mof:1: ", "scenes/empty.scene:1: "}) {
+    const std::size_t found = outcome.errors.find("simgt: " + std::string{file}, at);
+    EXPECT_NE(found, outcome.errors.npos) << file << " is not told, or not in order:\n"
+                                          << outcome.errors;
+    if (found != outcome.errors.npos) at = found;
+  }
 }
 
 TEST(Programs, RefuseFoldersInsteadOfFiles) {

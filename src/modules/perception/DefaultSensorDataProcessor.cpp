@@ -14,8 +14,13 @@ namespace {
 constexpr double psdForward = 26.5, psdUp = 13.4;
 constexpr double psdRange = 900;
 
-Pose3D cameraPoseFor(const RobotDimensions& robot, const JointAngles& joints) {
-  return cameraPose(robot, bodyPose(bodyPosture(robot, joints)),
+/// The camera's pose by the joints, with the body's posture corrected for this robot (report
+/// B.4.5).
+Pose3D cameraPoseFor(const RobotDimensions& robot, const RobotCalibration& calibration,
+                     const JointAngles& joints) {
+  BodyPosture posture = bodyPosture(robot, joints);
+  posture.tilt += calibration.bodyTiltOffset;
+  return cameraPose(robot, bodyPose(posture, calibration.bodyRollOffset),
                     {joints[Joint::headTilt], joints[Joint::headPan], joints[Joint::headRoll]});
 }
 
@@ -33,10 +38,11 @@ Vector3d averageAcceleration(const SensorDataBuffer& sensors) {
 
 /// The camera's pose when a picture's middle row was exposed, and how it turned meanwhile.
 void computeMatrix(const SensorDataBuffer& sensors, const Image& image,
-                   const RobotDimensions& robot, CameraMatrix& matrix) {
+                   const RobotDimensions& robot, const RobotCalibration& calibration,
+                   CameraMatrix& matrix) {
   const CameraInfo& info = image.info;
   const auto poseAtRow = [&](double row) {
-    return cameraPoseFor(robot,
+    return cameraPoseFor(robot, calibration,
                          jointsAt(sensors, image.time, (row - (info.height - 1)) * info.rowTime));
   };
   matrix.time = image.time;
@@ -72,6 +78,7 @@ JointAngles jointsAt(const SensorDataBuffer& sensors, Time start, double millise
 
 void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorDataBuffer& sensors,
                                         const Image& image, const RobotDimensions& robot,
+                                        const RobotCalibration& calibration,
                                         const MotionInfo& motion, CameraMatrix& matrix,
                                         BodyPercept& body, PsdPercept& psd) {
   const SensorData& newest = sensors.newest();
@@ -89,10 +96,10 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   body.height = posture.height;
   body.switches = newest.switches;
 
-  computeMatrix(sensors, image, robot, matrix);
+  computeMatrix(sensors, image, robot, calibration, matrix);
   matrix.valid = motion.stable && body.state == BodyState::standing;
 
-  const Pose3D camera = cameraPoseFor(robot, newest.joints);
+  const Pose3D camera = cameraPoseFor(robot, calibration, newest.joints);
   psd.time = newest.time;
   psd.tooFarAway = newest.psd >= psdRange;
   psd.offset = camera * Vector3d{psdForward - robot.panToCamera + newest.psd, 0, psdUp};

@@ -2,6 +2,7 @@
 #include "modules/perception/Tasks.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/Image.h"
+#include "representations/infrastructure/RobotCalibration.h"
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/motion/MotionInfo.h"
@@ -33,8 +34,8 @@ class DefaultSensorDataProcessor {
   Parameters parameters;
 
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
-              const RobotDimensions& robot, const MotionInfo& motion, CameraMatrix& matrix,
-              BodyPercept& body, PsdPercept& psd);
+              const RobotDimensions& robot, const RobotCalibration& calibration,
+              const MotionInfo& motion, CameraMatrix& matrix, BodyPercept& body, PsdPercept& psd);
 
  private:
   BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest);

@@ -24,12 +24,16 @@ class DefaultSensorDataProcessorTest : public testing::Test {
     }
     image_.time = now_;
   }
-  void run() { processor_.update({now_}, sensors_, image_, robot_, motion_, matrix_, body_, psd_); }
+  void run() {
+    processor_.update({now_}, sensors_, image_, robot_, calibration_, motion_, matrix_, body_,
+                      psd_);
+  }
 
   Time now_{200};
   SensorDataBuffer sensors_;
   Image image_;
   RobotDimensions robot_;
+  RobotCalibration calibration_;
   MotionInfo motion_;
   DefaultSensorDataProcessor processor_;
   CameraMatrix matrix_;
@@ -50,6 +54,19 @@ TEST_F(DefaultSensorDataProcessorTest, GivesEachRowTheRotationOfItsMoment) {
     EXPECT_LT((matrix_.rotationAt(row) - expected.rotation).norm(), 1e-3) << row;
   }
   EXPECT_NEAR(matrix_.turning.z(), 1.5, 0.2);
+}
+
+TEST_F(DefaultSensorDataProcessorTest, CorrectsTheBodysPostureForThisRobot) {
+  fill(0);
+  run();
+  const Vector3d uncorrected = matrix_.pose.rotation.col(0);
+  calibration_ = {0.06, 0};
+  run();
+  const Vector3d tilted = matrix_.pose.rotation.col(0);
+  EXPECT_NEAR(std::asin(tilted.z()) - std::asin(uncorrected.z()), 0.06, 1e-6) << "nose up";
+  calibration_ = {0, 0.1};
+  run();
+  EXPECT_NEAR(std::asin(matrix_.pose.rotation.col(1).z()), 0.1, 1e-3) << "right side down";
 }
 
 TEST_F(DefaultSensorDataProcessorTest, StandsStill) {

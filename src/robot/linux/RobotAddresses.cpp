@@ -3,13 +3,33 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "streams/File.h"
 
 namespace gt {
 
 std::string RobotAddresses::endpoint(const std::string& process) const {
   const auto told = elsewhere.find(process);
   return told != elsewhere.end() ? told->second : "ipc://" + folder + "/" + robot + "." + process;
+}
+
+std::string machineAddress() {
+  std::set<std::string> addresses;  // by interface, so the first is always the same
+  std::error_code failed;
+  for (const auto& interface : std::filesystem::directory_iterator{"/sys/class/net", failed}) {
+    const auto text = readFile((interface.path() / "address").string());
+    std::string address;
+    for (const char c : text ? *text : std::string{})
+      if (std::isxdigit(static_cast<unsigned char>(c)))
+        address += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (address.size() == 12 && address != std::string(12, '0'))
+      addresses.insert(interface.path().filename().string() + " " + address);
+  }
+  return addresses.empty() ? "" : addresses.begin()->substr(addresses.begin()->size() - 12);
 }
 
 std::string defaultSocketFolder() {

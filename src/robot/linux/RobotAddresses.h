@@ -20,6 +20,10 @@ struct RobotAddresses {
 /// What the other processes know a robot's hardware by, or who takes its place.
 constexpr const char* platformProcess = "Platform";
 
+/// The hardware address of this machine's first network interface, as robot.cfg has it
+/// (00022D1F626B); empty if there is none.
+std::string machineAddress();
+
 /// The folder for the sockets of this user's robots: $XDG_RUNTIME_DIR/gt2003, or one in /tmp.
 std::string defaultSocketFolder();
 /// Makes a folder that nobody else can look into; an error if it is there and others can.

@@ -1,7 +1,5 @@
 #include "robot/linux/RobotProgram.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <csignal>
 
@@ -109,7 +107,8 @@ class Recorder {
  public:
   static Result<Recorder> open(const RobotProgramOptions& options, const SolutionTable& table,
                                std::vector<std::string> representations) {
-    auto log = RobotLog::open(freeFile(options), {{"robot", options.addresses.robot}});
+    auto log = RobotLog::open(freeLogFile(options.logs + "/" + options.addresses.robot),
+                              {{"robot", options.addresses.robot}});
     if (!log) return log.error();
     for (const auto& [name, task] : table.tasks())
       for (const RepresentationType* type : task.outputs) log->know(*type);
@@ -137,15 +136,6 @@ class Recorder {
   Recorder(RobotLog log, std::vector<std::string> representations)
       : log_{std::move(log)}, representations_{std::move(representations)} {}
 
-  /// ROBOT.mcap, or with the next number: a log is never written over.
-  static std::string freeFile(const RobotProgramOptions& options) {
-    const std::string base = options.logs + "/" + options.addresses.robot;
-    std::string file = base + ".mcap";
-    for (int i = 2; access(file.c_str(), F_OK) == 0; ++i)
-      file = base + "." + std::to_string(i) + ".mcap";
-    return file;
-  }
-
   RobotLog log_;
   std::vector<std::string> representations_;
   std::map<std::string, std::uint64_t> sessions_;
@@ -160,6 +150,14 @@ Result<std::optional<Recorder>> openRecorder(const RobotProgramOptions& options,
   auto recorder = Recorder::open(options, table, (*configuration)->log.representations);
   if (!recorder) return recorder.error();
   return std::optional{std::move(*recorder)};
+}
+
+/// Saves messages beside the robot's log, and tells the tools where.
+void tellSaved(const RobotProgramOptions& options, const MessageQueue& messages,
+               const SolutionTable& table, Time now, MessageQueue& toTools) {
+  const std::string folder = options.logs.empty() ? "." : options.logs;
+  const auto file = saveQueue(messages, folder + "/" + options.addresses.robot, table);
+  toTools.write(now, Text{file ? "saved " + *file : file.error().text()});
 }
 
 /// Whether all the robot's processes have been heard of, or have had their time to start.
@@ -181,6 +179,9 @@ Result<void> runDebug(const RobotProgramOptions& options, const Layout& layout,
       options.tools.empty() ? options.addresses.endpoint("Tools") : options.tools;
   const auto port = ToolPort::open(network, tools, keysFor(tools, options.listenKeys));
   if (!port) return port.error();
+  debug.onSave([&](const MessageQueue& messages) {
+    tellSaved(options, messages, table, network.now, debug.toTools());
+  });
   auto recorder = openRecorder(options, table);
   if (!recorder) return recorder.error();
   wire.provide(debug.sender());
@@ -217,7 +218,9 @@ Result<void> runRobotProgram(const RobotProgramOptions& options, const SolutionT
 
   const auto configuration = loadConfiguration(options.paths, table);
   if (!configuration) return configuration.error();
-  const RobotSetup setup{*configuration, *layout, options.player, options.seed};
+  const RobotSetup setup{
+      *configuration,         *layout, options.player, options.seed, platformRepresentations(),
+      options.hardwareAddress};
   while (!stopped)
     if (auto done = runModules(options, *layout, table, setup); !done) return done;
   return {};

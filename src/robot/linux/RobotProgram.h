@@ -13,6 +13,7 @@ struct RobotProgramOptions {
   std::string process;  ///< Its name in the layout.
   std::string layout = "layouts/cmd.layout";
   Player player;
+  std::string hardwareAddress;  ///< By which robot.cfg knows the robot.
   std::uint64_t seed = 1;
   ConfigurationPaths paths;
   RobotAddresses addresses;

@@ -1,4 +1,5 @@
 #pragma once
+#include "representations/infrastructure/CameraSettings.h"
 #include "streams/Reflection.h"
 
 namespace gt {
@@ -45,5 +46,10 @@ struct CameraEffects {
   }
 };
 static_assert(complete<CameraEffects>);
+
+/// The effects with the camera set in another way (report B.4.3). Effects are as they are told with
+/// the settings by default: gain and shutter speed change the light by a stop's half each, gain the
+/// noise, too; the other white balances shift the colours as in light that they are not made for.
+CameraEffects withSettings(CameraEffects effects, const CameraSettings& settings);
 
 }  // namespace gt

@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+namespace gt {
+
+/// What `simgt check` is told.
+struct CheckOptions {
+  std::string root = ".";
+};
+
+/// Loads every configuration, layout, scene, motion and behavior of a tree and tells all errors,
+/// sorted by file and line. Returns the exit status.
+int checkTree(const CheckOptions& options);
+
+}  // namespace gt

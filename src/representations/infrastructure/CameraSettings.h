@@ -1,0 +1,27 @@
+#pragma once
+#include "base/Enum.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+// The words of the report, B.4.3.
+enum class WhiteBalance { wb_indoor_mode, wb_outdoor_mode, wb_fl_mode };
+enum class Gain { gain_low, gain_mid, gain_high };
+enum class ShutterSpeed { shutter_slow, shutter_mid, shutter_fast };
+
+/// How the camera is set (camera.cfg, report B.4.3): as it was when the colour table was made.
+/// Configuration.
+struct CameraSettings {
+  WhiteBalance whiteBalance = WhiteBalance::wb_indoor_mode;
+  Gain gain = Gain::gain_mid;
+  ShutterSpeed shutterSpeed = ShutterSpeed::shutter_mid;
+
+  static constexpr auto fields() {
+    return std::tuple{field("whiteBalance", &CameraSettings::whiteBalance),
+                      field("gain", &CameraSettings::gain),
+                      field("shutterSpeed", &CameraSettings::shutterSpeed)};
+  }
+};
+static_assert(complete<CameraSettings>);
+
+}  // namespace gt

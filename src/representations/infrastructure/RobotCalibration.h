@@ -1,0 +1,22 @@
+#pragma once
+#include "base/Geometry.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// By how much the posture of this very robot differs from what its joints measure (robot.cfg,
+/// report B.4.5). Configuration.
+struct RobotCalibration {
+  double bodyTiltOffset = 0;
+  double bodyRollOffset = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("bodyTiltOffset", &RobotCalibration::bodyTiltOffset, "rad",
+                            "added to the body's tilt, + nose up", {-0.5, 0.5}),
+                      field("bodyRollOffset", &RobotCalibration::bodyRollOffset, "rad",
+                            "added to the body's roll, + right side down", {-0.5, 0.5})};
+  }
+};
+static_assert(complete<RobotCalibration>);
+
+}  // namespace gt
