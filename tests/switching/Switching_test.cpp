@@ -87,7 +87,9 @@ class Switching : public testing::TestWithParam<Way> {
   }
   void expectOthersAsTheyWere(const std::string& task, const std::string& solution) {
     for (std::size_t i = 0; i < match_->robots().size(); ++i)
-      if (i != 1) EXPECT_EQ(this->solution(robot(i), task), solution) << task << " of robot " << i;
+      if (i != 1) {
+        EXPECT_EQ(this->solution(robot(i), task), solution) << task << " of robot " << i;
+      }
   }
   int savedFiles() const {
     int count = 0;
@@ -123,7 +125,9 @@ TEST_P(Switching, ParametersArrive) {
       ParameterRequest{"ImageProcessor", "GT2003", "denseSpacing", "4"});
   EXPECT_EQ(parameter(changed()), "4");
   for (std::size_t i = 0; i < match_->robots().size(); ++i)
-    if (i != 1) EXPECT_EQ(parameter(robot(i)), "2") << i;
+    if (i != 1) {
+      EXPECT_EQ(parameter(robot(i)), "2") << i;
+    }
 }
 
 TEST_P(Switching, LayoutsKeepWhatWasSwitched) {
