@@ -14,6 +14,7 @@
 #include "robot/Solutions.h"
 #include "robot/logs/LogPlatform.h"
 #include "simulation/SceneModel.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -21,6 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Looks through a tree and collects what is wrong.
+/// Whether a line of the file begins with `agent`; other files are included by such.
+bool isAgentsFile(const std::string& file) {
+  const auto text = readFile(file);
+  return text && (text->starts_with("agent ") || text->find("\nagent ") != text->npos);
+}
+
 class TreeCheck {
  public:
   explicit TreeCheck(std::string root) : root_{std::move(root)} {}
@@ -74,6 +81,7 @@ class TreeCheck {
     const std::string config = path("config");
     counts_["motions"] = static_cast<int>(files("motions", ".mof").size());
     for (const std::string& behavior : files("behavior", ".xabsl")) {
+      if (!isAgentsFile(behavior)) continue;
       ++counts_["behaviors"];
       checkConfiguration(config, behavior, "");
     }

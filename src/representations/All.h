@@ -4,6 +4,7 @@
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/MotionRequest.h"
 #include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/CameraSettings.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameControlData.h"
@@ -39,11 +40,11 @@ namespace gt {
 template <template <typename...> typename List>
 using AllRepresentations =
     List<BehaviorTrace, HeadControlMode, LedRequest, LedValue, MotionRequest, BehaviorTeamMessage,
-         TeamMessage, TeamMessages, CameraInfo, FieldDimensions, FrameInfo, GameControlData, Image,
-         JointData, OracledWorldState, Player, RobotCalibration, RobotDimensions, SensorData,
-         SensorDataBuffer, BallModel, TeamBallModel, RobotPose, RobotState, HeadMotionRequest,
-         MotionInfo, MotionNet, OdometryData, SpecialActionsOutput, WalkingEngineOutput,
-         BallPercept, BodyPercept, CameraMatrix, ColorTable64, LandmarksPercept, LinesPercept,
-         ObstaclesPercept, PlayersPercept, PsdPercept>;
+         TeamMessage, TeamMessages, CameraInfo, CameraSettings, FieldDimensions, FrameInfo,
+         GameControlData, Image, JointData, OracledWorldState, Player, RobotCalibration,
+         RobotDimensions, SensorData, SensorDataBuffer, BallModel, TeamBallModel, RobotPose,
+         RobotState, HeadMotionRequest, MotionInfo, MotionNet, OdometryData, SpecialActionsOutput,
+         WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix, ColorTable64,
+         LandmarksPercept, LinesPercept, ObstaclesPercept, PlayersPercept, PsdPercept>;
 
 }  // namespace gt

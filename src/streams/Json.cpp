@@ -131,6 +131,8 @@ Result<Json> parseJson(std::string_view text, const std::string& sourceName) {
     return Json::parse(text);
   } catch (const Json::parse_error& e) {
     return Error{sourceName, 0, std::to_string(e.byte), "is no JSON"};
+  } catch (const Json::out_of_range&) {
+    return Error{sourceName, 0, "", "holds a number that is too large"};
   }
 }
 

@@ -68,6 +68,7 @@ TEST(Json, TellsWhereItIsWrong) {
   EXPECT_EQ(errorOf(R"({"vlaue":1})"), "vlaue: unknown name");
   EXPECT_EQ(errorOf(R"({"value":1000})"), "value: must be from -100 to 100");
   EXPECT_EQ(errorOf(R"([])"), "expected an object");
+  EXPECT_EQ(errorOf("{\"x\": 1e999}"), "test.json: holds a number that is too large");
   EXPECT_EQ(errorOf("{"), "test.json: 2: is no JSON");
   EXPECT_EQ(errorOf(std::string(100000, '[').c_str()), "test.json: is nested too deeply");
 }

@@ -5,10 +5,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <thread>
 
 #include "match/Match.h"
@@ -51,11 +56,87 @@ class Child {
     pid_ = -1;
   }
   int status() const { return status_; }
+  /// What it has of the memory, in MB.
+  double memory() const {
+    std::ifstream file{"/proc/" + std::to_string(pid_) + "/statm"};
+    double pages = 0, resident = 0;
+    file >> pages >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+  }
 
  private:
   std::vector<std::string> command_;
   pid_t pid_ = -1;
   int status_ = 0;
+};
+
+/// A port of this machine on which nobody listens.
+std::string freePort() {
+  Network network;
+  const std::string endpoint = (*network.listen("tcp://127.0.0.1:*"))->endpoint();
+  return endpoint.substr(endpoint.rfind(':') + 1);
+}
+
+/// Tools that do a port all the harm they can, until they go: one that reads what the robot sends
+/// and floods it, one that asks and never reads, and one that sends garbage.
+class BadTools {
+ public:
+  explicit BadTools(const std::string& endpoint) : endpoint_{endpoint} {
+    stalling_ = connect(1);
+    flooding_ = connect(1000);
+    sending_ = std::thread{[this] {
+      for (int round = 0; !ended_; ++round) {
+        attack(round);
+        std::this_thread::sleep_for(std::chrono::milliseconds{2});
+      }
+    }};
+  }
+  ~BadTools() {
+    ended_ = true;
+    sending_.join();
+  }
+  /// How many messages left.
+  std::uint64_t sent() const { return sent_; }
+
+ private:
+  zmq::socket_t connect(int frames) {
+    zmq::socket_t socket{context_, zmq::socket_type::dealer};
+    socket.set(zmq::sockopt::linger, 0);
+    socket.set(zmq::sockopt::sndhwm, frames);
+    socket.set(zmq::sockopt::rcvhwm, frames);
+    socket.connect(endpoint_);
+    return socket;
+  }
+  void send(zmq::socket_t& socket, const Frame& frame, std::size_t size) {
+    const auto header = frameHeader(frame);
+    zmq::message_t message{header.size() + size};
+    std::memset(message.data(), 0xa5, message.size());
+    std::memcpy(message.data(), header.data(), header.size());
+    if (socket.send(message, zmq::send_flags::dontwait)) ++sent_;
+  }
+  void attack(int round) {
+    const std::uint32_t queue = representation<MessageQueue>().id;
+    zmq::message_t ignored;
+    while (flooding_.recv(ignored, zmq::recv_flags::dontwait)) continue;
+    for (int i = 0; i < 20; ++i) {
+      send(flooding_, {FrameKind::request, queue, 1, {}, {}}, 0);
+      send(flooding_, {FrameKind::package, queue, 1, {}, {}}, 50'000);
+      send(stalling_, {FrameKind::request, queue, 1, {}, {}}, 0);
+    }
+    // Each garbage comes from a new tool: a frame that is too large ends the connection.
+    if (round % 20 == 0) garbage_ = connect(10);
+    const std::string noise(static_cast<std::size_t>(round % 100), '\xff');
+    if (garbage_.send(zmq::buffer(noise), zmq::send_flags::dontwait)) ++sent_;
+    send(garbage_, {FrameKind::package, 0xdeadbeef, 1, {}, {}}, 100);
+    if (round % 20 == 10) send(garbage_, {FrameKind::package, queue, 1, {}, {}}, 64'000'000);
+  }
+
+  std::string endpoint_;
+  zmq::context_t context_;
+  zmq::socket_t stalling_, flooding_, garbage_;
+  std::atomic<std::uint64_t> sent_ = 0;
+  std::atomic<bool> ended_ = false;
+  std::thread sending_;
 };
 
 /// A match in real time in which red3 consists of three programs.
@@ -107,6 +188,45 @@ class RobotProgramsTest : public ::testing::Test {
            now.missedFrames - before.missedFrames < 25 &&
            now.missedPictures - before.missedPictures < 5;
   }
+  /// A tool gets what it asked for.
+  bool answers(const std::string& endpoint) {
+    Network network;
+    const auto tool = *ToolConnection::open(network, endpoint);
+    MessageQueue messages;
+    tool->out().write({}, WatchRequest{"WalkingEngineOutput", "", true});
+    bool answered = false;
+    return playUntil([&] {
+      tool->update(messages);
+      messages.handleAllMessages(
+          [&](const Message& message) { answered |= message.id == hashOf("WalkingEngineOutput"); });
+      messages.clear();
+      return answered;
+    });
+  }
+  /// Bad tools at an endpoint harm neither the robot nor its team mates nor a good tool there.
+  void expectNoHarm(const std::string& endpoint, const std::vector<const Child*>& watched) {
+    ASSERT_TRUE(playUntil([&] { return joined(); }));
+    ASSERT_TRUE(answers(endpoint));
+    std::vector<double> memory;
+    for (const Child* child : watched) memory.push_back(child->memory());
+    const auto heardOfIt = [&] {
+      return match->simulation().input(3).team.byPlayer[2].timeReceived;
+    };
+    const Time heardBefore = heardOfIt();
+    const RemoteStatistics before = robot().statistics();
+    const BadTools tools{endpoint};
+    play(3000);
+    const RemoteStatistics& now = robot().statistics();
+    EXPECT_GT(tools.sent(), 1000u);
+    EXPECT_GT(now.frames - before.frames, 280u);
+    EXPECT_LT(now.missedFrames - before.missedFrames, 95u) << "of 375";
+    EXPECT_LT(now.missedPictures - before.missedPictures, 20u) << "of 75";
+    EXPECT_TRUE(answers(endpoint)) << "a good tool beside the bad ones";
+    for (const auto& process : processes) EXPECT_TRUE(process->runs());
+    for (std::size_t i = 0; i < watched.size(); ++i)
+      EXPECT_LT(watched[i]->memory() - memory[i], 150) << "MB more in program " << i;
+    EXPECT_GT(heardOfIt().ms, heardBefore.ms) << "its team mates still hear of it";
+  }
   std::vector<fs::path> logs() const {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator{folder})
@@ -152,18 +272,65 @@ TEST_F(RobotProgramsTest, MotionHoldsASafeStandWithoutCognition) {
 }
 
 TEST_F(RobotProgramsTest, AToolReachesTheProcesses) {
+  EXPECT_TRUE(answers("ipc://" + folder + "/red3.Tools"));
+}
+
+TEST_F(RobotProgramsTest, BadToolsHarmNoRobot) {
+  expectNoHarm("ipc://" + folder + "/red3.Tools",
+               {processes[0].get(), processes[1].get(), processes[2].get()});
+}
+
+TEST_F(RobotProgramsTest, BadToolsAtTheRouterHarmNoRobot) {
+  const std::string port = freePort();
+  // Tools of a robot with a name connect to the router's port + 301.
+  Child router{{GT_PROGRAMS "/router", "red3=ipc://" + folder + "/red3.Tools", "--port",
+                std::to_string(std::stoi(port) - 301)}};
+  expectNoHarm("tcp://127.0.0.1:" + port, {processes[2].get(), &router});
+  EXPECT_TRUE(router.runs());
+}
+
+/// What a program says when it ends with status 2; empty if it does not.
+std::string refusal(const std::string& command) {
+  FILE* program =
+      popen(("timeout 10 " GT_PROGRAMS "/" + command + " 2>&1 >/dev/null").c_str(), "r");
+  std::string text;
+  for (int c = std::fgetc(program); c != EOF; c = std::fgetc(program)) text += static_cast<char>(c);
+  const int status = pclose(program);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 2 ? text : "";
+}
+
+TEST(NetworkPrograms, RefuseWrongUseInOneLine) {
   Network network;
-  const auto tool = *ToolConnection::open(network, "ipc://" + folder + "/red3.Tools");
-  MessageQueue messages;
-  tool->out().write({}, WatchRequest{"WalkingEngineOutput", "", true});
-  bool answered = false;
-  EXPECT_TRUE(playUntil([&] {
-    tool->update(messages);
-    messages.handleAllMessages(
-        [&](const Message& message) { answered |= message.id == hashOf("WalkingEngineOutput"); });
-    messages.clear();
-    return answered;
-  }));
+  const std::string taken = (*network.listen("tcp://127.0.0.1:*"))->endpoint();
+  const int port = std::stoi(taken.substr(taken.rfind(':') + 1));
+  std::string path = (fs::temp_directory_path() / "gt2003-XXXXXX").string();
+  const std::string folder = mkdtemp(path.data());
+  const std::string motion =
+      "gtrobot-motion --sockets " + folder + " --crashes " + folder + "/crashes --robot red3 ";
+  const std::string router = "router red3=ipc://" + folder + "/red3.Tools ";
+  for (const auto& [command, line] : std::vector<std::pair<std::string, std::string>>{
+           {"router", "router: robots: there is none"},
+           {"router red3=", "router: red3=: is no robot"},
+           {"router 10.0.1.300", "router: 10.0.1.300: is no robot"},
+           {"router red3=nowhere", "router: network: nowhere: "},
+           {"router a=ipc:///x a=ipc:///y", "router: a: has the name or number of another"},
+           {router + "--listen 0.0.0.0", "router: network: tcp://0.0.0.0:15301: can be reached"},
+           {router + "--keys nokey", "router: nokey: there is no such file"},
+           {router + "--keys LICENSE", "router: LICENSE"},
+           {router + "--port " + std::to_string(port - 301), "router: network: " + taken},
+           {motion + "--at Motion", "gtrobot Motion: Motion: expected PROCESS=ENDPOINT"},
+           {motion + "--at Motion=there", "gtrobot Motion: network: there: is no endpoint"},
+           {motion + "--at Nobody=tcp://127.0.0.1:3", "gtrobot Motion: layouts/cmd.layout: Nobody"},
+           {motion + "--at Motion=tcp://0.0.0.0:5001", "gtrobot Motion: network: tcp://0.0.0.0"},
+           {motion + "--at Motion=" + taken, "gtrobot Motion: network: " + taken},
+           {motion + "--keys nokey", "gtrobot Motion: nokey: there is no such file"},
+           {motion + "--layout nolayout", "gtrobot Motion: nolayout: there is no such file"},
+       }) {
+    const std::string text = refusal(command);
+    EXPECT_EQ(text.substr(0, line.size()), line) << command;
+    EXPECT_EQ(std::ranges::count(text, '\n'), 1) << command << "\n" << text;
+  }
+  fs::remove_all(folder);
 }
 
 /// Kills each process at random moments; GT_KILLS says how often (3).

@@ -47,6 +47,20 @@ Result<void> join(Wire& wire, const RobotProgramOptions& options, const Layout& 
   return {};
 }
 
+/// Addresses are those of the layout's processes, or of the platform.
+Result<void> checkAddresses(const RobotProgramOptions& options, const Layout& layout) {
+  for (const auto& [name, endpoint] : options.addresses.elsewhere) {
+    const bool known = name == platformProcess ||
+                       std::ranges::any_of(layout.processes, [&, &process = name](const auto& p) {
+                         return p.name == process;
+                       });
+    if (!known) return Error{options.layout, 0, name, "the layout has no such process"};
+    if (endpoint.find("://") == endpoint.npos)
+      return Error{"network", 0, endpoint, "is no endpoint, such as tcp://10.0.1.100:5001"};
+  }
+  return {};
+}
+
 std::string debugProcessOf(const Layout& layout) {
   for (const ProcessLayout& process : layout.processes)
     if (process.collectsMessages) return process.name;
@@ -213,6 +227,7 @@ Result<void> runRobotProgram(const RobotProgramOptions& options, const SolutionT
       layout->processes, [&](const ProcessLayout& p) { return p.name == options.process; });
   if (process == layout->processes.end())
     return Error{options.layout, 0, options.process, "the layout has no such process"};
+  if (auto done = checkAddresses(options, *layout); !done) return done;
   if (auto done = makePrivateFolder(options.addresses.folder); !done) return done;
   if (process->collectsMessages) return runDebug(options, *layout, table);
 
