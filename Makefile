@@ -66,7 +66,7 @@ docs: build
 sanitize: packages
 	@for preset in asan tsan; do \
 	  cmake --preset $$preset >/dev/null && cmake --build --preset $$preset --parallel $(JOBS) && \
-	  ctest --test-dir build/$$preset --output-on-failure --parallel $(JOBS) || exit 1; \
+	  TSAN_OPTIONS=suppressions=$(CURDIR)/cmake/tsan.supp ctest --test-dir build/$$preset --output-on-failure --parallel $(JOBS) || exit 1; \
 	done
 
 # What is found stays in out/fuzz as a file that reproduces it.

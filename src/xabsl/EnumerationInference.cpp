@@ -14,7 +14,7 @@ std::size_t at(int index) {
 
 /// The name of an element without `enumeration.` before it.
 std::string_view shortName(std::string_view text, std::string_view enumeration) {
-  const bool qualified = !enumeration.empty() && text.size() > enumeration.size() + 1 &&
+  const bool qualified = !enumeration.empty() && text.size() > enumeration.size() &&
                          text.substr(0, enumeration.size()) == enumeration &&
                          text[enumeration.size()] == '.';
   return qualified ? text.substr(enumeration.size() + 1) : text;
