@@ -53,10 +53,12 @@ kill-test: build
 play-remote: build
 	@scripts/play-remote $(BUILD) 1 red1 red2 red3 red4
 
+bench: TARGETS = --target bench
 bench: PACKAGES += libprotobuf-dev protobuf-compiler
 bench: build
 	@$(BUILD)/bin/bench --json out/bench.json
 
+experiments: TARGETS = --target experiment
 experiments: build
 	@$(BUILD)/bin/experiment --seeds $(SEEDS) --json out/experiments.json
 
