@@ -18,8 +18,8 @@ Result<void> exportCsv(const std::string& log, const Selection& selection, const
 /// Writes what the behavior did as a file for `xabsl trace`.
 Result<void> exportTrace(const std::string& log, const Selection& selection, const std::string& to);
 
-/// By the name of what is written: .json or .jsonl; .trace; .csv for one topic; else a folder with a CSV
-/// file for each topic.
+/// By the name of what is written: .json or .jsonl; .trace; .csv for one topic; else a folder with
+/// a CSV file for each topic.
 Result<void> exportLog(const std::string& log, const Selection& selection, const std::string& to);
 
 }  // namespace gt

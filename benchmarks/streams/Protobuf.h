@@ -1,13 +1,13 @@
 #pragma once
 #include <cstring>
 
-#include "streams/representations.pb.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/infrastructure/Joints.h"
 #include "representations/perception/BallPercept.h"
 #include "representations/perception/LandmarksPercept.h"
 #include "representations/perception/ObstaclesPercept.h"
 #include "representations/perception/PsdPercept.h"
+#include "streams/representations.pb.h"
 
 /// From representations to messages of Protocol Buffers, and back.
 namespace gt::protobuf {

@@ -172,8 +172,7 @@ TEST_F(ConsoleTest, FillsTheQueueToTheToolsAsAskedFor) {
   for (const char* mode : {"queue", "replace", "reject", "collect 5", "save 2.5"})
     expectFine(std::string{"qfr "} + mode);
   expectFine("qfr queue");
-  for (const std::size_t i : {0u, 1u})
-    ASSERT_TRUE(world.robot(i).watch("OdometryData"));
+  for (const std::size_t i : {0u, 1u}) ASSERT_TRUE(world.robot(i).watch("OdometryData"));
   /// In bytes.
   const auto messagesAfter = [&](const std::string& line, const std::string& seconds) {
     expectFine(line);

@@ -142,8 +142,8 @@ TEST_F(Crash, FindsTheSymbolsOfAStrippedProgramByItsBuildId) {
   const std::string apart = CRASH_CHILD_APART;
   const CrashReport report = crash(apart + "/crash_child", "segv", SIGSEGV);
   EXPECT_EQ(placeOf(report, "writeNowhere").file, "");
-  expectPlace(placeOf(report, "writeNowhere", {apart + "/symbols"}), "crashes::writeNowhere(int volatile*)",
-              "segv");
+  expectPlace(placeOf(report, "writeNowhere", {apart + "/symbols"}),
+              "crashes::writeNowhere(int volatile*)", "segv");
   Symbolizer symbolizer{report, {apart + "/symbols"}};
   const auto assembler = symbolizer.assembler(report.programCounter(), 3);
   ASSERT_TRUE(assembler) << assembler.error().text();
@@ -171,7 +171,8 @@ TEST_F(Crash, ReadsReportsThatAreCutOffOrBroken) {
   const auto beforeFrames = parseCrashReport(text().substr(0, text().find("frame ")), "cut.txt");
   ASSERT_TRUE(beforeFrames);
   EXPECT_TRUE(beforeFrames->frames.empty());
-  expectPlace(placeOf(*beforeFrames, "writeNowhere"), "crashes::writeNowhere(int volatile*)", "segv");
+  expectPlace(placeOf(*beforeFrames, "writeNowhere"), "crashes::writeNowhere(int volatile*)",
+              "segv");
   EXPECT_EQ(parseCrashReport("garbage\n", "a.txt").error().text(), "a.txt:1: is no crash report");
   EXPECT_EQ(parseCrashReport("gt2003 crash report 1\nsignal x\n", "a.txt").error().line, 2);
 }

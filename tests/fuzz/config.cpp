@@ -1,8 +1,8 @@
 #include "streams/Config.h"
 
 #include "Fuzz.h"
-#include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/CameraSettings.h"
+#include "representations/infrastructure/FieldDimensions.h"
 #include "representations/perception/LandmarksPercept.h"
 #include "robot/ConfigFolder.h"
 
