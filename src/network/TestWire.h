@@ -1,28 +1,22 @@
 #pragma once
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <string>
 
 #include "framework/Process.h"
 #include "network/Wire.h"
+#include "streams/TemporaryFolder.h"
 
 namespace gt::testing {
 
-/// A folder for sockets and files of one test, with a name that nobody else has.
+/// A folder for sockets and files of one test.
 class TestFolder {
  public:
-  TestFolder() {
-    std::string path = (std::filesystem::temp_directory_path() / "gt2003-XXXXXX").string();
-    path_ = mkdtemp(path.data()) ? path : "";
-  }
-  ~TestFolder() { std::filesystem::remove_all(path_); }
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
+  std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
   std::string endpoint(const std::string& name) const { return "ipc://" + file(name); }
 
  private:
-  std::string path_;
+  TemporaryFolder folder_;
 };
 
 struct NumberPackage {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
 #include "robot/Commit.h"
 #include "streams/File.h"
+#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {
@@ -39,26 +39,6 @@ Result<void> attachFolder(const fs::path& folder, const std::string& name, McapW
       return done;
   return {};
 }
-
-/// A folder of its own that is removed again.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "gt2003-XXXXXX").string();
-    if (mkdtemp(pattern.data())) path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Whether a name stays in the folder that it is unpacked to.
 bool staysInside(const fs::path& name) {

@@ -3,59 +3,14 @@
 #include <array>
 #include <charconv>
 
+#include "xabsl/OperatorText.h"
+
 namespace xabsl {
 
 namespace {
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
-}
-
-/// How tightly an operator binds; what binds less than its surroundings asks for needs parentheses.
-enum Level { lowest, disjunction, conjunction, comparison, sum, product, sign, primary };
-
-struct Spelling {
-  const char* text;
-  Level level;
-};
-
-Spelling spelling(Operator operation) {
-  switch (operation) {
-    case Operator::logicalOr:
-      return {" || ", disjunction};
-    case Operator::logicalAnd:
-      return {" && ", conjunction};
-    case Operator::equal:
-      return {" == ", comparison};
-    case Operator::notEqual:
-      return {" != ", comparison};
-    case Operator::less:
-      return {" < ", comparison};
-    case Operator::lessEqual:
-      return {" <= ", comparison};
-    case Operator::greater:
-      return {" > ", comparison};
-    case Operator::greaterEqual:
-      return {" >= ", comparison};
-    case Operator::add:
-      return {" + ", sum};
-    case Operator::subtract:
-      return {" - ", sum};
-    case Operator::multiply:
-      return {" * ", product};
-    case Operator::divide:
-      return {" / ", product};
-    case Operator::modulo:
-      return {" % ", product};
-    case Operator::negate:
-      return {"-", sign};
-    case Operator::logicalNot:
-      return {"!", sign};
-    case Operator::conditional:
-      return {" ? ", lowest};
-    default:
-      return {"", primary};
-  }
 }
 
 std::string numberText(double number) {
@@ -72,7 +27,7 @@ class Writer {
   /// enumeration where nothing else names it.
   void write(int index, Level wanted, bool fully = false) {
     const Expression& expression = model_.expressions[at(index)];
-    const bool parentheses = spelling(expression.operation).level < wanted;
+    const bool parentheses = textOf(expression.operation).level < wanted;
     if (parentheses) text_ += '(';
     operation(expression, fully);
     if (parentheses) text_ += ')';
@@ -92,7 +47,7 @@ class Writer {
 
  private:
   void operation(const Expression& expression, bool fully) {
-    const Spelling operation = spelling(expression.operation);
+    const OperatorText operation = textOf(expression.operation);
     switch (expression.operation) {
       case Operator::logicalAnd:
       case Operator::logicalOr:

@@ -4,6 +4,7 @@
 
 #include "xabsl/Formatter.h"
 #include "xabsl/Lexer.h"
+#include "xabsl/OperatorText.h"
 #include "xabsl/SourceWriter.h"
 
 namespace xabsl {
@@ -11,51 +12,6 @@ namespace xabsl {
 using namespace syntax;
 
 namespace {
-
-/// How tightly an operator binds; what binds less than its surroundings ask for needs parentheses.
-enum Level { lowest, disjunction, conjunction, comparison, sum, product, sign, primary };
-
-struct Spelling {
-  const char* text;
-  Level level;
-};
-
-Spelling spelling(Operator operation) {
-  switch (operation) {
-    case Operator::logicalOr:
-      return {" || ", disjunction};
-    case Operator::logicalAnd:
-      return {" && ", conjunction};
-    case Operator::equal:
-      return {" == ", comparison};
-    case Operator::notEqual:
-      return {" != ", comparison};
-    case Operator::less:
-      return {" < ", comparison};
-    case Operator::lessEqual:
-      return {" <= ", comparison};
-    case Operator::greater:
-      return {" > ", comparison};
-    case Operator::greaterEqual:
-      return {" >= ", comparison};
-    case Operator::add:
-      return {" + ", sum};
-    case Operator::subtract:
-      return {" - ", sum};
-    case Operator::multiply:
-      return {" * ", product};
-    case Operator::divide:
-      return {" / ", product};
-    case Operator::modulo:
-      return {" % ", product};
-    case Operator::negate:
-      return {"-", sign};
-    case Operator::logicalNot:
-      return {"!", sign};
-    default:
-      return {" ? ", lowest};
-  }
-}
 
 /// Text between marks that it must not hold, on one line.
 std::string enclosed(std::string_view text, char close) {
@@ -320,14 +276,14 @@ class TextWriter {
 
   void expression(const Expression& expression, Level wanted) {
     if (expression.kind != Expression::Kind::operation) return leaf(expression);
-    const Spelling operation = spelling(expression.operation);
+    const OperatorText operation = textOf(expression.operation);
     const bool parentheses = operation.level < wanted;
     if (parentheses) text_ += "(";
     operands(expression, operation);
     if (parentheses) text_ += ")";
   }
 
-  void operands(const Expression& expression, const Spelling& operation) {
+  void operands(const Expression& expression, const OperatorText& operation) {
     const auto& operands = expression.operands;
     const Level tighter = static_cast<Level>(operation.level + 1);
     if (operands.size() == 1) {

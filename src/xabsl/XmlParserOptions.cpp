@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "xabsl/Parser.h"
+#include "xabsl/XmlOperators.h"
 #include "xabsl/XmlParser.h"
 
 /// Options: their states, decision trees and expressions (report F.5 to F.9).
@@ -14,27 +15,6 @@ namespace {
 std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
 }
-
-struct Spelling {
-  std::string_view name;
-  Operator operation;
-};
-
-constexpr Spelling operators[] = {{"and", Operator::logicalAnd},
-                                  {"or", Operator::logicalOr},
-                                  {"not", Operator::logicalNot},
-                                  {"equal-to", Operator::equal},
-                                  {"not-equal-to", Operator::notEqual},
-                                  {"less-than", Operator::less},
-                                  {"less-than-or-equal-to", Operator::lessEqual},
-                                  {"greater-than", Operator::greater},
-                                  {"greater-than-or-equal-to", Operator::greaterEqual},
-                                  {"plus", Operator::add},
-                                  {"minus", Operator::subtract},
-                                  {"multiply", Operator::multiply},
-                                  {"divide", Operator::divide},
-                                  {"mod", Operator::modulo},
-                                  {"conditional-expression", Operator::conditional}};
 
 ExpressionPtr leaf(const Element& element, Expression::Kind kind, std::string_view name = {}) {
   auto expression = std::make_unique<Expression>();
@@ -172,7 +152,7 @@ Arm Parser::arm(const Element& element) {
 
 ExpressionPtr Parser::expression(const Element& element) {
   using Kind = Expression::Kind;
-  for (const Spelling& spelling : operators)
+  for (const OperatorElement& spelling : operators)
     if (element.is(spelling.name)) return operation(element, spelling.operation);
   if (element.is("decimal-value")) return number(element);
   if (element.is("time-of-state-execution")) return leaf(element, Kind::stateTime);

@@ -19,6 +19,7 @@
 #include "match/Match.h"
 #include "network/ToolPort.h"
 #include "streams/Mcap.h"
+#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {
@@ -143,8 +144,6 @@ class BadTools {
 class RobotProgramsTest : public ::testing::Test {
  protected:
   RobotProgramsTest() {
-    std::string path = (fs::temp_directory_path() / "gt2003-XXXXXX").string();
-    folder = mkdtemp(path.data());
     MatchOptions options;
     options.remote = {"red3"};
     options.sockets = folder;
@@ -156,10 +155,7 @@ class RobotProgramsTest : public ::testing::Test {
           std::string{GT_PROGRAMS "/gtrobot-"} + process, "--robot", "red3", "--team", "red",
           "--role", "striker1", "--sockets", folder, "--logs", folder}));
   }
-  ~RobotProgramsTest() override {
-    processes.clear();
-    fs::remove_all(folder);
-  }
+  ~RobotProgramsTest() override { processes.clear(); }
 
   const RemoteRobot& robot() const { return *match->remoteRobots().front(); }
   /// Plays on for some ms.
@@ -234,7 +230,8 @@ class RobotProgramsTest : public ::testing::Test {
     return files;
   }
 
-  std::string folder;
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path().string();
   std::unique_ptr<Match> match;
   std::vector<std::unique_ptr<Child>> processes;
 };
@@ -303,8 +300,8 @@ TEST(NetworkPrograms, RefuseWrongUseInOneLine) {
   Network network;
   const std::string taken = (*network.listen("tcp://127.0.0.1:*"))->endpoint();
   const int port = std::stoi(taken.substr(taken.rfind(':') + 1));
-  std::string path = (fs::temp_directory_path() / "gt2003-XXXXXX").string();
-  const std::string folder = mkdtemp(path.data());
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path().string();
   const std::string motion =
       "gtrobot-motion --sockets " + folder + " --crashes " + folder + "/crashes --robot red3 ";
   const std::string router = "router red3=ipc://" + folder + "/red3.Tools ";
@@ -330,7 +327,6 @@ TEST(NetworkPrograms, RefuseWrongUseInOneLine) {
     EXPECT_EQ(text.substr(0, line.size()), line) << command;
     EXPECT_EQ(std::ranges::count(text, '\n'), 1) << command << "\n" << text;
   }
-  fs::remove_all(folder);
 }
 
 /// Kills each process at random moments; GT_KILLS says how often (3).

@@ -32,16 +32,8 @@ double EdgeScanner::sharpest(int at) const {
 void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
   const auto length = static_cast<std::size_t>(line.length);
   y_.resize(length);
-  // In steps of 1/65536 pixel, since all pixels of the line are looked at.
-  constexpr double one = 65536;
-  const int stepX = static_cast<int>(line.step.x() * one);
-  const int stepY = static_cast<int>(line.step.y() * one);
-  int x = static_cast<int>(line.start.x() * one);
-  int y = static_cast<int>(line.start.y() * one);
-  const Pixel* pixels = picture.image.pixels.data();
-  const std::ptrdiff_t width = picture.image.info.width;
-  for (std::size_t i = 0; i < length; ++i, x += stepX, y += stepY)
-    y_[i] = pixels[(y >> 16) * width + (x >> 16)].y;
+  PixelWalk walk{picture.image, line};
+  for (std::size_t i = 0; i < length; ++i, walk.step()) y_[i] = walk.pixel().y;
   const auto difference = [&](int i) {
     return y_[static_cast<std::size_t>(i)] - y_[static_cast<std::size_t>(i - reach)];
   };

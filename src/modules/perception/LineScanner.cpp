@@ -55,20 +55,12 @@ void LineScanner::scan(const Picture& picture, const ScanLine& line, const Field
 
 void LineScanner::findRuns(const Picture& picture, const ScanLine& line) {
   runs_.clear();
-  // In steps of 1/65536 pixel, since this loop sees most of the pixels that are looked at.
-  constexpr double one = 65536;
-  const int stepX = static_cast<int>(line.step.x() * one);
-  const int stepY = static_cast<int>(line.step.y() * one);
-  int x = static_cast<int>(line.start.x() * one);
-  int y = static_cast<int>(line.start.y() * one);
-  const Pixel* pixels = picture.image.pixels.data();
-  const std::ptrdiff_t width = picture.image.info.width;
-  ColorClass last = picture.colors[pixels[(y >> 16) * width + (x >> 16)]];
+  PixelWalk walk{picture.image, line};
+  ColorClass last = picture.colors[walk.pixel()];
   int begin = 0;
   for (int i = 1; i < line.length; ++i) {
-    x += stepX;
-    y += stepY;
-    const ColorClass c = picture.colors[pixels[(y >> 16) * width + (x >> 16)]];
+    walk.step();
+    const ColorClass c = picture.colors[walk.pixel()];
     if (c == last) continue;
     runs_.push_back({last, begin, i});
     last = c;

@@ -1,7 +1,9 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "modules/perception/Horizon.h"
+#include "representations/infrastructure/Image.h"
 
 namespace gt {
 
@@ -15,6 +17,32 @@ struct ScanLine {
   bool fromBorder = false, toBorder = false;  ///< Whether its ends lie on the picture's border.
 
   Vector2d at(double i) const { return start + step * i; }
+};
+
+/// The pixels of a scan line one after another, in steps of 1/65536 pixel: for the loops that look
+/// at all of them.
+class PixelWalk {
+ public:
+  PixelWalk(const Image& image, const ScanLine& line)
+      : pixels_{image.pixels.data()},
+        width_{image.info.width},
+        x_{fixed(line.start.x())},
+        y_{fixed(line.start.y())},
+        stepX_{fixed(line.step.x())},
+        stepY_{fixed(line.step.y())} {}
+
+  const Pixel& pixel() const { return pixels_[(y_ >> 16) * width_ + (x_ >> 16)]; }
+  void step() {
+    x_ += stepX_;
+    y_ += stepY_;
+  }
+
+ private:
+  static int fixed(double value) { return static_cast<int>(value * 65536); }
+
+  const Pixel* pixels_;
+  std::ptrdiff_t width_;
+  int x_, y_, stepX_, stepY_;
 };
 
 /// How the grid is spread over the picture.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "xabsl/XmlOutput.h"
+
 namespace xabsl::documentation {
 
 namespace {
@@ -54,20 +56,7 @@ std::string utf8(std::string_view text) {
 }
 
 std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : utf8(text)) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
+  return xml::escaped(utf8(text));
 }
 
 std::string quotedScript(std::string_view text) {

@@ -7,6 +7,7 @@
 
 #include "xabsl/Formatter.h"
 #include "xabsl/Lexer.h"
+#include "xabsl/server/Uri.h"
 
 namespace xabsl::server {
 
@@ -23,24 +24,6 @@ struct Refusal {
   int code;
   std::string message;
 };
-
-std::string pathOf(const std::string& uri) {
-  constexpr std::string_view scheme = "file://";
-  if (uri.compare(0, scheme.size(), scheme) != 0) return uri;
-  const auto digit = [](char c) {
-    return c >= '0' && c <= '9'                     ? c - '0'
-           : (c | 0x20) >= 'a' && (c | 0x20) <= 'f' ? (c | 0x20) - 'a' + 10
-                                                    : -1;
-  };
-  std::string path;
-  for (std::size_t i = scheme.size(); i < uri.size(); ++i) {
-    const bool coded =
-        uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
-    path += coded ? static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2])) : uri[i];
-    if (coded) i += 2;
-  }
-  return std::filesystem::path(path).lexically_normal().generic_string();
-}
 
 Json json(Position position) {
   return {{"line", position.line}, {"character", position.character}};
@@ -278,18 +261,7 @@ Project& Server::projectOf(const std::string& path) {
 std::string Server::uriOf(const std::string& path) const {
   const auto known = uris_.find(path);
   if (known != uris_.end()) return known->second;
-  constexpr std::string_view plain = "/-_.~", digits = "0123456789ABCDEF";
-  std::string uri = "file://";
-  for (const char c : path) {
-    const unsigned char byte = static_cast<unsigned char>(c);
-    const bool letter =
-        (byte >= '0' && byte <= '9') || ((byte | 0x20u) >= 'a' && (byte | 0x20u) <= 'z');
-    if (letter || plain.find(c) != std::string_view::npos)
-      uri += c;
-    else
-      uri += {'%', digits[byte / 16], digits[byte % 16]};
-  }
-  return uri;
+  return fileUri(path);
 }
 
 void Server::publish() {

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "xabsl/Reporter.h"
+#include "xabsl/Syntax.h"
+#include "xabsl/XmlOutput.h"
+
+namespace xabsl {
+
+/// Writes the expressions of a program in the XML of XABSL 2.1 (report F.8, F.9), and knows under
+/// which names things stand there. What XABSL 2.1 cannot say is told as an error.
+class XmlExpressionWriter {
+ public:
+  XmlExpressionWriter(const syntax::Program& program, Reporter& reporter, xml::XmlOutput& out);
+
+  /// Parameters of this option are meant from now on.
+  void enter(const syntax::Option& option) { option_ = &option; }
+  void write(const syntax::Expression& expression);
+  /// An element that refers to a declaration, with the values of its parameters in inner ones.
+  void writeValues(const char* element, const char* inner, std::string_view ref,
+                   const std::vector<syntax::Argument>& arguments);
+  void cannot(Location location, const std::string& what);
+
+  /// Null if there is none of that name.
+  const syntax::Symbol* symbol(std::string_view name) const;
+  const syntax::Enumeration* enumerationOf(const syntax::Symbol& symbol) const;
+  bool isOption(std::string_view name) const { return options_.count(name) > 0; }
+
+  /// Elements bear the name of their enumeration, if it is not that of the symbol: so symbols of
+  /// one type are of one type again.
+  static std::string elementName(const syntax::Symbol& symbol,
+                                 const syntax::Enumeration& enumeration, std::string_view element);
+  static bool isElement(const syntax::Enumeration& enumeration, const syntax::Expression& value);
+  /// A number without exponent, which the schema does not know.
+  static std::string digits(std::string_view text);
+
+ private:
+  void reference(const syntax::Expression& expression);
+  void operation(const syntax::Expression& expression);
+  void negation(const syntax::Expression& expression);
+  void conditional(const syntax::Expression& expression);
+  /// An enumerated symbol compared with one of its elements.
+  bool comparison(const syntax::Expression& expression);
+
+  Reporter& reporter_;
+  xml::XmlOutput& out_;
+  std::map<std::string_view, const syntax::Symbol*> symbols_;
+  std::map<std::string_view, const syntax::Enumeration*> enumerations_;
+  std::set<std::string_view> constants_;
+  std::set<std::string_view> options_;
+  const syntax::Option* option_ = nullptr;
+};
+
+}  // namespace xabsl

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace xabsl::server {
+
+/// The path of a file's URI, without its escapes; what is none stays as it is.
+std::string pathOf(const std::string& uri);
+
+/// The URI of a file.
+std::string fileUri(const std::string& path);
+
+}  // namespace xabsl::server
