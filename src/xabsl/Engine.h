@@ -12,6 +12,7 @@
 #include "xabsl/Diagnostic.h"
 #include "xabsl/Linker.h"
 #include "xabsl/Model.h"
+#include "xabsl/Program.h"
 #include "xabsl/Symbols.h"
 #include "xabsl/TeamCooperation.h"
 #include "xabsl/TraceRecorder.h"
@@ -67,8 +68,10 @@ class Engine {
   TeamCooperation& cooperation() { return cooperation_; }
   const TeamCooperation& cooperation() const { return cooperation_; }
 
-  /// Has all later cycles recorded, or none (null). The recorder must outlive that.
-  void record(TraceRecorder* recorder) { recorder_ = recorder; }
+  /// Has all later cycles recorded, or none (null). The recorder must outlive that. The first time,
+  /// the behavior is compiled once more, with all that a recorder wants to know; so it costs
+  /// nothing where nobody records.
+  void record(TraceRecorder* recorder);
 
   const Model& model() const { return *model_; }
 
@@ -104,25 +107,22 @@ class Engine {
     int state = -1;  // the one that is active, or was last
     std::int64_t activation = 0;
     std::int64_t stateActivation = 0;
-    std::int64_t optionTime = 0;
-    std::int64_t stateTime = 0;
     std::uint64_t cycle = 0;     // in which it was active last
     std::uint64_t previous = 0;  // and the one before that
   };
 
+  /// An option, or without a state a basic behavior.
   struct Executed {
-    Activation::Kind kind;
     int index;
-    int depth;
     int state;
-    std::int64_t optionTime;
-    std::int64_t stateTime;
+    int depth;
+    std::int64_t stateActivation;
   };
 
-  /// An input or output in C++, ready to call.
-  struct Port {
-    double (*call)(void* object, const double* arguments) = nullptr;
-    void* object = nullptr;
+  /// Where an option's caller goes on.
+  struct Frame {
+    const Instruction* next;
+    OptionState* caller;
   };
 
   struct Warning {
@@ -131,9 +131,13 @@ class Engine {
   };
 
   Engine(const Behavior& behavior, Bindings bindings);
-  void prepareSymbols();
-  void prepareParameters();
-  void prepareExpressions();
+  void prepareMemory();
+  double& variable(std::size_t symbol) {
+    return memory_[static_cast<std::size_t>(layout_.variables) + symbol];
+  }
+  double variable(std::size_t symbol) const {
+    return memory_[static_cast<std::size_t>(layout_.variables) + symbol];
+  }
   double firstValue(Type type) const;
 
   bool select(Activation::Kind kind, int index);
@@ -141,53 +145,39 @@ class Engine {
   double& rootSlot(std::size_t parameter);
   std::optional<double> read(Type type, std::string_view text) const;
 
-  // What a cycle consists of, with and without a recorder; so it costs nothing without one.
-  template <bool recorded>
-  void executeRoot();
-  template <bool recorded>
-  void executeOption(int index, int depth);
-  template <bool recorded>
-  void executeBehavior(int index, int depth);
-  template <bool recorded>
-  void executeActions(Span span, const OptionState& caller, int depth);
-  template <bool recorded>
-  void decide(OptionState& option);
-  template <bool recorded>
-  Branch follow(Branch branch, const OptionState& option);
-  template <bool recorded>
-  double evaluate(int index, const OptionState& option);
-  template <bool recorded>
-  double operand(int index, const OptionState& option);
-  template <bool recorded>
-  double input(int index, const OptionState& option);
-  template <bool recorded>
-  double divide(int index, const OptionState& option);
-  template <bool recorded>
-  double modulo(int index, const OptionState& option);
-  template <bool recorded>
-  double read(int index, double value);
-
-  void assign(std::size_t symbol, double value);
-  void apply(std::size_t symbol);
-  void enter(OptionState& option);
-  bool wasActive(const OptionState& option) const;
-  void recordOption(const OptionState& option);
+  void runBehavior(int index);
+  void run(const Program& program);
+  void compute(const Instruction& instruction, const OptionState& option, int depth);
+  void recordEvent(const Instruction& instruction, const OptionState& option, int depth);
+  void recordState(const OptionState& option);
   void recordBehavior(int index, int depth);
-  void note(const Executed& executed, std::size_t firstSlot, std::size_t count);
-  void warnOnce(char& warned, const char* text, Location location);
+
+  bool wasActive(const OptionState& option) const;
+  void enter(OptionState& option);
+  void enterAnew(OptionState& option);
+  void note(const OptionState& option, int depth);
+  void keepParameters(const double* first, std::size_t count);
+  void change(OptionState& option, int state);
+  void callBehavior(int index, int depth);
+  void set(std::size_t symbol);
+  void apply(std::size_t symbol);
   bool actionDone(const OptionState& option) const;
   bool subOptionDone(Span actions) const;
+  double divide(const Instruction& instruction);
+  double modulo(const Instruction& instruction);
+  void warnOnce(char& warned, const char* text, Location location);
 
+  static std::int64_t since(std::int64_t then, std::int64_t now);
+  double callInput(std::size_t symbol, const double* arguments) const;
   NamedValue named(const std::string& name, Type type, double number) const;
 
   std::shared_ptr<const Model> model_;
   Bindings bindings_;
-  std::vector<Expression> expressions_;  // the model's, made ready for this engine's bindings
-  std::vector<Port> ports_;              // per symbol
-  std::vector<double> variables_;        // per symbol: the last value of an output or internal one
-  std::vector<double> slots_;            // parameters of options, behaviors and functions
-  std::vector<std::size_t> optionSlots_;
-  std::vector<std::size_t> behaviorSlots_;
+  MemoryLayout layout_;
+  std::vector<double> memory_;
+  Program program_;
+  Program recordedProgram_;  // empty until somebody records
+  std::vector<Frame> frames_;
   std::vector<OptionState> options_;
   std::vector<std::uint64_t> behaviorCycles_;
   std::uint64_t cycle_ = 1;
@@ -197,8 +187,9 @@ class Engine {
   int root_ = 0;
   TeamCooperation cooperation_;
   TraceRecorder* recorder_ = nullptr;
-  bool cooperates_ = false;    // whether any state is cooperative
-  std::vector<char> pending_;  // of XABSL 2.1: the outputs to set after the graph
+  bool cooperates_ = false;         // whether any state is cooperative
+  bool parametersChanged_ = false;  // of the basic behavior that is about to be called
+  std::vector<char> pending_;       // of XABSL 2.1: the outputs to set after the graph
 
   std::vector<Executed> executed_;
   std::vector<double> executedValues_;

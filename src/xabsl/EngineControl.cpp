@@ -43,7 +43,7 @@ void Engine::goOnFrom(const Engine& other) {
       option.state = i;
     }
   }
-  for (std::size_t i = 0; i < variables_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->symbols.size(); ++i) {
     const Symbol& symbol = model_->symbols[i];
     const int before = indexOf(other.model_->symbols, symbol.name);
     if (symbol.kind == SymbolKind::input || before < 0) continue;
@@ -51,9 +51,9 @@ void Engine::goOnFrom(const Engine& other) {
     if (old.kind != symbol.kind) continue;
     // By its text, for elements may have changed their order.
     const NamedValue value =
-        other.named(old.name, old.type, other.variables_[static_cast<std::size_t>(before)]);
+        other.named(old.name, old.type, other.variable(static_cast<std::size_t>(before)));
     if (old.type.kind == symbol.type.kind)
-      variables_[i] = read(symbol.type, value.text).value_or(variables_[i]);
+      variable(i) = read(symbol.type, value.text).value_or(variable(i));
   }
   selectAgent(other.selectedAgent());
 }
@@ -84,9 +84,11 @@ const std::vector<Parameter>& Engine::rootParameters() const {
 
 double& Engine::rootSlot(std::size_t parameter) {
   const auto index = static_cast<std::size_t>(root_);
-  if (rootKind_ == Activation::Kind::option) return slots_[optionSlots_[index] + parameter];
-  const int place = bindings_.behaviors[index].order[parameter];
-  return slots_[behaviorSlots_[index] + static_cast<std::size_t>(place)];
+  const int place =
+      rootKind_ == Activation::Kind::option
+          ? layout_.optionParameters[index] + static_cast<int>(parameter)
+          : layout_.behaviorParameters[index] + bindings_.behaviors[index].order[parameter];
+  return memory_[static_cast<std::size_t>(place)];
 }
 
 bool Engine::setParameter(std::string_view name, std::string_view value) {
@@ -111,7 +113,7 @@ bool Engine::setOutput(std::string_view name, std::string_view value) {
   if (model_->symbols[symbol].kind == SymbolKind::input) return false;
   const std::optional<double> number = read(model_->symbols[symbol].type, value);
   if (!number) return false;
-  variables_[symbol] = *number;
+  variable(symbol) = *number;
   apply(symbol);
   return true;
 }
@@ -135,7 +137,7 @@ std::optional<NamedValue> Engine::symbol(std::string_view name,
     if (!value) return std::nullopt;
     values[static_cast<std::size_t>(order[p])] = *value;
   }
-  return named(symbol.name, symbol.type, ports_[i].call(ports_[i].object, values.data()));
+  return named(symbol.name, symbol.type, callInput(i, values.data()));
 }
 
 std::optional<double> Engine::read(Type type, std::string_view text) const {

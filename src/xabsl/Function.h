@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <string>
@@ -16,11 +17,39 @@
 
 namespace xabsl {
 
+/// A C++ variable that the engine reads without a call.
+struct Variable {
+  enum class Kind { none, number, single, boolean, byte, integer };
+
+  Kind kind = Kind::none;  // none: there is no variable, or none of these types
+  const void* address = nullptr;
+};
+
 /// A C++ function as the engine calls it: arguments and result are numbers.
 struct Function {
   double (*call)(void* object, const double* arguments) = nullptr;
   std::shared_ptr<void> object;
+  Variable variable = {};  // the same as the call, for a variable
 };
+
+template <typename T>
+Variable variableOf(const T* variable) {
+  using Kind = Variable::Kind;
+  if constexpr (std::is_enum_v<T>)
+    return {variableOf(static_cast<const std::underlying_type_t<T>*>(nullptr)).kind, variable};
+  else if constexpr (std::is_same_v<T, double>)
+    return {Kind::number, variable};
+  else if constexpr (std::is_same_v<T, float>)
+    return {Kind::single, variable};
+  else if constexpr (std::is_same_v<T, bool>)
+    return {Kind::boolean, variable};
+  else if constexpr (std::is_same_v<T, std::uint8_t>)
+    return {Kind::byte, variable};
+  else if constexpr (std::is_same_v<T, std::int32_t>)
+    return {Kind::integer, variable};
+  else
+    return {};
+}
 
 /// The XABSL type that a C++ type stands for. An enumeration is known by its C++ type, or by its
 /// name where values are plain indices.

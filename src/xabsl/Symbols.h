@@ -79,6 +79,7 @@ class Symbols {
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void input(const std::string& name, const T* variable) {
     input(name, [variable] { return *variable; });
+    inputs_[name].function.variable = variableOf(variable);
   }
 
   /// A function, called each time the symbol is used. Its arguments are the parameters of the

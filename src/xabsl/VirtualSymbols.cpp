@@ -66,11 +66,12 @@ RegisteredFunction VirtualSymbols::registered(Entry& entry, const Symbol& symbol
       static_cast<Entry*>(object)->value = *arguments;
       return 0.0;
     };
-  else if (symbol.parameters.empty())
+  else if (symbol.parameters.empty()) {
     registered.function.call = [](void* object, const double*) {
       return static_cast<Entry*>(object)->value;
     };
-  else
+    registered.function.variable = variableOf(&entry.value);
+  } else
     registered.function.call = [](void* object, const double* arguments) {
       const Entry& called = *static_cast<Entry*>(object);
       return called.owner->call_ ? called.owner->call_(called.symbol, arguments) : called.value;
