@@ -4,18 +4,26 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "xabsl/Model.h"
+#include "xabsl/TraceRecorder.h"
 #include "xabsl/VirtualSymbols.h"
 
 namespace xabsl::test {
 
 /// A second engine, which reads a model as directly as it can be read: everything is looked up, and
-/// nothing is prepared. The real one must do the same. Runs in the surroundings of VirtualSymbols,
-/// whose call it is given, and alone in its team.
+/// nothing is prepared. The real one must do the same, and tell a recorder the same. Runs in the
+/// surroundings of VirtualSymbols, whose call it is given.
 class NaiveEngine {
  public:
+  /// What team mates tell one another: states by their indices.
+  struct Message {
+    double priority = 0;
+    std::set<int> executed, entering, options;
+  };
+
   struct Step {
     bool option;
     int index;
@@ -25,19 +33,33 @@ class NaiveEngine {
     std::vector<double> parameters;
   };
 
-  NaiveEngine(const Model& model, VirtualSymbols& world, VirtualSymbols::Call call)
-      : model_(model), world_(world), call_(std::move(call)) {
+  NaiveEngine(const Model& model, VirtualSymbols& world, VirtualSymbols::Call call, double priority,
+              int synchronizationTicks)
+      : model_(model),
+        world_(world),
+        call_(std::move(call)),
+        priority_(priority),
+        synchronizationTicks_(synchronizationTicks) {
     for (std::size_t i = 0; i < model.symbols.size(); ++i) variables_[static_cast<int>(i)] = 0;
   }
 
   /// What was executed, in its order.
-  std::vector<Step> execute(std::int64_t now) {
+  std::vector<Step> execute(std::int64_t now, const std::vector<Message>& heard) {
     steps_.clear();
+    events_.clear();
+    heard_ = heard;
+    wasEntering_ = message_.entering;
+    message_ = {priority_, {}, {}, {}};
     now_ = now;
-    run(model_.agents[0].rootOption, {});
+    note(TraceEvent::Kind::cycle, 0, static_cast<double>(now));
+    run(model_.agents[0].rootOption, {}, 0);
     wasActive_ = std::exchange(isActive_, {});
     return steps_;
   }
+
+  /// Of the last cycle.
+  const std::vector<TraceEvent>& events() const { return events_; }
+  const Message& message() const { return message_; }
 
   double variable(int symbol) const { return variables_.at(symbol); }
 
@@ -54,45 +76,95 @@ class NaiveEngine {
     return list.at(static_cast<std::size_t>(index));
   }
 
-  void run(int index, std::vector<double> parameters) {
+  void note(TraceEvent::Kind kind, int index, double value) {
+    events_.push_back({kind, index, value});
+  }
+  void noteParameters(const std::vector<double>& parameters) {
+    for (std::size_t p = 0; p < parameters.size(); ++p)
+      note(TraceEvent::Kind::parameter, static_cast<int>(p), parameters[p]);
+  }
+
+  void run(int index, std::vector<double> parameters, int depth) {
     const Option& option = in(model_.options, index);
     Memory& memory = memories_[index];
     memory.parameters = std::move(parameters);
     if (!wasActive_.count(index)) memory = {option.initialState, now_, now_, memory.parameters};
     isActive_.insert(index);
+    note(TraceEvent::Kind::option, index, depth);
     Branch end = follow(option.commonDecision, index);
     if (end.kind == Branch::Kind::none)
       end = follow(in(model_.states, memory.state).decision, index);
-    if (end.kind == Branch::Kind::state && end.index != memory.state && mayEnter(end.index)) {
+    if (end.kind == Branch::Kind::state && end.index != memory.state &&
+        mayEnter(index, end.index)) {
+      note(TraceEvent::Kind::change, memory.state, end.index);
       memory.state = end.index;
       memory.stateBegan = now_;
     }
-    steps_.push_back({true, index, memory.state, now_ - memory.began, now_ - memory.stateBegan,
-                      memory.parameters});
+    message_.options.insert(index);
+    message_.executed.insert(memory.state);
+    noteStep(index);
     const int state = memory.state;
-    act(option.commonActions, index);
-    act(in(model_.states, state).actions, index);
+    act(option.commonActions, index, depth);
+    act(in(model_.states, state).actions, index, depth);
   }
 
-  /// Alone one may enter what has room for one, and what one alone is enough for.
-  bool mayEnter(int state) const {
+  void noteStep(int index) {
+    const Memory& memory = memories_[index];
+    const Step step{true,
+                    index,
+                    memory.state,
+                    now_ - memory.began,
+                    now_ - memory.stateBegan,
+                    memory.parameters};
+    note(TraceEvent::Kind::state, step.state, static_cast<double>(step.stateTime));
+    note(TraceEvent::Kind::optionTime, index, static_cast<double>(step.optionTime));
+    noteParameters(step.parameters);
+    steps_.push_back(step);
+  }
+
+  bool mayEnter(int option, int state) {
     const Cooperation& cooperation = in(model_.states, state).cooperation;
-    if (cooperation.kind == Cooperation::Kind::capacity) return cooperation.agents > 0;
-    return cooperation.kind == Cooperation::Kind::none || cooperation.agents <= 1;
+    if (cooperation.kind == Cooperation::Kind::none) return true;
+    // An announcement counts while it goes on from cycle to cycle.
+    if (!wasEntering_.count(state) && !message_.entering.count(state)) announced_[state] = 0;
+    const int announced = ++announced_[state];
+    int inOption = 0, ready = 0, rivals = 0;
+    for (const Message& other : heard_) {
+      const bool executes = other.executed.count(state) > 0;
+      const bool enters = other.entering.count(state) > 0;
+      inOption += other.options.count(option) > 0;
+      ready += executes || enters;
+      rivals += executes || (enters && other.priority >= priority_);
+    }
+    const bool agreed = cooperation.kind == Cooperation::Kind::capacity
+                            ? rivals < cooperation.agents && announced > synchronizationTicks_
+                            : inOption + 1 >= cooperation.agents && ready >= inOption &&
+                                  announced > synchronizationTicks_ / 2;
+    if (!agreed) message_.entering.insert(state);
+    return agreed;
+  }
+
+  bool conflict(int state) const {
+    const Cooperation& cooperation = in(model_.states, state).cooperation;
+    int executing = 0;
+    for (const Message& other : heard_) executing += other.executed.count(state) > 0;
+    return cooperation.kind == Cooperation::Kind::capacity && executing >= cooperation.agents;
   }
 
   Branch follow(Branch branch, int option) {
     if (branch.kind != Branch::Kind::decision) return branch;
     const Decision& decision = in(model_.decisions, branch.index);
-    return follow(value(decision.condition, option) != 0 ? decision.then : decision.otherwise,
-                  option);
+    const bool holds = value(decision.condition, option) != 0;
+    note(TraceEvent::Kind::decide, branch.index, holds);
+    return follow(holds ? decision.then : decision.otherwise, option);
   }
 
-  void act(Span span, int option) {
+  void act(Span span, int option, int depth) {
     for (int i = span.first; i < span.first + span.count; ++i) {
       const Action& action = in(model_.actions, i);
       if (action.kind == Action::Kind::assignment) {
         variables_[action.target] = value(action.operand, option);
+        note(TraceEvent::Kind::assign, action.target, variables_[action.target]);
         continue;
       }
       const bool isOption = action.kind == Action::Kind::option;
@@ -102,10 +174,13 @@ class NaiveEngine {
       for (std::size_t p = 0; p < declared.size(); ++p)
         parameters.push_back(
             value(in(model_.operands, action.operand + static_cast<int>(p)), option));
-      if (isOption)
-        run(action.target, parameters);
-      else
+      if (isOption) {
+        run(action.target, parameters, depth + 1);
+      } else {
         steps_.push_back({false, action.target, -1, 0, 0, parameters});
+        note(TraceEvent::Kind::behavior, action.target, depth + 1);
+        noteParameters(parameters);
+      }
     }
   }
 
@@ -127,6 +202,8 @@ class NaiveEngine {
     std::vector<double> arguments;
     for (std::size_t p = 0; p < count; ++p)
       arguments.push_back(value(in(model_.operands, expression.b + static_cast<int>(p)), option));
+    for (std::size_t p = 0; p < count; ++p)
+      note(TraceEvent::Kind::argument, static_cast<int>(p), arguments[p]);
     return call_(expression.a, arguments.data());
   }
 
@@ -135,25 +212,29 @@ class NaiveEngine {
     const auto a = [&] { return value(e.a, option); };
     const auto b = [&] { return value(e.b, option); };
     const Memory& memory = memories_[option];
+    const auto read = [&](double number) {
+      note(TraceEvent::Kind::read, index, number);
+      return number;
+    };
     switch (e.operation) {
       case Operator::constant:
         return e.number;
       case Operator::element:
         return e.b;
       case Operator::parameter:
-        return memory.parameters.at(static_cast<std::size_t>(e.b));
+        return read(memory.parameters.at(static_cast<std::size_t>(e.b)));
       case Operator::input:
-        return input(e, option);
+        return read(input(e, option));
       case Operator::variable:
-        return variables_.at(e.a);
+        return read(variables_.at(e.a));
       case Operator::stateTime:
-        return static_cast<double>(now_ - memory.stateBegan);
+        return read(static_cast<double>(now_ - memory.stateBegan));
       case Operator::optionTime:
-        return static_cast<double>(now_ - memory.began);
+        return read(static_cast<double>(now_ - memory.began));
       case Operator::actionDone:
-        return actionDone(option);
+        return read(actionDone(option));
       case Operator::conflict:
-        return false;
+        return read(conflict(memory.state));
       case Operator::negate:
         return -a();
       case Operator::logicalNot:
@@ -166,8 +247,10 @@ class NaiveEngine {
           if ((value(in(model_.operands, i), option) != 0) == (e.operation == Operator::logicalOr))
             return e.operation == Operator::logicalOr;
         return e.operation == Operator::logicalAnd;
-      default:
-        return binary(e.operation, a(), b());
+      default: {
+        const double left = a();
+        return binary(e.operation, left, b());
+      }
     }
   }
 
@@ -203,10 +286,17 @@ class NaiveEngine {
   const Model& model_;
   VirtualSymbols& world_;
   VirtualSymbols::Call call_;
+  double priority_;
+  int synchronizationTicks_;
+  Message message_;
+  std::vector<Message> heard_;
+  std::set<int> wasEntering_;
+  std::map<int, int> announced_;  // of each state: for how many cycles
   std::map<int, double> variables_;
   std::map<int, Memory> memories_;
   std::set<int> wasActive_, isActive_;
   std::vector<Step> steps_;
+  std::vector<TraceEvent> events_;
   std::int64_t now_ = 0;
 };
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <string>
@@ -29,55 +31,102 @@ bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-/// Runs both engines side by side in random surroundings.
+/// A robot with both engines.
+struct Robot {
+  Robot(const Behavior& behavior, double priority, int ticks)
+      : model(behavior.model()),
+        call([this](int symbol, const double* arguments) {
+          return called(model, symbol, arguments);
+        }),
+        world(model, call),
+        engine(std::move(*Engine::create(behavior, world.symbols()).engine)),
+        naive(model, world, call, priority, ticks) {
+    engine.cooperation().configure(priority, ticks);
+  }
+
+  const Model& model;
+  VirtualSymbols::Call call;
+  VirtualSymbols world;
+  Engine engine;
+  test::NaiveEngine naive;
+  TraceRecorder recorder{10'000};
+};
+
+/// Runs both engines side by side, in random surroundings and in a team whose robots hear one
+/// another a cycle later.
 class Comparison {
  public:
-  Comparison(const Behavior& behavior, unsigned seed)
-      : model_(behavior.model()),
-        call_([this](int symbol, const double* arguments) {
-          return called(model_, symbol, arguments);
-        }),
-        world_(model_, call_),
-        engine_(std::move(*Engine::create(behavior, world_.symbols()).engine)),
-        naive_(model_, world_, call_),
-        random_(seed) {}
+  Comparison(const Behavior& behavior, unsigned seed) : model_(behavior.model()), random_(seed) {
+    const int ticks = static_cast<int>(seed % 4);
+    for (int i = 0; i < 3; ++i) robots_.push_back(std::make_unique<Robot>(behavior, i, ticks));
+  }
 
   void run(int cycles) {
     for (int i = 0; i < cycles && !testing::Test::HasFailure(); ++i) {
-      disturb();
       now_ += static_cast<std::int64_t>(random_() % 50);
-      engine_.execute(now_);
-      compare(naive_.execute(now_));
+      talk();
+      for (auto& robot : robots_) {
+        disturb(robot->world);
+        const bool records = random_() % 2 == 0;
+        robot->recorder.clear();
+        robot->engine.record(records ? &robot->recorder : nullptr);
+        robot->engine.execute(now_);
+        compare(*robot, robot->naive.execute(now_, heard_[robot.get()]));
+        if (records) compare(robot->recorder.events(), robot->naive.events());
+      }
     }
   }
 
   const std::set<std::pair<int, int>>& seen() const { return seen_; }
 
  private:
-  void disturb() {
+  /// Each hears the others.
+  void talk() {
+    for (auto& robot : robots_) {
+      std::vector<CooperationMessage> messages;
+      heard_[robot.get()].clear();
+      for (auto& other : robots_)
+        if (other != robot) {
+          messages.push_back(other->engine.cooperation().message());
+          heard_[robot.get()].push_back(other->naive.message());
+        }
+      robot->engine.cooperation().receive(messages);
+    }
+  }
+
+  void disturb(VirtualSymbols& world) {
     for (std::size_t i = 0; i < model_.symbols.size(); ++i) {
       const Symbol& symbol = model_.symbols[i];
       if (symbol.kind != SymbolKind::input || random_() % 3 != 0) continue;
       const int kinds = symbol.type.kind == ValueKind::number    ? 7
                         : symbol.type.kind == ValueKind::boolean ? 2
                                                                  : 3;
-      world_.value(static_cast<int>(i)) =
+      world.value(static_cast<int>(i)) =
           static_cast<double>(random_() % kinds) - (symbol.type.kind == ValueKind::number ? 3 : 0);
     }
   }
 
-  void compare(const std::vector<test::NaiveEngine::Step>& steps) {
-    const std::vector<Activation> activations = engine_.activations();
+  void compare(Robot& robot, const std::vector<test::NaiveEngine::Step>& steps) {
+    const std::vector<Activation> activations = robot.engine.activations();
     ASSERT_EQ(activations.size(), steps.size());
     for (std::size_t i = 0; i < steps.size(); ++i) compare(activations[i], steps[i]);
     for (std::size_t i = 0; i < model_.symbols.size(); ++i) {
       const Symbol& symbol = model_.symbols[i];
       if (symbol.kind == SymbolKind::input) continue;
-      const double expected = naive_.variable(static_cast<int>(i));
-      EXPECT_TRUE(same(engine_.symbol(symbol.name)->number, expected)) << symbol.name;
+      const double expected = robot.naive.variable(static_cast<int>(i));
+      EXPECT_TRUE(same(robot.engine.symbol(symbol.name)->number, expected)) << symbol.name;
       if (symbol.kind == SymbolKind::output) {
-        EXPECT_TRUE(same(world_.value(static_cast<int>(i)), expected)) << symbol.name;
+        EXPECT_TRUE(same(robot.world.value(static_cast<int>(i)), expected)) << symbol.name;
       }
+    }
+  }
+
+  void compare(const std::vector<TraceEvent>& told, const std::vector<TraceEvent>& expected) {
+    ASSERT_EQ(told.size(), expected.size());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      ASSERT_EQ(told[i].kind, expected[i].kind) << i;
+      EXPECT_EQ(told[i].index, expected[i].index) << i;
+      EXPECT_TRUE(same(told[i].value, expected[i].value)) << i;
     }
   }
 
@@ -98,10 +147,8 @@ class Comparison {
   }
 
   const Model& model_;
-  VirtualSymbols::Call call_;
-  VirtualSymbols world_;
-  Engine engine_;
-  test::NaiveEngine naive_;
+  std::vector<std::unique_ptr<Robot>> robots_;
+  std::map<const Robot*, std::vector<test::NaiveEngine::Message>> heard_;
   std::mt19937 random_;
   std::int64_t now_ = 0;
   std::set<std::pair<int, int>> seen_;
@@ -115,7 +162,7 @@ TEST(NaiveEngine, DoesTheSameAsTheEngineOnRandomBehaviors) {
     SCOPED_TRACE("behavior " + std::to_string(seed) + ":\n" + text);
     const Behavior behavior = test::compiled(text);
     Comparison comparison(behavior, seed);
-    comparison.run(300);
+    comparison.run(100);
     seen += comparison.seen().size();
     states += behavior.model().states.size();
   }
