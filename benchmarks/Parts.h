@@ -6,6 +6,9 @@
 namespace gt {
 
 /// How often a part is measured, each time for a tenth of a second, and how it is told.
+inline void inMilliseconds(benchmark::internal::Benchmark* part) {
+  part->Repetitions(5)->MinTime(0.1)->Unit(benchmark::kMillisecond);
+}
 inline void inMicroseconds(benchmark::internal::Benchmark* part) {
   part->Repetitions(5)->MinTime(0.1)->Unit(benchmark::kMicrosecond);
 }
@@ -13,7 +16,13 @@ inline void inNanoseconds(benchmark::internal::Benchmark* part) {
   part->Repetitions(5)->MinTime(0.1)->Unit(benchmark::kNanosecond);
 }
 
-/// Measures all parts that are registered by BENCHMARK(), in time of the processor.
+/// What a part's time should be at most, in the unit in which it is told.
+inline void aim(benchmark::State& state, double atMost) {
+  state.counters["aim"] = atMost;
+}
+
+/// Measures all parts that are registered by BENCHMARK(), in time of the processor if they do not
+/// ask for real time.
 void measureParts(Figures& figures);
 
 }  // namespace gt

@@ -20,12 +20,15 @@ class FigureReporter : public benchmark::BenchmarkReporter {
 
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
+    const Run& first = runs.front();
+    const bool real = first.run_name.time_type == "real_time";
     std::vector<double> times;
     for (const Run& run : runs)
-      if (run.run_type == Run::RT_Iteration) times.push_back(run.GetAdjustedCPUTime());
-    const Run& first = runs.front();
-    figures_.add(first.run_name.function_name, benchmark::GetTimeUnitString(first.time_unit),
-                 times);
+      if (run.run_type == Run::RT_Iteration)
+        times.push_back(real ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime());
+    const auto aim = first.counters.find("aim");
+    figures_.add(first.run_name.function_name, benchmark::GetTimeUnitString(first.time_unit), times,
+                 aim == first.counters.end() ? Aim{} : Aim::atMost(aim->second));
   }
 
  private:

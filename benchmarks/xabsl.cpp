@@ -1,5 +1,9 @@
 // What a cycle of XABSL's engine costs, and how long a behavior takes from text to running.
+#include <unistd.h>
+
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -42,17 +46,24 @@ std::string state(const Shape& shape, int layer, int index, int number) {
   return text + " } }\n";
 }
 
-std::string behaviorText(const Shape& shape) {
-  std::string text = "namespace inputs(\"Inputs\") {\n";
-  for (int i = 0; i < inputs; ++i) text += "float input input_" + std::to_string(i) + ";\n";
-  text += "}\nnamespace behaviors(\"Behaviors\") { behavior act { float value; } }\n";
+/// A behavior as people write it: a file for the symbols, and one for each option.
+xabsl::VirtualFiles behaviorFiles(const Shape& shape) {
+  xabsl::VirtualFiles files;
+  std::string symbols = "namespace inputs(\"Inputs\") {\n";
+  for (int i = 0; i < inputs; ++i) symbols += "float input input_" + std::to_string(i) + ";\n";
+  files["symbols.xabsl"] =
+      symbols + "}\nnamespace behaviors(\"Behaviors\") { behavior act { float value; } }\n";
+  std::string agents = "include \"symbols.xabsl\";\n";
   for (int layer = 0; layer < shape.layers; ++layer)
     for (int index = 0; index < shape.width; ++index) {
-      text += "option " + optionName(layer, index) + " {\n";
+      const std::string name = optionName(layer, index);
+      std::string& text = files[name + ".xabsl"] = "option " + name + " {\n";
       for (int s = 0; s < shape.states; ++s) text += state(shape, layer, index, s);
       text += "}\n";
+      agents += "include \"" + name + ".xabsl\";\n";
     }
-  return text + "agent main(\"Main\", " + optionName(0, 0) + ");\n";
+  files["main.xabsl"] = agents + "agent main(\"Main\", " + optionName(0, 0) + ");\n";
+  return files;
 }
 
 /// The surroundings of a behavior.
@@ -68,17 +79,16 @@ struct World {
   }
 };
 
-xabsl::Engine started(const std::string& text, const World& world) {
-  const xabsl::Compilation compilation = xabsl::compile("main.xabsl", {{"main.xabsl", text}});
+xabsl::Engine started(const xabsl::Compilation& compilation, const World& world) {
   if (!compilation.behavior) throw std::runtime_error("the behavior does not compile");
   auto creation = xabsl::Engine::create(*compilation.behavior, world.symbols);
   if (!creation.engine) throw std::runtime_error("the behavior does not link");
   return std::move(*creation.engine);
 }
 
-void cycle(benchmark::State& state, const Shape& shape, bool changing) {
+void cycle(benchmark::State& state, const Shape& shape, bool changing, double atMost) {
   World world;
-  xabsl::Engine engine = started(behaviorText(shape), world);
+  xabsl::Engine engine = started(xabsl::compile("main.xabsl", behaviorFiles(shape)), world);
   std::int64_t now = 0;
   for ([[maybe_unused]] auto _ : state) {
     if (changing)
@@ -87,22 +97,35 @@ void cycle(benchmark::State& state, const Shape& shape, bool changing) {
     engine.execute(++now);
   }
   benchmark::DoNotOptimize(world.acted);
+  aim(state, atMost);
 }
 
-void compileNetwork(benchmark::State& state) {
+/// From files on the disk to an engine that has run its first cycle.
+void load(benchmark::State& state) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("xabsl-load-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  for (const auto& [name, text] : behaviorFiles(network)) std::ofstream{folder / name} << text;
   const World world;
-  const std::string text = behaviorText(network);
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(started(text, world));
+  for ([[maybe_unused]] auto _ : state) {
+    xabsl::Engine engine = started(xabsl::compile((folder / "main.xabsl").string()), world);
+    engine.execute(0);
+    benchmark::DoNotOptimize(engine);
+  }
+  fs::remove_all(folder);
+  aim(state, 20);
 }
 
-BENCHMARK_CAPTURE(cycle, path, path, false)->Name("speed.xabsl.path")->Apply(inNanoseconds);
-BENCHMARK_CAPTURE(cycle, path_changing, path, true)
+// Half of what the engine that other teams use needs on such a machine.
+BENCHMARK_CAPTURE(cycle, path, path, false, 90)->Name("speed.xabsl.path")->Apply(inNanoseconds);
+BENCHMARK_CAPTURE(cycle, path_changing, path, true, 205)
     ->Name("speed.xabsl.path_changing")
     ->Apply(inNanoseconds);
-BENCHMARK_CAPTURE(cycle, network, network, false)
+BENCHMARK_CAPTURE(cycle, network, network, false, 265)
     ->Name("speed.xabsl.network")
     ->Apply(inNanoseconds);
-BENCHMARK(compileNetwork)->Name("speed.xabsl.load")->Apply(inMicroseconds);
+BENCHMARK(load)->Name("speed.xabsl.load.wall")->Apply(inMilliseconds)->UseRealTime();
+BENCHMARK(load)->Name("speed.xabsl.load.cpu")->Apply(inMilliseconds);
 
 }  // namespace
 }  // namespace gt

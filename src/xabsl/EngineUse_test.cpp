@@ -51,6 +51,69 @@ TEST_F(EngineTest, CallsFunctionsWithParametersByName) {
   EXPECT_EQ(value("weighted(a = weighted(a = 1, b = 1), b = weighted(b = 4))"), 114);
 }
 
+TEST_F(EngineTest, ReadsOperandsFromLeftToRight) {
+  world.symbols.input("y", [this] { return world.x = world.x + 1; });
+  const auto valueOf = [&](const std::string& expression) {
+    world.x = 1;
+    return value(expression);
+  };
+  EXPECT_EQ(valueOf("x - y"), 1 - 2);
+  EXPECT_EQ(valueOf("y - x"), 2 - 2);
+  EXPECT_EQ(valueOf("x - -(y)"), 1 + 2);
+  EXPECT_EQ(valueOf("x * 10 + y * 100 + x * 1000"), 10 + 200 + 2000);
+  EXPECT_EQ(valueOf("x < y ? 1 : 0"), 1);
+  EXPECT_EQ(valueOf("y > x ? 1 : 0"), 0);
+  EXPECT_EQ(valueOf("weighted(a = x, b = y)"), 12);
+  EXPECT_EQ(valueOf("weighted(b = y, a = x)"), 12);  // as they are declared
+}
+
+/// Each is one of its size, the first three with values that their neighbours must not disturb.
+struct Variables {
+  float single = 0.5f;
+  std::uint8_t byte = 200;
+  std::int32_t integer = -7;
+  std::int64_t large = 1'000'000'000'000;
+  bool boolean = true;
+  enum class Small : std::uint8_t { off, on } small = Small::on;
+};
+
+TEST(EngineVariables, AreReadWhateverTheirType) {
+  Variables v;
+  double sum = 0;
+  bool flag = false;
+  Symbols symbols;
+  symbols.enumeration<Variables::Small>("small", {"off", "on"});
+  symbols.input("single", &v.single);
+  symbols.input("byte", &v.byte);
+  symbols.input("integer", &v.integer);
+  symbols.input("large", &v.large);
+  symbols.input("boolean", &v.boolean);
+  symbols.input("small.one", &v.small);
+  symbols.output("sum", &sum);
+  symbols.output("flag", &flag);
+  Engine::Creation creation = Engine::create(test::compiled(R"(
+      namespace all("All") {
+        enum small { off, on };
+        float input single; float input byte; float input integer; float input large;
+        bool input boolean; enum small input small.one;
+        float output sum; bool output flag;
+      }
+      option main { initial state s { action {
+        sum = single + byte + integer + large; flag = boolean && small.one == on; } } }
+      agent main("Main", main);)"),
+                                             symbols);
+  ASSERT_TRUE(creation.engine);
+  creation.engine->execute(0);
+  EXPECT_EQ(sum, 1'000'000'000'193.5);
+  EXPECT_TRUE(flag);
+  v.boolean = false;
+  creation.engine->execute(1);
+  EXPECT_FALSE(flag);
+  v = {.boolean = true, .small = Variables::Small::off};
+  creation.engine->execute(2);
+  EXPECT_FALSE(flag);
+}
+
 // Debugging interfaces (report H.8)
 
 TEST_F(EngineTest, ShowsTheActivationGraph) {
