@@ -29,20 +29,20 @@ const DebugKey* DebugKey::find(std::string_view name) {
   return found == all().end() ? nullptr : *found;
 }
 
-bool DebugKeyTable::isDue(State& state, Time now) {
-  switch (state.request.mode) {
+bool DebugKeyState::isDue(Time now) {
+  switch (request_.mode) {
     case DebugKeyMode::disabled:
       return false;
     case DebugKeyMode::always:
       return true;
     case DebugKeyMode::times:
-      if (++state.count >= state.request.n) state.request.mode = DebugKeyMode::disabled;
-      return state.count <= state.request.n;
+      if (++count_ >= request_.n) request_.mode = DebugKeyMode::disabled;
+      return count_ <= request_.n;
     case DebugKeyMode::everyTimes:
-      return ++state.count % std::max<std::int64_t>(state.request.n, 1) == 0;
+      return ++count_ % std::max<std::int64_t>(request_.n, 1) == 0;
     case DebugKeyMode::everyMs:
-      if (now - state.last < state.request.n) return false;
-      state.last = now;
+      if (now - last_ < request_.n) return false;
+      last_ = now;
       return true;
   }
   return false;

@@ -47,33 +47,42 @@ struct DebugKeyRequest {
   std::int64_t n = 0;
 };
 
+/// Whether something that was asked for is to be sent this time (report E.3).
+class DebugKeyState {
+ public:
+  DebugKeyState() = default;
+  explicit DebugKeyState(DebugKeyRequest request) : request_{request} {}
+
+  const DebugKeyRequest& request() const { return request_; }
+  /// Counts, so to be called once for each output.
+  bool isDue(Time now);
+
+ private:
+  DebugKeyRequest request_;
+  std::int64_t count_ = 0;
+  Time last_ = never();
+};
+
 /// The states of all keys in one process (report E.3).
 class DebugKeyTable {
  public:
   DebugKeyTable() : asked_(DebugKey::all().size(), false), states_(DebugKey::all().size()) {}
 
   void set(const DebugKey& key, DebugKeyRequest request) {
-    states_[key.index()] = {request, 0, never()};
+    states_[key.index()] = DebugKeyState{request};
     asked_[key.index()] = request.mode != DebugKeyMode::disabled;
   }
-  DebugKeyRequest get(const DebugKey& key) const { return states_[key.index()].request; }
+  DebugKeyRequest get(const DebugKey& key) const { return states_[key.index()].request(); }
 
   /// True if the key's output is to be sent this time. Counts, so to be called once for each
   /// output.
   bool isActive(const DebugKey& key, Time now) {
-    return debugging && asked_[key.index()] && isDue(states_[key.index()], now);
+    return debugging && asked_[key.index()] && states_[key.index()].isDue(now);
   }
 
  private:
-  struct State {
-    DebugKeyRequest request;
-    std::int64_t count = 0;
-    Time last = never();
-  };
-  static bool isDue(State& state, Time now);
-
   std::vector<char> asked_;  ///< Whether a key is on; next to each other, for speed.
-  std::vector<State> states_;
+  std::vector<DebugKeyState> states_;
 };
 
 }  // namespace gt

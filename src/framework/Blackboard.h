@@ -17,14 +17,14 @@ class Blackboard {
   }
   void* get(const RepresentationType& type) {
     auto& slot = slots_[type.name];
-    if (!slot.value) slot = {&type, type.make()};
+    if (!slot.value) slot = {&type, type.make(), false};
     return slot.value.get();
   }
   /// Lays in a value that several blackboards share, such as a colour table; only before modules
   /// are bound.
   template <typename T>
   void share(std::shared_ptr<T> value) {
-    slots_[representation<T>().name] = {&representation<T>(), std::move(value)};
+    slots_[representation<T>().name] = {&representation<T>(), std::move(value), true};
   }
 
   /// Takes over the values that another blackboard holds too; both keep those that are shared.
@@ -39,11 +39,18 @@ class Blackboard {
     const auto slot = slots_.find(name);
     return slot == slots_.end() ? nullptr : slot->second.type;
   }
+  /// The type of a slot that is not shared, by its message id; null if there is none.
+  const RepresentationType* findOwn(std::uint32_t id) const {
+    for (const auto& [name, slot] : slots_)
+      if (slot.type->id == id && !slot.shared) return slot.type;
+    return nullptr;
+  }
 
  private:
   struct Slot {
     const RepresentationType* type = nullptr;
     std::shared_ptr<void> value;
+    bool shared = false;
   };
   std::map<std::string_view, Slot> slots_;
 };

@@ -79,7 +79,8 @@ Result<void> ModuleProcess::request(const WatchRequest& request) {
   const RepresentationType* type = blackboard_.find(request.representation);
   if (!type) return Error{"", 0, request.representation, "process " + name() + " does not have it"};
   std::erase_if(watched_, [&](const Watched& watched) { return watched.type == type; });
-  if (request.on) watched_.push_back({type, blackboard_.get(*type)});
+  if (request.mode != DebugKeyMode::disabled)
+    watched_.push_back({type, blackboard_.get(*type), DebugKeyState{{request.mode, request.n}}});
   return {};
 }
 
@@ -160,10 +161,11 @@ void ModuleProcess::adopt(ModuleProcess& other) {
   debug_.keys() = other.debug_.keys();
 }
 
-std::vector<std::string> ModuleProcess::watched() const {
-  std::vector<std::string> names;
-  for (const Watched& watched : watched_) names.emplace_back(watched.type->name);
-  return names;
+std::vector<WatchRequest> ModuleProcess::watched() const {
+  std::vector<WatchRequest> requests;
+  for (const auto& [type, value, state] : watched_)
+    requests.push_back({std::string{type->name}, name(), state.request().mode, state.request().n});
+  return requests;
 }
 
 Result<void> ModuleProcess::configure(std::string_view task, std::string_view solution,
@@ -201,12 +203,30 @@ void ModuleProcess::handle(const Message& message) {
 }
 
 /// What the process receives as a package may also come as a message: a motion request of a tool, a
-/// message of a team mate that the router brings (report 2.2.2).
+/// message of a team mate that the router brings (report 2.2.2). What its own modules provide is
+/// laid down for them: it lasts as long as none of them says otherwise, for instance while no
+/// BehaviorControl is active (report I.5.3: mr).
 bool ModuleProcess::handlePackage(const Message& message) {
+  const RepresentationType* type = blackboard_.findOwn(message.id);
+  if (!type || !type->decode) return false;
+  const auto tell = [this](const Result<void>& done) {
+    if (!done) debug_.text(name() + ": " + done.error().text());
+    return true;
+  };
   for (const auto& receiver : ownReceivers_)
-    if (receiver->type().id == message.id && !receiver->blocking()) {
-      if (const auto done = receiver->deliverBytes(message.bytes); !done)
-        debug_.text(name() + ": " + done.error().text());
+    if (&receiver->type() == type)
+      return !receiver->blocking() && tell(receiver->deliverBytes(message.bytes));
+  const std::shared_ptr<void> package = type->make();
+  const auto done = type->decode(message.bytes, package.get());
+  if (done) type->swap(package.get(), blackboard_.get(*type));
+  return tell(done);
+}
+
+bool ModuleProcess::layIfDisabled(const RepresentationType& type, const void* value) {
+  for (const Slot& slot : slots_)
+    if (!slot.active && std::find(slot.task->outputs.begin(), slot.task->outputs.end(), &type) !=
+                            slot.task->outputs.end()) {
+      type.copy(value, blackboard_.get(type));
       return true;
     }
   return false;
@@ -228,9 +248,9 @@ bool ModuleProcess::isDue(const Slot& slot) const {
 
 int ModuleProcess::main() {
   debug_.begin(now());
-  frameTime_ = now();
   if (debugReceiver_.receivedNew())
     debugIn_.handleAllMessages([this](const Message& message) { handle(message); });
+  frameTime_ = now();
 
   for (std::size_t i = 0; i < slots_.size(); ++i)
     if (slots_[i].active && isDue(slots_[i])) {
@@ -240,7 +260,8 @@ int ModuleProcess::main() {
 
   debug_.forgetReceived();
   for (const auto& sender : ownSenders_) sender->send();
-  for (const Watched& watched : watched_) watched.type->write(watched.value, now(), debug_.out());
+  for (Watched& watched : watched_)
+    if (watched.state.isDue(now())) watched.type->write(watched.value, now(), debug_.out());
   if (!debug_.out().empty() && debugSender_.requestedNew()) {
     debugOut_.clear();
     debug_.out().moveAllMessages(debugOut_);

@@ -44,8 +44,10 @@ class ModuleProcess : public Process {
   Result<std::string> parameter(std::string_view task, std::string_view solution,
                                 std::string_view path);
   ProcessDescription describe();
-  /// The representations that are sent after each cycle.
-  std::vector<std::string> watched() const;
+  /// The representations that are sent after cycles, and how often.
+  std::vector<WatchRequest> watched() const;
+  /// Lays a value down in place of the task that would provide it, if that is disabled.
+  bool layIfDisabled(const RepresentationType& type, const void* value);
   /// Copies what its modules provide to another blackboard, as far as that has it.
   void copyProvided(Blackboard& to);
   /// Goes on where a process was that had some of the same tasks: their modules as they were, the
@@ -69,6 +71,7 @@ class ModuleProcess : public Process {
   struct Watched {
     const RepresentationType* type;
     const void* value;
+    DebugKeyState state;
   };
 
   Slot* find(std::string_view task);

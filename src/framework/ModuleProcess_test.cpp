@@ -105,7 +105,7 @@ TEST_F(ModuleProcessTest, SetsParametersAtRunTime) {
 TEST_F(ModuleProcessTest, SendsWhatIsWatchedAndDrawn) {
   cycle(1);
   EXPECT_TRUE(debug.toTools().empty());
-  ask(WatchRequest{"Estimate", "Main", true});
+  ask(WatchRequest{"Estimate", "Main"});
   ask(DebugRequest{"Controller/command", DebugKeyMode::times, 1});
   cycle(2);
   cycle(2);

@@ -33,17 +33,19 @@ struct DebugRequest {
 };
 static_assert(complete<DebugRequest>);
 
-/// Asks for a representation to be sent after each cycle of the process that provides or receives
-/// it.
+/// Asks for a representation to be sent after cycles of the process that provides or receives it:
+/// as often as a debug key of that state would be (report E.3).
 struct WatchRequest {
   std::string representation;
   std::string process;
-  bool on = true;
+  DebugKeyMode mode = DebugKeyMode::always;
+  std::int64_t n = 0;
 
   static constexpr auto fields() {
     return std::tuple{field("representation", &WatchRequest::representation),
                       field("process", &WatchRequest::process, "", "empty: whichever provides it"),
-                      field("on", &WatchRequest::on)};
+                      field("mode", &WatchRequest::mode),
+                      field("n", &WatchRequest::n, "", "times, or ms")};
   }
 };
 static_assert(complete<WatchRequest>);

@@ -138,7 +138,7 @@ void Router::passTeamMessage(const Route& from, const Message& message) {
 void Router::askForTeamMessages(Route& route) {
   const bool due = route.asked < 0 || network_.elapsed() - route.asked >= askAfter;
   if (route.robot.team == 0 || !route.connection->connected() || !due) return;
-  route.connection->out().write({}, WatchRequest{"TeamMessage", "", true});
+  route.connection->out().write({}, WatchRequest{"TeamMessage", ""});
   route.asked = network_.elapsed();
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
@@ -39,12 +40,13 @@ namespace gt {
 /// All representations, for whoever deals with each of them: `AllRepresentations<std::tuple>`.
 template <template <typename...> typename List>
 using AllRepresentations =
-    List<BehaviorTrace, HeadControlMode, LedRequest, LedValue, MotionRequest, BehaviorTeamMessage,
-         TeamMessage, TeamMessages, CameraInfo, CameraSettings, FieldDimensions, FrameInfo,
-         GameControlData, Image, JointData, OracledWorldState, Player, RobotCalibration,
-         RobotDimensions, SensorData, SensorDataBuffer, BallModel, TeamBallModel, RobotPose,
-         RobotState, HeadMotionRequest, MotionInfo, MotionNet, OdometryData, SpecialActionsOutput,
-         WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix, ColorTable64,
-         LandmarksPercept, LinesPercept, ObstaclesPercept, PlayersPercept, PsdPercept>;
+    List<BehaviorState, BehaviorTrace, HeadControlMode, LedRequest, LedValue, MotionRequest,
+         BehaviorTeamMessage, TeamMessage, TeamMessages, CameraInfo, CameraSettings,
+         FieldDimensions, FrameInfo, GameControlData, Image, JointData, OracledWorldState, Player,
+         RobotCalibration, RobotDimensions, SensorData, SensorDataBuffer, BallModel, TeamBallModel,
+         RobotPose, RobotState, HeadMotionRequest, MotionInfo, MotionNet, OdometryData,
+         SpecialActionsOutput, WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix,
+         ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept, PlayersPercept,
+         PsdPercept>;
 
 }  // namespace gt

@@ -1,5 +1,6 @@
 #include "robot/Processes.h"
 
+#include "modules/behavior/BehaviorControlRequest.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -32,6 +33,7 @@ const std::vector<const RepresentationType*>& givenRepresentations() {
     std::vector<const RepresentationType*> types = Configuration::representations();
     types.push_back(&representation<Player>());
     types.push_back(&representation<FrameInfo>());
+    types.push_back(&representation<BehaviorControlRequest>());
     return types;
   }();
   return list;

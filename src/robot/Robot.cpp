@@ -45,7 +45,8 @@ Result<void> Robot::changeLayout(const Layout& layout) {
     for (const auto& old : oldProcesses) process->adopt(*old);
   }
   for (const auto& old : oldProcesses)
-    for (const std::string& name : old->watched()) static_cast<void>(watch(name));
+    for (const WatchRequest& watched : old->watched())
+      static_cast<void>(watch(watched.representation, {watched.mode, watched.n}));
   debug_->adopt(*oldDebug);
   ++layoutChanges_;
   return {};
@@ -116,14 +117,24 @@ ModuleProcess* Robot::providerOf(std::string_view representation) const {
   return nullptr;
 }
 
-Result<const RepresentationType*> Robot::watch(const std::string& representation) {
+Result<const RepresentationType*> Robot::watch(const std::string& representation,
+                                               DebugKeyRequest often) {
   ModuleProcess* process = providerOf(representation);
   for (const auto& reader : processes_)
     if (!process && reader->blackboard().find(representation)) process = reader.get();
   if (!process) return Error{"", 0, representation, "no process of the robot has it"};
-  if (auto done = process->request(WatchRequest{representation, process->name(), true}); !done)
-    return done.error();
+  const WatchRequest request{representation, process->name(), often.mode, often.n};
+  if (auto done = process->request(request); !done) return done.error();
   return process->blackboard().find(representation);
+}
+
+std::optional<ConstValue> Robot::value(std::string_view representation) const {
+  ModuleProcess* process = providerOf(representation);
+  for (const auto& reader : processes_)
+    if (!process && reader->blackboard().find(representation)) process = reader.get();
+  const RepresentationType* type = process ? process->blackboard().find(representation) : nullptr;
+  if (!type || !type->type()) return std::nullopt;
+  return ConstValue{*type->type(), process->blackboard().get(*type)};
 }
 
 const void* Robot::provided(const RepresentationType& type) const {

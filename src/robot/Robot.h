@@ -1,6 +1,7 @@
 #pragma once
 #include <cassert>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,19 @@ class Robot {
     return static_cast<const T*>(provided(representation<T>()));
   }
 
-  /// Has a representation sent to the tools after each cycle of the process that provides it, or of
-  /// the first that reads it. Returns its type.
-  Result<const RepresentationType*> watch(const std::string& representation);
+  /// Has a representation sent to the tools after cycles of the process that provides it, or of the
+  /// first that reads it, as often as a debug key of that state. Returns its type.
+  Result<const RepresentationType*> watch(const std::string& representation,
+                                          DebugKeyRequest often = {DebugKeyMode::always, 0});
+  /// A representation by its name, as it is at the end of the last cycle of the process that
+  /// provides it, or of the first that reads it; nothing if there is none, or it is not streamable.
+  std::optional<ConstValue> value(std::string_view representation) const;
+  /// Lays a value down in place of the task that would provide it, if that is disabled: as the
+  /// oracle does (report I.5.3: so).
+  template <typename T>
+  void layIfDisabled(const T& value) {
+    for (const auto& process : processes_) process->layIfDisabled(representation<T>(), &value);
+  }
 
   /// Has the robot go on with another behavior from its next cycle on; see BehaviorRequest.
   Result<void> request(const BehaviorRequest& request);

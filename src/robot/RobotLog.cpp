@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "debug/Drawing.h"
+#include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "streams/Jpeg.h"
 
@@ -23,8 +24,9 @@ std::string freeLogFile(const std::string& base) {
 }
 
 RobotLog::RobotLog(McapWriter writer) : writer_{std::move(writer)} {
-  for (const RepresentationType* type : {&representation<Text>(), &representation<Drawing>(),
-                                         &representation<Plot>(), &representation<BehaviorTrace>()})
+  for (const RepresentationType* type :
+       {&representation<Text>(), &representation<Drawing>(), &representation<Plot>(),
+        &representation<BehaviorTrace>(), &representation<BehaviorState>()})
     know(*type);
   camera_ = writer_.addChannel<CompressedImage>("/camera");
 }

@@ -4,10 +4,16 @@
 
 #include <filesystem>
 
+#include "modules/behavior/BehaviorControlRequest.h"
+#include "representations/behavior/BehaviorState.h"
+#include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/GameControlData.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/infrastructure/SensorData.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/motion/HeadMotionRequest.h"
+#include "representations/motion/MotionInfo.h"
 #include "representations/motion/OdometryData.h"
 #include "robot/Solutions.h"
 
@@ -92,9 +98,103 @@ std::string told(Robot& robot) {
   robot.toTools().handleAllMessages([&](const Message& message) {
     Text text;
     if (message.is<Text>() && message.read(text)) texts += text.text + "\n";
+    BehaviorState state;
+    if (message.is<BehaviorState>() && message.read(state)) texts += toString(state);
   });
   robot.toTools().clear();
   return texts;
+}
+
+/// How often a robot sends a representation within a second.
+int sentOf(Robot& robot, const RepresentationType& type, int from) {
+  robot.toTools().clear();
+  live(robot, 1000, from);
+  int count = 0;
+  robot.toTools().handleAllMessages([&](const Message& m) { count += m.id == type.id; });
+  return count;
+}
+
+TEST(Robot, SendsRepresentationsAsOftenAsAskedFor) {
+  const auto robot = makeRobot();
+  live(*robot, 200);
+  const auto& odometry = representation<OdometryData>();
+  ASSERT_TRUE(robot->watch("OdometryData"));
+  EXPECT_NEAR(sentOf(*robot, odometry, 200), 125, 1);
+  ASSERT_TRUE(robot->watch("OdometryData", {DebugKeyMode::everyMs, 100}));
+  EXPECT_NEAR(sentOf(*robot, odometry, 1200), 10, 1);
+  ASSERT_TRUE(robot->watch("OdometryData", {DebugKeyMode::times, 3}));
+  EXPECT_EQ(sentOf(*robot, odometry, 2200), 3);
+  ASSERT_TRUE(robot->watch("OdometryData", {DebugKeyMode::disabled, 0}));
+  EXPECT_EQ(sentOf(*robot, odometry, 3200), 0);
+}
+
+TEST(Robot, LivesOnWhatToolsAndTheOracleSayWhereItsTasksAreDisabled) {
+  const auto robot = makeRobot();
+  MotionRequest sit;
+  sit.type = MotionType::specialAction;
+  sit.specialAction = SpecialAction::chestKick;
+  RobotPose truth;
+  truth.pose = {1, 200, 300};
+  robot->fromTools().write({}, sit);
+  live(*robot, 400);
+  robot->layIfDisabled(truth);
+  EXPECT_NE(robot->provided<MotionRequest>()->type, MotionType::specialAction);
+  EXPECT_NE(robot->provided<RobotPose>()->pose.translation.x(), 200);
+  for (const char* task : {"BehaviorControl", "SelfLocator"})
+    ASSERT_TRUE(robot->request(SolutionRequest{task, "disabled"}));
+  robot->fromTools().write({400}, sit);
+  robot->layIfDisabled(truth);
+  live(*robot, 400, 400);
+  EXPECT_EQ(robot->provided<MotionRequest>()->type, MotionType::specialAction);
+  EXPECT_EQ(robot->provided<MotionInfo>()->executed.specialAction, SpecialAction::chestKick);
+  EXPECT_EQ(robot->provided<RobotPose>()->pose.translation.x(), 200);
+}
+
+TEST(Robot, MovesHeadAndTailByHand) {
+  const auto robot = makeRobot();
+  ASSERT_TRUE(robot->request(SolutionRequest{"BehaviorControl", "disabled"}));
+  robot->fromTools().write({}, HeadControlMode{HeadMode::none, Vector3d::Zero()});
+  robot->fromTools().write({}, HeadMotionRequest{-0.4, 0.7, 0, 0});
+  MotionRequest wag;
+  wag.tail = TailRequest::wagHorizontalFast;
+  robot->fromTools().write({}, wag);
+  live(*robot, 2000);
+  const JointAngles& angles = robot->provided<JointData>()->angles;
+  EXPECT_NEAR(angles[Joint::headTilt], -0.4, 1e-9);
+  EXPECT_NEAR(angles[Joint::headPan], 0.7, 1e-9);
+  double least = 0, most = 0;
+  for (int i = 0; i < 50; ++i) {
+    live(*robot, 8, 2000 + 8 * i);
+    const double pan = robot->provided<JointData>()->angles[Joint::tailPan];
+    least = std::min(least, pan);
+    most = std::max(most, pan);
+  }
+  EXPECT_LT(least, -0.3);
+  EXPECT_GT(most, 0.3);
+}
+
+TEST(Robot, ExecutesWhatAPersonChoosesOfItsBehavior) {
+  const auto robot = makeRobot();
+  ASSERT_TRUE(robot->request(DebugRequest{"BehaviorControl/activations", DebugKeyMode::always, 0}));
+  BehaviorControlRequest control;
+  control.root = "walk";
+  control.basicBehavior = true;
+  control.parameters = {120, 0, 10};
+  control.outputs = {{"head_control_mode", "look_left"}};
+  control.shown = {"head_control_mode"};
+  robot->fromTools().write({}, control);
+  live(*robot, 400);
+  EXPECT_EQ(robot->provided<MotionRequest>()->walk.translation.x(), 120);
+  EXPECT_EQ(robot->provided<HeadControlMode>()->mode, HeadMode::lookLeft);
+  EXPECT_NE(told(*robot).find("walk("), std::string::npos);
+  control.root = "no_such_option";
+  robot->fromTools().write({400}, control);
+  live(*robot, 120, 400);
+  EXPECT_NE(told(*robot).find("the behavior has no no_such_option"), std::string::npos);
+  robot->fromTools().write({520}, BehaviorControlRequest{});
+  live(*robot, 120, 520);
+  const std::string own = told(*robot);
+  EXPECT_NE(own.find("play_soccer"), own.npos) << own;
 }
 
 TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {

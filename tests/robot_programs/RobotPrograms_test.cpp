@@ -189,7 +189,7 @@ class RobotProgramsTest : public ::testing::Test {
     Network network;
     const auto tool = *ToolConnection::open(network, endpoint);
     MessageQueue messages;
-    tool->out().write({}, WatchRequest{"WalkingEngineOutput", "", true});
+    tool->out().write({}, WatchRequest{"WalkingEngineOutput", ""});
     bool answered = false;
     return playUntil([&] {
       tool->update(messages);

@@ -6,6 +6,7 @@
 #include "framework/Module.h"
 #include "modules/behavior/BasicBehaviors.h"
 #include "modules/behavior/Behavior.h"
+#include "modules/behavior/BehaviorControlRequest.h"
 #include "modules/behavior/SymbolSources.h"
 #include "modules/behavior/Tasks.h"
 #include "modules/behavior/WorldState.h"
@@ -26,7 +27,8 @@ class GT2003BehaviorControl {
   GT2003BehaviorControl(const GT2003BehaviorControl&) = delete;  // the symbols refer to it
   GT2003BehaviorControl& operator=(const GT2003BehaviorControl&) = delete;
 
-  void update(const FrameInfo& frame, const Behavior& behavior, const Player& player,
+  void update(const FrameInfo& frame, const Behavior& behavior,
+              const BehaviorControlRequest& control, const Player& player,
               const FieldDimensions& field, const GameControlData& game, const RobotPose& self,
               const BallModel& ball, const TeamBallModel& teamBall, const RobotState& body,
               const TeamMessages& team, const MotionInfo& motion, MotionRequest& motionRequest,
@@ -40,7 +42,8 @@ class GT2003BehaviorControl {
 
  private:
   void load(const Behavior& behavior, Debug& debug);
-  void execute(Time now, Debug& debug);
+  void obey(const BehaviorControlRequest& control, Debug& debug);
+  void execute(Time now, const BehaviorControlRequest& control, Debug& debug);
 
   WorldState world_;
   MotionRequest motionRequest_;
@@ -51,6 +54,7 @@ class GT2003BehaviorControl {
   xabsl::Symbols symbols_;
   std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that no other gets its address
   std::optional<xabsl::Engine> engine_;
+  BehaviorControlRequest obeyed_;  ///< The request that the engine was told last.
   xabsl::TraceRecorder recorder_{10'000};
   bool recording_ = false;
 };

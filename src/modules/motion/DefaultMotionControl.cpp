@@ -12,6 +12,42 @@ namespace {
 constexpr double frameTime = 0.008;  // s
 constexpr std::array legs{Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft};
 
+/// Carries out a tail request: swings, or jumps from end to end (wagLeftRight).
+void setTail(JointAngles& angles, TailRequest request, Time now) {
+  constexpr double widest = 0.38;  // rad
+  const auto swing = [&](double seconds) {
+    return widest * std::sin(2 * pi * static_cast<double>(now.ms) / 1000 / seconds);
+  };
+  double& pan = angles[Joint::tailPan];
+  double& tilt = angles[Joint::tailTilt];
+  pan = tilt = 0;
+  switch (request) {
+    case TailRequest::noTailWag:
+      break;
+    case TailRequest::wagHorizontal:
+      pan = swing(1);
+      break;
+    case TailRequest::wagVertical:
+      tilt = swing(1);
+      break;
+    case TailRequest::wagLeftRightHorizontal:
+      pan = swing(2) < 0 ? -widest : widest;
+      break;
+    case TailRequest::wagLeftRightVertical:
+      tilt = swing(2) < 0 ? -widest : widest;
+      break;
+    case TailRequest::wagHorizontalFast:
+      pan = swing(0.4);
+      break;
+    case TailRequest::wagVerticalFast:
+      tilt = swing(0.4);
+      break;
+    case TailRequest::tailFollowsHead:
+      pan = std::clamp(angles[Joint::headPan], -widest, widest);
+      break;
+  }
+}
+
 double approach(double from, double to, double speed) {
   return from + std::clamp(to - from, -speed * frameTime, speed * frameTime);
 }
@@ -53,7 +89,7 @@ void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& r
     step = special.odometryStep;
   } else {
     for (const auto leg : legs) setLeg(target, leg, legOf(walking.joints.angles, leg));
-    target[Joint::tailPan] = target[Joint::tailTilt] = 0;
+    setTail(target, wanted.tail, frame.time);
     step = walking.odometryStep;
   }
   keepWithinLimits(target);

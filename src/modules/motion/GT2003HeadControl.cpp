@@ -35,9 +35,10 @@ void GT2003HeadControl::update(const HeadControlMode& mode, const BallModel& bal
       {joints[Joint::headTilt], joints[Joint::headPan], joints[Joint::headRoll]}};
   const double ahead = parameters.aheadTilt - posture.tilt;
   switch (mode.mode) {
-    case HeadMode::none:
+    case HeadMode::none:  // as it is, or as a person wants it (report I.5.3: hmr)
       enter(State::idle, frame.time);
-      break;
+      head_ = {request.tilt, request.pan, request.roll};
+      return;
     case HeadMode::lookAtPoint:
       enter(State::idle, frame.time);
       head_ = lookAtPoint(robot, body, mode.point);

@@ -21,12 +21,25 @@ enum class SpecialAction {
   getup
 };
 
+/// What the tail does meanwhile (report I.5.3: tr).
+enum class TailRequest {
+  noTailWag,
+  wagHorizontal,
+  wagVertical,
+  wagLeftRightHorizontal,
+  wagLeftRightVertical,
+  wagHorizontalFast,
+  wagVerticalFast,
+  tailFollowsHead
+};
+
 /// The next motion of the body. Provided by BehaviorControl.
 struct MotionRequest {
   MotionType type = MotionType::stand;
   WalkType walkType = WalkType::normal;
   Pose2D walk;
   SpecialAction specialAction = SpecialAction::none;
+  TailRequest tail = TailRequest::noTailWag;
   Time time = never();
 
   /// The request, or that to stand if its time lies further back than half a second: the behaviour
@@ -42,6 +55,7 @@ struct MotionRequest {
                       field("walk", &MotionRequest::walk, "mm/s, rad/s",
                             "speed ahead, left and counterclockwise"),
                       field("specialAction", &MotionRequest::specialAction),
+                      field("tail", &MotionRequest::tail),
                       field("time", &MotionRequest::time, "ms",
                             "of the decision; too old, the robot stands; never: of no age")};
   }

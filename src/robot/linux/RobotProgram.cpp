@@ -141,8 +141,7 @@ class Recorder {
       const std::uint64_t session = wire.clockOf(process.name).session;
       if (session == known) continue;
       known = session;
-      for (const std::string& name : representations_)
-        requests.write({}, WatchRequest{name, "", true});
+      for (const std::string& name : representations_) requests.write({}, WatchRequest{name, ""});
     }
   }
 

@@ -1,0 +1,42 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Takes the behavior in hand, for debugging (report H.8, I.5.3: xbb, xo, xis, xos): the newest
+/// request holds, an empty one lets the engine go. Names as in the behavior. Sent by tools.
+struct BehaviorControlRequest {
+  /// An output symbol that keeps a value, whatever the behavior says.
+  struct Output {
+    std::string symbol;
+    std::string value;
+
+    bool operator==(const Output&) const = default;
+    static constexpr auto fields() {
+      return std::tuple{field("symbol", &Output::symbol), field("value", &Output::value)};
+    }
+  };
+
+  std::string root;
+  bool basicBehavior = false;
+  std::vector<double> parameters;
+  std::vector<Output> outputs;
+  std::vector<std::string> shown;
+
+  bool operator==(const BehaviorControlRequest&) const = default;
+  static constexpr auto fields() {
+    using R = BehaviorControlRequest;
+    return std::tuple{
+        field("root", &R::root, "", "executed instead of the agent's root option; empty: that"),
+        field("basicBehavior", &R::basicBehavior, "", "whether the root is one, not an option"),
+        field("parameters", &R::parameters, "", "of the root, in the order of its declaration"),
+        field("outputs", &R::outputs, "", "that keep a value"),
+        field("shown", &R::shown, "", "symbols whose values BehaviorState tells")};
+  }
+};
+static_assert(complete<BehaviorControlRequest>);
+
+}  // namespace gt

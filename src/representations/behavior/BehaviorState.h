@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// A symbol or parameter of a behavior and its value, as text.
+struct BehaviorValue {
+  std::string name;
+  std::string value;
+
+  static constexpr auto fields() {
+    return std::tuple{field("name", &BehaviorValue::name), field("value", &BehaviorValue::value)};
+  }
+};
+static_assert(complete<BehaviorValue>);
+
+/// What the behavior did in a cycle (report I.3.3.3, J.5.1): the view of a tool. Sent by
+/// BehaviorControl while its debug key `BehaviorControl/activations` is active.
+struct BehaviorState {
+  /// An option or basic behavior that was executed.
+  struct Activation {
+    std::string name;
+    std::string state;
+    int depth = 0;
+    std::int64_t optionTime = 0;
+    std::int64_t stateTime = 0;
+    std::vector<BehaviorValue> parameters;
+
+    static constexpr auto fields() {
+      return std::tuple{
+          field("name", &Activation::name),
+          field("state", &Activation::state, "", "of an option; empty: a basic behavior"),
+          field("depth", &Activation::depth, "", "of the call; the root is at 0"),
+          field("optionTime", &Activation::optionTime, "ms", "since it became active"),
+          field("stateTime", &Activation::stateTime, "ms", "since its state became active"),
+          field("parameters", &Activation::parameters)};
+    }
+  };
+
+  std::string agent;
+  std::vector<Activation> activations;
+  std::vector<BehaviorValue> symbols;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("agent", &BehaviorState::agent),
+        field("activations", &BehaviorState::activations, "", "in the order of execution"),
+        field("symbols", &BehaviorState::symbols, "", "that were asked for")};
+  }
+};
+static_assert(complete<BehaviorState>);
+
+/// A line for each option and basic behavior, indented by depth, with its times in ms.
+inline std::string toString(const BehaviorState& state) {
+  std::string text;
+  for (const BehaviorState::Activation& a : state.activations) {
+    text.append(2 * static_cast<std::size_t>(a.depth), ' ').append(a.name).append("(");
+    for (const BehaviorValue& p : a.parameters)
+      text.append(&p == a.parameters.data() ? "" : ", ").append(p.name + " = " + p.value);
+    text += ")";
+    if (!a.state.empty())
+      text += " " + std::to_string(a.optionTime) + " ms: " + a.state + " " +
+              std::to_string(a.stateTime) + " ms";
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace gt
