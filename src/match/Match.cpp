@@ -132,6 +132,7 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
 Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
   const auto plan = robotPlan(layout, platformRepresentations());
   if (!plan) return plan.error();
+  spoil("robots outside take part");
   const std::string folder = options_.sockets.empty() ? defaultSocketFolder() : options_.sockets;
   auto controller = RemoteRobot::make({folder, simulation_->scene().robots[index].name, {}}, *plan);
   if (!controller) return controller.error();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "match/MatchState.h"
 #include "match/MatchStatistics.h"
 #include "match/MatchSummary.h"
 #include "match/RemoteRobot.h"
@@ -47,6 +48,21 @@ class Match {
            (!game.referee && static_cast<double>(time().ms) >= game.minutes * 60000);
   }
   Time time() const { return simulation_->time(); }
+
+  /// Carries out again what was done by the console: a command line.
+  using Perform = std::function<Result<void>(Match& match, const std::string& line)>;
+  /// Writes the state to a file. Fails if what happened cannot be repeated (`spoil`).
+  Result<void> save(const std::string& path) const;
+  /// A match in the state of a file, from which it goes on with the same bits as the one that was
+  /// saved. `options` tells threads, logs, pictures; the rest stands in the file. Fails if the
+  /// match comes out as another one, because files or programs have changed since.
+  static Result<std::unique_ptr<Match>> load(const std::string& path, MatchOptions options,
+                                             const Perform& perform);
+  /// Remembers what was just done to the match from outside, for `save`.
+  void note(InterventionKind kind, std::string line);
+  /// Tells why nobody can repeat what happens from now on; the first reason counts.
+  void spoil(const std::string& why);
+
   /// Closes the logs and tells the first error that happened in writing one.
   Result<void> close();
 
@@ -73,9 +89,13 @@ class Match {
                         const std::shared_ptr<const Configuration>& configuration);
   Result<void> addRemoteRobot(std::size_t index, const Layout& layout);
   bool isRemote(const std::string& robot) const;
+  std::uint64_t fingerprint() const;
+  Result<void> repeat(const MatchState& state, const Perform& perform);
   void keepPicture();
 
   MatchOptions options_;
+  std::vector<Intervention> history_;
+  std::string spoiled_;  ///< Why the match cannot be repeated; empty if it can.
   std::unique_ptr<Simulation> simulation_;
   // All robots are owned by the simulation, and here in the order of its active ones.
   std::vector<MatchRobot*> allRobots_;

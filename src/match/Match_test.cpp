@@ -119,6 +119,67 @@ TEST_F(MatchTest, TheDynamicFidelityIsAsRepeatable) {
   for (const auto& [name, bytes] : first) EXPECT_TRUE(bytes == threads.at(name)) << name;
 }
 
+/// What a person does to a match in the tests: puts the ball.
+Result<void> putBall(Match& match, const std::string& line) {
+  match.simulation().world().placeBall(0, {std::stod(line), 100}, {300, 0});
+  return {};
+}
+
+TEST_F(MatchTest, ASavedMatchGoesOnWithTheSameBits) {
+  const std::string file = (folder / "match.state").string();
+  for (const char* scene : {"scenes/match.scene", "scenes/dynamic.scene"}) {
+    MatchOptions options;
+    options.scene = scene;
+    options.seed = 11;
+    auto made = Match::make(options);
+    ASSERT_TRUE(made) << made.error().text();
+    Match* const whole = made->get();
+    const auto run = [](Match& match, std::int64_t ms) {
+      while (match.time() < Time{ms}) match.step();
+    };
+    run(*whole, 1200);
+    ASSERT_TRUE(putBall(*whole, "-250"));
+    whole->note(InterventionKind::console, "-250");
+    run(*whole, 2000);
+    const auto saved = whole->save(file);
+    ASSERT_TRUE(saved) << saved.error().text();
+    run(*whole, 4000);
+    options.threads = 2;
+    auto loaded = Match::load(file, options, putBall);
+    ASSERT_TRUE(loaded) << loaded.error().text();
+    EXPECT_EQ((*loaded)->time(), Time{2000});
+    run(**loaded, 4000);
+    EXPECT_EQ((*loaded)->simulation().fingerprint(), whole->simulation().fingerprint());
+    EXPECT_TRUE(toJson((*loaded)->summary()) == toJson(whole->summary()));
+    // The state of the loaded match is as good as the first one's.
+    ASSERT_TRUE((*loaded)->save(file));
+    EXPECT_TRUE(Match::load(file, options, putBall));
+  }
+}
+
+TEST_F(MatchTest, StatesThatDoNotFitAreRefused) {
+  const std::string file = (folder / "match.state").string();
+  const auto match = make("match", 1, 1, 0.01);
+  for (int i = 0; i < 25; ++i) match->step();
+  ASSERT_TRUE(match->save(file));
+  const std::string good = *readFile(file);
+  const auto errorOf = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    EXPECT_TRUE(writeFile(file, text));
+    const auto loaded = Match::load(file, {}, putBall);
+    return loaded ? std::string{"no error"} : loaded.error().text();
+  };
+  EXPECT_NE(errorOf("\"seed\": 1", "\"seed\": 2").find("went another way"), std::string::npos);
+  EXPECT_NE(errorOf("\"time\": 200", "\"time\": 201").find("time"), std::string::npos);
+  EXPECT_NE(errorOf("\"time\": 200", "\"time\": 8000000").find("over before"), std::string::npos);
+  EXPECT_NE(errorOf("match.scene", "no.scene").find("no.scene"), std::string::npos);
+  EXPECT_NE(errorOf("[]", "[{\"time\": 800}]").find("history"), std::string::npos);
+  EXPECT_NE(errorOf("{", "").find("match.state"), std::string::npos);
+  match->spoil("somebody was hasty");
+  EXPECT_FALSE(match->save(file));
+}
+
 TEST_F(MatchTest, LogsHoldWhatIsConfigured) {
   const auto match = make("log", 5, 2, 0.5);
   while (!match->finished()) match->step();

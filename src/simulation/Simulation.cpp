@@ -1,6 +1,7 @@
 #include "simulation/Simulation.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "simulation/Oracle.h"
 
@@ -13,6 +14,22 @@ std::vector<Player> playersOf(const SceneDescription& scene) {
     for (const SceneRobot& robot : *group) players.push_back(robot.player());
   return players;
 }
+
+/// FNV-1a over the bits of numbers.
+class Fingerprint {
+ public:
+  void add(double number) {
+    auto bits = std::bit_cast<std::uint64_t>(number);
+    for (int i = 0; i < 8; ++i, bits >>= 8) sum_ = (sum_ ^ (bits & 0xff)) * 0x100000001b3;
+  }
+  void add(const double* numbers, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) add(numbers[i]);
+  }
+  std::uint64_t value() const { return sum_; }
+
+ private:
+  std::uint64_t sum_ = 0xcbf29ce484222325;
+};
 
 Pose3D between(const Pose3D& a, const Pose3D& b, double share) {
   const Eigen::Quaterniond rotation =
@@ -127,6 +144,33 @@ void Simulation::act() {
     r.odometry = r.output.odometry.pose;
     if (r.output.message) radio_.send(i, *r.output.message, world_->time());
   }
+}
+
+std::uint64_t Simulation::fingerprint() const {
+  Fingerprint sum;
+  const mjModel& model = world_->model();
+  const mjData& data = world_->data();
+  sum.add(data.qpos, static_cast<std::size_t>(model.nq));
+  sum.add(data.qvel, static_cast<std::size_t>(model.nv));
+  for (std::size_t i = 0; i < world_->ballCount(); ++i) {
+    sum.add(world_->ball(i).position.data(), 2);
+    sum.add(world_->ball(i).speed.data(), 2);
+  }
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
+    sum.add(static_cast<double>(referee_.score(team)));
+  sum.add(static_cast<double>(referee_.state()));
+  sum.add(static_cast<double>(time().ms));
+  sum.add(static_cast<double>(radio_.lost()));
+  for (const SimulatedRobot& robot : robots_) {
+    const SensorData& sensors = robot.input.sensors.newest();
+    sum.add(sensors.joints.values.data(), enumCount<Joint>);
+    sum.add(sensors.acceleration.data(), 3);
+    sum.add(sensors.psd);
+    sum.add(robot.output.joints.angles.values.data(), enumCount<Joint>);
+    sum.add(robot.output.odometry.pose.rotation);
+    sum.add(robot.output.odometry.pose.translation.data(), 2);
+  }
+  return sum.value();
 }
 
 std::vector<const Stopwatch*> Simulation::times() const {

@@ -98,6 +98,9 @@ class Simulation {
   const RobotInput& input(std::size_t robot) const { return robots_[robot].input; }
   const RobotOutput& output(std::size_t robot) const { return robots_[robot].output; }
   const Image& image(std::size_t robot) const { return robots_[robot].image; }
+  /// A number that follows from the state of world, game and radio and from what the robots sense
+  /// and do: two runs that are the same have the same, others hardly ever.
+  std::uint64_t fingerprint() const;
   /// The time that the parts of the simulator have taken: the world, and for each robot its sensors
   /// and its camera.
   std::vector<const Stopwatch*> times() const;
