@@ -251,8 +251,7 @@ void Engine::compute(const Instruction& i, const OptionState& option, int depth)
       parametersChanged_ |= std::exchange(result, *i.a) != *i.a;
       return;
     case Operation::tellChanges:
-      if (std::exchange(parametersChanged_, false))
-        bindings_.behaviors[at(i.index)].parametersChanged();
+      if (std::exchange(parametersChanged_, false)) tellChanges(at(i.index));
       return;
     default:
       recordEvent(i, option, depth);
@@ -303,6 +302,11 @@ inline void Engine::note(const OptionState& option, int depth) {
 
 void Engine::keepParameters(const double* first, std::size_t count) {
   executedValues_.insert(executedValues_.end(), first, first + count);
+}
+
+void Engine::tellChanges(std::size_t behavior) const {
+  const auto& changed = bindings_.behaviors[behavior].parametersChanged;
+  if (changed) changed(memory_.data() + layout_.behaviorParameters[behavior]);
 }
 
 void Engine::callBehavior(int index, int depth) {

@@ -158,6 +158,7 @@ class Engine {
   void note(const OptionState& option, int depth);
   void keepParameters(const double* first, std::size_t count);
   void change(OptionState& option, int state);
+  void tellChanges(std::size_t behavior) const;
   void callBehavior(int index, int depth);
   void set(std::size_t symbol);
   void apply(std::size_t symbol);

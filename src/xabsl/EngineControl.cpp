@@ -99,10 +99,8 @@ bool Engine::setParameter(std::string_view name, std::string_view value) {
   const std::optional<double> number = read(parameters[parameter].type, value);
   if (!number) return false;
   const double before = std::exchange(rootSlot(parameter), *number);
-  if (rootKind_ == Activation::Kind::behavior && before != *number) {
-    const auto& changed = bindings_.behaviors[static_cast<std::size_t>(root_)].parametersChanged;
-    if (changed) changed();
-  }
+  if (rootKind_ == Activation::Kind::behavior && before != *number)
+    tellChanges(static_cast<std::size_t>(root_));
   return true;
 }
 

@@ -146,6 +146,41 @@ Function makeFunction(Callable callable) {
   return {call, std::make_shared<Callable>(std::move(callable))};
 }
 
+/// A parameter of a basic behavior that is a class: a member with its name in XABSL.
+template <typename Class, typename T>
+struct MemberParameter {
+  const char* name;
+  T Class::*member;
+};
+
+template <typename Class, typename T>
+constexpr MemberParameter<Class, T> parameter(const char* name, T Class::*member) {
+  return {name, member};
+}
+
+/// A class of which each object is a basic behavior (report H.5): `name` is its name in XABSL,
+/// `parameters()` a tuple of what parameter() makes, in any order. `execute()` is called in each
+/// cycle that executes it, with the parameters in their members. `parametersChanged()`, where the
+/// class has it, is called before, whenever one of them is another one than at the last call.
+template <typename T>
+concept BehaviorClass = requires(T behavior) {
+  {T::name};
+  T::parameters();
+  behavior.execute();
+};
+
+template <BehaviorClass Class>
+void takeParameters(Class& behavior, const double* arguments) {
+  std::apply(
+      [&]<typename... P>(const P&... parameter) {
+        ((behavior.*parameter.member =
+              fromNumber<std::remove_reference_t<decltype(behavior.*parameter.member)>>(
+                  *arguments++)),
+         ...);
+      },
+      Class::parameters());
+}
+
 /// A member function of an object as a callable: `member(&ball, &Ball::distance)`. The object must
 /// outlive engines.
 template <typename Object, typename C, typename R, typename... A>

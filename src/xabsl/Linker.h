@@ -13,7 +13,7 @@ struct Bindings {
   struct Bound {
     Function function;
     std::vector<int> order;  // the argument of the function that each parameter becomes
-    std::function<void()> parametersChanged;
+    std::function<void(const double* arguments)> parametersChanged;  // may be empty
   };
 
   std::vector<Bound> symbols;  // internal symbols are bound to nothing

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -164,6 +165,76 @@ TEST(Symbols, TakeVariablesMembersLambdasAndFunctions) {
   EXPECT_TRUE(led);
 }
 
+/// A basic behavior as in report H.5, which remembers something.
+class Walk {
+ public:
+  double x = 0;
+  Mode style = Mode::slow;
+  int changes = 0;
+  double way = 0;
+
+  static constexpr const char* name = "walk";
+  static constexpr auto parameters() {
+    return std::tuple{parameter("style", &Walk::style), parameter("x", &Walk::x)};
+  }
+  void parametersChanged() { changes += style == Mode::fast ? 10 : 1; }
+  void execute() { way += x; }
+};
+
+TEST(Symbols, TakeClassesAsBasicBehaviors) {
+  Symbols symbols = complete();
+  Walk walk;
+  symbols.behavior(walk);
+  EXPECT_EQ(linkErrors(symbols), "");
+  double distance = 1;
+  symbols.input("ball.distance", &distance);
+  Engine::Creation creation = Engine::create(test::compiled(R"(namespace main("M") {
+      enum mode { fast, slow };
+      float input ball.distance;
+      behavior walk { float x; enum mode style; }
+    }
+    option main { initial state s { action { walk(x = ball.distance, style = fast); } } }
+    agent main("Main", main);)"),
+                                             symbols);
+  ASSERT_EQ(test::errors(creation.diagnostics), "");
+  creation.engine->execute(0);
+  creation.engine->execute(1);
+  EXPECT_EQ(walk.style, Mode::fast);
+  EXPECT_EQ(walk.way, 2);
+  EXPECT_EQ(walk.changes, 10);  // told once, with the parameters in place
+  ASSERT_TRUE(creation.engine->selectBehavior("walk"));
+  EXPECT_TRUE(creation.engine->setParameter("x", "40"));
+  creation.engine->execute(2);
+  EXPECT_EQ(walk.way, 42);
+  EXPECT_EQ(walk.style, Mode::slow);
+  EXPECT_EQ(walk.changes, 11);
+}
+
+/// Its parameters are not those that the behavior declares.
+struct WrongWalk {
+  bool x = false;
+  double speed = 0;
+
+  static constexpr const char* name = "walk";
+  static constexpr auto parameters() {
+    return std::tuple{parameter("x", &WrongWalk::x), parameter("speed", &WrongWalk::speed)};
+  }
+  void execute() {}
+};
+
+TEST(Linker, TellsWrongParametersOfClasses) {
+  Symbols symbols = complete();
+  WrongWalk walk;
+  symbols.behavior(walk);
+  EXPECT_EQ(linkErrors(symbols),
+            "main.xabsl:9:10: error: parameter 'speed' of basic behavior 'walk' is registered, but "
+            "not declared, needed by option main (main.xabsl:13)\n"
+            "main.xabsl:9:23: error: parameter 'x' of basic behavior 'walk' is declared as float, "
+            "but registered as bool, needed by option main (main.xabsl:13)\n"
+            "main.xabsl:9:36: error: parameter 'style' of basic behavior 'walk' is not registered, "
+            "needed by option main (main.xabsl:13)\n");
+}
+
 TEST(Symbols, TakeEnumerationsKnownAsData) {
   const std::string text = R"(namespace main("M") {
     enum action_id { kick, stand };
@@ -227,7 +298,7 @@ TEST(SymbolsHeader, MakesNamesOfCppThatDoNotMeet) {
       "namespace s(\"S\") { enum do_it output { switch_, a.b, a_b, x2 }; enum inputs output { k };"
       "enum do_it output do_it; float input ball.seen_x [0..1] \"mm\"; float input ball.seen.x;"
       "/** how\n * it is\\ */ float input new(float new \"deg\"; bool class;); }"
-      "namespace b(\"B\") { behavior go_to { enum do_it what; } }"
+      "namespace b(\"B\") { behavior go_to { enum do_it what; bool execute; } }"
       "option o { initial state s { action { } } } agent a(\"A\", o);");
   const std::string header =
       writeSymbolsHeader(named.model(), {"robot", {{"inputs", "our::Inputs"}}, {"our/Inputs.h"}});
@@ -239,8 +310,10 @@ TEST(SymbolsHeader, MakesNamesOfCppThatDoNotMeet) {
         "  /// how\n  /// it is\n  /// `new`: In deg\n  virtual double new_(double new_, bool "
         "class_) "
         "const = 0;",
-        "virtual void setDoIt(DoIt value) = 0;", "virtual void goTo(DoIt what) = 0;",
-        "{DoIt::aB_2, \"a_b\"}",
+        "virtual void setDoIt(DoIt value) = 0;",
+        "class GoTo {\n public:\n  DoIt what{};\n  bool execute_2{};",
+        "xabsl::parameter(\"execute\", &GoTo::execute_2)",
+        "struct BasicBehaviors {\n  GoTo& goTo;\n};", "{DoIt::aB_2, \"a_b\"}",
         "symbols.input(\"new\", {\"new\", \"class\"}, "
         "[&inputs](double p0, bool p1) { return inputs.new_(p0, p1); });"})
     EXPECT_NE(header.find(expected), std::string::npos) << expected << "\n" << header;

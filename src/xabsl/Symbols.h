@@ -34,7 +34,7 @@ struct RegisteredFunction {
   Function function;
   RegisteredType type;  // of the symbol
   std::vector<RegisteredParameter> parameters;
-  std::function<void()> parametersChanged;  // of a basic behavior; may be empty
+  std::function<void(const double* arguments)> parametersChanged;  // of a basic behavior, or empty
 };
 
 struct RegisteredEnumeration {
@@ -132,14 +132,39 @@ class Symbols {
   template <typename Callable>
   void behavior(const std::string& name, const std::vector<ParameterName>& parameters,
                 Callable callable, std::function<void()> parametersChanged = {}) {
-    add(behaviors_[name], makeFunction(std::move(callable)), {}, argumentTypes<Callable>(),
-        parameters);
-    behaviors_[name].parametersChanged = std::move(parametersChanged);
+    RegisteredFunction& entry = behaviors_[name] = {};
+    add(entry, makeFunction(std::move(callable)), {}, argumentTypes<Callable>(), parameters);
+    if (parametersChanged)
+      entry.parametersChanged = [changed = std::move(parametersChanged)](const double*) {
+        changed();
+      };
   }
   template <typename Callable>
   requires(!std::is_convertible_v<Callable, std::vector<ParameterName>>) void behavior(
       const std::string& name, Callable callable) {
     behavior(name, {}, std::move(callable));
+  }
+
+  /// A basic behavior as an object of a class, which must outlive engines.
+  template <BehaviorClass Class>
+  void behavior(Class& object) {
+    RegisteredFunction& entry = behaviors_[Class::name] = {};
+    entry.function.object = std::shared_ptr<void>(std::shared_ptr<void>(), &object);
+    entry.function.call = [](void* called, const double* arguments) {
+      takeParameters(*static_cast<Class*>(called), arguments);
+      static_cast<Class*>(called)->execute();
+      return 0.0;
+    };
+    std::apply(
+        [&]<typename... T>(const MemberParameter<Class, T>&... parameters) {
+          (entry.parameters.push_back({parameters.name, registeredType<T>()}), ...);
+        },
+        Class::parameters());
+    if constexpr (requires { object.parametersChanged(); })
+      entry.parametersChanged = [&object](const double* arguments) {
+        takeParameters(object, arguments);
+        object.parametersChanged();
+      };
   }
 
   /// The same for tools, which know names and types as data only.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <set>
 #include <string_view>
 
@@ -13,7 +14,7 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-constexpr std::array<std::string_view, 88> reserved = {
+constexpr std::array<std::string_view, 87> reserved = {
     "alignas",  "alignof",   "and",       "asm",       "assert",
     "auto",     "bitand",    "bitor",     "bool",      "break",
     "case",     "catch",     "char",      "class",     "compl",
@@ -31,7 +32,7 @@ constexpr std::array<std::string_view, 88> reserved = {
     "typedef",  "typeid",    "typename",  "union",     "unix",
     "unsigned", "using",     "virtual",   "void",      "volatile",
     "while",    "xor",       "Inputs",    "Outputs",   "BasicBehaviors",
-    "In",       "Out",       "Do"};
+    "In",       "Out"};
 
 bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -67,6 +68,8 @@ std::string cppName(std::string_view name, bool upper) {
 /// Names that stand beside one another, each once.
 class Scope {
  public:
+  Scope(std::initializer_list<std::string> known = {}) : known_(known) {}
+
   std::string add(std::string_view name, bool upper = false) {
     const std::string wanted = cppName(name, upper);
     std::string result = wanted;
@@ -117,7 +120,7 @@ class Writer {
   std::string run() {
     text_ +=
         "// Generated from the XABSL behavior by `xabsl header`: changes belong there.\n"
-        "#pragma once\n\n#include <concepts>\n\n";
+        "#pragma once\n\n#include <concepts>\n#include <tuple>\n\n";
     for (const std::string& include : settings_.includes) text_ += "#include \"" + include + "\"\n";
     text_ += "#include \"xabsl/Symbols.h\"\n\nnamespace " + settings_.space + " {\n\n";
     for (const Enumeration& enumeration : model_.enumerations) declare(enumeration);
@@ -127,9 +130,12 @@ class Writer {
     begin("What the behavior sets: a function for each output symbol.", "Outputs");
     for (const Symbol& symbol : model_.symbols)
       if (symbol.kind == SymbolKind::output) declareOutput(symbol);
-    begin("What the behavior does, called in each cycle that executes it.", "BasicBehaviors");
+    text_ += "};\n\n";
     for (const BasicBehavior& behavior : model_.behaviors) declare(behavior);
-    text_ += "};\n\n" + registration() + "}  // namespace " + settings_.space + "\n";
+    text_ +=
+        "/// What the behavior does: an object for each basic behavior.\nstruct BasicBehaviors "
+        "{\n" +
+        objects_ + "};\n\n" + registration() + "}  // namespace " + settings_.space + "\n";
     return std::move(text_);
   }
 
@@ -221,25 +227,41 @@ class Writer {
                       " value) { outputs." + name + "(value); });\n";
   }
 
+  /// A class with a member for each parameter.
   void declare(const BasicBehavior& behavior) {
-    const std::string name = scope_.add(behavior.name);
-    const Parameters list = parameters(behavior.parameters);
-    text_ += "\n" + comment(behavior.doc, "", "", "  ") + parameterComment(behavior.parameters) +
-             "  virtual void " + name + "(" + list.declared + ") = 0;\n";
-    registrations_ += "  symbols.behavior(" + literal(behavior.name) + ", {" + list.names +
-                      "}, [&behaviors](" + list.taken + ") { behaviors." + name + "(" +
-                      list.passed + "); });\n";
+    const std::string type = types_.add(behavior.name, true);
+    text_ += comment(behavior.doc, "", "", "") + "class " + type + " {\n public:\n";
+    Scope scope({"name", "parameters", "parametersChanged", "execute"});
+    std::string list;
+    for (const Parameter& parameter : behavior.parameters) {
+      const std::string name = scope.add(parameter.name);
+      text_ += comment(parameter.doc, parameter.range, parameter.unit, "  ") + "  " +
+               typeName(parameter.type) + " " + name + "{};\n";
+      list += (list.empty() ? "" : ",\n                      ") + std::string("xabsl::parameter(") +
+              literal(parameter.name) + ", &" + type + "::" + name + ")";
+    }
+    text_ += (list.empty() ? "" : "\n") + std::string("  virtual ~") + type +
+             "() = default;\n"
+             "  virtual void parametersChanged() {}\n"
+             "  virtual void execute() = 0;\n\n"
+             "  static constexpr const char* name = " +
+             literal(behavior.name) +
+             ";\n"
+             "  static constexpr auto parameters() {\n    return std::tuple{" +
+             list + "};\n  }\n};\n\n";
+    const std::string object = objectNames_.add(behavior.name);
+    objects_ += "  " + type + "& " + object + ";\n";
+    registrations_ += "  symbols.behavior(behaviors." + object + ");\n";
   }
 
   std::string registration() const {
     return "/// Registers everything above. The objects must outlive the engines that use it; "
            "calls\n"
-           "/// of classes that are `final` are inlined.\n"
-           "template <std::derived_from<Inputs> In, std::derived_from<Outputs> Out,\n"
-           "          std::derived_from<BasicBehaviors> Do>\n"
+           "/// of inputs and outputs whose class is `final` are inlined.\n"
+           "template <std::derived_from<Inputs> In, std::derived_from<Outputs> Out>\n"
            "void registerSymbols(xabsl::Symbols& symbols, [[maybe_unused]] const In& inputs,\n"
-           "                     [[maybe_unused]] Out& outputs, [[maybe_unused]] Do& behaviors) "
-           "{\n" +
+           "                     [[maybe_unused]] Out& outputs,\n"
+           "                     [[maybe_unused]] const BasicBehaviors& behaviors) {\n" +
            registrations_ + "}\n\n";
   }
 
@@ -248,8 +270,10 @@ class Writer {
   std::string text_;
   std::string registrations_;
   std::vector<std::string> typeNames_;  // of the enumerations
+  std::string objects_;                 // of the basic behaviors
   Scope types_;
   Scope scope_;
+  Scope objectNames_;
   bool opened_ = false;
 };
 

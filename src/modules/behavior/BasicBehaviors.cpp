@@ -5,29 +5,17 @@
 
 namespace gt {
 
-void BasicBehaviors::stand() {
-  request_ = {MotionType::stand, WalkType::normal, {}, SpecialAction::none};
-}
-
-void BasicBehaviors::getup() {
-  request_ = {MotionType::getup, WalkType::normal, {}, SpecialAction::none};
-}
-
-void BasicBehaviors::performSpecialAction(SpecialAction action) {
-  request_ = {MotionType::specialAction, WalkType::normal, {}, action};
-}
-
-void BasicBehaviors::walk(double x, double y, double turn) {
+void Movement::walk(const Vector2d& speed, double turn) {
   const double maxTurn = fromDegrees(parameters_.maxTurn);
   request_ = {MotionType::walk,
               WalkType::normal,
-              {std::clamp(fromDegrees(turn), -maxTurn, maxTurn),
-               std::clamp(x, -parameters_.maxSideways, parameters_.maxForward),
-               std::clamp(y, -parameters_.maxSideways, parameters_.maxSideways)},
+              {std::clamp(turn, -maxTurn, maxTurn),
+               std::clamp(speed.x(), -parameters_.maxSideways, parameters_.maxForward),
+               std::clamp(speed.y(), -parameters_.maxSideways, parameters_.maxSideways)},
               SpecialAction::none};
 }
 
-void BasicBehaviors::approach(const Vector2d& offset, double turn, double maxSpeed) {
+void Movement::approach(const Vector2d& offset, double turn, double maxSpeed) {
   // Braking: the last 150 mm are walked ever slower, but never so slowly that the robot does not
   // arrive.
   const double distance = offset.norm();
@@ -37,10 +25,10 @@ void BasicBehaviors::approach(const Vector2d& offset, double turn, double maxSpe
   const double maxX = v.x() > 0 ? parameters_.maxForward : parameters_.maxSideways;
   const double over = std::max(std::abs(v.x()) / maxX, std::abs(v.y()) / parameters_.maxSideways);
   if (over > 1) v /= over;
-  walk(v.x(), v.y(), toDegrees(1.5 * turn));
+  walk(v, 1.5 * turn);
 }
 
-Vector2d BasicBehaviors::avoidMates(const Vector2d& offset) const {
+Vector2d Movement::avoidMates(const Vector2d& offset) const {
   // A potential field (report 3.8.3): the goal pulls, each team mate nearby pushes away and to the
   // side on which it is passed, so that the robot does not get stuck right before it.
   constexpr double clearance = 500;
@@ -57,37 +45,39 @@ Vector2d BasicBehaviors::avoidMates(const Vector2d& offset) const {
   return heading.normalized() * distance;
 }
 
-void BasicBehaviors::goToPoint(double x, double y, double angle, double maxSpeed) {
-  const Vector2d offset = relative(world_.self.pose, {x, y});
+void GoToPoint::execute() {
+  const Pose2D& pose = movement_.world().self.pose;
+  const Vector2d offset = relative(pose, {x, y});
   const double distance = offset.norm();
-  const double finalTurn = normalize(fromDegrees(angle) - world_.self.pose.rotation);
-  if (distance < 60 && std::abs(finalTurn) < fromDegrees(8)) return stand();
+  const double finalTurn = normalize(fromDegrees(angle) - pose.rotation);
+  if (distance < 60 && std::abs(finalTurn) < fromDegrees(8)) return movement_.stand();
   const bool isFar = distance > 400;
   const double turn = isFar ? angleOf(offset) : finalTurn;
   // Far away the robot walks where it looks, so it turns first.
   const double speed =
       isFar ? maxSpeed * std::max(0.2, std::cos(std::min(std::abs(turn), pi / 2))) : maxSpeed;
-  approach(isFar ? avoidMates(offset) : offset, turn, speed);
+  movement_.approach(isFar ? movement_.avoidMates(offset) : offset, turn, speed);
 }
 
-void BasicBehaviors::goToBall(double kickAngle, double x, double y) {
-  const Vector2d ball = world_.knownBall();
+void GoToBall::execute() {
+  const Vector2d ball = movement_.world().knownBall();
   const double distance = ball.norm();
-  const double facing = normalize(fromDegrees(kickAngle) - world_.self.pose.rotation);
+  const double facing = normalize(fromDegrees(direction) - movement_.world().self.pose.rotation);
   const Vector2d place = ball - rotated({x, y}, facing);
   // How far the robot is off the place behind the ball, as an angle around the ball.
   const double around = normalize(angleOf(-ball) - (facing + pi));
-  const double maxSpeed = parameters_.maxForward;
+  const double maxSpeed = movement_.parameters().maxForward;
   if (std::abs(around) < fromDegrees(25) && distance < 600)
-    return approach(place, facing, 0.8 * maxSpeed);
+    return movement_.approach(place, facing, 0.8 * maxSpeed);
 
   // On a circle round the ball, from far away along its tangent, to the place behind the ball.
   const double most = distance > 400 ? fromDegrees(80) : fromDegrees(50);
   const double step = std::copysign(std::min(std::abs(around), most), around);
-  const Vector2d next = ball + direction(facing + pi + around - step) * parameters_.aroundBall;
-  if (distance > 600) return approach(next, angleOf(next), maxSpeed);
-  approach(next, distance > 350 ? angleOf(ball) : 0.5 * normalize(facing + angleOf(ball)),
-           maxSpeed);
+  const Vector2d next =
+      ball + gt::direction(facing + pi + around - step) * movement_.parameters().aroundBall;
+  if (distance > 600) return movement_.approach(next, angleOf(next), maxSpeed);
+  movement_.approach(next, distance > 350 ? angleOf(ball) : 0.5 * normalize(facing + angleOf(ball)),
+                     maxSpeed);
 }
 
 }  // namespace gt

@@ -5,9 +5,8 @@
 
 namespace gt {
 
-/// The skills that the behavior's options end in (report 3.8.2, 3.8.3); each sets the motion
-/// request. Angles in degrees, as people write them in XABSL.
-class BasicBehaviors final : public soccer::BasicBehaviors {
+/// Where basic behaviors want to go, made a motion request within the robot's limits.
+class Movement {
  public:
   struct Parameters {
     double maxForward = 225;
@@ -26,29 +25,96 @@ class BasicBehaviors final : public soccer::BasicBehaviors {
     }
   };
 
-  BasicBehaviors(const WorldState& world, MotionRequest& request, const Parameters& parameters)
+  Movement(const WorldState& world, MotionRequest& request, const Parameters& parameters)
       : world_{world}, request_{request}, parameters_{parameters} {}
 
-  void stand() override;
-  void getup() override;
-  /// Speeds in mm/s and degrees/s.
-  void walk(double x, double y, double turn) override;
-  void performSpecialAction(SpecialAction action) override;
-  /// Walks to a pose on the field, keeping clear of team mates. The nearer it comes the slower; far
-  /// away it walks ahead.
-  void goToPoint(double x, double y, double angle, double maxSpeed) override;
-  /// Walks behind the ball so that it lies at (x, y) before the robot, which then faces a direction
-  /// on the field; goes round the ball where it would else push it the wrong way.
-  void goToBall(double direction, double x, double y) override;
+  const WorldState& world() const { return world_; }
+  const Parameters& parameters() const { return parameters_; }
 
- private:
-  /// Sets the speed to walk by an offset and to turn by an angle, within the limits.
+  void stand() { request_ = {MotionType::stand, WalkType::normal, {}, SpecialAction::none}; }
+  void getup() { request_ = {MotionType::getup, WalkType::normal, {}, SpecialAction::none}; }
+  void perform(SpecialAction action) {
+    request_ = {MotionType::specialAction, WalkType::normal, {}, action};
+  }
+  /// Speeds in mm/s and rad/s.
+  void walk(const Vector2d& speed, double turn);
+  /// Walks by an offset in mm and turns by an angle, ever slower.
   void approach(const Vector2d& offset, double turn, double maxSpeed);
+  /// An offset of the same length that leads past team mates on the way.
   Vector2d avoidMates(const Vector2d& offset) const;
 
+ private:
   const WorldState& world_;
   MotionRequest& request_;
   const Parameters& parameters_;
+};
+
+/// A skill that the behavior's options end in (report 3.8.2, 3.8.3); its parameters are members of
+/// the class that is generated from behavior/basic_behaviors.xabsl, angles in degrees, as people
+/// write them in XABSL.
+template <typename Declared>
+class Skill : public Declared {
+ public:
+  explicit Skill(Movement& movement) : movement_{movement} {}
+
+ protected:
+  Movement& movement_;
+};
+
+struct Stand final : Skill<soccer::Stand> {
+  using Skill::Skill;
+  void execute() override { movement_.stand(); }
+};
+
+struct Getup final : Skill<soccer::Getup> {
+  using Skill::Skill;
+  void execute() override { movement_.getup(); }
+};
+
+struct Walk final : Skill<soccer::Walk> {
+  using Skill::Skill;
+  void execute() override { movement_.walk({x, y}, fromDegrees(turn)); }
+};
+
+struct PerformSpecialAction final : Skill<soccer::PerformSpecialAction> {
+  using Skill::Skill;
+  void execute() override { movement_.perform(id); }
+};
+
+/// Walks to a pose on the field, keeping clear of team mates. The nearer it comes the slower; far
+/// away it walks ahead.
+struct GoToPoint final : Skill<soccer::GoToPoint> {
+  using Skill::Skill;
+  void execute() override;
+};
+
+/// Walks behind the ball so that it lies at (x, y) before the robot, which then faces a direction
+/// on the field; goes round the ball where it would else push it the wrong way.
+struct GoToBall final : Skill<soccer::GoToBall> {
+  using Skill::Skill;
+  void execute() override;
+};
+
+/// One of each.
+struct BasicBehaviors {
+  explicit BasicBehaviors(Movement& movement)
+      : stand{movement},
+        getup{movement},
+        walk{movement},
+        performSpecialAction{movement},
+        goToPoint{movement},
+        goToBall{movement} {}
+
+  soccer::BasicBehaviors all() {
+    return {stand, getup, walk, performSpecialAction, goToPoint, goToBall};
+  }
+
+  Stand stand;
+  Getup getup;
+  Walk walk;
+  PerformSpecialAction performSpecialAction;
+  GoToPoint goToPoint;
+  GoToBall goToBall;
 };
 
 }  // namespace gt

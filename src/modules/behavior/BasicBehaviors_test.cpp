@@ -15,14 +15,25 @@ class BasicBehaviorsTest : public ::testing::Test {
       world.self.pose =
           world.self.pose * Pose2D{request.walk.rotation * 0.04, request.walk.translation * 0.04};
   }
+  /// Angle in degrees.
+  void goTo(const Vector2d& goal, double angle) {
+    skills.goToPoint.x = goal.x();
+    skills.goToPoint.y = goal.y();
+    skills.goToPoint.angle = angle;
+    skills.goToPoint.maxSpeed = 200;
+  }
   WorldState world;
   MotionRequest request;
-  BasicBehaviors::Parameters parameters;
-  BasicBehaviors skills{world, request, parameters};
+  Movement::Parameters parameters;
+  Movement movement{world, request, parameters};
+  BasicBehaviors skills{movement};
 };
 
 TEST_F(BasicBehaviorsTest, LimitsSpeeds) {
-  skills.walk(1000, -1000, 1000);
+  skills.walk.x = 1000;
+  skills.walk.y = -1000;
+  skills.walk.turn = 1000;
+  skills.walk.execute();
   EXPECT_EQ(request.type, MotionType::walk);
   EXPECT_DOUBLE_EQ(request.walk.translation.x(), parameters.maxForward);
   EXPECT_DOUBLE_EQ(request.walk.translation.y(), -parameters.maxSideways);
@@ -36,8 +47,9 @@ TEST_F(BasicBehaviorsTest, GoToPointArrivesFromAnywhere) {
                        random.uniform(-1300, 1300)};
     const Vector2d goal{random.uniform(-2000, 2000), random.uniform(-1300, 1300)};
     const double angle = random.uniform(-180, 180);
+    goTo(goal, angle);
     for (int cycle = 0; cycle < 1500; ++cycle) {
-      skills.goToPoint(goal.x(), goal.y(), angle, 200);
+      skills.goToPoint.execute();
       move();
     }
     EXPECT_EQ(request.type, MotionType::stand);
@@ -54,8 +66,9 @@ TEST_F(BasicBehaviorsTest, GoToPointKeepsClearOfMates) {
   mate.message.robotPose = {0, 0, 60};
   world.self.pose = {0, -1500, 0};
   double nearest = 1e9;
+  goTo({1500, 0}, 0);
   for (int cycle = 0; cycle < 1500; ++cycle) {
-    skills.goToPoint(1500, 0, 0, 200);
+    skills.goToPoint.execute();
     move();
     nearest = std::min(nearest,
                        (world.self.pose.translation - mate.message.robotPose.translation).norm());

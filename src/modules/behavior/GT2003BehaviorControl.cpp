@@ -47,7 +47,8 @@ BehaviorState stateOf(const xabsl::Engine& engine, const std::vector<std::string
 }  // namespace
 
 const xabsl::Symbols& GT2003BehaviorControl::symbols() {
-  if (symbols_.inputs().empty()) soccer::registerSymbols(symbols_, inputs_, outputs_, skills_);
+  if (symbols_.inputs().empty())
+    soccer::registerSymbols(symbols_, inputs_, outputs_, basicBehaviors_.all());
   return symbols_;
 }
 
@@ -116,7 +117,7 @@ void GT2003BehaviorControl::update(const FrameInfo& frame, const Behavior& behav
   world_ = {frame.time, player, field, game, self, ball, teamBall, body, team, motion};
   role_ = negotiateRole(world_, role_);
 
-  skills_.stand();
+  movement_.stand();
   outputs_ = {};
   if (engine_) execute(frame.time, control, debug);
 

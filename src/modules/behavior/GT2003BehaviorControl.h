@@ -17,10 +17,11 @@ namespace gt {
 
 /// Decides by executing a behavior written in XABSL (report 3.8). What the behavior may ask and say
 /// is declared in behavior/; from there SoccerSymbols.h is generated, with a function for each
-/// symbol and basic behavior, which SymbolSources.h and BasicBehaviors.h implement.
+/// symbol and a class for each basic behavior, which SymbolSources.h and BasicBehaviors.h
+/// implement.
 class GT2003BehaviorControl {
  public:
-  using Parameters = BasicBehaviors::Parameters;
+  using Parameters = Movement::Parameters;
   Parameters parameters;
 
   GT2003BehaviorControl() = default;
@@ -50,7 +51,8 @@ class GT2003BehaviorControl {
   DynamicRole role_ = DynamicRole::defensiveSupporter;
   SoccerInputs inputs_{world_, role_};
   SoccerOutputs outputs_;
-  BasicBehaviors skills_{world_, motionRequest_, parameters};
+  Movement movement_{world_, motionRequest_, parameters};
+  BasicBehaviors basicBehaviors_{movement_};
   xabsl::Symbols symbols_;
   std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that no other gets its address
   std::optional<xabsl::Engine> engine_;

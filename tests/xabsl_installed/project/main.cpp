@@ -4,20 +4,24 @@
 
 #include "DoorSymbols.h"  // generated from door.xabsl
 
-struct Door final : door::Inputs, door::Outputs, door::BasicBehaviors {
+struct Door final : door::Inputs, door::Outputs {
   bool visitorWaits = false;
 
   bool visitor() const override { return visitorWaits; }
   void setLamp(door::Light light) override {
     std::cout << (light == door::Light::green ? '+' : '-');
   }
-  void hold(bool open) override { std::cout << (open ? "open" : "closed"); }
+};
+
+struct Hold final : door::Hold {
+  void execute() override { std::cout << (open ? "open" : "closed"); }
 };
 
 int main(int, char** argv) {
   Door door;
+  Hold hold;
   xabsl::Symbols symbols;
-  registerSymbols(symbols, door, door, door);
+  registerSymbols(symbols, door, door, {hold});
 
   const xabsl::Compilation compilation = xabsl::compile(argv[1]);
   for (const auto& diagnostic : compilation.diagnostics) std::cerr << toString(diagnostic) << '\n';
