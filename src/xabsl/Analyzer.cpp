@@ -12,6 +12,9 @@ namespace {
 constexpr std::size_t maximalElements = 1000;
 constexpr std::size_t maximalParameters = 100;
 
+// What the reader of public XABSL engines has room for.
+constexpr std::size_t longestPortableName = 99;
+
 std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
 }
@@ -57,6 +60,11 @@ void Analyzer::declare(Names::Table& table, const syntax::Name& name, int index,
                        const std::string& what) {
   if (!table.emplace(name.text, index).second)
     reporter_.error(name.location, what + " " + quoted(name.text) + " is declared twice");
+  if (name.text.size() > longestPortableName)
+    reporter_.warning(name.location, what + " " + quoted(name.text.substr(0, 20)) + "... has " +
+                                         std::to_string(name.text.size()) +
+                                         " letters; other engines read at most " +
+                                         std::to_string(longestPortableName));
 }
 
 void Analyzer::declareEnumerations() {
@@ -91,7 +99,9 @@ void Analyzer::declareEnumerations() {
 
 void Analyzer::declareSymbols() {
   for (const syntax::Symbol& source : program_.symbols) {
-    declare(names_.symbols, source.name, static_cast<int>(model_.symbols.size()), "symbol");
+    const bool input = source.kind == SymbolKind::input;
+    declare(input ? names_.inputs : names_.outputs, source.name,
+            static_cast<int>(model_.symbols.size()), input ? "input symbol" : "output symbol");
     Symbol symbol;
     symbol.kind = source.kind;
     symbol.name = source.name.text;
@@ -108,11 +118,7 @@ void Analyzer::declareSymbols() {
 
 void Analyzer::declareConstants() {
   for (const syntax::Constant& source : program_.constants) {
-    const int index = static_cast<int>(model_.constants.size());
-    if (names_.symbols.count(source.name.text) > 0 ||
-        !names_.constants.emplace(source.name.text, index).second)
-      reporter_.error(source.name.location,
-                      "symbol " + quoted(source.name.text) + " is declared twice");
+    declare(names_.constants, source.name, static_cast<int>(model_.constants.size()), "constant");
     model_.constants.push_back({std::string(source.name.text),
                                 (source.negative ? "-" : "") + std::string(source.digits),
                                 source.value, source.name.location, source.space,
@@ -257,10 +263,11 @@ void Analyzer::resolveOption(const syntax::Option& source, int index) {
 void Analyzer::checkElse(const syntax::Option& option, const syntax::State& state) {
   if (!state.decision || state.leadingElse == (option.commonDecision != nullptr)) return;
   const std::string name(option.name.text);
-  reporter_.error(state.decisionLocation,
-                  state.leadingElse
-                      ? "unexpected 'else', since option " + name + " has no common decision"
-                      : "expected 'else', since option " + name + " has a common decision");
+  if (state.leadingElse)
+    return reporter_.error(state.decisionLocation, "unexpected 'else', since option " + name +
+                                                       " has no common decision");
+  reporter_.warning(state.decisionLocation,
+                    "expected 'else', since option " + name + " has a common decision");
 }
 
 Branch Analyzer::branch(const syntax::Decision& source, ExpressionAnalyzer& expressions) {
@@ -317,11 +324,15 @@ Span Analyzer::actions(const std::vector<syntax::Action>& sources, int option,
 bool Analyzer::assignment(const syntax::Action& source, int option, ExpressionAnalyzer& expressions,
                           Action& action) {
   action.kind = Action::Kind::assignment;
-  action.target = Names::find(names_.symbols, source.name.text);
+  action.target = Names::find(names_.outputs, source.name.text);
+  if (action.target < 0 && names_.inputs.count(source.name.text) > 0) {
+    expressions.error(source.name.location,
+                      "input symbol " + quoted(source.name.text) + " cannot be set");
+    return false;
+  }
   if (action.target < 0) {
     Suggestion suggestion(source.name.text);
-    for (const Symbol& symbol : model_.symbols)
-      if (symbol.kind != SymbolKind::input) suggestion.offer(symbol.name);
+    for (const auto& [candidate, index] : names_.outputs) suggestion.offer(candidate);
     expressions.error(source.name.location,
                       "unknown output symbol " + quoted(source.name.text) + suggestion.text());
     return false;
@@ -329,11 +340,6 @@ bool Analyzer::assignment(const syntax::Action& source, int option, ExpressionAn
   refer({Entity::Kind::symbol, action.target}, source.name);
   Symbol& symbol = model_.symbols[static_cast<std::size_t>(action.target)];
   if (symbol.firstUse.option < 0) symbol.firstUse = {option, source.name.location};
-  if (symbol.kind == SymbolKind::input) {
-    expressions.error(source.name.location,
-                      "input symbol " + quoted(source.name.text) + " cannot be set");
-    return false;
-  }
   action.operand =
       expressions.expression(*source.value, symbol.type, "value of " + quoted(source.name.text));
   return action.operand >= 0;

@@ -1,5 +1,7 @@
 #include "xabsl/ExpressionAnalyzer.h"
 
+#include <algorithm>
+
 namespace xabsl {
 
 namespace {
@@ -175,6 +177,12 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& sou
     if (found.index >= 0) return found;
   }
   const int constant = Names::find(names_.constants, source.name);
+  const int input = Names::find(names_.inputs, source.name);
+  const int output = Names::find(names_.outputs, source.name);
+  if ((constant >= 0) + (input >= 0) + (output >= 0) > 1) {
+    ambiguous(source, constant >= 0, input >= 0, output >= 0);
+    return {};
+  }
   if (constant >= 0) {
     refer({Entity::Kind::constant, constant}, source);
     return add(source,
@@ -183,8 +191,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& sou
                 .number = model_.constants[static_cast<std::size_t>(constant)].value},
                number);
   }
-  const int index = Names::find(names_.symbols, source.name);
-  if (index >= 0) return symbol(source, index);
+  if (input >= 0 || output >= 0) return symbol(source, std::max(input, output));
   // Written with the name of the enumeration, an element stands for itself anywhere.
   for (std::size_t dot = source.name.find('.'); dot != std::string_view::npos;
        dot = source.name.find('.', dot + 1)) {
@@ -197,18 +204,27 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& sou
   return {};
 }
 
+void ExpressionAnalyzer::ambiguous(const syntax::Expression& source, bool constant, bool input,
+                                   bool output) {
+  std::string kinds;
+  const auto add = [&](bool present, const char* kind) {
+    if (present) kinds += (kinds.empty() ? "" : " and ") + std::string(kind);
+  };
+  add(constant, "a constant");
+  add(input, "an input symbol");
+  add(output, "an output symbol");
+  error(source.location,
+        quoted(source.name) + " is " + kinds +
+            (input ? ", expected " + quoted(std::string(source.name) + "()") + " for the input"
+                   : ""));
+}
+
 ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& source, int index) {
   refer({Entity::Kind::symbol, index}, source);
   Symbol& symbol = model_.symbols[static_cast<std::size_t>(index)];
   if (symbol.firstUse.option < 0) symbol.firstUse = {option_, source.location};
   if (symbol.kind != SymbolKind::input)
     return add(source, {.operation = Operator::variable, .a = index}, symbol.type);
-  if (!symbol.parameters.empty() && source.kind == syntax::Expression::Kind::name) {
-    error(source.location,
-          "input symbol " + quoted(symbol.name) + " has parameters, expected " +
-              quoted(symbol.name + "(" + symbol.parameters.front().name + " = ...)"));
-    return {};
-  }
   const int first = arguments(source.arguments, symbol.parameters, symbol.name,
                               "input symbol " + quoted(symbol.name), {Entity::Kind::symbol, index});
   return add(source, {.operation = Operator::input, .a = index, .b = first}, symbol.type);
@@ -250,10 +266,9 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::parameter(const syntax::Expression
 }
 
 ExpressionAnalyzer::Typed ExpressionAnalyzer::call(const syntax::Expression& source) {
-  const int index = Names::find(names_.symbols, source.name);
-  if (index >= 0 && model_.symbols[static_cast<std::size_t>(index)].kind == SymbolKind::input)
-    return symbol(source, index);
-  if (index >= 0 || names_.constants.count(source.name) > 0)
+  const int index = Names::find(names_.inputs, source.name);
+  if (index >= 0) return symbol(source, index);
+  if (names_.outputs.count(source.name) > 0 || names_.constants.count(source.name) > 0)
     error(source.location, quoted(source.name) + " is no input symbol and cannot have parameters");
   else
     unknownName(source, -1);
@@ -371,8 +386,8 @@ void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enume
     message = "enumeration " + quoted(expected.name) + " has no element " + quoted(source.name) +
               ", nor is there a symbol of that name";
   }
-  for (const auto& [candidate, index] : names_.symbols) suggestion.offer(candidate);
-  for (const auto& [candidate, index] : names_.constants) suggestion.offer(candidate);
+  for (const Names::Table* table : {&names_.inputs, &names_.outputs, &names_.constants})
+    for (const auto& [candidate, index] : *table) suggestion.offer(candidate);
   error(source.location, message + suggestion.text());
 }
 

@@ -45,6 +45,7 @@ class ExpressionAnalyzer {
 
   Typed analyze(const syntax::Expression& source, int enumeration);
   Typed name(const syntax::Expression& source, int enumeration);
+  void ambiguous(const syntax::Expression& source, bool constant, bool input, bool output);
   Typed symbol(const syntax::Expression& source, int index);
   Typed element(const syntax::Expression& source, int enumeration);
   Typed parameter(const syntax::Expression& source);

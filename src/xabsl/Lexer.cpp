@@ -183,8 +183,8 @@ std::string_view Lexer::takeName() {
 Token Lexer::enclosed(Token token, TokenKind kind, char close, const char* name) {
   advance();
   const std::size_t start = position_;
-  // Neither goes over the end of a line: so a missing quote spoils one line only.
-  while (!atEnd() && peek() != close && peek() != '\n') advance();
+  const std::size_t end = endOfEnclosed(close);
+  while (position_ < end) advance();
   token.kind = kind;
   token.text = text_.substr(start, position_ - start);
   if (peek() == close) {
@@ -194,6 +194,19 @@ Token Lexer::enclosed(Token token, TokenKind kind, char close, const char* name)
                     std::string(name) + " is not closed, expected '" + std::string(1, close) + "'");
   }
   return token;
+}
+
+/// The place of `close`, or the end of the line. A string may go over lines, but not into the next
+/// statement: so a missing quote spoils one line only.
+std::size_t Lexer::endOfEnclosed(char close) const {
+  constexpr std::size_t farthest = 500;
+  const std::size_t line = std::min(text_.find('\n', position_), text_.size());
+  const std::string_view ahead = text_.substr(position_, line - position_ + farthest);
+  const std::size_t end = ahead.find(close);
+  if (end == std::string_view::npos) return line;
+  const bool closed =
+      position_ + end < line || ahead.substr(0, end).find_first_of(";{}") == std::string_view::npos;
+  return closed ? position_ + end : line;
 }
 
 Token Lexer::number(Token token) {

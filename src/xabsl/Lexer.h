@@ -58,6 +58,7 @@ class Lexer {
   void keep(syntax::Comment::Kind kind, std::size_t start, Location begin);
   std::string_view takeName();
   Token enclosed(Token token, TokenKind kind, char close, const char* name);
+  std::size_t endOfEnclosed(char close) const;
   Token number(Token token);
   bool punctuation(Token& token);
   void skipUnexpected();

@@ -1,5 +1,6 @@
 #include "xabsl/Parser.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace xabsl {
@@ -28,9 +29,12 @@ void Parser::parse() {
 /// The title and so on of the first header that has some: only the file with the agents has one.
 void Parser::header() {
   const auto value = [](std::string_view text, std::string_view key) -> std::string_view {
-    const std::size_t start = text.find(key);
-    if (start == std::string_view::npos) return {};
-    std::string_view line = text.substr(start + key.size());
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; };
+    const auto start = std::search(text.begin(), text.end(), key.begin(), key.end(),
+                                   [&](char a, char b) { return lower(a) == lower(b); });
+    if (start == text.end()) return {};
+    std::string_view line =
+        text.substr(static_cast<std::size_t>(start - text.begin()) + key.size());
     line = line.substr(0, line.find_first_of("\r\n"));
     const std::size_t first = line.find_first_not_of(" \t");
     if (first == std::string_view::npos) return {};

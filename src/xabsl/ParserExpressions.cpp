@@ -132,8 +132,7 @@ ExpressionPtr Parser::expression() {
   const Location location = take().location;
   std::vector<ExpressionPtr> operands;
   operands.push_back(std::move(condition));
-  operands.push_back(disjunction());
-  if (token_.is("?")) fail("a '?:' inside another one needs parentheses");
+  operands.push_back(expression());
   expect(":");
   operands.push_back(disjunction());
   if (token_.is("?")) fail("a '?:' inside another one needs parentheses");
