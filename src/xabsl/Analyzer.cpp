@@ -19,6 +19,10 @@ std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
 }
 
+std::string describe(SymbolKind kind) {
+  return kind == SymbolKind::input ? "input" : kind == SymbolKind::output ? "output" : "internal";
+}
+
 }  // namespace
 
 Analyzer::Analyzer(const syntax::Program& program, Reporter& reporter, References* references)
@@ -101,7 +105,7 @@ void Analyzer::declareSymbols() {
   for (const syntax::Symbol& source : program_.symbols) {
     const bool input = source.kind == SymbolKind::input;
     declare(input ? names_.inputs : names_.outputs, source.name,
-            static_cast<int>(model_.symbols.size()), input ? "input symbol" : "output symbol");
+            static_cast<int>(model_.symbols.size()), describe(source.kind) + " symbol");
     Symbol symbol;
     symbol.kind = source.kind;
     symbol.name = source.name.text;
@@ -264,8 +268,8 @@ void Analyzer::checkElse(const syntax::Option& option, const syntax::State& stat
   if (!state.decision || state.leadingElse == (option.commonDecision != nullptr)) return;
   const std::string name(option.name.text);
   if (state.leadingElse)
-    return reporter_.error(state.decisionLocation, "unexpected 'else', since option " + name +
-                                                       " has no common decision");
+    return reporter_.error(state.decisionLocation,
+                           "unexpected 'else', since option " + name + " has no common decision");
   reporter_.warning(state.decisionLocation,
                     "expected 'else', since option " + name + " has a common decision");
 }

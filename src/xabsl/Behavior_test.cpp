@@ -338,9 +338,6 @@ TEST(Compile, TellsWhatCannotBeDone) {
             "2:1: error: input symbol 'ball.distance' cannot be set in option main\n");
   EXPECT_EQ(errorsInAction("walk(x = 1, x = 2);"),
             "2:13: error: parameter 'x' is set twice in option main\n");
-  EXPECT_EQ(errorsInValue("scaled"),
-            "2:9: error: input symbol 'scaled' has parameters, expected 'scaled(value = ...)' in "
-            "option main\n");
   EXPECT_EQ(errorsInValue("near(x = 1)"),
             "2:9: error: 'near' is no input symbol and cannot have parameters in option main\n");
   EXPECT_EQ(errorsInAction("both();"),
@@ -349,9 +346,11 @@ TEST(Compile, TellsWhatCannotBeDone) {
 }
 
 TEST(Compile, TellsWhatIsDeclaredTwice) {
-  EXPECT_THAT(errorsIn("namespace main(\"M\") { float input x; bool output x; const x = 1; }"),
-              HasSubstr("main.xabsl:1:50: error: symbol 'x' is declared twice\n"
-                        "main.xabsl:1:59: error: symbol 'x' is declared twice\n"));
+  EXPECT_THAT(errorsIn("namespace main(\"M\") { float input x; bool input x; const y = 1;\n"
+                       "bool output z; bool internal z; const y = 2; }"),
+              HasSubstr("main.xabsl:1:49: error: input symbol 'x' is declared twice\n"
+                        "main.xabsl:2:30: error: internal symbol 'z' is declared twice\n"
+                        "main.xabsl:2:39: error: constant 'y' is declared twice\n"));
   EXPECT_THAT(errorsIn("namespace main(\"M\") { enum e { a, e.a }; enum e { b }; }"),
               HasSubstr("main.xabsl:1:35: error: element 'a' is declared twice\n"
                         "main.xabsl:1:47: error: enumeration 'e' is declared twice\n"));
@@ -367,6 +366,33 @@ TEST(Compile, TellsWhatIsDeclaredTwice) {
               HasSubstr("main.xabsl:1:24: error: agent 'a' is declared twice\n"));
 }
 
+TEST(Compile, KeepsKindsOfSymbolsWithOneNameApart) {
+  const std::string twins =
+      "namespace main(\"M\") { float input x; float output x; float output y; bool input k; "
+      "const k = 2; }\nagent a(\"A\", main); option main { initial state s { action {\n";
+  test::compiled(twins + "x = x() + 1; } } }");
+  EXPECT_EQ(errorsIn(twins + "y = x; } } }"),
+            "main.xabsl:3:5: error: 'x' is an input symbol and an output symbol, expected 'x()' "
+            "for the input in option main\n");
+  EXPECT_EQ(errorsIn(twins + "y = k; } } }"),
+            "main.xabsl:3:5: error: 'k' is a constant and an input symbol, expected 'k()' for the "
+            "input in option main\n");
+}
+
+TEST(Compile, WarnsOfNamesThatOtherEnginesCannotRead) {
+  const auto warning = [](std::size_t letters) {
+    const std::string name(letters, 'n');
+    const Compilation compilation =
+        compile(name + ".xabsl", {{name + ".xabsl", "agent a(\"A\", " + name + "); option " + name +
+                                                        " { initial state s { action { } } }"}});
+    return compilation.diagnostics.empty() ? "" : compilation.diagnostics.front().message;
+  };
+  EXPECT_EQ(warning(99), "");
+  EXPECT_EQ(warning(100),
+            "option 'nnnnnnnnnnnnnnnnnnnn'... has 100 letters; other engines read at "
+            "most 99");
+}
+
 TEST(Compile, WantsExactlyOneInitialState) {
   EXPECT_EQ(errorsInMain("option main { state s { action { } } }"),
             "1:8: error: option main has no initial state, expected exactly one\n");
@@ -378,9 +404,17 @@ TEST(Compile, WantsExactlyOneInitialState) {
 TEST(Compile, WantsElseIfAndOnlyIfThereIsACommonDecision) {
   EXPECT_EQ(errorsInDecision("else stay;"),
             "2:1: error: unexpected 'else', since option main has no common decision\n");
-  EXPECT_EQ(errorsInMain("option main { common decision { if (ball.seen) stay; }\n"
-                         "initial state s { decision { stay; } action { } } }"),
-            "2:30: error: expected 'else', since option main has a common decision\n");
+  const Compilation compilation =
+      compile("main.xabsl",
+              {{"main.xabsl", symbols + "option main { common decision { if (ball.seen) stay; }\n"
+                                        "initial state s { decision { stay; } action { } } }"}});
+  EXPECT_TRUE(compilation.behavior);
+  EXPECT_TRUE(std::any_of(compilation.diagnostics.begin(), compilation.diagnostics.end(),
+                          [](const Diagnostic& one) {
+                            return toString(one) ==
+                                   "main.xabsl:18:30: warning: expected 'else', since option main "
+                                   "has a common decision";
+                          }));
   EXPECT_EQ(errorsInMain("option main { common decision { if (ball.seen) stay; else stay; }\n"
                          "initial state s { action { } } }"),
             "1:65: error: a common decision ends without an 'else'\n");

@@ -83,7 +83,8 @@ class Engine {
   /// What the last cycle executed, in its order.
   std::vector<Activation> activations() const;
 
-  /// The value of a symbol now; nothing for functions with parameters and unknown names.
+  /// The value of a symbol now; nothing for functions with parameters and unknown names. Of an
+  /// output and an input symbol with the same name, that of the output.
   std::optional<NamedValue> symbol(std::string_view name) const;
 
   /// An argument for a symbol with parameters, written as NamedValue::text shows it.

@@ -45,7 +45,7 @@ void Engine::goOnFrom(const Engine& other) {
   }
   for (std::size_t i = 0; i < model_->symbols.size(); ++i) {
     const Symbol& symbol = model_->symbols[i];
-    const int before = indexOf(other.model_->symbols, symbol.name);
+    const int before = other.model_->findOutput(symbol.name);
     if (symbol.kind == SymbolKind::input || before < 0) continue;
     const Symbol& old = other.model_->symbols[static_cast<std::size_t>(before)];
     if (old.kind != symbol.kind) continue;
@@ -105,10 +105,9 @@ bool Engine::setParameter(std::string_view name, std::string_view value) {
 }
 
 bool Engine::setOutput(std::string_view name, std::string_view value) {
-  const int index = indexOf(model_->symbols, name);
+  const int index = model_->findOutput(name);
   if (index < 0) return false;
   const auto symbol = static_cast<std::size_t>(index);
-  if (model_->symbols[symbol].kind == SymbolKind::input) return false;
   const std::optional<double> number = read(model_->symbols[symbol].type, value);
   if (!number) return false;
   variable(symbol) = *number;
@@ -118,11 +117,11 @@ bool Engine::setOutput(std::string_view name, std::string_view value) {
 
 std::optional<NamedValue> Engine::symbol(std::string_view name,
                                          const std::vector<Argument>& arguments) const {
-  const int index = indexOf(model_->symbols, name);
-  if (index < 0) return std::nullopt;
+  const int index = model_->findInput(name);
+  if (index < 0 || model_->symbols[static_cast<std::size_t>(index)].parameters.empty())
+    return arguments.empty() ? this->symbol(name) : std::nullopt;
   const auto i = static_cast<std::size_t>(index);
   const Symbol& symbol = model_->symbols[i];
-  if (symbol.parameters.empty()) return arguments.empty() ? this->symbol(name) : std::nullopt;
   std::vector<double> values(symbol.parameters.size());
   const std::vector<int>& order = bindings_.symbols[i].order;
   for (std::size_t p = 0; p < values.size(); ++p)

@@ -52,14 +52,13 @@ std::vector<Activation> Engine::activations() const {
 }
 
 std::optional<NamedValue> Engine::symbol(std::string_view name) const {
-  for (std::size_t i = 0; i < model_->symbols.size(); ++i) {
-    const Symbol& symbol = model_->symbols[i];
-    if (symbol.name != name) continue;
-    if (symbol.kind != SymbolKind::input) return named(symbol.name, symbol.type, variable(i));
-    if (!symbol.parameters.empty()) return std::nullopt;
-    return named(symbol.name, symbol.type, callInput(i, nullptr));
-  }
-  return std::nullopt;
+  const int output = model_->findOutput(name);
+  const int index = output >= 0 ? output : model_->findInput(name);
+  if (index < 0) return std::nullopt;
+  const Symbol& symbol = model_->symbols[at(index)];
+  if (output >= 0) return named(symbol.name, symbol.type, variable(at(index)));
+  if (!symbol.parameters.empty()) return std::nullopt;
+  return named(symbol.name, symbol.type, callInput(at(index), nullptr));
 }
 
 NamedValue Engine::named(const std::string& name, Type type, double number) const {

@@ -101,6 +101,7 @@ TEST(Lexer, CutsNamesThatNobodyWrites) {
 TEST(Lexer, TellsWhatIsNotClosed) {
   EXPECT_EQ(lexicalErrors("a /* b"), "f:1:3: error: comment is not closed, expected '*/'\n");
   EXPECT_EQ(lexicalErrors("\"a\n b"), "f:1:1: error: string is not closed, expected '\"'\n");
+  EXPECT_EQ(lexicalErrors("\"a;\n\"b\";"), "f:1:1: error: string is not closed, expected '\"'\n");
   EXPECT_EQ(lexicalErrors(" [0..1"), "f:1:2: error: range is not closed, expected ']'\n");
 }
 

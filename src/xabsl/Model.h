@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "xabsl/Diagnostic.h"
@@ -195,6 +196,20 @@ struct Model {
 
   /// The expression that stands for a parameter not given: 0, false or the first element.
   static int defaultExpression(Type type) { return type.enumeration + 1; }
+
+  /// The index of an input symbol by its name, or -1. An output symbol may have the same name.
+  int findInput(std::string_view name) const { return findSymbol(name, true); }
+
+  /// The index of an output or internal symbol by its name, or -1.
+  int findOutput(std::string_view name) const { return findSymbol(name, false); }
+
+ private:
+  int findSymbol(std::string_view name, bool input) const {
+    for (std::size_t i = 0; i < symbols.size(); ++i)
+      if (symbols[i].name == name && (symbols[i].kind == SymbolKind::input) == input)
+        return static_cast<int>(i);
+    return -1;
+  }
 };
 
 }  // namespace xabsl

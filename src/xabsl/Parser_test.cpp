@@ -133,6 +133,13 @@ TEST(Parser, TakesWhatOtherCompilersTook) {
       "}\n"
       "initial target state s { decision { else { stay; } } action { } } }\n"
       "agent m(\"M\", main);");
+  // Texts over several lines, in Latin-1; a '?:' in another one; functions without parentheses.
+  const Behavior behavior = test::compiled(
+      "/*** TITLE: T\xE4st */ namespace n(\"two\nlines\") { float input f [0\n..1] \"m\nm\" (a;);\n"
+      "float output y; bool input b; } agent m(\"M\", main);\n"
+      "option main { initial state s { action { y = b ? b ? 1 : f : 3; } } }");
+  EXPECT_EQ(behavior.model().namespaces.front().title, "two\nlines");
+  EXPECT_EQ(behavior.model().title, "T\xC3\xA4st");
 }
 
 TEST(Diagnostic, ShowsTheLineWithACaret) {

@@ -1,7 +1,9 @@
 #include "xabsl/Warnings.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace xabsl {
@@ -117,54 +119,79 @@ class StateGraph {
   std::vector<std::vector<int>> targets_;  // per state, counted from the first of the option
 };
 
-/// What calls set and what they leave out.
+/// What calls set and what they leave out. A team leaves much out on purpose: of each parameter it
+/// is told once.
 class ParameterUse {
  public:
-  ParameterUse(const Model& model, Reporter& reporter)
-      : model_(model), reporter_(reporter), set_(model.options.size()) {
-    for (std::size_t i = 0; i < set_.size(); ++i)
-      set_[i].resize(model.options[i].parameters.size());
+  ParameterUse(const Model& model, Reporter& reporter) : model_(model), reporter_(reporter) {
+    for (const Option& option : model.options) options_.emplace_back(option.parameters.size());
+    for (const BasicBehavior& behavior : model.behaviors)
+      behaviors_.emplace_back(behavior.parameters.size());
+    for (const Symbol& symbol : model.symbols) inputs_.emplace_back(symbol.parameters.size());
   }
 
   void warn() {
-    std::vector<bool> called(model_.options.size(), false);
-    for (const Action& action : model_.actions) {
-      if (action.kind == Action::Kind::assignment) continue;
-      const bool option = action.kind == Action::Kind::option;
-      if (option) called[at(action.target)] = true;
-      const std::string& name = option ? model_.options[at(action.target)].name
-                                       : model_.behaviors[at(action.target)].name;
-      check(option ? model_.options[at(action.target)].parameters
-                   : model_.behaviors[at(action.target)].parameters,
-            action.operand, action.location,
-            (option ? "option " : "basic behavior ") + quoted(name),
-            option ? &set_[at(action.target)] : nullptr);
-    }
-    for (std::size_t i = 0; i < model_.expressions.size(); ++i) {
-      const Expression& expression = model_.expressions[i];
-      if (expression.operation != Operator::input) continue;
-      const Symbol& symbol = model_.symbols[at(expression.a)];
-      check(symbol.parameters, expression.b, model_.expressionLocations[i],
-            "input symbol " + quoted(symbol.name), nullptr);
-    }
-    for (std::size_t i = 0; i < set_.size(); ++i)
-      if (called[i]) warnOfNeverSet(model_.options[i], set_[i]);
+    count();
+    for (std::size_t i = 0; i < options_.size(); ++i)
+      warn(model_.options[i].parameters, options_[i], "option " + quoted(model_.options[i].name));
+    for (std::size_t i = 0; i < behaviors_.size(); ++i)
+      warn(model_.behaviors[i].parameters, behaviors_[i],
+           "basic behavior " + quoted(model_.behaviors[i].name));
+    for (std::size_t i = 0; i < inputs_.size(); ++i)
+      warn(model_.symbols[i].parameters, inputs_[i],
+           "input symbol " + quoted(model_.symbols[i].name));
   }
 
  private:
-  void check(const std::vector<Parameter>& parameters, int first, Location location,
-             const std::string& callee, std::vector<bool>* set) {
-    std::vector<bool> given(parameters.size(), false);
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
+  /// How often a parameter was set and left out.
+  struct Count {
+    int set = 0;
+    int missing = 0;
+    Location firstMissing;
+  };
+  using Counts = std::vector<Count>;
+
+  void count() {
+    for (const Action& action : model_.actions)
+      if (action.kind != Action::Kind::assignment)
+        count(action.operand, action.location,
+              (action.kind == Action::Kind::option ? options_ : behaviors_)[at(action.target)]);
+    for (std::size_t i = 0; i < model_.expressions.size(); ++i) {
+      const Expression& expression = model_.expressions[i];
+      if (expression.operation == Operator::input)
+        count(expression.b, model_.expressionLocations[i], inputs_[at(expression.a)]);
+    }
+  }
+
+  void count(int first, Location location, Counts& counts) {
+    std::vector<bool> given(counts.size(), false);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
       const int parameter = model_.argumentOrder[at(first) + i];
       if (parameter < 0) break;
       given[at(parameter)] = true;
-      if (set) (*set)[at(parameter)] = true;
     }
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-      if (!given[i])
-        reporter_.warning(location, "parameter " + quoted(parameters[i].name) + " of " + callee +
-                                        " is not set, it is " + initial(parameters[i].type));
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (!given[i] && counts[i].missing == 0) counts[i].firstMissing = location;
+      ++(given[i] ? counts[i].set : counts[i].missing);
+    }
+  }
+
+  void warn(const std::vector<Parameter>& parameters, const Counts& counts,
+            const std::string& callee) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (counts[i].missing == 0) continue;
+      const std::string name = "parameter " + quoted(parameters[i].name) + " of " + callee;
+      const std::string value = ", it is " + initial(parameters[i].type);
+      const int others = counts[i].missing - 1;
+      if (counts[i].set == 0)
+        reporter_.warning(parameters[i].location, name + " is never set" + value);
+      else
+        reporter_.warning(counts[i].firstMissing,
+                          name + " is not set" + value +
+                              (others > 0 ? ", as in " + std::to_string(others) + " other " +
+                                                (others == 1 ? "call" : "calls")
+                                          : ""));
+    }
   }
 
   std::string initial(Type type) const {
@@ -173,17 +200,53 @@ class ParameterUse {
     return quoted(model_.enumerations[at(type.enumeration)].elements.front().name);
   }
 
-  void warnOfNeverSet(const Option& option, const std::vector<bool>& set) {
-    for (std::size_t i = 0; i < set.size(); ++i)
-      if (!set[i])
-        reporter_.warning(option.parameters[i].location,
-                          "parameter " + quoted(option.parameters[i].name) + " of option " +
-                              quoted(option.name) + " is never set");
-  }
-
   const Model& model_;
   Reporter& reporter_;
-  std::vector<std::vector<bool>> set_;  // per option and parameter: by any call
+  std::vector<Counts> options_;
+  std::vector<Counts> behaviors_;
+  std::vector<Counts> inputs_;  // per symbol
+};
+
+/// Tells of all that is unused in one place and of one kind at once: libraries of symbols are made
+/// for more than one behavior.
+class Unused {
+ public:
+  explicit Unused(Reporter& reporter) : reporter_(reporter) {}
+
+  void add(int space, const std::string& kind, const std::string& name, Location location) {
+    Group& group = groups_[{space, kind}];
+    if (group.names.empty()) group.location = location;
+    group.names.push_back(name);
+  }
+
+  void warn(const std::string& problem) const {
+    for (const auto& [key, group] : groups_) {
+      const bool several = group.names.size() > 1;
+      reporter_.warning(group.location, key.second + (several ? "s " : " ") + list(group.names) +
+                                            (several ? " are " : " is ") + problem);
+    }
+  }
+
+ private:
+  struct Group {
+    std::vector<std::string> names;
+    Location location;
+  };
+
+  static std::string list(const std::vector<std::string>& names) {
+    constexpr std::size_t mostShown = 6;
+    const std::size_t shown = names.size() <= mostShown ? names.size() : mostShown - 1;
+    std::string text;
+    for (std::size_t i = 0; i < shown; ++i) {
+      const bool last = i > 0 && i + 1 == names.size();
+      text += (last ? " and " : i > 0 ? ", " : "") + quoted(names[i]);
+    }
+    return shown < names.size() ? text + " and " + std::to_string(names.size() - shown) + " others"
+                                : text;
+  }
+
+  Reporter& reporter_;
+  std::map<std::pair<int, std::string>, Group> groups_;  // by namespace and kind
 };
 
 void warnOfUnusedOptions(const Model& model, Reporter& reporter) {
@@ -206,24 +269,25 @@ void warnOfUnusedOptions(const Model& model, Reporter& reporter) {
     for (int i = 0; i < option.states.count; ++i)
       useCallees(model.states[at(option.states.first + i)].actions);
   }
+  Unused unused(reporter);
   for (std::size_t i = 0; i < used.size(); ++i)
-    if (!used[i])
-      reporter.warning(model.options[i].location,
-                       "option " + quoted(model.options[i].name) + " is not reached by any agent");
+    if (!used[i]) unused.add(-1, "option", model.options[i].name, model.options[i].location);
+  unused.warn("not reached by any agent");
 }
 
 void warnOfUnusedDeclarations(const Model& model, Reporter& reporter) {
+  Unused unused(reporter);
   for (const Symbol& symbol : model.symbols) {
-    if (symbol.firstUse.option >= 0) continue;
     const std::string kind = symbol.kind == SymbolKind::input    ? "input"
                              : symbol.kind == SymbolKind::output ? "output"
                                                                  : "internal";
-    reporter.warning(symbol.location, kind + " symbol " + quoted(symbol.name) + " is never used");
+    if (symbol.firstUse.option < 0)
+      unused.add(symbol.space, kind + " symbol", symbol.name, symbol.location);
   }
   for (const BasicBehavior& behavior : model.behaviors)
     if (behavior.firstUse.option < 0)
-      reporter.warning(behavior.location,
-                       "basic behavior " + quoted(behavior.name) + " is never used");
+      unused.add(behavior.space, "basic behavior", behavior.name, behavior.location);
+  unused.warn("never used");
 }
 
 }  // namespace

@@ -56,30 +56,37 @@ TEST(Warnings, NameStatesThatCanOnlyOscillate) {
             "main.xabsl:3:20: warning: states of option 'main' can only oscillate: t -> u -> t\n");
 }
 
-TEST(Warnings, NameParametersThatAreNotSet) {
+TEST(Warnings, NameParametersThatAreNotSetOnce) {
   EXPECT_EQ(warningsIn("namespace main(\"M\") { enum e { p, q }; float input f (enum e a;);\n"
                        "float output r; behavior walk { bool b; } }\n"
                        "option main { initial state s { action { r = f(); sub(w = 1);\n"
-                       "walk(); } } }\n"
+                       "walk(b = true); walk(); walk(); walk(); sub(w = 2); sub(); } } }\n"
                        "option sub { float @v; float @w; initial state s { action { } } }" +
                        agent),
-            "main.xabsl:3:46: warning: parameter 'a' of input symbol 'f' is not set, it is 'p'\n"
-            "main.xabsl:3:51: warning: parameter 'v' of option 'sub' is not set, it is 0\n"
-            "main.xabsl:4:1: warning: parameter 'b' of basic behavior 'walk' is not set, it is "
-            "false\n"
-            "main.xabsl:5:20: warning: parameter 'v' of option 'sub' is never set\n");
+            "main.xabsl:1:62: warning: parameter 'a' of input symbol 'f' is never set, it is 'p'\n"
+            "main.xabsl:4:17: warning: parameter 'b' of basic behavior 'walk' is not set, it is "
+            "false, as in 2 other calls\n"
+            "main.xabsl:4:53: warning: parameter 'w' of option 'sub' is not set, it is 0\n"
+            "main.xabsl:5:20: warning: parameter 'v' of option 'sub' is never set, it is 0\n");
 }
 
 TEST(Warnings, NameWhatIsNeverUsed) {
   EXPECT_EQ(warningsIn("namespace main(\"M\") { bool input x; float output y;\n"
                        "bool internal z; behavior walk { } }\n"
+                       "namespace more(\"M\") { bool input a; bool input b; bool output c;\n"
+                       "bool output d; bool output e; bool output f; bool output g;\n"
+                       "bool output h; bool output i; }\n"
                        "option main { initial state s { action { } } }\n"
-                       "option sub { initial state s { action { z = true; } } }" +
+                       "option sub { initial state s { action { z = true; } } }\n"
+                       "option other { initial state s { action { } } }" +
                        agent),
             "main.xabsl:1:34: warning: input symbol 'x' is never used\n"
             "main.xabsl:1:50: warning: output symbol 'y' is never used\n"
             "main.xabsl:2:27: warning: basic behavior 'walk' is never used\n"
-            "main.xabsl:4:8: warning: option 'sub' is not reached by any agent\n");
+            "main.xabsl:3:34: warning: input symbols 'a' and 'b' are never used\n"
+            "main.xabsl:3:63: warning: output symbols 'c', 'd', 'e', 'f', 'g' and 2 others are "
+            "never used\n"
+            "main.xabsl:7:8: warning: options 'sub' and 'other' are not reached by any agent\n");
 }
 
 }  // namespace

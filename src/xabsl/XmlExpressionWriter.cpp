@@ -35,7 +35,8 @@ std::string qualified(const Enumeration& enumeration, std::string_view element) 
 XmlExpressionWriter::XmlExpressionWriter(const Program& program, Reporter& reporter,
                                          xml::XmlOutput& out)
     : reporter_(reporter), out_(out) {
-  for (const Symbol& symbol : program.symbols) symbols_.emplace(symbol.name.text, &symbol);
+  for (const Symbol& symbol : program.symbols)
+    (symbol.kind == SymbolKind::input ? inputs_ : outputs_).emplace(symbol.name.text, &symbol);
   for (const Constant& constant : program.constants) constants_.insert(constant.name.text);
   for (const Option& option : program.options) options_.insert(option.name.text);
   for (const Enumeration& enumeration : program.enumerations)
@@ -46,9 +47,9 @@ void XmlExpressionWriter::cannot(Location location, const std::string& what) {
   reporter_.error(location, "XABSL 2.1 cannot say this: " + what);
 }
 
-const Symbol* XmlExpressionWriter::symbol(std::string_view name) const {
-  const auto found = symbols_.find(name);
-  return found == symbols_.end() ? nullptr : found->second;
+const Symbol* XmlExpressionWriter::find(const SymbolTable& table, std::string_view name) {
+  const auto found = table.find(name);
+  return found == table.end() ? nullptr : found->second;
 }
 
 const Enumeration* XmlExpressionWriter::enumerationOf(const Symbol& symbol) const {
@@ -114,12 +115,13 @@ void XmlExpressionWriter::write(const Expression& expression) {
 
 void XmlExpressionWriter::reference(const Expression& expression) {
   const Attributes ref = {{"ref", std::string(expression.name)}};
-  const Symbol* const found = this->symbol(expression.name);
-  if (constants_.count(expression.name) > 0) return out_.empty("constant-ref", ref);
+  const bool called = expression.kind == Expression::Kind::call;
+  if (!called && constants_.count(expression.name) > 0) return out_.empty("constant-ref", ref);
+  const Symbol* const found = find(inputs_, expression.name);
+  if (!found && output(expression.name))
+    return cannot(expression.location, "an output symbol that is read");
   if (!found) return cannot(expression.location, quoted(expression.name) + " in an expression");
   const Symbol& symbol = *found;
-  if (symbol.kind != SymbolKind::input)
-    return cannot(expression.location, "an output symbol that is read");
   if (symbol.type.kind == ValueKind::boolean) return out_.empty("boolean-input-symbol-ref", ref);
   if (symbol.type.kind == ValueKind::enumeration)
     return cannot(expression.location, "an enumerated symbol that is not compared with an element");
@@ -162,12 +164,12 @@ void XmlExpressionWriter::conditional(const Expression& expression) {
 bool XmlExpressionWriter::comparison(const Expression& expression) {
   const bool equal = expression.operation == Operator::equal;
   if (!equal && expression.operation != Operator::notEqual) return false;
-  const Symbol* const symbol = this->symbol(expression.operands[0]->name);
-  if (expression.operands[0]->kind != Expression::Kind::name || !symbol) return false;
-  const Enumeration* enumeration = enumerationOf(*symbol);
-  if (!enumeration || symbol->kind != SymbolKind::input ||
-      !isElement(*enumeration, *expression.operands[1]))
-    return false;
+  const Expression& left = *expression.operands[0];
+  const bool named = left.kind == Expression::Kind::name ||
+                     (left.kind == Expression::Kind::call && left.arguments.empty());
+  const Symbol* const symbol = named ? find(inputs_, left.name) : nullptr;
+  const Enumeration* enumeration = symbol ? enumerationOf(*symbol) : nullptr;
+  if (!enumeration || !isElement(*enumeration, *expression.operands[1])) return false;
   if (!equal) out_.open("not", {});
   out_.empty("enumerated-input-symbol-comparison",
              {{"ref", std::string(symbol->name.text)},

@@ -25,8 +25,8 @@ class XmlExpressionWriter {
                    const std::vector<syntax::Argument>& arguments);
   void cannot(Location location, const std::string& what);
 
-  /// Null if there is none of that name.
-  const syntax::Symbol* symbol(std::string_view name) const;
+  /// The output symbol of a name, or null.
+  const syntax::Symbol* output(std::string_view name) const { return find(outputs_, name); }
   const syntax::Enumeration* enumerationOf(const syntax::Symbol& symbol) const;
   bool isOption(std::string_view name) const { return options_.count(name) > 0; }
 
@@ -39,6 +39,9 @@ class XmlExpressionWriter {
   static std::string digits(std::string_view text);
 
  private:
+  using SymbolTable = std::map<std::string_view, const syntax::Symbol*>;
+
+  static const syntax::Symbol* find(const SymbolTable& table, std::string_view name);
   void reference(const syntax::Expression& expression);
   void operation(const syntax::Expression& expression);
   void negation(const syntax::Expression& expression);
@@ -48,7 +51,8 @@ class XmlExpressionWriter {
 
   Reporter& reporter_;
   xml::XmlOutput& out_;
-  std::map<std::string_view, const syntax::Symbol*> symbols_;
+  SymbolTable inputs_;
+  SymbolTable outputs_;  // and internal symbols
   std::map<std::string_view, const syntax::Enumeration*> enumerations_;
   std::set<std::string_view> constants_;
   std::set<std::string_view> options_;

@@ -187,6 +187,8 @@ int Parser::enterNamespace(const Element& element, Namespace::Kind kind) {
 void Parser::symbols(const Element& element) {
   const int space = enterNamespace(element, Namespace::Kind::symbols);
   for (const Element* child : elementsOf(element)) {
+    if (child->is("constant") || child->is("enumerated-output-symbol"))
+      notInputs_.insert(child->attribute("name"));
     if (child->is("constant"))
       constant(*child, space);
     else if (child->is("enumerated-input-symbol") || child->is("enumerated-output-symbol"))

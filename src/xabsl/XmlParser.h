@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,7 @@ class Parser {
   syntax::Arm arm(const Element& element);
   syntax::ExpressionPtr expression(const Element& element);
   syntax::ExpressionPtr operation(const Element& element, Operator operation);
+  syntax::ExpressionPtr inputSymbol(const Element& element);
   syntax::ExpressionPtr functionCall(const Element& element);
   syntax::ExpressionPtr optionParameter(const Element& element);
   syntax::ExpressionPtr comparison(const Element& element);
@@ -68,7 +70,8 @@ class Parser {
   std::map<std::string, const Element*> collections_;  // by kind and id
   std::map<const Element*, Entries> entries_;
   std::map<std::string_view, const Element*> prototypes_;
-  std::vector<const Element*> visible_;  // the collections that the present option includes
+  std::set<std::string_view> notInputs_;  // the names of output symbols and constants
+  std::vector<const Element*> visible_;   // the collections that the present option includes
   std::string_view option_;
 };
 

@@ -163,8 +163,17 @@ ExpressionPtr Parser::expression(const Element& element) {
   if (element.is("enumerated-input-symbol-comparison")) return comparison(element);
   // What is left refers to a symbol: `decimal-input-symbol-ref` to a `decimal-input-symbol`.
   constexpr std::string_view ending = "-ref";
-  refer(element, element.name.substr(0, element.name.size() - ending.size()));
-  return leaf(element, Kind::name, element.attribute("ref"));
+  const std::string_view kind = element.name.substr(0, element.name.size() - ending.size());
+  refer(element, kind);
+  return kind == "constant" ? leaf(element, Kind::name, element.attribute("ref"))
+                            : inputSymbol(element);
+}
+
+/// Text can only tell an input symbol from something else of its name by parentheses.
+ExpressionPtr Parser::inputSymbol(const Element& element) {
+  const std::string_view name = element.attribute("ref");
+  const bool shared = notInputs_.count(name) > 0;
+  return leaf(element, shared ? Expression::Kind::call : Expression::Kind::name, name);
 }
 
 ExpressionPtr Parser::operation(const Element& element, Operator operation) {
@@ -199,7 +208,7 @@ ExpressionPtr Parser::comparison(const Element& element) {
   if (symbol) checkElement(element, *symbol);
   ExpressionPtr node = leaf(element, Expression::Kind::operation);
   node->operation = Operator::equal;
-  node->operands.push_back(leaf(element, Expression::Kind::name, element.attribute("ref")));
+  node->operands.push_back(inputSymbol(element));
   node->operands.push_back(leaf(element, Expression::Kind::name, element.attribute("value")));
   node->depth = 2;
   return node;

@@ -105,8 +105,8 @@ class XmlWriter {
       return prototype("basic-behavior", member, static_cast<const Behavior&>(member).parameters);
     for (const Enumeration& enumeration : program_.enumerations)
       if (&enumeration == &member && !enumeration.doc.empty()) out_.comment(enumeration.doc);
-    const Symbol* const symbol = expressions_.symbol(member.name.text);
-    if (symbol == &member) return this->symbol(*symbol);
+    for (const Symbol& symbol : program_.symbols)
+      if (&symbol == &member) return this->symbol(symbol);
     for (const Constant& constant : program_.constants)
       if (&constant == &member) this->constant(constant);
   }
@@ -310,7 +310,7 @@ class XmlWriter {
 
   void assignment(const Action& action) {
     comments(action.extent.begin);
-    const Symbol* const symbol = expressions_.symbol(action.name.text);
+    const Symbol* const symbol = expressions_.output(action.name.text);
     const Enumeration* enumeration = symbol ? expressions_.enumerationOf(*symbol) : nullptr;
     if (!enumeration) return;  // the symbol is told already
     if (!XmlExpressionWriter::isElement(*enumeration, *action.value))
