@@ -149,9 +149,10 @@ void add(const std::vector<xabsl::Diagnostic>& diagnostics, Errors& errors) {
 
 /// Compiles a behavior, and links it: that tells of missing symbols before a robot runs.
 Behavior readBehavior(const BehaviorRequest& request, Errors& errors) {
+  xabsl::VirtualFiles files;
+  for (const auto& [path, text] : request.files) files[path] = text;
   xabsl::Compilation compilation =
-      request.text.empty() ? xabsl::compile(request.path)
-                           : xabsl::compile(request.path, {{request.path, request.text}});
+      files.empty() ? xabsl::compile(request.path) : xabsl::compile(request.path, files);
   const std::size_t before = errors.size();
   add(compilation.diagnostics, errors);
   if (errors.size() > before) return {};
@@ -201,7 +202,7 @@ std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const Solut
   else
     errors.push_back(colorTable.error());
   readMotions(paths.motions, *c.motions, errors);
-  c.behavior = readBehavior({paths.behavior, ""}, errors);
+  c.behavior = readBehavior({paths.behavior, {}}, errors);
   readSolutions(table, folder->path("modules.cfg"), c.solutions, errors);
   readLog(table, folder->path("log.cfg"), c.log, errors);
   readParameters(table, *folder, c.parameters, errors);

@@ -204,13 +204,14 @@ TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {
   const std::string before = told(*robot);
   EXPECT_NE(before.find("play_soccer() 960 ms: wait 960 ms"), before.npos) << before;
 
-  const auto wrong = robot->request(BehaviorRequest{"edited.xabsl", "option play {"});
+  const auto wrong =
+      robot->request(BehaviorRequest{"edited.xabsl", {{"edited.xabsl", "option play {"}}});
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().file, "edited.xabsl");
   const std::string flying =
       "namespace s(\"\") { behavior fly {} } agent a(\"\", play_soccer);"
       "option play_soccer { initial state wait { action { fly(); } } }";
-  robot->fromTools().write({1000}, BehaviorRequest{"edited.xabsl", flying});
+  robot->fromTools().write({1000}, BehaviorRequest{"edited.xabsl", {{"edited.xabsl", flying}}});
   live(*robot, 1000, 1000);
   const std::string between = told(*robot);
   EXPECT_NE(between.find("edited.xabsl"), between.npos) << "the message is shown";
@@ -219,7 +220,7 @@ TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {
   std::string edited = flying;
   edited.replace(edited.find("fly"), 3, "getup");
   edited.replace(edited.find("fly"), 3, "getup");
-  robot->fromTools().write({2000}, BehaviorRequest{"edited.xabsl", edited});
+  robot->fromTools().write({2000}, BehaviorRequest{"edited.xabsl", {{"edited.xabsl", edited}}});
   live(*robot, 1000, 2000);
   const std::string after = told(*robot);
   EXPECT_NE(after.find("play_soccer() 2960 ms: wait 2960 ms\n  getup()"), after.npos) << after;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,8 +60,9 @@ class Engine {
 
   /// Goes on where another engine is, with its behavior as it was edited: what has the same name
   /// stays as it is. That are active options in states that are still there, with their times;
-  /// the values of output and internal symbols of the same type; the selected agent. All else
-  /// begins anew. To be called before the first cycle.
+  /// parameters and the values of output and internal symbols of the same type; the selected agent
+  /// and what is executed instead of its root option; how the team cooperates. All else begins
+  /// anew. To be called before the first cycle.
   void goOnFrom(const Engine& other);
 
   /// Where the host sets priorities and carries messages between the engines of a team. Without
@@ -120,6 +122,11 @@ class Engine {
     std::int64_t stateActivation;
   };
 
+  struct ParameterPlace {
+    Type type;
+    int index = 0;  // in the memory
+  };
+
   /// Where an option's caller goes on.
   struct Frame {
     const Instruction* next;
@@ -145,6 +152,9 @@ class Engine {
   const std::vector<Parameter>& rootParameters() const;
   double& rootSlot(std::size_t parameter);
   std::optional<double> read(Type type, std::string_view text) const;
+  void goOnFrom(const Engine& other, OptionState& option);
+  void take(const Engine& other, Type oldType, double oldValue, Type type, double& value);
+  std::map<std::string, ParameterPlace> parameterPlaces() const;
 
   void runBehavior(int index);
   void run(const Program& program);

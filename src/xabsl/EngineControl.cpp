@@ -1,4 +1,5 @@
 #include <charconv>
+#include <map>
 #include <utility>
 
 #include "xabsl/Engine.h"
@@ -28,34 +29,72 @@ bool Engine::selectAgent(std::string_view name) {
 void Engine::goOnFrom(const Engine& other) {
   cycle_ = other.cycle_;
   now_ = other.now_;
-  for (OptionState& option : options_) {
-    const Option& declared = model_->options[static_cast<std::size_t>(option.option)];
-    const int before = indexOf(other.model_->options, declared.name);
-    if (before < 0) continue;
-    const OptionState& old = other.options_[static_cast<std::size_t>(before)];
-    if (old.state < 0) continue;
-    const std::string& state = other.model_->states[static_cast<std::size_t>(old.state)].name;
-    for (int i = declared.states.first; i < declared.states.first + declared.states.count; ++i) {
-      if (model_->states[static_cast<std::size_t>(i)].name != state) continue;
-      const int index = option.option;
-      option = old;
-      option.option = index;
-      option.state = i;
-    }
-  }
+  for (OptionState& option : options_) goOnFrom(other, option);
   for (std::size_t i = 0; i < model_->symbols.size(); ++i) {
     const Symbol& symbol = model_->symbols[i];
     const int before = other.model_->findOutput(symbol.name);
     if (symbol.kind == SymbolKind::input || before < 0) continue;
     const Symbol& old = other.model_->symbols[static_cast<std::size_t>(before)];
-    if (old.kind != symbol.kind) continue;
-    // By its text, for elements may have changed their order.
-    const NamedValue value =
-        other.named(old.name, old.type, other.variable(static_cast<std::size_t>(before)));
-    if (old.type.kind == symbol.type.kind)
-      variable(i) = read(symbol.type, value.text).value_or(variable(i));
+    if (old.kind == symbol.kind)
+      take(other, old.type, other.variable(static_cast<std::size_t>(before)), symbol.type,
+           variable(i));
   }
+  cooperation_.configure(other.cooperation_.message().priority,
+                         other.cooperation_.synchronizationTicks());
   selectAgent(other.selectedAgent());
+  if (other.rootKind_ == Activation::Kind::behavior)
+    selectBehavior(other.model_->behaviors[static_cast<std::size_t>(other.root_)].name);
+  else if (other.root_ != other.model_->agents[other.agent_].rootOption)
+    selectRootOption(other.model_->options[static_cast<std::size_t>(other.root_)].name);
+  const auto oldPlaces = other.parameterPlaces();
+  for (const auto& [name, parameter] : parameterPlaces())
+    if (const auto old = oldPlaces.find(name); old != oldPlaces.end())
+      take(other, old->second.type, other.memory_[static_cast<std::size_t>(old->second.index)],
+           parameter.type, memory_[static_cast<std::size_t>(parameter.index)]);
+}
+
+/// An option that was active in a state that is still there.
+void Engine::goOnFrom(const Engine& other, OptionState& option) {
+  const Option& declared = model_->options[static_cast<std::size_t>(option.option)];
+  const int before = indexOf(other.model_->options, declared.name);
+  if (before < 0) return;
+  const OptionState& old = other.options_[static_cast<std::size_t>(before)];
+  if (old.state < 0) return;
+  const std::string& state = other.model_->states[static_cast<std::size_t>(old.state)].name;
+  for (int i = declared.states.first; i < declared.states.first + declared.states.count; ++i) {
+    if (model_->states[static_cast<std::size_t>(i)].name != state) continue;
+    const int index = option.option;
+    option = old;
+    option.option = index;
+    option.state = i;
+  }
+}
+
+/// A value by its text, for elements may have changed their order; one of another type is not
+/// taken.
+void Engine::take(const Engine& other, Type oldType, double oldValue, Type type, double& value) {
+  if (oldType.kind == type.kind)
+    value = read(type, other.named({}, oldType, oldValue).text).value_or(value);
+}
+
+/// All parameters by their names.
+std::map<std::string, Engine::ParameterPlace> Engine::parameterPlaces() const {
+  std::map<std::string, ParameterPlace> places;
+  for (std::size_t i = 0; i < model_->options.size(); ++i) {
+    const Option& option = model_->options[i];
+    int place = layout_.optionParameters[i];
+    for (const Parameter& parameter : option.parameters)
+      places["option " + option.name + " " + parameter.name] = {parameter.type, place++};
+  }
+  for (std::size_t i = 0; i < model_->behaviors.size(); ++i) {
+    const BasicBehavior& behavior = model_->behaviors[i];
+    const int first = layout_.behaviorParameters[i];
+    const int* order = bindings_.behaviors[i].order.data();
+    for (const Parameter& parameter : behavior.parameters)
+      places["behavior " + behavior.name + " " + parameter.name] = {parameter.type,
+                                                                    first + *order++};
+  }
+  return places;
 }
 
 bool Engine::selectRootOption(std::string_view name) {

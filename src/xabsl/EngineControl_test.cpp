@@ -103,6 +103,46 @@ TEST_F(EngineTest, GoesOnWithAnEditedBehavior) {
             "  added() 0 ms: s 0 ms\n");
 }
 
+TEST_F(EngineTest, GoesOnWithWhatAPersonChose) {
+  load(R"(
+    option main { initial state a { action { } } }
+    option sub { float @speed; enum mode @how;
+      initial state s { action { walk(speed = @speed, style = @how); } } })");
+  ASSERT_TRUE(engine->selectRootOption("sub"));
+  ASSERT_TRUE(engine->setParameter("speed", "2.5"));
+  ASSERT_TRUE(engine->setParameter("how", "fast"));
+  engine->cooperation().configure(3, 7);
+  engine->execute(0);
+  Engine before = std::move(*engine);
+  EXPECT_EQ(world.changes, 1);
+  load(R"(
+    option main { initial state a { action { } } }
+    option sub { enum mode @how; bool @new; float @speed;
+      initial state s { action { walk(style = @how, speed = @speed, careful = @new); } } })");
+  engine->goOnFrom(before);
+  engine->execute(40);
+  EXPECT_EQ(toString(engine->activations()),
+            "sub(how = fast, new = false, speed = 2.5) 40 ms: s 40 ms\n"
+            "  walk(speed = 2.5, careful = false, style = fast)\n");
+  EXPECT_EQ(world.changes, 1);  // the basic behavior need not know
+  EXPECT_EQ(engine->cooperation().message().priority, 3);
+  EXPECT_EQ(engine->cooperation().synchronizationTicks(), 7);
+
+  ASSERT_TRUE(engine->selectBehavior("walk"));
+  ASSERT_TRUE(engine->setParameter("speed", "9"));
+  before = std::move(*engine);
+  load("option main { initial state a { action { walk(); } } }");
+  engine->goOnFrom(before);
+  world.log.clear();
+  engine->execute(80);
+  EXPECT_THAT(world.log, ElementsAre("walk 9 bold 0"));
+
+  ASSERT_TRUE(before.selectRootOption("sub"));  // gone: on with the agent
+  load("option main { initial state a { action { } } }");
+  engine->goOnFrom(before);
+  EXPECT_THAT(pathAt(120), ElementsAre("main/a"));
+}
+
 TEST_F(EngineTest, GoesOnWithTheSameBehaviorAsIfNothingHadHappened) {
   const std::string text = R"(option main {
     initial state a { decision { if (state_time >= 50) goto b; else stay; } action { } }

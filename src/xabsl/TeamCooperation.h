@@ -31,6 +31,7 @@ class TeamCooperation {
   /// for each other, so let them differ. A state with a capacity is entered after it was announced
   /// for `synchronizationTicks` cycles, a synchronized one after more than half of them.
   void configure(double priority, int synchronizationTicks);
+  int synchronizationTicks() const { return synchronizationTicks_; }
 
   /// The latest message of each team mate, replacing those given before. Missing marks are clear.
   void receive(const std::vector<CooperationMessage>& messages);

@@ -4,8 +4,12 @@
 #include <filesystem>
 
 #include "console/Console.h"
+#include "debug/Drawing.h"
 #include "match/Match.h"
+#include "modules/behavior/BehaviorRequest.h"
+#include "representations/behavior/BehaviorState.h"
 #include "robot/Solutions.h"
+#include "streams/Binary.h"
 #include "streams/File.h"
 #include "streams/Mcap.h"
 
@@ -164,6 +168,125 @@ TEST_P(Switching, SavedMessagesBecomeALogThatCanBeRead) {
   run(20);
   EXPECT_EQ(savedFiles(), 2) << "no log is written over";
 }
+
+/// A robot that plays on while somebody edits a copy of its behavior.
+class Editing : public Switching {
+ protected:
+  Editing() {
+    fs::copy("behavior", copy_, fs::copy_options::recursive);
+    EXPECT_TRUE(
+        changed().request(DebugRequest{"BehaviorControl/activations", DebugKeyMode::always, 0}));
+    run(250);
+  }
+
+  void write(const std::string& file, const std::string& text) {
+    EXPECT_TRUE(writeFile((copy_ / file).string(), text));
+  }
+  void replace(const std::string& file, const std::string& old, const std::string& text) {
+    std::string all = *readFile((copy_ / file).string());
+    ASSERT_NE(all.find(old), std::string::npos) << file;
+    write(file, all.replace(all.find(old), old.size(), text));
+  }
+
+  /// Asks the robot to go on with the copy: to read it, or with all of it in a message.
+  Result<void> reload() {
+    const std::string path = (copy_ / "GT2003.xabsl").string();
+    if (GetParam() == Way::console) return console_->execute("behavior " + path);
+    BehaviorRequest request{path, {}};
+    for (const auto& entry : fs::recursive_directory_iterator{copy_})
+      if (entry.path().extension() == ".xabsl")
+        request.files.push_back({entry.path().string(), *readFile(entry.path().string())});
+    EXPECT_GT(request.files.size(), 10u);
+    fs::remove_all(copy_ / "symbols");  // the robot has no such files
+    changed().fromTools().write(match_->time(), request);
+    return {};
+  }
+
+  struct Told {
+    std::vector<std::pair<std::int64_t, BehaviorState>> states;  // with the time in ms
+    std::string texts;
+  };
+  /// What the robot told its log, once the match is over.
+  Told told() {
+    EXPECT_TRUE(match_->close());
+    Told told;
+    auto log = McapReader::open((folder_ / "red2.mcap").string());
+    EXPECT_TRUE(log) << log.error().text();
+    for (auto message = log->next(); message && *message; message = log->next()) {
+      const std::string& topic = log->channel((*message)->channel)->topic;
+      BehaviorState state;
+      Text text;
+      if (topic == "/BehaviorState" && decode((*message)->data, state))
+        told.states.emplace_back((*message)->time / 1'000'000, std::move(state));
+      if (topic == "/Text" && decode((*message)->data, text)) told.texts += text.text + "\n";
+    }
+    return told;
+  }
+
+  static const BehaviorState::Activation* find(const BehaviorState& state,
+                                               const std::string& name) {
+    for (const auto& activation : state.activations)
+      if (activation.name == name) return &activation;
+    return nullptr;
+  }
+
+  fs::path copy_ = folder_ / "behavior";
+};
+
+TEST_P(Editing, TheRobotPlaysOn) {
+  // An option of its own, called by the root option.
+  const std::string greet =
+      "option greet {\n  initial state hello {\n    action { led.middle_left = on; }\n  }\n}\n";
+  write("options/greet.xabsl", greet);
+  replace("GT2003.xabsl", "include \"options/playing.xabsl\";",
+          "include \"options/playing.xabsl\";\ninclude \"options/greet.xabsl\";");
+  replace("options/play_soccer.xabsl", "show_role();", "show_role();\n    greet();");
+  const std::int64_t edited = match_->time().ms;
+  ASSERT_TRUE(reload());
+  run(100);
+  fs::copy("behavior/symbols", copy_ / "symbols",
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+
+  // An edit with an error, in the third line.
+  std::string wrong = greet;
+  write("options/greet.xabsl", wrong.replace(wrong.find("on;"), 3, "sparkling;"));
+  const auto refused = reload();
+  run(100);
+  const Told log = told();
+  const std::string message = GetParam() == Way::console ? refused.error().text() : log.texts;
+  EXPECT_NE(message.find("options/greet.xabsl:3"), std::string::npos) << message;
+  EXPECT_NE(message.find("sparkling"), std::string::npos) << message;
+
+  ASSERT_GT(log.states.size(), 60u);
+  const std::pair<std::int64_t, BehaviorState>* before = nullptr;
+  std::size_t continued = 0;
+  for (const auto& now : log.states) {
+    const auto* root = find(now.second, "play_soccer");
+    ASSERT_TRUE(root);
+    if (now.first <= edited || now.first > edited + 40) {
+      EXPECT_EQ(find(now.second, "greet") != nullptr, now.first > edited) << now.first;
+    }
+    if (before)
+      for (const auto& option : now.second.activations) {
+        const auto* old = find(before->second, option.name);
+        if (!old || option.state.empty()) continue;
+        EXPECT_EQ(option.optionTime - old->optionTime, now.first - before->first) << option.name;
+        if (option.state == old->state) {
+          EXPECT_EQ(option.stateTime - old->stateTime, now.first - before->first);
+        }
+        ++continued;
+      }
+    before = &now;
+  }
+  EXPECT_GT(continued, 2 * log.states.size());
+  EXPECT_GT(find(log.states.back().second, "play_soccer")->optionTime, 2000);
+  EXPECT_FALSE(find(log.states.back().second, "greet")->state.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Editing, testing::Values(Way::console, Way::message),
+                         [](const auto& way) {
+                           return way.param == Way::console ? "ByConsole" : "ByMessage";
+                         });
 
 INSTANTIATE_TEST_SUITE_P(Both, Switching, testing::Values(Way::console, Way::message),
                          [](const auto& way) {

@@ -1,20 +1,31 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "streams/Reflection.h"
 
 namespace gt {
 
 /// Asks a robot to go on with another behavior, or with its own after it was edited. If that has an
-/// error, or asks for what the robot does not offer, the one that runs goes on.
+/// error, or asks for what the robot does not offer, the one that runs goes on. Sent by tools.
 struct BehaviorRequest {
+  struct File {
+    std::string path;
+    std::string text;
+
+    static constexpr auto fields() {
+      return std::tuple{field("path", &File::path), field("text", &File::text)};
+    }
+  };
+
   std::string path;
-  std::string text;
+  std::vector<File> files;
 
   static constexpr auto fields() {
     return std::tuple{
         field("path", &BehaviorRequest::path, "", "the file with the agents"),
-        field("text", &BehaviorRequest::text, "", "the whole behavior; empty: read the files")};
+        field("files", &BehaviorRequest::files, "",
+              "that one and all that it includes; none: the robot reads them from its disk")};
   }
 };
 static_assert(complete<BehaviorRequest>);
