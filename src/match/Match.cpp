@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 
 #include "robot/Configuration.h"
@@ -20,6 +21,16 @@ std::string clock(Time time) {
   const auto seconds = time.ms / 1000;
   const std::string s = std::to_string(seconds % 60);
   return std::to_string(seconds / 60) + (s.size() < 2 ? ":0" : ":") + s;
+}
+
+/// A penalty as people say it: ball holding.
+std::string penaltyText(Penalty penalty) {
+  std::string text;
+  for (const char c : enumName(penalty)) {
+    if (std::isupper(c)) text += ' ';
+    text += static_cast<char>(std::tolower(c));
+  }
+  return text;
 }
 
 }  // namespace
@@ -45,6 +56,14 @@ std::string describe(const GameEvent& event) {
       return "The ball is out and put back";
     case GameEventType::placedRobot:
       return "The referee puts " + team + player + " in its place";
+    case GameEventType::penalty:
+      return "The referee takes " + team + player + " off the field: " + penaltyText(event.penalty);
+    case GameEventType::returnedRobot:
+      return team + player + " comes back";
+    case GameEventType::shotGoal:
+      return "Penalty shot of " + team + player + ": goal, " + score;
+    case GameEventType::shotMissed:
+      return "Penalty shot of " + team + player + ": missed, " + score;
     case GameEventType::gameOver:
       return "The game is over, " + score;
   }

@@ -53,6 +53,8 @@ KinematicWorld::KinematicWorld(const SceneDescription& scene, Model model, const
       *factor = 1 + noise_.slip * walking.random.symmetric();
     walking_.push_back(walking);
   }
+  from_.resize(robots_.size());
+  ways_.resize(robots_.size());
 }
 
 Result<std::unique_ptr<World>> KinematicWorld::make(const SceneDescription& scene, Model model,
@@ -70,11 +72,17 @@ Result<std::unique_ptr<World>> KinematicWorld::make(const SceneDescription& scen
 
 void KinematicWorld::step(std::span<const RobotCommand> commands) {
   ballPhysics_.rememberGeoms(*data_);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    from_[i] = robots_[i].pose.translation;
+    ways_[i].setZero();
+    robots_[i].pushes = -1;
+  }
   for (std::size_t i = 0; i < std::min(activeRobots(), commands.size()); ++i) {
     moveJoints(robots_[i], commands[i].joints);
     walk(i, limited(commands[i].step));
   }
   partRobots();
+  for (std::size_t i = 0; i < robots_.size(); ++i) noteBlocked(i);
   for (std::size_t i = 0; i < robots_.size(); ++i) writeRobot(i);
   updateKinematics();  // where the feet are below the body ...
   for (std::size_t i = 0; i < robots_.size(); ++i) setStance(i);
@@ -116,6 +124,7 @@ void KinematicWorld::walk(std::size_t i, const Pose2D& step) {
   real.translation.y() += translationNoise * walking.random.gaussian();
   real.rotation = walking.turn * step.rotation + rotationNoise * walking.random.gaussian();
   robot.pose = robot.pose * real;
+  ways_[i] = robot.pose.translation - from_[i];
   robot.walked += real.translation.norm();
 }
 
@@ -130,11 +139,19 @@ bool KinematicWorld::partPair(std::size_t a, std::size_t b) {
       Overlap overlap;
       if (!discsOverlap(disc(first.pose, x1), disc(second.pose, x2), 2 * footprintRadius, overlap))
         continue;
+      if (ways_[a].dot(overlap.normal) < 0) first.pushes = static_cast<int>(b);
+      if (ways_[b].dot(overlap.normal) > 0) second.pushes = static_cast<int>(a);
       first.pose.translation += overlap.depth / 2 * overlap.normal;
       second.pose.translation -= overlap.depth / 2 * overlap.normal;
       touched = true;
     }
   return touched;
+}
+
+void KinematicWorld::noteBlocked(std::size_t i) {
+  constexpr double slip = 0.1;  // mm
+  const Vector2d missing = from_[i] + ways_[i] - robots_[i].pose.translation;
+  robots_[i].blocked = ways_[i].dot(missing) > slip * ways_[i].norm();
 }
 
 void KinematicWorld::partRobots() {

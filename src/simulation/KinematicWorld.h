@@ -26,6 +26,7 @@ class KinematicWorld : public World {
 
   void moveJoints(RobotBody& robot, const JointAngles& targets) const;
   void walk(std::size_t i, const Pose2D& step);
+  void noteBlocked(std::size_t i);
   void partRobots();
   bool partPair(std::size_t a, std::size_t b);
   void setStance(std::size_t i);
@@ -34,6 +35,7 @@ class KinematicWorld : public World {
   Obstacles obstacles_;
   BallPhysics ballPhysics_;
   std::vector<Walking> walking_;
+  std::vector<Vector2d> from_, ways_;  ///< Of each robot in this tick, on the field (mm).
 };
 
 }  // namespace gt

@@ -12,7 +12,11 @@ constexpr std::size_t mostUnderway = 256;
 
 Radio::Radio(const RadioParameters& parameters, const std::vector<Player>& players,
              const Random& random)
-    : parameters_(parameters), players_(players), underway_(players.size()), random_(random) {
+    : parameters_(parameters),
+      players_(players),
+      underway_(players.size()),
+      off_(players.size()),
+      random_(random) {
   for (auto& messages : underway_) messages.reserve(mostUnderway);
 }
 
@@ -20,7 +24,8 @@ void Radio::send(std::size_t sender, const TeamMessage& message, Time now) {
   for (std::size_t i = 0; i < players_.size(); ++i) {
     if (i == sender || players_[i].teamColor != players_[sender].teamColor) continue;
     const double delay = random_.uniform(parameters_.delayMin, parameters_.delayMax);
-    if (random_.chance(parameters_.loss) || underway_[i].size() == mostUnderway) {
+    const bool cut = parameters_.out || off_[sender] || off_[i];
+    if (random_.chance(parameters_.loss) || cut || underway_[i].size() == mostUnderway) {
       ++lost_;
       continue;
     }

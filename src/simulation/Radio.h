@@ -25,6 +25,13 @@ class Radio {
 
   std::size_t lost() const { return lost_; }
 
+  /// How it transmits from now on.
+  const RadioParameters& parameters() const { return parameters_; }
+  void change(const RadioParameters& parameters) { parameters_ = parameters; }
+  /// Cuts one robot off from the network, or connects it again.
+  void cut(std::size_t robot, bool off) { off_[robot] = off; }
+  bool isCut(std::size_t robot) const { return off_[robot]; }
+
  private:
   struct Underway {
     Time due;
@@ -34,6 +41,7 @@ class Radio {
   RadioParameters parameters_;
   std::vector<Player> players_;
   std::vector<std::vector<Underway>> underway_;  ///< By receiver.
+  std::vector<bool> off_;                        ///< Robots cut off.
   Random random_;
   std::size_t lost_ = 0;
 };

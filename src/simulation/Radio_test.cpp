@@ -79,5 +79,28 @@ TEST(Radio, anOvertakenMessageIsDropped) {
   EXPECT_GT(newest, Time{3800});
 }
 
+TEST(Radio, robotsAreCutOffAndTheNetworkFails) {
+  Radio radio{{0, 0, 0}, twoTeams(), Random{5}};
+  const auto heard = [&](std::size_t sender, std::size_t receiver, std::int64_t ms) {
+    TeamMessage message;
+    message.timeSent = {ms};
+    radio.send(sender, message, {ms});
+    TeamMessages messages;
+    radio.receive(receiver, {ms}, messages);
+    return messages.byPlayer[sender].message.timeSent == Time{ms};
+  };
+  EXPECT_TRUE(heard(0, 1, 1));
+  radio.cut(1, true);
+  EXPECT_FALSE(heard(0, 1, 2));
+  EXPECT_FALSE(heard(1, 0, 3));
+  EXPECT_TRUE(heard(0, 2, 4));
+  radio.cut(1, false);
+  EXPECT_TRUE(heard(0, 1, 5));
+  RadioParameters parameters = radio.parameters();
+  parameters.out = true;
+  radio.change(parameters);
+  EXPECT_FALSE(heard(0, 2, 6));
+}
+
 }  // namespace
 }  // namespace gt

@@ -27,13 +27,16 @@ std::int64_t toMs(double seconds) {
 
 }  // namespace
 
-Referee::Referee(const GameParameters& parameters, const FieldDimensions& field,
-                 const std::vector<Player>& players)
+Referee::Referee(const GameParameters& parameters, const RuleParameters& rules,
+                 const FieldDimensions& field, const std::vector<Player>& players)
     : parameters_(parameters),
       field_(field),
       players_(players),
+      fouls_(rules, field, players),
       data_(players.size()),
       penalties_(players.size(), Penalty::none),
+      away_(players.size()),
+      backAt_(players.size(), never()),
       kickOff_(parameters.kickOff),
       lastPoses_(players.size()) {
   if (!parameters_.referee) state_ = GameState::playing;
@@ -42,7 +45,15 @@ Referee::Referee(const GameParameters& parameters, const FieldDimensions& field,
 
 std::int64_t Referee::timeLeft(Time now) const {
   const std::int64_t half = toMs(parameters_.minutes * 60) / 2;
-  return clockRuns_ ? std::max<std::int64_t>(half - (now - halfStarted_), 0) : half;
+  const bool playing = state_ == GameState::playing;
+  std::int64_t left = half;
+  if (led_)
+    left = ledTimeLeft_ - (playing ? now - ledAt_ : 0);
+  else if (shootOut_)
+    left = toMs(rules().shotTime) - (playing ? now - stateSince_ : 0);
+  else if (clockRuns_)
+    left = half - (now - halfStarted_);
+  return std::max<std::int64_t>(left, 0);
 }
 
 void Referee::changeState(GameState state, Time now) {
@@ -50,24 +61,41 @@ void Referee::changeState(GameState state, Time now) {
   stateSince_ = now;
   movedAt_ = now;
   ballMovedAt_ = now;
+  fouls_.reset();
+  if (state == GameState::set) kickedOff_ = false;
+  tellRobots(now);
+}
+
+void Referee::setScore(TeamColor team, int goals, Time now) {
+  score_[team] = goals;
   tellRobots(now);
 }
 
 void Referee::setPenalty(std::size_t robot, Penalty penalty, Time now) {
   penalties_[robot] = penalty;
+  backAt_[robot] = never();
   tellRobots(now);
+}
+
+void Referee::leadByItself(Time now) {
+  led_ = false;
+  clockRuns_ = state_ == GameState::playing;
+  halfStarted_ = now - (toMs(parameters_.minutes * 60) / 2 - ledTimeLeft_);
 }
 
 void Referee::update(World& world) {
   const Time now = world.time();
+  if (led_) return;
+  giveBackWhoseTimeIsOver(world);
   if (!parameters_.referee || state_ == GameState::finished) return;
+  if (shootOut_) return updateShot(world);
   if (clockRuns_ && timeLeft(now) == 0) return endHalf(world);
   switch (state_) {
     case GameState::initial:
-      if (now - stateSince_ >= initialMs) {
-        if (world.ballCount() > 0) world.placeBall(0, {0, 0});
-        changeState(GameState::ready, now);
-      }
+      if (now - stateSince_ < initialMs) break;
+      if (parameters_.shootOut == ShootOutMode::only) return startShootOut(world);
+      if (world.ballCount() > 0) world.placeBall(0, {0, 0});
+      beginReady(world);
       break;
     case GameState::ready:
       updateReady(world);
@@ -86,6 +114,12 @@ void Referee::update(World& world) {
     default:
       break;
   }
+}
+
+void Referee::beginReady(World& world) {
+  for (std::size_t i = 0; i < world.activeRobots(); ++i)
+    if (away_[i]) giveBack(world, i);
+  changeState(GameState::ready, world.time());
 }
 
 bool Referee::standing(const World& world) {
@@ -143,17 +177,16 @@ bool Referee::free(const World& world, const Vector2d& position, std::size_t exc
   return true;
 }
 
-void Referee::placeRobot(World& world, std::size_t robot) {
-  const TeamColor team = players_[robot].teamColor;
-  const Pose2D wanted = kickOffPose(robot);
+bool Referee::placeRobot(World& world, std::size_t robot, const Pose2D& wanted) {
   // Where somebody stands already, the next free place beside it.
   for (const double aside : {0., 350., -350., 700., -700.}) {
-    const Pose2D pose = toTeam(team, Pose2D{0, wanted.translation + Vector2d{0, aside}});
+    const Pose2D pose = toTeam(players_[robot].teamColor,
+                               Pose2D{wanted.rotation, wanted.translation + Vector2d{0, aside}});
     if (!free(world, pose.translation, robot)) continue;
     world.placeRobot(robot, pose);
-    record(world, GameEventType::placedRobot, team, players_[robot].number());
-    return;
+    return true;
   }
+  return false;
 }
 
 void Referee::placeForKickOff(World& world) {
@@ -162,18 +195,20 @@ void Referee::placeForKickOff(World& world) {
   double nearest = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < world.activeRobots(); ++i) {
     const double distance = world.robot(i).pose.translation.norm();
-    if (players_[i].teamColor != kickOff_ || players_[i].role == PlayerRole::goalie ||
+    if (away_[i] || players_[i].teamColor != kickOff_ || players_[i].role == PlayerRole::goalie ||
         distance >= nearest)
       continue;
     nearest = distance;
     kicker = i;
   }
   for (std::size_t i = 0; i < world.activeRobots(); ++i)
-    if (!wellPlaced(world, i, i == kicker)) placeRobot(world, i);
+    if (!away_[i] && !wellPlaced(world, i, i == kicker) && placeRobot(world, i, kickOffPose(i)))
+      record(world, GameEventType::placedRobot, players_[i].teamColor, players_[i].number());
   if (world.ballCount() > 0) world.placeBall(0, {0, 0});
 }
 
 void Referee::updatePlaying(World& world) {
+  if (parameters_.penalties) penalizeFouls(world);
   if (world.ballCount() == 0) return;
   const Vector2d& ball = world.ball(0).position;
   const bool betweenPosts = std::abs(ball.y()) < field_.yGoal;
@@ -183,6 +218,7 @@ void Referee::updatePlaying(World& world) {
     record(world, GameEventType::ballOut, TeamColor::red);
     world.placeBall(0, {0, 0});
   }
+  kickedOff_ |= world.ball(0).position.norm() > stuckMm;
   watchShots(world);
   watchStuckBall(world);
 }
@@ -206,11 +242,11 @@ void Referee::countGoal(World& world) {
   const bool touched = toucher >= 0;
   const std::size_t player = static_cast<std::size_t>(std::max(toucher, 0));
   ++score_[scorer];
-  record(world, GameEventType::goal, scorer, touched ? players_[player].number() : 0,
-         touched && players_[player].teamColor != scorer);
+  record(world, GameEventType::goal, scorer, touched ? players_[player].number() : 0).ownGoal =
+      touched && players_[player].teamColor != scorer;
   kickOff_ = opponent(scorer);
   world.placeBall(0, {0, 0});
-  changeState(GameState::ready, world.time());
+  beginReady(world);
 }
 
 void Referee::watchStuckBall(World& world) {
@@ -240,8 +276,9 @@ void Referee::watchStuckBall(World& world) {
 
 void Referee::endHalf(World& world) {
   if (half_ == 2) {
-    record(world, GameEventType::gameOver, TeamColor::red);
-    return changeState(GameState::finished, world.time());
+    const bool draw = score_[TeamColor::red] == score_[TeamColor::blue];
+    if (draw && parameters_.shootOut == ShootOutMode::afterDraw) return startShootOut(world);
+    return finish(world);
   }
   record(world, GameEventType::halfTime, TeamColor::red);
   half_ = 2;
@@ -250,18 +287,32 @@ void Referee::endHalf(World& world) {
   changeState(GameState::initial, world.time());
 }
 
-void Referee::record(const World& world, GameEventType type, TeamColor team, int number,
-                     bool ownGoal) {
-  const Vector2d ball = world.ballCount() > 0 ? world.ball(0).position : Vector2d{0, 0};
-  events_.push_back({type, world.time(), team, number, ownGoal, ball, score_[TeamColor::red],
-                     score_[TeamColor::blue]});
+void Referee::finish(World& world) {
+  record(world, GameEventType::gameOver, TeamColor::red);
+  changeState(GameState::finished, world.time());
+}
+
+GameEvent& Referee::record(const World& world, GameEventType type, TeamColor team, int number) {
+  GameEvent event;
+  event.type = type;
+  event.time = world.time();
+  event.team = team;
+  event.number = number;
+  if (world.ballCount() > 0) event.ballPosition = world.ball(0).position;
+  event.scoreRed = score_[TeamColor::red];
+  event.scoreBlue = score_[TeamColor::blue];
+  events_.push_back(event);
+  return events_.back();
 }
 
 void Referee::tellRobots(Time now) {
   for (std::size_t i = 0; i < players_.size(); ++i) {
     const TeamColor team = players_[i].teamColor;
     GameControlData& data = data_[i];
-    const GameState state = penalties_[i] == Penalty::none ? state_ : GameState::penalized;
+    const bool watches = shootOut_ && i != shooter_ && i != keeper_;
+    const GameState state = penalties_[i] != Penalty::none ? GameState::penalized
+                            : watches                      ? GameState::finished
+                                                           : state_;
     if (data.state != state) data.timeOfLastChange = now;
     data.state = state;
     data.kickOff = team == kickOff_ ? KickOff::own : KickOff::opponent;

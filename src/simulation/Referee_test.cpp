@@ -19,7 +19,7 @@ class RefereeMatch : public testing::Test {
     world_ = worldOf(scene_);
     std::vector<Player> players;
     for (const SceneRobot& robot : scene_.robots) players.push_back(robot.player());
-    referee_ = std::make_unique<Referee>(scene_.game, FieldDimensions{}, players);
+    referee_ = std::make_unique<Referee>(scene_.game, scene_.rules, FieldDimensions{}, players);
     commands_.assign(scene_.robots.size(), standingCommand());
   }
   void tick() {
@@ -200,6 +200,246 @@ TEST_F(RefereeMatch, withoutARefereeAllPlay) {
   world_->placeBall(0, {2300, 0});
   tick();
   EXPECT_EQ(referee_->score(TeamColor::red), 0);
+}
+
+/// A match in play with nobody on the field but those that a test places.
+class PenaltyMatch : public RefereeMatch {
+ protected:
+  void SetUp() override {
+    RefereeMatch::SetUp();
+    scene_.game.minutes = 4;
+    scene_.game.penalties = true;
+    scene_.game.stuckTime = 600;
+    start();
+    ASSERT_TRUE(until(GameState::playing, 30));
+    for (std::size_t i = 0; i < 8; ++i)
+      world_->placeRobot(i, {0, i < 4 ? -1000. : 1000., 600 - 400. * static_cast<double>(i % 4)});
+    world_->placeBall(0, {0, -1200});
+    tick();
+  }
+  /// Plays on, with the step of one robot; the seconds until a robot is penalized, 99 if never.
+  double secondsUntil(std::size_t robot, Penalty penalty, double most = 20) {
+    const Time begin = world_->time();
+    while (world_->time() - begin < 1000 * most) {
+      tick();
+      if (referee_->penalty(robot) == penalty)
+        return static_cast<double>(world_->time() - begin) / 1000;
+    }
+    return 99;
+  }
+  void walk(std::size_t robot, double speed) {
+    commands_[robot] = standingCommand({0, speed * tickSeconds, 0});
+  }
+};
+
+TEST_F(PenaltyMatch, fieldPlayersMustNotPush) {
+  world_->placeRobot(3, {0, -300, 300});
+  world_->placeRobot(7, {0, 0, 300});
+  world_->placeBall(0, {400, 300});  // blue plays it
+  walk(3, 150);
+  EXPECT_NEAR(secondsUntil(3, Penalty::fieldPlayerCharge), 3.5, 1);
+  EXPECT_EQ(referee_->dataFor(3).state, GameState::penalized);
+  EXPECT_EQ(referee_->dataFor(3).penalty, Penalty::fieldPlayerCharge);
+  EXPECT_EQ(referee_->penalty(7), Penalty::none);
+  const GameEvent& event = referee_->events().back();
+  EXPECT_EQ(event.type, GameEventType::penalty);
+  EXPECT_EQ(event.penalty, Penalty::fieldPlayerCharge);
+  EXPECT_EQ(event.number, 4);
+  // Beside the field, for half a minute; then at the halfway line, on the side away from the ball.
+  EXPECT_LT(world_->robot(3).pose.translation.y(), -1450);
+  const Time begin = world_->time();
+  walk(3, 0);
+  EXPECT_NEAR(secondsUntil(3, Penalty::none, 40), 30, 0.1);
+  EXPECT_GT(world_->time(), begin);
+  EXPECT_NEAR(world_->robot(3).pose.translation.x(), -100, 5);
+  EXPECT_NEAR(world_->robot(3).pose.translation.y(), -1150, 5);
+  EXPECT_EQ(referee_->dataFor(3).state, GameState::playing);
+  EXPECT_EQ(referee_->events().back().type, GameEventType::returnedRobot);
+}
+
+TEST_F(PenaltyMatch, keepersAreSafeInTheirArea) {
+  world_->placeRobot(4, {pi, 1900, 0});
+  world_->placeRobot(2, {0, 1650, 0});
+  walk(2, 150);
+  EXPECT_NEAR(secondsUntil(2, Penalty::keeperCharge), 3.5, 1);
+}
+
+TEST_F(PenaltyMatch, standingInTheWayFarFromTheBallIsObstruction) {
+  world_->placeRobot(3, {0, -1500, 0});
+  world_->placeRobot(7, {0, -1200, 0});
+  world_->placeBall(0, {0, 0});
+  walk(3, 150);
+  EXPECT_LT(secondsUntil(7, Penalty::obstruction), 5);
+  EXPECT_EQ(referee_->penalty(3), Penalty::none);
+  tick();
+  EXPECT_EQ(referee_->penalty(7), Penalty::none);  // since 2003 back at once
+  EXPECT_GT(std::abs(world_->robot(7).pose.translation.y()), 1000);
+}
+
+TEST_F(PenaltyMatch, onlyTheKeeperDefendsInItsArea) {
+  world_->placeRobot(0, {0, -2000, 0});
+  world_->placeRobot(1, {0, -1800, 300});
+  EXPECT_NEAR(secondsUntil(1, Penalty::illegalDefender), 3, 0.1);
+  EXPECT_EQ(referee_->penalty(0), Penalty::none);
+}
+
+TEST_F(PenaltyMatch, theOtherTeamsKickOffNeedsAnEmptyCircle) {
+  world_->placeBall(0, {0, 0});
+  referee_->changeState(GameState::set, world_->time());
+  ASSERT_TRUE(until(GameState::playing, 10));
+  world_->placeRobot(6, {pi, 100, 0});
+  EXPECT_NEAR(secondsUntil(6, Penalty::illegalDefense), 3, 0.1);
+}
+
+TEST_F(PenaltyMatch, aHeldBallIsLetGo) {
+  world_->placeRobot(2, {0, -500, 0});
+  tick();
+  // The ball goes wherever the robot goes, between its forelegs.
+  const auto carry = [&](double seconds) {
+    for (int i = 0; i < seconds / tickSeconds; ++i) {
+      const RobotBody& robot = world_->robot(2);
+      world_->placeBall(0, robot.pose * Vector2d{90, -25}, {0, 0}, false);
+      tick();
+      if (referee_->penalty(2) != Penalty::none) return true;
+    }
+    return false;
+  };
+  walk(2, 60);
+  EXPECT_FALSE(carry(2.5));
+  EXPECT_TRUE(carry(1.5));
+  EXPECT_EQ(referee_->penalty(2), Penalty::ballHolding);
+}
+
+TEST_F(PenaltyMatch, whoLiesIsPickedUp) {
+  world_->throwOver(5, Posture::onLeftSide);
+  EXPECT_NEAR(secondsUntil(5, Penalty::requestForPickup), 15, 0.1);
+  EXPECT_EQ(world_->robot(5).posture, Posture::standing);
+}
+
+TEST_F(PenaltyMatch, everyRuleCanBeSwitchedOff) {
+  RuleParameters rules;
+  rules.illegalDefender = 0;
+  referee_->change(rules);
+  world_->placeRobot(1, {0, -1800, 300});
+  EXPECT_EQ(secondsUntil(1, Penalty::illegalDefender, 6), 99);
+  rules.illegalDefender = 1;
+  referee_->change(rules);
+  EXPECT_LT(secondsUntil(1, Penalty::illegalDefender, 6), 1.1);
+  GameParameters game = referee_->parameters();
+  game.penalties = false;
+  referee_->change(game);
+  world_->placeRobot(2, {0, -1800, -300});
+  EXPECT_EQ(secondsUntil(2, Penalty::illegalDefender, 6), 99);
+}
+
+TEST_F(PenaltyMatch, allComeBackForAKickOff) {
+  referee_->penalize(*world_, 2, Penalty::ballHolding);
+  referee_->penalize(*world_, 6, Penalty::requestForPickup);
+  tick();
+  EXPECT_LT(world_->robot(2).pose.translation.y(), -1450);
+  EXPECT_GT(world_->robot(6).pose.translation.y(), 1450);
+  world_->placeBall(0, {2200, 0});
+  ASSERT_TRUE(until(GameState::ready, 1));
+  for (const std::size_t i : {2, 6}) {
+    EXPECT_EQ(referee_->penalty(i), Penalty::none);
+    EXPECT_LT(std::abs(world_->robot(i).pose.translation.y()), 1300);
+  }
+}
+
+TEST_F(RefereeMatch, aDrawIsDecidedByPenaltyShots) {
+  scene_.game.minutes = 0.2;
+  scene_.game.shootOut = ShootOutMode::afterDraw;
+  scene_.rules.shots = 2;
+  scene_.rules.shotTime = 2;
+  start();
+  const auto shoots = [&] {
+    return referee_->shootOut() && referee_->state() == GameState::playing;
+  };
+  for (int i = 0; i < 10'000 && !shoots(); ++i) tick();
+  ASSERT_TRUE(shoots());
+  // Red 4 against blue 1; the others watch from beside the field.
+  EXPECT_EQ(referee_->dataFor(3).state, GameState::playing);
+  EXPECT_EQ(referee_->dataFor(3).kickOff, KickOff::own);
+  EXPECT_EQ(referee_->dataFor(4).state, GameState::playing);
+  EXPECT_EQ(referee_->dataFor(0).state, GameState::finished);
+  EXPECT_GT(std::abs(world_->robot(0).pose.translation.y()), 1450);
+  EXPECT_NEAR(world_->robot(3).pose.translation.x(), -230, 5);
+  EXPECT_NEAR(world_->robot(4).pose.translation.x(), 2000, 5);
+  world_->placeBall(0, {2160, 0});  // 1:0
+  tick();
+  EXPECT_EQ(referee_->shootOut()->goals(TeamColor::red), 1);
+  EXPECT_EQ(referee_->shootOut()->team(), TeamColor::blue);
+  for (int i = 0; i < 1000 && !shoots(); ++i) tick();
+  EXPECT_NEAR(world_->robot(7).pose.translation.x(), 230, 5);
+  EXPECT_NEAR(static_cast<double>(referee_->timeLeft(world_->time())), 2000, 10);
+  for (int i = 0; i < 260; ++i) tick();  // its time is over: still 1:0
+  EXPECT_EQ(count(GameEventType::shotMissed), 1);
+  for (int i = 0; i < 1000 && !shoots(); ++i) tick();
+  world_->placeBall(0, {2160, 0});  // 2:0, which one shot cannot catch up with
+  tick();
+  EXPECT_EQ(referee_->state(), GameState::finished);
+  EXPECT_EQ(count(GameEventType::shotGoal), 2);
+  EXPECT_EQ(referee_->events()[referee_->events().size() - 2].scoreRed, 2);
+  EXPECT_EQ(referee_->score(TeamColor::red), 0);
+}
+
+TEST(ShootOut, goesOnPairByPairUntilItIsDecided) {
+  ShootOut even{3, TeamColor::blue};
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_FALSE(even.over()) << i;
+    EXPECT_EQ(even.team(), i % 2 == 0 ? TeamColor::blue : TeamColor::red);
+    even.count(true);
+  }
+  EXPECT_FALSE(even.over());
+  even.count(true);
+  EXPECT_FALSE(even.over());  // red may still catch up
+  even.count(false);
+  EXPECT_TRUE(even.over());
+  EXPECT_EQ(even.goals(TeamColor::blue), 4);
+  ShootOut nobodyScores{3, TeamColor::red};
+  int shots = 0;
+  for (; !nobodyScores.over(); ++shots) nobodyScores.count(false);
+  EXPECT_EQ(shots, 24);
+  ShootOut early{5, TeamColor::red};
+  for (const bool goal : {true, false, true, false, true}) early.count(goal);
+  EXPECT_FALSE(early.over());  // 3:0, blue has three shots left
+  early.count(false);
+  EXPECT_TRUE(early.over());  // it misses one
+}
+
+TEST_F(RefereeMatch, aGameControllerLeads) {
+  GameControllerMessage message;
+  message.state = GameState::set;
+  message.kickOff = TeamColor::blue;
+  message.secondsLeft = 100;
+  message.teams[TeamColor::blue].score = 2;
+  world_->placeRobot(1, {0, 900, 300});
+  world_->placeBall(0, {500, 0});
+  referee_->follow(message, *world_);
+  EXPECT_TRUE(referee_->led());
+  EXPECT_EQ(referee_->dataFor(1).state, GameState::set);
+  EXPECT_EQ(referee_->dataFor(1).opponentScore, 2);
+  EXPECT_EQ(referee_->dataFor(1).kickOff, KickOff::opponent);
+  EXPECT_LT(world_->robot(1).pose.translation.x(), 0);
+  EXPECT_EQ(world_->ball(0).position, Vector2d(0, 0));
+  for (int i = 0; i < 1000; ++i) tick();
+  EXPECT_EQ(referee_->state(), GameState::set);  // it does not go on by itself
+  message.state = GameState::playing;
+  message.teams[TeamColor::red].penalties[2] = Penalty::obstruction;
+  referee_->follow(message, *world_);
+  EXPECT_EQ(referee_->dataFor(2).state, GameState::penalized);
+  for (int i = 0; i < 1000; ++i) tick();
+  EXPECT_EQ(referee_->penalty(2), Penalty::obstruction);
+  EXPECT_NEAR(static_cast<double>(referee_->timeLeft(world_->time())), 92'000, 10);
+  message.teams[TeamColor::red].penalties[2] = Penalty::none;
+  referee_->follow(message, *world_);
+  EXPECT_EQ(referee_->dataFor(2).state, GameState::playing);
+  world_->placeBall(0, {2200, 0});
+  tick();
+  EXPECT_EQ(referee_->score(TeamColor::red), 0);
+  referee_->leadByItself(world_->time());
+  tick();
+  EXPECT_EQ(referee_->score(TeamColor::red), 1);
 }
 
 }  // namespace

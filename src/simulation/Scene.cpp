@@ -51,6 +51,14 @@ std::optional<std::string> parse(const std::string& text, const Range& range, do
   return std::nullopt;
 }
 
+std::optional<std::string> parse(const std::string& text, const Range& range, int& value) {
+  double number = 0;
+  if (auto wrong = parse(text, range, number)) return wrong;
+  value = static_cast<int>(number);
+  if (value != number) return "expected a whole number, found \"" + text + "\"";
+  return std::nullopt;
+}
+
 std::optional<std::string> parse(const std::string& text, const Range&, std::string& value) {
   if (text.empty()) return "must not be empty";
   value = text;
@@ -147,9 +155,11 @@ Result<void> SceneReader::readElement(const xmlNode* node, SceneDescription& sce
   if (name == "physics") return readAttributes(node, scene.physics);
   if (name == "radio") return readAttributes(node, scene.radio);
   if (name == "game") return readAttributes(node, scene.game);
+  if (name == "rules") return readAttributes(node, scene.rules);
   return error(
       node, name,
-      "expected <noise>, <camera>, <physics>, <radio>, <game>, <robots>, <extras> or <balls>");
+      "expected <noise>, <camera>, <physics>, <radio>, <game>, <rules>, <robots>, <extras> "
+      "or <balls>");
 }
 
 Result<void> SceneReader::checkRobots(const SceneDescription& scene) const {

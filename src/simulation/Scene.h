@@ -65,15 +65,20 @@ struct RadioParameters {
   double delayMin = 40;
   double delayMax = 120;
   double loss = 0.05;
+  bool out = false;
 
   static constexpr auto fields() {
     return std::tuple{
         field("delayMin", &RadioParameters::delayMin, "ms", "", {0, 10'000}),
         field("delayMax", &RadioParameters::delayMax, "ms", "", {0, 10'000}),
-        field("loss", &RadioParameters::loss, "", "share of messages that never arrive", {0, 1})};
+        field("loss", &RadioParameters::loss, "", "share of messages that never arrive", {0, 1}),
+        field("out", &RadioParameters::out, "", "nothing gets through")};
   }
 };
 static_assert(complete<RadioParameters>);
+
+/// When there is a penalty shoot-out.
+enum class ShootOutMode { none, afterDraw, only };
 
 /// The game that the referee leads. Element `game`.
 struct GameParameters {
@@ -83,6 +88,8 @@ struct GameParameters {
   double readyTime = 20;
   double setTime = 3;
   double stuckTime = 20;
+  bool penalties = false;
+  ShootOutMode shootOut = ShootOutMode::none;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -93,10 +100,58 @@ struct GameParameters {
               "at most, for walking to the kick-off positions", {0, 600}),
         field("setTime", &GameParameters::setTime, "s", "standing before the whistle", {0, 600}),
         field("stuckTime", &GameParameters::stuckTime, "s",
-              "after which a ball that does not move is put elsewhere", {1, 600})};
+              "after which a ball that does not move is put elsewhere", {1, 600}),
+        field("penalties", &GameParameters::penalties, "",
+              "whether the referee penalizes robots, by the element rules"),
+        field("shootOut", &GameParameters::shootOut, "",
+              "a penalty shoot-out: none, after a draw, or as the whole game")};
   }
 };
 static_assert(complete<GameParameters>);
+
+/// What the referee penalizes, after how many seconds of it; 0: never (facts, 2.2). How long robots
+/// are removed, and the penalty shoot-out. Element `rules`.
+struct RuleParameters {
+  double ballHolding = 3;
+  double keeperBallHolding = 5;
+  double keeperCharge = 3;
+  double fieldPlayerCharge = 3;
+  double illegalDefender = 3;
+  double illegalDefense = 3;
+  double obstruction = 3;
+  double requestForPickup = 15;
+  double removal = 30;
+  double obstructionRemoval = 0;
+  int shots = 5;
+  double shotTime = 60;
+
+  static constexpr auto fields() {
+    constexpr Range seconds{0, 600};
+    return std::tuple{
+        field("ballHolding", &RuleParameters::ballHolding, "s",
+              "a field player's, or the keeper's outside of its penalty area", seconds),
+        field("keeperBallHolding", &RuleParameters::keeperBallHolding, "s",
+              "the keeper's in its penalty area", seconds),
+        field("keeperCharge", &RuleParameters::keeperCharge, "s",
+              "walking into the other keeper in its penalty area", seconds),
+        field("fieldPlayerCharge", &RuleParameters::fieldPlayerCharge, "s",
+              "walking into any other robot of the other team", seconds),
+        field("illegalDefender", &RuleParameters::illegalDefender, "s",
+              "a field player in the own penalty area", seconds),
+        field("illegalDefense", &RuleParameters::illegalDefense, "s",
+              "in the centre circle at the other team's kick-off", seconds),
+        field("obstruction", &RuleParameters::obstruction, "s",
+              "standing in an opponent's way, far from the ball", seconds),
+        field("requestForPickup", &RuleParameters::requestForPickup, "s",
+              "lying on the side without getting up", seconds),
+        field("removal", &RuleParameters::removal, "s", "for all penalties but obstruction",
+              seconds),
+        field("obstructionRemoval", &RuleParameters::obstructionRemoval, "s", "", seconds),
+        field("shots", &RuleParameters::shots, "", "of each team in a shoot-out", {1, 100}),
+        field("shotTime", &RuleParameters::shotTime, "s", "for one shot", {1, 600})};
+  }
+};
+static_assert(complete<RuleParameters>);
 
 /// A robot of the groups `robots` (active) and `extras` (passive). Element `robot`.
 struct SceneRobot {
@@ -155,6 +210,7 @@ struct SceneDescription {
   BallParameters physics;
   RadioParameters radio;
   GameParameters game;
+  RuleParameters rules;
   std::vector<SceneRobot> robots;
   std::vector<SceneRobot> extras;
   std::vector<SceneBall> balls;

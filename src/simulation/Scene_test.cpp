@@ -89,6 +89,7 @@ TEST(Scene, schemaKnowsWhatTheLoaderKnows) {
   check(BallParameters{});
   check(RadioParameters{});
   check(GameParameters{});
+  check(RuleParameters{});
   check(SceneRobot{});
   check(SceneBall{});
   check(SceneDescription{});

@@ -56,7 +56,7 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
     : scene_(scene),
       players_(playersOf(scene)),
       world_(std::move(world)),
-      referee_(scene.game, field, players_),
+      referee_(scene.game, scene.rules, field, players_),
       radio_(scene.radio, players_, random.fork("radio")),
       cameraScene_(world_->model()),
       commands_(scene.robots.size()),

@@ -39,6 +39,10 @@ struct RobotBody {
   double walked = 0;     ///< mm since the start, over ground
   Posture posture = Posture::standing;
   std::array<bool, 4> footOnGround{};  ///< in the order of Leg
+  /// The other robot that it walks into; -1: none.
+  int pushes = -1;
+  /// Whether something kept it from doing all that it was told in the last tick (report 5.1.1).
+  bool blocked = false;
   Vector3d specificForce{0, 0, 9810};  ///< mm/s^2, in the body's axes: what is felt
 
   /// The body's origin in space.
