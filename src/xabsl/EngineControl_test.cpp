@@ -237,6 +237,29 @@ TEST_F(TeamTest, KeepsToTheCapacityOfAState) {
   EXPECT_EQ(after(20), "wait wait attack ");
 }
 
+TEST_F(TeamTest, PrefersTheLargestPriorityThenTheNext) {
+  start(3, R"(
+    option main {
+      initial state wait { decision { if (seen) goto attack; else stay; } action { } }
+      state attack capacity 2 { decision { if (seen) stay; else goto wait; } action { } } })",
+        2);
+  for (auto& world : worlds) world->seen = true;
+  EXPECT_EQ(after(3), "wait wait attack ");
+  EXPECT_EQ(after(1), "wait attack attack ");
+  EXPECT_EQ(after(20), "wait attack attack ");
+  worlds[2]->seen = false;
+  EXPECT_EQ(after(3), "attack attack wait ");
+}
+
+TEST_F(TeamTest, LetsNoneOfEqualRivalsIn) {
+  start(2, attack, 1);
+  for (Engine& engine : engines) engine.cooperation().configure(5, 1);
+  worlds[0]->seen = worlds[1]->seen = true;
+  EXPECT_EQ(after(20), "wait wait ");
+  engines[1].cooperation().configure(4, 1);
+  EXPECT_EQ(after(3), "attack wait ");
+}
+
 TEST_F(TeamTest, SeesAConflict) {
   start(1, attack, 0);
   worlds[0]->seen = true;
@@ -256,7 +279,9 @@ TEST_F(TeamTest, EntersSynchronizedStatesTogether) {
   worlds[0]->seen = worlds[2]->seen = true;
   EXPECT_EQ(after(20), "wait wait wait ");
   worlds[1]->seen = true;
-  EXPECT_EQ(after(6), "go go go ");
+  EXPECT_EQ(after(1), "wait wait wait ");
+  EXPECT_EQ(after(1), "go wait go ");  // they have announced it for long
+  EXPECT_EQ(after(1), "go go go ");
 }
 
 TEST_F(TeamTest, AllocatesNothingToCooperate) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -48,7 +49,9 @@ class NaiveEngine {
     steps_.clear();
     events_.clear();
     heard_ = heard;
-    wasEntering_ = message_.entering;
+    for (auto& [state, cycles] : announced_) cycles = entering_.count(state) ? cycles + 1 : 0;
+    for (const int state : entering_) announced_.try_emplace(state, 1);
+    entering_.clear();
     message_ = {priority_, {}, {}, {}};
     now_ = now;
     note(TraceEvent::Kind::cycle, 0, static_cast<double>(now));
@@ -100,12 +103,24 @@ class NaiveEngine {
       memory.state = end.index;
       memory.stateBegan = now_;
     }
-    message_.options.insert(index);
-    message_.executed.insert(memory.state);
+    tellTeam(option, index);
     noteStep(index);
     const int state = memory.state;
     act(option.commonActions, index, depth);
     act(in(model_.states, state).actions, index, depth);
+  }
+
+  void tellTeam(const Option& option, int index) {
+    message_.options.insert(index);
+    const int active = memories_[index].state;
+    for (int s = option.states.first; s < option.states.first + option.states.count; ++s) {
+      message_.executed.erase(s);
+      message_.entering.erase(s);
+      if (s == active)
+        message_.executed.insert(s);
+      else if (entering_.count(s))
+        message_.entering.insert(s);
+    }
   }
 
   void noteStep(int index) {
@@ -122,25 +137,37 @@ class NaiveEngine {
     steps_.push_back(step);
   }
 
+  /// As the engines of other teams decide it, with what has been heard.
   bool mayEnter(int option, int state) {
     const Cooperation& cooperation = in(model_.states, state).cooperation;
     if (cooperation.kind == Cooperation::Kind::none) return true;
-    // An announcement counts while it goes on from cycle to cycle.
-    if (!wasEntering_.count(state) && !message_.entering.count(state)) announced_[state] = 0;
-    const int announced = ++announced_[state];
-    int inOption = 0, ready = 0, rivals = 0;
+    std::vector<double> entering;
+    int inOption = 0, executing = 0;
     for (const Message& other : heard_) {
-      const bool executes = other.executed.count(state) > 0;
-      const bool enters = other.entering.count(state) > 0;
       inOption += other.options.count(option) > 0;
-      ready += executes || enters;
-      rivals += executes || (enters && other.priority >= priority_);
+      executing += other.executed.count(state) > 0;
+      if (other.entering.count(state)) entering.push_back(other.priority);
     }
-    const bool agreed = cooperation.kind == Cooperation::Kind::capacity
-                            ? rivals < cooperation.agents && announced > synchronizationTicks_
-                            : inOption + 1 >= cooperation.agents && ready >= inOption &&
-                                  announced > synchronizationTicks_ / 2;
-    if (!agreed) message_.entering.insert(state);
+    const auto wanting = executing + static_cast<int>(entering.size());
+    if (cooperation.kind == Cooperation::Kind::synchronized) {
+      entering_.insert(state);
+      return inOption + 1 >= cooperation.agents && wanting == inOption &&
+             announced_[state] > synchronizationTicks_ / 2;
+    }
+    if (executing < cooperation.agents && wanting >= cooperation.agents) {
+      const double rival = *std::max_element(entering.begin(), entering.end());
+      if (rival == priority_) {
+        entering_.erase(state);
+        return false;
+      }
+      if (rival > priority_) executing = cooperation.agents;
+    }
+    const bool agreed =
+        executing < cooperation.agents && announced_[state] >= synchronizationTicks_;
+    if (agreed)
+      entering_.erase(state);
+    else
+      entering_.insert(state);
     return agreed;
   }
 
@@ -290,8 +317,8 @@ class NaiveEngine {
   int synchronizationTicks_;
   Message message_;
   std::vector<Message> heard_;
-  std::set<int> wasEntering_;
-  std::map<int, int> announced_;  // of each state: for how many cycles
+  std::set<int> entering_;        // the states announced in this cycle
+  std::map<int, int> announced_;  // of each state: in how many cycles before
   std::map<int, double> variables_;
   std::map<int, Memory> memories_;
   std::set<int> wasActive_, isActive_;

@@ -1,6 +1,7 @@
 #include "xabsl/TeamCooperation.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace xabsl {
 
@@ -37,16 +38,16 @@ void TeamCooperation::receive(const std::vector<CooperationMessage>& messages) {
     Member& member = members_[i];
     member.othersInOption = 0;
     member.othersExecuting = 0;
-    member.othersReady = 0;
-    member.othersPreferred = 0;
+    member.othersEntering = 0;
     for (const CooperationMessage& message : messages) {
       const std::uint8_t marks = i < message.marks.size() ? message.marks[i] : std::uint8_t{0};
       const bool executing = (marks & CooperationMessage::executing) != 0;
-      const bool entering = (marks & CooperationMessage::entering) != 0;
+      const bool entering = !executing && (marks & CooperationMessage::entering) != 0;
       member.othersInOption += (marks & CooperationMessage::optionExecuted) != 0;
       member.othersExecuting += executing;
-      member.othersReady += executing || entering;
-      member.othersPreferred += entering && !executing && message.priority >= message_.priority;
+      if (entering && (member.othersEntering == 0 || message.priority > member.largestPriority))
+        member.largestPriority = message.priority;
+      member.othersEntering += entering;
     }
   }
 }
@@ -54,7 +55,9 @@ void TeamCooperation::receive(const std::vector<CooperationMessage>& messages) {
 /// An announcement counts only if it goes on from cycle to cycle.
 void TeamCooperation::beginCycle() {
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    if ((message_.marks[i] & CooperationMessage::entering) == 0) members_[i].announced = 0;
+    Member& member = members_[i];
+    member.announced =
+        std::exchange(member.entering, false) ? std::min(member.announced + 1, mostTicks) : 0;
     message_.marks[i] = 0;
   }
 }
@@ -62,8 +65,11 @@ void TeamCooperation::beginCycle() {
 void TeamCooperation::markOption(int option, int state) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (members_[i].option != option) continue;
-    message_.marks[i] |= CooperationMessage::optionExecuted;
-    if (members_[i].state == state) message_.marks[i] |= CooperationMessage::executing;
+    message_.marks[i] = CooperationMessage::optionExecuted;
+    if (members_[i].state == state)
+      message_.marks[i] |= CooperationMessage::executing;
+    else if (members_[i].entering)
+      message_.marks[i] |= CooperationMessage::entering;
   }
 }
 
@@ -71,16 +77,27 @@ bool TeamCooperation::mayEnter(int state) {
   const int index = memberOfState_[static_cast<std::size_t>(state)];
   if (index < 0) return true;
   Member& member = members_[static_cast<std::size_t>(index)];
-  if (member.announced <= synchronizationTicks_) ++member.announced;
+  return member.cooperation.kind == Cooperation::Kind::capacity ? hasPlace(member)
+                                                                : isTogether(member);
+}
+
+bool TeamCooperation::hasPlace(Member& member) const {
   const int agents = member.cooperation.agents;
-  const bool agreed = member.cooperation.kind == Cooperation::Kind::capacity
-                          ? member.othersExecuting + member.othersPreferred < agents &&
-                                member.announced > synchronizationTicks_
-                          : member.othersInOption + 1 >= agents &&
-                                member.othersReady >= member.othersInOption &&
-                                member.announced > synchronizationTicks_ / 2;
-  if (!agreed) message_.marks[static_cast<std::size_t>(index)] |= CooperationMessage::entering;
-  return agreed;
+  const bool full = member.othersExecuting >= agents;
+  const bool contested = !full && member.othersExecuting + member.othersEntering >= agents;
+  // As the engines of other teams do it: of equal rivals none announces the state any longer.
+  if (contested && member.largestPriority == message_.priority) return false;
+  const bool free = !full && !(contested && member.largestPriority > message_.priority) &&
+                    member.announced >= synchronizationTicks_;
+  member.entering = !free;
+  return free;
+}
+
+bool TeamCooperation::isTogether(Member& member) const {
+  member.entering = true;
+  return member.othersInOption + 1 >= member.cooperation.agents &&
+         member.othersExecuting + member.othersEntering >= member.othersInOption &&
+         member.announced > synchronizationTicks_ / 2;
 }
 
 bool TeamCooperation::conflict(int state) const {

@@ -27,9 +27,9 @@ class TeamCooperation {
  public:
   explicit TeamCooperation(const Model& model);
 
-  /// Where several want the last place of a state, the largest priority gets it; equal ones wait
-  /// for each other, so let them differ. A state with a capacity is entered after it was announced
-  /// for `synchronizationTicks` cycles, a synchronized one after more than half of them.
+  /// Where several want the last places of a state, the largest priority comes first; of equal ones
+  /// none does, so let them differ. A state with a capacity is entered after it was announced for
+  /// `synchronizationTicks` cycles, a synchronized one after more than half of them.
   void configure(double priority, int synchronizationTicks);
   int synchronizationTicks() const { return synchronizationTicks_; }
 
@@ -52,12 +52,16 @@ class TeamCooperation {
     int option = -1;
     int state = -1;
     Cooperation cooperation;
-    int announced = 0;  // cycles in a row
+    bool entering = false;  // in this cycle
+    int announced = 0;      // cycles in a row before this one
     int othersInOption = 0;
     int othersExecuting = 0;
-    int othersReady = 0;      // executing or entering
-    int othersPreferred = 0;  // entering, and not of lower priority
+    int othersEntering = 0;
+    double largestPriority = 0;  // of those entering
   };
+
+  bool hasPlace(Member& member) const;
+  bool isTogether(Member& member) const;
 
   std::vector<Member> members_;
   std::vector<int> memberOfState_;  // -1: not cooperative
