@@ -16,11 +16,13 @@ Conversion convert(const std::string& path, const FileReader& read, Form form,
   syntax::Program program;
   readSources(path, read, program, reporter);
   // Only what is sound is converted: a writer need not ask what names stand for.
-  if (!reporter.failed()) Analyzer(program, reporter).analyze();
+  Model model;
+  if (!reporter.failed()) model = Analyzer(program, reporter).analyze();
   Conversion conversion;
   if (!reporter.failed()) {
-    VirtualFiles files = form == Form::xml21 ? writeXml(program, root, reporter)
-                                             : writeText(program, root, reporter);
+    VirtualFiles files = form == Form::xml21   ? writeXml(program, root, reporter)
+                         : form == Form::xml31 ? writeXml31(program, model, root)
+                                               : writeText(program, root, reporter);
     if (!reporter.failed()) conversion.files = std::move(files);
   }
   conversion.diagnostics = reporter.take();

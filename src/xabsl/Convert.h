@@ -9,7 +9,7 @@
 namespace xabsl {
 
 /// The forms in which a behavior may be written.
-enum class Form { xml21, text31 };
+enum class Form { xml21, xml31, text31 };
 
 /// What converting yields: the files, named relative to that with the agents, or what is wrong.
 struct Conversion {

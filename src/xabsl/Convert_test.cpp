@@ -9,6 +9,7 @@
 
 #include "xabsl/Engine.h"
 #include "xabsl/IntermediateCode.h"
+#include "xabsl/RandomBehavior.h"
 #include "xabsl/TestBehavior.h"
 
 namespace xabsl {
@@ -280,6 +281,31 @@ TEST(Convert, BehaviorsAtRandomGoRound) {
     EXPECT_EQ(converted(xml, "a.xml", Form::xml21, "a.xml"),
               converted(back, "a.xabsl", Form::xml21, "a.xml"));
   }
+}
+
+TEST(Convert, AllThatCanBeSaidGoesThroughTheXmlOf31) {
+  for (unsigned seed = 1; seed <= 25 && !HasFailure(); ++seed) {
+    const std::string source = test::RandomBehavior(seed).write();
+    const VirtualFiles text = {{"a.xabsl", source}};
+    const std::string code = codeOf(compile("a.xabsl", text));
+    const VirtualFiles xml = converted(text, "a.xabsl", Form::xml31, "a.xml");
+    EXPECT_EQ(codeOf(compile("a.xml", xml)), code) << source;
+    const VirtualFiles back = converted(xml, "a.xml", Form::text31, "a.xabsl");
+    EXPECT_EQ(codeOf(compile("a.xabsl", back)), code);
+    EXPECT_EQ(codeOf(compile("b.xabsl", converted(text, "a.xabsl", Form::text31, "b.xabsl"))),
+              code);
+    EXPECT_EQ(converted(back, "a.xabsl", Form::xml31, "a.xml"), xml);
+    EXPECT_EQ(converted(xml, "a.xml", Form::xml31, "a.xml"), xml);
+  }
+}
+
+TEST(Convert, TheSoccerBehaviorGoesThroughTheXmlOf31) {
+  const Conversion xml = convert("behavior/GT2003.xabsl", Form::xml31, "GT2003.xml");
+  ASSERT_TRUE(xml.files) << test::errors(xml.diagnostics);
+  const std::string code = codeOf(compile("behavior/GT2003.xabsl"));
+  EXPECT_EQ(codeOf(compile("GT2003.xml", *xml.files)), code);
+  const VirtualFiles text = converted(*xml.files, "GT2003.xml", Form::text31, "GT2003.xabsl");
+  EXPECT_EQ(codeOf(compile("GT2003.xabsl", text)), code);
 }
 
 }  // namespace

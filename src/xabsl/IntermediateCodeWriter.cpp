@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <utility>
 
 #include "xabsl/IntermediateCode.h"
+#include "xabsl/Lowering.h"
 
 namespace xabsl {
 
@@ -32,22 +31,6 @@ std::vector<int> sorted(const std::vector<Element>& elements, Wanted wanted) {
   std::vector<int> indices;
   for (const auto& [name, index] : names) indices.push_back(index);
   return indices;
-}
-
-/// Whole numbers without a point, all others with as many digits as they need.
-std::string decimal(double number) {
-  constexpr double largestWritten = 1e22;  // above that, a whole number is not exact anyway
-  constexpr double smallestFixed = 1e-4;
-  if (number == 0) return "0";  // also the negative zero
-  char buffer[64];
-  const bool whole = number == std::trunc(number) && std::fabs(number) < largestWritten;
-  const bool fixed = whole || (std::fabs(number) >= smallestFixed && std::fabs(number) < 1e16);
-  const auto format = fixed ? std::chars_format::fixed : std::chars_format::scientific;
-  std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, number, format).ptr);
-  const std::size_t exponent = text.find('e');
-  if (exponent != std::string::npos && text.find('.') == std::string::npos)
-    text.insert(exponent, ".0");
-  return text;
 }
 
 class Writer {
@@ -293,19 +276,13 @@ class Writer {
     const Expression& expression = model_.expressions[at(index)];
     if (expression.a >= 0) return line("c " + model_.constants[at(expression.a)].digits);
     if (expression.b >= 0) return line(expression.number != 0 ? "v true" : "v false");
-    line("v " + decimal(expression.number));
+    line("v " + decimalText(expression.number));
   }
 
   /// A number gets the sign itself, anything else is taken from 0.
   void negation(const Expression& expression) {
-    bool negative = true;
-    const Expression* operand = &model_.expressions[at(expression.a)];
-    while (operand->operation == Operator::negate) {
-      negative = !negative;
-      operand = &model_.expressions[at(operand->a)];
-    }
-    if (operand->operation == Operator::constant && operand->a < 0)
-      return line("v " + decimal(negative ? -operand->number : operand->number));
+    if (const std::optional<double> number = signedNumber(model_, expression))
+      return line("v " + decimalText(*number));
     line("-");
     line("v 0");
     this->expression(expression.a);
@@ -313,28 +290,16 @@ class Writer {
 
   /// `&&` below `&&` is one, and so is `||` below `||`.
   void connection(int index) {
-    const Operator operation = model_.expressions[at(index)].operation;
-    std::vector<int> operands;
-    std::vector<int> open = {index};
-    while (!open.empty()) {
-      const Expression& expression = model_.expressions[at(open.back())];
-      if (expression.operation == operation) {
-        open.pop_back();
-        for (int i = expression.c - 1; i >= 0; --i)
-          open.push_back(model_.operands[at(expression.b + i)]);
-      } else {
-        operands.push_back(open.back());
-        open.pop_back();
-      }
-    }
-    line((operation == Operator::logicalAnd ? "& " : "| ") + std::to_string(operands.size()));
+    const bool both = model_.expressions[at(index)].operation == Operator::logicalAnd;
+    const std::vector<int> operands = flattened(model_, index);
+    line((both ? "& " : "| ") + std::to_string(operands.size()));
     for (const int operand : operands) expression(operand);
   }
 
   /// Enumerations are compared by `c` alone.
   void equality(const Expression& expression) {
     const bool equal = expression.operation == Operator::equal;
-    if (isEnumeration(expression.a)) {
+    if (isEnumerated(model_, expression.a)) {
       if (!equal) line("!");
       line("c");
     } else {
@@ -342,24 +307,6 @@ class Writer {
     }
     this->expression(expression.a);
     this->expression(expression.b);
-  }
-
-  bool isEnumeration(int index) const {
-    const Expression& expression = model_.expressions[at(index)];
-    switch (expression.operation) {
-      case Operator::element:
-        return true;
-      case Operator::parameter:
-        return model_.options[at(expression.a)].parameters[at(expression.b)].type.kind ==
-               ValueKind::enumeration;
-      case Operator::input:
-      case Operator::variable:
-        return model_.symbols[at(expression.a)].type.kind == ValueKind::enumeration;
-      case Operator::conditional:
-        return isEnumeration(expression.b);
-      default:
-        return false;
-    }
   }
 
   void agents() {

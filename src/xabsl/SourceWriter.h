@@ -10,6 +10,8 @@
 
 namespace xabsl {
 
+struct Model;
+
 /// Writes a behavior as XABSL 3.1 text: a file for each namespace and each option, and one with the
 /// agents that includes them. Names that text does not allow get `_` for `-`; two that become the
 /// same are an error. The files are named relative to the folder of `root`, the file with the
@@ -19,6 +21,11 @@ VirtualFiles writeText(const syntax::Program& program, const std::string& root, 
 /// Writes a behavior as XABSL 2.1 in XML, laid out as report F.1 has it. What 2.1 cannot say is an
 /// error at its place.
 VirtualFiles writeXml(const syntax::Program& program, const std::string& root, Reporter& reporter);
+
+/// Writes a sound behavior in the XML of XABSL 3.1, laid out as the public compilers do: with
+/// folders Options, Symbols and BasicBehaviors, and a file that names all entities.
+VirtualFiles writeXml31(const syntax::Program& program, const Model& model,
+                        const std::string& root);
 
 /// The comments of a program that are not kept as documentation, in their order.
 class LooseComments {

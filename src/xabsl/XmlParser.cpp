@@ -20,6 +20,22 @@ bool isCollection(const Element& element) {
   return element.is("symbols") || element.is("basic-behaviors") || element.is("option-definitions");
 }
 
+constexpr std::string_view boolean = "boolean-", enumerated = "enumerated-";
+
+bool isOutput(const Element& element) {
+  constexpr std::string_view ending = "-output-symbol";
+  return element.name.size() > ending.size() &&
+         element.name.substr(element.name.size() - ending.size()) == ending;
+}
+
+bool isTrue(std::string_view value) {
+  return value == "true" || value == "1";
+}
+
+bool isInternal(const Element& element) {
+  return isTrue(element.attribute("internal"));
+}
+
 /// The same but for where it stands: so a collection may be written in several places.
 bool same(const Element& a, const Element& b) {
   if (a.kind != b.kind || a.name != b.name || a.text != b.text || a.file != b.file ||
@@ -71,7 +87,7 @@ Parser::Parser(const Files& files, Reporter& reporter, Program& program)
     : files_(files), reporter_(reporter), program_(program) {}
 
 void Parser::parse() {
-  program_.dialect = Dialect::xabsl21;
+  program_.dialect = files_.front().dialect;
   comments();
   const Element* root = nullptr;
   for (const Element& element : files_.front().roots)
@@ -187,11 +203,13 @@ int Parser::enterNamespace(const Element& element, Namespace::Kind kind) {
 void Parser::symbols(const Element& element) {
   const int space = enterNamespace(element, Namespace::Kind::symbols);
   for (const Element* child : elementsOf(element)) {
-    if (child->is("constant") || child->is("enumerated-output-symbol"))
-      notInputs_.insert(child->attribute("name"));
+    const bool old = program_.dialect == Dialect::xabsl21;
+    if (child->is("constant") || isOutput(*child)) notInputs_.insert(child->attribute("name"));
     if (child->is("constant"))
       constant(*child, space);
-    else if (child->is("enumerated-input-symbol") || child->is("enumerated-output-symbol"))
+    else if (child->is("enumeration"))
+      enumeration(*child, space);
+    else if (old && child->name.substr(0, enumerated.size()) == enumerated)
       enumeratedSymbol(*child, space);
     else
       symbol(*child, space);
@@ -201,10 +219,35 @@ void Parser::symbols(const Element& element) {
 void Parser::symbol(const Element& element, int space) {
   Symbol symbol;
   static_cast<Declaration&>(symbol) = declaration(element, "name", space);
-  if (element.is("boolean-input-symbol")) symbol.type.kind = ValueKind::boolean;
+  symbol.kind = !isOutput(element)    ? SymbolKind::input
+                : isInternal(element) ? SymbolKind::internal
+                                      : SymbolKind::output;
+  symbol.type = type(element);
   symbol.unit = element.attribute("measure");
+  symbol.range = element.attribute("range");
   symbol.parameters = parameters(element);
   program_.symbols.push_back(std::move(symbol));
+}
+
+/// The type that the name of an element begins with.
+TypeName Parser::type(const Element& element) {
+  if (element.name.substr(0, boolean.size()) == boolean) return {ValueKind::boolean, {}};
+  if (element.name.substr(0, enumerated.size()) != enumerated) return {};
+  const Attribute* name = element.find("enumeration");
+  return {ValueKind::enumeration, {name->value, name->location}};
+}
+
+void Parser::enumeration(const Element& element, int space) {
+  Enumeration enumeration;
+  static_cast<Declaration&>(enumeration) = declaration(element, "name", space);
+  enumeration.internal = isInternal(element);
+  for (const Element* child : elementsOf(element)) {
+    const Attribute* name = child->find("name");
+    enumeration.elements.push_back({name->value, name->location});
+    notInputs_.insert(name->value);
+    notInputs_.insert(withoutOwner(name->value, enumeration.name.text));
+  }
+  program_.enumerations.push_back(std::move(enumeration));
 }
 
 /// In 2.1 each enumerated symbol has elements of its own. Their enumeration bears the name that
@@ -264,6 +307,7 @@ std::vector<Parameter> Parser::parameters(const Element& owner) {
     Parameter parameter;
     static_cast<Declaration&>(parameter) = declaration(*element, "name", -1);
     parameter.name.text = withoutOwner(parameter.name.text, owner.attribute("name"));
+    parameter.type = type(*element);
     parameter.range = element->attribute("range");
     parameter.unit = element->attribute("measure");
     parameters.push_back(parameter);

@@ -12,9 +12,9 @@
 
 namespace xabsl::xml {
 
-/// Turns the files of a behavior in XABSL 2.1, which are valid by the schema, into the syntax tree
-/// (report F). Checks what a schema cannot: that references name what the file of the option
-/// includes, and that prototypes fit.
+/// Turns the files of a behavior in XABSL 2.1 or 3.1, which are valid by the schema, into the
+/// syntax tree (report F). Checks what a schema cannot: that references name what the file of the
+/// option includes, and that prototypes fit.
 class Parser {
  public:
   Parser(const Files& files, Reporter& reporter, syntax::Program& program);
@@ -32,6 +32,8 @@ class Parser {
   void declare(const Element& collection);
   void symbols(const Element& element);
   void symbol(const Element& element, int space);
+  void enumeration(const Element& element, int space);
+  static syntax::TypeName type(const Element& element);
   void enumeratedSymbol(const Element& element, int space);
   void constant(const Element& element, int space);
   void behavior(const Element& element, int space);
@@ -44,7 +46,10 @@ class Parser {
   void option(const Element& element);
   void markInitialState(const Element& element, syntax::Option& option);
   syntax::State state(const Element& element);
+  Cooperation cooperation(const Element& state);
+  void actions(const Element& parent, std::vector<syntax::Action>& actions);
   syntax::Action setOutputSymbol(const Element& element);
+  syntax::Action assignment(const Element& element);
   syntax::Action subsequent(const Element& element);
   std::vector<syntax::Argument> arguments(const Element& element);
   syntax::DecisionPtr statement(const Element& parent);
@@ -52,7 +57,9 @@ class Parser {
   syntax::ExpressionPtr expression(const Element& element);
   syntax::ExpressionPtr operation(const Element& element, Operator operation);
   syntax::ExpressionPtr inputSymbol(const Element& element);
-  syntax::ExpressionPtr functionCall(const Element& element);
+  syntax::ExpressionPtr functionCall(const Element& element, std::string_view kind);
+  syntax::ExpressionPtr reference(const Element& element);
+  syntax::ExpressionPtr enumElement(const Element& element);
   syntax::ExpressionPtr optionParameter(const Element& element);
   syntax::ExpressionPtr comparison(const Element& element);
   syntax::ExpressionPtr number(const Element& element);
@@ -70,7 +77,7 @@ class Parser {
   std::map<std::string, const Element*> collections_;  // by kind and id
   std::map<const Element*, Entries> entries_;
   std::map<std::string_view, const Element*> prototypes_;
-  std::set<std::string_view> notInputs_;  // the names of output symbols and constants
+  std::set<std::string_view> notInputs_;  // names of output symbols, constants and elements
   std::vector<const Element*> visible_;   // the collections that the present option includes
   std::string_view option_;
 };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "xabsl/Parser.h"
@@ -26,6 +27,13 @@ ExpressionPtr leaf(const Element& element, Expression::Kind kind, std::string_vi
   return expression;
 }
 
+ExpressionPtr boolean(const Element& element) {
+  ExpressionPtr expression = leaf(element, Expression::Kind::boolean);
+  const std::string_view value = element.attribute("value");
+  expression->number = value == "true" || value == "1" ? 1 : 0;
+  return expression;
+}
+
 }  // namespace
 
 void Parser::option(const Element& element) {
@@ -35,7 +43,8 @@ void Parser::option(const Element& element) {
   checkFileName(element, option_, "name");
   visible_.clear();
   for (const Element* child : elementsOf(element))
-    if (!child->is("state") && !child->is("common-decision-tree")) visible_.push_back(child);
+    if (!child->is("state") && !child->is("common-decision-tree") && !child->is("common-action"))
+      visible_.push_back(child);
   const auto prototype = prototypes_.find(option_);
   if (prototype == prototypes_.end()) {
     error(element, "name", "option " + quoted(option_) + " has no prototype (option-definition)");
@@ -45,6 +54,10 @@ void Parser::option(const Element& element) {
   }
   for (const Element* child : elementsOf(element)) {
     if (child->is("common-decision-tree")) option.commonDecision = statement(*child);
+    if (child->is("common-action")) {
+      option.hasCommonActions = true;
+      actions(*child, option.commonActions);
+    }
     if (!child->is("state")) continue;
     option.states.push_back(state(*child));
     option.states.back().leadingElse = option.commonDecision != nullptr;
@@ -71,21 +84,60 @@ State Parser::state(const Element& element) {
   static_cast<Declaration&>(state) = declaration(element, "name", -1);
   const std::string_view target = element.attribute("is-target-state");
   state.target = target == "true" || target == "1";
+  state.cooperation = cooperation(element);
   state.decisionLocation = element.location;
-  std::vector<Action> subsequentBehavior;
-  for (const Element* child : elementsOf(element)) {
+  for (const Element* child : elementsOf(element))
     if (child->is("decision-tree")) {
       state.decisionLocation = child->location;
       state.decision = statement(*child);
-    } else if (child->is("set-output-symbol")) {
-      state.actions.push_back(setOutputSymbol(*child));
-    } else {
-      subsequentBehavior.push_back(subsequent(*child));
     }
-  }
-  // Options further down may overwrite output symbols (F.6): so they are called last.
-  for (Action& action : subsequentBehavior) state.actions.push_back(std::move(action));
+  actions(element, state.actions);
   return state;
+}
+
+Cooperation Parser::cooperation(const Element& state) {
+  constexpr int mostAgents = 1000;
+  Cooperation cooperation;
+  for (const auto& [key, kind] : {std::pair("capacity", Cooperation::Kind::capacity),
+                                  std::pair("synchronized", Cooperation::Kind::synchronized)}) {
+    const Attribute* agents = state.find(key);
+    if (!agents) continue;
+    cooperation.kind = kind;
+    const char* end = agents->value.data() + agents->value.size();
+    const auto [last, problem] = std::from_chars(agents->value.data(), end, cooperation.agents);
+    if (problem != std::errc() || last != end || cooperation.agents < 0 ||
+        cooperation.agents > mostAgents)
+      reporter_.error(agents->location, "the number of agents is a whole number up to 1000");
+  }
+  return cooperation;
+}
+
+/// In 3.1 actions are executed as they stand. In 2.1 options further down may overwrite output
+/// symbols (F.6): so they are called last.
+void Parser::actions(const Element& parent, std::vector<Action>& actions) {
+  std::vector<Action> last;
+  for (const Element* child : elementsOf(parent)) {
+    if (child->is("decision-tree")) continue;
+    if (child->is("set-output-symbol"))
+      actions.push_back(setOutputSymbol(*child));
+    else if (child->is("subsequent-option") || child->is("subsequent-basic-behavior"))
+      (program_.dialect == Dialect::xabsl21 ? last : actions).push_back(subsequent(*child));
+    else
+      actions.push_back(assignment(*child));
+  }
+  for (Action& action : last) actions.push_back(std::move(action));
+}
+
+/// `set-decimal-output-symbol` sets a `decimal-output-symbol`.
+Action Parser::assignment(const Element& element) {
+  constexpr std::string_view beginning = "set-";
+  refer(element, element.name.substr(beginning.size()));
+  Action action;
+  action.kind = Action::Kind::assignment;
+  action.name = {element.attribute("ref"), element.find("ref")->location};
+  action.extent = {element.location, element.location};
+  action.value = expression(*elementsOf(element).front());
+  return action;
 }
 
 Action Parser::setOutputSymbol(const Element& element) {
@@ -138,6 +190,12 @@ DecisionPtr Parser::statement(const Element& parent) {
       decision->otherwise = statement(*element);
     }
   }
+  const bool chain = decision->otherwise && decision->otherwise->kind == Decision::Kind::choose;
+  if (!chain || program_.dialect == Dialect::xabsl21) return decision;
+  // 3.1 has no `else-if`.
+  const DecisionPtr rest = std::move(decision->otherwise);
+  for (Arm& arm : rest->arms) decision->arms.push_back(std::move(arm));
+  decision->otherwise = std::move(rest->otherwise);
   return decision;
 }
 
@@ -155,18 +213,38 @@ ExpressionPtr Parser::expression(const Element& element) {
   for (const OperatorElement& spelling : operators)
     if (element.is(spelling.name)) return operation(element, spelling.operation);
   if (element.is("decimal-value")) return number(element);
+  if (element.is("boolean-value")) return boolean(element);
   if (element.is("time-of-state-execution")) return leaf(element, Kind::stateTime);
   if (element.is("time-of-option-execution")) return leaf(element, Kind::optionTime);
   if (element.is("subsequent-option-reached-target-state")) return leaf(element, Kind::actionDone);
-  if (element.is("decimal-input-function-call")) return functionCall(element);
+  if (element.is("conflict")) return leaf(element, Kind::conflict);
+  if (element.is("decimal-input-function-call"))
+    return functionCall(element, "decimal-input-function");
   if (element.is("option-parameter-ref")) return optionParameter(element);
-  if (element.is("enumerated-input-symbol-comparison")) return comparison(element);
-  // What is left refers to a symbol: `decimal-input-symbol-ref` to a `decimal-input-symbol`.
+  if (element.is("enum-element-ref")) return enumElement(element);
+  if (element.is("enumerated-input-symbol-comparison"))
+    return program_.dialect == Dialect::xabsl21 ? comparison(element)
+                                                : operation(element, Operator::equal);
+  return reference(element);
+}
+
+/// What is left refers to a symbol: `decimal-input-symbol-ref` to a `decimal-input-symbol`.
+ExpressionPtr Parser::reference(const Element& element) {
   constexpr std::string_view ending = "-ref";
   const std::string_view kind = element.name.substr(0, element.name.size() - ending.size());
+  if (!elementsOf(element).empty()) return functionCall(element, kind);
   refer(element, kind);
-  return kind == "constant" ? leaf(element, Kind::name, element.attribute("ref"))
-                            : inputSymbol(element);
+  const bool input = kind.find("-input-") != std::string_view::npos;
+  return input ? inputSymbol(element)
+               : leaf(element, Expression::Kind::name, element.attribute("ref"));
+}
+
+/// Elements are a part of their enumeration, `ref` names both.
+ExpressionPtr Parser::enumElement(const Element& element) {
+  const std::string_view name = element.attribute("ref");
+  if (notInputs_.count(name) == 0)
+    error(element, "ref", "unknown element " + quoted(name) + " of an enumeration");
+  return leaf(element, Expression::Kind::name, name);
 }
 
 /// Text can only tell an input symbol from something else of its name by parentheses.
@@ -189,8 +267,8 @@ ExpressionPtr Parser::operation(const Element& element, Operator operation) {
   return node;
 }
 
-ExpressionPtr Parser::functionCall(const Element& element) {
-  refer(element, "decimal-input-function");
+ExpressionPtr Parser::functionCall(const Element& element, std::string_view kind) {
+  refer(element, kind);
   ExpressionPtr call = leaf(element, Expression::Kind::call, element.attribute("ref"));
   call->arguments = arguments(element);
   for (const Argument& argument : call->arguments)

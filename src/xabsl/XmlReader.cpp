@@ -81,12 +81,11 @@ class Reader {
   Reader(int file, std::string_view text, Reporter& reporter, syntax::Program& program)
       : file_(file), text_(text), lines_(file, text), reporter_(reporter), program_(program) {}
 
-  std::vector<Element> read() {
-    std::vector<Element> roots;
+  void read(File& file) {
     checkTags();
-    if (reported_) return roots;
+    if (reported_) return;
     const std::unique_ptr<xmlParserCtxt, ParserDeleter> parser(xmlNewParserCtxt());
-    if (!parser) return roots;
+    if (!parser) return;
     parser_ = parser.get();
     parser_->_private = this;
     parser_->sax->startElementNs = startElement;
@@ -100,9 +99,9 @@ class Reader {
     } else if (!reported_) {
       Element all;
       children(document->children, all, {file_, 1, 1}, 0);
-      roots = std::move(all.children);
+      file.roots = std::move(all.children);
+      if (space_ == namespace31) file.dialect = Dialect::xabsl31;
     }
-    return roots;
   }
 
  private:
@@ -134,7 +133,8 @@ class Reader {
 
   static void problem(void* context, const xmlError& error) {
     auto* parser = static_cast<xmlParserCtxt*>(context);
-    if (error.level < XML_ERR_ERROR) return;
+    // An entity may be declared in a file that is not read here.
+    if (error.level < XML_ERR_ERROR || error.code == XML_WAR_UNDECLARED_ENTITY) return;
     Reader& reader = *static_cast<Reader*>(parser->_private);
     std::string message = error.message ? error.message : "this is no well-formed XML";
     while (!message.empty() && (message.back() == '\n' || message.back() == '.'))
@@ -182,13 +182,23 @@ class Reader {
       addAttribute(node, *attribute, element);
     if (isInclude(node)) {
       include(element);
-    } else if (node.ns && view(node.ns->href) != namespace21) {
+    } else if (!isOfXabsl(node)) {
       return fail(element.location, "element '" + std::string(element.name) +
-                                        "' is not of the namespace " + std::string(namespace21));
+                                        "' is not of the namespace " +
+                                        std::string(space_.empty() ? namespace21 : space_));
     } else {
       children(node.children, element, element.location, depth + 1);
     }
     parent.children.push_back(std::move(element));
+  }
+
+  /// The first element that has a namespace tells that of all others.
+  bool isOfXabsl(const xmlNode& node) {
+    if (!node.ns) return true;
+    const std::string_view space = view(node.ns->href);
+    if (space_.empty() && (space == namespace21 || space == namespace31))
+      space_ = space == namespace21 ? namespace21 : namespace31;
+    return space == space_;
   }
 
   static bool isInclude(const xmlNode& node) {
@@ -252,15 +262,19 @@ class Reader {
   /// `&name;` stands for an external file, or for what was declared inside of this one.
   void reference(const xmlNode& node, Element& parent, Location place) {
     const xmlEntity* entity = xmlGetDocEntity(node.doc, node.name);
-    if (!entity)
+    const xmlDtd* doctype = node.doc->intSubset;
+    if (!entity && (!doctype || !doctype->SystemID))
       return fail(place, "entity '" + std::string(view(node.name)) + "' is not declared");
     // Texts that stand for texts grow without bounds, and behaviors do not need them.
-    if (entity->etype != XML_EXTERNAL_GENERAL_PARSED_ENTITY)
+    if (entity && entity->etype != XML_EXTERNAL_GENERAL_PARSED_ENTITY)
       return fail(place, "entity '" + std::string(view(node.name)) + "' names no file");
     Element inclusion;
     inclusion.kind = Element::Kind::entity;
     inclusion.name = keep(view(node.name));
-    inclusion.text = keep(view(entity->SystemID));
+    if (entity)
+      inclusion.text = keep(view(entity->SystemID));
+    else
+      inclusion.doctype = keep(view(doctype->SystemID));
     inclusion.location = referenceLocation(inclusion.name, place);
     parent.children.push_back(std::move(inclusion));
   }
@@ -289,6 +303,7 @@ class Reader {
   Reporter& reporter_;
   syntax::Program& program_;
   xmlParserCtxt* parser_ = nullptr;
+  std::string_view space_;  // of the elements
   std::size_t count_ = 0;
   bool reported_ = false;
 };
@@ -331,9 +346,40 @@ bool toUtf8(std::string& text) {
   return converted;
 }
 
-std::vector<Element> readElements(int file, std::string_view text, Reporter& reporter,
-                                  syntax::Program& program) {
-  return Reader(file, text, reporter, program).read();
+void readElements(int index, std::string_view text, Reporter& reporter, syntax::Program& program,
+                  File& file) {
+  Reader(index, text, reporter, program).read(file);
+}
+
+std::map<std::string, std::string, std::less<>> readEntities(std::string_view text) {
+  constexpr std::string_view begin = "<!ENTITY", comment = "<!--", commentEnd = "-->";
+  std::map<std::string, std::string, std::less<>> entities;
+  const auto word = [&text] {
+    text = trimmed(text);
+    const std::size_t end = std::min(text.find_first_of(" \t\r\n>\"'"), text.size());
+    const std::string_view found = text.substr(0, end);
+    text.remove_prefix(end);
+    return found;
+  };
+  for (;;) {
+    text.remove_prefix(std::min(text.find("<!"), text.size()));
+    if (text.empty()) return entities;
+    if (text.substr(0, comment.size()) == comment) {
+      text.remove_prefix(std::min(text.find(commentEnd), text.size()));
+      continue;
+    }
+    const bool entity = text.substr(0, begin.size()) == begin;
+    text.remove_prefix(entity ? begin.size() : 2);
+    if (!entity) continue;
+    const std::string name(word());
+    if (word() != "SYSTEM") continue;
+    text = trimmed(text);
+    if (text.empty() || (text.front() != '"' && text.front() != '\'')) continue;
+    const std::size_t close = text.find(text.front(), 1);
+    if (close == std::string_view::npos) return entities;
+    entities.emplace(name, std::string(text.substr(1, close - 1)));
+    text.remove_prefix(close + 1);
+  }
 }
 
 }  // namespace xabsl::xml

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "xabsl/Reporter.h"
 #include "xabsl/Syntax.h"
@@ -17,9 +18,12 @@ bool isXml(std::string_view text);
 /// be done.
 bool toUtf8(std::string& text);
 
-/// Reads the elements of one file, whose text is UTF-8 and known to the reporter by the index
-/// `file`. Nothing else is read: inclusions stay what they are. What is wrong is reported.
-std::vector<Element> readElements(int file, std::string_view text, Reporter& reporter,
-                                  syntax::Program& program);
+/// Reads one file, whose text is UTF-8 and known to the reporter by the index `index`. Nothing else
+/// is read: inclusions stay what they are. What is wrong is reported.
+void readElements(int index, std::string_view text, Reporter& reporter, syntax::Program& program,
+                  File& file);
+
+/// The files that a document type definition names: `<!ENTITY name SYSTEM "path">`.
+std::map<std::string, std::string, std::less<>> readEntities(std::string_view text);
 
 }  // namespace xabsl::xml

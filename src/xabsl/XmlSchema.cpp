@@ -42,16 +42,22 @@ bool refersToFile(const xmlNode& node) {
          (xmlStrEqual(node.name, asXml("include")) || xmlStrEqual(node.name, asXml("import")));
 }
 
-/// All the schemas as one, so that nothing is read from disk.
-Document joinedSchema() {
-  Document joined = parse(schema::expressions());
-  xmlNode* root = xmlDocGetRootElement(joined.get());
+/// Adds the other parts of XABSL 2.1.
+void join(xmlNode& root, xmlDoc& joined) {
   for (const auto part : {schema::parameter, schema::symbols, schema::basicBehaviors,
                           schema::optionDefinitions, schema::option, schema::agentCollection}) {
     const Document document = parse(part());
     for (xmlNode* node = xmlDocGetRootElement(document.get())->children; node; node = node->next)
-      xmlAddChild(root, xmlDocCopyNode(node, joined.get(), 1));
+      xmlAddChild(&root, xmlDocCopyNode(node, &joined, 1));
   }
+}
+
+/// All the schemas of a dialect as one, so that nothing is read from disk.
+Document joinedSchema(Dialect dialect) {
+  const bool old = dialect == Dialect::xabsl21;
+  Document joined = parse(old ? schema::expressions() : schema::xabsl31());
+  xmlNode* root = xmlDocGetRootElement(joined.get());
+  if (old) join(*root, *joined);
   for (xmlNode* node = root->children; node;) {
     xmlNode* const next = node->next;
     if (refersToFile(*node)) {
@@ -116,7 +122,8 @@ class Validator {
     if (element.kind == Element::Kind::comment || reporter_.full()) return;
     current_ = &element;
     const std::string name(include ? "include" : element.name);
-    const std::string space(include ? "http://www.w3.org/2001/XInclude" : namespace21);
+    const std::string space(include ? "http://www.w3.org/2001/XInclude"
+                                    : namespaceOf(files_.front().dialect));
     std::vector<std::string> names;
     for (const Attribute& attribute : element.attributes) names.emplace_back(attribute.name);
     std::vector<const xmlChar*> attributes;
@@ -179,7 +186,7 @@ class Validator {
 }  // namespace
 
 void validate(const Files& files, Reporter& reporter) {
-  const Document document = joinedSchema();
+  const Document document = joinedSchema(files.front().dialect);
   const std::unique_ptr<xmlSchemaParserCtxt, SchemaParserDeleter> parser(
       xmlSchemaNewDocParserCtxt(document.get()));
   const std::unique_ptr<xmlSchema, SchemaDeleter> schema(xmlSchemaParse(parser.get()));

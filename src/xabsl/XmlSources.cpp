@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "xabsl/XmlReader.h"
@@ -59,30 +61,79 @@ class Loader {
     for (std::size_t next = 0; next < files_.size() && !reporter_.full(); ++next) {
       outlines_.emplace_back();
       outline(files_[next].roots, 1, outlines_.back());
-      for (const Link& link : outlines_.back().links) follow(files_[next].path, *link.place);
+      for (const Link& link : outlines_.back().links) {
+        const bool named = link.place->doctype.empty() || declare(files_[next].path, *link.place);
+        if (named) follow(files_[next].path, *link.place);
+      }
     }
     if (!reporter_.failed()) checkWhole();
     return {std::make_move_iterator(files_.begin()), std::make_move_iterator(files_.end())};
   }
 
  private:
-  void follow(const std::string& path, Element& link) {
-    const std::string target(link.text);
-    const auto refuse = [&](const std::string& why) {
-      reporter_.error(link.location, "cannot include '" + target + "': " + why);
-    };
-    if (target.find(':') != std::string::npos)
-      return refuse("only files are read, nothing is fetched");
-    std::string name = target;
+  using Entities = std::map<std::string, std::string, std::less<>>;
+
+  /// Finds in a document type definition which file an entity is. Paths in there are meant from its
+  /// own folder.
+  bool declare(const std::string& path, Element& entity) {
+    const std::optional<std::string> full = resolve(path, entity.doctype, entity.location);
+    const Entities* entities = full ? entitiesOf(*full, entity) : nullptr;
+    if (!entities) return false;
+    const auto found = entities->find(entity.name);
+    if (found == entities->end()) {
+      reporter_.error(entity.location,
+                      "entity '" + std::string(entity.name) + "' is not declared in " + *full);
+      return false;
+    }
+    const std::filesystem::path folder =
+        std::filesystem::path(std::string(entity.doctype)).parent_path();
+    entity.text = program_.keep((folder / found->second).generic_string());
+    return true;
+  }
+
+  const Entities* entitiesOf(const std::string& path, const Element& entity) {
+    const auto [known, added] = doctypes_.emplace(path, Entities());
+    if (!added) return &known->second;
+    std::string text;
+    std::optional<std::string> problem = read_(path, text);
+    sum_ += text.size();
+    if (!problem && sum_ > largestSum) problem = "the files are larger than 8 MiB together";
+    if (problem) {
+      refuse(entity.location, entity.doctype, *problem);
+      return nullptr;
+    }
+    known->second = readEntities(text);
+    return &known->second;
+  }
+
+  void refuse(Location location, std::string_view target, const std::string& why) {
+    reporter_.error(location, "cannot include '" + std::string(target) + "': " + why);
+  }
+
+  /// The path of what a file names, if that is below the folder of the first one.
+  std::optional<std::string> resolve(const std::string& path, std::string_view target,
+                                     Location location) {
+    if (target.find(':') != std::string_view::npos) {
+      refuse(location, target, "only files are read, nothing is fetched");
+      return std::nullopt;
+    }
+    std::string name(target);
     std::replace(name.begin(), name.end(), '\\', '/');  // as written on Windows
     const std::filesystem::path full =
         (std::filesystem::path(path).parent_path() / name).lexically_normal();
     const std::filesystem::path folder = root_.parent_path();
     const std::filesystem::path inside =
         full.lexically_relative(folder.empty() ? std::filesystem::path(".") : folder);
-    if (inside.empty() || *inside.begin() == "..")
-      return refuse("it lies outside of the folder of " + root_.filename().generic_string());
-    link.file = enter(full.generic_string(), &link);
+    if (!inside.empty() && *inside.begin() != "..") return full.generic_string();
+    refuse(location, target,
+           "it lies outside of the folder of " + root_.filename().generic_string());
+    return std::nullopt;
+  }
+
+  void follow(const std::string& path, Element& link) {
+    const std::optional<std::string> full = resolve(path, link.text, link.location);
+    if (!full) return;
+    link.file = enter(*full, &link);
     syntax::File& including = program_.files[at(link.location.file)];
     including.includes.push_back({link.text, link.location, link.file});
   }
@@ -110,7 +161,11 @@ class Loader {
     const int file = reporter_.addFile(path, kept);
     indices_[path] = file;
     program_.files.push_back({path, kept, {}, {}});
-    files_.push_back({path, readElements(file, kept, reporter_, program_)});
+    files_.push_back({path, {}});
+    readElements(file, kept, reporter_, program_, files_.back());
+    if (!files_.back().roots.empty() && files_.back().dialect != files_.front().dialect)
+      reporter_.error({file, 1, 1}, "this file is of another version of XABSL than '" +
+                                        files_.front().path + "'");
     return file;
   }
 
@@ -167,6 +222,7 @@ class Loader {
   std::deque<File> files_;
   std::deque<Outline> outlines_;
   std::map<std::string, int> indices_;  // -1: cannot be read
+  std::map<std::string, Entities> doctypes_;
   std::size_t sum_ = 0;
 };
 

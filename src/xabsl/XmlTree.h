@@ -5,12 +5,19 @@
 #include <vector>
 
 #include "xabsl/Diagnostic.h"
+#include "xabsl/Language.h"
 
 /// Behaviors in XML as they stand in their files, before anything is known about their meaning.
 /// All texts are views into the pool of the program.
 namespace xabsl::xml {
 
 constexpr std::string_view namespace21 = "http://www.ki.informatik.hu-berlin.de/XABSL2.1";
+/// Of the form into which the public compilers of XABSL 3 translate text.
+constexpr std::string_view namespace31 = "http://www.xabsl.de";
+
+constexpr std::string_view namespaceOf(Dialect dialect) {
+  return dialect == Dialect::xabsl21 ? namespace21 : namespace31;
+}
 
 struct Attribute {
   std::string_view name;
@@ -24,7 +31,8 @@ struct Element {
 
   Kind kind = Kind::element;
   std::string_view name;
-  std::string_view text;  // what stands in an element or a comment; what an inclusion names
+  std::string_view text;     // what stands in an element or a comment; what an inclusion names
+  std::string_view doctype;  // of an entity: the file that declares it, if this one does not
   Location location;
   std::vector<Attribute> attributes;
   std::vector<Element> children;
@@ -48,6 +56,7 @@ struct Element {
 struct File {
   std::string path;
   std::vector<Element> roots;
+  Dialect dialect = Dialect::xabsl21;  // by the namespace of its elements
 };
 
 /// All files of a behavior. The first one is that with the agents. No file includes itself.

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// The XML Schemas of XABSL 2.1, as they stand in this folder, held in the program.
+/// The XML Schemas of XABSL 2.1 and 3.1, as they stand in this folder, held in the program.
 namespace xabsl::schema {
 
 std::string_view agentCollection();
@@ -12,5 +12,6 @@ std::string_view basicBehaviors();
 std::string_view optionDefinitions();
 std::string_view parameter();
 std::string_view expressions();
+std::string_view xabsl31();
 
 }  // namespace xabsl::schema
