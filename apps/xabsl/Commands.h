@@ -20,7 +20,10 @@ struct Failure {
 void print(const std::vector<Diagnostic>& diagnostics);
 
 /// Compiles the file with the agents, or reads intermediate code from a file `.dat` or `.ic`.
-Compilation load(const std::string& path);
+Compilation load(const std::string& path, Dialect dialect = Dialect::xabsl31);
+
+/// Adds `--dialect` to a command.
+void addDialect(CLI::App& command, Dialect& dialect);
 
 /// Writes a file, or tells that it cannot.
 void writeFile(const std::string& path, const std::string& text);

@@ -11,8 +11,8 @@ namespace xabsl::app {
 namespace {
 
 /// Compiles a behavior and prints what there is to say about it.
-bool check(const std::string& path) {
-  const Compilation compilation = load(path);
+bool check(const std::string& path, Dialect dialect) {
+  const Compilation compilation = load(path, dialect);
   print(compilation.diagnostics);
   if (!compilation.behavior) return false;
   const Model& model = compilation.behavior->model();
@@ -31,9 +31,11 @@ void addCheck(CLI::App& program) {
       ->add_option("files", *paths,
                    "Files that declare the agents (.xabsl), or intermediate code (.dat)")
       ->required();
-  command->callback([paths] {
+  auto dialect = std::make_shared<Dialect>(Dialect::xabsl31);
+  addDialect(*command, *dialect);
+  command->callback([paths, dialect] {
     bool sound = true;
-    for (const std::string& path : *paths) sound = check(path) && sound;
+    for (const std::string& path : *paths) sound = check(path, *dialect) && sound;
     if (!sound) throw Failure{};
   });
 }

@@ -1,4 +1,3 @@
-#include <map>
 #include <memory>
 #include <string>
 
@@ -18,7 +17,7 @@ struct Options {
 };
 
 void compileTo(const Options& options) {
-  const Compilation compilation = load(options.agents);
+  const Compilation compilation = load(options.agents, options.dialect);
   print(compilation.diagnostics);
   if (!compilation.behavior) throw Failure{};
   const Model& model = compilation.behavior->model();
@@ -34,14 +33,11 @@ void compileTo(const Options& options) {
 void addCompile(CLI::App& program) {
   CLI::App* command = program.add_subcommand("compile", "Write a behavior as intermediate code");
   auto options = std::make_shared<Options>();
-  const std::map<std::string, Dialect> dialects = {{"3.0", Dialect::xabsl30},
-                                                   {"3.1", Dialect::xabsl31}};
   command->add_option("agents", options->agents, "The .xabsl file that declares the agents")
       ->required();
   command->add_option("-o,--output", options->output, "The file with the intermediate code")
       ->required();
-  command->add_option("--dialect", options->dialect, "The dialect of the intermediate code")
-      ->transform(CLI::CheckedTransformer(dialects));
+  addDialect(*command, options->dialect);
   command->add_option("--symbols", options->symbols, "A file for the debug symbols");
   command->callback([options] { compileTo(*options); });
 }

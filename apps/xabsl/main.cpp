@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 
 #include "Commands.h"
 #include "xabsl/IntermediateCode.h"
@@ -28,9 +29,17 @@ int main(int argc, char** argv) {
   return 0;
 }
 
-xabsl::Compilation xabsl::app::load(const std::string& path) {
+xabsl::Compilation xabsl::app::load(const std::string& path, Dialect dialect) {
   const std::string extension = std::filesystem::path(path).extension().string();
-  return extension == ".dat" || extension == ".ic" ? loadIntermediateCode(path) : compile(path);
+  return extension == ".dat" || extension == ".ic" ? loadIntermediateCode(path)
+                                                   : compile(path, dialect);
+}
+
+void xabsl::app::addDialect(CLI::App& command, Dialect& dialect) {
+  const std::map<std::string, Dialect> dialects = {{"3.0", Dialect::xabsl30},
+                                                   {"3.1", Dialect::xabsl31}};
+  command.add_option("--dialect", dialect, "The version of XABSL: 3.0 or 3.1 (the default)")
+      ->transform(CLI::CheckedTransformer(dialects));
 }
 
 void xabsl::app::print(const std::vector<Diagnostic>& diagnostics) {

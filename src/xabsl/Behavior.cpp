@@ -10,9 +10,10 @@ namespace xabsl {
 
 namespace {
 
-Compilation compile(const std::string& path, const FileReader& read) {
+Compilation compile(const std::string& path, const FileReader& read, Dialect text) {
   Reporter reporter;
   syntax::Program program;
+  program.dialect = text;
   readSources(path, read, program, reporter);
   Compilation compilation;
   if (!reporter.failed()) {
@@ -28,13 +29,13 @@ Compilation compile(const std::string& path, const FileReader& read) {
 
 }  // namespace
 
-Compilation compile(const std::string& path) {
-  return compile(path,
-                 [](const std::string& name, std::string& text) { return readFile(name, text); });
+Compilation compile(const std::string& path, Dialect text) {
+  return compile(
+      path, [](const std::string& name, std::string& into) { return readFile(name, into); }, text);
 }
 
-Compilation compile(const std::string& path, const VirtualFiles& files) {
-  return compile(path, readerOf(files));
+Compilation compile(const std::string& path, const VirtualFiles& files, Dialect text) {
+  return compile(path, readerOf(files), text);
 }
 
 }  // namespace xabsl

@@ -31,11 +31,12 @@ struct Compilation {
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Compiles XABSL 3.1 text, or XABSL 2.1 in XML, from the file with the agents and all that it
-/// includes.
-Compilation compile(const std::string& path);
+/// Compiles XABSL as text, or 2.1 or 3.1 in XML, from the file with the agents and all that it
+/// includes. Text is 3.1, or 3.0, which knows no cooperation of robots; XML says what it is.
+Compilation compile(const std::string& path, Dialect text = Dialect::xabsl31);
 
 /// The same from files in memory.
-Compilation compile(const std::string& path, const VirtualFiles& files);
+Compilation compile(const std::string& path, const VirtualFiles& files,
+                    Dialect text = Dialect::xabsl31);
 
 }  // namespace xabsl

@@ -386,6 +386,8 @@ void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enume
     message = "enumeration " + quoted(expected.name) + " has no element " + quoted(source.name) +
               ", nor is there a symbol of that name";
   }
+  if (source.name == "conflict" && model_.dialect == Dialect::xabsl30)
+    return error(source.location, "'conflict' is of XABSL 3.1");
   for (const Names::Table* table : {&names_.inputs, &names_.outputs, &names_.constants})
     for (const auto& [candidate, index] : *table) suggestion.offer(candidate);
   error(source.location, message + suggestion.text());

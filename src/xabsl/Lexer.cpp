@@ -8,12 +8,13 @@ namespace xabsl {
 
 namespace {
 
-constexpr std::array<std::string_view, 31> keywords = {
-    "true",        "false",    "option",      "action",  "initial",  "target",      "state",
-    "common",      "decision", "goto",        "if",      "else",     "option_time", "state_time",
-    "action_done", "agent",    "enum",        "input",   "function", "output",      "bool",
-    "float",       "const",    "stay",        "include", "behavior", "namespace",   "internal",
-    "capacity",    "conflict", "synchronized"};
+constexpr std::array<std::string_view, 28> keywords = {
+    "true",        "false",    "option", "action",  "initial",  "target",      "state",
+    "common",      "decision", "goto",   "if",      "else",     "option_time", "state_time",
+    "action_done", "agent",    "enum",   "input",   "function", "output",      "bool",
+    "float",       "const",    "stay",   "include", "behavior", "namespace",   "internal"};
+constexpr std::array<std::string_view, 3> keywordsSince31 = {"capacity", "conflict",
+                                                             "synchronized"};
 
 constexpr std::size_t longestName = 500;
 
@@ -43,8 +44,14 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-bool isKeyword(std::string_view text) {
-  return std::find(keywords.begin(), keywords.end(), text) != keywords.end();
+template <typename Words>
+bool contains(const Words& words, std::string_view text) {
+  return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+bool isKeyword(std::string_view text, Dialect dialect) {
+  return contains(keywords, text) ||
+         (dialect != Dialect::xabsl30 && contains(keywordsSince31, text));
 }
 
 }  // namespace
@@ -67,8 +74,8 @@ std::string describe(const Token& token) {
 }
 
 Lexer::Lexer(int file, std::string_view text, Reporter& reporter,
-             std::vector<syntax::Comment>* comments)
-    : text_(text), reporter_(reporter), comments_(comments) {
+             std::vector<syntax::Comment>* comments, Dialect dialect)
+    : text_(text), reporter_(reporter), comments_(comments), dialect_(dialect) {
   location_.file = file;
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
   if (text_.substr(0, byteOrderMark.size()) == byteOrderMark)
@@ -92,7 +99,7 @@ Token Lexer::read() {
     const char c = peek();
     if (isLetter(c)) {
       token.text = takeName();
-      token.kind = isKeyword(token.text) ? TokenKind::keyword : TokenKind::identifier;
+      token.kind = isKeyword(token.text, dialect_) ? TokenKind::keyword : TokenKind::identifier;
       return token;
     }
     if (c == '@' && isLetter(peek(1))) {
@@ -237,8 +244,7 @@ Token Lexer::number(Token token) {
 
 bool Lexer::punctuation(Token& token) {
   const std::string_view pair = text_.substr(position_, 2);
-  const bool isLong =
-      std::find(longPunctuation.begin(), longPunctuation.end(), pair) != longPunctuation.end();
+  const bool isLong = contains(longPunctuation, pair);
   if (!isLong && shortPunctuation.find(peek()) == std::string_view::npos) return false;
   token.kind = TokenKind::punctuation;
   token.text = text_.substr(position_, isLong ? 2 : 1);

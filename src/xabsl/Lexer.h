@@ -37,13 +37,14 @@ struct Token {
 /// How a message names a token: 'text', or what stands for it.
 std::string describe(const Token& token);
 
-/// Turns XABSL 3.1 text into tokens, one at a time. Comments are put aside; what is no token is
+/// Turns XABSL text into tokens, one at a time. Comments are put aside; what is no token is
 /// reported and skipped.
 class Lexer {
  public:
-  /// Comments are appended to `comments`, if that is given.
+  /// Comments are appended to `comments`, if that is given. In XABSL 3.0 the words of cooperation
+  /// are names.
   Lexer(int file, std::string_view text, Reporter& reporter,
-        std::vector<syntax::Comment>* comments = nullptr);
+        std::vector<syntax::Comment>* comments = nullptr, Dialect dialect = Dialect::xabsl31);
 
   Token next();
 
@@ -66,6 +67,7 @@ class Lexer {
   std::string_view text_;
   Reporter& reporter_;
   std::vector<syntax::Comment>* comments_;
+  Dialect dialect_;
   std::string_view doc_;
   std::size_t position_ = 0;
   Location location_;

@@ -10,7 +10,8 @@ using namespace syntax;
 Parser::Parser(int file, std::string_view text, Reporter& reporter, Program& program)
     : reporter_(reporter),
       program_(program),
-      lexer_(file, text, reporter, &program.files[static_cast<std::size_t>(file)].comments),
+      lexer_(file, text, reporter, &program.files[static_cast<std::size_t>(file)].comments,
+             program.dialect),
       file_(file) {
   token_ = lexer_.next();
 }
@@ -236,6 +237,9 @@ State Parser::state() {
 Cooperation Parser::cooperation() {
   constexpr double mostAgents = 1000;
   Cooperation cooperation;
+  const bool named = token_.kind == TokenKind::identifier;
+  if (named && (token_.text == "capacity" || token_.text == "synchronized"))
+    fail(describe(token_) + " is of XABSL 3.1, in 3.0 robots do not agree about states");
   if (accept("capacity")) {
     cooperation.kind = Cooperation::Kind::capacity;
     if (token_.kind != TokenKind::number) failExpected("the number of agents");

@@ -10,13 +10,14 @@
 
 namespace xabsl {
 
-/// Reads one file of XABSL 3.1 text into the syntax tree. A syntax error is reported, and reading
+/// Reads one file of XABSL text into the syntax tree. A syntax error is reported, and reading
 /// goes on with the next action, state or declaration.
 class Parser {
  public:
   /// Deeper nested expressions and decisions are refused.
   static constexpr int maximalNesting = 200;
 
+  /// The program says whether it is of XABSL 3.0 or 3.1.
   Parser(int file, std::string_view text, Reporter& reporter, syntax::Program& program);
 
   /// Appends to the program; what the file includes and its comments go into its

@@ -26,8 +26,9 @@ std::optional<std::string> readFile(const std::string& path, std::string& text,
 /// Reads from files in memory, which must stay as long as it is used.
 FileReader readerOf(const VirtualFiles& files);
 
-/// Reads XABSL 3.1 text or XABSL 2.1 in XML from a file and all that it includes, each once, into a
-/// program, which holds the texts. What is wrong is told to the reporter.
+/// Reads XABSL as text, of the version that the program says, or in XML from a file and all that it
+/// includes, each once, into the program, which holds the texts. What is wrong is told to the
+/// reporter.
 void readSources(const std::string& path, const FileReader& read, syntax::Program& program,
                  Reporter& reporter);
 
