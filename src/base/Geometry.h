@@ -47,27 +47,15 @@ inline Vector2d direction(double angle) {
 
 /// Rotations about one axis, counterclockwise when looked at against the axis (report 2.1.4,
 /// RotationMatrix).
-inline Matrix3d rotationX(double angle) {
-  return Eigen::AngleAxisd(angle, Vector3d::UnitX()).toRotationMatrix();
-}
-inline Matrix3d rotationY(double angle) {
-  return Eigen::AngleAxisd(angle, Vector3d::UnitY()).toRotationMatrix();
-}
-inline Matrix3d rotationZ(double angle) {
-  return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
-}
+Matrix3d rotationX(double angle);
+Matrix3d rotationY(double angle);
+Matrix3d rotationZ(double angle);
 
 /// The rotation about an axis in a matrix that is rotationZ(z) * rotationY(y) * rotationX(x)
 /// (report 2.1.4, RotationMatrix); y lies in [-pi/2, pi/2].
-inline double angleX(const Matrix3d& rotation) {
-  return std::atan2(rotation(2, 1), rotation(2, 2));
-}
-inline double angleY(const Matrix3d& rotation) {
-  return std::atan2(-rotation(2, 0), std::hypot(rotation(2, 1), rotation(2, 2)));
-}
-inline double angleZ(const Matrix3d& rotation) {
-  return std::atan2(rotation(1, 0), rotation(0, 0));
-}
+double angleX(const Matrix3d& rotation);
+double angleY(const Matrix3d& rotation);
+double angleZ(const Matrix3d& rotation);
 
 /// A pose on the ground, or a change of one: first the translation, then the rotation
 /// (report 2.1.4). Whatever computes a pose normalizes its rotation; the constructors take it as it
@@ -111,22 +99,14 @@ struct Pose3D {
   Matrix3d rotation = Matrix3d::Identity();
   Vector3d translation = Vector3d::Zero();
 
-  Vector3d operator*(const Vector3d& point) const { return rotation * point + translation; }
-  Pose3D operator*(const Pose3D& other) const {
-    return {rotation * other.rotation, rotation * other.translation + translation};
-  }
-  Pose3D inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
+  Vector3d operator*(const Vector3d& point) const;
+  Pose3D operator*(const Pose3D& other) const;
+  Pose3D inverse() const;
 
   /// Moves the pose along its own axes.
-  Pose3D& translate(const Vector3d& by) {
-    translation += rotation * by;
-    return *this;
-  }
+  Pose3D& translate(const Vector3d& by);
   Pose3D& translate(double x, double y, double z) { return translate(Vector3d{x, y, z}); }
-  Pose3D& rotate(const Matrix3d& by) {
-    rotation = rotation * by;
-    return *this;
-  }
+  Pose3D& rotate(const Matrix3d& by);
 };
 
 }  // namespace gt

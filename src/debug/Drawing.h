@@ -14,8 +14,8 @@ struct Color {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
 
   static constexpr auto fields() {
-    return std::tuple{field("r", &Color::r), field("g", &Color::g), field("b", &Color::b),
-                      field("a", &Color::a, "", "255 is opaque")};
+    return Fields{field("r", &Color::r), field("g", &Color::g), field("b", &Color::b),
+                  field("a", &Color::a, "", "255 is opaque")};
   }
 };
 static_assert(complete<Color>);
@@ -52,13 +52,13 @@ struct DrawingElement {
   std::string text;
 
   static constexpr auto fields() {
-    return std::tuple{field("type", &DrawingElement::type),
-                      field("points", &DrawingElement::points, "mm or pixel"),
-                      field("size", &DrawingElement::size, "mm or pixel",
-                            "radius of circles, disks and points, height of text"),
-                      field("color", &DrawingElement::color),
-                      field("penWidth", &DrawingElement::penWidth, "pixel"),
-                      field("text", &DrawingElement::text)};
+    return Fields{field("type", &DrawingElement::type),
+                  field("points", &DrawingElement::points, "mm or pixel"),
+                  field("size", &DrawingElement::size, "mm or pixel",
+                        "radius of circles, disks and points, height of text"),
+                  field("color", &DrawingElement::color),
+                  field("penWidth", &DrawingElement::penWidth, "pixel"),
+                  field("text", &DrawingElement::text)};
   }
 };
 static_assert(complete<DrawingElement>);
@@ -70,8 +70,8 @@ struct Drawing {
   std::vector<DrawingElement> elements;
 
   static constexpr auto fields() {
-    return std::tuple{field("key", &Drawing::key), field("space", &Drawing::space),
-                      field("elements", &Drawing::elements)};
+    return Fields{field("key", &Drawing::key), field("space", &Drawing::space),
+                  field("elements", &Drawing::elements)};
   }
 };
 static_assert(complete<Drawing>);
@@ -82,7 +82,7 @@ struct Plot {
   double value = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("key", &Plot::key), field("value", &Plot::value)};
+    return Fields{field("key", &Plot::key), field("value", &Plot::value)};
   }
 };
 static_assert(complete<Plot>);
@@ -94,8 +94,8 @@ struct GenericDebugData {
   std::vector<double> data;
 
   static constexpr auto fields() {
-    return std::tuple{field("id", &GenericDebugData::id, "", "of a debug key"),
-                      field("data", &GenericDebugData::data)};
+    return Fields{field("id", &GenericDebugData::id, "", "of a debug key"),
+                  field("data", &GenericDebugData::data)};
   }
 };
 static_assert(complete<GenericDebugData>);
@@ -106,8 +106,8 @@ struct StopwatchTime {
   double microseconds = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("event", &StopwatchTime::event, "", "a task, or what the module says"),
-                      field("microseconds", &StopwatchTime::microseconds, "us")};
+    return Fields{field("event", &StopwatchTime::event, "", "a task, or what the module says"),
+                  field("microseconds", &StopwatchTime::microseconds, "us")};
   }
 };
 static_assert(complete<StopwatchTime>);
@@ -116,7 +116,7 @@ static_assert(complete<StopwatchTime>);
 struct Text {
   std::string text;
 
-  static constexpr auto fields() { return std::tuple{field("text", &Text::text)}; }
+  static constexpr auto fields() { return Fields{field("text", &Text::text)}; }
 };
 static_assert(complete<Text>);
 

@@ -12,7 +12,7 @@ struct ParameterDescription {
   double low = 0, high = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("path", &ParameterDescription::path),
         field("value", &ParameterDescription::value),
         field("unit", &ParameterDescription::unit),
@@ -30,9 +30,9 @@ struct SolutionDescription {
   std::vector<ParameterDescription> parameters;
 
   static constexpr auto fields() {
-    return std::tuple{field("name", &SolutionDescription::name),
-                      field("inputs", &SolutionDescription::inputs, "", "representations it reads"),
-                      field("parameters", &SolutionDescription::parameters)};
+    return Fields{field("name", &SolutionDescription::name),
+                  field("inputs", &SolutionDescription::inputs, "", "representations it reads"),
+                  field("parameters", &SolutionDescription::parameters)};
   }
 };
 static_assert(complete<SolutionDescription>);
@@ -44,7 +44,7 @@ struct TaskDescription {
   std::vector<SolutionDescription> solutions;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("name", &TaskDescription::name),
         field("active", &TaskDescription::active, "", "the solution that runs, or disabled"),
         field("outputs", &TaskDescription::outputs, "", "representations it provides"),
@@ -62,9 +62,9 @@ struct ProcessDescription {
   std::vector<std::string> debugKeys;
 
   static constexpr auto fields() {
-    return std::tuple{field("process", &ProcessDescription::process),
-                      field("tasks", &ProcessDescription::tasks),
-                      field("debugKeys", &ProcessDescription::debugKeys)};
+    return Fields{field("process", &ProcessDescription::process),
+                  field("tasks", &ProcessDescription::tasks),
+                  field("debugKeys", &ProcessDescription::debugKeys)};
   }
 };
 static_assert(complete<ProcessDescription>);

@@ -8,7 +8,7 @@ namespace {
 struct NumberPackage {
   int number = 0;
 
-  static constexpr auto fields() { return std::tuple{field("number", &NumberPackage::number)}; }
+  static constexpr auto fields() { return Fields{field("number", &NumberPackage::number)}; }
 };
 
 /// Example1 of report C.3.2.

@@ -18,7 +18,7 @@ struct QueueFillRequest {
   double seconds = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("mode", &QueueFillRequest::mode),
         field("seconds", &QueueFillRequest::seconds, "s", "of collect and save", {0, 86400})};
   }

@@ -14,8 +14,8 @@ struct SolutionRequest {
   std::string solution;
 
   static constexpr auto fields() {
-    return std::tuple{field("task", &SolutionRequest::task),
-                      field("solution", &SolutionRequest::solution, "", "or disabled")};
+    return Fields{field("task", &SolutionRequest::task),
+                  field("solution", &SolutionRequest::solution, "", "or disabled")};
   }
 };
 static_assert(complete<SolutionRequest>);
@@ -27,8 +27,8 @@ struct DebugRequest {
   std::int64_t n = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("key", &DebugRequest::key), field("mode", &DebugRequest::mode),
-                      field("n", &DebugRequest::n, "", "times, or ms")};
+    return Fields{field("key", &DebugRequest::key), field("mode", &DebugRequest::mode),
+                  field("n", &DebugRequest::n, "", "times, or ms")};
   }
 };
 static_assert(complete<DebugRequest>);
@@ -42,10 +42,10 @@ struct WatchRequest {
   std::int64_t n = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("representation", &WatchRequest::representation),
-                      field("process", &WatchRequest::process, "", "empty: whichever provides it"),
-                      field("mode", &WatchRequest::mode),
-                      field("n", &WatchRequest::n, "", "times, or ms")};
+    return Fields{field("representation", &WatchRequest::representation),
+                  field("process", &WatchRequest::process, "", "empty: whichever provides it"),
+                  field("mode", &WatchRequest::mode),
+                  field("n", &WatchRequest::n, "", "times, or ms")};
   }
 };
 static_assert(complete<WatchRequest>);
@@ -56,8 +56,8 @@ struct LayoutRequest {
   std::string text;
 
   static constexpr auto fields() {
-    return std::tuple{field("name", &LayoutRequest::name, "", "for messages: the file"),
-                      field("text", &LayoutRequest::text, "", "as in a layout file")};
+    return Fields{field("name", &LayoutRequest::name, "", "for messages: the file"),
+                  field("text", &LayoutRequest::text, "", "as in a layout file")};
   }
 };
 static_assert(complete<LayoutRequest>);
@@ -67,7 +67,7 @@ struct DescriptionRequest {
   std::string about;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("about", &DescriptionRequest::about, "", "a process; all of them if empty")};
   }
 };
@@ -81,9 +81,9 @@ struct ParameterRequest {
   std::string value;
 
   static constexpr auto fields() {
-    return std::tuple{
-        field("task", &ParameterRequest::task), field("solution", &ParameterRequest::solution),
-        field("path", &ParameterRequest::path), field("value", &ParameterRequest::value)};
+    return Fields{field("task", &ParameterRequest::task),
+                  field("solution", &ParameterRequest::solution),
+                  field("path", &ParameterRequest::path), field("value", &ParameterRequest::value)};
   }
 };
 static_assert(complete<ParameterRequest>);

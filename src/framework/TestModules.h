@@ -8,18 +8,18 @@ struct Reading {
   Time time;
   double value = 0;
   static constexpr auto fields() {
-    return std::tuple{field("time", &Reading::time), field("value", &Reading::value)};
+    return Fields{field("time", &Reading::time), field("value", &Reading::value)};
   }
 };
 struct Estimate {
   double value = 0;
-  static constexpr auto fields() { return std::tuple{field("value", &Estimate::value)}; }
+  static constexpr auto fields() { return Fields{field("value", &Estimate::value)}; }
 };
 struct Command {
   double value = 0;
   int cycles = 0;
   static constexpr auto fields() {
-    return std::tuple{field("value", &Command::value), field("cycles", &Command::cycles)};
+    return Fields{field("value", &Command::value), field("cycles", &Command::cycles)};
   }
 };
 
@@ -35,7 +35,7 @@ class SmoothFilter {
   struct Parameters {
     double gain = 0.5;
     static constexpr auto fields() {
-      return std::tuple{field("gain", &Parameters::gain, "", "trust in the reading", {0, 1})};
+      return Fields{field("gain", &Parameters::gain, "", "trust in the reading", {0, 1})};
     }
   };
   Parameters parameters;

@@ -18,7 +18,7 @@ struct Intervention {
   std::string line;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("time", &Intervention::time, "ms", "the tick after which it was done"),
         field("kind", &Intervention::kind),
         field(
@@ -46,7 +46,7 @@ struct MatchState {
   std::uint64_t fingerprint = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("scene", &MatchState::scene, "", "file"),
         field("layout", &MatchState::layout, "", "of all robots, if not empty"),
         field("behavior", &MatchState::behavior, "", "agents file"),

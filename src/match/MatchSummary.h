@@ -17,11 +17,10 @@ struct ErrorStatistics {
   double mean = 0, median = 0, percentile95 = 0, maximum = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("count", &ErrorStatistics::count),
-                      field("mean", &ErrorStatistics::mean),
-                      field("median", &ErrorStatistics::median),
-                      field("percentile95", &ErrorStatistics::percentile95),
-                      field("maximum", &ErrorStatistics::maximum)};
+    return Fields{field("count", &ErrorStatistics::count), field("mean", &ErrorStatistics::mean),
+                  field("median", &ErrorStatistics::median),
+                  field("percentile95", &ErrorStatistics::percentile95),
+                  field("maximum", &ErrorStatistics::maximum)};
   }
 };
 static_assert(complete<ErrorStatistics>);
@@ -37,7 +36,7 @@ struct MatchEvent {
   int redScore = 0, blueScore = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("time", &MatchEvent::time, "ms"),
         field("kind", &MatchEvent::kind, "", "goal, kickOff, halfTime, stuckBall, kick, end, ..."),
         field("text", &MatchEvent::text, "", "one line for people"),
@@ -56,7 +55,7 @@ struct RobotSample {
   double localizationError = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("pose", &RobotSample::pose, "mm, rad", "the truth, in the field's coordinates"),
         field("localizationError", &RobotSample::localizationError, "mm")};
   }
@@ -69,7 +68,7 @@ struct KickCount {
   int count = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("kick", &KickCount::kick), field("count", &KickCount::count)};
+    return Fields{field("kick", &KickCount::kick), field("count", &KickCount::count)};
   }
 };
 static_assert(complete<KickCount>);
@@ -92,7 +91,7 @@ struct RobotSummary {
   std::vector<RobotSample> samples;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("name", &RobotSummary::name),
         field("team", &RobotSummary::team),
         field("player", &RobotSummary::player, "", "1 to 4"),
@@ -124,14 +123,14 @@ struct MatchSummary {
   std::vector<Vector2d> ball;
 
   static constexpr auto fields() {
-    return std::tuple{field("scene", &MatchSummary::scene),
-                      field("seed", &MatchSummary::seed),
-                      field("duration", &MatchSummary::duration, "ms", "simulated"),
-                      field("redScore", &MatchSummary::redScore),
-                      field("blueScore", &MatchSummary::blueScore),
-                      field("events", &MatchSummary::events),
-                      field("robots", &MatchSummary::robots),
-                      field("ball", &MatchSummary::ball, "mm", "true position, one a second")};
+    return Fields{field("scene", &MatchSummary::scene),
+                  field("seed", &MatchSummary::seed),
+                  field("duration", &MatchSummary::duration, "ms", "simulated"),
+                  field("redScore", &MatchSummary::redScore),
+                  field("blueScore", &MatchSummary::blueScore),
+                  field("events", &MatchSummary::events),
+                  field("robots", &MatchSummary::robots),
+                  field("ball", &MatchSummary::ball, "mm", "true position, one a second")};
   }
 };
 static_assert(complete<MatchSummary>);
@@ -143,8 +142,8 @@ struct PartTime {
   double totalMs = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("part", &PartTime::part, "", "a task, or a part of the simulator"),
-                      field("count", &PartTime::count), field("totalMs", &PartTime::totalMs, "ms")};
+    return Fields{field("part", &PartTime::part, "", "a task, or a part of the simulator"),
+                  field("count", &PartTime::count), field("totalMs", &PartTime::totalMs, "ms")};
   }
 };
 static_assert(complete<PartTime>);
@@ -157,7 +156,7 @@ struct MatchTimes {
   std::vector<PartTime> parts;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("seconds", &MatchTimes::seconds, "s", "from the first to the last step"),
         field("realTimeFactor", &MatchTimes::realTimeFactor, "", "simulated time over seconds"),
         field("threads", &MatchTimes::threads),

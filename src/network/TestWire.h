@@ -22,7 +22,7 @@ class TestFolder {
 struct NumberPackage {
   int number = 0;
 
-  static constexpr auto fields() { return std::tuple{field("number", &NumberPackage::number)}; }
+  static constexpr auto fields() { return Fields{field("number", &NumberPackage::number)}; }
 };
 
 /// A process whose main() is given by the test.

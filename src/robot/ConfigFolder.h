@@ -85,7 +85,7 @@ struct NetworkSettings {
   std::vector<std::string> processes;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("robot", &NetworkSettings::robot, "", "the robot's name"),
         field("address", &NetworkSettings::address, "",
               "hardware address; empty: that of the machine's first network interface"),

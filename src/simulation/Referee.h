@@ -41,7 +41,7 @@ struct GameEvent {
   int scoreBlue = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("type", &GameEvent::type),
         field("time", &GameEvent::time, "ms"),
         field("team", &GameEvent::team, "",

@@ -142,7 +142,7 @@ Result<void> SceneReader::readBalls(const xmlNode* group, std::vector<SceneBall>
 Result<void> SceneReader::readElement(const xmlNode* node, SceneDescription& scene) const {
   const std::string name = nameOf(node);
   struct NoAttributes {
-    static constexpr auto fields() { return std::tuple{}; }
+    static constexpr auto fields() { return Fields{}; }
   } none;
   if (name == "robots" || name == "extras" || name == "balls") {
     if (auto r = readAttributes(node, none); !r) return r;

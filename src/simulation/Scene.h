@@ -23,7 +23,7 @@ struct NoiseParameters {
   double motion = 1;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("joints", &NoiseParameters::joints, "deg", "deviation of a measured angle", {0, 90}),
         field("acceleration", &NoiseParameters::acceleration, "mm/s^2", "deviation", {0, 1e5}),
         field("psd", &NoiseParameters::psd, "mm", "deviation at 900 mm, less when nearer",
@@ -47,7 +47,7 @@ struct BallParameters {
   double maxSpeed = 3000;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("deceleration", &BallParameters::deceleration, "mm/s^2", "rolling on the carpet",
               {0, 1e5}),
         field("bounceWall", &BallParameters::bounceWall, "", "coefficient of restitution", {0, 1}),
@@ -68,7 +68,7 @@ struct RadioParameters {
   bool out = false;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("delayMin", &RadioParameters::delayMin, "ms", "", {0, 10'000}),
         field("delayMax", &RadioParameters::delayMax, "ms", "", {0, 10'000}),
         field("loss", &RadioParameters::loss, "", "share of messages that never arrive", {0, 1}),
@@ -92,7 +92,7 @@ struct GameParameters {
   ShootOutMode shootOut = ShootOutMode::none;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("referee", &GameParameters::referee, "", "false: all robots play, nobody counts"),
         field("minutes", &GameParameters::minutes, "min", "both halves together", {0.01, 1e4}),
         field("kickOff", &GameParameters::kickOff, "", "the team that begins"),
@@ -127,7 +127,7 @@ struct RuleParameters {
 
   static constexpr auto fields() {
     constexpr Range seconds{0, 600};
-    return std::tuple{
+    return Fields{
         field("ballHolding", &RuleParameters::ballHolding, "s",
               "a field player's, or the keeper's outside of its penalty area", seconds),
         field("keeperBallHolding", &RuleParameters::keeperBallHolding, "s",
@@ -168,7 +168,7 @@ struct SceneRobot {
   Pose2D pose() const { return {normalize(fromDegrees(rotation)), x, y}; }
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("name", &SceneRobot::name, "", "unique; by default team and number: red1"),
         field("team", &SceneRobot::team),
         field("role", &SceneRobot::role),
@@ -190,9 +190,9 @@ struct SceneBall {
   Vector2d position() const { return {x, y}; }
 
   static constexpr auto fields() {
-    return std::tuple{field("x", &SceneBall::x, "mm", "in the field's coordinates", {-1e4, 1e4}),
-                      field("y", &SceneBall::y, "mm", "", {-1e4, 1e4}),
-                      field("model", &SceneBall::model, "", "MJCF file, from the scene's folder")};
+    return Fields{field("x", &SceneBall::x, "mm", "in the field's coordinates", {-1e4, 1e4}),
+                  field("y", &SceneBall::y, "mm", "", {-1e4, 1e4}),
+                  field("model", &SceneBall::model, "", "MJCF file, from the scene's folder")};
   }
 };
 
@@ -219,7 +219,7 @@ struct SceneDescription {
   std::string resolve(const std::string& path) const;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         gt::field("field", &SceneDescription::field, "", "MJCF file, from the scene's folder"),
         gt::field("config", &SceneDescription::config, "", "folder of the configuration files"),
         gt::field("script", &SceneDescription::script, "", "console script to begin with"),

@@ -36,24 +36,24 @@ struct Aligned {
   Time time{5};
 
   static constexpr auto fields() {
-    return std::tuple{field("first", &Aligned::first), field("second", &Aligned::second),
-                      field("text", &Aligned::text),   field("third", &Aligned::third),
-                      field("color", &Aligned::color), field("list", &Aligned::list),
-                      field("time", &Aligned::time)};
+    return Fields{field("first", &Aligned::first), field("second", &Aligned::second),
+                  field("text", &Aligned::text),   field("third", &Aligned::third),
+                  field("color", &Aligned::color), field("list", &Aligned::list),
+                  field("time", &Aligned::time)};
   }
 };
 static_assert(complete<Aligned>);
 
 struct Forgetful {
   int a = 0, b = 0;
-  static constexpr auto fields() { return std::tuple{field("a", &Forgetful::a)}; }
+  static constexpr auto fields() { return Fields{field("a", &Forgetful::a)}; }
 };
 static_assert(!complete<Forgetful>);
 
 struct Swapped {
   std::uint8_t a = 1, b = 2;
   static constexpr auto fields() {
-    return std::tuple{field("b", &Swapped::b), field("a", &Swapped::a)};
+    return Fields{field("b", &Swapped::b), field("a", &Swapped::a)};
   }
 };
 
@@ -180,7 +180,7 @@ struct Odd {
   double number = 0;
   bool flag = false;
   static constexpr auto fields() {
-    return std::tuple{field("number", &Odd::number), field("flag", &Odd::flag)};
+    return Fields{field("number", &Odd::number), field("flag", &Odd::flag)};
   }
 };
 struct Mixed {
@@ -189,15 +189,13 @@ struct Mixed {
   std::int16_t small = 0;
   samples::Color color = samples::Color::red;
   static constexpr auto fields() {
-    return std::tuple{field("whole", &Mixed::whole), field("part", &Mixed::part),
-                      field("small", &Mixed::small), field("color", &Mixed::color)};
+    return Fields{field("whole", &Mixed::whole), field("part", &Mixed::part),
+                  field("small", &Mixed::small), field("color", &Mixed::color)};
   }
 };
 struct Turned {
   Matrix3d a = Matrix3d::Identity(), b = Matrix3d::Identity();
-  static constexpr auto fields() {
-    return std::tuple{field("a", &Turned::a), field("b", &Turned::b)};
-  }
+  static constexpr auto fields() { return Fields{field("a", &Turned::a), field("b", &Turned::b)}; }
 };
 template <typename T>
 struct Placed {
@@ -210,10 +208,10 @@ struct Placed {
   T last;
   static constexpr auto fields() {
     using P = Placed;
-    return std::tuple{field("before", &P::before),   field("one", &P::one),
-                      field("between", &P::between), field("array", &P::array),
-                      field("list", &P::list),       field("pairs", &P::pairs),
-                      field("last", &P::last)};
+    return Fields{field("before", &P::before),   field("one", &P::one),
+                  field("between", &P::between), field("array", &P::array),
+                  field("list", &P::list),       field("pairs", &P::pairs),
+                  field("last", &P::last)};
   }
 };
 

@@ -28,16 +28,16 @@ struct PlayerFile {
   Team teamColor = Team::red;
   Role playerRole = Role::goalie;
   static constexpr auto fields() {
-    return std::tuple{field("teamColor", &PlayerFile::teamColor),
-                      field("playerRole", &PlayerFile::playerRole)};
+    return Fields{field("teamColor", &PlayerFile::teamColor),
+                  field("playerRole", &PlayerFile::playerRole)};
   }
 };
 
 struct BodyOffsets {
   double bodyTiltOffset = 0, bodyRollOffset = 1;
   static constexpr auto fields() {
-    return std::tuple{field("bodyTiltOffset", &BodyOffsets::bodyTiltOffset),
-                      field("bodyRollOffset", &BodyOffsets::bodyRollOffset)};
+    return Fields{field("bodyTiltOffset", &BodyOffsets::bodyTiltOffset),
+                  field("bodyRollOffset", &BodyOffsets::bodyRollOffset)};
   }
 };
 

@@ -50,9 +50,9 @@ struct DroppedMessage {
   std::uint64_t count = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("id", &DroppedMessage::id, "", "0: of all further types"),
-                      field("type", &DroppedMessage::type, "", "empty if only the id is known"),
-                      field("count", &DroppedMessage::count)};
+    return Fields{field("id", &DroppedMessage::id, "", "0: of all further types"),
+                  field("type", &DroppedMessage::type, "", "empty if only the id is known"),
+                  field("count", &DroppedMessage::count)};
   }
 };
 static_assert(complete<DroppedMessage>);
@@ -62,7 +62,7 @@ static_assert(complete<DroppedMessage>);
 struct DroppedMessages {
   std::vector<DroppedMessage> types;
 
-  static constexpr auto fields() { return std::tuple{field("types", &DroppedMessages::types)}; }
+  static constexpr auto fields() { return Fields{field("types", &DroppedMessages::types)}; }
 };
 static_assert(complete<DroppedMessages>);
 

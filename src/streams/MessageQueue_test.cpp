@@ -12,11 +12,11 @@ namespace {
 
 struct Text {
   std::string text;
-  static constexpr auto fields() { return std::tuple{field("text", &Text::text)}; }
+  static constexpr auto fields() { return Fields{field("text", &Text::text)}; }
 };
 struct Number {
   double value = 0;
-  static constexpr auto fields() { return std::tuple{field("value", &Number::value)}; }
+  static constexpr auto fields() { return Fields{field("value", &Number::value)}; }
 };
 
 /// All texts and numbers of a queue in their order.

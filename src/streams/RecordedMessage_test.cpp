@@ -19,7 +19,7 @@ enum class Side { left, right };
 struct Spot {
   float x = 0;
   int y = 0;
-  static constexpr auto fields() { return std::tuple{field("x", &Spot::x), field("y", &Spot::y)}; }
+  static constexpr auto fields() { return Fields{field("x", &Spot::x), field("y", &Spot::y)}; }
 };
 struct Report {
   Mood mood = Mood::calm;
@@ -32,11 +32,11 @@ struct Report {
   std::array<std::array<int, 2>, 2> table{};
   int dropped = 0;
   static constexpr auto fields() {
-    return std::tuple{field("mood", &Report::mood),      field("bigNumber", &Report::bigNumber),
-                      field("wide", &Report::wide),      field("sure", &Report::sure),
-                      field("note", &Report::note),      field("spots", &Report::spots),
-                      field("scores", &Report::scores),  field("table", &Report::table),
-                      field("dropped", &Report::dropped)};
+    return Fields{field("mood", &Report::mood),      field("bigNumber", &Report::bigNumber),
+                  field("wide", &Report::wide),      field("sure", &Report::sure),
+                  field("note", &Report::note),      field("spots", &Report::spots),
+                  field("scores", &Report::scores),  field("table", &Report::table),
+                  field("dropped", &Report::dropped)};
   }
 };
 }  // namespace then
@@ -49,7 +49,7 @@ struct Spot {
   double x = 7;
   double z = 7;
   static constexpr auto fields() {
-    return std::tuple{field("y", &Spot::y), field("x", &Spot::x), field("z", &Spot::z)};
+    return Fields{field("y", &Spot::y), field("x", &Spot::x), field("z", &Spot::z)};
   }
 };
 struct Report {
@@ -63,11 +63,11 @@ struct Report {
   std::string note;
   std::array<std::array<double, 2>, 3> table{};
   static constexpr auto fields() {
-    return std::tuple{field("added", &Report::added), field("scores", &Report::scores),
-                      field("spots", &Report::spots), field("bigNumber", &Report::bigNumber),
-                      field("wide", &Report::wide),   field("sure", &Report::sure),
-                      field("mood", &Report::mood),   field("note", &Report::note),
-                      field("table", &Report::table)};
+    return Fields{field("added", &Report::added), field("scores", &Report::scores),
+                  field("spots", &Report::spots), field("bigNumber", &Report::bigNumber),
+                  field("wide", &Report::wide),   field("sure", &Report::sure),
+                  field("mood", &Report::mood),   field("note", &Report::note),
+                  field("table", &Report::table)};
   }
 };
 }  // namespace now

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -35,6 +34,46 @@ constexpr Field<C, T> field(std::string_view name, T C::*member, std::string_vie
   return {name, member, unit, doc, range};
 }
 
+namespace detail {
+
+template <std::size_t i, typename F>
+struct FieldSlot {
+  F value;
+};
+template <std::size_t i, typename F>
+constexpr const F& fieldAt(const FieldSlot<i, F>& slot) {
+  return slot.value;
+}
+
+template <typename Indices, typename... F>
+struct FieldSlots;
+template <std::size_t... i, typename... F>
+struct FieldSlots<std::index_sequence<i...>, F...> : FieldSlot<i, F>... {
+  constexpr FieldSlots(F... fields) : FieldSlot<i, F>{fields}... {}
+
+  template <typename Visit>
+  constexpr void forEach(Visit&& visit) const {
+    (visit(fieldAt<i>(*this)), ...);
+  }
+};
+
+}  // namespace detail
+
+/// What `fields()` returns: the fields of a struct, in the order of declaration. A std::tuple would
+/// do, but takes the compiler half of its time in files that see many representations.
+template <typename... F>
+struct Fields : detail::FieldSlots<std::index_sequence_for<F...>, F...> {
+  static constexpr std::size_t count = sizeof...(F);
+
+  constexpr Fields(F... fields)
+      : detail::FieldSlots<std::index_sequence_for<F...>, F...>(fields...) {}
+
+  template <std::size_t i>
+  constexpr const auto& at() const {
+    return detail::fieldAt<i>(*this);
+  }
+};
+
 /// A struct that declares its fields.
 template <typename T>
 concept Reflected = requires {
@@ -59,14 +98,14 @@ constexpr std::size_t memberCount(A... a) {
 
 /// True if `fields()` names every member of an aggregate: a forgotten field does not compile.
 template <typename T>
-constexpr bool complete = std::tuple_size_v<decltype(T::fields())> == detail::memberCount<T>();
+constexpr bool complete = decltype(T::fields())::count == detail::memberCount<T>();
 
 /// Calls visit(field, member) for each field, in the order of declaration.
 template <typename T, typename Visit>
 requires Reflected<std::remove_const_t<T>>
 constexpr void forEachField(T& object, Visit&& visit) {
-  std::apply([&](const auto&... f) { (visit(f, object.*f.member), ...); },
-             std::remove_const_t<T>::fields());
+  std::remove_const_t<T>::fields().forEach(
+      [&](const auto& field) { visit(field, object.*field.member); });
 }
 
 /// A type's name without its namespaces, as it stands in logs, layouts and messages.

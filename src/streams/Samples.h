@@ -18,8 +18,8 @@ struct Byte4 {
   std::uint8_t a = 0, b = 1, c = 2, d = 3;
 
   static constexpr auto fields() {
-    return std::tuple{field("a", &Byte4::a), field("b", &Byte4::b), field("c", &Byte4::c),
-                      field("d", &Byte4::d)};
+    return Fields{field("a", &Byte4::a), field("b", &Byte4::b), field("c", &Byte4::c),
+                  field("d", &Byte4::d)};
   }
 };
 static_assert(complete<Byte4>);
@@ -30,8 +30,8 @@ struct Inner {
   double value = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("flag", &Inner::flag), field("text", &Inner::text, "", "any text"),
-                      field("value", &Inner::value, "mm", "a length", {-100, 100})};
+    return Fields{field("flag", &Inner::flag), field("text", &Inner::text, "", "any text"),
+                  field("value", &Inner::value, "mm", "a length", {-100, 100})};
   }
 };
 static_assert(complete<Inner>);
@@ -74,7 +74,7 @@ struct Everything {
 
   static constexpr auto fields() {
     using E = Everything;
-    return std::tuple{
+    return Fields{
         field("flag", &E::flag),       field("int8", &E::int8),       field("uint8", &E::uint8),
         field("int16", &E::int16),     field("uint16", &E::uint16),   field("int32", &E::int32),
         field("uint32", &E::uint32),   field("int64", &E::int64),     field("uint64", &E::uint64),

@@ -42,7 +42,7 @@ struct RosTime {
   static RosTime of(Time time);
 
   static constexpr auto fields() {
-    return std::tuple{field("sec", &RosTime::sec, "s"), field("nanosec", &RosTime::nanosec, "ns")};
+    return Fields{field("sec", &RosTime::sec, "s"), field("nanosec", &RosTime::nanosec, "ns")};
   }
 };
 static_assert(complete<RosTime>);
@@ -53,7 +53,7 @@ struct RosHeader {
   std::string frameId;
 
   static constexpr auto fields() {
-    return std::tuple{field("stamp", &RosHeader::stamp), field("frameId", &RosHeader::frameId)};
+    return Fields{field("stamp", &RosHeader::stamp), field("frameId", &RosHeader::frameId)};
   }
 };
 static_assert(complete<RosHeader>);
@@ -66,9 +66,9 @@ struct CompressedImage {
 
   static Schema schema();
   static constexpr auto fields() {
-    return std::tuple{field("header", &CompressedImage::header),
-                      field("format", &CompressedImage::format, "", "jpeg or png"),
-                      field("data", &CompressedImage::data)};
+    return Fields{field("header", &CompressedImage::header),
+                  field("format", &CompressedImage::format, "", "jpeg or png"),
+                  field("data", &CompressedImage::data)};
   }
 };
 static_assert(complete<CompressedImage>);

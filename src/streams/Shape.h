@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -101,16 +100,16 @@ requires(!std::same_as<T, bool>) struct Shape<std::vector<T>> {
 template <Reflected T>
 struct Shape<T> {
   static constexpr Kind kind = Kind::record;
-  static constexpr std::size_t partCount = std::tuple_size_v<decltype(T::fields())>;
+  static constexpr std::size_t partCount = decltype(T::fields())::count;
   static constexpr bool basic = false;
   template <std::size_t i>
   static constexpr PartInfo info() {
-    constexpr auto f = std::get<i>(T::fields());
+    constexpr auto f = T::fields().template at<i>();
     return {f.name, f.unit, f.doc, f.range};
   }
   template <std::size_t i>
   static constexpr auto& part(auto& record) {
-    constexpr auto member = std::get<i>(T::fields()).member;
+    constexpr auto member = T::fields().template at<i>().member;
     return record.*member;
   }
 };

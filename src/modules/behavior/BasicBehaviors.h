@@ -15,7 +15,7 @@ class Movement {
     double aroundBall = 240;
 
     static constexpr auto fields() {
-      return std::tuple{
+      return Fields{
           field("maxForward", &Parameters::maxForward, "mm/s", "fastest walk ahead", {10, 400}),
           field("maxSideways", &Parameters::maxSideways, "mm/s", "fastest walk sideways and back",
                 {10, 400}),

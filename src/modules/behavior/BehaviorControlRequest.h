@@ -16,7 +16,7 @@ struct BehaviorControlRequest {
 
     bool operator==(const Output&) const = default;
     static constexpr auto fields() {
-      return std::tuple{field("symbol", &Output::symbol), field("value", &Output::value)};
+      return Fields{field("symbol", &Output::symbol), field("value", &Output::value)};
     }
   };
 
@@ -29,7 +29,7 @@ struct BehaviorControlRequest {
   bool operator==(const BehaviorControlRequest&) const = default;
   static constexpr auto fields() {
     using R = BehaviorControlRequest;
-    return std::tuple{
+    return Fields{
         field("root", &R::root, "", "executed instead of the agent's root option; empty: that"),
         field("basicBehavior", &R::basicBehavior, "", "whether the root is one, not an option"),
         field("parameters", &R::parameters, "", "of the root, in the order of its declaration"),

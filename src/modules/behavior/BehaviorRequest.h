@@ -14,7 +14,7 @@ struct BehaviorRequest {
     std::string text;
 
     static constexpr auto fields() {
-      return std::tuple{field("path", &File::path), field("text", &File::text)};
+      return Fields{field("path", &File::path), field("text", &File::text)};
     }
   };
 
@@ -22,7 +22,7 @@ struct BehaviorRequest {
   std::vector<File> files;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("path", &BehaviorRequest::path, "", "the file with the agents"),
         field("files", &BehaviorRequest::files, "",
               "that one and all that it includes; none: the robot reads them from its disk")};

@@ -22,7 +22,7 @@ class DefaultTeamBallLocator {
 
     static constexpr auto fields() {
       using P = Parameters;
-      return std::tuple{
+      return Fields{
           field("ownBallTime", &P::ownBallTime, "ms",
                 "since the ball was seen, for which the own one counts alone", {0, 1000000}),
           field("oldestBall", &P::oldestBall, "ms", "age of a team mate's ball that still counts",

@@ -38,7 +38,7 @@ class MonteCarloSelfLocator {
 
     static constexpr auto fields() {
       using P = Parameters;
-      return std::tuple{
+      return Fields{
           field("samples", &P::samples, "", "number of hypotheses", {1, 10000}),
           field("forwardError", &P::forwardError, "", "of the distance walked, (3.8)", {0, 1}),
           field("sidewardError", &P::sidewardError, "", "of the distance walked, (3.8)", {0, 1}),

@@ -30,7 +30,7 @@ class PidSmoothedBallLocator {
 
     static constexpr auto fields() {
       using P = Parameters;
-      return std::tuple{
+      return Fields{
           field("proportional", &P::proportional, "", "of a deviation that moves the position",
                 {0, 1}),
           field("integral", &P::integral, "", "of a deviation per picture that becomes speed",

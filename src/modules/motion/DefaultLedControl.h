@@ -11,9 +11,8 @@ class DefaultLedControl {
     int slowPeriod = 1000, fastPeriod = 250;
 
     static constexpr auto fields() {
-      return std::tuple{
-          field("slowPeriod", &Parameters::slowPeriod, "ms", "on and off", {16, 10000}),
-          field("fastPeriod", &Parameters::fastPeriod, "ms", "on and off", {16, 10000})};
+      return Fields{field("slowPeriod", &Parameters::slowPeriod, "ms", "on and off", {16, 10000}),
+                    field("fastPeriod", &Parameters::fastPeriod, "ms", "on and off", {16, 10000})};
     }
   };
   Parameters parameters;

@@ -18,12 +18,11 @@ class DefaultMotionControl {
 
     static constexpr auto fields() {
       using P = Parameters;
-      return std::tuple{
-          field("headTiltSpeed", &P::headTiltSpeed, "rad/s", "fastest", {0.1, 10}),
-          field("headPanSpeed", &P::headPanSpeed, "rad/s", "fastest", {0.1, 10}),
-          field("headRollSpeed", &P::headRollSpeed, "rad/s", "fastest", {0.1, 10}),
-          field("changeSpeed", &P::changeSpeed, "rad/s",
-                "fastest of a leg until a new motion's angles are reached", {0.1, 10})};
+      return Fields{field("headTiltSpeed", &P::headTiltSpeed, "rad/s", "fastest", {0.1, 10}),
+                    field("headPanSpeed", &P::headPanSpeed, "rad/s", "fastest", {0.1, 10}),
+                    field("headRollSpeed", &P::headRollSpeed, "rad/s", "fastest", {0.1, 10}),
+                    field("changeSpeed", &P::changeSpeed, "rad/s",
+                          "fastest of a leg until a new motion's angles are reached", {0.1, 10})};
     }
   };
   Parameters parameters;

@@ -27,7 +27,7 @@ class GT2003HeadControl {
 
     static constexpr auto fields() {
       using P = Parameters;
-      return std::tuple{
+      return Fields{
           field("ballSeenBeforeScan", &P::ballSeenBeforeScan, "ms",
                 "search-auto: the ball is seen this long before a scan", {0, 5000}),
           field("scanTime", &P::scanTime, "ms", "search-auto: away from the ball and back",

@@ -36,7 +36,7 @@ struct WalkParameters {
 
   static constexpr auto fields() {
     using P = WalkParameters;
-    return std::tuple{
+    return Fields{
         field("footMode", &P::footMode, "", "path of a foot in the air"),
         field("foreHeight", &P::foreHeight, "mm", "shoulder above the foot ball", {50, 130}),
         field("foreWidth", &P::foreWidth, "mm", "foot to the body's middle", {40, 150}),

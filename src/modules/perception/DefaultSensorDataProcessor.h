@@ -20,7 +20,7 @@ class DefaultSensorDataProcessor {
     double offGround = 400;
 
     static constexpr auto fields() {
-      return std::tuple{
+      return Fields{
           field("longAverage", &Parameters::longAverage, "ms",
                 "time constant of the long average of acceleration", {100, 10000}),
           field("fallenAngle", &Parameters::fallenAngle, "rad", "a body that leans more has fallen",

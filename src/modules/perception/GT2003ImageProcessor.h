@@ -20,8 +20,8 @@ class GT2003ImageProcessor {
     double denseSpacing = 2;
 
     static constexpr auto fields() {
-      return std::tuple{field("denseSpacing", &Parameters::denseSpacing, "pixel",
-                              "between scan lines next to the horizon", {1, 16})};
+      return Fields{field("denseSpacing", &Parameters::denseSpacing, "pixel",
+                          "between scan lines next to the horizon", {1, 16})};
     }
   };
   Parameters parameters;

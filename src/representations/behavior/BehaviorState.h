@@ -13,7 +13,7 @@ struct BehaviorValue {
   std::string value;
 
   static constexpr auto fields() {
-    return std::tuple{field("name", &BehaviorValue::name), field("value", &BehaviorValue::value)};
+    return Fields{field("name", &BehaviorValue::name), field("value", &BehaviorValue::value)};
   }
 };
 static_assert(complete<BehaviorValue>);
@@ -31,7 +31,7 @@ struct BehaviorState {
     std::vector<BehaviorValue> parameters;
 
     static constexpr auto fields() {
-      return std::tuple{
+      return Fields{
           field("name", &Activation::name),
           field("state", &Activation::state, "", "of an option; empty: a basic behavior"),
           field("depth", &Activation::depth, "", "of the call; the root is at 0"),
@@ -46,7 +46,7 @@ struct BehaviorState {
   std::vector<BehaviorValue> symbols;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("agent", &BehaviorState::agent),
         field("activations", &BehaviorState::activations, "", "in the order of execution"),
         field("symbols", &BehaviorState::symbols, "", "that were asked for")};

@@ -23,7 +23,7 @@ struct HeadControlMode {
   Vector3d point = Vector3d::Zero();
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("mode", &HeadControlMode::mode),
         field("point", &HeadControlMode::point, "mm", "for lookAtPoint, in the robot's system")};
   }

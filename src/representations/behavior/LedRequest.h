@@ -23,7 +23,7 @@ struct LedRequest {
   EnumArray<Led, LedMode> modes;
 
   static constexpr auto fields() {
-    return std::tuple{field("modes", &LedRequest::modes, "", "in the order of Led")};
+    return Fields{field("modes", &LedRequest::modes, "", "in the order of Led")};
   }
 };
 static_assert(complete<LedRequest>);
@@ -33,7 +33,7 @@ struct LedValue {
   EnumArray<Led, bool> lit;
 
   static constexpr auto fields() {
-    return std::tuple{field("lit", &LedValue::lit, "", "in the order of Led")};
+    return Fields{field("lit", &LedValue::lit, "", "in the order of Led")};
   }
 };
 static_assert(complete<LedValue>);

@@ -50,14 +50,14 @@ struct MotionRequest {
   }
 
   static constexpr auto fields() {
-    return std::tuple{field("type", &MotionRequest::type),
-                      field("walkType", &MotionRequest::walkType),
-                      field("walk", &MotionRequest::walk, "mm/s, rad/s",
-                            "speed ahead, left and counterclockwise"),
-                      field("specialAction", &MotionRequest::specialAction),
-                      field("tail", &MotionRequest::tail),
-                      field("time", &MotionRequest::time, "ms",
-                            "of the decision; too old, the robot stands; never: of no age")};
+    return Fields{field("type", &MotionRequest::type),
+                  field("walkType", &MotionRequest::walkType),
+                  field("walk", &MotionRequest::walk, "mm/s, rad/s",
+                        "speed ahead, left and counterclockwise"),
+                  field("specialAction", &MotionRequest::specialAction),
+                  field("tail", &MotionRequest::tail),
+                  field("time", &MotionRequest::time, "ms",
+                        "of the decision; too old, the robot stands; never: of no age")};
   }
 };
 static_assert(complete<MotionRequest>);

@@ -17,7 +17,7 @@ struct BehaviorTeamMessage {
   double estimatedTimeToReachBall = 1e6;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("role", &BehaviorTeamMessage::role),
         field("estimatedTimeToReachBall", &BehaviorTeamMessage::estimatedTimeToReachBall, "ms")};
   }
@@ -35,14 +35,13 @@ struct TeamMessage {
   BehaviorTeamMessage behavior;
 
   static constexpr auto fields() {
-    return std::tuple{
-        field("playerNumber", &TeamMessage::playerNumber, "", "1 to 4; 0 nobody", {0, 4}),
-        field("timeSent", &TeamMessage::timeSent, "ms", "by the sender's clock"),
-        field("robotPose", &TeamMessage::robotPose, "mm, rad"),
-        field("robotPoseValidity", &TeamMessage::robotPoseValidity, "", "", {0, 1}),
-        field("ballPosition", &TeamMessage::ballPosition, "mm", "on the field"),
-        field("ballLastSeen", &TeamMessage::ballLastSeen, "ms", "by the sender's clock"),
-        field("behavior", &TeamMessage::behavior)};
+    return Fields{field("playerNumber", &TeamMessage::playerNumber, "", "1 to 4; 0 nobody", {0, 4}),
+                  field("timeSent", &TeamMessage::timeSent, "ms", "by the sender's clock"),
+                  field("robotPose", &TeamMessage::robotPose, "mm, rad"),
+                  field("robotPoseValidity", &TeamMessage::robotPoseValidity, "", "", {0, 1}),
+                  field("ballPosition", &TeamMessage::ballPosition, "mm", "on the field"),
+                  field("ballLastSeen", &TeamMessage::ballLastSeen, "ms", "by the sender's clock"),
+                  field("behavior", &TeamMessage::behavior)};
   }
 };
 static_assert(complete<TeamMessage>);
@@ -54,14 +53,14 @@ struct TeamMessages {
     Time timeReceived = never();
 
     static constexpr auto fields() {
-      return std::tuple{field("message", &Received::message),
-                        field("timeReceived", &Received::timeReceived, "ms", "by the own clock")};
+      return Fields{field("message", &Received::message),
+                    field("timeReceived", &Received::timeReceived, "ms", "by the own clock")};
     }
   };
   std::array<Received, 4> byPlayer;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("byPlayer", &TeamMessages::byPlayer, "", "index is the player's number - 1")};
   }
 };

@@ -32,7 +32,7 @@ struct CameraInfo {
   bool contains(double x, double y) const { return x >= 0 && y >= 0 && x < width && y < height; }
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("width", &CameraInfo::width, "pixel", "", {1, 4096}),
         field("height", &CameraInfo::height, "pixel", "", {1, 4096}),
         field("focalX", &CameraInfo::focalX, "pixel", "focal length over pixel width", {1, 1e5}),

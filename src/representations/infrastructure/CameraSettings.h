@@ -17,9 +17,9 @@ struct CameraSettings {
   ShutterSpeed shutterSpeed = ShutterSpeed::shutter_mid;
 
   static constexpr auto fields() {
-    return std::tuple{field("whiteBalance", &CameraSettings::whiteBalance),
-                      field("gain", &CameraSettings::gain),
-                      field("shutterSpeed", &CameraSettings::shutterSpeed)};
+    return Fields{field("whiteBalance", &CameraSettings::whiteBalance),
+                  field("gain", &CameraSettings::gain),
+                  field("shutterSpeed", &CameraSettings::shutterSpeed)};
   }
 };
 static_assert(complete<CameraSettings>);

@@ -28,7 +28,7 @@ struct GameControlData {
   Time timeOfLastChange;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("state", &GameControlData::state),
         field("kickOff", &GameControlData::kickOff),
         field("penalty", &GameControlData::penalty),

@@ -12,8 +12,8 @@ struct Pixel {
   std::uint8_t y = 0, cb = 128, cr = 128, unused = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("y", &Pixel::y), field("cb", &Pixel::cb), field("cr", &Pixel::cr),
-                      field("unused", &Pixel::unused)};
+    return Fields{field("y", &Pixel::y), field("cb", &Pixel::cb), field("cr", &Pixel::cr),
+                  field("unused", &Pixel::unused)};
   }
 };
 static_assert(complete<Pixel> && sizeof(Pixel) == 4);
@@ -38,9 +38,9 @@ struct Image {
   }
 
   static constexpr auto fields() {
-    return std::tuple{field("time", &Image::time, "ms", "when the last row was exposed"),
-                      field("info", &Image::info),
-                      field("pixels", &Image::pixels, "", "row by row from the top")};
+    return Fields{field("time", &Image::time, "ms", "when the last row was exposed"),
+                  field("info", &Image::info),
+                  field("pixels", &Image::pixels, "", "row by row from the top")};
   }
 };
 static_assert(complete<Image>);

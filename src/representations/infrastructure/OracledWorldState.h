@@ -14,7 +14,7 @@ struct OracledRobot {
   Pose2D pose;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("teamColor", &OracledRobot::teamColor),
         field("number", &OracledRobot::number, "", "1 to 4"),
         field("pose", &OracledRobot::pose, "mm, rad", "in this robot's field coordinates")};
@@ -32,11 +32,11 @@ struct OracledWorldState {
   std::vector<OracledRobot> others;
 
   static constexpr auto fields() {
-    return std::tuple{field("time", &OracledWorldState::time, "ms"),
-                      field("robotPose", &OracledWorldState::robotPose, "mm, rad"),
-                      field("ballPosition", &OracledWorldState::ballPosition, "mm", "on the field"),
-                      field("ballSpeed", &OracledWorldState::ballSpeed, "mm/s", "on the field"),
-                      field("others", &OracledWorldState::others, "", "team mates and opponents")};
+    return Fields{field("time", &OracledWorldState::time, "ms"),
+                  field("robotPose", &OracledWorldState::robotPose, "mm, rad"),
+                  field("ballPosition", &OracledWorldState::ballPosition, "mm", "on the field"),
+                  field("ballSpeed", &OracledWorldState::ballSpeed, "mm/s", "on the field"),
+                  field("others", &OracledWorldState::others, "", "team mates and opponents")};
   }
 };
 static_assert(complete<OracledWorldState>);

@@ -26,7 +26,7 @@ struct Player {
   }  ///< 1 to 4, as the game manager counts.
 
   static constexpr auto fields() {
-    return std::tuple{field("teamColor", &Player::teamColor), field("playerRole", &Player::role)};
+    return Fields{field("teamColor", &Player::teamColor), field("playerRole", &Player::role)};
   }
 };
 static_assert(complete<Player>);

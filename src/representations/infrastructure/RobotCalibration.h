@@ -11,10 +11,10 @@ struct RobotCalibration {
   double bodyRollOffset = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("bodyTiltOffset", &RobotCalibration::bodyTiltOffset, "rad",
-                            "added to the body's tilt, + nose up", {-0.5, 0.5}),
-                      field("bodyRollOffset", &RobotCalibration::bodyRollOffset, "rad",
-                            "added to the body's roll, + right side down", {-0.5, 0.5})};
+    return Fields{field("bodyTiltOffset", &RobotCalibration::bodyTiltOffset, "rad",
+                        "added to the body's tilt, + nose up", {-0.5, 0.5}),
+                  field("bodyRollOffset", &RobotCalibration::bodyRollOffset, "rad",
+                        "added to the body's roll, + right side down", {-0.5, 0.5})};
   }
 };
 static_assert(complete<RobotCalibration>);

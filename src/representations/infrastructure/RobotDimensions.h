@@ -19,7 +19,7 @@ struct RobotDimensions {
   double panToCamera = 66.6;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("shoulderX", &RobotDimensions::shoulderX, "mm",
               "of the fore legs; the hind ones at -x"),
         field("shoulderY", &RobotDimensions::shoulderY, "mm", "of the left legs"),

@@ -18,13 +18,12 @@ struct SensorData {
   EnumArray<Switch, bool> switches;
 
   static constexpr auto fields() {
-    return std::tuple{
-        field("time", &SensorData::time, "ms"),
-        field("joints", &SensorData::joints, "rad", "measured, in the order of Joint"),
-        field("acceleration", &SensorData::acceleration, "mm/s^2",
-              "specific force along x ahead, y left, z up; z is +9810 at rest"),
-        field("psd", &SensorData::psd, "mm", "distance sensor in the head", {100, 900}),
-        field("switches", &SensorData::switches, "", "pressed, in the order of Switch")};
+    return Fields{field("time", &SensorData::time, "ms"),
+                  field("joints", &SensorData::joints, "rad", "measured, in the order of Joint"),
+                  field("acceleration", &SensorData::acceleration, "mm/s^2",
+                        "specific force along x ahead, y left, z up; z is +9810 at rest"),
+                  field("psd", &SensorData::psd, "mm", "distance sensor in the head", {100, 900}),
+                  field("switches", &SensorData::switches, "", "pressed, in the order of Switch")};
   }
 };
 static_assert(complete<SensorData>);
@@ -47,7 +46,7 @@ struct SensorDataBuffer {
   }
 
   static constexpr auto fields() {
-    return std::tuple{field("frames", &SensorDataBuffer::frames, "", "oldest first")};
+    return Fields{field("frames", &SensorDataBuffer::frames, "", "oldest first")};
   }
 };
 static_assert(complete<SensorDataBuffer>);

@@ -13,7 +13,7 @@ struct BallModel {
   std::int64_t consecutiveTimeSeen = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("position", &BallModel::position, "mm", "on the ground, relative to the robot"),
         field("speed", &BallModel::speed, "mm/s", "over ground, in the robot's axes"),
         field("lastSeen", &BallModel::lastSeen, "ms"),
@@ -30,7 +30,7 @@ struct TeamBallModel {
   int seenBy = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("position", &TeamBallModel::position, "mm", "on the field"),
         field("lastSeen", &TeamBallModel::lastSeen, "ms", "by the robot whose ball it is"),
         field("seenBy", &TeamBallModel::seenBy, "", "number of that player, 0 nobody")};

@@ -11,9 +11,8 @@ struct RobotPose {
   double validity = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
-        field("pose", &RobotPose::pose, "mm, rad"),
-        field("validity", &RobotPose::validity, "", "certainty, report (3.16)", {0, 1})};
+    return Fields{field("pose", &RobotPose::pose, "mm, rad"),
+                  field("validity", &RobotPose::validity, "", "certainty, report (3.16)", {0, 1})};
   }
 };
 static_assert(complete<RobotPose>);

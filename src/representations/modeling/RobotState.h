@@ -14,9 +14,9 @@ struct RobotState {
   EnumArray<Switch, std::int64_t> pressedFor;
 
   static constexpr auto fields() {
-    return std::tuple{field("state", &RobotState::state),
-                      field("lastChange", &RobotState::lastChange, "ms", "of the state"),
-                      field("pressedFor", &RobotState::pressedFor, "ms", "0 while not pressed")};
+    return Fields{field("state", &RobotState::state),
+                  field("lastChange", &RobotState::lastChange, "ms", "of the state"),
+                  field("pressedFor", &RobotState::pressedFor, "ms", "0 while not pressed")};
   }
 };
 static_assert(complete<RobotState>);

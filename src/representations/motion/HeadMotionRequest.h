@@ -11,10 +11,10 @@ struct HeadMotionRequest {
   double mouth = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("tilt", &HeadMotionRequest::tilt, "rad"),
-                      field("pan", &HeadMotionRequest::pan, "rad"),
-                      field("roll", &HeadMotionRequest::roll, "rad"),
-                      field("mouth", &HeadMotionRequest::mouth, "rad")};
+    return Fields{field("tilt", &HeadMotionRequest::tilt, "rad"),
+                  field("pan", &HeadMotionRequest::pan, "rad"),
+                  field("roll", &HeadMotionRequest::roll, "rad"),
+                  field("mouth", &HeadMotionRequest::mouth, "rad")};
   }
 };
 static_assert(complete<HeadMotionRequest>);

@@ -10,7 +10,7 @@ struct MotionInfo {
   bool stable = true;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("executed", &MotionInfo::executed, "", "the request that is being carried out"),
         field("positionInWalkCycle", &MotionInfo::positionInWalkCycle, "", "", {0, 1}),
         field("stable", &MotionInfo::stable, "",

@@ -28,7 +28,7 @@ struct MotionNet {
     int target = 0;
 
     static constexpr auto fields() {
-      return std::tuple{
+      return Fields{
           field("kind", &Node::kind),
           field("action", &Node::action, "", "to which the node belongs; none for extern"),
           field("angles", &Node::angles, "rad", "data"),
@@ -46,8 +46,8 @@ struct MotionNet {
   int entry = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("nodes", &MotionNet::nodes),
-                      field("entry", &MotionNet::entry, "", "index of the node of extern")};
+    return Fields{field("nodes", &MotionNet::nodes),
+                  field("entry", &MotionNet::entry, "", "index of the node of extern")};
   }
 };
 static_assert(complete<MotionNet> && complete<MotionNet::Node>);

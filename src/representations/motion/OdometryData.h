@@ -10,8 +10,7 @@ struct OdometryData {
   Pose2D pose;
 
   static constexpr auto fields() {
-    return std::tuple{
-        field("pose", &OdometryData::pose, "mm, rad", "where the start was the origin")};
+    return Fields{field("pose", &OdometryData::pose, "mm, rad", "where the start was the origin")};
   }
 };
 static_assert(complete<OdometryData>);

@@ -14,7 +14,7 @@ struct SpecialActionsOutput {
   SpecialAction action = SpecialAction::none;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("joints", &SpecialActionsOutput::joints),
         field("dontCare", &SpecialActionsOutput::dontCare, "", "joints left to other requests"),
         field("odometryStep", &SpecialActionsOutput::odometryStep, "mm, rad", "of this frame"),

@@ -13,7 +13,7 @@ struct WalkingEngineOutput {
   double positionInWalkCycle = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("joints", &WalkingEngineOutput::joints, "", "the legs; the others are 0"),
         field("odometryStep", &WalkingEngineOutput::odometryStep, "mm, rad", "of this frame"),
         field("speed", &WalkingEngineOutput::speed, "mm/s, rad/s",

@@ -17,7 +17,7 @@ struct BallPercept {
   double radiusInImage = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("time", &BallPercept::time, "ms", "of the picture"),
         field("seen", &BallPercept::seen),
         field("offset", &BallPercept::offset, "mm", "on the ground, relative to the robot"),

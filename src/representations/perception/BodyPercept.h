@@ -18,7 +18,7 @@ struct BodyPercept {
   EnumArray<Switch, bool> switches;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("time", &BodyPercept::time, "ms"),
         field("state", &BodyPercept::state),
         field("tilt", &BodyPercept::tilt, "rad", "of the body, + nose up"),

@@ -30,12 +30,12 @@ struct CameraMatrix {
   Vector3d ray(double x, double y) const { return rotationAt(y) * info.ray(x, y); }
 
   static constexpr auto fields() {
-    return std::tuple{field("time", &CameraMatrix::time, "ms", "of the picture"),
-                      field("pose", &CameraMatrix::pose, "mm", "when the middle row was exposed"),
-                      field("turning", &CameraMatrix::turning, "rad/s",
-                            "angular velocity of the camera in the robot's system"),
-                      field("info", &CameraMatrix::info),
-                      field("valid", &CameraMatrix::valid, "", "false during kicks and falls")};
+    return Fields{field("time", &CameraMatrix::time, "ms", "of the picture"),
+                  field("pose", &CameraMatrix::pose, "mm", "when the middle row was exposed"),
+                  field("turning", &CameraMatrix::turning, "rad/s",
+                        "angular velocity of the camera in the robot's system"),
+                  field("info", &CameraMatrix::info),
+                  field("valid", &CameraMatrix::valid, "", "false during kicks and falls")};
   }
 };
 static_assert(complete<CameraMatrix>);

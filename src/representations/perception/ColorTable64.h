@@ -34,7 +34,7 @@ struct ColorTable64 {
   ColorClass operator[](const Pixel& p) const { return classes[index(p.y, p.cb, p.cr)]; }
 
   static constexpr auto fields() {
-    return std::tuple{field("classes", &ColorTable64::classes, "", "[y][cb][cr]")};
+    return Fields{field("classes", &ColorTable64::classes, "", "[y][cb][cr]")};
   }
 };
 static_assert(complete<ColorTable64>);

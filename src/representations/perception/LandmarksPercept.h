@@ -17,14 +17,14 @@ struct ConditionalBoundary {
   bool leftOnBorder = false, rightOnBorder = false, topOnBorder = false, bottomOnBorder = false;
 
   static constexpr auto fields() {
-    return std::tuple{field("left", &ConditionalBoundary::left, "rad", "+ to the left"),
-                      field("right", &ConditionalBoundary::right, "rad"),
-                      field("top", &ConditionalBoundary::top, "rad", "+ above the horizon"),
-                      field("bottom", &ConditionalBoundary::bottom, "rad"),
-                      field("leftOnBorder", &ConditionalBoundary::leftOnBorder),
-                      field("rightOnBorder", &ConditionalBoundary::rightOnBorder),
-                      field("topOnBorder", &ConditionalBoundary::topOnBorder),
-                      field("bottomOnBorder", &ConditionalBoundary::bottomOnBorder)};
+    return Fields{field("left", &ConditionalBoundary::left, "rad", "+ to the left"),
+                  field("right", &ConditionalBoundary::right, "rad"),
+                  field("top", &ConditionalBoundary::top, "rad", "+ above the horizon"),
+                  field("bottom", &ConditionalBoundary::bottom, "rad"),
+                  field("leftOnBorder", &ConditionalBoundary::leftOnBorder),
+                  field("rightOnBorder", &ConditionalBoundary::rightOnBorder),
+                  field("topOnBorder", &ConditionalBoundary::topOnBorder),
+                  field("bottomOnBorder", &ConditionalBoundary::bottomOnBorder)};
   }
 };
 static_assert(complete<ConditionalBoundary>);
@@ -75,7 +75,7 @@ struct FlagPercept {
   double angle = 0;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("type", &FlagPercept::type), field("boundary", &FlagPercept::boundary),
         field("distance", &FlagPercept::distance, "mm",
               "robot's origin to the flag's axis; 0 if not known"),
@@ -94,12 +94,11 @@ struct GoalPercept {
   double angle = 0;
 
   static constexpr auto fields() {
-    return std::tuple{field("color", &GoalPercept::color),
-                      field("boundary", &GoalPercept::boundary),
-                      field("distance", &GoalPercept::distance, "mm",
-                            "robot's origin to the goal's middle; 0 if not known"),
-                      field("angle", &GoalPercept::angle, "rad",
-                            "from the robot's origin to the middle of what is seen")};
+    return Fields{field("color", &GoalPercept::color), field("boundary", &GoalPercept::boundary),
+                  field("distance", &GoalPercept::distance, "mm",
+                        "robot's origin to the goal's middle; 0 if not known"),
+                  field("angle", &GoalPercept::angle, "rad",
+                        "from the robot's origin to the middle of what is seen")};
   }
 };
 static_assert(complete<GoalPercept>);
@@ -119,13 +118,13 @@ struct LandmarksPercept {
   std::array<GoalPercept, 2> goals;
 
   static constexpr auto fields() {
-    return std::tuple{field("time", &LandmarksPercept::time, "ms", "of the picture"),
-                      field("cameraOffset", &LandmarksPercept::cameraOffset, "mm",
-                            "where the angles were measured, in the robot's system"),
-                      field("numberOfFlags", &LandmarksPercept::numberOfFlags, "", "", {0, 6}),
-                      field("flags", &LandmarksPercept::flags),
-                      field("numberOfGoals", &LandmarksPercept::numberOfGoals, "", "", {0, 2}),
-                      field("goals", &LandmarksPercept::goals)};
+    return Fields{field("time", &LandmarksPercept::time, "ms", "of the picture"),
+                  field("cameraOffset", &LandmarksPercept::cameraOffset, "mm",
+                        "where the angles were measured, in the robot's system"),
+                  field("numberOfFlags", &LandmarksPercept::numberOfFlags, "", "", {0, 6}),
+                  field("flags", &LandmarksPercept::flags),
+                  field("numberOfGoals", &LandmarksPercept::numberOfGoals, "", "", {0, 2}),
+                  field("goals", &LandmarksPercept::goals)};
   }
 };
 static_assert(complete<LandmarksPercept>);

@@ -18,8 +18,8 @@ struct LinesPercept {
   EnumArray<EdgeType, std::vector<Vector2d>> points;
 
   static constexpr auto fields() {
-    return std::tuple{field("time", &LinesPercept::time, "ms", "of the picture"),
-                      field("points", &LinesPercept::points, "mm", "in the order of EdgeType")};
+    return Fields{field("time", &LinesPercept::time, "ms", "of the picture"),
+                  field("points", &LinesPercept::points, "mm", "in the order of EdgeType")};
   }
 };
 static_assert(complete<LinesPercept>);

@@ -16,9 +16,9 @@ struct FreeGround {
   bool farOnBorder = false;
 
   static constexpr auto fields() {
-    return std::tuple{field("nearPoint", &FreeGround::nearPoint, "mm", "on the ground"),
-                      field("farPoint", &FreeGround::farPoint, "mm", "on the ground"),
-                      field("farOnBorder", &FreeGround::farOnBorder, "", "of the picture")};
+    return Fields{field("nearPoint", &FreeGround::nearPoint, "mm", "on the ground"),
+                  field("farPoint", &FreeGround::farPoint, "mm", "on the ground"),
+                  field("farOnBorder", &FreeGround::farOnBorder, "", "of the picture")};
   }
 };
 static_assert(complete<FreeGround>);
@@ -30,8 +30,8 @@ struct ObstaclesPercept {
   std::vector<FreeGround> lines;
 
   static constexpr auto fields() {
-    return std::tuple{field("time", &ObstaclesPercept::time, "ms", "of the picture"),
-                      field("lines", &ObstaclesPercept::lines)};
+    return Fields{field("time", &ObstaclesPercept::time, "ms", "of the picture"),
+                  field("lines", &ObstaclesPercept::lines)};
   }
 };
 static_assert(complete<ObstaclesPercept>);

@@ -16,9 +16,8 @@ struct PlayersPercept {
   EnumArray<TeamColor, std::vector<Vector2d>> players;
 
   static constexpr auto fields() {
-    return std::tuple{
-        field("time", &PlayersPercept::time, "ms", "of the picture"),
-        field("players", &PlayersPercept::players, "mm", "in the order of TeamColor")};
+    return Fields{field("time", &PlayersPercept::time, "ms", "of the picture"),
+                  field("players", &PlayersPercept::players, "mm", "in the order of TeamColor")};
   }
 };
 static_assert(complete<PlayersPercept>);

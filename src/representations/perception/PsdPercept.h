@@ -13,9 +13,9 @@ struct PsdPercept {
   bool tooFarAway = true;
 
   static constexpr auto fields() {
-    return std::tuple{field("time", &PsdPercept::time, "ms"),
-                      field("offset", &PsdPercept::offset, "mm"),
-                      field("tooFarAway", &PsdPercept::tooFarAway, "", "nothing within 900 mm")};
+    return Fields{field("time", &PsdPercept::time, "ms"),
+                  field("offset", &PsdPercept::offset, "mm"),
+                  field("tooFarAway", &PsdPercept::tooFarAway, "", "nothing within 900 mm")};
   }
 };
 static_assert(complete<PsdPercept>);

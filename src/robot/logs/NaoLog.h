@@ -32,7 +32,7 @@ struct NaoMotionFrame {
   Pose2D odometry;  ///< mm and rad.
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("time", &NaoMotionFrame::time, "ms"),
         field("joints", &NaoMotionFrame::joints, "rad", "1000 where a joint is not there"),
         field("sensors", &NaoMotionFrame::sensors, "",

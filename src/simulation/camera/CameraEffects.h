@@ -29,7 +29,7 @@ struct CameraEffects {
   friend bool operator==(const CameraEffects&, const CameraEffects&) = default;
 
   static constexpr auto fields() {
-    return std::tuple{
+    return Fields{
         field("rollingShutter", &CameraEffects::rollingShutter, "",
               "rows are exposed one after another; otherwise all with the middle row"),
         field("blur", &CameraEffects::blur, "pixel", "standard deviation of the lens' blur",
