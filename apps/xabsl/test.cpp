@@ -10,6 +10,7 @@
 #include "xabsl/testing/TestFile.h"
 #include "xabsl/testing/TestRunner.h"
 #include "xabsl/trace/Coverage.h"
+#include "xabsl/trace/TraceFile.h"
 
 namespace xabsl::app {
 
@@ -18,6 +19,7 @@ namespace {
 struct Options {
   std::vector<std::string> files;
   std::string only;
+  std::string trace;
   bool coverage = false;
   bool verbose = false;
 };
@@ -50,6 +52,7 @@ class Tests {
 
   /// Prints the sums; ends the program where something is wrong.
   void conclude() const {
+    if (!options_.trace.empty()) writeFile(options_.trace, traces_);
     if (options_.coverage)
       for (const auto& [path, tested] : tested_)
         if (tested.coverage) std::cout << tested.coverage->report();
@@ -85,6 +88,8 @@ class Tests {
     }
     if (options_.verbose)
       std::cout << (result.failure ? "failed  " : "passed  ") << result.name << '\n';
+    if (!options_.trace.empty())
+      traces_ += toText(result.trace.subject) + toText(result.trace.events);
     if (!options_.coverage) return;
     if (!tested.coverage) {
       tested.subject.emplace(std::move(result.trace.subject));
@@ -95,6 +100,7 @@ class Tests {
 
   const Options& options_;
   std::map<std::string, Tested> tested_;
+  std::string traces_;
   int passed_ = 0;
   int failed_ = 0;
   bool wrong_ = false;
@@ -107,6 +113,7 @@ void addTest(CLI::App& program) {
   auto options = std::make_shared<Options>();
   command->add_option("files", options->files, "Files of tests (.xtest)")->required();
   command->add_option("--only", options->only, "Only tests with this in their names");
+  command->add_option("--trace", options->trace, "A file for all that was done, for xabsl trace");
   command->add_flag("--coverage", options->coverage,
                     "Tell which states and transitions no test covers");
   command->add_flag("-v,--verbose", options->verbose, "Tell the tests that passed, too");

@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <iostream>
 #include <limits>
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "Commands.h"
 #include "xabsl/trace/Coverage.h"
@@ -34,6 +38,19 @@ void printTrace(const Trace& trace, const Options& options) {
   });
 }
 
+/// Traces of the same behavior count together.
+void printCoverage(const std::vector<Trace>& traces) {
+  std::list<std::pair<std::string, Coverage>> covered;
+  for (const Trace& trace : traces) {
+    const std::string subject = toText(trace.subject);
+    auto found = std::find_if(covered.begin(), covered.end(),
+                              [&](const auto& entry) { return entry.first == subject; });
+    if (found == covered.end()) found = covered.emplace(found, subject, Coverage(trace.subject));
+    found->second.add(trace.events);
+  }
+  for (const auto& [subject, coverage] : covered) std::cout << coverage.report();
+}
+
 /// Prints the first cycle for which the condition holds; false: there is none.
 bool printFirst(const Trace& trace, const Options& options) {
   Moment moment(trace.subject);
@@ -57,16 +74,16 @@ void show(const Options& options) {
   const TraceReading reading = loadTraces(options.file);
   print(reading.diagnostics);
   if (reading.traces.empty()) throw Failure{};
+  if (options.coverage) return printCoverage(reading.traces);
   for (const Trace& trace : reading.traces) {
-    if (options.coverage) {
-      Coverage coverage(trace.subject);
-      coverage.add(trace.events);
-      std::cout << coverage.report();
-    } else if (options.first.empty()) {
-      printTrace(trace, options);
-    } else if (printFirst(trace, options)) {
-      return;
+    if (!options.first.empty()) {
+      if (printFirst(trace, options)) return;
+      continue;
     }
+    if (reading.traces.size() > 1)
+      std::cout << "trace " << &trace - reading.traces.data() + 1 << " of " << reading.traces.size()
+                << '\n';
+    printTrace(trace, options);
   }
   if (options.first.empty()) return;
   std::cerr << options.file << ": this never holds: " << options.first << '\n';
