@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <stdexcept>
+#include <zmq.hpp>
 
 #include "Parts.h"
 #include "framework/Process.h"
@@ -63,12 +64,12 @@ void wireCycle(benchmark::State& state, Network& cameraNetwork, Network& viewerN
   viewerWire.receive("Camera", viewer.picture);
   const auto exchange = [&] {
     while (true) {
-      cameraWire.update();
+      cameraWire.takeIn();
       camera.step(Time{});
-      viewerWire.update();
-      if (!viewer.step(Time{})) continue;
-      viewerWire.update();
-      return;
+      viewerWire.takeIn();
+      const bool came = viewer.step(Time{});
+      viewerWire.askForMore();
+      if (came) return;
     }
   };
   exchange();  // they have found each other

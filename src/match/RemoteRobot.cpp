@@ -75,9 +75,9 @@ Result<std::unique_ptr<RemoteRobot>> RemoteRobot::make(const RobotAddresses& add
 void RemoteRobot::cycle(const RobotInput& input, RobotOutput& output) {
   network_.now = input.now;
   network_.wait(0);
-  wire_.update();
+  wire_.takeIn();
   takeCommands(input, output);
-  wire_.update();
+  wire_.askForMore();
   send(input);
 }
 

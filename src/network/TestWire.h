@@ -19,6 +19,12 @@ class TestFolder {
   TemporaryFolder folder_;
 };
 
+/// An endpoint of the loopback device on which nobody listens.
+inline std::string freeTcpEndpoint() {
+  Network network;
+  return (*network.listen("tcp://127.0.0.1:*"))->endpoint();
+}
+
 struct NumberPackage {
   int number = 0;
 

@@ -1,5 +1,7 @@
 #include "network/ToolPort.h"
 
+#include <zmq.hpp>
+
 #include "debug/Debug.h"
 #include "network/TestWire.h"
 
@@ -97,10 +99,12 @@ TEST_F(ToolPortTest, AToolThatStallsLosesMessagesAndNobodyElse) {
 }
 
 TEST_F(ToolPortTest, AToolThatFloodsOrSendsGarbageIsNotListenedTo) {
+  port = *ToolPort::open(robotNetwork, "tcp://127.0.0.1:*");
+  tools[0] = *ToolConnection::open(toolNetwork, port->endpoint());
   zmq::context_t context;
   zmq::socket_t enemy{context, zmq::socket_type::dealer};
   enemy.set(zmq::sockopt::linger, 0);
-  enemy.connect(folder.endpoint("tools"));
+  enemy.connect(port->endpoint());
   MessageQueue queue;
   for (int i = 0; i < 1000; ++i) queue.write(Time{}, NumberPackage{7});
   std::vector<std::byte> frame(Frame::headerSize);

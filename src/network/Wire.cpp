@@ -89,7 +89,7 @@ Wire::Clock Wire::clockOf(std::string_view name) const {
   return peer ? peer->clock : Clock{};
 }
 
-void Wire::update() {
+void Wire::takeIn() {
   Received received;
   const auto takeAll = [&](Socket& socket) {
     for (int i = 0; i < framesPerUpdate && socket.receive(received); ++i) take(socket, received);
@@ -97,6 +97,9 @@ void Wire::update() {
   if (listening_) takeAll(*listening_);
   for (std::size_t i = 0; i < peers_.size(); ++i)
     if (peers_[i]->socket != listening_) takeAll(*peers_[i]->socket);
+}
+
+void Wire::askForMore() {
   for (Inbound& inbound : inbound_) ask(inbound);
 }
 

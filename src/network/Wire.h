@@ -26,9 +26,11 @@ class Wire {
   /// Asks a process for the package of this receiver, again and again.
   void receive(const std::string& peer, PackageReceiver& receiver);
 
-  /// Takes what came in, and tells others what the receivers are ready for. To be called before and
-  /// after each cycle of the process.
-  void update();
+  /// Takes what came in. To be called before each cycle of the process.
+  void takeIn();
+  /// Tells others what the receivers are ready for. To be called after each cycle, and when there
+  /// was no reason for one.
+  void askForMore();
 
   /// The newest time that a peer stamped its packages with, and the session it is in; 0 as long as
   /// nothing came from it.

@@ -1,5 +1,7 @@
 #include "network/Wire.h"
 
+#include <zmq.hpp>
+
 #include "network/TestWire.h"
 
 namespace gt {
@@ -16,9 +18,9 @@ struct Program {
   /// A turn of its loop.
   bool step() {
     network.wait(0);
-    wire.update();
+    wire.takeIn();
     const bool ran = process.step(Time{network.elapsed()});
-    wire.update();
+    wire.askForMore();
     return ran;
   }
   Network network;
@@ -106,7 +108,8 @@ TEST(Wire, BlockingSenderWaitsForAllThatAreThere) {
   const auto both = [&] {
     source.step();
     fast.step();
-    slow->wire.update();
+    slow->wire.takeIn();
+    slow->wire.askForMore();
   };
   for (int i = 0; i < 300; ++i) {
     both();
@@ -146,13 +149,13 @@ TEST(Wire, ProcessesRejoinWhenStartedAgain) {
 }
 
 TEST(Wire, GarbageHarmsNobody) {
-  const TestFolder folder;
-  Source source{folder.endpoint("a")};
-  Sink sink{folder.endpoint("a")};
+  const std::string endpoint = testing::freeTcpEndpoint();
+  Source source{endpoint};
+  Sink sink{endpoint};
   zmq::context_t context;
   zmq::socket_t enemy{context, zmq::socket_type::dealer};
   enemy.set(zmq::sockopt::linger, 0);
-  enemy.connect(folder.endpoint("a"));
+  enemy.connect(endpoint);
   std::string frame(24, '\0');
   frame.replace(0, 4, std::string{'G', 'T', 1, 2});
   for (int i = 0; i < 300; ++i) {

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <thread>
+#include <zmq.hpp>
 
 #include "match/Match.h"
 #include "network/ToolPort.h"
@@ -151,12 +152,23 @@ class RobotProgramsTest : public ::testing::Test {
     EXPECT_TRUE(made) << made.error().text();
     match = std::move(*made);
     for (const char* process : {"cognition", "motion", "debug"})
-      processes.push_back(std::make_unique<Child>(std::vector<std::string>{
-          std::string{GT_PROGRAMS "/gtrobot-"} + process, "--robot", "red3", "--team", "red",
-          "--role", "striker1", "--sockets", folder, "--logs", folder}));
+      processes.push_back(std::make_unique<Child>(command(process)));
   }
   ~RobotProgramsTest() override { processes.clear(); }
 
+  std::vector<std::string> command(const std::string& process) const {
+    return {GT_PROGRAMS "/gtrobot-" + process,
+            "--robot",
+            "red3",
+            "--team",
+            "red",
+            "--role",
+            "striker1",
+            "--sockets",
+            folder,
+            "--logs",
+            folder};
+  }
   const RemoteRobot& robot() const { return *match->remoteRobots().front(); }
   /// Plays on for some ms.
   void play(std::int64_t ms) {
@@ -210,10 +222,10 @@ class RobotProgramsTest : public ::testing::Test {
     };
     const Time heardBefore = heardOfIt();
     const RemoteStatistics before = robot().statistics();
-    const BadTools tools{endpoint};
+    const BadTools enemies{endpoint};
     play(3000);
     const RemoteStatistics& now = robot().statistics();
-    EXPECT_GT(tools.sent(), 1000u);
+    EXPECT_GT(enemies.sent(), 1000u);
     EXPECT_GT(now.frames - before.frames, 280u);
     EXPECT_LT(now.missedFrames - before.missedFrames, 95u) << "of 375";
     EXPECT_LT(now.missedPictures - before.missedPictures, 20u) << "of 75";
@@ -232,6 +244,7 @@ class RobotProgramsTest : public ::testing::Test {
 
   const TemporaryFolder temporary;
   const std::string folder = temporary.path().string();
+  const std::string tools = "ipc://" + folder + "/red3.Tools";
   std::unique_ptr<Match> match;
   std::vector<std::unique_ptr<Child>> processes;
 };
@@ -269,19 +282,22 @@ TEST_F(RobotProgramsTest, MotionHoldsASafeStandWithoutCognition) {
 }
 
 TEST_F(RobotProgramsTest, AToolReachesTheProcesses) {
-  EXPECT_TRUE(answers("ipc://" + folder + "/red3.Tools"));
+  EXPECT_TRUE(answers(tools));
 }
 
 TEST_F(RobotProgramsTest, BadToolsHarmNoRobot) {
-  expectNoHarm("ipc://" + folder + "/red3.Tools",
-               {processes[0].get(), processes[1].get(), processes[2].get()});
+  const std::string endpoint = "tcp://127.0.0.1:" + freePort();
+  std::vector<std::string> debug = command("debug");
+  debug.insert(debug.end(), {"--tools", endpoint});
+  processes[2] = std::make_unique<Child>(debug);
+  expectNoHarm(endpoint, {processes[0].get(), processes[1].get(), processes[2].get()});
 }
 
 TEST_F(RobotProgramsTest, BadToolsAtTheRouterHarmNoRobot) {
   const std::string port = freePort();
   // Tools of a robot with a name connect to the router's port + 301.
-  Child router{{GT_PROGRAMS "/router", "red3=ipc://" + folder + "/red3.Tools", "--port",
-                std::to_string(std::stoi(port) - 301)}};
+  Child router{
+      {GT_PROGRAMS "/router", "red3=" + tools, "--port", std::to_string(std::stoi(port) - 301)}};
   expectNoHarm("tcp://127.0.0.1:" + port, {processes[2].get(), &router});
   EXPECT_TRUE(router.runs());
 }

@@ -104,14 +104,14 @@ Result<void> runModules(const RobotProgramOptions& options, const Layout& layout
   std::uint64_t session = 0;
   while (!stopped) {
     network.wait(longestWait);
-    wire.update();
+    wire.takeIn();
     const Wire::Clock clock = wire.clockOf(platformProcess);
     if (session != 0 && clock.session != session) return {};
     session = clock.session;
     network.now = clock.time;
-    if (!process->step(clock.time)) continue;
-    noteForCrashReport("cycle at " + std::to_string(clock.time.ms) + " ms");
-    wire.update();
+    if (process->step(clock.time))
+      noteForCrashReport("cycle at " + std::to_string(clock.time.ms) + " ms");
+    wire.askForMore();
   }
   return {};
 }
@@ -203,10 +203,11 @@ Result<void> runDebug(const RobotProgramOptions& options, const Layout& layout,
 
   while (!stopped) {
     network.wait(std::clamp<std::int64_t>(debug.next().ms - network.elapsed(), 0, longestWait));
-    wire.update();
+    wire.takeIn();
     network.now = Time{network.elapsed()};
     if (*recorder) (*recorder)->ask(wire, layout, debug.fromTools());
-    if (debug.step(network.now)) wire.update();
+    debug.step(network.now);
+    wire.askForMore();
     if (*recorder) (*recorder)->write(debug.toTools(), network.elapsed());
     (*port)->send(debug.toTools());
     debug.toTools().clear();

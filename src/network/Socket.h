@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "framework/Representation.h"
+#include "network/Frame.h"
+
+namespace gt {
+
+class Network;
+
+/// A message as it came in; views into the socket's memory until the next one.
+struct Received {
+  std::string_view peer;  ///< Who sent it, where several may; empty otherwise.
+  Frame frame;
+};
+
+/// How much a socket holds for others.
+struct SocketLimits {
+  int frames = 64;                      ///< In each direction, for each peer; more are dropped.
+  std::int64_t frameSize = 16'000'000;  ///< A larger frame ends the connection.
+  std::size_t peers = 64;               ///< Who comes later is not let in.
+};
+
+/// One end of connections: listening for many peers, or connected to one. Never waits. Made by
+/// Network.
+class Socket {
+ public:
+  virtual ~Socket() = default;
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+
+  /// Sends a package, or without a value a frame without one. False if it was dropped since the
+  /// peer is not there or does not keep up.
+  virtual bool send(std::string_view peer, FrameKind kind, const RepresentationType& type,
+                    const void* value) = 0;
+  /// The next frame that came in; messages that are none are counted and passed over.
+  virtual bool receive(Received& received) = 0;
+  /// Where it listens; for tcp with the port that was chosen if it was asked for port 0.
+  virtual std::string endpoint() const = 0;
+  /// How many messages were no frames.
+  std::uint64_t rejected() const { return rejected_; }
+
+  /// What tells that something came in: a socket of ZeroMQ, or if null a file descriptor.
+  virtual void* zeroMq() const { return nullptr; }
+  virtual int file() const { return -1; }
+
+ protected:
+  explicit Socket(const Network& network) : network_{network} {}
+  /// A frame of this program, at this time.
+  Frame frame(FrameKind kind, const RepresentationType& type) const;
+
+  const Network& network_;
+  std::uint64_t rejected_ = 0;
+};
+
+}  // namespace gt

@@ -1,0 +1,60 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+#include <zmq.hpp>
+
+#include "base/Result.h"
+#include "network/Keys.h"
+#include "network/Socket.h"
+
+namespace gt {
+
+/// ZeroMQ as one program uses it, and who may connect to it.
+class ZeroMq {
+ public:
+  /// Makes that a listening socket lets in only who holds the client's key.
+  void guard(zmq::socket_t& socket, const Keys& keys);
+  /// Answers ZeroMQ's questions who may connect (its protocol ZAP).
+  void answerKeyQuestions();
+  zmq::context_t& context() { return context_; }
+  /// Readable when there is a question; null if nobody needs keys.
+  void* questions() { return keyKeeper_ ? keyKeeper_->handle() : nullptr; }
+
+ private:
+  zmq::context_t context_;
+  std::vector<std::string> clients_;  ///< Public keys of those who are let in, as 32 bytes.
+  std::optional<zmq::socket_t> keyKeeper_;
+};
+
+/// A socket of ZeroMQ, for all endpoints that others than this machine can reach.
+class ZeroMqSocket : public Socket {
+ public:
+  static Result<std::unique_ptr<Socket>> listen(const Network& network, ZeroMq& zeroMq,
+                                                const std::string& endpoint,
+                                                const std::optional<Keys>& keys,
+                                                const SocketLimits& limits);
+  static Result<std::unique_ptr<Socket>> connect(const Network& network, ZeroMq& zeroMq,
+                                                 const std::string& endpoint,
+                                                 const std::string& name,
+                                                 const std::optional<Keys>& keys,
+                                                 const SocketLimits& limits);
+
+  bool send(std::string_view peer, FrameKind kind, const RepresentationType& type,
+            const void* value) override;
+  bool receive(Received& received) override;
+  std::string endpoint() const override { return socket_.get(zmq::sockopt::last_endpoint); }
+  void* zeroMq() const override { return const_cast<zmq::socket_t&>(socket_).handle(); }
+
+ private:
+  ZeroMqSocket(const Network& network, ZeroMq& zeroMq, zmq::socket_type type,
+               const SocketLimits& limits);
+  bool receivePart(zmq::message_t& part);
+
+  bool listens_;
+  zmq::socket_t socket_;
+  zmq::message_t peer_, message_;
+};
+
+}  // namespace gt
