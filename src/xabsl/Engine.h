@@ -49,6 +49,8 @@ class Engine {
   /// 0, false or the first element; false: there is none of that name.
   bool selectRootOption(std::string_view name);
   bool selectBehavior(std::string_view name);
+  /// What cycles execute first: the name of an option or a basic behavior.
+  const std::string& root() const;
 
   /// Sets a parameter of what is executed first. Values are written as NamedValue::text shows them;
   /// false: no such parameter, or no value of its type.

@@ -27,7 +27,9 @@ TEST_F(EngineTest, RunsAnOptionAloneWithParameters) {
       float @speed; enum mode @how;
       initial state s { action { result = @speed; request = @how; } } })");
   EXPECT_THAT(pathAt(0), ElementsAre("main/a", "sub/s"));
+  EXPECT_EQ(engine->root(), "main");
   ASSERT_TRUE(engine->selectRootOption("sub"));
+  EXPECT_EQ(engine->root(), "sub");
   EXPECT_THAT(pathAt(1), ElementsAre("sub/s"));
   EXPECT_EQ(world.result, 0);  // not what main passed
   EXPECT_EQ(world.request, Mode::slow);
@@ -47,6 +49,7 @@ TEST_F(EngineTest, RunsAnOptionAloneWithParameters) {
 TEST_F(EngineTest, RunsABasicBehaviorAloneWithParameters) {
   load("option main { initial state a { action { stop(); } } }");
   ASSERT_TRUE(engine->selectBehavior("walk"));
+  EXPECT_EQ(engine->root(), "walk");
   EXPECT_TRUE(engine->setParameter("speed", "70"));
   EXPECT_TRUE(engine->setParameter("speed", "70"));
   EXPECT_TRUE(engine->setParameter("careful", "true"));

@@ -18,6 +18,11 @@ const std::string& Engine::selectedAgent() const {
   return model_->agents[agent_].name;
 }
 
+const std::string& Engine::root() const {
+  return rootKind_ == Activation::Kind::option ? model_->options[at(root_)].name
+                                               : model_->behaviors[at(root_)].name;
+}
+
 std::vector<Activation> Engine::activations() const {
   std::vector<Activation> activations;
   std::size_t value = 0;

@@ -1,6 +1,9 @@
 #include "xabsl/trace/TracePrinter.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
 #include <vector>
 
 namespace xabsl {
@@ -58,7 +61,7 @@ class CyclePrinter {
 
   void read(const TraceSubject::Read& read, double value) {
     if (read.text.empty()) return;
-    const std::string text = read.text + " = " + subject_.valueText(read.type, value);
+    const std::string text = read.text + " = " + shown(read.type, value);
     if (std::find(reads_.begin(), reads_.end(), text) == reads_.end()) reads_.push_back(text);
   }
 
@@ -82,7 +85,7 @@ class CyclePrinter {
       const auto index = static_cast<std::size_t>(event->index);
       if (index < parameters.size())
         text += (text.empty() ? "" : ", ") + parameters[index].name + " = " +
-                subject_.valueText(parameters[index].type, event->value);
+                shown(parameters[index].type, event->value);
     }
     return "(" + text + ")";
   }
@@ -117,7 +120,17 @@ class CyclePrinter {
     if (!all_) return;
     const Symbol& symbol = subject_.model.symbols[static_cast<std::size_t>(event.index)];
     indent(1);
-    text_ += symbol.name + " = " + subject_.valueText(symbol.type, event.value) + "\n";
+    text_ += symbol.name + " = " + shown(symbol.type, event.value) + "\n";
+  }
+
+  /// Six digits are enough to see why.
+  std::string shown(Type type, double value) const {
+    if (type.kind != ValueKind::number || value == std::trunc(value))
+      return subject_.valueText(type, value);
+    char buffer[32];
+    return {
+        buffer,
+        std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, 6).ptr};
   }
 
   void indent(int more) {

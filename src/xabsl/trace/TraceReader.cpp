@@ -43,7 +43,7 @@ class TraceReader {
     const std::size_t end = text_.find('\n');
     if (end == std::string_view::npos) return false;
     rest_ = text_.substr(0, end);
-    if (!rest_.empty() && rest_.back() == '\r') rest_.remove_suffix(1);
+    while (!rest_.empty() && rest_.back() == '\r') rest_.remove_suffix(1);
     text_.remove_prefix(end + 1);
     ++line_;
     return true;

@@ -43,7 +43,7 @@ class TraceTest : public test::EngineTest {
   void play() {
     engine->execute(100);
     world.seen = true;
-    world.y = 2.5;
+    world.y = 2.123456789;
     world.x = 3;
     engine->execute(140);
     engine->execute(180);
@@ -76,7 +76,7 @@ TEST_F(TraceTest, TellsWhyATransitionWasMade) {
             "      no:  seen && x < 0  (main.xabsl:25)\n"
             "           seen = true, x = 3\n"
             "      yes: seen && y > 2  (main.xabsl:27)\n"
-            "           seen = true, y = 2.5\n"
+            "           seen = true, y = 2.12346\n"
             "    sub(speed = 6, how = slow): go for 0 ms\n"
             "      walk(speed = 6, careful = false, style = slow)\n"
             "220 ms\n"
