@@ -19,6 +19,8 @@ Conversion convert(const std::string& path, const FileReader& read, Form form,
   Model model;
   if (!reporter.failed()) model = Analyzer(program, reporter).analyze();
   Conversion conversion;
+  if (form != Form::text31 && root == "options.xml")
+    reporter.fileError(root, "the file with the agents has the name of another file");
   if (!reporter.failed()) {
     VirtualFiles files = form == Form::xml21   ? writeXml(program, root, reporter)
                          : form == Form::xml31 ? writeXml31(program, model, root)

@@ -296,7 +296,26 @@ TEST(Convert, AllThatCanBeSaidGoesThroughTheXmlOf31) {
               code);
     EXPECT_EQ(converted(back, "a.xabsl", Form::xml31, "a.xml"), xml);
     EXPECT_EQ(converted(xml, "a.xml", Form::xml31, "a.xml"), xml);
+    EXPECT_EQ(codeOf(readIntermediateCode("a.dat", code)), code);
   }
+}
+
+TEST(Convert, KeepsNamesApartThatAreTheSameElsewhere) {
+  const VirtualFiles text = {
+      {"a.xabsl",
+       "namespace options(\"O\") { enum e { x, k }; float input x; float output x; const k = 2;\n"
+       "bool output k; enum e input mode; enum e output mode; }\n"
+       "namespace behaviors(\"B\") { behavior go { float x; } }\n"
+       "option go { float @x; initial state x { action { go behavior(x = @x); } } }\n"
+       "option behaviors { initial state s { decision { if (mode() == x) goto s; else stay; }\n"
+       "action { x = x() + 1; mode = x; go option(x = 1); } } }\n"
+       "agent go(\"A\", behaviors);"}};
+  const std::string code = codeOf(compile("a.xabsl", text));
+  const VirtualFiles xml = converted(text, "a.xabsl", Form::xml31, "a.xml");
+  EXPECT_EQ(codeOf(compile("a.xml", xml)), code);
+  EXPECT_EQ(codeOf(compile("a.xabsl", converted(xml, "a.xml", Form::text31, "a.xabsl"))), code);
+  const Conversion taken = convert("a.xabsl", text, Form::xml31, "options.xml");
+  EXPECT_FALSE(taken.files);
 }
 
 TEST(Convert, TheSoccerBehaviorGoesThroughTheXmlOf31) {

@@ -14,10 +14,6 @@ using xml::Attributes;
 
 namespace {
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 std::string_view elementOf(Operator operation) {
   return std::find_if(std::begin(xml::operators), std::end(xml::operators),
                       [&](const xml::OperatorElement& e) { return e.operation == operation; })
@@ -44,6 +40,9 @@ XmlExpressionWriter::XmlExpressionWriter(const Program& program, Reporter& repor
 }
 
 void XmlExpressionWriter::cannot(Location location, const std::string& what) {
+  // Actions common to all states are written in each of them.
+  const auto told = std::tuple(location.file, location.line, location.column, what);
+  if (!told_.insert(told).second) return;
   reporter_.error(location, "XABSL 2.1 cannot say this: " + what);
 }
 
@@ -120,7 +119,7 @@ void XmlExpressionWriter::reference(const Expression& expression) {
   const Symbol* const found = find(inputs_, expression.name);
   if (!found && output(expression.name))
     return cannot(expression.location, "an output symbol that is read");
-  if (!found) return cannot(expression.location, quoted(expression.name) + " in an expression");
+  if (!found) return cannot(expression.location, "an element of an enumeration as a value");
   const Symbol& symbol = *found;
   if (symbol.type.kind == ValueKind::boolean) return out_.empty("boolean-input-symbol-ref", ref);
   if (symbol.type.kind == ValueKind::enumeration)

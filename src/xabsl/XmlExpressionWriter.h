@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include "xabsl/Reporter.h"
 #include "xabsl/Syntax.h"
@@ -57,6 +58,7 @@ class XmlExpressionWriter {
   std::set<std::string_view> constants_;
   std::set<std::string_view> options_;
   const syntax::Option* option_ = nullptr;
+  std::set<std::tuple<int, int, int, std::string>> told_;
 };
 
 }  // namespace xabsl

@@ -146,6 +146,8 @@ class Reader {
     // One slip makes many errors behind it.
     if (!reader.reported_) reader.reporter_.error(location, message);
     reader.reported_ = true;
+    // Some errors quote all that was read before: thousands of them would take hours.
+    xmlStopParser(parser);
   }
 
   void children(const xmlNode* first, Element& parent, Location place, int depth) {
