@@ -305,7 +305,10 @@ Branch Analyzer::transition(const syntax::Name& target, ExpressionAnalyzer& expr
   }
   Suggestion suggestion(target.text);
   for (const auto& [candidate, index] : states_) suggestion.offer(candidate);
-  expressions.error(target.location, "unknown state " + quoted(target.text) + suggestion.text());
+  const bool option = names_.options.count(target.text) > 0;
+  expressions.error(target.location,
+                    "unknown state " + quoted(target.text) +
+                        (option ? "; options are called by actions" : suggestion.text()));
   return {Branch::Kind::stay, -1};
 }
 
@@ -397,7 +400,10 @@ void Analyzer::unknownCallee(const syntax::Action& source, ExpressionAnalyzer& e
                            : source.kind == Kind::callBehavior
                                ? "unknown basic behavior "
                                : "unknown option or basic behavior ";
-  expressions.error(source.name.location, what + quoted(source.name.text) + suggestion.text());
+  const bool state = states_.count(source.name.text) > 0;
+  expressions.error(source.name.location,
+                    what + quoted(source.name.text) +
+                        (state ? "; a state is entered by a decision" : suggestion.text()));
 }
 
 }  // namespace xabsl

@@ -219,7 +219,9 @@ TEST(Compile, TellsWhatWasExpected) {
             "main.xabsl:1:44: error: expected 'action', found '}'\n");
   EXPECT_EQ(errorsIn("option main"),
             "main.xabsl:1:12: error: expected '{', found the end of the file\n");
-  EXPECT_EQ(errorsInDecision("if (ball.seen) stay;"), "3:1: error: expected 'else', found '}'\n");
+  EXPECT_EQ(
+      errorsInDecision("if (ball.seen) stay;"),
+      "3:1: error: expected 'else', since each decision has an end ('else stay;'), found '}'\n");
   EXPECT_EQ(errorsInDecision("if ball.seen stay;"),
             "2:4: error: expected '(', found 'ball.seen'\n");
   EXPECT_EQ(errorsInDecision("go s;"),
@@ -228,13 +230,43 @@ TEST(Compile, TellsWhatWasExpected) {
             "2:1: error: expected an action (an assignment, an option or a basic behavior) or '}', "
             "found the keyword 'input'\n");
   EXPECT_EQ(errorsInAction("speed;"), "2:6: error: expected '=' or '(', found ';'\n");
-  EXPECT_EQ(errorsInAction("sub(1);"), "2:5: error: expected the name of a parameter, found '1'\n");
+  EXPECT_EQ(errorsInAction("sub(1);"),
+            "2:5: error: expected the name of a parameter, as in 'speed = 100', found '1'\n");
   EXPECT_EQ(errorsInAction("sub(v = 1 b = true);"),
             "2:11: error: expected ',' or ')', found 'b'\n");
   EXPECT_EQ(errorsInValue("1 +"), "2:12: error: expected an expression, found ';'\n");
   EXPECT_EQ(errorsInValue("1 < 2 < 3"), "2:15: error: comparisons cannot be chained, use '&&'\n");
   EXPECT_EQ(errorsInValue("true ? 1 : true ? 2 : 3"),
             "2:25: error: a '?:' inside another one needs parentheses\n");
+}
+
+TEST(Compile, TellsWhatBeginnersMeant) {
+  EXPECT_EQ(errorsInDecision("if (how = fast) stay; else stay;"),
+            "2:9: error: expected ')', found '='; did you mean '=='?\n");
+  EXPECT_EQ(errorsInDecision("if (ball.seen & ball.seen) stay; elseif (true) stay;"),
+            "2:15: error: unexpected character '&'; did you mean '&&'?\n"
+            "2:34: error: expected 'else', since each decision has an end ('else stay;'), found "
+            "'elseif'; did you mean 'else if'?\n");
+  EXPECT_EQ(errorsInDecision("if (ball.seen and true) stay; else stay;"),
+            "2:15: error: expected ')', found 'and'; did you mean '&&'?\n");
+  EXPECT_EQ(errorsInDecision("if (ball.seen) stay; els stay;"),
+            "2:22: error: expected 'else', since each decision has an end ('else stay;'), found "
+            "'els'; did you mean 'else'?\n");
+  EXPECT_EQ(errorsInDecision("goto sub;"),
+            "2:6: error: unknown state 'sub' in option main; options are called by actions\n");
+  EXPECT_EQ(errorsInAction("speed = 1,5;"),
+            "2:10: error: expected ';', found ','; numbers are written with a point\n");
+  EXPECT_EQ(errorsInAction("head = \"fast\";"),
+            "2:8: error: expected an expression, found a string; elements of enumerations stand "
+            "without quotes\n");
+  EXPECT_EQ(
+      errorsInAction("s();"),
+      "2:1: error: unknown option or basic behavior 's' in option main; a state is entered by a "
+      "decision\n");
+  EXPECT_EQ(errorsInMain("option main { float @v; initial state s { action { speed = v; } } }"),
+            "1:60: error: unknown input symbol 'v' in option main; did you mean '@v'?\n");
+  EXPECT_EQ(errorsInMain("option main { initial state s { action { } decision { stay; } } }"),
+            "1:44: error: the decision of a state stands before its action\n");
 }
 
 TEST(Compile, ReadsCooperation) {
@@ -312,16 +344,16 @@ TEST(Compile, TellsWrongTypes) {
   EXPECT_EQ(errorsInAction("led = 1 && ball.seen;"),
             "2:7: error: operand of '&&' must be bool, found float in option main\n");
   EXPECT_EQ(errorsInAction("led = ball.seen == true;"),
-            "2:17: error: '==' compares float or enum, found bool; use '&&', '||' and '!' in "
-            "option main\n");
+            "2:17: error: '==' compares float or enum, found bool in option main; use '&&', "
+            "'||' and '!'\n");
   EXPECT_EQ(errorsInAction("led = how == 1;"),
             "2:11: error: '==' compares enum mode with float in option main\n");
   EXPECT_EQ(errorsInAction("led = how < how;"),
             "2:7: error: operand of '<' must be float, found enum mode in option main\n"
             "2:13: error: operand of '<' must be float, found enum mode in option main\n");
   EXPECT_EQ(errorsInAction("led = true ? true : false;"),
-            "2:12: error: '?:' chooses between float or enum, found bool; use '&&' and '||' in "
-            "option main\n");
+            "2:12: error: '?:' chooses between float or enum, found bool in option main; use '&&' "
+            "and '||'\n");
   EXPECT_EQ(errorsInValue("true ? 1 : how"),
             "2:14: error: '?:' chooses between float and enum mode in option main\n");
   EXPECT_EQ(errorsInValue("1 ? 1 : 2"),

@@ -93,9 +93,8 @@ void ExpressionAnalyzer::refer(const Entity& entity, const syntax::Expression& s
 
 void ExpressionAnalyzer::error(Location location, const std::string& message) {
   const std::string& option = model_.options[static_cast<std::size_t>(option_)].name;
-  // A suggestion stays the end of the sentence.
-  const std::size_t end = message.find("; did you mean");
-  if (end == std::string::npos) return reporter_.error(location, message + " in option " + option);
+  // A hint stays the end of the sentence.
+  const std::size_t end = std::min(message.find("; "), message.size());
   reporter_.error(location, message.substr(0, end) + " in option " + option + message.substr(end));
 }
 
@@ -388,6 +387,8 @@ void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enume
   }
   if (source.name == "conflict" && model_.dialect == Dialect::xabsl30)
     return error(source.location, "'conflict' is of XABSL 3.1");
+  if (findParameter(model_.options[static_cast<std::size_t>(option_)].parameters, source.name) >= 0)
+    return error(source.location, message + "; did you mean '@" + std::string(source.name) + "'?");
   for (const Names::Table* table : {&names_.inputs, &names_.outputs, &names_.constants})
     for (const auto& [candidate, index] : *table) suggestion.offer(candidate);
   error(source.location, message + suggestion.text());

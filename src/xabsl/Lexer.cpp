@@ -108,7 +108,7 @@ Token Lexer::read() {
       token.kind = TokenKind::parameter;
       return token;
     }
-    if (isDigit(c)) return number(token);
+    if (isDigit(c) || (c == '.' && isDigit(peek(1)))) return number(token);
     if (c == '"') return enclosed(token, TokenKind::string, '"', "string");
     if (c == '[') return enclosed(token, TokenKind::range, ']', "range");
     if (punctuation(token)) return token;
@@ -218,6 +218,7 @@ std::size_t Lexer::endOfEnclosed(char close) const {
 
 Token Lexer::number(Token token) {
   const std::size_t start = position_;
+  if (peek() == '.') reporter_.error(location_, "a number begins with a digit, expected '0.'");
   while (isDigit(peek())) advance();
   if (peek() == '.' && !isLetter(peek(1))) {
     advance();
@@ -245,6 +246,16 @@ Token Lexer::number(Token token) {
 bool Lexer::punctuation(Token& token) {
   const std::string_view pair = text_.substr(position_, 2);
   const bool isLong = contains(longPunctuation, pair);
+  if (!isLong && (peek() == '&' || peek() == '|')) {
+    // Whoever writes it means the other one.
+    const bool both = peek() == '&';
+    reporter_.error(location_, std::string("unexpected character '") + peek() +
+                                   "'; did you mean '" + (both ? "&&" : "||") + "'?");
+    token.kind = TokenKind::punctuation;
+    token.text = both ? "&&" : "||";
+    advance();
+    return true;
+  }
   if (!isLong && shortPunctuation.find(peek()) == std::string_view::npos) return false;
   token.kind = TokenKind::punctuation;
   token.text = text_.substr(position_, isLong ? 2 : 1);
@@ -253,6 +264,11 @@ bool Lexer::punctuation(Token& token) {
 }
 
 void Lexer::skipUnexpected() {
+  if (peek() == '#') {
+    reporter_.error(location_, "unexpected character '#'; comments begin with '//'");
+    while (!atEnd() && peek() != '\n') advance();
+    return;
+  }
   const unsigned char c = static_cast<unsigned char>(peek());
   const bool printable = c > ' ' && c < 0x7F;
   reporter_.error(location_, printable ? "unexpected character '" + std::string(1, peek()) + "'"

@@ -83,7 +83,10 @@ TEST(Lexer, CountsLinesAndColumnsInLetters) {
 
 TEST(Lexer, TellsWhatIsNoToken) {
   EXPECT_EQ(lexicalErrors("a $ b"), "f:1:3: error: unexpected character '$'\n");
-  EXPECT_EQ(lexicalErrors("a & b"), "f:1:3: error: unexpected character '&'\n");
+  EXPECT_EQ(lexicalErrors("a & b"), "f:1:3: error: unexpected character '&'; did you mean '&&'?\n");
+  EXPECT_EQ(lexicalErrors("a # b $"),
+            "f:1:3: error: unexpected character '#'; comments begin with '//'\n");
+  EXPECT_EQ(lexicalErrors(".5"), "f:1:1: error: a number begins with a digit, expected '0.'\n");
   EXPECT_EQ(lexicalErrors("@ a"), "f:1:1: error: unexpected character '@'\n");
   EXPECT_EQ(lexicalErrors(std::string("a \0 b", 5)),
             "f:1:3: error: unexpected character with code 0\n");

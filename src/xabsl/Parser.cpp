@@ -7,6 +7,38 @@ namespace xabsl {
 
 using namespace syntax;
 
+namespace {
+
+/// What people write who come from other languages.
+constexpr std::pair<std::string_view, std::string_view> foreignWords[] = {
+    {"and", "&&"},    {"or", "||"},          {"elseif", "else if"}, {"elif", "else if"},
+    {"int", "float"}, {"double", "float"},   {"boolean", "bool"},   {"switch", "if"},
+    {"while", "if"},  {"constant", "const"}, {"function", "input"}};
+
+/// What was probably meant by a token that stands where `expected` should, as the end of a message.
+std::string hintAt(const Token& token, const std::string& expected) {
+  const auto meant = [](std::string_view word) {
+    return "; did you mean '" + std::string(word) + "'?";
+  };
+  if (token.is("=") && expected == "')'") return meant("==");
+  if (token.is(",") && expected == "';'") return "; numbers are written with a point";
+  if (token.kind == TokenKind::string && expected == "an expression")
+    return "; elements of enumerations stand without quotes";
+  if (token.kind != TokenKind::identifier) return {};
+  for (const auto& [foreign, word] : foreignWords)
+    if (token.text == foreign) return meant(word);
+  Suggestion suggestion(token.text);
+  for (std::size_t open = expected.find('\''); open != std::string::npos;
+       open = expected.find('\'', open)) {
+    const std::size_t close = std::min(expected.find('\'', open + 1), expected.size());
+    suggestion.offer(std::string_view(expected).substr(open + 1, close - open - 1));
+    open = std::min(close + 1, expected.size());
+  }
+  return suggestion.text();
+}
+
+}  // namespace
+
 Parser::Parser(int file, std::string_view text, Reporter& reporter, Program& program)
     : reporter_(reporter),
       program_(program),
@@ -59,7 +91,7 @@ void Parser::fail(const std::string& message) {
 }
 
 void Parser::failExpected(const std::string& what) {
-  fail("expected " + what + ", found " + describe(token_));
+  fail("expected " + what + ", found " + describe(token_) + hintAt(token_, what));
 }
 
 Token Parser::take() {
@@ -193,6 +225,7 @@ void Parser::option() {
   states(option);
   expect("}");
   option.extent.end = end_;
+  accept(";");
   program_.options.push_back(std::move(option));
 }
 
@@ -265,6 +298,7 @@ void Parser::stateBody(State& state) {
   }
   expect("action");
   state.actions = actions();
+  if (token_.is("decision")) fail("the decision of a state stands before its action");
 }
 
 std::vector<Action> Parser::actions() {
@@ -310,7 +344,7 @@ std::vector<Argument> Parser::arguments() {
   if (accept(")")) return arguments;
   do {
     Argument argument;
-    argument.name = expectName("the name of a parameter");
+    argument.name = expectName("the name of a parameter, as in 'speed = 100'");
     expect("=");
     argument.value = expression();
     arguments.push_back(std::move(argument));

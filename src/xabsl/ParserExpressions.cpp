@@ -82,7 +82,7 @@ DecisionPtr Parser::decision() {
   }
   if (!token_.is("if")) return transition();
   DecisionPtr chosen = choice();
-  if (!chosen->otherwise) failExpected("'else'");
+  if (!chosen->otherwise) failExpected("'else', since each decision has an end ('else stay;')");
   return chosen;
 }
 

@@ -1,7 +1,7 @@
 #include <string>
 
+#include "AllForms.h"
 #include "Fuzz.h"
-#include "xabsl/Behavior.h"
 
 /// The bytes are the files of a behavior, one behind the other; a line `=== path` begins one.
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -17,6 +17,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       files[path].append(line).append("\n");
     begin = end + 1;
   }
-  xabsl::compile("agents.xml", files);
+  gt::goThroughAllForms("agents.xml", files);
   return 0;
 }
