@@ -130,10 +130,10 @@ void XmlExpressionWriter::reference(const Expression& expression) {
 }
 
 void XmlExpressionWriter::operation(const Expression& expression) {
-  const std::string name(elementOf(expression.operation));
   if (expression.operation == Operator::negate) return negation(expression);
   if (expression.operation == Operator::conditional) return conditional(expression);
   if (comparison(expression)) return;
+  const std::string name(elementOf(expression.operation));
   out_.open(name, {});
   for (const ExpressionPtr& operand : expression.operands) write(*operand);
   out_.close(name);
