@@ -20,7 +20,7 @@ std::vector<std::string> sourcesIn(const std::string& folder) {
   std::error_code error;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (entry->path().extension() == ".xabsl")
+    if (entry->path().extension() == ".xabsl" || entry->path().extension() == ".xml")
       paths.push_back(entry->path().lexically_normal().generic_string());
   std::sort(paths.begin(), paths.end());
   return paths;

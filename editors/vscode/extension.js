@@ -7,8 +7,8 @@ let client;
 exports.activate = () => {
   const command = workspace.getConfiguration("xabsl").get("program");
   client = new LanguageClient("xabsl", "XABSL", { command, args: ["lsp"] }, {
-    documentSelector: [{ language: "xabsl" }],
-    synchronize: { fileEvents: workspace.createFileSystemWatcher("**/*.xabsl") },
+    documentSelector: [{ language: "xabsl" }, { language: "xml", scheme: "file" }],
+    synchronize: { fileEvents: workspace.createFileSystemWatcher("**/*.{xabsl,xml}") },
   });
   return client.start();
 };

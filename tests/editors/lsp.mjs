@@ -65,6 +65,35 @@ assert.deepEqual(error.range.start, at(text, "goto going_on", 5));
 change(text);
 await until(kick, (list) => list.length === 0);
 
+// How something is called, and which parameter comes next.
+const signature = async (source, piece, offset) => {
+  change(source);
+  return ask(rpc.SignatureHelpRequest.type, at(source, piece, offset));
+};
+const called = text.replace("stand();", "go_to_point(y = max(a = 1, b = 2), x = 3, ");
+const help = await signature(called, "x = 3, ");
+assert.equal(help.signatures[0].label, "go_to_point(float x, float y, float angle, float max_speed)");
+assert.equal(help.activeParameter, 2, "the first that is not set yet");
+assert.equal((await signature(called, "go_to_point(y = ")).activeParameter, 1);
+assert.equal(await signature(text, "option kick {"), null);
+change(text);
+
+// Files of XABSL 2.1 in XML, with what includes them; other XML is none of our business.
+const moveAround = uriOf("src/xabsl/testdata/report/Options/move-around.xml");
+const moveAroundText = readFileSync(new URL(moveAround), "utf8");
+open(moveAround, moveAroundText.replace("<decision-tree", "<decision-bush"));
+const [wrong] = await until(moveAround, (list) => list.length > 0);
+assert.equal(wrong.severity, 1);
+open(moveAround, moveAroundText);
+await until(moveAround, (list) => list.every(({ severity }) => severity > 1));
+const xmlOutline = await connection.sendRequest(rpc.DocumentSymbolRequest.type, { textDocument: { uri: moveAround } });
+assert.ok(xmlOutline.some(({ name }) => name === "move-around"));
+const foreign = uriOf("foreign.xml");
+open(foreign, "<project/>");
+await until(foreign, (list) => list.length === 0);
+for (const uri of [moveAround, foreign])
+  connection.sendNotification(rpc.DidCloseTextDocumentNotification.type, { textDocument: { uri } });
+
 // Definition, references, hover, highlights.
 const definition = await ask(rpc.DefinitionRequest.type, at(text, "goto going_on", 7));
 assert.deepEqual(definition, { uri: kick, range: { start: at(text, "state going_on", 6), end: at(text, "state going_on") } });

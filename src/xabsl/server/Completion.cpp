@@ -38,7 +38,6 @@ class Context {
     static const Token none;
     return count < tokens_.size() ? tokens_[tokens_.size() - 1 - count] : none;
   }
-  std::size_t size() const { return tokens_.size(); }
 
   bool inOption() const { return option_ < all_.size(); }
   std::string_view optionName() const { return inOption() ? all_[option_ + 1].text : ""; }
@@ -83,6 +82,23 @@ class Context {
     return 0;
   }
 
+  /// The names of the parameters that are set in the call around the place, and last of that being
+  /// set; empty: it has no name yet.
+  std::vector<std::string_view> arguments() const {
+    std::vector<std::string_view> names;
+    std::string_view name;
+    int depth = 0;
+    for (std::size_t i = callee() - 1; i-- > 0;) {
+      if (back(i).is("(")) ++depth;
+      if (back(i).is(")")) --depth;
+      if (depth > 0) continue;
+      if (back(i).is("=") && back(i + 1).kind == TokenKind::identifier) name = back(i + 1).text;
+      if (back(i).is(",")) names.push_back(std::exchange(name, {}));
+    }
+    names.push_back(name);
+    return names;
+  }
+
  private:
   static bool isNamePart(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -102,6 +118,18 @@ class Context {
   std::size_t option_ = 0;  // its first token
   bool writesParameter_ = false;
 };
+
+/// The parameters of what is called by a name, and its documentation; null: there is none.
+std::pair<const std::vector<Parameter>*, std::string> parametersOf(const Model& model,
+                                                                   std::string_view name) {
+  for (const Option& option : model.options)
+    if (option.name == name) return {&option.parameters, option.doc};
+  for (const BasicBehavior& behavior : model.behaviors)
+    if (behavior.name == name) return {&behavior.parameters, behavior.doc};
+  for (const Symbol& symbol : model.symbols)
+    if (symbol.name == name && !symbol.parameters.empty()) return {&symbol.parameters, symbol.doc};
+  return {nullptr, {}};
+}
 
 class Completer {
  public:
@@ -206,13 +234,7 @@ class Completer {
   }
 
   const std::vector<Parameter>* parametersOf(std::string_view name) const {
-    for (const Option& option : model_.options)
-      if (option.name == name) return &option.parameters;
-    for (const BasicBehavior& behavior : model_.behaviors)
-      if (behavior.name == name) return &behavior.parameters;
-    for (const Symbol& symbol : model_.symbols)
-      if (symbol.name == name && !symbol.parameters.empty()) return &symbol.parameters;
-    return nullptr;
+    return xabsl::server::parametersOf(model_, name).first;
   }
 
   /// What the left side of the operator before the place is, as far as a name tells.
@@ -247,6 +269,31 @@ std::vector<Completion> complete(const Project& project, std::string_view text,
                                  std::size_t offset) {
   const Context context(text, offset);
   return Completer(project, context).run();
+}
+
+std::optional<Signature> signatureAt(const Project& project, std::string_view text,
+                                     std::size_t offset) {
+  const Context context(text, offset);
+  const std::size_t callee = context.callee();
+  if (callee == 0) return std::nullopt;
+  const std::string name(context.back(callee).text);
+  const auto [parameters, doc] = parametersOf(project.model(), name);
+  if (!parameters) return std::nullopt;
+  const std::vector<std::string_view> arguments = context.arguments();
+  Signature signature{name + "(", doc, {}, static_cast<int>(parameters->size())};
+  for (std::size_t i = 0; i < parameters->size(); ++i) {
+    const Parameter& parameter = (*parameters)[i];
+    const std::string label = describe(project.model(), parameter.type) + " " + parameter.name;
+    signature.label += (i > 0 ? ", " : "") + label;
+    signature.parameters.push_back({label, parameter.doc});
+    // Without a name, that which is not set yet.
+    const bool active = arguments.back().empty() ? std::find(arguments.begin(), arguments.end(),
+                                                             parameter.name) == arguments.end()
+                                                 : arguments.back() == parameter.name;
+    if (active) signature.active = std::min(signature.active, static_cast<int>(i));
+  }
+  signature.label += ")";
+  return signature;
 }
 
 }  // namespace xabsl::server

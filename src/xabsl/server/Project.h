@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -100,5 +101,22 @@ struct Completion {
 /// What may be written at a byte of a text, which may be broken there. The project knows what is
 /// declared elsewhere.
 std::vector<Completion> complete(const Project& project, std::string_view text, std::size_t offset);
+
+/// How something is called, with the parameter that is being set.
+struct Signature {
+  struct Parameter {
+    std::string label;  // a part of that of the whole: `float speed`
+    std::string doc;
+  };
+
+  std::string label;  // walk(float speed, bool careful)
+  std::string doc;
+  std::vector<Parameter> parameters;
+  int active = 0;
+};
+
+/// What is called around a byte of a text; nothing outside of the parentheses of calls.
+std::optional<Signature> signatureAt(const Project& project, std::string_view text,
+                                     std::size_t offset);
 
 }  // namespace xabsl::server

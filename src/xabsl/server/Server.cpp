@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "xabsl/Formatter.h"
 #include "xabsl/Lexer.h"
+#include "xabsl/XmlReader.h"
 #include "xabsl/server/Uri.h"
 
 namespace xabsl::server {
@@ -59,6 +61,23 @@ int kindOf(Completion::Kind kind) {  // CompletionItemKind
     default:
       return 10;
   }
+}
+
+bool isBefore(Location a, Location b) {
+  return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+}
+
+/// Whether a text is XML of another language, of which nothing is told.
+bool isForeign(const std::string& text) {
+  return xml::isXml(text) && text.find(xml::namespace21) == std::string::npos &&
+         text.find(xml::namespace31) == std::string::npos;
+}
+
+/// Whether a file may be that with the agents of another one.
+bool mayBeRootOf(const std::string& candidate, const std::string& text, const std::string& path) {
+  const std::filesystem::path extension = std::filesystem::path(candidate).extension();
+  return extension == std::filesystem::path(path).extension() &&
+         text.find(extension == ".xml" ? "<agent-collection" : "agent") != std::string::npos;
 }
 
 /// The end of the word at a place, for what is underlined.
@@ -157,6 +176,7 @@ Json Server::request(const std::string& method, const Json& parameters) {
   using Handler = Json (Server::*)(const Json&);
   static const std::map<std::string, Handler> handlers = {
       {"textDocument/completion", &Server::completion},
+      {"textDocument/signatureHelp", &Server::signatureHelp},
       {"textDocument/definition", &Server::definition},
       {"textDocument/references", &Server::referencesOf},
       {"textDocument/documentHighlight", &Server::highlights},
@@ -186,6 +206,7 @@ Json Server::initialize(const Json& parameters) {
            {{"positionEncoding", "utf-16"},
             {"textDocumentSync", {{"openClose", true}, {"change", 1}, {"save", true}}},
             {"completionProvider", {{"triggerCharacters", {"@", "(", "=", " "}}}},
+            {"signatureHelpProvider", {{"triggerCharacters", {"(", ","}}}},
             {"definitionProvider", true},
             {"referencesProvider", true},
             {"documentHighlightProvider", true},
@@ -237,14 +258,15 @@ std::string Server::rootOf(const std::string& path) {
     for (const std::string& candidate : disk_.sources(folder.generic_string())) {
       std::string text;
       if (++candidates > mostCandidates || reader()(candidate, text)) continue;
-      if (text.find("agent") == std::string::npos) continue;
+      if (!mayBeRootOf(candidate, text, path)) continue;
       Reporter ignored;
       syntax::Program program;
       readSources(candidate, reader(), program, ignored);
       const bool includes =
           std::any_of(program.files.begin(), program.files.end(),
                       [&](const syntax::File& file) { return file.path == path; });
-      if (includes && !program.agents.empty()) return roots_[path] = candidate;
+      const bool xml = xml::isXml(text);  // which has no agents as long as it is not valid
+      if (includes && (xml || !program.agents.empty())) return roots_[path] = candidate;
     }
     if (folder.generic_string() == workspace_ || folder == folder.parent_path()) break;
   }
@@ -273,6 +295,7 @@ void Server::publish() {
   std::set<std::string> roots;
   for (const auto& [path, text] : documents_) {
     perFile.emplace(path, Json::array());
+    if (isForeign(text)) continue;
     const Project& project = projectOf(path);
     if (roots.insert(project.root()).second) publishFor(project, perFile);
   }
@@ -339,6 +362,23 @@ Json Server::completion(const Json& parameters) {
     items.push_back(std::move(item));
   }
   return items;
+}
+
+Json Server::signatureHelp(const Json& parameters) {
+  const std::string path = pathOf(parameters.at("textDocument").at("uri").get<std::string>());
+  std::string text;
+  if (reader()(path, text)) return nullptr;
+  const std::optional<Signature> signature =
+      signatureAt(projectOf(path), text, Lines(text).offset(positionOf(parameters)));
+  if (!signature) return nullptr;
+  Json labels = Json::array();
+  for (const Signature::Parameter& parameter : signature->parameters)
+    labels.push_back({{"label", parameter.label}, {"documentation", parameter.doc}});
+  return {
+      {"signatures",
+       {{{"label", signature->label}, {"documentation", signature->doc}, {"parameters", labels}}}},
+      {"activeSignature", 0},
+      {"activeParameter", signature->active}};
 }
 
 Json Server::definition(const Json& parameters) {
@@ -440,10 +480,11 @@ Json Server::documentSymbols(const Json& parameters) {
     Location end = declaration.name.location;
     end.column += static_cast<int>(declaration.name.text.size());
     const Position begin = lines.position(declaration.name.location);
+    // In XML only the begin of an element is known.
+    const Location last = isBefore(declaration.extent.end, end) ? end : declaration.extent.end;
     return Json{{"name", std::string(declaration.name.text)},
                 {"kind", kind},
-                {"range", range(lines.position(declaration.extent.begin),
-                                lines.position(declaration.extent.end))},
+                {"range", range(lines.position(declaration.extent.begin), lines.position(last))},
                 {"selectionRange", range(begin, lines.position(end))},
                 {"children", Json::array()}};
   };

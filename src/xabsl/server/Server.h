@@ -16,7 +16,7 @@ namespace xabsl::server {
 /// What a server sees of the disk.
 struct Disk {
   FileReader read;
-  std::function<std::vector<std::string>(const std::string& folder)> sources;  // paths of .xabsl
+  std::function<std::vector<std::string>(const std::string& folder)> sources;  // .xabsl and .xml
 };
 
 /// A language server for XABSL (LSP 3.17): takes the messages of an editor one after another, and
@@ -50,6 +50,7 @@ class Server {
   void close(const std::string& uri);
 
   Json completion(const Json& parameters);
+  Json signatureHelp(const Json& parameters);
   Json definition(const Json& parameters);
   Json referencesOf(const Json& parameters);
   Json highlights(const Json& parameters);
