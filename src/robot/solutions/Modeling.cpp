@@ -3,6 +3,7 @@
 #include "modules/modeling/DefaultTeamMessageSender.h"
 #include "modules/modeling/MonteCarloSelfLocator.h"
 #include "modules/modeling/PidSmoothedBallLocator.h"
+#include "modules/modeling/SingleLandmarkSelfLocator.h"
 #include "modules/modeling/Tasks.h"
 #include "robot/Solutions.h"
 
@@ -10,6 +11,7 @@ namespace gt {
 
 void addModelingSolutions(SolutionTable& table) {
   table.add<SelfLocator, MonteCarloSelfLocator>("MonteCarlo");
+  table.add<SelfLocator, SingleLandmarkSelfLocator>("SingleLandmark");
   table.add<BallLocator, PidSmoothedBallLocator>("PIDSmoothed");
   table.add<TeamBallLocator, DefaultTeamBallLocator>("Default");
   table.add<RobotStateDetector, DefaultRobotStateDetector>("Default");

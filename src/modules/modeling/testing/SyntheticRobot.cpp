@@ -11,11 +11,12 @@ namespace {
 constexpr double openingAngle = 57.6 * pi / 180;  // facts, 1.3
 constexpr double headLimit = 89 * pi / 180;
 constexpr double headSpeed = 2.2;  // rad/s while searching
+constexpr double dt = SyntheticRobot::picturePeriod / 1000.0;
 
 }  // namespace
 
 SyntheticRobot::SyntheticRobot(std::uint64_t seed, const SyntheticWorld& world)
-    : world_{world}, random_{seed} {
+    : world_{world}, random_{seed}, moving_{world.walks} {
   player.teamColor = random_.chance(0.5) ? TeamColor::red : TeamColor::blue;
   pose = placeOnField();
   headPan_ = random_.uniform(-headLimit, headLimit);
@@ -42,19 +43,31 @@ void SyntheticRobot::kidnap() {
 
 void SyntheticRobot::step() {
   time = time + picturePeriod;
-  if (world_.walks) walk();
+  if (world_.walks) walk(towardsGoal());
+  perceive();
+}
+
+void SyntheticRobot::step(const Pose2D& speed) {
+  time = time + picturePeriod;
+  moving_ = speed.translation.norm() + 200 * std::abs(speed.rotation) > 1;
+  if (moving_) walk({speed.rotation * dt, speed.translation * dt});
+  perceive();
+}
+
+void SyntheticRobot::perceive() {
   turnHead();
   see();
 }
 
-void SyntheticRobot::walk() {
-  const double dt = picturePeriod / 1000.0;
+/// Turns towards the goal while walking, as go-to-point does.
+Pose2D SyntheticRobot::towardsGoal() {
   const Vector2d toGoal = relative(pose, goal_.translation);
   if (toGoal.norm() < 100) chooseGoal();
-  // Turns towards the goal while walking, as go-to-point does.
-  Pose2D step;
-  step.rotation = std::clamp(angleOf(toGoal), -1.0, 1.0) * dt;
-  step.translation = toGoal.normalized() * world_.walkingSpeed * dt;
+  return {std::clamp(angleOf(toGoal), -1.0, 1.0) * dt,
+          toGoal.normalized() * world_.walkingSpeed * dt};
+}
+
+void SyntheticRobot::walk(Pose2D step) {
   odometry.pose = odometry.pose * step;
 
   if (random_.chance(dt / world_.secondsBetweenBlocks))
@@ -96,7 +109,7 @@ void SyntheticRobot::see() {
   percept.time = time;
   percept.cameraOffset = {123 + 66.6 * std::cos(headPan_), 66.6 * std::sin(headPan_), 180};
   commonError_ = world_.commonNoise * random_.gaussian() +
-                 (world_.walks ? world_.sway * std::sin(seconds() * 2 * pi / 0.67) : 0);
+                 (moving_ ? world_.sway * std::sin(seconds() * 2 * pi / 0.67) : 0);
   for (int i = 0; i < 6; ++i) seeFlag(static_cast<FlagType>(i));
   for (int i = 0; i < 2; ++i) seeGoal(static_cast<GoalColor>(i));
 }
@@ -155,7 +168,6 @@ void SyntheticRobot::seeGoal(GoalColor color) {
   if (goal.boundary.left <= goal.boundary.right) return;  // From behind.
 
   Hidden& hidden = hidden_[static_cast<std::size_t>(color)];
-  const double dt = picturePeriod / 1000.0;
   if (time > hidden.until && random_.chance(world_.hiddenPosts * dt)) {
     hidden = {time + static_cast<std::int64_t>(random_.uniform(500, 1500)), 0, 0};
     (random_.chance(0.5) ? hidden.left : hidden.right) = random_.uniform(0.1, 0.5);

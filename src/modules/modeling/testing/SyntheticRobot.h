@@ -35,6 +35,8 @@ class SyntheticRobot {
   explicit SyntheticRobot(std::uint64_t seed, const SyntheticWorld& world = {});
 
   void step();
+  /// The same, but walks as it is told: in the robot's system, mm/s and rad/s.
+  void step(const Pose2D& speed);
   /// The referee puts the robot somewhere else; its odometry knows nothing of it.
   void kidnap();
 
@@ -50,7 +52,9 @@ class SyntheticRobot {
  private:
   Pose2D placeOnField();
   void chooseGoal();
-  void walk();
+  Pose2D towardsGoal();
+  void walk(Pose2D step);
+  void perceive();
   void turnHead();
   void see();
   void seeFlag(FlagType type);
@@ -61,6 +65,7 @@ class SyntheticRobot {
 
   SyntheticWorld world_;
   Random random_;
+  bool moving_;
   Pose2D goal_, slip_;
   double headPan_ = 0, ballPan_ = 0;
   Time blockedUntil_ = never(), modeUntil_ = never();

@@ -1,0 +1,80 @@
+#pragma once
+#include "base/Time.h"
+#include "debug/Debug.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/motion/OdometryData.h"
+#include "representations/perception/LandmarksPercept.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Finds the robot's pose by drawing one estimate towards what each landmark says, by itself, about
+/// distance and direction (report 3.3.1): cheap, but never exact. A solution of SelfLocator.
+class SingleLandmarkSelfLocator {
+ public:
+  struct Parameters {
+    double progressiveness = 0.15;
+    double minimumQuality = 0.1;
+    double distanceRange = 1500;
+    double flagAngleQuality = 0.6;
+    double goalDistanceQuality = 0.05;
+    double goalAngleQuality = 0.9;
+    double positionTolerance = 500;
+    double angleTolerance = 0.35;
+    double lossByTime = 0.05;
+    double lossByDistance = 0.0004;
+    double lossByAngle = 0.1;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("progressiveness", &P::progressiveness, "",
+                "how fast the estimate follows: 0 stalls, 1 follows each measurement", {0, 1}),
+          field("minimumQuality", &P::minimumQuality, "", "of landmarks that count", {0, 1}),
+          field("distanceRange", &P::distanceRange, "mm",
+                "at which the quality of a flag's distance is a half", {100, 10000}),
+          field("flagAngleQuality", &P::flagAngleQuality, "", "of a flag seen whole", {0, 1}),
+          field("goalDistanceQuality", &P::goalDistanceQuality, "", "", {0, 1}),
+          field("goalAngleQuality", &P::goalAngleQuality, "", "of a goal seen whole", {0, 1}),
+          field("positionTolerance", &P::positionTolerance, "mm",
+                "a correction by so much lets the reliability drop", {1, 10000}),
+          field("angleTolerance", &P::angleTolerance, "rad", "the same for the orientation",
+                {0.01, 3}),
+          field("lossByTime", &P::lossByTime, "1/s", "of reliability", {0, 10}),
+          field("lossByDistance", &P::lossByDistance, "1/mm", "of reliability, walking", {0, 1}),
+          field("lossByAngle", &P::lossByAngle, "1/rad", "of reliability, turning", {0, 10})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const LandmarksPercept& percept, const OdometryData& odometry,
+              const FieldDimensions& field, const Player& player, RobotPose& robotPose,
+              Debug& debug);
+
+ private:
+  /// What one landmark says, from the robot's origin.
+  struct Measurement {
+    Vector2d landmark = Vector2d::Zero();
+    double distance = 0, distanceQuality = 0;
+    double angle = 0, angleQuality = 0;
+  };
+
+  void move(const OdometryData& odometry, Time now);
+  Measurement flagIn(const FlagPercept& flag, TeamColor team, const FieldDimensions& field) const;
+  void useBestFlags(const LandmarksPercept& percept, TeamColor team, const FieldDimensions& field);
+  void useGoals(const LandmarksPercept& percept, TeamColor team, const FieldDimensions& field);
+  void correct(const Measurement& measurement);
+  void correctPosition(const Measurement& measurement);
+  void correctOrientation(const Measurement& measurement);
+
+  Pose2D pose_;
+  double positionReliability_ = 0, orientationReliability_ = 0;
+  OdometryData lastOdometry_;
+  Time lastPicture_ = never();
+  bool started_ = false;
+};
+static_assert(complete<SingleLandmarkSelfLocator::Parameters>);
+
+}  // namespace gt
