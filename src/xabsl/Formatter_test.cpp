@@ -5,8 +5,10 @@
 #include <random>
 #include <vector>
 
+#include "xabsl/IntermediateCode.h"
 #include "xabsl/Lexer.h"
 #include "xabsl/ModelText.h"
+#include "xabsl/RandomBehavior.h"
 #include "xabsl/TestBehavior.h"
 
 namespace xabsl {
@@ -67,6 +69,18 @@ TEST(Formatter, NeverChangesWhatTextMeansAndIsDoneAtOnce) {
     const std::string once = formatted(text);
     ASSERT_EQ(tokensOf(once), tokensOf(text)) << text;
     ASSERT_EQ(formatted(once), once) << text;
+  }
+}
+
+TEST(Formatter, LeavesBehaviorsAtRandomWhatTheyAre) {
+  const auto code = [](const std::string& text) {
+    return *writeIntermediateCode(test::compiled(text).model()).text;
+  };
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const std::string text = test::RandomBehavior(seed).write();
+    const std::string once = formatted(text);
+    EXPECT_EQ(code(once), code(text));
+    EXPECT_EQ(formatted(once), once);
   }
 }
 

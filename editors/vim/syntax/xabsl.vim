@@ -14,7 +14,7 @@ syntax match xabslRange /\[[^\]]*\]/
 syntax region xabslString start=/"/ end=/"/ oneline
 syntax match xabslComment /\/\/.*$/
 syntax region xabslComment start=/\/\*/ end=/\*\//
-syntax region xabslDoc start=/\/\*\*/ end=/\*\//
+syntax region xabslDoc start=/\/\*\*\/\@!/ end=/\*\//
 highlight default link xabslKeyword Keyword
 highlight default link xabslType Type
 highlight default link xabslConstant Constant
