@@ -37,6 +37,9 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
   command.add_flag("--real-time", play.realTime, "No faster than the clock");
   command.add_option("--remote", play.match.remote,
                      "Robots whose processes connect from outside (gtrobot-*); in real time");
+  command.add_option("--game-controller", play.match.gameControllerPort,
+                     "UDP port on which a RoboCup game controller may lead the game (its own: 3838)")
+      ->check(CLI::Range(1, 65535));
   command.add_option("--sockets", play.match.sockets, "Folder in which they find the simulation");
 }
 

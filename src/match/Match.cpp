@@ -83,6 +83,11 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   if (!simulation) return simulation.error();
   match->simulation_ = std::move(*simulation);
   if (const auto done = match->addRobots(*configuration); !done) return done.error();
+  if (options.gameControllerPort != 0) {
+    auto link = GameControllerLink::listen(options.gameControllerPort);
+    if (!link) return link.error();
+    match->gameController_ = std::move(*link);
+  }
   match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_);
   return match;
 }
@@ -163,6 +168,7 @@ Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
 
 void Match::step() {
   if (options_.pictures > 0) keepPicture();
+  if (gameController_) hearGameController();
   simulation_->step();
   statistics_->update();
 }

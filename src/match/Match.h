@@ -1,9 +1,12 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "match/GameControllerLink.h"
 #include "match/MatchState.h"
 #include "match/MatchStatistics.h"
 #include "match/MatchSummary.h"
@@ -29,6 +32,8 @@ struct MatchOptions {
   /// Robots whose processes are programs of their own and connect to the simulation; by name.
   std::vector<std::string> remote{};
   std::string sockets{};  ///< Folder in which they find it; the user's default if empty.
+  /// UDP port on which a game controller may lead the game; 0 if none may. Its own is 3838.
+  int gameControllerPort = 0;
 };
 
 /// A simulated match of robots that run their own programs: the simulator, the robots in it, their
@@ -58,6 +63,10 @@ class Match {
   /// match comes out as another one, because files or programs have changed since.
   static Result<std::unique_ptr<Match>> load(const std::string& path, MatchOptions options,
                                              const Perform& perform);
+  /// Does what a game controller's message says; an error if it is none.
+  Result<void> control(std::span<const std::byte> message);
+  /// Where a game controller is heard, if one may lead.
+  const GameControllerLink* gameController() const { return gameController_.get(); }
   /// Remembers what was just done to the match from outside, for `save`.
   void note(InterventionKind kind, std::string line);
   /// Tells why nobody can repeat what happens from now on; the first reason counts.
@@ -91,12 +100,16 @@ class Match {
   bool isRemote(const std::string& robot) const;
   std::uint64_t fingerprint() const;
   Result<void> repeat(const MatchState& state, const Perform& perform);
+  void hearGameController();
+  void answerGameController(int version) const;
   void keepPicture();
 
   MatchOptions options_;
   std::vector<Intervention> history_;
   std::string spoiled_;  ///< Why the match cannot be repeated; empty if it can.
   std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<GameControllerLink> gameController_;
+  std::optional<GameControllerMessage> lastControl_;
   // All robots are owned by the simulation, and here in the order of its active ones.
   std::vector<MatchRobot*> allRobots_;
   std::vector<SimulatedRobot*> robots_;

@@ -1,6 +1,8 @@
 #include "match/MatchState.h"
 
-#include <cmath>
+#include <bit>
+#include <string_view>
+#include <tuple>
 
 #include "match/Match.h"
 #include "streams/File.h"
@@ -28,7 +30,69 @@ Result<MatchState> readState(const std::string& path) {
   return state;
 }
 
+constexpr std::string_view digits = "0123456789abcdef";
+
+std::string hexOf(std::span<const std::byte> bytes) {
+  std::string text;
+  for (const std::byte byte : bytes) {
+    text += digits[std::to_integer<std::size_t>(byte >> 4)];
+    text += digits[std::to_integer<std::size_t>(byte & std::byte{15})];
+  }
+  return text;
+}
+
+/// What is no digit counts as 0: then the message is none, which is told.
+std::vector<std::byte> bytesOf(std::string_view hex) {
+  std::vector<std::byte> bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
+    const auto high = digits.find(hex[i]), low = digits.find(hex[i + 1]);
+    bytes.push_back(static_cast<std::byte>((high & 15) << 4 | (low & 15)));
+  }
+  return bytes;
+}
+
 }  // namespace
+
+Result<void> Match::control(std::span<const std::byte> bytes) {
+  auto message = parseGameController(bytes);
+  if (!message) return message.error();
+  // Most messages differ from the last one in the time only, which passes by itself.
+  const auto meaning = [](const GameControllerMessage& m) {
+    return std::tie(m.state, m.firstHalf, m.kickOff, m.teams.values);
+  };
+  const bool fresh = !lastControl_ || meaning(*lastControl_) != meaning(*message);
+  lastControl_ = *message;
+  if (!fresh && simulation_->referee().led()) return {};
+  simulation_->referee().follow(*message, simulation_->world());
+  note(InterventionKind::gameController, hexOf(bytes));
+  return {};
+}
+
+void Match::hearGameController() {
+  // What no controller sent is ignored, as is what floods in.
+  for (int i = 0; i < 10; ++i) {
+    const auto bytes = gameController_->receive();
+    if (!bytes) return;
+    if (control(*bytes)) answerGameController(lastControl_->version);
+  }
+}
+
+void Match::answerGameController(int version) const {
+  const std::vector<Player>& players = simulation_->players();
+  for (std::size_t i = 0; i < allRobots_.size(); ++i) {
+    GameControllerAnswer answer;
+    answer.team = lastControl_->teams[players[i].teamColor].number;
+    answer.player = players[i].number();
+    answer.fallen = simulation_->world().robot(i).posture != Posture::standing;
+    const MatchRobot& robot = *allRobots_[i];
+    if (robot.pose()) answer.pose = robot.pose()->pose;
+    if (robot.ball() && robot.ball()->lastSeen != never()) {
+      answer.ballAge = static_cast<double>(time() - robot.ball()->lastSeen) / 1000;
+      answer.ball = robot.ball()->position;
+    }
+    gameController_->answer(answerBytes(answer, version), gameControllerAnswerPort(version));
+  }
+}
 
 void Match::note(InterventionKind kind, std::string line) {
   history_.push_back({time(), kind, std::move(line)});
@@ -81,7 +145,10 @@ Result<void> Match::repeat(const MatchState& state, const Perform& perform) {
   auto next = state.history.begin();
   while (true) {
     for (; next != state.history.end() && next->time == time(); ++next) {
-      if (const auto done = perform(*this, next->line); !done) return done;
+      const auto done = next->kind == InterventionKind::gameController
+                            ? control(bytesOf(next->line))
+                            : perform(*this, next->line);
+      if (!done) return done;
     }
     if (time() >= state.time) break;
     if (finished()) return Error{"", 0, "time", "the match is over before"};

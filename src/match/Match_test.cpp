@@ -1,9 +1,12 @@
 #include "match/Match.h"
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
+#include <map>
 
 #include "streams/File.h"
 #include "streams/Json.h"
@@ -155,6 +158,67 @@ TEST_F(MatchTest, ASavedMatchGoesOnWithTheSameBits) {
     ASSERT_TRUE((*loaded)->save(file));
     EXPECT_TRUE(Match::load(file, options, putBall));
   }
+}
+
+/// A game controller's message of 2019: state, and the score of blue, the first team.
+std::vector<std::byte> order(int state, int score) {
+  const std::string head{"RGme"};
+  std::vector<std::byte> bytes(54);
+  for (std::size_t i = 0; i < 4; ++i) bytes[i] = static_cast<std::byte>(head[i]);
+  for (const auto& [at, value] : std::map<std::size_t, int>{{4, 12},
+                                                            {10, state},
+                                                            {12, 1},
+                                                            {13, 5},
+                                                            {14, 60},
+                                                            {18, 5},
+                                                            {20, score},
+                                                            {36, 7},
+                                                            {37, 1}})
+    bytes[at] = static_cast<std::byte>(value);
+  return bytes;
+}
+
+TEST_F(MatchTest, AGameControllerLeadsByUdpAndIsAnswered) {
+  MatchOptions options;
+  options.minutes = 1;
+  options.gameControllerPort = 0x8000 + ::getpid() % 0x4000;
+  auto made = Match::make(options);
+  ASSERT_TRUE(made) << made.error().text();
+  Match& match = **made;
+  // Answers come to the port 3939 of whoever sent; if somebody else has it here, they go there.
+  auto answers = GameControllerLink::listen(gameControllerAnswerPort(12));
+  const auto send = [&](std::span<const std::byte> bytes) {
+    const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_port = htons(static_cast<std::uint16_t>(match.gameController()->port()));
+    ::sendto(socket, bytes.data(), bytes.size(), 0, reinterpret_cast<sockaddr*>(&to), sizeof to);
+    ::close(socket);
+  };
+  send(std::as_bytes(std::span{"garbage"}));
+  match.step();
+  EXPECT_FALSE(match.simulation().referee().led());
+  send(order(3, 2));
+  match.step();
+  const Referee& referee = match.simulation().referee();
+  EXPECT_TRUE(referee.led());
+  EXPECT_EQ(referee.state(), GameState::playing);
+  EXPECT_EQ(referee.score(TeamColor::blue), 2);
+  EXPECT_EQ(referee.kickOff(), TeamColor::blue);
+  if (answers) {
+    int heard = 0;
+    while (const auto bytes = (*answers)->receive())
+      heard += bytes->size() == 8 && std::memcmp(bytes->data(), "RGrt", 4) == 0;
+    EXPECT_EQ(heard, 8);
+  }
+  // What it said is part of the state.
+  for (int i = 0; i < 20; ++i) match.step();
+  const std::string file = (folder / "led.state").string();
+  ASSERT_TRUE(match.save(file));
+  const auto loaded = Match::load(file, {}, putBall);
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  EXPECT_EQ((*loaded)->simulation().referee().score(TeamColor::blue), 2);
 }
 
 TEST_F(MatchTest, StatesThatDoNotFitAreRefused) {

@@ -255,7 +255,11 @@ void DynamicWorld::readBall(std::size_t i) {
 }
 
 void DynamicWorld::readContacts() {
-  for (RobotBody& robot : robots_) robot.footOnGround.fill(false);
+  for (RobotBody& robot : robots_) {
+    robot.footOnGround.fill(false);
+    robot.pushes = -1;
+    robot.blocked = false;
+  }
   for (int n = 0; n < data_->ncon; ++n) {
     const mjContact& contact = data_->contact[n];
     touch(contact.geom1, contact.geom2);
@@ -273,11 +277,21 @@ void DynamicWorld::touch(int geom, int other) {
   if (const int ball = ballOfBody_[rootOf(other)]; ball >= 0) {
     balls_[static_cast<std::size_t>(ball)].lastToucher = robot;
     balls_[static_cast<std::size_t>(ball)].lastTouched = time();
-  }
+  } else if (model_->geom_type[other] != mjGEOM_PLANE)
+    meet(i, robotOfBody_[rootOf(other)]);
   if (model_->geom_type[other] != mjGEOM_PLANE || model_->geom_type[geom] != mjGEOM_SPHERE) return;
   for (std::size_t leg = 0; leg < parts_[i].footSites.size(); ++leg)
     if (model_->geom_bodyid[geom] == model_->site_bodyid[parts_[i].footSites[leg]])
       robots_[i].footOnGround[leg] = true;
+}
+
+void DynamicWorld::meet(std::size_t robot, int other) {
+  robots_[robot].blocked = true;
+  if (other < 0) return;
+  constexpr double walking = 0.02;  // m/s
+  const Vector2d way =
+      robots_[static_cast<std::size_t>(other)].pose.translation - robots_[robot].pose.translation;
+  if (motors_[robot].speed.head<2>().dot(way) > walking * way.norm()) robots_[robot].pushes = other;
 }
 
 void DynamicWorld::undoIfBroken() {

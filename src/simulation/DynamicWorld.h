@@ -17,6 +17,10 @@ class DynamicWorld : public World {
   static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model);
 
   void step(std::span<const RobotCommand> commands) override;
+  void moveGeom(int geom, const Vector3d& position) override {
+    World::moveGeom(geom, position);
+    obstacles_ = Obstacles{*model_};
+  }
 
  private:
   /// A robot's motors, and what is to be known of it for measuring.
@@ -44,6 +48,8 @@ class DynamicWorld : public World {
   void readContacts();
   /// Notes for the robot that the first geom is part of what it touches.
   void touch(int geom, int other);
+  /// A robot touches another one, or a wall (-1).
+  void meet(std::size_t robot, int other);
   void undoIfBroken();
   Vector3d speedOf(std::size_t robot) const;
 

@@ -14,6 +14,11 @@ class KinematicWorld : public World {
                                              const Random& random);
 
   void step(std::span<const RobotCommand> commands) override;
+  void change(const NoiseParameters& noise) override { noise_ = noise; }
+  void moveGeom(int geom, const Vector3d& position) override {
+    World::moveGeom(geom, position);
+    obstacles_ = Obstacles{*model_};
+  }
 
  private:
   /// How a robot's steps differ from what it believes.

@@ -32,17 +32,20 @@ void Sensors::read(const World& world, std::size_t robot, SensorData& readings) 
         body.footOnGround[leg];
 }
 
-double rayDistance(const World& world, std::size_t robot, double range) {
+namespace {
+
+/// See rayDistance; a template, so that a robot's own sensor costs no indirect calls.
+template <typename Passes>
+double distanceAlong(const World& world, const Vector3d& start, const Vector3d& direction,
+                     double range, const Passes& passes) {
   const mjModel& model = world.model();
   const mjData& data = world.data();
-  const RobotParts& parts = world.parts(robot);
-  const mjtNum* from = data.site_xpos + 3 * parts.psdSite;
-  const mjtNum* frame = data.site_xmat + 9 * parts.psdSite;
-  const mjtNum along[3] = {frame[0], frame[3], frame[6]};
+  const Vector3d from = start / 1000;
+  const mjtNum* along = direction.data();
   double nearest = range / 1000;
   if (along[2] < 0) nearest = std::min(nearest, -from[2] / along[2]);  // the floor
   for (int geom = 0; geom < model.ngeom; ++geom) {
-    if (geom >= parts.firstGeom && geom < parts.lastGeom) continue;
+    if (passes(geom)) continue;
     const int group = model.geom_group[geom];
     if (group < 2 || group > 4) continue;
     // Only what the ray passes nearer than the geom's bounding sphere is wide.
@@ -53,10 +56,24 @@ double rayDistance(const World& world, std::size_t robot, double range) {
     if (ahead < -bound || ahead > nearest + bound) continue;
     if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - ahead * ahead > bound * bound) continue;
     const mjtNum hit = mju_rayGeom(center, data.geom_xmat + 9 * geom, model.geom_size + 3 * geom,
-                                   from, along, model.geom_type[geom]);
+                                   from.data(), along, model.geom_type[geom]);
     if (hit >= 0) nearest = std::min(nearest, hit);
   }
   return 1000 * nearest;
+}
+
+}  // namespace
+
+double rayDistance(const World& world, const Vector3d& from, const Vector3d& direction,
+                   double range, const std::function<bool(int geom)>& passes) {
+  return distanceAlong(world, from, direction, range, passes);
+}
+
+double rayDistance(const World& world, std::size_t robot, double range) {
+  const RobotParts& parts = world.parts(robot);
+  const Pose3D pose = sitePose(world.data(), parts.psdSite);
+  return distanceAlong(world, pose.translation, pose.rotation.col(0), range,
+                       [&](int geom) { return geom >= parts.firstGeom && geom < parts.lastGeom; });
 }
 
 }  // namespace gt

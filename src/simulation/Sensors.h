@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "base/Random.h"
 #include "representations/infrastructure/SensorData.h"
 #include "simulation/World.h"
@@ -15,12 +17,22 @@ class Sensors {
 
   /// Presses or releases a switch by hand (report I.3); paws are also pressed by the ground.
   void press(Switch which, bool pressed) { pressed_[which] = pressed; }
+  bool isPressed(Switch which) const { return pressed_[which]; }
+
+  /// How noisy they are from now on.
+  const NoiseParameters& noise() const { return noise_; }
+  void change(const NoiseParameters& noise) { noise_ = noise; }
 
  private:
   NoiseParameters noise_;
   Random random_;
   EnumArray<Switch, bool> pressed_;
 };
+
+/// How far it is from a point on the field along a direction to the first thing, at most `range`
+/// (mm). `passes` tells of a geom whether it is transparent.
+double rayDistance(const World& world, const Vector3d& from, const Vector3d& direction,
+                   double range, const std::function<bool(int geom)>& passes);
 
 /// How far it is from a robot's distance sensor to the first thing ahead, at most `range` (mm).
 /// The robot's own body is transparent.

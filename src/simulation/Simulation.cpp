@@ -55,13 +55,15 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
                        const Random& random, std::size_t threads, const FieldDimensions& field)
     : scene_(scene),
       players_(playersOf(scene)),
+      random_(random),
       world_(std::move(world)),
       referee_(scene.game, scene.rules, field, players_),
       radio_(scene.radio, players_, random.fork("radio")),
-      cameraScene_(world_->model()),
+      actuators_(*world_),
+      fieldSensors_(*world_, random.fork("field sensors")),
       commands_(scene.robots.size()),
       pool_(threads) {
-  for (std::size_t i = 0; i < pool_.threads(); ++i) renderers_.emplace_back(cameraScene_);
+  prepareCameras();
   for (const SceneRobot& robot : scene.robots)
     robots_.push_back({nullptr,
                        Sensors{scene.noise, random.fork("sensors " + robot.name)},
@@ -83,6 +85,31 @@ Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& sce
       new Simulation{scene, std::move(*world), random, threads, field}};
 }
 
+void Simulation::prepareCameras() {
+  renderers_.clear();
+  cameraScene_ = std::make_unique<CameraScene>(world_->model());
+  for (std::size_t i = 0; i < pool_.threads(); ++i) renderers_.emplace_back(*cameraScene_);
+}
+
+Result<void> Simulation::changeFidelity(Fidelity fidelity) {
+  if (fidelity == scene_.fidelity) return {};
+  SceneDescription changed = scene_;
+  changed.fidelity = fidelity;
+  auto world = makeWorld(changed, random_.fork("world"));
+  if (!world) return world.error();
+  (*world)->continueFrom(*world_);
+  world_ = std::move(*world);
+  scene_.fidelity = fidelity;
+  prepareCameras();
+  return {};
+}
+
+void Simulation::changeNoise(const NoiseParameters& noise) {
+  scene_.noise = noise;
+  world_->change(noise);
+  for (SimulatedRobot& robot : robots_) robot.sensors.change(noise);
+}
+
 void Simulation::attach(std::size_t robot, std::unique_ptr<RobotController> controller) {
   robots_[robot].controller = std::move(controller);
 }
@@ -90,17 +117,28 @@ void Simulation::attach(std::size_t robot, std::unique_ptr<RobotController> cont
 void Simulation::step() {
   {
     const Stopwatch::Lap lap{worldTime_};
+    for (const auto& controller : sceneControllers_) controller->control(*this);
+    actuators_.step(*world_);
     world_->step(commands_);
+    actuators_.hold(*world_);
     referee_.update(*world_);
+    fieldSensors_.step(*world_);
   }
   const bool picture = takePictures_ && tick_ % ticksPerPicture == 0;
   const auto work = [&](std::size_t robot, std::size_t worker) {
     SimulatedRobot& r = robots_[robot];
-    if (!r.controller) return;
+    if (!r.controller || !r.failure.empty()) return;
     sense(robot);
     if (picture) takePicture(robot, renderers_[worker]);
     r.output.message.reset();
-    r.controller->cycle(r.input, r.output);
+    // If one robot's program fails, the others play on, and it stands as it stood.
+    try {
+      r.controller->cycle(r.input, r.output);
+    } catch (const std::exception& error) {
+      r.failure = std::string{"the controller threw: "} + error.what();
+    } catch (...) {
+      r.failure = "the controller threw something";
+    }
   };
   // Ticks without pictures are so short that sharing them would cost more than it gains.
   if (picture)

@@ -12,6 +12,8 @@
 #include "representations/infrastructure/OracledWorldState.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/motion/OdometryData.h"
+#include "simulation/Actuators.h"
+#include "simulation/FieldSensors.h"
 #include "simulation/Radio.h"
 #include "simulation/Referee.h"
 #include "simulation/Scene.h"
@@ -21,6 +23,8 @@
 #include "simulation/camera/CameraRenderer.h"
 
 namespace gt {
+
+class Simulation;
 
 /// What a robot gets from its hardware in one tick: packages, as from sensors, camera and network.
 struct RobotInput {
@@ -51,6 +55,16 @@ class RobotController {
   virtual void cycle(const RobotInput& input, RobotOutput& output) = 0;
 };
 
+/// A controller of the scene itself, beside those of the robots: it may move, switch and watch
+/// anything.
+class SceneController {
+ public:
+  virtual ~SceneController() = default;
+
+  /// Runs before each tick.
+  virtual void control(Simulation& simulation) = 0;
+};
+
 /// A scene that runs. Everything that happens follows from the scene, the seed and the controllers:
 /// the same in, the same bits out, with any number of threads.
 ///
@@ -72,10 +86,21 @@ class Simulation {
 
   /// Gives an active robot its controller. A robot without one stands still.
   void attach(std::size_t robot, std::unique_ptr<RobotController> controller);
+  /// Adds a controller of the scene; all run in the order in which they came.
+  void add(std::unique_ptr<SceneController> controller) {
+    sceneControllers_.push_back(std::move(controller));
+  }
+  /// What a robot's controller threw, after which it was not called again; empty if it did not.
+  const std::string& failure(std::size_t robot) const { return robots_[robot].failure; }
+  /// Goes on in the other fidelity: all stands where it stood. Fails if the scene's models cannot
+  /// be read any more.
+  Result<void> changeFidelity(Fidelity fidelity);
+  void changeNoise(const NoiseParameters& noise);
   /// Sets an active robot's camera in its own way; at the start all are as the scene says.
   void setCamera(std::size_t robot, const CameraEffects& effects) {
     robots_[robot].camera = effects;
   }
+  const CameraEffects& camera(std::size_t robot) const { return robots_[robot].camera; }
   /// Pictures are taken unless switched off.
   void takePictures(bool on) { takePictures_ = on; }
 
@@ -92,6 +117,10 @@ class Simulation {
   World& world() { return *world_; }
   Referee& referee() { return referee_; }
   const Referee& referee() const { return referee_; }
+  Radio& radio() { return radio_; }
+  const Radio& radio() const { return radio_; }
+  Actuators& actuators() { return actuators_; }
+  FieldSensors& fieldSensors() { return fieldSensors_; }
   Sensors& sensors(std::size_t robot) { return robots_[robot].sensors; }
   RobotController* controller(std::size_t robot) { return robots_[robot].controller.get(); }
   /// What a robot got and gave in the last tick; `image` is its last picture even between pictures.
@@ -117,21 +146,27 @@ class Simulation {
     Image image;
     Pose2D odometry;
     Stopwatch sensorTime{"sensors"}, cameraTime{"camera"};
+    std::string failure{};
   };
 
   Simulation(const SceneDescription& scene, std::unique_ptr<World> world, const Random& random,
              std::size_t threads, const FieldDimensions& field);
 
+  void prepareCameras();
   void sense(std::size_t robot);
   void takePicture(std::size_t robot, CameraRenderer& renderer);
   void act();
 
   SceneDescription scene_;
   std::vector<Player> players_;
+  Random random_;
   std::unique_ptr<World> world_;
   Referee referee_;
   Radio radio_;
-  CameraScene cameraScene_;
+  Actuators actuators_;
+  FieldSensors fieldSensors_;
+  std::vector<std::unique_ptr<SceneController>> sceneControllers_;
+  std::unique_ptr<CameraScene> cameraScene_;
   std::vector<CameraRenderer> renderers_;  ///< One for each thread.
   std::vector<SimulatedRobot> robots_;
   std::vector<RobotCommand> commands_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "representations/infrastructure/RobotDimensions.h"
 #include "simulation/DynamicWorld.h"
 #include "simulation/KinematicWorld.h"
 #include "simulation/SceneModel.h"
@@ -31,6 +32,8 @@ World::World(const SceneDescription& scene, Model model)
   placed_.resize(robots_.size(), true);
   placedBalls_.resize(balls_.size(), true);
   cameras_.resize(robots_.size());
+  emission_.assign(model_->light_diffuse, model_->light_diffuse + 3 * model_->nlight);
+  shares_.assign(static_cast<std::size_t>(model_->nlight), 1);
 }
 
 Result<void> World::findParts(const SceneDescription& scene) {
@@ -73,6 +76,72 @@ void World::throwOver(std::size_t robot, Posture side) {
 
 void World::standUp(std::size_t robot) {
   throwOver(robot, Posture::standing);
+}
+
+void World::moveJoint(int joint, std::span<const double> coordinates) {
+  std::copy(coordinates.begin(), coordinates.end(), data_->qpos + model_->jnt_qposadr[joint]);
+  const int dofs = model_->jnt_type[joint] == mjJNT_FREE ? 6 : 1;
+  std::fill_n(data_->qvel + model_->jnt_dofadr[joint], dofs, 0);
+  updateKinematics();
+}
+
+void World::moveGeom(int geom, const Vector3d& position) {
+  const int body = model_->geom_bodyid[geom];
+  const Matrix3d rotation = rotationFromMuJoCo(data_->xmat + 9 * body);
+  const Vector3d local = rotation.transpose() * (position - fromMuJoCo(data_->xpos + 3 * body));
+  for (int k = 0; k < 3; ++k) model_->geom_pos[3 * geom + k] = local[k] / 1000;
+  updateKinematics();
+}
+
+void World::emit(int light, double share) {
+  share = std::clamp(share, 0., 1.);
+  shares_[static_cast<std::size_t>(light)] = share;
+  for (int k = 3 * light; k < 3 * light + 3; ++k)
+    model_->light_diffuse[k] = static_cast<float>(share) * emission_[static_cast<std::size_t>(k)];
+}
+
+void World::setAmbient(const Vector3d& rgb) {
+  for (int k = 0; k < 3; ++k)
+    model_->vis.headlight.ambient[k] = static_cast<float>(std::clamp(rgb[k], 0., 1.));
+}
+
+void World::turnJoint(std::size_t robot, Joint joint, double angle) {
+  const JointLimits limits = limitsOf(joint);
+  robots_[robot].joints[joint] = std::clamp(angle, limits.low, limits.high);
+  placed_[robot] = true;
+}
+
+void World::continueFrom(const World& other) {
+  robots_ = other.robots_;
+  balls_ = other.balls_;
+  time_ = other.time_;
+  cameras_ = other.cameras_;
+  std::fill(placed_.begin(), placed_.end(), true);
+  std::fill(placedBalls_.begin(), placedBalls_.end(), true);
+  std::copy_n(other.model_->geom_pos, 3 * model_->ngeom, model_->geom_pos);
+  std::copy_n(other.data_->qpos, model_->nq, data_->qpos);
+  for (int light = 0; light < model_->nlight; ++light) emit(light, other.emission(light));
+  const float* ambient = other.model_->vis.headlight.ambient;
+  setAmbient({ambient[0], ambient[1], ambient[2]});
+  updateKinematics();
+  // Whoever keeps what stands on the field looks at it anew.
+  if (model_->ngeom > 0) moveGeom(0, fromMuJoCo(data_->geom_xpos));
+}
+
+bool geomsTouch(const World& world, int a, int b, double gap) {
+  const mjModel& model = world.model();
+  const mjData& data = world.data();
+  if (model.geom_type[a] > model.geom_type[b]) std::swap(a, b);
+  const mjfCollision collide = mjCOLLISIONFUNC[model.geom_type[a]][model.geom_type[b]];
+  if (!collide) return false;
+  const double reach = model.geom_rbound[a] + model.geom_rbound[b] + std::max(gap, 0.);
+  mjtNum between[3];
+  mju_sub3(between, data.geom_xpos + 3 * a, data.geom_xpos + 3 * b);
+  if (mju_dot3(between, between) > reach * reach) return false;
+  mjContact contacts[mjMAXCONPAIR];
+  const int count = collide(&model, &data, contacts, a, b, std::max(gap, 0.));
+  return std::any_of(contacts, contacts + count,
+                     [&](const mjContact& contact) { return contact.dist < gap; });
 }
 
 void World::writeRobot(std::size_t i) {

@@ -82,6 +82,7 @@ class World {
   std::size_t ballCount() const { return balls_.size(); }
   const BallState& ball(std::size_t i) const { return balls_[i]; }
   double ballRadius(std::size_t i) const { return ballParts_[i].radius; }
+  int ballBody(std::size_t i) const { return ballParts_[i].body; }
 
   /// The pose of a robot's camera on the field (mm; x along the optical axis, y left, z up), now or
   /// up to `cameraHistory` - 1 ticks ago.
@@ -95,6 +96,21 @@ class World {
   /// Lays a robot on its side; `placeRobot` or `standUp` puts it back on its feet.
   void throwOver(std::size_t robot, Posture side);
   void standUp(std::size_t robot);
+  /// Puts a joint that belongs to no robot and no ball at coordinates of MuJoCo, at rest.
+  void moveJoint(int joint, std::span<const double> coordinates);
+  /// Puts a geom that stands still somewhere else (mm); robots and balls meet it there.
+  virtual void moveGeom(int geom, const Vector3d& position);
+  /// Sets how strongly a light of the model shines: 0 to 1 times what the model says.
+  void emit(int light, double share);
+  double emission(int light) const { return shares_[static_cast<std::size_t>(light)]; }
+  /// The intensity that reaches all surfaces: red, green, blue in 0 to 1.
+  void setAmbient(const Vector3d& rgb);
+  /// Turns a robot's joint by hand (rad), within its limits.
+  void turnJoint(std::size_t robot, Joint joint, double angle);
+  /// How much chance there is in the robots' motions from now on; not all fidelities have any.
+  virtual void change(const NoiseParameters&) {}
+  /// Takes over how all stands and lies, and the time, from another world of the same scene.
+  void continueFrom(const World& other);
 
  protected:
   World(const SceneDescription& scene, Model model);
@@ -118,8 +134,13 @@ class World {
  private:
   std::size_t active_;
   Time time_;
+  std::vector<float> emission_;  ///< Of the model's lights: diffuse red, green, blue.
+  std::vector<double> shares_;   ///< How strongly they shine now.
   std::vector<std::array<Pose3D, cameraHistory>> cameras_;  ///< Newest first.
 };
+
+/// Whether two geoms come nearer to each other than `gap` (m; negative: overlap by more).
+bool geomsTouch(const World& world, int a, int b, double gap);
 
 /// The world of a scene, with the fidelity that it asks for.
 Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, const Random& random);

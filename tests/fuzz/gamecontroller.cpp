@@ -1,5 +1,7 @@
 #include "simulation/GameController.h"
 
+#include <span>
+
 #include "Fuzz.h"
 
 /// A game controller's messages, and the answers to them.

@@ -16,14 +16,18 @@ struct CameraEffects {
   double noiseY = 3;
   double noiseCb = 2;
   double noiseCr = 2;
+  bool pixelShading = false;
+  bool shadows = false;
 
   /// A camera without faults.
-  static CameraEffects none() { return {false, 0, 0, 1, 0, 0, 0, 0, 0}; }
+  static CameraEffects none() { return {false, 0, 0, 1, 0, 0, 0, 0, 0, false, false}; }
 
   /// Whether colours change at all.
   bool colors() const {
     CameraEffects perfect = none();
     perfect.rollingShutter = rollingShutter;
+    perfect.pixelShading = pixelShading;
+    perfect.shadows = shadows;
     return *this != perfect;
   }
   friend bool operator==(const CameraEffects&, const CameraEffects&) = default;
@@ -42,7 +46,10 @@ struct CameraEffects {
         field("noiseY", &CameraEffects::noiseY, "", "standard deviation of a pixel's noise",
               {0, 60}),
         field("noiseCb", &CameraEffects::noiseCb, "", "", {0, 60}),
-        field("noiseCr", &CameraEffects::noiseCr, "", "", {0, 60})};
+        field("noiseCr", &CameraEffects::noiseCr, "", "", {0, 60}),
+        field("pixelShading", &CameraEffects::pixelShading, "",
+              "each pixel is lit by the emitters for itself; otherwise each surface, by daylight"),
+        field("shadows", &CameraEffects::shadows, "", "with pixelShading: emitters throw shadows")};
   }
 };
 static_assert(complete<CameraEffects>);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "simulation/camera/Lighting.h"
 #include "simulation/camera/ShapeDrawer.h"
 
 namespace gt {
@@ -18,10 +19,14 @@ void CameraRenderer::render(const mjData& data, const CameraView& view,
                             PictureTruth* truth) {
   image.info = view.info;
   image.allocate();
-  rasterizer_.begin(view.info.width, view.info.height, scene_->background(), truth != nullptr);
+  rasterizer_.begin(view.info.width, view.info.height, scene_->background(),
+                    truth != nullptr || effects.pixelShading);
   if (isFinite(view.first) && isFinite(view.last)) {
     projection_.set(view, effects.rollingShutter);
     drawScene(data, view.hiddenBody);
+    if (effects.pixelShading)
+      Lighting{scene_->model()}.shade(data, view, effects.rollingShutter, effects.shadows, *scene_,
+                                      rasterizer_);
   }
   if (truth) tell(*truth);
   if (effects.colors())

@@ -110,7 +110,8 @@ ColorClass classOfRgb(const Eigen::Vector3f& rgb) {
 }
 
 CameraScene::CameraScene(const mjModel& model, const Eigen::Vector3f& backgroundRgb)
-    : classes_(static_cast<std::size_t>(model.ngeom), ColorClass::noColor),
+    : model_(&model),
+      classes_(static_cast<std::size_t>(model.ngeom), ColorClass::noColor),
       background_(packColor(backgroundRgb, ColorClass::noColor)) {
   for (int geom = 0; geom < model.ngeom; ++geom)
     if (model.geom_group[geom] != hiddenGroup && rgbaOf(model, geom)[3] >= 0.5f)

@@ -48,7 +48,7 @@ struct CameraCluster {
 ///
 /// A geom's colour class is the part of its material's name up to the first dot (behind the last
 /// slash), otherwise it is guessed from its colour. Geoms of group 1 are decals, those of group 5
-/// and transparent ones are not seen.
+/// and transparent ones are not seen. The model must live on.
 class CameraScene {
  public:
   struct Face {
@@ -62,6 +62,7 @@ class CameraScene {
   const std::vector<CameraShape>& shapes() const { return shapes_; }
   const std::vector<CameraCluster>& clusters() const { return clusters_; }
   const std::vector<Face>& faces() const { return faces_; }
+  const mjModel& model() const { return *model_; }
   PackedColor background() const { return background_; }
   /// The class that a geom is drawn with; noColor for those not seen.
   ColorClass classOf(int geom) const { return classes_[static_cast<std::size_t>(geom)]; }
@@ -71,6 +72,7 @@ class CameraScene {
   void addFaces(const mjModel& model, int mesh, CameraShape& shape);
   void addClusters(const mjModel& model);
 
+  const mjModel* model_;
   std::vector<CameraShape> shapes_;
   std::vector<CameraCluster> clusters_;
   std::vector<Face> faces_;

@@ -25,6 +25,7 @@ class Rasterizer {
   int width() const { return width_; }
   int height() const { return height_; }
   const PackedColor* row(int y) const { return &colors_[offset(y)]; }
+  PackedColor* row(int y) { return &colors_[offset(y)]; }
   /// The geoms of a row, -1 for the background; only if asked for.
   const std::int32_t* geomRow(int y) const { return &geoms_[offset(y)]; }
 

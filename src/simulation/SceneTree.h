@@ -1,0 +1,69 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/Result.h"
+#include "simulation/Simulation.h"
+
+namespace gt {
+
+/// All objects of a running scene, by path (report 5.1.1): listed, watched, moved, switched. A path
+/// leads from groups to their parts, as in `robots/red1/joints/headPan`. Values are texts of
+/// numbers and words; lengths are mm, angles deg.
+///
+/// robots/NAME (its pose: x y angle), with joints, switches, sensors, camera, posture, …; balls/N
+/// (x y, and its speed); actuators/NAME (the command, and whether the last one met nothing);
+/// sensors/NAME; emitters/NAME (0 to 1); field/NAME (x y z of what stands there); game, rules,
+/// radio, noise (parameters by name); fidelity.
+class SceneTree {
+ public:
+  /// The simulation must live on.
+  explicit SceneTree(Simulation& simulation);
+
+  struct Object {
+    std::string path;
+    std::string_view help;  ///< What its value is.
+    bool canBeSet = false;
+  };
+
+  /// All objects on and below a path, in order; all there are for an empty one.
+  std::vector<Object> list(std::string_view path) const;
+  /// An object's value as it is now.
+  Result<std::string> get(const std::string& path) const;
+  /// Moves or switches an object. An error changes nothing.
+  Result<void> set(const std::string& path, const std::string& value);
+
+ private:
+  using Numbers = std::vector<double>;
+  struct Node {
+    std::string_view help;
+    std::function<std::string()> get;
+    std::function<Result<void>(const std::string&)> set;
+  };
+
+  void add(std::string path, std::string_view help, std::function<std::string()> get,
+           std::function<Result<void>(const std::string&)> set = nullptr);
+  /// A node that is set by so many numbers, or by more up to `most`.
+  void addNumbers(const std::string& path, std::string_view help, std::function<std::string()> get,
+                  std::size_t least, std::size_t most, std::function<void(const Numbers&)> set);
+  /// A node for each field of a struct.
+  template <typename T>
+  void addFields(const std::string& path, std::function<T()> get,
+                 std::function<void(const T&)> set);
+  void addRobot(std::size_t i, const std::string& name);
+  void addActiveRobot(std::size_t i, const std::string& path);
+  void addBall(std::size_t i);
+  void addActuators();
+  void addFieldSensors();
+  void addEmitters();
+  void addField();
+  void addGame();
+
+  Simulation& simulation_;
+  std::map<std::string, Node, std::less<>> nodes_;
+};
+
+}  // namespace gt

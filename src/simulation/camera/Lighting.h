@@ -1,0 +1,61 @@
+#pragma once
+#include <mujoco/mujoco.h>
+
+#include "base/Geometry.h"
+#include "simulation/camera/CameraScene.h"
+#include "simulation/camera/CameraView.h"
+#include "simulation/camera/Rasterizer.h"
+
+namespace gt {
+
+/// What a ray meets first. Metres.
+struct RayHit {
+  int geom = -1;  ///< -1: nothing.
+  Vector3d point = Vector3d::Zero();
+  Vector3d normal = Vector3d::UnitZ();
+  double distance = 0;
+};
+
+/// How the emitters of a scene light up what rays meet (report 5.1.1): the ambient intensity of the
+/// model's headlight, which reaches all surfaces, and the model's lights: directional ones, spot
+/// emitters (a cutoff below 90 degrees) and radial emitters. The radiation classes are red, green
+/// and blue, of which the camera makes its own three. The model must live on; its lights may
+/// change.
+class Lighting {
+ public:
+  explicit Lighting(const mjModel& model) : model_(&model) {}
+
+  /// The nearest surface along a ray. `hiddenBody` and what is not to be seen is passed through.
+  RayHit cast(const mjData& data, const Vector3d& from, const Vector3d& direction,
+              int hiddenBody) const;
+  /// Where a ray meets one geom.
+  RayHit castAt(const mjData& data, int geom, const Vector3d& from,
+                const Vector3d& direction) const;
+  /// The colour of a lit surface; with shadows, only by emitters that nothing hides.
+  PackedColor color(const mjData& data, const RayHit& hit, ColorClass colorClass,
+                    bool shadows) const;
+
+  /// Gives each pixel of a picture that was drawn with its geoms the intensity of its own.
+  void shade(const mjData& data, const CameraView& view, bool rollingShutter, bool shadows,
+             const CameraScene& scene, Rasterizer& picture) const;
+
+ private:
+  bool hidden(const mjData& data, const Vector3d& from, const Vector3d& direction, double distance,
+              int lit) const;
+  Eigen::Vector3f lightFrom(const mjData& data, int light, const RayHit& hit, bool shadows) const;
+
+  const mjModel* model_;
+};
+
+/// A camera with a spherical geometry (report 5.1.1): the angles between all neighbouring pixels
+/// are the same. Its picture is lit like those of other cameras with per-pixel shading.
+struct Facette {
+  int columns = 64, rows = 32;
+  double width = 2 * pi, height = pi;  ///< Opening angles in rad.
+
+  /// Takes a picture from a pose on the field (mm; x is the middle of the picture, z up).
+  void take(const Lighting& lighting, const CameraScene& scene, const mjData& data,
+            const Pose3D& pose, int hiddenBody, bool shadows, Image& image) const;
+};
+
+}  // namespace gt
