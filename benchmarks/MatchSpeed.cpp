@@ -4,9 +4,12 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <utility>
 
+#include "framework/Requests.h"
 #include "match/Match.h"
 #include "robot/Solutions.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -14,17 +17,34 @@ namespace {
 /// What one match took.
 struct Run {
   double realTimeFactor = 0;
+  double seconds = 0;  ///< Simulated.
   std::vector<PartTime> parts;
 };
 
-Result<Run> play(const MatchOptions& options) {
+/// Has the robots ask the oracle instead of their cameras, which take no pictures.
+Result<void> blindfold(Match& match) {
+  for (std::size_t i = 0; i < match.robots().size(); ++i) {
+    match.simulation().takePictures(i, false);
+    Robot& robot = match.robots()[i]->robot();
+    for (const auto& [task, solution] : {std::pair{"ImageProcessor", "disabled"},
+                                         {"SelfLocator", "Oracled"},
+                                         {"BallLocator", "Oracled"}})
+      if (auto done = robot.request(SolutionRequest{task, solution}); !done) return done;
+  }
+  return {};
+}
+
+Result<Run> play(const MatchOptions& options, bool oracled) {
   auto match = Match::make(options);
   if (!match) return match.error();
+  if (oracled)
+    if (auto done = blindfold(**match); !done) return done.error();
   const auto begin = std::chrono::steady_clock::now();
   while (!(*match)->finished()) (*match)->step();
   if (auto done = (*match)->close(); !done) return done.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  return Run{static_cast<double>((*match)->time().ms) / 1000 / seconds.count(), (*match)->times()};
+  const double simulated = static_cast<double>((*match)->time().ms) / 1000;
+  return Run{simulated / seconds.count(), simulated, (*match)->times()};
 }
 
 std::string figureOf(const std::string& part) {
@@ -37,10 +57,14 @@ std::string figureOf(const std::string& part) {
 
 void addParts(Figures& figures, const std::vector<Run>& runs) {
   for (std::size_t i = 0; i < runs.front().parts.size(); ++i) {
-    std::vector<double> times;
-    for (const Run& run : runs)
+    std::vector<double> times, shares;
+    for (const Run& run : runs) {
       times.push_back(run.parts[i].totalMs * 1000 / static_cast<double>(run.parts[i].count));
-    figures.add(figureOf(runs.front().parts[i].part), "us", times);
+      shares.push_back(run.parts[i].totalMs / run.seconds);
+    }
+    const std::string figure = figureOf(runs.front().parts[i].part);
+    figures.add(figure, "us", times);
+    figures.add(figure + ".second", "ms", shares);
   }
 }
 
@@ -50,16 +74,72 @@ struct MatchKind {
   const char* scene;
   std::size_t threads;
   bool logged;
+  bool oracled;
   Aim aim;
 };
 
-const std::array<MatchKind, 6> kinds{
-    {{"speed.match.threads1", "scenes/match.scene", 1, false, {}},
-     {"speed.match.threads2", "scenes/match.scene", 2, false, Aim::atLeast(40)},
-     {"speed.match.logged.threads1", "scenes/match.scene", 1, true, {}},
-     {"speed.match.logged.threads2", "scenes/match.scene", 2, true, {}},
-     {"speed.match.dynamic.threads1", "scenes/dynamic.scene", 1, false, {}},
-     {"speed.match.dynamic.threads2", "scenes/dynamic.scene", 2, false, Aim::atLeast(10)}}};
+constexpr const char *kinematic = "scenes/match.scene", *dynamic = "scenes/dynamic.scene";
+const std::array<MatchKind, 8> kinds{
+    {{"speed.match.threads1", kinematic, 1, false, false, {}},
+     {"speed.match.threads2", kinematic, 2, false, false, Aim::atLeast(40)},
+     {"speed.match.oracled.threads1", kinematic, 1, false, true, {}},
+     {"speed.match.oracled.threads2", kinematic, 2, false, true, Aim::atLeast(150)},
+     {"speed.match.logged.threads1", kinematic, 1, true, false, {}},
+     {"speed.match.logged.threads2", kinematic, 2, true, false, {}},
+     {"speed.match.dynamic.threads1", dynamic, 1, false, false, {}},
+     {"speed.match.dynamic.threads2", dynamic, 2, false, false, Aim::atLeast(10)}}};
+
+/// Plays as many matches of a kind as are asked for, each on a seed of its own.
+Result<std::vector<Run>> playAll(MatchOptions match, int runs, bool oracled) {
+  std::vector<Run> played;
+  for (int i = 1; i <= runs; ++i) {
+    match.seed = static_cast<std::uint64_t>(i);
+    auto run = play(match, oracled);
+    if (!run) return run.error();
+    played.push_back(std::move(*run));
+  }
+  return played;
+}
+
+std::vector<double> factorsOf(const std::vector<Run>& runs) {
+  std::vector<double> factors;
+  for (const Run& run : runs) factors.push_back(run.realTimeFactor);
+  return factors;
+}
+
+/// A scene of so many robots. Two teams have numbers for eight: the others stand about.
+std::string sceneOf(std::size_t robots) {
+  const auto here = std::filesystem::current_path().string();
+  std::string active, passive;
+  for (std::size_t i = 0; i < robots; ++i) {
+    constexpr std::array<const char*, 4> roles{"striker2", "striker1", "goalie", "defender"};
+    (i < 8 ? active : passive) += fmt::format(
+        "<robot name=\"r{0}\" team=\"{1}\" role=\"{2}\" x=\"{3}\" y=\"{4}\" "
+        "model=\"{5}/models/ers210.xml\" layout=\"{5}/layouts/cmd.layout\"/>",
+        i, i % 2 == 0 ? "red" : "blue", roles[i / 2 % 4], -1800 + 700 * static_cast<int>(i % 6),
+        -900 + 550 * static_cast<int>(i / 6), here);
+  }
+  return fmt::format(
+      "<scene field=\"{0}/models/field2003.xml\" config=\"{0}/config\"><game referee=\"false\"/>"
+      "<robots>{1}</robots><extras>{2}</extras>"
+      "<balls><ball x=\"0\" y=\"0\" model=\"{0}/models/ball.xml\"/></balls></scene>",
+      here, active, passive);
+}
+
+Result<void> measureGrowth(Figures& figures, const MatchSpeedOptions& options) {
+  const auto file = std::filesystem::temp_directory_path() / "gt2003-bench.scene";
+  for (const std::size_t robots : {1, 2, 4, 8, 16, 22}) {
+    if (auto done = writeFile(file.string(), sceneOf(robots)); !done) return done;
+    MatchOptions match;
+    match.scene = file.string();
+    match.minutes = options.minutes / 2;
+    auto runs = playAll(match, options.runs, false);
+    if (!runs) return runs.error();
+    figures.add("speed.match.robots" + std::to_string(robots), "x", factorsOf(*runs));
+  }
+  std::filesystem::remove(file);
+  return {};
+}
 
 }  // namespace
 
@@ -67,26 +147,19 @@ Result<void> measureMatchSpeed(Figures& figures, const MatchSpeedOptions& option
   const auto logs = std::filesystem::temp_directory_path() / "gt2003-bench";
   std::filesystem::create_directories(logs);
   for (const MatchKind& kind : kinds) {
-    std::vector<Run> runs;
-    std::vector<double> factors;
-    for (int i = 1; i <= options.runs; ++i) {
-      MatchOptions match;
-      match.scene = kind.scene;
-      match.minutes = options.minutes;
-      match.seed = static_cast<std::uint64_t>(i);
-      match.threads = kind.threads;
-      if (kind.logged) match.logs = logs.string();
-      auto run = play(match);
-      if (!run) return run.error();
-      factors.push_back(run->realTimeFactor);
-      runs.push_back(std::move(*run));
-    }
-    figures.add(kind.figure, "x", factors, kind.aim);
+    MatchOptions match;
+    match.scene = kind.scene;
+    match.minutes = options.minutes;
+    match.threads = kind.threads;
+    if (kind.logged) match.logs = logs.string();
+    auto runs = playAll(match, options.runs, kind.oracled);
+    if (!runs) return runs.error();
+    figures.add(kind.figure, "x", factorsOf(*runs), kind.aim);
     // With one thread no other work disturbs what is measured.
-    if (&kind == kinds.data()) addParts(figures, runs);
+    if (&kind == kinds.data()) addParts(figures, *runs);
   }
   std::filesystem::remove_all(logs);
-  return {};
+  return measureGrowth(figures, options);
 }
 
 }  // namespace gt

@@ -1,6 +1,7 @@
 // How long small pieces of the system take that run often.
 #include "Parts.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "representations/modeling/BallModel.h"
 #include "representations/perception/BallPercept.h"
 #include "robot/Configuration.h"
+#include "simulation/World.h"
 
 namespace gt {
 namespace {
@@ -84,6 +86,31 @@ void xabslCycle(benchmark::State& state) {
   }
 }
 
+/// Eight robots that walk, each with all joints in motion, and a ball among them.
+void kinematicWorld(benchmark::State& state) {
+  auto scene = loadScene("scenes/match.scene");
+  if (!scene) throw std::runtime_error(scene.error().text());
+  scene->balls.resize(static_cast<std::size_t>(state.range(0)));
+  auto world = makeWorld(*scene, Random{1});
+  if (!world) throw std::runtime_error(world.error().text());
+  std::vector<RobotCommand> commands(scene->robots.size());
+  double phase = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    phase += 0.1;
+    for (RobotCommand& command : commands) {
+      for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft}) {
+        command.joints[legJoint(leg, 1)] = -0.4 + 0.2 * std::sin(phase);
+        command.joints[legJoint(leg, 2)] = 0.14;
+        command.joints[legJoint(leg, 3)] = 1.3 + 0.2 * std::cos(phase);
+      }
+      command.step = {0.002, std::sin(phase / 50), 0};
+    }
+    (*world)->step(commands);
+  }
+}
+
+BENCHMARK(kinematicWorld)->Name("speed.world.kinematic")->Arg(0)->Apply(inMicroseconds);
+BENCHMARK(kinematicWorld)->Name("speed.world.kinematicBall")->Arg(1)->Apply(inMicroseconds);
 BENCHMARK(xabslCycle)->Name("speed.xabsl.cycle")->Apply(inMicroseconds);
 BENCHMARK(inactiveDebugKey)->Name("speed.debug.inactiveKey")->Apply(inNanoseconds);
 BENCHMARK(moduleCall)->Name("speed.framework.call")->Apply(inNanoseconds);

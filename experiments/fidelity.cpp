@@ -1,5 +1,6 @@
 // Walks by the same commands in the kinematic and in the dynamic fidelity: how far one is from the
 // other.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -32,8 +33,9 @@ const std::array<Walk, 10> walks{{{"forward100", {0, 100, 0}},
 
 /// What a walk was like.
 struct Way {
-  Pose2D speed;  ///< rad/s, mm/s in the robot's own axes
-  double height = 0, pitch = 0, pitchDeviation = 0;
+  Pose2D speed;                          ///< rad/s, mm/s in the robot's own axes
+  double height = 0;                     ///< mm, of the body
+  double pitch = 0, pitchDeviation = 0;  ///< rad, of the camera, + up
   bool fell = false;
 };
 
@@ -75,8 +77,9 @@ Result<Way> walk(const Pose2D& request, Fidelity fidelity) {
     sum.rotation += step.rotation;
     sum.translation += step.translation;
     height += robot.height;
-    pitch += robot.tilt;
-    pitchSquares += robot.tilt * robot.tilt;
+    const double tilt = std::asin(std::clamp((*world)->camera(0).rotation(2, 0), -1., 1.));
+    pitch += tilt;
+    pitchSquares += tilt * tilt;
     way.fell |= robot.posture != Posture::standing;
   }
   constexpr double ticks = seconds * ticksPerSecond;

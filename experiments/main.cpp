@@ -26,6 +26,7 @@ using Experiment = Result<void> (*)(Figures&, const ExperimentOptions&);
 const std::map<std::string, Experiment> experiments{{"fidelity", measureFidelity},
                                                     {"localization", measureLocalization},
                                                     {"matches", measureMatches},
+                                                    {"soak", measureSoak},
                                                     {"vision", measureVision}};
 
 }  // namespace

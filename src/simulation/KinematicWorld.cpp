@@ -62,9 +62,7 @@ Result<std::unique_ptr<World>> KinematicWorld::make(const SceneDescription& scen
   std::unique_ptr<KinematicWorld> world{new KinematicWorld{scene, std::move(model), random}};
   if (auto found = world->findParts(scene); !found) return found.error();
   // The robots begin as they would stand up from the power-on pose: on straight legs.
-  for (std::size_t i = 0; i < world->robots_.size(); ++i) world->writeRobot(i);
   for (std::size_t i = 0; i < world->balls_.size(); ++i) world->writeBall(i);
-  world->updateKinematics();
   for (std::size_t i = 0; i < world->robots_.size(); ++i) world->setStance(i);
   world->updateKinematics();
   return std::unique_ptr<World>{std::move(world)};
@@ -83,10 +81,8 @@ void KinematicWorld::step(std::span<const RobotCommand> commands) {
   }
   partRobots();
   for (std::size_t i = 0; i < robots_.size(); ++i) noteBlocked(i);
-  for (std::size_t i = 0; i < robots_.size(); ++i) writeRobot(i);
-  updateKinematics();  // where the feet are below the body ...
   for (std::size_t i = 0; i < robots_.size(); ++i) setStance(i);
-  updateKinematics();  // ... and where all is when they stand on the ground
+  updateKinematics();
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const BallPhysics::Surroundings around{parts_, robots_, placed_, obstacles_, time()};
     ballPhysics_.step(balls_[i], ballParts_[i], *data_, around);
@@ -182,18 +178,14 @@ void KinematicWorld::setStance(std::size_t i) {
     robot.footOnGround.fill(false);
   } else {
     robot.roll = 0;
-    const Vector3d origin = fromMuJoCo(data_->xpos + 3 * parts.body);
-    const Matrix3d toBody = rotationFromMuJoCo(data_->xmat + 9 * parts.body).transpose();
     std::array<GroundPoint, 5> fore, hind;
     const auto point = [&](std::size_t leg, std::size_t n) -> GroundPoint& {
       return leg < 2 ? fore[2 * leg + n] : hind[2 * (leg - 2) + n];
     };
     for (std::size_t leg = 0; leg < 4; ++leg) {
-      const int site = parts.footSites[leg];
-      point(leg, 0) = {toBody * (fromMuJoCo(data_->site_xpos + 3 * site) - origin),
-                       1000 * model_->site_size[3 * site]};
-      point(leg, 1) = {toBody * (fromMuJoCo(data_->xpos + 3 * parts.kneeBodies[leg]) - origin),
-                       kneeRadius};
+      const LegPose pose = legPose(*model_, parts, robot.joints, leg);
+      point(leg, 0) = {pose.foot, 1000 * model_->site_size[3 * parts.footSites[leg]]};
+      point(leg, 1) = {pose.knee, kneeRadius};
     }
     fore[4] = chest;
     hind[4] = rump;

@@ -220,5 +220,28 @@ TEST(SceneModel, teamsWearTheirColors) {
   }
 }
 
+TEST(RobotParts, aLegAloneIsWhereMuJoCoHasIt) {
+  const auto world = worldOf(duelScene({0.7, 300, -200}, {1000, 0}));
+  const mjModel& model = world->model();
+  const RobotParts& parts = world->parts(0);
+  const ModelData data = makeData(model);
+  Random random{3};
+  for (int i = 0; i < 100; ++i) {
+    const JointAngles angles = randomAngles(random);
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+      data->qpos[parts.jointAddress.values[j]] = angles.values[j];
+    mj_kinematics(&model, data.get());
+    const Vector3d origin = fromMuJoCo(data->xpos + 3 * parts.body);
+    const Matrix3d toBody = rotationFromMuJoCo(data->xmat + 9 * parts.body).transpose();
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      const LegPose pose = legPose(model, parts, angles, leg);
+      const Vector3d foot = fromMuJoCo(data->site_xpos + 3 * parts.footSites[leg]),
+                     knee = fromMuJoCo(data->xpos + 3 * parts.kneeBodies[leg]);
+      EXPECT_LT((pose.foot - toBody * (foot - origin)).norm(), 1e-9);
+      EXPECT_LT((pose.knee - toBody * (knee - origin)).norm(), 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gt

@@ -52,6 +52,39 @@ std::pair<int, int> geomsBelow(const mjModel& model, int body) {
   return {std::min(first, last), last};
 }
 
+LegPose legPose(const mjModel& model, const RobotParts& parts, const JointAngles& angles,
+                std::size_t leg) {
+  const auto vectorOf = [](const mjtNum* numbers) {
+    return Vector3d{numbers[0], numbers[1], numbers[2]};
+  };
+  constexpr std::size_t joints = 3;
+  std::array<int, 8> chain;  // from the lower leg up to the body
+  std::size_t length = 0;
+  for (int body = parts.kneeBodies[leg]; body != parts.body && length < chain.size();
+       body = model.body_parentid[body])
+    chain[length++] = body;
+  Vector3d position = Vector3d::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  std::size_t joint = 0;
+  while (length > 0) {
+    const int body = chain[--length];
+    const mjtNum* q = model.body_quat + 4 * body;
+    position += rotation * vectorOf(model.body_pos + 3 * body);
+    rotation = rotation * Eigen::Quaterniond{q[0], q[1], q[2], q[3]};
+    if (model.body_jntnum[body] == 0 || joint == joints) continue;
+    const int hinge = model.body_jntadr[body];
+    const double angle =
+        angles.values[static_cast<std::size_t>(Joint::legFR1) + joints * leg + joint++];
+    const Vector3d anchor = vectorOf(model.jnt_pos + 3 * hinge);
+    position += rotation * anchor;
+    rotation = rotation * Eigen::AngleAxisd{angle - model.qpos0[model.jnt_qposadr[hinge]],
+                                            vectorOf(model.jnt_axis + 3 * hinge)};
+    position -= rotation * anchor;
+  }
+  const Vector3d foot = vectorOf(model.site_pos + 3 * parts.footSites[leg]);
+  return {1000 * position, 1000 * (position + rotation * foot)};
+}
+
 Result<RobotParts> findRobotParts(const mjModel& model, const std::string& robot,
                                   const std::string& file) {
   constexpr std::array<const char*, 4> legs{"FR", "FL", "HR", "HL"};

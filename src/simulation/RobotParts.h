@@ -26,6 +26,16 @@ struct RobotParts {
 Result<RobotParts> findRobotParts(const mjModel& model, const std::string& robot,
                                   const std::string& file);
 
+/// Where a leg's knee and foot are, in mm relative to the robot's body.
+struct LegPose {
+  Vector3d knee, foot;
+};
+
+/// The same as MuJoCo makes of the joints' angles (rad), of one leg alone: most that follows from
+/// the legs is needed before the body's own pose is known.
+LegPose legPose(const mjModel& model, const RobotParts& parts, const JointAngles& angles,
+                std::size_t leg);
+
 /// Where a ball lies in the model.
 struct BallParts {
   int body = 0;

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "simulation/TestChaos.h"
 #include "simulation/TestScenes.h"
 
 namespace gt {
@@ -117,15 +118,15 @@ TEST_F(WorkshopTest, theFourKindsOfActuatorsMove) {
 }
 
 TEST_F(WorkshopTest, sensorsMeasure) {
-  set("field/post", "1002 0 200");
+  set("field/post", "1002.3 0 200");
   set("sensors/inertia/noise", "0");
   run(0.1);
-  EXPECT_NEAR(numbers("sensors/whisker")[0], 802, 0.1);
+  EXPECT_NEAR(numbers("sensors/whisker")[0], 802.3, 0.1);
   EXPECT_EQ(get("sensors/bumper"), "0");
   EXPECT_NEAR(numbers("sensors/inertia")[2], 9810, 0.1);
   set("actuators/car", "1 0");
   run(0.8);
-  EXPECT_NEAR(numbers("sensors/whisker")[0], 402, 0.1);
+  EXPECT_NEAR(numbers("sensors/whisker")[0], 402.3, 0.1);
   run(1.2);
   EXPECT_EQ(get("actuators/car/executed"), "false");
   EXPECT_EQ(get("sensors/bumper"), "1");
@@ -264,6 +265,26 @@ TEST_F(MatchTree, allObjectsAreListedAndHaveValues) {
   for (const SceneTree::Object& object : robot) EXPECT_TRUE(object.path.starts_with("robots/red1"));
   EXPECT_EQ(tree_->list("robots/red").size(), 0u);
   EXPECT_EQ(tree_->list("balls/").size(), 1u);
+}
+
+/// A short one of what `make experiments` does for half an hour.
+TEST(Chaos, breaksNothing) {
+  for (const Fidelity fidelity : {Fidelity::kinematic, Fidelity::dynamic}) {
+    auto scene = crowdedScene(22, 10);
+    ASSERT_TRUE(scene) << scene.error().text();
+    scene->fidelity = fidelity;
+    auto simulation = Simulation::make(*scene, 7);
+    ASSERT_TRUE(simulation) << simulation.error().text();
+    Chaos chaos{**simulation, 7};
+    const int ticks = fidelity == Fidelity::kinematic ? 3000 : 500;
+    for (int i = 0; i < ticks; ++i) {
+      (*simulation)->takePictures(i % 500 < 5);
+      chaos.step();
+      ASSERT_EQ(chaos.wrong(), "") << i;
+    }
+    EXPECT_EQ((*simulation)->failure(6).empty(), fidelity == Fidelity::dynamic);  // not yet
+    EXPECT_EQ((*simulation)->failure(5), "");
+  }
 }
 
 class Thrower : public RobotController {

@@ -67,6 +67,7 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
   for (const SceneRobot& robot : scene.robots)
     robots_.push_back({nullptr,
                        Sensors{scene.noise, random.fork("sensors " + robot.name)},
+                       true,
                        random.fork("pictures " + robot.name),
                        scene.camera,
                        {},
@@ -167,8 +168,11 @@ void Simulation::sense(std::size_t robot) {
 void Simulation::takePicture(std::size_t robot, CameraRenderer& renderer) {
   SimulatedRobot& r = robots_[robot];
   const Stopwatch::Lap lap{r.cameraTime};
-  renderer.render(world_->data(), cameraView(*world_, robot, CameraInfo{}), r.camera,
-                  r.pictureSeeds(), r.image);
+  if (r.cameraOn)
+    renderer.render(world_->data(), cameraView(*world_, robot, CameraInfo{}), r.camera,
+                    r.pictureSeeds(), r.image);
+  else if (r.image.pixels.empty())
+    r.image.allocate();
   r.image.time = r.input.now;
   r.input.image = &r.image;
 }

@@ -103,6 +103,9 @@ class Simulation {
   const CameraEffects& camera(std::size_t robot) const { return robots_[robot].camera; }
   /// Pictures are taken unless switched off.
   void takePictures(bool on) { takePictures_ = on; }
+  /// The same for the camera of one active robot (report I.5.3: ci): instead of new pictures it
+  /// gets its last one again and again, so that what works on pictures goes on.
+  void takePictures(std::size_t robot, bool on) { robots_[robot].cameraOn = on; }
 
   /// One tick.
   void step();
@@ -139,6 +142,7 @@ class Simulation {
   struct SimulatedRobot {
     std::unique_ptr<RobotController> controller;
     Sensors sensors;
+    bool cameraOn = true;
     Random pictureSeeds;
     CameraEffects camera;
     RobotInput input;

@@ -2,6 +2,7 @@
 #include "modules/modeling/DefaultTeamBallLocator.h"
 #include "modules/modeling/DefaultTeamMessageSender.h"
 #include "modules/modeling/MonteCarloSelfLocator.h"
+#include "modules/modeling/OracledLocators.h"
 #include "modules/modeling/PidSmoothedBallLocator.h"
 #include "modules/modeling/SingleLandmarkSelfLocator.h"
 #include "modules/modeling/Tasks.h"
@@ -12,7 +13,9 @@ namespace gt {
 void addModelingSolutions(SolutionTable& table) {
   table.add<SelfLocator, MonteCarloSelfLocator>("MonteCarlo");
   table.add<SelfLocator, SingleLandmarkSelfLocator>("SingleLandmark");
+  table.add<SelfLocator, OracledSelfLocator>("Oracled");
   table.add<BallLocator, PidSmoothedBallLocator>("PIDSmoothed");
+  table.add<BallLocator, OracledBallLocator>("Oracled");
   table.add<TeamBallLocator, DefaultTeamBallLocator>("Default");
   table.add<RobotStateDetector, DefaultRobotStateDetector>("Default");
   table.add<TeamMessageSender, DefaultTeamMessageSender>("Default");
