@@ -49,6 +49,8 @@ std::size_t letterLength(std::string_view text) {
 
 /// Older teams wrote their comments in Latin-1: bytes that are no UTF-8 are taken for that.
 std::string toUtf8(std::string text) {
+  const auto plain = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::all_of(text.begin(), text.end(), plain)) return text;
   std::string_view rest = text;
   while (!rest.empty() && letterLength(rest) > 0) rest.remove_prefix(letterLength(rest));
   if (rest.empty()) return text;

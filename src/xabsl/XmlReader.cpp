@@ -44,6 +44,16 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// What people can do with, where libxml2 speaks of itself.
+std::string readable(const xmlError& error) {
+  if (error.code == XML_ERR_NAME_REQUIRED || error.code == XML_ERR_ENTITYREF_SEMICOL_MISSING)
+    return "'&' begins the name of an entity, which ends with ';'; for the letter write '&amp;'";
+  if (error.code == XML_ERR_LT_IN_ATTRIBUTE) return "'<' in a value must be written as '&lt;'";
+  std::string message = error.message ? error.message : "this is no well-formed XML";
+  while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.pop_back();
+  return message;
+}
+
 /// Lines and columns of places in a text.
 class Lines {
  public:
@@ -136,9 +146,7 @@ class Reader {
     // An entity may be declared in a file that is not read here.
     if (error.level < XML_ERR_ERROR || error.code == XML_WAR_UNDECLARED_ENTITY) return;
     Reader& reader = *static_cast<Reader*>(parser->_private);
-    std::string message = error.message ? error.message : "this is no well-formed XML";
-    while (!message.empty() && (message.back() == '\n' || message.back() == '.'))
-      message.pop_back();
+    const std::string message = readable(error);
     const bool own = parser == reader.parser_ && parser->inputNr <= 1;
     const Location location =
         own ? Location{reader.file_, std::max(error.line, 1), std::max(error.int2, 1)}
