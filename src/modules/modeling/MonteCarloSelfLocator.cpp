@@ -14,6 +14,13 @@ const DebugKey drawPose{"SelfLocator/pose"};
 void MonteCarloSelfLocator::update(const LandmarksPercept& percept, const OdometryData& odometry,
                                    const FieldDimensions& field, const Player& player,
                                    RobotPose& robotPose, Random& random, Debug& debug) {
+  locate(percept, odometry, field, player, nullptr, robotPose, random, debug);
+}
+
+void MonteCarloSelfLocator::locate(const LandmarksPercept& percept, const OdometryData& odometry,
+                                   const FieldDimensions& field, const Player& player,
+                                   const RobotPose* candidate, RobotPose& robotPose, Random& random,
+                                   Debug& debug) {
   const auto wanted = static_cast<std::size_t>(std::max(parameters.samples, 1));
   if (samples_.empty()) lastOdometry_ = odometry;
   while (samples_.size() < wanted)
@@ -32,7 +39,7 @@ void MonteCarloSelfLocator::update(const LandmarksPercept& percept, const Odomet
       observe(bearings, percept.cameraOffset.head<2>());
       templates_.update(percept, player.teamColor, field);
       resample(samples_, buffer_, random);
-      replaceSamples(field, random);
+      replaceSamples(field, candidate, random);
       search_ = true;
     }
   }
@@ -82,10 +89,13 @@ void MonteCarloSelfLocator::observe(const Bearings& bearings, const Vector2d& ca
   }
 }
 
-void MonteCarloSelfLocator::replaceSamples(const FieldDimensions& field, Random& random) {
+void MonteCarloSelfLocator::replaceSamples(const FieldDimensions& field, const RobotPose* candidate,
+                                           Random& random) {
   for (Sample& sample : samples_) {
     if (!random.chance(parameters.replacement * (1 - sample.probability))) continue;
-    if (const auto pose = templates_.take(random))
+    if (candidate && random.chance(candidate->validity))
+      sample = Sample::at(candidate->pose, parameters.newProbability);
+    else if (const auto pose = templates_.take(random))
       sample = Sample::at(*pose, parameters.newProbability);
     else if (random.chance(parameters.randomReplacement))
       sample = Sample::at(randomPose(field, random), parameters.newProbability);

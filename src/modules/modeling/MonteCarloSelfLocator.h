@@ -64,13 +64,19 @@ class MonteCarloSelfLocator {
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
               Random& random, Debug& debug);
 
+  /// The same with a pose that another method has found: improbable samples make room for it, as
+  /// often as it is valid.
+  void locate(const LandmarksPercept& percept, const OdometryData& odometry,
+              const FieldDimensions& field, const Player& player, const RobotPose* candidate,
+              RobotPose& robotPose, Random& random, Debug& debug);
+
   const std::vector<Sample>& samples() const { return samples_; }
 
  private:
   void moveSamples(const Pose2D& step, const FieldDimensions& field, Random& random);
   void observe(const Bearings& bearings, const Vector2d& cameraOffset);
   void draw(const RobotPose& robotPose, Debug& debug) const;
-  void replaceSamples(const FieldDimensions& field, Random& random);
+  void replaceSamples(const FieldDimensions& field, const RobotPose* candidate, Random& random);
 
   std::vector<Sample> samples_, buffer_;
   PoseTemplates templates_;

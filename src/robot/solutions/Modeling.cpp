@@ -1,6 +1,7 @@
 #include "modules/modeling/DefaultRobotStateDetector.h"
 #include "modules/modeling/DefaultTeamBallLocator.h"
 #include "modules/modeling/DefaultTeamMessageSender.h"
+#include "modules/modeling/FusionSelfLocator.h"
 #include "modules/modeling/MonteCarloSelfLocator.h"
 #include "modules/modeling/OracledLocators.h"
 #include "modules/modeling/PidSmoothedBallLocator.h"
@@ -12,6 +13,7 @@ namespace gt {
 
 void addModelingSolutions(SolutionTable& table) {
   table.add<SelfLocator, MonteCarloSelfLocator>("MonteCarlo");
+  table.add<SelfLocator, FusionSelfLocator>("Fusion");
   table.add<SelfLocator, SingleLandmarkSelfLocator>("SingleLandmark");
   table.add<SelfLocator, OracledSelfLocator>("Oracled");
   table.add<BallLocator, PidSmoothedBallLocator>("PIDSmoothed");
