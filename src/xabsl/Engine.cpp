@@ -104,8 +104,9 @@ void Engine::runBehavior(int index) {
   keepParameters(memory_.data() + layout_.behaviorParameters[at(index)], count);
 }
 
-/// Goes through a program from the root option until that returns. What decides and calls is here;
-/// all else is in compute() and recordEvent().
+/// Goes through a program from the root option until that returns. What decides and calls is here,
+/// in one switch, so that a condition costs but its comparison and a jump; all else is in compute()
+/// and recordEvent().
 void Engine::run(const Program& program) {
   const Instruction* const code = program.code.data();
   const Program::StateCode* const states = program.states.data();

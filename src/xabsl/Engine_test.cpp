@@ -167,6 +167,21 @@ TEST_F(EngineTest, ForgetsATargetStateThatWasLeftCyclesAgo) {
   EXPECT_THAT(pathAt(3), ElementsAre("main/b"));
 }
 
+TEST_F(EngineTest, IsDoneWhenAnyOfSeveralSubOptionsIs) {
+  load(R"(
+    option main {
+      initial state a { decision { if (action_done) goto b; else stay; }
+                        action { never(); stop(); sub(); } }
+      state b { action { } } }
+    option never { initial state s { action { } } }
+    option sub {
+      initial state s { decision { if (state_time >= 40) goto done; else stay; } action { } }
+      target state done { action { } } })");
+  EXPECT_THAT(pathAt(0), ElementsAre("main/a", "never/s", "stop", "sub/s"));
+  EXPECT_THAT(pathAt(40), ElementsAre("main/a", "never/s", "stop", "sub/done"));
+  EXPECT_THAT(pathAt(80), ElementsAre("main/b"));
+}
+
 TEST_F(EngineTest, CountsOptionsOfCommonActionsForActionDone) {
   load(R"(
     option main {
