@@ -113,7 +113,8 @@ int main(int argc, char** argv) {
   addOptions(app, options);
   Arguments arguments;
   app.add_option("--at", arguments.processes,
-                 "Where a process listens if not in the folder: Motion=tcp://10.0.1.100:5001");
+                 "Where a process listens if not in the folder: Motion=tcp://10.0.1.100:5001; "
+                 "Platform is the simulation (simgt play --remote) or the hardware");
   app.add_option("--keys", arguments.keys,
                  "Key file for listening (robot.key of router --make-keys)");
   app.add_option("--connect-keys", arguments.connectKeys, "Key file for connecting (tool.key)");

@@ -154,6 +154,15 @@ Result<void> writeResults(const Match& match, const MatchTimes& times,
 }  // namespace
 
 int play(PlayOptions options) {
+  for (const std::string& robot : options.remote) {
+    const auto end = std::min(robot.find('='), robot.size());
+    options.match.remote[robot.substr(0, end)] = robot.substr(std::min(end + 1, robot.size()));
+  }
+  if (!options.keys.empty()) {
+    auto keys = loadKeys(options.keys);
+    if (!keys) return fail(keys.error());
+    options.match.keys = std::move(*keys);
+  }
   const std::filesystem::path out{options.out};
   std::error_code failed;
   std::filesystem::create_directories(out, failed);

@@ -12,7 +12,9 @@ struct PlayOptions {
   std::string
       script;  ///< Console commands; what they do not take of the match is played after them.
   bool logs = true;
-  bool realTime = false;  ///< No faster than the clock; so are matches of robots outside.
+  bool realTime = false;            ///< No faster than the clock; so are matches of robots outside.
+  std::vector<std::string> remote;  ///< Robots outside: NAME or NAME=ENDPOINT.
+  std::string keys;  ///< Key file for those that connect from other machines; none if empty.
 };
 
 /// Plays a match with a progress bar and a line for each event, then writes match.json, times.json

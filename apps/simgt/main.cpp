@@ -35,10 +35,14 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
   command.add_flag("--trace", play.match.trace,
                    "Log all that the behavior decides, for gtlog export LOG OUT.trace");
   command.add_flag("--real-time", play.realTime, "No faster than the clock");
-  command.add_option("--remote", play.match.remote,
-                     "Robots whose processes connect from outside (gtrobot-*); in real time");
-  command.add_option("--game-controller", play.match.gameControllerPort,
-                     "UDP port on which a RoboCup game controller may lead the game (its own: 3838)")
+  command.add_option("--remote", play.remote,
+                     "Robots whose processes connect from outside (gtrobot-*), in real time: NAME, "
+                     "or NAME=ENDPOINT to listen for them there (red3=tcp://10.0.1.5:5003)");
+  command.add_option("--keys", play.keys,
+                     "robot.key of router --make-keys: for robots on other machines");
+  command
+      .add_option("--game-controller", play.match.gameControllerPort,
+                  "UDP port on which a RoboCup game controller may lead the game (its own: 3838)")
       ->check(CLI::Range(1, 65535));
   command.add_option("--sockets", play.match.sockets, "Folder in which they find the simulation");
 }

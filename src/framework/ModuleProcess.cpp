@@ -199,7 +199,7 @@ void ModuleProcess::handle(const Message& message) {
   handleAs<SolutionRequest>(message) || handleAs<DebugRequest>(message) ||
       handleAs<WatchRequest>(message) || handleAs<ParameterRequest>(message) ||
       handleAs<DescriptionRequest>(message) || handleAs<GenericDebugData>(message) ||
-      handlePackage(message);
+      (handler_ && handler_(message)) || handlePackage(message);
 }
 
 /// What the process receives as a package may also come as a message: a motion request of a tool, a

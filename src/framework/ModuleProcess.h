@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,6 +45,10 @@ class ModuleProcess : public Process {
   Result<std::string> parameter(std::string_view task, std::string_view solution,
                                 std::string_view path);
   ProcessDescription describe();
+  /// Who carries out messages of the tools that the framework does not know; false for those that
+  /// he does not know either.
+  using Handler = std::function<bool(const Message&)>;
+  void onMessage(Handler handler) { handler_ = std::move(handler); }
   /// The representations that are sent after cycles, and how often.
   std::vector<WatchRequest> watched() const;
   /// Lays a value down in place of the task that would provide it, if that is disabled.
@@ -91,6 +96,7 @@ class ModuleProcess : public Process {
   std::vector<Watched> watched_;
   std::vector<std::unique_ptr<PackageSender>> ownSenders_;
   std::vector<std::unique_ptr<PackageReceiver>> ownReceivers_;
+  Handler handler_;
   MessageQueue debugIn_, debugOut_;
   PackageSender debugSender_;
   PackageReceiver debugReceiver_;

@@ -102,15 +102,15 @@ Result<void> Match::addRobots(const std::shared_ptr<const Configuration>& config
                                                 : addRobot(i, *layout, configuration);
     if (!added) return added;
   }
-  for (const std::string& name : options_.remote)
+  for (const auto& [name, endpoint] : options_.remote)
     if (std::none_of(scene.robots.begin(), scene.robots.end(),
-                     [&](const SceneRobot& robot) { return robot.name == name; }))
+                     [&, &robotName = name](const SceneRobot& r) { return r.name == robotName; }))
       return Error{options_.scene, 0, name, "the scene has no such robot"};
   return {};
 }
 
 bool Match::isRemote(const std::string& robot) const {
-  return std::find(options_.remote.begin(), options_.remote.end(), robot) != options_.remote.end();
+  return options_.remote.count(robot) > 0;
 }
 
 Result<void> Match::addRobot(std::size_t index, const Layout& layout,
@@ -158,7 +158,10 @@ Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
   if (!plan) return plan.error();
   spoil("robots outside take part");
   const std::string folder = options_.sockets.empty() ? defaultSocketFolder() : options_.sockets;
-  auto controller = RemoteRobot::make({folder, simulation_->scene().robots[index].name, {}}, *plan);
+  RobotAddresses addresses{folder, simulation_->scene().robots[index].name, {}};
+  if (const std::string& endpoint = options_.remote.at(addresses.robot); !endpoint.empty())
+    addresses.elsewhere[platformProcess] = endpoint;
+  auto controller = RemoteRobot::make(addresses, *plan, options_.keys);
   if (!controller) return controller.error();
   remoteRobots_.push_back(controller->get());
   allRobots_.push_back(controller->get());

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,9 +30,11 @@ struct MatchOptions {
   std::string behavior = "behavior/GT2003.xabsl";
   std::string motions = "motions";
   std::string layout{};  ///< Of all robots, instead of what the scene says, if not empty.
-  /// Robots whose processes are programs of their own and connect to the simulation; by name.
-  std::vector<std::string> remote{};
-  std::string sockets{};  ///< Folder in which they find it; the user's default if empty.
+  /// Robots whose processes are programs of their own and connect to the simulation: for each name
+  /// where it listens for them, such as tcp://10.0.1.5:5003; on this machine, if that is empty.
+  std::map<std::string, std::string> remote{};
+  std::string sockets{};       ///< Folder in which they find it; the user's default if empty.
+  std::optional<Keys> keys{};  ///< For robots on other machines.
   /// UDP port on which a game controller may lead the game; 0 if none may. Its own is 3838.
   int gameControllerPort = 0;
 };

@@ -52,11 +52,12 @@ void RemoteRobot::receive(In<T>& in, const Plan& plan) {
 }
 
 Result<std::unique_ptr<RemoteRobot>> RemoteRobot::make(const RobotAddresses& addresses,
-                                                       const Plan& plan) {
+                                                       const Plan& plan,
+                                                       const std::optional<Keys>& keys) {
   std::unique_ptr<RemoteRobot> robot{new RemoteRobot};
   robot->name_ = addresses.robot;
   if (auto done = makePrivateFolder(addresses.folder); !done) return done.error();
-  if (auto done = robot->wire_.listen(addresses.endpoint(platformProcess)); !done)
+  if (auto done = robot->wire_.listen(addresses.endpoint(platformProcess), keys); !done)
     return done.error();
   for (PackageSender* sender : {&robot->sensors_.sender, &robot->image_.sender,
                                 &robot->game_.sender, &robot->team_.sender, &robot->oracle_.sender})

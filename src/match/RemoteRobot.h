@@ -23,9 +23,10 @@ struct RemoteStatistics {
 /// answer keeps its joints where they are.
 class RemoteRobot : public MatchRobot {
  public:
-  /// Listens for the robot's processes, which its layout names.
+  /// Listens for the robot's processes, which its layout names; beyond this machine with keys.
   static Result<std::unique_ptr<RemoteRobot>> make(const RobotAddresses& addresses,
-                                                   const Plan& plan);
+                                                   const Plan& plan,
+                                                   const std::optional<Keys>& keys);
 
   void cycle(const RobotInput& input, RobotOutput& output) override;
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <random>
+#include <thread>
 
 #include "network/LocalSocket.h"
 #include "network/ZeroMq.h"
@@ -54,20 +55,20 @@ ZeroMq& Network::zeroMq() {
 
 Result<Socket*> Network::listen(const std::string& endpoint, const std::optional<Keys>& keys,
                                 const SocketLimits& limits) {
+  if (begins(endpoint, localScheme))
+    return add(LocalSocket::listen(*this, endpoint.substr(localScheme.size()), limits));
   if (!keys && !isLocal(endpoint))
     return wrong(endpoint,
                  "can be reached from other machines: needs keys (router --make-keys FOLDER)");
   if (keys && !keys->canListen()) return wrong(endpoint, "these keys are not for listening");
-  if (begins(endpoint, localScheme))
-    return add(LocalSocket::listen(*this, endpoint.substr(localScheme.size()), limits));
   return add(ZeroMqSocket::listen(*this, zeroMq(), endpoint, keys, limits));
 }
 
 Result<Socket*> Network::connect(const std::string& endpoint, const std::string& name,
                                  const std::optional<Keys>& keys, const SocketLimits& limits) {
-  if (keys && !keys->canConnect()) return wrong(endpoint, "these keys are not for connecting");
   if (begins(endpoint, localScheme))
     return add(LocalSocket::connect(*this, endpoint.substr(localScheme.size()), name, limits));
+  if (keys && !keys->canConnect()) return wrong(endpoint, "these keys are not for connecting");
   return add(ZeroMqSocket::connect(*this, zeroMq(), endpoint, name, keys, limits));
 }
 
@@ -77,7 +78,9 @@ Result<Socket*> Network::add(Result<std::unique_ptr<Socket>> socket) {
   return sockets_.back().get();
 }
 
-void Network::wait(std::int64_t ms) {
+void Network::wait(std::int64_t ms, std::int64_t shortest) {
+  if (const std::int64_t rest = woken_ + shortest - elapsed(); rest > 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds{rest});
   waitedFor_.clear();
   for (const auto& socket : sockets_)
     waitedFor_.push_back({socket->zeroMq(), socket->file(), ZMQ_POLLIN, 0});
@@ -89,6 +92,7 @@ void Network::wait(std::int64_t ms) {
   } catch (const zmq::error_t&) {
     // Interrupted by a signal: the program looks what to do.
   }
+  woken_ = elapsed();
 }
 
 }  // namespace gt

@@ -26,15 +26,16 @@ class Network {
   Network& operator=(const Network&) = delete;
 
   /// Listens for many peers. Beyond this machine (not ipc:// or the loopback device) only with
-  /// keys.
+  /// keys; ipc:// needs none and takes none.
   Result<Socket*> listen(const std::string& endpoint, const std::optional<Keys>& keys = {},
                          const SocketLimits& limits = {});
   /// Connects to one peer, as soon as it is there and again whenever it is; `name` is who one is
   /// there, no name an anonymous one.
   Result<Socket*> connect(const std::string& endpoint, const std::string& name,
                           const std::optional<Keys>& keys = {}, const SocketLimits& limits = {});
-  /// Waits until something comes in or the time in ms is over.
-  void wait(std::int64_t ms);
+  /// Waits until something comes in or the time in ms is over, but until `shortest` ms after the
+  /// last wait: a flood does not keep the program awake.
+  void wait(std::int64_t ms, std::int64_t shortest = 0);
 
   /// The clock that frames are stamped with.
   Time now;
@@ -49,6 +50,7 @@ class Network {
 
   std::uint64_t session_;
   std::int64_t begin_;
+  std::int64_t woken_ = 0;
   std::unique_ptr<ZeroMq> zeroMq_;  ///< Made when a socket needs it, as it has threads.
   std::vector<std::unique_ptr<Socket>> sockets_;
   std::vector<zmq_pollitem_t> waitedFor_;

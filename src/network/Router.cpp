@@ -72,27 +72,21 @@ Result<std::vector<RoutedRobot>> parseRobots(const std::vector<std::string>& arg
 
 Result<std::unique_ptr<Router>> Router::open(const RouterOptions& options) {
   std::unique_ptr<Router> router{new Router};
-  const auto keysFor = [](const std::string& endpoint, const std::optional<Keys>& keys) {
-    return endpoint.substr(0, 6) == "ipc://" ? std::nullopt : keys;
-  };
   for (const RoutedRobot& robot : options.robots) {
     auto route = std::make_unique<Route>();
     route->robot = robot;
-    auto connection = ToolConnection::open(router->network_, robot.robot,
-                                           keysFor(robot.robot, options.connectKeys));
+    auto connection = ToolConnection::open(router->network_, robot.robot, options.connectKeys);
     if (!connection) return connection.error();
     route->connection = std::move(*connection);
     if (!robot.tools.empty()) {
-      auto tools =
-          ToolPort::open(router->network_, robot.tools, keysFor(robot.tools, options.listenKeys));
+      auto tools = ToolPort::open(router->network_, robot.tools, options.listenKeys);
       if (!tools) return tools.error();
       route->tools = std::move(*tools);
     }
     router->routes_.push_back(std::move(route));
   }
   if (!options.all.empty()) {
-    auto all =
-        ToolPort::open(router->network_, options.all, keysFor(options.all, options.listenKeys));
+    auto all = ToolPort::open(router->network_, options.all, options.listenKeys);
     if (!all) return all.error();
     router->all_ = std::move(*all);
   }
@@ -100,7 +94,7 @@ Result<std::unique_ptr<Router>> Router::open(const RouterOptions& options) {
 }
 
 void Router::step(std::int64_t ms) {
-  network_.wait(ms);
+  network_.wait(ms, std::min<std::int64_t>(ms, 2));
   if (all_) all_->update(toAll_);
   for (const auto& route : routes_) {
     toAll_.copyAllMessages(route->connection->out());

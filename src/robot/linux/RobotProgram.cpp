@@ -8,6 +8,7 @@
 #include "network/ToolPort.h"
 #include "network/Wire.h"
 #include "robot/RobotLog.h"
+#include "robot/linux/Recorder.h"
 
 namespace gt {
 namespace {
@@ -16,6 +17,8 @@ volatile std::sig_atomic_t stopped = 0;
 
 /// How long a program sleeps at most before it looks whether it shall end, in ms.
 constexpr std::int64_t longestWait = 50;
+/// The process that serves tools does not turn faster, whatever they send, in ms.
+constexpr std::int64_t shortestTurn = 2;
 
 void stopOnSignals() {
   struct sigaction action {};
@@ -24,21 +27,14 @@ void stopOnSignals() {
   sigaction(SIGINT, &action, nullptr);
 }
 
-/// The keys for an endpoint: on one machine the folder's rights are enough.
-const std::optional<Keys>& keysFor(const std::string& endpoint, const std::optional<Keys>& keys) {
-  static const std::optional<Keys> none;
-  return endpoint.substr(0, 6) == "ipc://" ? none : keys;
-}
-
 /// Each two processes have one connection: the one later in the layout connects to the other, all
 /// connect to the platform.
 Result<void> join(Wire& wire, const RobotProgramOptions& options, const Layout& layout) {
   const auto connect = [&](const std::string& peer) {
-    const std::string endpoint = options.addresses.endpoint(peer);
-    return wire.connect(peer, endpoint, keysFor(endpoint, options.connectKeys));
+    return wire.connect(peer, options.addresses.endpoint(peer), options.connectKeys);
   };
   const std::string own = options.addresses.endpoint(options.process);
-  if (auto done = wire.listen(own, keysFor(own, options.listenKeys)); !done) return done;
+  if (auto done = wire.listen(own, options.listenKeys); !done) return done;
   if (auto done = connect(platformProcess); !done) return done;
   for (const ProcessLayout& process : layout.processes) {
     if (process.name == options.process) break;
@@ -80,6 +76,21 @@ void connect(Wire& wire, ModuleProcess& process, const Plan& plan, const Plan::P
   if (!debugProcess.empty()) wire.receive(debugProcess, process.debugReceiver());
 }
 
+/// Carries out a BehaviorRequest where behavior is decided; what is wrong with it is told.
+bool changeBehavior(ModuleProcess& process, const Message& message) {
+  BehaviorRequest request;
+  if (!message.is<BehaviorRequest>()) return false;
+  if (!process.solves("BehaviorControl")) return true;
+  if (const auto done = message.read(request); !done) {
+    process.debug().text(process.name() + ": " + done.error().text());
+  } else if (const auto behavior = loadBehavior(request); !behavior) {
+    process.debug().text(behavior.error().text());
+  } else {
+    process.blackboard().get<Behavior>() = *behavior;
+  }
+  return true;
+}
+
 /// Lives by the platform's clock. Returns when the program shall end, or the platform began anew:
 /// then so does the robot.
 Result<void> runModules(const RobotProgramOptions& options, const Layout& layout,
@@ -100,6 +111,7 @@ Result<void> runModules(const RobotProgramOptions& options, const Layout& layout
   Wire wire{network, options.process};
   if (auto done = join(wire, options, layout); !done) return done;
   connect(wire, *process, *plan, *planned, debugProcessOf(layout));
+  process->onMessage([&](const Message& message) { return changeBehavior(*process, message); });
 
   std::uint64_t session = 0;
   while (!stopped) {
@@ -114,55 +126,6 @@ Result<void> runModules(const RobotProgramOptions& options, const Layout& layout
     wire.askForMore();
   }
   return {};
-}
-
-/// Records what config/log.cfg names, asking each process for it, again when it was started again.
-class Recorder {
- public:
-  static Result<Recorder> open(const RobotProgramOptions& options, const SolutionTable& table,
-                               std::vector<std::string> representations) {
-    auto log = RobotLog::open(freeLogFile(options.logs + "/" + options.addresses.robot),
-                              {{"robot", options.addresses.robot}});
-    if (!log) return log.error();
-    for (const auto& [name, task] : table.tasks())
-      for (const RepresentationType* type : task.outputs) log->know(*type);
-    return Recorder{std::move(*log), std::move(representations)};
-  }
-
-  void write(const MessageQueue& messages, std::int64_t now) {
-    log_.write(messages);
-    if (now < nextFlush_) return;
-    log_.flush();
-    nextFlush_ = now + 1000;
-  }
-  void ask(const Wire& wire, const Layout& layout, MessageQueue& requests) {
-    for (const ProcessLayout& process : layout.processes) {
-      std::uint64_t& known = sessions_[process.name];
-      const std::uint64_t session = wire.clockOf(process.name).session;
-      if (session == known) continue;
-      known = session;
-      for (const std::string& name : representations_) requests.write({}, WatchRequest{name, ""});
-    }
-  }
-
- private:
-  Recorder(RobotLog log, std::vector<std::string> representations)
-      : log_{std::move(log)}, representations_{std::move(representations)} {}
-
-  RobotLog log_;
-  std::vector<std::string> representations_;
-  std::map<std::string, std::uint64_t> sessions_;
-  std::int64_t nextFlush_ = 0;
-};
-
-Result<std::optional<Recorder>> openRecorder(const RobotProgramOptions& options,
-                                             const SolutionTable& table) {
-  if (options.logs.empty()) return std::optional<Recorder>{};
-  const auto configuration = loadConfiguration(options.paths, table);
-  if (!configuration) return configuration.error();
-  auto recorder = Recorder::open(options, table, (*configuration)->log.representations);
-  if (!recorder) return recorder.error();
-  return std::optional{std::move(*recorder)};
 }
 
 /// Saves messages beside the robot's log, and tells the tools where.
@@ -190,25 +153,31 @@ Result<void> runDebug(const RobotProgramOptions& options, const Layout& layout,
   if (auto done = join(wire, options, layout); !done) return done;
   const std::string tools =
       options.tools.empty() ? options.addresses.endpoint("Tools") : options.tools;
-  const auto port = ToolPort::open(network, tools, keysFor(tools, options.listenKeys));
+  const auto port = ToolPort::open(network, tools, options.listenKeys);
   if (!port) return port.error();
   debug.onSave([&](const MessageQueue& messages) {
     tellSaved(options, messages, table, network.now, debug.toTools());
   });
-  auto recorder = openRecorder(options, table);
-  if (!recorder) return recorder.error();
+  std::unique_ptr<Recorder> recorder;
+  if (!options.logs.empty()) {
+    auto opened = Recorder::open(options, layout, table);
+    if (!opened) return opened.error();
+    recorder = std::move(*opened);
+    recorder->connect(wire);
+  }
   wire.provide(debug.sender());
   for (const ProcessLayout& process : layout.processes)
     if (!process.collectsMessages) wire.receive(process.name, debug.addReceiver());
 
   while (!stopped) {
-    network.wait(std::clamp<std::int64_t>(debug.next().ms - network.elapsed(), 0, longestWait));
+    network.wait(std::clamp<std::int64_t>(debug.next().ms - network.elapsed(), 0, longestWait),
+                 shortestTurn);
     wire.takeIn();
     network.now = Time{network.elapsed()};
-    if (*recorder) (*recorder)->ask(wire, layout, debug.fromTools());
+    if (recorder) recorder->ask(wire, debug.fromTools());
     debug.step(network.now);
     wire.askForMore();
-    if (*recorder) (*recorder)->write(debug.toTools(), network.elapsed());
+    if (recorder) recorder->write(wire, debug.toTools(), network.elapsed());
     (*port)->send(debug.toTools());
     debug.toTools().clear();
     // What tools want shall reach all processes, also those that start a little later.

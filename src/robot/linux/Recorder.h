@@ -1,0 +1,55 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/Layout.h"
+#include "representations/infrastructure/Image.h"
+#include "robot/RobotLog.h"
+#include "robot/linux/RobotProgram.h"
+
+namespace gt {
+
+class Wire;
+
+/// Records a robot's log in its Debug process, as config/log.cfg wants it: what the other processes
+/// tell, and pictures of the platform's camera.
+class Recorder {
+ public:
+  static Result<std::unique_ptr<Recorder>> open(const RobotProgramOptions& options,
+                                                const Layout& layout, const SolutionTable& table);
+
+  /// Has come in what the platform sends.
+  void connect(Wire& wire);
+  /// Asks each process for what the log shall hold, again when it was started again.
+  void ask(const Wire& wire, MessageQueue& requests);
+  /// Writes what came in; `now` in ms.
+  void write(const Wire& wire, const MessageQueue& messages, std::int64_t now);
+
+ private:
+  Recorder(RobotLog log, const Layout& layout) : log_{std::move(log)}, layout_{layout} {}
+  struct Input {
+    explicit Input(const RepresentationType& t)
+        : type{t}, value{t.make()}, receiver{t, value.get()} {}
+    const RepresentationType& type;
+    std::shared_ptr<void> value;
+    PackageReceiver receiver;
+  };
+
+  void choose(const Configuration::LogSettings& settings, const SolutionTable& table);
+  void writePicture(std::int64_t now);
+
+  RobotLog log_;
+  const Layout& layout_;
+  std::vector<WatchRequest> requests_;
+  std::map<std::string, std::uint64_t> sessions_;
+  std::int64_t nextFlush_ = 0;
+  std::vector<std::unique_ptr<Input>> inputs_;
+  MessageQueue fromPlatform_;
+  Image picture_;
+  PackageReceiver pictures_{representation<Image>(), &picture_};
+  std::int64_t picturePeriod_ = 0, nextPicture_ = 0;
+};
+
+}  // namespace gt
