@@ -411,38 +411,6 @@ TEST(Compile, KeepsKindsOfSymbolsWithOneNameApart) {
             "input in option main\n");
 }
 
-TEST(Compile, KnowsThe30ThatHasNoCooperation) {
-  const auto told = [](const std::string& text) {
-    return errors(
-        compile("main.xabsl", {{"main.xabsl", "agent a(\"A\", main);\n" + text}}, Dialect::xabsl30)
-            .diagnostics);
-  };
-  const std::string state =
-      "namespace n(\"N\") { bool output conflict; float input capacity; }\n"
-      "option main { initial state synchronized { action { ";
-  EXPECT_EQ(told(state + "conflict = capacity > 1; } } }"), "");
-  EXPECT_EQ(told("option main { initial state s capacity 2 { action { } } }"),
-            "main.xabsl:2:31: error: 'capacity' is of XABSL 3.1, in 3.0 robots do not agree about "
-            "states\n");
-  EXPECT_EQ(told("option main { initial state s { decision { if (conflict) stay; else stay; }\n"
-                 "action { } } }"),
-            "main.xabsl:2:48: error: 'conflict' is of XABSL 3.1 in option main\n");
-}
-
-TEST(Compile, WarnsOfNamesThatOtherEnginesCannotRead) {
-  const auto warning = [](std::size_t letters) {
-    const std::string name(letters, 'n');
-    const Compilation compilation =
-        compile(name + ".xabsl", {{name + ".xabsl", "agent a(\"A\", " + name + "); option " + name +
-                                                        " { initial state s { action { } } }"}});
-    return compilation.diagnostics.empty() ? "" : compilation.diagnostics.front().message;
-  };
-  EXPECT_EQ(warning(99), "");
-  EXPECT_EQ(warning(100),
-            "option 'nnnnnnnnnnnnnnnnnnnn'... has 100 letters; other engines read at "
-            "most 99");
-}
-
 TEST(Compile, WantsExactlyOneInitialState) {
   EXPECT_EQ(errorsInMain("option main { state s { action { } } }"),
             "1:8: error: option main has no initial state, expected exactly one\n");

@@ -142,6 +142,24 @@ TEST(Parser, TakesWhatOtherCompilersTook) {
   EXPECT_EQ(behavior.model().title, "T\xC3\xA4st");
 }
 
+TEST(Parser, KnowsThe30ThatHasNoCooperation) {
+  const auto told = [](const std::string& text) {
+    return test::errors(
+        compile("main.xabsl", {{"main.xabsl", "agent a(\"A\", main);\n" + text}}, Dialect::xabsl30)
+            .diagnostics);
+  };
+  const std::string state =
+      "namespace n(\"N\") { bool output conflict; float input capacity; }\n"
+      "option main { initial state synchronized { action { ";
+  EXPECT_EQ(told(state + "conflict = capacity > 1; } } }"), "");
+  EXPECT_EQ(told("option main { initial state s capacity 2 { action { } } }"),
+            "main.xabsl:2:31: error: 'capacity' is of XABSL 3.1, in 3.0 robots do not agree about "
+            "states\n");
+  EXPECT_EQ(told("option main { initial state s { decision { if (conflict) stay; else stay; }\n"
+                 "action { } } }"),
+            "main.xabsl:2:48: error: 'conflict' is of XABSL 3.1 in option main\n");
+}
+
 TEST(Diagnostic, ShowsTheLineWithACaret) {
   const Compilation compilation =
       compile("main.xabsl", {{"main.xabsl", "option main {\n\tinitial ställe s { } }"}});

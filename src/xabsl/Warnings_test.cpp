@@ -89,5 +89,19 @@ TEST(Warnings, NameWhatIsNeverUsed) {
             "main.xabsl:7:8: warning: options 'sub' and 'other' are not reached by any agent\n");
 }
 
+TEST(Warnings, NameNamesThatOtherEnginesCannotRead) {
+  const auto warning = [](std::size_t letters) {
+    const std::string name(letters, 'n');
+    const Compilation compilation =
+        compile(name + ".xabsl", {{name + ".xabsl", "agent a(\"A\", " + name + "); option " + name +
+                                                        " { initial state s { action { } } }"}});
+    return compilation.diagnostics.empty() ? "" : compilation.diagnostics.front().message;
+  };
+  EXPECT_EQ(warning(99), "");
+  EXPECT_EQ(warning(100),
+            "option 'nnnnnnnnnnnnnnnnnnnn'... has 100 letters; other engines read at "
+            "most 99");
+}
+
 }  // namespace
 }  // namespace xabsl
