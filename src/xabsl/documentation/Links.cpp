@@ -57,9 +57,13 @@ std::string Links::space(int space) const {
   return space < 0 ? "namespaces-none.html" : spaces_[at(space)];
 }
 
+std::string_view Links::kindOf(const Symbol& symbol) {
+  return symbol.kind == SymbolKind::input ? "input" : "symbol";
+}
+
 std::string Links::symbol(int symbol) const {
   const Symbol& found = model_.symbols[at(symbol)];
-  return space(found.space) + "#" + fragment("symbol", found.name);
+  return space(found.space) + "#" + fragment(kindOf(found), found.name);
 }
 
 std::string Links::constant(int constant) const {

@@ -30,6 +30,9 @@ class Links {
   /// The option that a state belongs to.
   int optionOf(int state) const { return optionOfState_[static_cast<std::size_t>(state)]; }
 
+  /// What the fragment of a symbol begins with: an input and an output may have the same name.
+  static std::string_view kindOf(const Symbol& symbol);
+
   /// `#kind-name`, without the `#`; an identifier of HTML as well.
   static std::string fragment(std::string_view kind, std::string_view name);
 

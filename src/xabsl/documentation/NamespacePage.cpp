@@ -19,7 +19,7 @@ std::string notUsed(const std::string& users) {
   return users.empty() ? "<p class=\"users soft\">Used by no option.</p>\n" : users;
 }
 
-std::string begin(const std::string& kind, const std::string& name) {
+std::string begin(std::string_view kind, const std::string& name) {
   return "<section class=\"entry\" id=\"" + Links::fragment(kind, name) + "\">\n<h3>" +
          escaped(name) + "</h3>\n";
 }
@@ -33,7 +33,7 @@ std::string symbolEntry(const Content& content, int index) {
   const std::string kind = symbol.kind == SymbolKind::input    ? "input"
                            : symbol.kind == SymbolKind::output ? "output"
                                                                : "internal";
-  return begin("symbol", symbol.name) +
+  return begin(Links::kindOf(symbol), symbol.name) +
          signature(kind + " " + typeText(content, symbol.type),
                    measure(symbol.range, symbol.unit)) +
          paragraphs(symbol.doc) + parameterTable(content, symbol.parameters) +
