@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "Check.h"
+#include "ConsoleProgram.h"
 #include "Layout.h"
 #include "Picture.h"
 #include "Play.h"
@@ -47,6 +48,17 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
   command.add_option("--sockets", play.match.sockets, "Folder in which they find the simulation");
 }
 
+void addConsole(CLI::App& command, gt::ConsoleOptions& console) {
+  addMatchOptions(command, console.match);
+  command.add_option("--minutes", console.match.minutes, "Both halves together, simulated")
+      ->check(CLI::Range(0.01, 1e4))
+      ->capture_default_str();
+  command.add_option("--script", console.scripts, "Scripts to execute instead of what is typed");
+  command.add_option("-c,--command", console.commands, "Commands to execute, behind the scripts")
+      ->allow_extra_args(false);
+  command.add_option("--joystick", console.joystick, "Device, such as /dev/input/js0");
+}
+
 void addPicture(CLI::App& command, gt::PictureOptions& picture) {
   addMatchOptions(command, picture.match);
   command.add_option("--time", picture.time, "When, in seconds after the match's begin")
@@ -84,6 +96,10 @@ int main(int argc, char** argv) {
   CLI::App& playing =
       *app.add_subcommand("play", "Plays a match and writes logs, match.json and report.html");
   addPlay(playing, play);
+  gt::ConsoleOptions console;
+  CLI::App& typing = *app.add_subcommand(
+      "console", "Runs a scene with a console: commands from scripts, a pipe or the terminal");
+  addConsole(typing, console);
   gt::PictureOptions picture;
   addPicture(*app.add_subcommand("picture", "Takes a picture of a match from beside the field"),
              picture);
@@ -102,6 +118,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  if (typing.parsed()) return gt::runConsole(console);
   if (checking.parsed()) return gt::checkTree(check);
   if (showing.parsed()) return gt::showLayout(layout);
   return playing.parsed() ? gt::play(play) : gt::takePicture(picture);

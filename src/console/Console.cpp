@@ -1,40 +1,76 @@
 #include "console/Console.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "console/Commands.h"
+#include "robot/Configuration.h"
 #include "streams/File.h"
 
 namespace gt {
 namespace {
 
 constexpr int deepest = 16;  // scripts that call scripts
+constexpr std::string_view blanks = " \t\r";
+
+/// One word from `at` on, which is moved behind it; nothing if a quote is not closed.
+std::optional<std::string> takeWord(std::string_view line, std::size_t& at) {
+  std::string word;
+  const bool quoted = line[at] == '"';
+  if (quoted) ++at;
+  for (; at < line.size(); ++at) {
+    if (quoted ? line[at] == '"' : blanks.find(line[at]) != blanks.npos) break;
+    if (line[at] == '\\' && at + 1 < line.size()) ++at;
+    word += line[at];
+  }
+  if (quoted && at++ >= line.size()) return std::nullopt;
+  return word;
+}
+
+/// The files and folders that a word may become.
+std::vector<std::string> files(const std::string& word) {
+  namespace fs = std::filesystem;
+  const fs::path begun{word};
+  std::vector<std::string> found;
+  std::error_code failed;
+  const fs::path folder = begun.parent_path();
+  for (fs::directory_iterator entry{folder.empty() ? "." : folder, failed}, end;
+       !failed && entry != end && found.size() < 500; entry.increment(failed)) {
+    const fs::path name = entry->path().filename();
+    if (!name.string().starts_with(begun.filename().string())) continue;
+    std::error_code ignored;
+    found.push_back((folder / name).string() + (entry->is_directory(ignored) ? "/" : ""));
+  }
+  return found;
+}
 
 }  // namespace
 
 Result<Words> splitWords(std::string_view line) {
   Words words;
-  std::size_t at = 0;
-  while (true) {
-    at = line.find_first_not_of(" \t\r", at);
+  for (std::size_t at = 0;;) {
+    at = line.find_first_not_of(blanks, at);
     if (at == line.npos) return words;
-    if (line[at] == '"') {
-      const std::size_t end = line.find('"', at + 1);
-      if (end == line.npos) return Error{"", 0, "", "a quote is not closed"};
-      words.emplace_back(line.substr(at + 1, end - at - 1));
-      at = end + 1;
-    } else {
-      const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
-      words.emplace_back(line.substr(at, end - at));
-      at = end;
+    if (words.size() == 1) {
+      words.rest = line.substr(at);
+      words.rest.erase(words.rest.find_last_not_of(blanks) + 1);
     }
+    auto word = takeWord(line, at);
+    if (!word) return Error{"", 0, "", "a quote is not closed"};
+    words.push_back(std::move(*word));
   }
 }
 
 const std::vector<Command>& Console::commands() {
   static const std::vector<Command> table = [] {
-    std::vector<Command> all = globalCommands();
-    for (const Command& command : robotCommands()) all.push_back(command);
+    std::vector<Command> all;
+    for (const auto& part :
+         {globalCommands(), simulationCommands(), worldCommands(), testCommands(), viewCommands(),
+          robotCommands(), motionCommands(), behaviorCommands()})
+      all.insert(all.end(), part.begin(), part.end());
+    std::stable_sort(all.begin(), all.end(), [](const Command& a, const Command& b) {
+      return std::pair{a.kind, a.name} < std::pair{b.kind, b.name};
+    });
     return all;
   }();
   return table;
@@ -47,12 +83,15 @@ const Command* Console::find(std::string_view name) {
 }
 
 Result<void> Console::execute(std::string_view line) {
+  const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
+  if (begin == line.size() || line[begin] == '#') return {};
   auto words = splitWords(line);
   if (!words) return words.error();
-  if (words->empty() || words->front().starts_with('#')) return {};
   const Command* command = find(words->front());
   if (!command) return Error{"", 0, words->front(), "there is no such command; try help"};
+  const Session::Deed deed{session_.time(), selected_, std::string{line}};
   auto done = command->execute(*this, *words);
+  if (done && command->changes && words->rest != "?") session_.note(deed);
   if (!done && done.error().field.empty())
     return Error{done.error().file, done.error().line, words->front(), done.error().what};
   return done;
@@ -60,7 +99,8 @@ Result<void> Console::execute(std::string_view line) {
 
 Result<void> Console::call(const std::string& path) {
   if (depth_ >= deepest) return Error{path, 0, "call", "scripts call each other too deeply"};
-  const auto text = readFile(path);
+  const std::string file = withDefaults(path, "scenes", ".con");
+  const auto text = readFile(std::filesystem::exists(path) ? path : file);
   if (!text) return text.error();
   ++depth_;
   Result<void> done;
@@ -77,22 +117,58 @@ Result<void> Console::call(const std::string& path) {
   return done;
 }
 
-std::vector<ConsoleWorld::NamedRobot> Console::selected() {
-  std::vector<ConsoleWorld::NamedRobot> robots = world_.robots();
-  if (!selected_.empty())
-    std::erase_if(robots, [this](const ConsoleWorld::NamedRobot& robot) {
-      return std::find(selected_.begin(), selected_.end(), robot.name) == selected_.end();
-    });
+std::vector<std::string> Console::completions(std::string_view line) {
+  auto words = splitWords(line);
+  if (!words) return {};
+  if (line.empty() || blanks.find(line.back()) != blanks.npos) words->emplace_back();
+  const std::string word = words->back();
+  words->pop_back();
+  std::vector<std::string> choices;
+  if (words->empty()) {
+    for (const Command& command : commands()) choices.emplace_back(command.name);
+  } else {
+    const Command* command = find(words->front());
+    if (command && command->choices) choices = command->choices(*this, *words);
+    if (choices.empty()) choices = files(word);
+  }
+  std::erase_if(choices, [&](const std::string& choice) { return !choice.starts_with(word); });
+  std::sort(choices.begin(), choices.end());
+  choices.erase(std::unique(choices.begin(), choices.end()), choices.end());
+  return choices;
+}
+
+std::vector<ConsoleRobot*> Console::selected() {
+  std::vector<ConsoleRobot*> robots;
+  for (const auto& robot : session_.robots())
+    if (selected_.empty() || std::ranges::find(selected_, robot->name()) != selected_.end())
+      robots.push_back(robot.get());
   return robots;
 }
 
-Result<void> Console::forEachRobot(const std::function<Result<void>(Robot&)>& work) {
-  for (const auto& [name, robot] : selected())
+Result<ConsoleRobot*> Console::firstRobot() {
+  const auto robots = selected();
+  if (robots.empty()) return Error{"", 0, "robot", "no robot is selected"};
+  return robots.front();
+}
+
+Result<void> Console::forEachRobot(const std::function<Result<void>(ConsoleRobot&)>& work) {
+  for (ConsoleRobot* robot : selected())
     if (const auto done = work(*robot); !done) {
       const Error& error = done.error();
-      return Error{error.file, error.line, error.field, error.what + " (" + name + ")"};
+      return Error{error.file, error.line, error.field, error.what + " (" + robot->name() + ")"};
     }
   return {};
+}
+
+Result<const xabsl::Model*> Console::behavior() {
+  if (!behavior_) {
+    const std::string& path =
+        session_.behavior.empty() ? session_.options().behavior : session_.behavior;
+    auto loaded = loadBehavior({path, {}});
+    if (!loaded) return loaded.error();
+    behavior_ = std::move(*loaded->compiled);
+  }
+  return &behavior_->model();
 }
 
 }  // namespace gt

@@ -1,74 +1,90 @@
 #pragma once
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "base/Result.h"
-#include "base/Time.h"
-#include "robot/Robot.h"
+#include "console/Joystick.h"
+#include "console/Session.h"
+#include "xabsl/Behavior.h"
 
 namespace gt {
 
-/// The robots and the clock that a console works on. Provided by the program that plays.
-class ConsoleWorld {
- public:
-  /// A robot by the name that the console calls it.
-  struct NamedRobot {
-    std::string name;
-    Robot* robot;
-  };
-
-  virtual ~ConsoleWorld() = default;
-  virtual std::vector<NamedRobot> robots() = 0;
-  /// One step of the simulation; false when all is over.
-  virtual bool step() = 0;
-  virtual Time time() const = 0;
-  virtual void print(std::string_view line) = 0;
+/// The words of a command line, the first is the command. A backslash takes the next character as
+/// it is; what begins with a quote goes on to the next one.
+struct Words : std::vector<std::string> {
+  using vector::vector;
+  std::string rest;  ///< What stands behind the command, as it was typed.
 };
-
-/// The words of a command line. What begins with a quote goes on to the next one.
-using Words = std::vector<std::string>;
 
 class Console;
 
-/// A command of the console: help and completion come from this table, too.
+/// A command of the console. Help, completion and docs/console.md are made from the table of these.
 struct Command {
-  enum class Kind { global, robot };
+  enum class Kind { initialization, global, robot };
+  using Choices = std::vector<std::string> (*)(Console& console, const Words& before);
 
   Kind kind;
   std::string_view name;
-  std::string_view arguments;  ///< As in the report's I.5.
+  std::string_view
+      arguments;  ///< Alternatives between |, what may be missing in [], repeated in {}.
   std::string_view help;
   Result<void> (*execute)(Console& console, const Words& words);
+  Choices choices = nullptr;  ///< For the word behind those; null: none but files.
+  bool changes = false;       ///< Whether it changes what happens: a loaded state does it again.
 };
 
 /// Executes commands and scripts (report I.5, I.6). Global commands change the whole; robot
 /// commands work on the selected robots, at the start all of them.
 class Console {
  public:
-  explicit Console(ConsoleWorld& world) : world_{world} {}
+  explicit Console(Session& session) : session_{session} {}
 
   /// Executes one line. Errors name the line's command or the word that is wrong.
   Result<void> execute(std::string_view line);
   /// Executes a script, one command per line, up to the first error: it names file and line.
+  /// Scripts of the folder scenes/ need neither folder nor extension (.con).
   Result<void> call(const std::string& path);
 
-  /// Commands by name; null if there is none.
   static const std::vector<Command>& commands();
+  /// A command by its name; null if there is none.
   static const Command* find(std::string_view name);
+  /// What may stand at the end of a line that was typed so far, in the place of its last word.
+  std::vector<std::string> completions(std::string_view line);
 
-  ConsoleWorld& world() { return world_; }
+  Session& session() { return session_; }
+  void print(std::string_view line) { session_.screen().print(line); }
+
   /// The robots that robot commands are for.
-  std::vector<ConsoleWorld::NamedRobot> selected();
+  std::vector<ConsoleRobot*> selected();
+  const std::vector<std::string>& selection() const { return selected_; }
   void select(std::vector<std::string> names) { selected_ = std::move(names); }
   /// Does something for each selected robot, up to the first error, which tells the robot's name.
-  Result<void> forEachRobot(const std::function<Result<void>(Robot&)>& work);
+  Result<void> forEachRobot(const std::function<Result<void>(ConsoleRobot&)>& work);
+  /// The first selected robot; an error if there is none.
+  Result<ConsoleRobot*> firstRobot();
+
+  /// The behavior whose names the x commands know: what `xlb` loaded, or what the robots run.
+  Result<const xabsl::Model*> behavior();
+  void forgetBehavior() { behavior_.reset(); }
+
+  Joystick& joystick() { return joystick_; }
+  /// Values that are recorded over time, by their names (command plot).
+  std::map<std::string, std::vector<RobotMemory::Sample>>& series() { return series_; }
+  /// Whether a condition did not hold that was expected to: a script that is a test has failed.
+  bool expectationFailed() const { return expectationFailed_; }
+  void failExpectation() { expectationFailed_ = true; }
 
  private:
-  ConsoleWorld& world_;
+  Session& session_;
   std::vector<std::string> selected_;  ///< All if empty.
-  int depth_ = 0;                      ///< Scripts that call each other.
+  std::optional<xabsl::Behavior> behavior_;
+  Joystick joystick_;
+  std::map<std::string, std::vector<RobotMemory::Sample>> series_;
+  int depth_ = 0;  ///< Scripts that call each other.
+  bool expectationFailed_ = false;
 };
 
 /// Splits a line into words; an error if a quote is not closed.

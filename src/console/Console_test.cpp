@@ -1,13 +1,15 @@
 #include "console/Console.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <filesystem>
-#include <fstream>
 
 #include "console/Commands.h"
-#include "representations/infrastructure/SensorData.h"
+#include "console/TestSession.h"
+#include "representations/behavior/HeadControlMode.h"
+#include "representations/behavior/LedRequest.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/motion/HeadMotionRequest.h"
+#include "representations/motion/MotionInfo.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -15,80 +17,29 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// Two robots without a simulator, and a clock.
-class TestWorld : public ConsoleWorld {
- public:
-  TestWorld() {
-    const auto configuration = loadConfiguration({});
-    EXPECT_TRUE(configuration) << configuration.error().text();
-    for (const PlayerRole role : {PlayerRole::goalie, PlayerRole::striker1}) {
-      auto robot = Robot::make(
-          {*configuration, *loadLayout("layouts/cmd.layout"), {TeamColor::red, role}, 1});
-      EXPECT_TRUE(robot) << robot.error().text();
-      robots_.push_back(std::move(*robot));
-    }
-  }
-  std::vector<NamedRobot> robots() override {
-    return {{"red1", robots_[0].get()}, {"red4", robots_[1].get()}};
-  }
-  bool step() override {
-    time_ = time_ + 8;
-    SensorDataBuffer sensors;
-    SensorData frame;
-    frame.time = time_;
-    sensors.push(frame);
-    for (const auto& robot : robots_) {
-      robot->send(sensors);
-      robot->step(time_);
-    }
-    return time_.ms < 10'000;
-  }
-  Time time() const override { return time_; }
-  void print(std::string_view line) override { printed.emplace_back(line); }
-
-  Robot& robot(std::size_t i) { return *robots_[i]; }
-
-  std::vector<std::string> printed;
-
- private:
-  std::vector<std::unique_ptr<Robot>> robots_;
-  Time time_;
-};
-
-class ConsoleTest : public ::testing::Test {
+class ConsoleTest : public SessionTest {
  protected:
-  void expectError(const std::string& line, const std::string& field, const std::string& what) {
-    const auto done = console.execute(line);
-    ASSERT_FALSE(done) << line;
-    EXPECT_EQ(done.error().field, field) << line;
-    EXPECT_THAT(done.error().what, HasSubstr(what)) << line;
-  }
-  std::string solution(std::size_t robot, std::string_view task) {
-    for (const auto& process : world.robot(robot).processes())
+  std::string solution(std::size_t i, std::string_view task) {
+    for (const auto& process : robot(i).processes())
       if (process->solves(task)) return process->activeSolution(task);
     return "";
   }
-  void expectFine(const std::string& line) {
-    const auto done = console.execute(line);
-    EXPECT_TRUE(done) << line << ": " << done.error().text();
-  }
-
-  TestWorld world;
-  Console console{world};
 };
 
 TEST(Words, KeepQuotesTogether) {
   EXPECT_EQ(*splitWords("  mr  walk 1 \"a b\" \t c"), (Words{"mr", "walk", "1", "a b", "c"}));
   EXPECT_TRUE(splitWords("")->empty());
   EXPECT_FALSE(splitWords("echo \"open"));
+  EXPECT_EQ(*splitWords(R"(sl AIBO1 c:\\logs\\hallo)"), (Words{"sl", "AIBO1", R"(c:\logs\hallo)"}));
+  EXPECT_EQ(splitWords("echo  what it \t is  ")->rest, "what it \t is");
 }
 
 TEST_F(ConsoleTest, EveryCommandHasHelp) {
   for (const Command& command : Console::commands()) {
     EXPECT_FALSE(command.help.empty());
-    world.printed.clear();
+    screen.printed.clear();
     expectFine("help " + std::string{command.name});
-    EXPECT_EQ(world.printed.size(), 2u) << command.name;
+    EXPECT_EQ(screen.printed.size(), 2u) << command.name;
   }
   expectError("help nonsense", "nonsense", "no such command");
   expectError("nonsense", "nonsense", "no such command");
@@ -110,17 +61,17 @@ TEST_F(ConsoleTest, SwitchesSolutionsOfSelectedRobots) {
   expectError("sr Nonsense disabled", "Nonsense", "no process solves");
   expectError("robot red7", "red7", "no robot");
   expectFine("sr ?");
-  EXPECT_THAT(world.printed, Contains("BallLocator PIDSmoothed"));
-  world.printed.clear();
+  EXPECT_THAT(screen.printed, Contains("BallLocator PIDSmoothed"));
+  screen.printed.clear();
   expectFine("sr SelfLocator ?");
-  EXPECT_THAT(world.printed, Contains("MonteCarlo"));
-  EXPECT_THAT(world.printed, Contains("disabled"));
+  EXPECT_THAT(screen.printed, Contains("MonteCarlo"));
+  EXPECT_THAT(screen.printed, Contains("disabled"));
 }
 
 TEST_F(ConsoleTest, SetsDebugKeysAsTheReportDoes) {
   const DebugKey* key = DebugKey::find("ImageProcessor/percepts");
   ASSERT_NE(key, nullptr);
-  const auto mode = [&] { return world.robot(0).processes()[0]->debug().keys().get(*key); };
+  const auto mode = [&] { return robot(0).processes()[0]->debug().keys().get(*key); };
   expectFine("dk ImageProcessor/percepts on");
   EXPECT_EQ(mode().mode, DebugKeyMode::always);
   expectFine("dk ImageProcessor/percepts 3");
@@ -136,70 +87,246 @@ TEST_F(ConsoleTest, SetsDebugKeysAsTheReportDoes) {
   expectError("dk ImageProcessor/percepts often", "often", "is no number");
   expectError("dk ImageProcessor/percepts every -3", "dk", "expected");
   expectFine("dk ?");
-  EXPECT_THAT(world.printed, Contains("ImageProcessor/percepts"));
+  EXPECT_THAT(screen.printed, Contains("ImageProcessor/percepts"));
 }
 
 TEST_F(ConsoleTest, ReadsAndSetsParametersByPath) {
   expectFine("get ImageProcessor.denseSpacing");
-  EXPECT_THAT(world.printed, Contains("red1: 2"));
+  EXPECT_THAT(screen.printed, Contains("red1: 2"));
   expectFine("set ImageProcessor.GT2003.denseSpacing 4");
-  world.printed.clear();
+  screen.printed.clear();
   expectFine("get ImageProcessor.GT2003.denseSpacing");
-  EXPECT_THAT(world.printed, Contains("red4: 4"));
-  const auto tooLarge = console.execute("set ImageProcessor.denseSpacing 400");
+  EXPECT_THAT(screen.printed, Contains("red4: 4"));
+  const auto tooLarge = console->execute("set ImageProcessor.denseSpacing 400");
   ASSERT_FALSE(tooLarge);
-  world.printed.clear();
+  screen.printed.clear();
   expectFine("get ImageProcessor.denseSpacing");
-  EXPECT_THAT(world.printed, Contains("red1: 4")) << "a wrong value changes nothing";
-  EXPECT_FALSE(console.execute("set ImageProcessor.nonsense 4"));
-  EXPECT_FALSE(console.execute("get nonsense"));
-  world.printed.clear();
+  EXPECT_THAT(screen.printed, Contains("red1: 4")) << "a wrong value changes nothing";
+  EXPECT_FALSE(console->execute("set ImageProcessor.nonsense 4"));
+  EXPECT_FALSE(console->execute("get nonsense"));
+  screen.printed.clear();
   expectFine("get ?");
-  EXPECT_GT(world.printed.size(), 20u);
+  EXPECT_GT(screen.printed.size(), 20u);
 }
 
 TEST_F(ConsoleTest, ChangesLayouts) {
-  ASSERT_EQ(world.robot(0).processes().size(), 2u);
+  ASSERT_EQ(robot(0).processes().size(), 2u);
   expectFine("layout layouts/single.layout");
   expectFine("run 0.1");
-  EXPECT_EQ(world.robot(0).processes().size(), 1u);
-  EXPECT_EQ(world.time(), Time{104});
-  EXPECT_FALSE(console.execute("layout layouts/nonsense.layout"));
+  EXPECT_EQ(robot(0).processes().size(), 1u);
+  EXPECT_EQ(session->time(), Time{104});
+  EXPECT_FALSE(console->execute("layout layouts/nonsense.layout"));
   expectError("run soon", "soon", "is no number");
 }
 
 TEST_F(ConsoleTest, FillsTheQueueToTheToolsAsAskedFor) {
   for (const char* mode : {"queue", "replace", "reject", "collect 5", "save 2.5"})
     expectFine(std::string{"qfr "} + mode);
-  expectFine("qfr queue");
-  for (const std::size_t i : {0u, 1u}) ASSERT_TRUE(world.robot(i).watch("OdometryData"));
-  /// In bytes.
+  expectFine("dk sendOdometryData on");
+  expectFine("log start");
   const auto messagesAfter = [&](const std::string& line, const std::string& seconds) {
     expectFine(line);
-    world.robot(0).toTools().clear();
+    expectFine("log clear");
     expectFine("run " + seconds);
-    return world.robot(0).toTools().size();
+    return session->robots()[0]->memory().recordedMessages();
   };
   expectFine("robot red1");
   EXPECT_EQ(messagesAfter("qfr reject", "0.2"), 0u);
-  const std::size_t all = messagesAfter("qfr queue", "0.2");
-  EXPECT_GT(all, 0u);
-  const std::size_t newest = messagesAfter("qfr replace", "0.2");
-  EXPECT_GT(newest, 0u);
-  EXPECT_LT(newest, all / 5);
-  const std::size_t collected = messagesAfter("qfr collect 0.1", "0.2");
-  EXPECT_GT(collected, 0u);
-  EXPECT_LT(collected, all);
-  std::size_t saved = 0;
-  world.robot(0).onSave([&](const MessageQueue& queue) { saved = queue.size(); });
-  EXPECT_EQ(messagesAfter("qfr save 0.1", "0.05"), 0u);
-  EXPECT_EQ(saved, 0u) << "not yet";
-  expectFine("run 0.1");
-  EXPECT_GT(saved, newest);
-  EXPECT_GT(world.robot(1).toTools().size(), 0u) << "the other robot was not asked";
+  EXPECT_EQ(messagesAfter("qfr queue", "0.2"), 25u);
+  EXPECT_EQ(messagesAfter("qfr collect 0.1", "0.2"), 12u);
+  EXPECT_GT(messagesAfter("qfr replace", "0.2"), 0u);
   expectError("qfr sometimes", "qfr", "expected: qfr queue");
   expectError("qfr collect", "qfr", "expected");
   expectError("qfr collect -1", "qfr", "expected");
+}
+
+TEST_F(ConsoleTest, KnowsTheReportsDebugKeys) {
+  const auto mode = [&](const char* key) {
+    return robot(0).processes()[0]->debug().keys().get(*DebugKey::find(key)).mode;
+  };
+  expectFine("dk send_imageProcessor_horizon_drawing every 100 ms");
+  EXPECT_EQ(mode("ImageProcessor/horizon"), DebugKeyMode::everyMs);
+  expectFine("dk send_selfLocatorField_drawing on");
+  EXPECT_EQ(mode("SelfLocator/samples"), DebugKeyMode::always);
+  expectFine("dk sendXabsl2DebugMessages on");
+  expectFine("dk sendJPEGImage on");
+  expectFine("dk sendRobotPose on");
+  expectError("dk sendNothing on", "Nothing", "no process");
+  expectFine("log start");
+  expectFine("run 1");
+  EXPECT_FALSE(session->robots()[0]->memory().behavior().activations.empty());
+  expectFine("robot red1");
+  expectFine("log save " + file("seen"));
+  EXPECT_GT(std::filesystem::file_size(file("seen.mcap")), 10'000u);
+  // What was recorded can be replayed into the modules again.
+  expectFine("robot all");
+  expectFine("sl LOG1 " + file("seen.mcap"));
+  expectFine("robot LOG1");
+  expectFine("sr SensorDataProcessor disabled");
+  expectFine("sr ImageProcessor GT2003");
+  expectFine("run 1");
+  EXPECT_EQ(session->find("LOG1")->memory().picture().info.width, 176);
+  expectError("sl LOG1 " + file("seen.mcap"), "LOG1", "already");
+  EXPECT_FALSE(console->execute("sl LOG2 " + file("nothing")));
+}
+
+TEST_F(ConsoleTest, MovesRobotsByHand) {
+  expectFine("sr BehaviorControl disabled");
+  expectFine("hcm none");
+  expectFine("hmr -20 40 0 -10");
+  expectFine("mr normal 100 0 0");
+  expectFine("tr wagHorizontalFast");
+  expectFine("run 2 s");
+  EXPECT_NEAR(robot(0).provided<HeadMotionRequest>()->pan, fromDegrees(40), 1e-9);
+  EXPECT_EQ(robot(0).provided<MotionInfo>()->executed.type, MotionType::walk);
+  EXPECT_EQ(robot(0).provided<MotionRequest>()->tail, TailRequest::wagHorizontalFast);
+  EXPECT_GT(session->simulation().world().robot(0).pose.translation.x(), -1950);
+  expectFine("mr leftHeadKick");
+  expectFine("run 200 ms");
+  EXPECT_EQ(robot(0).provided<MotionRequest>()->specialAction, SpecialAction::headLeft);
+  EXPECT_EQ(robot(0).provided<MotionRequest>()->tail, TailRequest::wagHorizontalFast);
+  EXPECT_THAT(told("mr ?"), Contains("normal"));
+  EXPECT_THAT(told("tr ?"), Contains("noTailWag"));
+  EXPECT_THAT(told("hcm ?"), Contains("searchForLandmarks"));
+  expectError("mr normal 1 2", "mr", "expected");
+  expectError("mr fly", "fly", "no such motion");
+  expectError("hmr 0 0 0 900", "900", "is not from");
+  expectError("tr nod", "nod", "no such tail request");
+  expectError("hcm nod", "nod", "no such head control mode");
+  expectFine("sr BehaviorControl GT2003-soccer");
+  EXPECT_EQ(told("mr stand").size(), 2u) << "both robots are warned that the behavior decides";
+}
+
+TEST_F(ConsoleTest, LeadsTheGame) {
+  const Referee& referee = session->simulation().referee();
+  expectFine("gc kickOff red 2 1");
+  EXPECT_EQ(referee.state(), GameState::set);
+  EXPECT_EQ(referee.score(TeamColor::blue), 2);
+  EXPECT_EQ(referee.score(TeamColor::red), 1);
+  EXPECT_EQ(referee.dataFor(0).kickOff, KickOff::own);
+  expectFine("gc playing");
+  EXPECT_EQ(referee.state(), GameState::playing);
+  expectFine("robot red4");
+  expectFine("pr obstruction");
+  EXPECT_EQ(referee.dataFor(1).penalty, Penalty::obstruction);
+  EXPECT_EQ(referee.dataFor(0).penalty, Penalty::none);
+  expectFine("pr continue");
+  EXPECT_EQ(referee.dataFor(1).penalty, Penalty::none);
+  expectFine("gc reset");
+  EXPECT_EQ(referee.score(TeamColor::blue), 0);
+  expectFine("gc final");
+  EXPECT_EQ(referee.state(), GameState::finished);
+  expectError("gc kickOff green", "gc", "expected");
+  expectError("gc kickOff red 1", "gc", "expected");
+  expectError("pr nothing", "pr", "expected");
+}
+
+TEST_F(ConsoleTest, ShowsAndChangesWhatTheBehaviorDoes) {
+  expectFine("xlb gt03");
+  EXPECT_THAT(told("xlb ?"), Contains("GT2003"));
+  expectFine("dk sendXabsl2DebugMessages on");
+  expectFine("xis ball.seen.distance on");
+  expectFine("xis ball.time-since-last-seen on");
+  expectFine("xos head-control-mode on");
+  expectFine("xos head-control-mode head-control-mode.search-for-ball");
+  expectFine("xbb go-to-point 1600 0 0");
+  expectFine("run 1");
+  const BehaviorState& state = session->robots()[0]->memory().behavior();
+  ASSERT_EQ(state.activations.size(), 1u);
+  EXPECT_EQ(state.activations[0].name, "go_to_point");
+  EXPECT_EQ(state.activations[0].parameters[0].value, "1600");
+  ASSERT_EQ(state.symbols.size(), 3u);
+  EXPECT_EQ(state.symbols[2].value, "search_for_ball");
+  EXPECT_EQ(robot(0).provided<HeadControlMode>()->mode, HeadMode::searchForBall);
+  expectFine("xos head-control-mode unchanged");
+  expectFine("xis ball.seen.distance off");
+  expectFine("xo go-to-kickoff-position");
+  expectFine("run 200 ms");
+  EXPECT_EQ(state.activations[0].name, "go_to_kickoff_position");
+  EXPECT_EQ(state.symbols.size(), 2u);
+  expectFine("xo unchanged");
+  expectFine("run 200 ms");
+  EXPECT_EQ(state.activations[0].name, "play_soccer");
+  EXPECT_THAT(told("xos ?"), Contains("head_control_mode"));
+  EXPECT_THAT(told("xos head-control-mode ?"), Contains("look_left"));
+  EXPECT_THAT(told("xis ?"), Contains("ball.seen.angle"));
+  EXPECT_THAT(told("xo ?"), Contains("play_soccer"));
+  EXPECT_THAT(told("xbb ?"), Contains(HasSubstr("go_to_point x")));
+  expectError("xbb fly", "fly", "none of this name");
+  expectError("xbb go-to-point 1 2 3 4 5 6", "go_to_point", "parameters");
+  expectError("xos head-control-mode nod", "nod", "is no value");
+  expectError("xos nothing on", "nothing", "no such output symbol");
+  expectError("xis nothing on", "nothing", "no such input symbol");
+  EXPECT_FALSE(console->execute("xlb nothing"));
+}
+
+TEST_F(ConsoleTest, LetsRobotsLiveOnTheOracle) {
+  expectFine("ci off");
+  expectFine("sr SelfLocator disabled");
+  expectFine("sr BallLocator disabled");
+  expectFine("run 1");
+  const auto error = [&] {
+    return (robot(1).provided<RobotPose>()->pose.translation -
+            session->simulation().world().robot(1).pose.translation)
+        .norm();
+  };
+  EXPECT_LT(error(), 20);
+  expectFine("so off");
+  expectFine("place red4 1000 1000");
+  expectFine("run 1");
+  EXPECT_GT(error(), 500);
+  expectFine("so on");
+  expectFine("run 100 ms");
+  EXPECT_LT(error(), 20);
+}
+
+TEST_F(ConsoleTest, LosesPicturesOnlyIfAskedTo) {
+  expectFine("run 400 ms");
+  EXPECT_EQ(session->match().robots()[0]->lostPictures(), 0);
+  expectFine("st off 100000");
+  expectFine("run 400 ms");
+  EXPECT_GT(session->match().robots()[0]->lostPictures(), 5);
+  expectFine("st on 2");
+  EXPECT_EQ(session->pace().factor, 2);
+  expectFine("st on");
+  const auto lost = session->match().robots()[0]->lostPictures();
+  expectFine("run 400 ms");
+  EXPECT_EQ(session->match().robots()[0]->lostPictures(), lost);
+  expectError("st maybe", "st", "expected");
+}
+
+TEST_F(ConsoleTest, ObeysAJoystick) {
+  expectFine("sr BehaviorControl disabled");
+  expectFine("jhc tilt");
+  expectFine("jbc 1 mr headLeft");
+  expectFine("jbc 32 echo a  b");
+  EXPECT_THAT(told("joystick press 32"), Contains("a  b"));
+  expectFine("joystick release 32");
+  expectFine("joystick press 1");
+  expectFine("joystick y -1");
+  expectFine("run 100 ms");
+  EXPECT_EQ(robot(0).provided<MotionRequest>()->specialAction, SpecialAction::headLeft)
+      << "no walking while a button is pressed";
+  expectFine("joystick release 1");
+  expectFine("joystick accelerator -0.5");
+  expectFine("run 100 ms");
+  EXPECT_GT(robot(0).provided<MotionRequest>()->walk.translation.x(), 100);
+  expectError("jbc 33 sit", "33", "is not from 1 to 32");
+  expectError("jbc 1 fly", "fly", "no such command");
+  expectError("jhc ear", "jhc", "expected");
+}
+
+TEST_F(ConsoleTest, CompletesWhatIsTyped) {
+  EXPECT_THAT(console->completions("x"), testing::ElementsAre("xbb", "xis", "xlb", "xo", "xos"));
+  EXPECT_THAT(console->completions("dk send_self"), Contains("send_selfLocator_drawing"));
+  EXPECT_THAT(console->completions("sr SelfLocator M"), testing::ElementsAre("MonteCarlo"));
+  EXPECT_THAT(console->completions("xbb go_to_p"), testing::ElementsAre("go_to_point"));
+  EXPECT_THAT(console->completions("xis ball.seen.d"), testing::ElementsAre("ball.seen.distance"));
+  EXPECT_THAT(console->completions("get red4.x"), testing::ElementsAre("red4.x"));
+  EXPECT_THAT(console->completions("robot red"), testing::ElementsAre("red1", "red4"));
+  EXPECT_THAT(console->completions("layout layouts/cm"),
+              testing::ElementsAre("layouts/cmd.layout"));
+  EXPECT_THAT(console->completions("nonsense \"open"), testing::IsEmpty());
 }
 
 TEST_F(ConsoleTest, SendsGenericDebugData) {
@@ -208,21 +335,17 @@ TEST_F(ConsoleTest, SendsGenericDebugData) {
 }
 
 TEST_F(ConsoleTest, ScriptsTellFileAndLineOfTheirErrors) {
-  const auto folder = std::filesystem::temp_directory_path() / "gt2003-console-test";
-  std::filesystem::create_directories(folder);
-  const std::string inner = (folder / "inner.con").string(),
-                    outer = (folder / "outer.con").string();
+  const std::string inner = file("inner.con"), outer = file("outer.con");
   std::ofstream{inner} << "# inner\necho in\nsr BallLocator nonsense\necho never\n";
   std::ofstream{outer} << "echo out\n\ncall " << inner << "\n";
-  const auto done = console.call(outer);
+  const auto done = console->call(outer);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().file, inner);
   EXPECT_EQ(done.error().line, 3);
-  EXPECT_EQ(world.printed, (std::vector<std::string>{"out", "in"}));
+  EXPECT_EQ(screen.printed, (std::vector<std::string>{"out", "in"}));
   std::ofstream{outer} << "call " << outer << "\n";
-  EXPECT_FALSE(console.call(outer)) << "a script that calls itself";
-  EXPECT_FALSE(console.call((folder / "nothing.con").string()));
-  std::filesystem::remove_all(folder);
+  EXPECT_FALSE(console->call(outer)) << "a script that calls itself";
+  EXPECT_FALSE(console->call(file("nothing.con")));
 }
 
 }  // namespace

@@ -3,105 +3,271 @@
 #include <set>
 
 #include "console/Commands.h"
+#include "match/SimulatedRobot.h"
+#include "robot/Solutions.h"
+#include "streams/Config.h"
 #include "streams/File.h"
 
 namespace gt {
 namespace {
 
-/// What all processes of a robot say of themselves.
-std::vector<ProcessDescription> describe(Robot& robot) {
-  std::vector<ProcessDescription> all;
-  for (const auto& process : robot.processes()) all.push_back(process->describe());
-  return all;
+/// Solutions of the report (chapter 3's table) by the tasks that it names: its scripts may name
+/// them, also where this system lacks one.
+constexpr std::pair<std::string_view, std::string_view> reportSolutions[] = {
+    {"ImageProcessor", "GridImageProcessor2"},
+    {"ImageProcessor", "GridImageProcessor3"},
+    {"ImageProcessor", "GridImageProcessorTSL"},
+    {"ImageProcessor", "CheckerboardDetector"},
+    {"BallLocator", "BallChallenge"},
+    {"ObstaclesLocator", "Default"},
+    {"CollisionDetector", "Default"},
+    {"PlayersLocator", "GO2003"},
+    {"SelfLocator", "Fusion"},
+    {"SelfLocator", "Fusion2003"},
+    {"SelfLocator", "GT2003"},
+    {"SelfLocator", "Lines"},
+    {"SelfLocator", "SingleLandmark"},
+    {"MotionControl", "Debug"},
+    {"SoundControl", "Default"},
+    {"SensorBehaviorControl", "ObstacleAvoiderOnGreenField"}};
+
+bool inReport(std::string_view task, std::string_view solution) {
+  return std::ranges::any_of(reportSolutions, [&](const auto& known) {
+    return known.first == task && (known.second == solution || solution == SolutionTable::disabled);
+  });
 }
 
-/// Lines that the first selected robot has to tell.
-template <typename Lines>
-Result<void> list(Console& console, const Lines& linesOf) {
-  const auto robots = console.selected();
-  if (robots.empty()) return Error{"", 0, "robot", "no robot is selected"};
-  for (const std::string& line : linesOf(*robots.front().robot)) console.world().print(line);
-  return {};
+/// What the report's debug keys ask for today (I.3.3, I.6): debug keys, or representations that are
+/// sent. Besides, send and the name of a representation asks for it.
+struct ReportKey {
+  std::string_view name;
+  std::vector<std::string> keys;
+  std::vector<std::string> representations;
+};
+
+const std::vector<ReportKey>& reportKeys() {
+  static const std::vector<ReportKey> list{
+      {"sendImage", {}, {"Image", "CameraMatrix"}},
+      {"sendJPEGImage", {}, {"Image", "CameraMatrix"}},
+      {"sendPercepts",
+       {"ImageProcessor/percepts"},
+       {"BallPercept", "LandmarksPercept", "LinesPercept", "PlayersPercept", "ObstaclesPercept"}},
+      {"sendWorldState", {"BallLocator/ball", "SelfLocator/pose"}, {"RobotPose", "BallModel"}},
+      {"sendXabsl2DebugMessages", {"BehaviorControl/activations"}, {}},
+      {"send_imageProcessor_horizon_drawing", {"ImageProcessor/horizon"}, {}},
+      {"send_imageProcessor_scanLines_drawing", {"ImageProcessor/grid"}, {}},
+      {"send_perceptCollection_drawing", {"ImageProcessor/percepts"}, {}},
+      {"send_selfLocator_drawing", {"SelfLocator/pose"}, {}},
+      {"send_selfLocatorField_drawing", {"SelfLocator/samples", "SelfLocator/pose"}, {}},
+      {"send_worldState_drawing", {"BallLocator/ball", "TeamBallLocator/ball"}, {}}};
+  return list;
 }
 
-Result<DebugRequest> debugRequest(const Words& words) {
-  DebugRequest request{words[1], DebugKeyMode::disabled, 0};
-  if (words.size() == 3 && words[2] == "off") return request;
-  request.mode = DebugKeyMode::always;
-  if (words.size() == 3 && words[2] == "on") return request;
+std::vector<std::string> debugKeyNames(Console&, const Words& before) {
+  if (before.size() == 3) return {"off", "on", "every"};
+  std::vector<std::string> names;
+  if (before.size() != 1 && before.size() != 2) return names;
+  if (before.size() == 2) return {"off", "on", "every"};
+  for (const DebugKey* key : DebugKey::all()) names.emplace_back(key->name());
+  for (const ReportKey& key : reportKeys()) names.emplace_back(key.name);
+  for (const auto& [task, entry] : solutions().tasks())
+    for (const RepresentationType* output : entry.outputs)
+      names.push_back("send" + std::string{output->name});
+  names.emplace_back("?");
+  return names;
+}
+
+Result<DebugKeyRequest> debugKeyRequest(const Words& words) {
+  if (words.size() == 3 && words[2] == "off") return DebugKeyRequest{};
+  if (words.size() == 3 && words[2] == "on") return DebugKeyRequest{DebugKeyMode::always, 0};
   const bool every = words.size() > 3 && words[2] == "every";
   const bool ms = words.size() == 5 && words[4] == "ms";
   if (words.size() != (every ? (ms ? 5u : 4u) : 3u)) return wrongArguments(words);
   const auto n = numberOf(words[every ? 3 : 2]);
   if (!n) return n.error();
   if (*n < 1 || *n > 1e9 || *n != std::floor(*n)) return wrongArguments(words);
-  request.n = static_cast<std::int64_t>(*n);
-  request.mode = ms      ? DebugKeyMode::everyMs
-                 : every ? DebugKeyMode::everyTimes
-                         : DebugKeyMode::times;
-  return request;
+  const DebugKeyMode mode = ms      ? DebugKeyMode::everyMs
+                            : every ? DebugKeyMode::everyTimes
+                                    : DebugKeyMode::times;
+  return DebugKeyRequest{mode, static_cast<std::int64_t>(*n)};
+}
+
+Result<void> watch(ConsoleRobot& robot, const std::string& representation,
+                   const DebugKeyRequest& often) {
+  if (Robot* here = robot.robot()) {
+    const auto type = here->watch(representation, often);
+    return type ? Result<void>{} : type.error();
+  }
+  return robot.send(WatchRequest{representation, "", often.mode, often.n});
+}
+
+Result<void> setKey(ConsoleRobot& robot, const std::string& name, const DebugKeyRequest& often) {
+  const auto known =
+      std::ranges::find_if(reportKeys(), [&](const ReportKey& key) { return key.name == name; });
+  if (known != reportKeys().end()) {
+    for (const std::string& key : known->keys)
+      if (auto done = robot.request(DebugRequest{key, often.mode, often.n}); !done) return done;
+    // A robot on a log has only some of the representations.
+    for (const std::string& representation : known->representations)
+      if (const auto done = watch(robot, representation, often);
+          !done && known->representations.size() == 1)
+        return done;
+    return {};
+  }
+  if (!DebugKey::find(name) && name.starts_with("send") && name.size() > 4)
+    return watch(robot, name.substr(4), often);
+  if (!DebugKey::find(name)) return Error{"", 0, name, "there is no such debug key; try dk ?"};
+  return robot.request(DebugRequest{name, often.mode, often.n});
 }
 
 Result<void> dk(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "?")
-    return list(console, [](Robot& robot) {
-      std::set<std::string> keys;
-      for (const ProcessDescription& process : describe(robot))
-        keys.insert(process.debugKeys.begin(), process.debugKeys.end());
-      return keys;
-    });
+  if (words.size() == 2 && words[1] == "?") {
+    auto names = debugKeyNames(console, {"dk"});
+    std::erase(names, "?");
+    std::sort(names.begin(), names.end());
+    list(console, names);
+    return {};
+  }
   if (words.size() < 3) return wrongArguments(words);
-  const auto request = debugRequest(words);
-  if (!request) return request.error();
-  return console.forEachRobot([&](Robot& robot) { return robot.request(*request); });
+  const auto often = debugKeyRequest(words);
+  if (!often) return often.error();
+  return console.forEachRobot([&](ConsoleRobot& robot) { return setKey(robot, words[1], *often); });
+}
+
+/// What a robot that lives elsewhere can do, as far as this program knows.
+ProcessDescription knownHere() {
+  ProcessDescription all;
+  for (const auto& [name, task] : solutions().tasks()) {
+    TaskDescription& description = all.tasks.emplace_back();
+    description.name = name;
+    for (const Solution& solution : task.solutions)
+      description.solutions.push_back({solution.name, {}, {}});
+  }
+  return all;
+}
+
+std::vector<std::string> taskNames(Console&, const Words& before) {
+  std::vector<std::string> names;
+  if (before.size() == 1)
+    for (const auto& [name, task] : solutions().tasks()) names.push_back(name);
+  const Task* task = before.size() == 2 ? solutions().find(before[1]) : nullptr;
+  if (task) {
+    for (const Solution& solution : task->solutions) names.push_back(solution.name);
+    names.emplace_back(SolutionTable::disabled);
+  }
+  names.emplace_back("?");
+  return names;
+}
+
+/// The report's scripts say GT2003-soccer where the solution is GT2003.
+std::string solutionName(const std::string& task, const std::string& word) {
+  const Task* known = solutions().find(task);
+  if (known && !known->find(word))
+    for (const Solution& solution : known->solutions)
+      if (word.starts_with(solution.name + "-")) return solution.name;
+  return word;
+}
+
+bool solvesTask(ConsoleRobot& robot, const std::string& task) {
+  for (const ProcessDescription& process : describe(robot))
+    for (const TaskDescription& known : process.tasks)
+      if (known.name == task) return true;
+  return false;
+}
+
+Result<void> switchSolution(Console& console, ConsoleRobot& robot, const std::string& task,
+                            const std::string& solution) {
+  const bool solved = solvesTask(robot, task);
+  const Task* known = solutions().find(task);
+  const bool off = solution == SolutionTable::disabled;
+  const bool here = known && (known->find(solution) || off);
+  if (!here && inReport(task, solution)) {
+    if (!off)
+      console.print(robot.name() + ": this system has no solution " + solution + " of " + task +
+                    "; what it has goes on");
+    return {};
+  }
+  // What no process of this robot does is disabled already; on a log, the log does it.
+  if (!solved && here) {
+    if (!off) console.print(robot.name() + ": no process of this robot solves " + task);
+    return {};
+  }
+  if (known && !here)
+    return Error{"", 0, task, "there is no solution '" + solution + "'; try sr " + task + " ?"};
+  return robot.request(SolutionRequest{task, solution});
+}
+
+std::vector<std::string> tasksOf(ConsoleRobot& robot) {
+  std::vector<std::string> lines;
+  for (const ProcessDescription& process : describe(robot))
+    for (const TaskDescription& task : process.tasks)
+      lines.push_back(task.name + (task.active.empty() ? "" : " " + task.active));
+  return lines;
+}
+
+Result<std::vector<std::string>> solutionsOf(ConsoleRobot& robot, const std::string& name) {
+  for (const ProcessDescription& process : describe(robot))
+    for (const TaskDescription& task : process.tasks) {
+      if (task.name != name) continue;
+      std::vector<std::string> lines;
+      for (const SolutionDescription& solution : task.solutions) lines.push_back(solution.name);
+      lines.emplace_back(SolutionTable::disabled);
+      return lines;
+    }
+  return Error{"", 0, name, "no process solves this task; try sr ?"};
 }
 
 Result<void> sr(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "?")
-    return list(console, [](Robot& robot) {
-      std::vector<std::string> lines;
-      for (const ProcessDescription& process : describe(robot))
-        for (const TaskDescription& task : process.tasks)
-          lines.push_back(task.name + " " + task.active);
-      return lines;
-    });
-  if (words.size() != 3) return wrongArguments(words);
-  if (words[2] == "?")
-    return list(console, [&](Robot& robot) {
-      std::vector<std::string> lines;
-      for (const ProcessDescription& process : describe(robot))
-        for (const TaskDescription& task : process.tasks)
-          if (task.name == words[1]) {
-            for (const SolutionDescription& solution : task.solutions)
-              lines.push_back(solution.name);
-            lines.emplace_back(SolutionTable::disabled);
-          }
-      return lines;
-    });
-  return console.forEachRobot([&](Robot& robot) {
-    return robot.request(SolutionRequest{words[1], words[2]});
-  });
+  const bool ask = words.size() > 1 && words.back() == "?";
+  if (words.size() != 3 && !(ask && words.size() == 2)) return wrongArguments(words);
+  if (ask) {
+    const auto robot = console.firstRobot();
+    if (!robot) return robot.error();
+    if (words.size() == 2) {
+      list(console, tasksOf(**robot));
+      return {};
+    }
+    const auto lines = solutionsOf(**robot, words[1]);
+    if (!lines) return lines.error();
+    list(console, *lines);
+    return {};
+  }
+  const std::string solution = solutionName(words[1], words[2]);
+  return console.forEachRobot(
+      [&](ConsoleRobot& robot) { return switchSolution(console, robot, words[1], solution); });
 }
 
 Result<void> sg(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
+  if (words.size() == 2 && words[1] == "?") {
+    std::set<std::string_view> names;
+    for (const DebugKey* key : DebugKey::all()) names.insert(key->name());
+    for (const std::string_view name : names) console.print(name);
+    return {};
+  }
+  constexpr std::size_t mostNumbers = 10;  // report I.5.3
+  if (words.size() < 2 || words.size() > 2 + mostNumbers) return wrongArguments(words);
+  if (!DebugKey::find(words[1])) return Error{"", 0, words[1], "there is no such id; try sg ?"};
   GenericDebugData data{words[1], {}};
   for (std::size_t i = 2; i < words.size(); ++i) {
     const auto number = numberOf(words[i]);
     if (!number) return number.error();
     data.data.push_back(*number);
   }
-  return console.forEachRobot([&](Robot& robot) { return robot.request(data); });
+  return console.forEachRobot([&](ConsoleRobot& robot) { return robot.request(data); });
+}
+
+std::vector<std::string> idNames(Console&, const Words& before) {
+  std::vector<std::string> names{"?"};
+  if (before.size() > 1) return {};
+  for (const DebugKey* key : DebugKey::all()) names.emplace_back(key->name());
+  return names;
 }
 
 Result<void> qfr(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
-  const auto name = std::find(enumNames<QueueFillMode>.begin(), enumNames<QueueFillMode>.end(),
-                              std::string_view{words[1]});
-  if (name == enumNames<QueueFillMode>.end()) return wrongArguments(words);
-  QueueFillRequest request;
-  request.mode = static_cast<QueueFillMode>(name - enumNames<QueueFillMode>.begin());
-  const bool timed = request.mode == QueueFillMode::collect || request.mode == QueueFillMode::save;
+  const auto mode = words.size() < 2 ? std::nullopt : enumValue<QueueFillMode>(words[1]);
+  if (!mode) return wrongArguments(words);
+  QueueFillRequest request{*mode, 0};
+  const bool timed = *mode == QueueFillMode::collect || *mode == QueueFillMode::save;
   if (words.size() != (timed ? 3u : 2u)) return wrongArguments(words);
   if (timed) {
     const auto seconds = numberOf(words[2]);
@@ -109,67 +275,59 @@ Result<void> qfr(Console& console, const Words& words) {
     if (*seconds < 0 || *seconds > 86400) return wrongArguments(words);
     request.seconds = *seconds;
   }
-  return console.forEachRobot([&](Robot& robot) { return robot.request(request); });
+  return console.forEachRobot([&](ConsoleRobot& robot) { return robot.request(request); });
 }
 
-/// TASK.SOLUTION.PATH, or TASK.PATH for the solution that runs.
-struct ParameterName {
-  std::string task, solution, path;
-};
-
-Result<ParameterName> parameterName(Robot& robot, const std::string& name) {
-  const std::size_t dot = name.find('.');
-  if (dot == name.npos) return Error{"", 0, name, "expected TASK.PATH or TASK.SOLUTION.PATH"};
-  ParameterName parameter{name.substr(0, dot), "", name.substr(dot + 1)};
-  for (const auto& process : robot.processes()) {
-    if (!process->solves(parameter.task)) continue;
-    parameter.solution = process->activeSolution(parameter.task);
-    for (const TaskDescription& task : process->describe().tasks)
-      for (const SolutionDescription& solution : task.solutions)
-        if (task.name == parameter.task && parameter.path.starts_with(solution.name + ".")) {
-          parameter.solution = solution.name;
-          parameter.path = parameter.path.substr(solution.name.size() + 1);
-          return parameter;
-        }
-    return parameter;
-  }
-  return Error{"", 0, parameter.task, "no process solves this task"};
+Result<void> ci(Console& console, const Words& words) {
+  const auto on = switchOf(words, 1);
+  if (!on) return on.error();
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (robot.index()) console.session().simulation().takePictures(*robot.index(), *on);
+    return {};
+  });
 }
 
-Result<void> get(Console& console, const Words& words) {
+Result<void> so(Console& console, const Words& words) {
+  const auto on = switchOf(words, 1);
+  if (!on) return on.error();
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (SimulatedRobot* simulated = robot.simulated()) simulated->sendOracle(*on);
+    return {};
+  });
+}
+
+Result<void> msg(Console& console, const Words& words) {
+  const auto on = switchOf(words, 1);
+  if (!on) return on.error();
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    robot.printsTexts = *on;
+    return {};
+  });
+}
+
+Result<void> saveLog(Console& console, const std::string& file) {
+  const bool several = console.selected().size() > 1;
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    const std::string path =
+        withDefaults(several ? file + "-" + robot.name() : file, "out/logs", ".mcap");
+    if (auto done = robot.memory().saveRecord(path, robot.name()); !done) return done;
+    console.print(robot.name() + ": " + std::to_string(robot.memory().recordedMessages()) +
+                  " messages in " + path);
+    return {};
+  });
+}
+
+Result<void> log(Console& console, const Words& words) {
+  if (words.size() == 3 && words[1] == "save") return saveLog(console, words[2]);
   if (words.size() != 2) return wrongArguments(words);
-  for (const auto& [name, robot] : console.selected()) {
-    if (words[1] == "?") {
-      for (const ProcessDescription& process : describe(*robot))
-        for (const TaskDescription& task : process.tasks)
-          for (const SolutionDescription& solution : task.solutions)
-            for (const ParameterDescription& p : solution.parameters)
-              console.world().print(task.name + "." + solution.name + "." + p.path + " " + p.value +
-                                    (p.unit.empty() ? "" : " " + p.unit) +
-                                    (p.doc.empty() ? "" : "  // " + p.doc));
-      return {};
-    }
-    const auto parameter = parameterName(*robot, words[1]);
-    if (!parameter) return parameter.error();
-    for (const auto& process : robot->processes()) {
-      if (!process->solves(parameter->task)) continue;
-      const auto value = process->parameter(parameter->task, parameter->solution, parameter->path);
-      if (!value) return value.error();
-      console.world().print(name + ": " + *value);
-    }
-  }
-  return {};
-}
-
-Result<void> set(Console& console, const Words& words) {
-  if (words.size() < 3) return wrongArguments(words);
-  std::string value = words[2];
-  for (std::size_t i = 3; i < words.size(); ++i) value += " " + words[i];
-  return console.forEachRobot([&](Robot& robot) -> Result<void> {
-    const auto parameter = parameterName(robot, words[1]);
-    if (!parameter) return parameter.error();
-    return robot.request(
-        ParameterRequest{parameter->task, parameter->solution, parameter->path, value});
+  const std::string& what = words[1];
+  if (what != "start" && what != "stop" && what != "clear") return wrongArguments(words);
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (what == "clear")
+      robot.memory().clearRecord();
+    else
+      robot.memory().record(what == "start");
+    return {};
   });
 }
 
@@ -180,36 +338,61 @@ Result<void> layout(Console& console, const Words& words) {
   // A wrong layout is told at once; a right one is taken with the robot's next step.
   const auto parsed = parseLayout(*text, words[1]);
   if (!parsed) return parsed.error();
-  return console.forEachRobot([&](Robot& robot) -> Result<void> {
-    if (const auto plan = robotPlan(*parsed, robot.platform()); !plan) return plan.error();
-    robot.fromTools().write(console.world().time(), LayoutRequest{words[1], *text});
-    return {};
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (robot.robot())
+      if (const auto plan = robotPlan(*parsed, robot.robot()->platform()); !plan)
+        return plan.error();
+    return robot.send(LayoutRequest{words[1], *text});
   });
 }
 
-Result<void> behavior(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
-  return console.forEachRobot([&](Robot& robot) {
-    return robot.request(BehaviorRequest{words[1], {}});
-  });
-}
+constexpr char on[] = "on", off[] = "off", start[] = "start", stop[] = "stop", clear[] = "clear",
+               save[] = "save", queue[] = "queue", replace[] = "replace", reject[] = "reject",
+               collect[] = "collect";
 
 }  // namespace
 
+std::vector<ProcessDescription> describe(ConsoleRobot& robot) {
+  Robot* here = robot.robot();
+  if (!here) return {knownHere()};
+  std::vector<ProcessDescription> all;
+  for (const auto& process : here->processes()) all.push_back(process->describe());
+  return all;
+}
+
 std::vector<Command> robotCommands() {
   constexpr auto kind = Command::Kind::robot;
-  return {{kind, "behavior", "FILE",
-           "Goes on with a behavior, or with the same one after it was edited.", behavior},
-          {kind, "dk", "? | KEY (off | on | NUMBER | every NUMBER [ms])",
-           "Sets a debug key: never, always, so many times, every so many times or ms.", dk},
-          {kind, "get", "? | TASK[.SOLUTION].PATH", "Prints a parameter, or all of them.", get},
-          {kind, "layout", "FILE", "Regroups the modules to the processes of a layout.", layout},
-          {kind, "qfr", "queue | replace | reject | collect SECONDS | save SECONDS",
-           "Says how the queue of messages to the tools is filled.", qfr},
-          {kind, "set", "TASK[.SOLUTION].PATH VALUE", "Sets a parameter.", set},
-          {kind, "sg", "ID {NUMBER}", "Sends generic debug data to the modules.", sg},
-          {kind, "sr", "? | TASK (? | SOLUTION)",
-           "Has a task solved by another solution, or by none: disabled.", sr}};
+  return {
+      {kind, "ci", "off | on",
+       "Switches the calculation of images on (the default) or off: without, a simulated robot "
+       "gets "
+       "its last one again and again.",
+       ci, oneOf<on, off>, true},
+      {kind, "dk", "? | KEY (off | on | NUMBER | every NUMBER [ms])",
+       "Sets a debug key: never, always, so many times, every so many times or ms. The report's "
+       "keys "
+       "are known, too, and send with a representation's name: sendRobotPose.",
+       dk, debugKeyNames, true},
+      {kind, "layout", "FILE", "Regroups the modules to the processes of a layout.", layout,
+       nullptr, true},
+      {kind, "log", "start | stop | clear | save FILE",
+       "Records all that comes from the robots; saves it to out/logs/ and with .mcap if the file "
+       "has "
+       "no folder and extension. Several robots get a file each.",
+       log, oneOf<start, stop, clear, save>},
+      {kind, "msg", "off | on", "Prints texts of the robots (the default), or not.", msg,
+       oneOf<on, off>},
+      {kind, "qfr", "queue | replace | reject | collect SECONDS | save SECONDS",
+       "Says how the queue of messages to the tools is filled (by default queue).", qfr,
+       oneOf<queue, replace, reject, collect, save>, true},
+      {kind, "sg", "? | ID {NUMBER}",
+       "Sends up to ten numbers as generic debug data to the modules.", sg, idNames, true},
+      {kind, "so", "off | on",
+       "Switches oracled world states on (the default) or off: what disabled tasks would provide "
+       "comes from the simulator.",
+       so, oneOf<on, off>, true},
+      {kind, "sr", "? | TASK (? | SOLUTION)",
+       "Has a task solved by another solution, or by none: disabled.", sr, taskNames, true}};
 }
 
 }  // namespace gt

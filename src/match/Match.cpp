@@ -82,6 +82,7 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
       Simulation::make(*scene, options.seed, options.threads, *(*configuration)->field);
   if (!simulation) return simulation.error();
   match->simulation_ = std::move(*simulation);
+  match->configuration_ = *configuration;
   if (const auto done = match->addRobots(*configuration); !done) return done.error();
   if (options.gameControllerPort != 0) {
     auto link = GameControllerLink::listen(options.gameControllerPort);

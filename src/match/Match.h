@@ -81,6 +81,9 @@ class Match {
   Simulation& simulation() { return *simulation_; }
   /// The robots whose processes run in here.
   const std::vector<SimulatedRobot*>& robots() const { return robots_; }
+  /// The index in the simulation of each of them.
+  std::size_t robotIndex(std::size_t robot) const { return indices_[robot]; }
+  const Configuration& configuration() const { return *configuration_; }
   /// Those whose processes run elsewhere.
   const std::vector<RemoteRobot*>& remoteRobots() const { return remoteRobots_; }
   const MatchStatistics& statistics() const { return *statistics_; }
@@ -110,6 +113,7 @@ class Match {
   MatchOptions options_;
   std::vector<Intervention> history_;
   std::string spoiled_;  ///< Why the match cannot be repeated; empty if it can.
+  std::shared_ptr<const Configuration> configuration_;
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<GameControllerLink> gameController_;
   std::optional<GameControllerMessage> lastControl_;

@@ -10,6 +10,18 @@ namespace {
 /// The drawings of a report page's pictures.
 constexpr const char* pictureKeys[] = {"ImageProcessor/horizon", "ImageProcessor/percepts"};
 
+/// Tells the robot the truth in place of its disabled tasks.
+void layOracle(const OracledWorldState& truth, Robot& robot) {
+  robot.layIfDisabled(RobotPose{truth.robotPose, 1});
+  BallModel ball;
+  ball.position = truth.robotPose.inverse() * truth.ballPosition;
+  ball.speed = rotated(truth.ballSpeed, -truth.robotPose.rotation);
+  ball.lastSeen = truth.time;
+  ball.consecutiveTimeSeen = 1000;
+  robot.layIfDisabled(ball);
+  robot.layIfDisabled(TeamBallModel{truth.ballPosition, truth.time, 0});
+}
+
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(std::string name, std::unique_ptr<Robot> robot)
@@ -70,22 +82,37 @@ void SimulatedRobot::send(Time now, const T& package) {
   log_->writeInput(now, package);
 }
 
-void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
+void SimulatedRobot::live(const RobotInput& input, bool picture) {
   send(input.now, input.sensors);
-  if (input.image) {
+  if (picture) {
     send(input.now, input.game);
     send(input.now, input.team);
     send(input.now, input.oracle);
     send(input.now, *input.image);
+    if (oracle_) layOracle(input.oracle, *robot_);
     ++pictures_;
   }
   robot_->step(input.now);
+}
+
+void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
+  const bool picture = input.image && !(slowness_ > 0 && isBusy(input.now));
+  if (input.image && !picture) ++lostPictures_;
+  if (slowness_ > 0 && picture) {
+    Stopwatch watch{"picture"};
+    {
+      const Stopwatch::Lap lap{watch};
+      live(input, picture);
+    }
+    busyUntil_ = static_cast<double>(input.now.ms) + slowness_ * watch.totalMs();
+  } else {
+    live(input, picture);
+  }
   if (robot_->layoutChanges() != layoutChanges_) bind();
   if (joints_) output.joints = *joints_;
   if (odometry_) output.odometry = *odometry_;
   if (leds_) output.leds = *leds_;
-  if (message_ && input.image && pictures_ % picturesPerTeamMessage == 0)
-    output.message = *message_;
+  if (message_ && picture && pictures_ % picturesPerTeamMessage == 0) output.message = *message_;
   handleMessages(input);
 }
 
@@ -104,6 +131,7 @@ void SimulatedRobot::handleMessages(const RobotInput& input) {
       nextPicture_ = input.now + picturePeriod_;
     }
   }
+  if (observer_) observer_(input, messages);
   messages.clear();
 }
 

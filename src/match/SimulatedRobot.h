@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,17 @@ class SimulatedRobot : public MatchRobot {
 
   void cycle(const RobotInput& input, RobotOutput& output) override;
 
+  /// Called after each cycle with what the robot sends to its tools, in the thread of the cycle.
+  using Observer = std::function<void(const RobotInput& input, const MessageQueue& messages)>;
+  void observe(Observer observer) { observer_ = std::move(observer); }
+  /// Whether what disabled tasks would provide comes from the oracle: oracled world states
+  /// (report I.5.3: so). Without a word, it does.
+  void sendOracle(bool on) { oracle_ = on; }
+  /// Gives the robot a computer of its own, so many times slower than this one: pictures that come
+  /// while it is busy are lost, as on the real one (report I.5.2: st off). 0: it takes no time.
+  void setSlowness(double slowness) { slowness_ = slowness; }
+  std::int64_t lostPictures() const { return lostPictures_; }
+
   /// Has the percepts of the next picture drawn, for the report page.
   void requestDrawings();
   /// The drawings that came since, on the picture.
@@ -48,6 +60,8 @@ class SimulatedRobot : public MatchRobot {
   void bind();
   template <typename T>
   void send(Time now, const T& package);
+  bool isBusy(Time now) const { return static_cast<double>(now.ms) < busyUntil_; }
+  void live(const RobotInput& input, bool picture);
   void handleMessages(const RobotInput& input);
 
   std::string name_;
@@ -63,6 +77,11 @@ class SimulatedRobot : public MatchRobot {
   const RobotState* state_ = nullptr;
   const MotionInfo* motion_ = nullptr;
   std::int64_t pictures_ = 0;
+  Observer observer_;
+  bool oracle_ = true;
+  double slowness_ = 0;
+  double busyUntil_ = 0;  // ms
+  std::int64_t lostPictures_ = 0;
   std::optional<RobotLog> log_;
   std::int64_t picturePeriod_ = 0;
   Time nextPicture_;

@@ -75,6 +75,7 @@ class Robot {
   const std::vector<std::unique_ptr<ModuleProcess>>& processes() const { return processes_; }
   const Plan& plan() const { return plan_; }
   const std::vector<const RepresentationType*>& platform() const { return setup_.platform; }
+  const RobotSetup& setup() const { return setup_; }
   /// Counts the changes of the layout.
   int layoutChanges() const { return layoutChanges_; }
 

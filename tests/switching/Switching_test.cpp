@@ -18,25 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A match as the world of a console.
-class MatchWorld : public ConsoleWorld {
+/// Prints nothing.
+class NoScreen : public Screen {
  public:
-  explicit MatchWorld(Match& match) : match_{match} {}
-  std::vector<NamedRobot> robots() override {
-    std::vector<NamedRobot> robots;
-    for (SimulatedRobot* robot : match_.robots())
-      robots.push_back({robot->name(), &robot->robot()});
-    return robots;
-  }
-  bool step() override {
-    match_.step();
-    return !match_.finished();
-  }
-  Time time() const override { return match_.time(); }
   void print(std::string_view) override {}
-
- private:
-  Match& match_;
 };
 
 enum class Way { console, message };
@@ -50,11 +35,11 @@ class Switching : public testing::TestWithParam<Way> {
     options.scene = "scenes/match.scene";
     options.minutes = 2;
     options.logs = folder_.string();
-    auto made = Match::make(options);
+    auto made = Session::make(options, screen_);
     EXPECT_TRUE(made) << made.error().text();
-    match_ = std::move(*made);
-    world_ = std::make_unique<MatchWorld>(*match_);
-    console_ = std::make_unique<Console>(*world_);
+    session_ = std::move(*made);
+    match_ = &session_->match();
+    console_ = std::make_unique<Console>(*session_);
     EXPECT_TRUE(console_->execute("robot red2"));
     run(80);
   }
@@ -103,8 +88,9 @@ class Switching : public testing::TestWithParam<Way> {
   }
 
   fs::path folder_ = fs::temp_directory_path() / ("gt2003-switching-" + std::to_string(getpid()));
-  std::unique_ptr<Match> match_;
-  std::unique_ptr<MatchWorld> world_;
+  NoScreen screen_;
+  std::unique_ptr<Session> session_;
+  Match* match_ = nullptr;
   std::unique_ptr<Console> console_;
 };
 

@@ -22,6 +22,7 @@ Result<LogPlatform> LogPlatform::make(const NaoLog& log, RobotSetup setup) {
 Result<void> LogPlatform::step() {
   const NaoPicture& picture = log_->pictures[next_++];
   drawings_.clear();
+  robot_->toTools().clear();
   if (auto done = log_->decode(picture, image_); !done) return done;
   robot_->send(picture.cameraMatrix);
   robot_->send(OdometryData{picture.odometry});
@@ -32,7 +33,6 @@ Result<void> LogPlatform::step() {
     if (message.is<Drawing>() && message.read(drawing) && drawing.space == DrawingSpace::image)
       drawings_.push_back(std::move(drawing));
   });
-  robot_->toTools().clear();
   return {};
 }
 

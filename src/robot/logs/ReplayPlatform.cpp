@@ -64,6 +64,11 @@ Result<void> ReplayPlatform::makeRobot(const ReplayOptions& options) {
   setup.platform.clear();
   for (const auto& input : inputs_)
     if (input) setup.platform.push_back(input->type);
+  // What another layout asks for and was not recorded stays as it is at a robot's start.
+  if (!options.layout.empty())
+    for (const RepresentationType* type : LogPlatform::representations())
+      if (std::ranges::find(setup.platform, type) == setup.platform.end())
+        setup.platform.push_back(type);
   auto robot = Robot::make(setup);
   if (!robot) return robot.error();
   robot_ = std::move(*robot);

@@ -1,0 +1,73 @@
+#include "TerminalScreen.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace gt {
+namespace {
+
+constexpr std::chrono::milliseconds interval{200};
+constexpr const char* clearLine = "\r\033[K";
+constexpr const char* plain = "\033[0m";
+
+/// The colour in which a line is told; empty: none.
+const char* colorOf(std::string_view line) {
+  if (line.find("Goal for") != line.npos) return "\033[1;33m";
+  if (line.find("  Kick-off") != line.npos || line.find("  Half time") != line.npos)
+    return "\033[36m";
+  const std::size_t colon = line.find(": ");
+  return colon != line.npos && line.find(' ') > colon ? "\033[2m" : "";
+}
+
+}  // namespace
+
+TerminalScreen::TerminalScreen() : terminal_{isatty(STDOUT_FILENO) != 0}, shown_{Clock::now()} {}
+
+void TerminalScreen::watch(Session& session) {
+  session_ = &session;
+  shownTime_ = session.time();
+}
+
+void TerminalScreen::print(std::string_view line) {
+  if (terminal_)
+    fmt::print("{}{}{}{}\n{}", live_.empty() ? "" : clearLine, colorOf(line), line, plain, live_);
+  else
+    fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+void TerminalScreen::printError(std::string_view line) {
+  end();
+  std::fflush(stdout);
+  fmt::print(stderr, "{}{}{}\n", isatty(STDERR_FILENO) ? "\033[31m" : "", line,
+             isatty(STDERR_FILENO) ? plain : "");
+}
+
+void TerminalScreen::clear() {
+  if (terminal_) fmt::print("\033[2J\033[H");
+}
+
+void TerminalScreen::stepped() {
+  const auto now = Clock::now();
+  if (!terminal_ || !session_ || now < shown_ + interval) return;
+  const std::chrono::duration<double, std::milli> real = now - shown_;
+  const double factor = static_cast<double>(session_->time() - shownTime_) / real.count();
+  shown_ = now;
+  shownTime_ = session_->time();
+  const Referee& referee = session_->simulation().referee();
+  live_ = fmt::format("{}\033[7m {:>5}  {}:{}  {:4.1f} times real time \033[0m", clearLine,
+                      clockText(session_->time()), referee.score(TeamColor::red),
+                      referee.score(TeamColor::blue), factor);
+  fmt::print("{}", live_);
+  std::fflush(stdout);
+}
+
+void TerminalScreen::end() {
+  if (!live_.empty()) fmt::print("{}", clearLine);
+  live_.clear();
+  std::fflush(stdout);
+}
+
+}  // namespace gt

@@ -1,0 +1,56 @@
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "base/Result.h"
+#include "base/Time.h"
+#include "representations/behavior/MotionRequest.h"
+#include "representations/motion/HeadMotionRequest.h"
+
+namespace gt {
+
+/// A joystick that moves the selected robots by hand (report I.5.2: jbc, jhc): its axes x, y and z
+/// walk, the accelerator lever moves one joint of the head and the coolie hat the other two. Its
+/// device is the program's; here is what its states mean.
+class Joystick {
+ public:
+  static constexpr int buttons = 32;
+  enum class Axis { x, y, z, accelerator, hatX, hatY };
+  enum class HeadAxis { tilt, pan, roll };
+
+  /// The command of a button, 1 to 32; empty: none.
+  void setCommand(int button, std::string command) { commands_[button] = std::move(command); }
+  /// Which joint of the head the accelerator lever moves; pan without a word.
+  void setHeadAxis(HeadAxis axis) { headAxis_ = axis; }
+  HeadAxis headAxis() const { return headAxis_; }
+
+  /// Moves an axis, from -1 to 1.
+  void move(Axis axis, double value) {
+    axes_[axis] = value;
+    moved_ = true;
+  }
+  /// Presses or releases a button; returns its command when it was pressed and has one.
+  std::optional<std::string> press(int button, bool down);
+
+  /// Where the robot shall walk, if that has changed; not while a button is pressed (report I.5.2),
+  /// and not more often than each 300 ms (report J.5.5).
+  std::optional<Pose2D> walk(Time now);
+  /// How the head shall stand, rad; the hat's directions add up over time.
+  std::optional<HeadMotionRequest> head(Time now);
+
+ private:
+  bool pressed() const;
+
+  std::map<int, std::string> commands_;
+  std::array<bool, buttons + 1> down_{};
+  EnumArray<Axis, double> axes_;
+  HeadAxis headAxis_ = HeadAxis::pan;
+  HeadMotionRequest head_;
+  bool moved_ = false;
+  Pose2D lastWalk_;
+  Time lastSent_ = never(), lastHead_ = never();
+};
+
+}  // namespace gt

@@ -1,0 +1,81 @@
+#include "console/RobotConnection.h"
+
+#include <filesystem>
+
+namespace gt {
+namespace {
+
+constexpr int robotPort = 15000;
+
+/// A robot elsewhere, by its port at the router.
+class ConnectedRobot : public ConsoleRobot {
+ public:
+  ConnectedRobot(const std::string& name, std::unique_ptr<ToolConnection> connection)
+      : ConsoleRobot{name}, connection_{std::move(connection)} {}
+  MessageQueue& fromTools() override { return connection_->out(); }
+  Result<void> step(Time) override {
+    connection_->update(messages_);
+    memory().take(messages_, nullptr);
+    messages_.clear();
+    return {};
+  }
+
+ private:
+  std::unique_ptr<ToolConnection> connection_;
+  MessageQueue messages_{2 * toolQueueSize};
+};
+
+/// The report names a robot by the least significant byte of its address.
+std::string shortName(const std::string& name) {
+  const bool address = name.find_first_not_of("0123456789.") == name.npos;
+  return address ? name.substr(name.rfind('.') + 1) : name;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RobotConnection>> RobotConnection::open(const std::vector<std::string>& robots,
+                                                     bool gameManager) {
+  std::unique_ptr<RobotConnection> connection{new RobotConnection};
+  auto routed = parseRobots(robots, "127.0.0.1", robotPort);
+  if (!routed) return routed.error();
+  if (routed->empty()) return Error{"", 0, "sc", "expected an address"};
+  RouterOptions options;
+  options.robots = std::move(*routed);
+  if (gameManager) options.all = "tcp://127.0.0.1:" + std::to_string(robotPort + 300);
+  for (RoutedRobot& robot : options.robots)
+    robot.tools = "ipc://" + (connection->sockets_.path() / shortName(robot.name)).string();
+  if (const std::string keys = "config/tool.key"; std::filesystem::exists(keys)) {
+    auto loaded = loadKeys(keys);
+    if (!loaded) return loaded.error();
+    options.connectKeys = std::move(*loaded);
+  }
+  auto router = Router::open(options);
+  if (!router) return router.error();
+  connection->router_ = std::move(*router);
+  for (std::size_t i = 0; i < options.robots.size(); ++i) {
+    auto tool = ToolConnection::open(connection->network_, connection->router_->endpointOf(i));
+    if (!tool) return tool.error();
+    connection->robots_.push_back(
+        std::make_unique<ConnectedRobot>(shortName(options.robots[i].name), std::move(*tool)));
+  }
+  connection->connected_.resize(options.robots.size(), false);
+  return connection;
+}
+
+void RobotConnection::step() {
+  router_->step(0);
+}
+
+std::vector<std::string> RobotConnection::news() {
+  std::vector<std::string> lines;
+  const auto statistics = router_->statistics();
+  for (std::size_t i = 0; i < statistics.size(); ++i) {
+    if (statistics[i].connected == connected_[i]) continue;
+    connected_[i] = statistics[i].connected;
+    lines.push_back("router: " + statistics[i].robot +
+                    (connected_[i] ? " is connected" : " is gone"));
+  }
+  return lines;
+}
+
+}  // namespace gt

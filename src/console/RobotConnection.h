@@ -1,0 +1,41 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "console/ConsoleRobot.h"
+#include "network/Router.h"
+#include "streams/TemporaryFolder.h"
+
+namespace gt {
+
+/// The way to robots whose processes are programs elsewhere (report I.5.1: sc): a router runs in
+/// the background, and a tool is connected to each of its robots.
+class RobotConnection {
+ public:
+  /// Robots as the router takes them (parseRobots), named by the last number of their address. With
+  /// `gameManager` there is a port for tools of all robots, too. Keys for robots of other machines
+  /// are in `config/tool.key`.
+  static Result<std::unique_ptr<RobotConnection>> open(const std::vector<std::string>& robots,
+                                                  bool gameManager);
+
+  /// Passes messages on in both directions.
+  void step();
+  /// Where a game manager connects; empty if there is no such port.
+  std::string gameManager() const { return router_->endpointOfAll(); }
+  /// The robots, which the caller keeps; they need the connection as long as they live.
+  std::vector<std::unique_ptr<ConsoleRobot>> takeRobots() { return std::move(robots_); }
+  /// What has changed since this was called last: a line for each robot that came or went.
+  std::vector<std::string> news();
+
+ private:
+  RobotConnection() = default;
+
+  TemporaryFolder sockets_;
+  std::unique_ptr<Router> router_;
+  Network network_;
+  std::vector<std::unique_ptr<ConsoleRobot>> robots_;
+  std::vector<bool> connected_;
+};
+
+}  // namespace gt

@@ -1,0 +1,99 @@
+#pragma once
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "console/RobotConnection.h"
+#include "console/ConsoleRobot.h"
+#include "match/Match.h"
+
+namespace gt {
+
+/// Where a console prints. Provided by the program.
+class Screen {
+ public:
+  virtual ~Screen() = default;
+  virtual void print(std::string_view line) = 0;
+  virtual void clear() {}  ///< Report I.5.2: cls.
+  /// Called after each step.
+  virtual void stepped() {}
+};
+
+/// How simulated time goes by (report I.5.2: st).
+struct Pace {
+  double factor = 0;    ///< Times real time at most; 0 as fast as it goes.
+  double slowness = 0;  ///< Of the robots' computers against this one; 0: they take no time.
+};
+
+/// A simulation that a console works on: a scene with its robots, robots on logs, robots elsewhere,
+/// and the clock. All that a person did to it is written down: with scene and seed it tells how the
+/// simulation came to be what it is.
+class Session {
+ public:
+  /// A line of the console that changed something, and the robots that were selected then.
+  struct Deed {
+    Time time;
+    std::vector<std::string> selected;  ///< All if empty.
+    std::string line;
+  };
+
+  static Result<std::unique_ptr<Session>> make(const MatchOptions& options, Screen& screen);
+
+  /// Begins anew with another scene, seed, or whatever is different. Robots on logs and elsewhere
+  /// are gone, and nothing has been done yet. An error leaves all as it was.
+  Result<void> restart(const MatchOptions& options);
+  const MatchOptions& options() const { return options_; }
+
+  Match& match() { return *match_; }
+  Simulation& simulation() { return match_->simulation(); }
+  Time time() const { return match_->time(); }
+  /// One step of 8 ms; false when the game is over, or nothing could go on.
+  bool step();
+  /// A robot of the scene first, then those on logs and elsewhere.
+  const std::vector<std::unique_ptr<ConsoleRobot>>& robots() const { return robots_; }
+  ConsoleRobot* find(std::string_view robot) const;
+
+  /// Report I.5.1: sl. A name that is in use is an error.
+  Result<void> replay(const std::string& name, const std::string& file);
+  /// Report I.5.1: sc; only once.
+  Result<void> connect(const std::vector<std::string>& robots, bool gameManager);
+
+  void setPace(const Pace& pace);
+  const Pace& pace() const { return pace_; }
+
+  void note(Deed deed) { deeds_.push_back(std::move(deed)); }
+  const std::vector<Deed>& deeds() const { return deeds_; }
+  /// Called after each step, by what records over time.
+  std::vector<std::function<void()>>& recorders() { return recorders_; }
+
+  Screen& screen() { return screen_; }
+  std::string behavior = {};  ///< Agents file that `xlb` loaded last; empty: that of the options.
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  explicit Session(Screen& screen) : screen_{screen} {}
+  void wait();
+  void tellNews();
+
+  Screen& screen_;
+  MatchOptions options_;
+  // The robots need both as long as they live.
+  std::unique_ptr<Match> match_;
+  std::unique_ptr<RobotConnection> connection_;
+  std::vector<std::unique_ptr<ConsoleRobot>> robots_;
+  std::size_t toldEvents_ = 0;
+  Pace pace_;
+  Clock::time_point paceBegin_ = Clock::now();
+  Time paceTime_;
+  std::vector<Deed> deeds_;
+  std::vector<std::function<void()>> recorders_;
+};
+
+/// Minutes and seconds, as in 2:05.
+std::string clockText(Time time);
+
+}  // namespace gt

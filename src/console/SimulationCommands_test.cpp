@@ -1,0 +1,170 @@
+#include "console/Condition.h"
+#include "console/SavedState.h"
+#include "console/TestSession.h"
+#include "streams/File.h"
+
+namespace gt {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+class SimulationCommands : public SessionTest {
+ protected:
+  bool holds(const std::string& text) {
+    const auto condition = Condition::parse(text);
+    EXPECT_TRUE(condition) << text << ": " << condition.error().text();
+    const auto truth = condition->holds(*console);
+    EXPECT_TRUE(truth) << text << ": " << truth.error().text();
+    return *truth;
+  }
+  std::string value(const std::string& path) { return told("get " + path).back(); }
+};
+
+TEST_F(SimulationCommands, TimeGoesByInAnyUnit) {
+  for (const auto& [line, ms] : {std::pair{"run 1", 1000},
+                                 {"run 0.5 s", 1504},
+                                 {"run 80 ms", 1584},
+                                 {"run 2 steps", 1600},
+                                 {"run 0.01 min", 2200}}) {
+    expectFine(line);
+    EXPECT_EQ(session->time().ms, ms) << line;
+  }
+  expectError("run 1 year", "year", "no unit of time");
+  expectError("run -1", "-1", "is not from");
+}
+
+TEST_F(SimulationCommands, ConditionsCompareWhatIsTrue) {
+  EXPECT_TRUE(holds("1 + 2 * 3 == 7 and not 1 > 2"));
+  EXPECT_TRUE(holds("(1 + 2) * 3 = 9 || 1 < 0"));
+  EXPECT_TRUE(holds("2 - 1 - 1 == 0 && -min(1, 2) <= -1"));
+  EXPECT_TRUE(holds("(max(abs(-3), 1) >= 3) != false"));
+  EXPECT_TRUE(holds("ball.x == 200 and red4.x < 0 and score.red == 0"));
+  EXPECT_TRUE(holds("state == playing and red1.posture != onLeftSide"));
+  EXPECT_TRUE(holds("distance(red4, ball) == 800"));
+  EXPECT_TRUE(holds("blue1.x > 1900 and ball.toucher == nobody"));
+  EXPECT_TRUE(holds("red1.RobotPose.validity >= 0 and red1.ImageProcessor.denseSpacing == 2"));
+  for (const char* wrong :
+       {"", "1 +", "(1", "1 2", "a b", "f(1)", "1 < < 2", "distance(ball)", "§"})
+    EXPECT_FALSE(Condition::parse(wrong)) << wrong;
+  for (const char* wrong : {"nothing > 1", "state > 1", "state == 3", "distance(ball, 3) < 1",
+                            "nothing == never", "red1.RobotPose.nothing > 1"}) {
+    const auto condition = Condition::parse(wrong);
+    ASSERT_TRUE(condition) << wrong;
+    EXPECT_FALSE(condition->holds(*console)) << wrong;
+  }
+  std::string deep(1000, '('), longText = "1";
+  for (int i = 0; i < 5000; ++i) longText += "+1";
+  EXPECT_FALSE(Condition::parse(deep));
+  EXPECT_FALSE(Condition::parse(longText));
+}
+
+TEST_F(SimulationCommands, ScriptsWaitAndExpect) {
+  expectFine("place ball 0 0 500 0");
+  expectFine("until ball.x > 200");
+  EXPECT_GT(session->time().ms, 300);
+  EXPECT_LT(session->time().ms, 1000);
+  expectFine("expect ball.x > 200");
+  EXPECT_FALSE(console->expectationFailed());
+  expectError("until ball.x > 20000 within 0.1", "until", "did not come true");
+  EXPECT_TRUE(console->expectationFailed());
+  expectError("expect ball.x < 0", "expect", "does not hold");
+  expectError("expect nothing", "nothing", "no such value");
+}
+
+TEST_F(SimulationCommands, ThingsAreMovedByHand) {
+  expectFine("place red4 100 -200 90");
+  EXPECT_EQ(value("red4.x"), "100");
+  EXPECT_TRUE(holds("red4.y == -200 and abs(red4.rotation - 90) < 0.001"));
+  expectFine("place blue1 1500 0");
+  EXPECT_TRUE(holds("blue1.x == 1500"));
+  expectFine("throw red4 right");
+  expectFine("run 1");
+  EXPECT_EQ(value("red4.posture"), "onRightSide");
+  expectFine("stand red4");
+  expectFine("run 1");
+  EXPECT_EQ(value("red4.posture"), "standing");
+  expectFine("robot red4");
+  expectFine("press back on");
+  expectFine("run 200 ms");
+  EXPECT_TRUE(holds("RobotState.pressedFor.back > 0 and red1.RobotState.pressedFor.back == 0"));
+  expectFine("press back off");
+  expectFine("run 200 ms");
+  EXPECT_TRUE(holds("RobotState.pressedFor.back == 0"));
+  expectError("place nobody 0 0", "nobody", "no robot");
+  expectError("place ball7 0 0", "ball7", "no such ball");
+  expectError("place red4 0 99999", "99999", "is not from");
+  expectError("throw red4 up", "throw", "expected");
+  expectError("press nose", "press", "expected");
+}
+
+TEST_F(SimulationCommands, SameSeedSameSimulation) {
+  expectFine("run 2");
+  const auto before = fingerprint(*session);
+  expectFine("seed 5");
+  EXPECT_EQ(session->time().ms, 0);
+  expectFine("run 2");
+  EXPECT_NE(fingerprint(*session), before);
+  expectFine("seed 1");
+  expectFine("run 2");
+  EXPECT_EQ(fingerprint(*session), before);
+  expectFine("reset");
+  EXPECT_EQ(session->time().ms, 0);
+  expectError("seed many", "many", "is no number");
+  EXPECT_FALSE(console->execute("scene nothing"));
+  EXPECT_EQ(session->robots().size(), 2u) << "a wrong scene changes nothing";
+}
+
+TEST_F(SimulationCommands, LoadedStatesGoOnAsIfNothingHadHappened) {
+  expectFine("robot red1");
+  expectFine("set BehaviorControl.maxForward 100");
+  expectFine("run 1");
+  expectFine("place ball -500 300 100 0");
+  expectFine("robot red4");
+  expectFine("sr BallLocator disabled");
+  expectFine("run 1");
+  expectFine("save " + file("a.state"));
+  expectFine("run 1.2");
+  const auto straight = fingerprint(*session);
+  expectFine("reset");
+  expectFine("load " + file("a.state"));
+  EXPECT_EQ(session->time().ms, 2000);
+  expectFine("run 1.2");
+  EXPECT_EQ(fingerprint(*session), straight);
+
+  auto text = *readFile(file("a.state"));
+  const std::size_t speed = text.find("100 0");
+  ASSERT_NE(speed, text.npos);
+  text[speed] = '2';
+  ASSERT_TRUE(writeFile(file("b.state"), text));
+  EXPECT_THAT(console->execute("load " + file("b.state")).error().what, HasSubstr("another state"));
+  const std::size_t line = text.find("place ball");
+  text.replace(line, 5, "run 9");
+  ASSERT_TRUE(writeFile(file("c.state"), text));
+  EXPECT_THAT(console->execute("load " + file("c.state")).error().what,
+              HasSubstr("no command that changes"));
+  ASSERT_TRUE(writeFile(file("d.state"), "{\"scene\": 3}"));
+  EXPECT_FALSE(console->execute("load " + file("d.state")));
+}
+
+TEST_F(SimulationCommands, SituationsAreTriedManyTimes) {
+  expectFine("place ball 0 0 900 0");
+  expectFine("robot all");
+  expectFine("ci off");
+  const auto lines =
+      told("test situation 3 0.6 \"ball.x > 300\" \"ball.x < -300\" " + file("situation.csv"));
+  EXPECT_THAT(lines, Contains(HasSubstr("ball.x > 300: 3 of 3")));
+  EXPECT_EQ(session->time().ms, 0) << "this simulation is left alone";
+  const auto csv = *readFile(file("situation.csv"));
+  EXPECT_THAT(csv, HasSubstr("run,seed,result,seconds,red,blue,ballX,ballY\n1,1,ball.x > 300,0.3"));
+  EXPECT_THAT(csv, HasSubstr("\n3,3,ball.x > 300,"));
+  EXPECT_THAT(told("test situation 2 0.1 \"ball.x > 2000\" " + file("none.csv")),
+              Contains(HasSubstr("timeout: 2 of 2, after 0.1 s")));
+  expectError("test situation 2 1 \"ball.x >\"", "the condition's end", "expected a value");
+  expectError("test situation 2 1 nothing", "nothing", "no such value");
+  expectError("test game many", "many", "is no number");
+  expectError("test", "test", "expected");
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "console/Commands.h"
+#include "console/Condition.h"
+#include "console/SavedState.h"
+#include "streams/File.h"
+
+namespace gt {
+namespace {
+
+constexpr double mostRuns = 100'000;
+
+/// A console that nobody looks at.
+class NoScreen : public Screen {
+ public:
+  void print(std::string_view) override {}
+};
+
+/// How one of many runs ended.
+struct Outcome {
+  std::uint64_t seed = 0;
+  std::string result;  ///< Which target, timeout, or who has won.
+  double seconds = 0;
+  int red = 0, blue = 0;
+  Vector2d ball = Vector2d::Zero();
+  std::string error;
+};
+
+/// What is run many times: the scene with other seeds and all that was done to this simulation.
+struct Series {
+  MatchOptions options;
+  std::vector<Session::Deed> deeds;  ///< Done at once; what a robot does with time differs.
+  int runs = 1;
+  double timeout = 0;  ///< s; 0: until the game is over.
+  std::vector<std::string> targetTexts;
+  std::vector<Condition> targets;
+};
+
+Result<std::string> reached(const Series& series, Console& console) {
+  for (std::size_t i = 0; i < series.targets.size(); ++i) {
+    const auto holds = series.targets[i].holds(console);
+    if (!holds) return holds.error();
+    if (*holds) return series.targetTexts[i];
+  }
+  return std::string{};
+}
+
+std::string winner(const Outcome& outcome) {
+  return outcome.red > outcome.blue ? "red" : outcome.red < outcome.blue ? "blue" : "draw";
+}
+
+Result<Outcome> runOnce(const Series& series, int index) {
+  NoScreen screen;
+  MatchOptions options = series.options;
+  options.seed += static_cast<std::uint64_t>(index);
+  options.threads = 1;
+  options.logs.clear();
+  options.pictures = 0;
+  auto session = Session::make(options, screen);
+  if (!session) return session.error();
+  Console console{**session};
+  if (auto done = repeat(console, series.deeds); !done) return done.error();
+  Outcome outcome;
+  outcome.seed = options.seed;
+  const auto end = static_cast<std::int64_t>(std::llround(1000 * series.timeout));
+  while (outcome.result.empty()) {
+    auto target = reached(series, console);
+    if (!target) return target.error();
+    outcome.result = std::move(*target);
+    if (!outcome.result.empty()) break;
+    if ((end > 0 && (*session)->time().ms >= end) || (*session)->match().finished() ||
+        !(*session)->step())
+      break;
+  }
+  const Simulation& simulation = (*session)->simulation();
+  outcome.seconds = static_cast<double>((*session)->time().ms) / 1000;
+  outcome.red = simulation.referee().score(TeamColor::red);
+  outcome.blue = simulation.referee().score(TeamColor::blue);
+  if (simulation.world().ballCount() > 0) outcome.ball = simulation.world().ball(0).position;
+  if (outcome.result.empty()) outcome.result = series.targets.empty() ? winner(outcome) : "timeout";
+  return outcome;
+}
+
+/// The runs, spread over the threads; their order does not depend on that.
+Result<std::vector<Outcome>> runAll(const Series& series) {
+  std::vector<Outcome> outcomes(static_cast<std::size_t>(series.runs));
+  std::optional<Error> failed;
+  std::mutex mutex;
+  std::atomic<int> next{0};
+  const auto work = [&] {
+    for (int i = next++; i < series.runs; i = next++) {
+      auto outcome = runOnce(series, i);
+      const std::lock_guard lock{mutex};
+      if (outcome)
+        outcomes[static_cast<std::size_t>(i)] = std::move(*outcome);
+      else if (!failed)
+        failed = outcome.error();
+      if (failed) return;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (std::size_t i = 1; i < std::min<std::size_t>(series.options.threads, 64); ++i)
+    threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  if (failed) return *failed;
+  return outcomes;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == text.npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result.append(c == '"' ? 2 : 1, c);
+  return result + "\"";
+}
+
+Result<void> writeCsv(const std::string& file, const std::vector<Outcome>& outcomes) {
+  std::string text = "run,seed,result,seconds,red,blue,ballX,ballY\n";
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Outcome& o = outcomes[i];
+    char numbers[160];
+    std::snprintf(numbers, sizeof numbers, ",%.3f,%d,%d,%.1f,%.1f\n", o.seconds, o.red, o.blue,
+                  o.ball.x(), o.ball.y());
+    text += std::to_string(i + 1) + "," + std::to_string(o.seed) + "," + quoted(o.result) + numbers;
+  }
+  std::error_code ignored;  // then writing tells what is wrong
+  std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
+  return writeFile(file, text);
+}
+
+void printSummary(Console& console, const std::vector<Outcome>& outcomes) {
+  std::map<std::string, std::pair<int, double>> results;
+  int red = 0, blue = 0;
+  for (const Outcome& outcome : outcomes) {
+    auto& [count, seconds] = results[outcome.result];
+    ++count;
+    seconds += outcome.seconds;
+    red += outcome.red;
+    blue += outcome.blue;
+  }
+  char line[64];
+  for (const auto& [result, sum] : results) {
+    std::snprintf(line, sizeof line, ": %d of %zu, after %.1f s", sum.first, outcomes.size(),
+                  sum.second / sum.first);
+    console.print(result + line);
+  }
+  console.print("goals red " + std::to_string(red) + " : " + std::to_string(blue) + " blue");
+}
+
+/// A last word that names a CSV file.
+std::optional<std::string> takeFile(std::vector<std::string>& words) {
+  if (!words.back().ends_with(".csv")) return std::nullopt;
+  std::string file = withDefaults(words.back(), "out", ".csv");
+  words.pop_back();
+  return file;
+}
+
+Result<void> test(Console& console, const Words& words) {
+  std::vector<std::string> rest{words.begin(), words.end()};
+  const std::string file = takeFile(rest).value_or("out/test.csv");
+  if (rest.size() < 3) return wrongArguments(words);
+  Session& session = console.session();
+  Series series{session.options(), session.deeds(), 1, 0, {}, {}};
+  const auto runs = numberOf(rest[2], 1, mostRuns);
+  if (!runs) return runs.error();
+  if (*runs != std::floor(*runs)) return wrongArguments(words);
+  series.runs = static_cast<int>(*runs);
+  // What was set up counts, not when that was done.
+  for (Session::Deed& deed : series.deeds) deed.time = {};
+  if (rest[1] == "game" && rest.size() == 3) {
+  } else if (rest[1] == "situation" && rest.size() > 4) {
+    const auto timeout = numberOf(rest[3], 0.008, 1e6);
+    if (!timeout) return timeout.error();
+    series.timeout = *timeout;
+    for (std::size_t i = 4; i < rest.size(); ++i) {
+      auto target = Condition::parse(rest[i]);
+      if (!target) return target.error();
+      series.targets.push_back(std::move(*target));
+      series.targetTexts.push_back(rest[i]);
+    }
+  } else {
+    return wrongArguments(words);
+  }
+  const auto outcomes = runAll(series);
+  if (!outcomes) return outcomes.error();
+  printSummary(console, *outcomes);
+  if (auto done = writeCsv(file, *outcomes); !done) return done;
+  console.print("results: " + file);
+  return {};
+}
+
+std::vector<std::string> testChoices(Console& console, const Words& before) {
+  if (before.size() == 1) return {"game", "situation"};
+  return before.size() > 3 && before[1] == "situation" ? valueNames(console)
+                                                       : std::vector<std::string>{};
+}
+
+}  // namespace
+
+std::vector<Command> testCommands() {
+  return {{Command::Kind::global, "test",
+           "game N [FILE.csv] | situation N TIMEOUT CONDITION {CONDITION} [FILE.csv]",
+           "Plays N games, or N times up to TIMEOUT seconds until one of the conditions holds (in "
+           "quotes if it has spaces), each with the next seed and all that was done so far at its "
+           "beginning. Tells how they ended; the results go to out/test.csv if no file is named.",
+           test, testChoices}};
+}
+
+}  // namespace gt

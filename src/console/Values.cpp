@@ -1,0 +1,191 @@
+#include "console/Values.h"
+
+#include <charconv>
+
+#include "console/Commands.h"
+#include "streams/Config.h"
+
+namespace gt {
+namespace {
+
+ConsoleValue ofNumber(double number) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
+  return {{text, end}, number};
+}
+
+ConsoleValue ofText(std::string text) {
+  if (text == "true" || text == "false") {
+    const double number = text == "true";
+    return {std::move(text), number};
+  }
+  const auto number = numberOf(text);
+  return {std::move(text), number ? std::optional{*number} : std::nullopt};
+}
+
+template <typename E>
+ConsoleValue ofEnum(E value) {
+  return {std::string{enumName(value)}, std::nullopt};
+}
+
+std::pair<std::string, std::string> splitPath(const std::string& path) {
+  const std::size_t dot = path.find('.');
+  return dot == path.npos ? std::pair{path, std::string{}}
+                          : std::pair{path.substr(0, dot), path.substr(dot + 1)};
+}
+
+std::optional<ConsoleValue> gameValue(Session& session, const std::string& path) {
+  const Referee& referee = session.simulation().referee();
+  if (path == "time") return ofNumber(static_cast<double>(session.time().ms) / 1000);
+  if (path == "half") return ofNumber(referee.half());
+  if (path == "state") return ofEnum(referee.state());
+  if (path == "kickOff") return ofEnum(referee.kickOff());
+  if (path == "timeLeft")
+    return ofNumber(static_cast<double>(referee.timeLeft(session.time())) / 1000);
+  if (path == "score.red") return ofNumber(referee.score(TeamColor::red));
+  if (path == "score.blue") return ofNumber(referee.score(TeamColor::blue));
+  return std::nullopt;
+}
+
+/// The index of a ball by its name: ball is the first, ball1 the second.
+std::optional<std::size_t> ballIndex(std::string_view name, std::size_t count) {
+  if (!name.starts_with("ball")) return std::nullopt;
+  const std::string_view digits = name.substr(4);
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+  const bool whole =
+      digits.empty() || (error == std::errc{} && end == digits.data() + digits.size());
+  return whole && index < count ? std::optional{index} : std::nullopt;
+}
+
+std::optional<ConsoleValue> ballValue(Session& session, const std::string& name,
+                                      const std::string& field) {
+  const World& world = session.simulation().world();
+  const auto index = ballIndex(name, world.ballCount());
+  if (!index) return std::nullopt;
+  const BallState& ball = world.ball(*index);
+  if (field == "x") return ofNumber(ball.position.x());
+  if (field == "y") return ofNumber(ball.position.y());
+  if (field == "speed") return ofNumber(ball.speed.norm());
+  if (field == "toucher") {
+    const auto& scene = session.simulation().scene();
+    const auto toucher = static_cast<std::size_t>(ball.lastToucher);
+    if (ball.lastToucher < 0) return ConsoleValue{"nobody", std::nullopt};
+    return ConsoleValue{toucher < scene.robots.size()
+                            ? scene.robots[toucher].name
+                            : scene.extras[toucher - scene.robots.size()].name,
+                        std::nullopt};
+  }
+  return std::nullopt;
+}
+
+/// The index in the world of a robot of the scene, active or passive.
+std::optional<std::size_t> robotIndex(const SceneDescription& scene, std::string_view name) {
+  std::size_t index = 0;
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group) {
+      if (robot.name == name) return index;
+      ++index;
+    }
+  return std::nullopt;
+}
+
+std::optional<ConsoleValue> bodyValue(const RobotBody& body, const std::string& field) {
+  if (field == "x") return ofNumber(body.pose.translation.x());
+  if (field == "y") return ofNumber(body.pose.translation.y());
+  if (field == "rotation") return ofNumber(toDegrees(body.pose.rotation));
+  if (field == "height") return ofNumber(body.height);
+  if (field == "tilt") return ofNumber(toDegrees(body.tilt));
+  if (field == "roll") return ofNumber(toDegrees(body.roll));
+  if (field == "walked") return ofNumber(body.walked);
+  if (field == "posture") return ofEnum(body.posture);
+  return std::nullopt;
+}
+
+Result<ConsoleValue> valueOfRobot(ConsoleRobot& robot, const std::string& path) {
+  const auto [first, field] = splitPath(path);
+  if (!robot.robot()) return Error{"", 0, path, "runs elsewhere, so it cannot be read"};
+  if (const auto value = robot.robot()->value(first)) {
+    const auto text = detail::getByPath(*value, field);
+    return text ? Result<ConsoleValue>{ofText(*text)} : Error{"", 0, path, text.error().what};
+  }
+  const auto name = parameterName(robot, path);
+  if (!name) return Error{"", 0, path, "there is no such value; try get ?"};
+  const auto text = parameterOf(robot, *name);
+  return text ? Result<ConsoleValue>{ofText(*text)} : text.error();
+}
+
+}  // namespace
+
+Result<ParameterName> parameterName(ConsoleRobot& robot, const std::string& name) {
+  const auto [task, rest] = splitPath(name);
+  if (rest.empty()) return Error{"", 0, name, "expected TASK.PATH or TASK.SOLUTION.PATH"};
+  for (const ProcessDescription& process : describe(robot))
+    for (const TaskDescription& known : process.tasks) {
+      if (known.name != task) continue;
+      for (const SolutionDescription& solution : known.solutions)
+        if (rest.starts_with(solution.name + "."))
+          return ParameterName{task, solution.name, rest.substr(solution.name.size() + 1)};
+      return ParameterName{task, known.active, rest};
+    }
+  return Error{"", 0, task, "no process solves this task"};
+}
+
+Result<std::string> parameterOf(ConsoleRobot& robot, const ParameterName& name) {
+  if (robot.robot())
+    for (const auto& process : robot.robot()->processes())
+      if (process->solves(name.task))
+        return process->parameter(name.task, name.solution, name.path);
+  return Error{"", 0, robot.name(), "runs elsewhere, so its parameters cannot be read"};
+}
+
+Result<ConsoleValue> valueAt(Console& console, const std::string& path) {
+  Session& session = console.session();
+  if (auto value = gameValue(session, path)) return *value;
+  const auto [first, field] = splitPath(path);
+  if (auto value = ballValue(session, first, field)) return *value;
+  if (const auto index = robotIndex(session.simulation().scene(), first))
+    if (auto value = bodyValue(session.simulation().world().robot(*index), field)) return *value;
+  if (ConsoleRobot* robot = session.find(first)) {
+    auto value = valueOfRobot(*robot, field);
+    return value ? value : Error{"", 0, path, value.error().what};
+  }
+  const auto robot = console.firstRobot();
+  if (!robot) return Error{"", 0, path, "there is no such value; try get ?"};
+  return valueOfRobot(**robot, path);
+}
+
+std::optional<Vector2d> placeOf(Console& console, std::string_view name) {
+  const World& world = console.session().simulation().world();
+  if (const auto ball = ballIndex(name, world.ballCount())) return world.ball(*ball).position;
+  if (const auto robot = robotIndex(console.session().simulation().scene(), name))
+    return world.robot(*robot).pose.translation;
+  return std::nullopt;
+}
+
+std::vector<std::string> valueNames(Console& console) {
+  std::vector<std::string> names{"time",     "half",      "state",     "kickOff",
+                                 "timeLeft", "score.red", "score.blue"};
+  Session& session = console.session();
+  for (std::size_t i = 0; i < session.simulation().world().ballCount(); ++i)
+    for (const char* field : {"x", "y", "speed", "toucher"})
+      names.push_back("ball" + (i == 0 ? "" : std::to_string(i)) + "." + field);
+  const SceneDescription& scene = session.simulation().scene();
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group)
+      for (const char* field :
+           {"x", "y", "rotation", "height", "tilt", "roll", "walked", "posture"})
+        names.push_back(robot.name + "." + field);
+  const auto first = console.firstRobot();
+  if (!first || !(*first)->robot()) return names;
+  for (const Plan::Process& process : (*first)->robot()->plan().processes)
+    for (const Plan::Step& step : process.order)
+      for (const RepresentationType* type : step.task->outputs)
+        if (const auto value = (*first)->robot()->value(type->name))
+          for (const PathInfo& part :
+               detail::paths(Value{&value->type(), const_cast<void*>(value->data())}))
+            names.push_back(std::string{type->name} + "." + part.path);
+  return names;
+}
+
+}  // namespace gt

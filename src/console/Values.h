@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "console/Console.h"
+
+namespace gt {
+
+/// A value of a running simulation, as text, and as a number if it is one (true is 1).
+struct ConsoleValue {
+  std::string text;
+  std::optional<double> number;
+};
+
+/// A value by its path (commands get, until, expect, plot):
+///
+///     time, half, state, kickOff, timeLeft, score.red, score.blue
+///     ball.x, ball.y, ball.speed, ball.toucher; ball1 is the second ball
+///     red1.x, red1.y, red1.rotation, red1.height, red1.tilt, red1.roll, red1.walked, red1.posture
+///     red1.RobotPose.pose.rotation      what a robot provides or reads
+///     red1.ImageProcessor.denseSpacing  a parameter, as TASK.PATH or TASK.SOLUTION.PATH
+///
+/// The truth is in the field's coordinates: mm, degrees, seconds. Without a robot's name the last
+/// two are of the first selected one.
+Result<ConsoleValue> valueAt(Console& console, const std::string& path);
+
+/// Where a robot or a ball is on the field, by its name; nothing if there is none.
+std::optional<Vector2d> placeOf(Console& console, std::string_view name);
+
+/// The paths that begin a value, for completion and `get ?`.
+std::vector<std::string> valueNames(Console& console);
+
+/// A parameter's task, solution and path by its name: TASK.SOLUTION.PATH, or TASK.PATH for the
+/// solution that runs.
+struct ParameterName {
+  std::string task, solution, path;
+};
+Result<ParameterName> parameterName(ConsoleRobot& robot, const std::string& name);
+/// A parameter as text; an error if the robot runs elsewhere.
+Result<std::string> parameterOf(ConsoleRobot& robot, const ParameterName& name);
+
+}  // namespace gt

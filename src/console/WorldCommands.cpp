@@ -1,0 +1,123 @@
+#include <algorithm>
+
+#include "console/Commands.h"
+#include "console/Condition.h"
+
+namespace gt {
+namespace {
+
+/// The robots of the scene, active and passive, in the world's order.
+std::vector<std::string> sceneRobots(Console& console) {
+  const SceneDescription& scene = console.session().simulation().scene();
+  std::vector<std::string> names;
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group) names.push_back(robot.name);
+  return names;
+}
+
+Result<std::size_t> sceneRobot(Console& console, const std::string& name) {
+  const auto names = sceneRobots(console);
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return Error{"", 0, name, "the scene has no robot of this name"};
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+/// The ball that a word names, ball or ball0 being the first; nothing if it names none.
+std::optional<std::size_t> ballOf(Console& console, const std::string& word) {
+  const std::size_t count = console.session().simulation().world().ballCount();
+  for (std::size_t i = 0; i < count; ++i)
+    if (word == "ball" + std::to_string(i) || (i == 0 && word == "ball")) return i;
+  return std::nullopt;
+}
+
+Result<void> place(Console& console, const Words& words) {
+  if (words.size() < 4 || words.size() > 6) return wrongArguments(words);
+  std::vector<double> numbers;
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    const auto number = numberOf(words[i], -10000, 10000);
+    if (!number) return number.error();
+    numbers.push_back(*number);
+  }
+  World& world = console.session().simulation().world();
+  if (words[1].starts_with("ball")) {
+    const auto ball = ballOf(console, words[1]);
+    if (!ball) return Error{"", 0, words[1], "the scene has no such ball"};
+    if (numbers.size() == 3) return wrongArguments(words);
+    const Vector2d speed = numbers.size() == 4 ? Vector2d{numbers[2], numbers[3]} : Vector2d{0, 0};
+    world.placeBall(*ball, {numbers[0], numbers[1]}, speed);
+    return {};
+  }
+  const auto robot = sceneRobot(console, words[1]);
+  if (!robot) return robot.error();
+  if (numbers.size() == 4) return wrongArguments(words);
+  const double rotation =
+      numbers.size() == 3 ? normalize(fromDegrees(numbers[2])) : world.robot(*robot).pose.rotation;
+  world.placeRobot(*robot, {rotation, numbers[0], numbers[1]});
+  return {};
+}
+
+Result<void> throwOver(Console& console, const Words& words) {
+  if (words.size() != 2 && words.size() != 3) return wrongArguments(words);
+  const bool right = words.size() == 3 && words[2] == "right";
+  if (words.size() == 3 && !right && words[2] != "left") return wrongArguments(words);
+  const auto robot = sceneRobot(console, words[1]);
+  if (!robot) return robot.error();
+  console.session().simulation().world().throwOver(
+      *robot, right ? Posture::onRightSide : Posture::onLeftSide);
+  return {};
+}
+
+Result<void> standUp(Console& console, const Words& words) {
+  if (words.size() != 2) return wrongArguments(words);
+  const auto robot = sceneRobot(console, words[1]);
+  if (!robot) return robot.error();
+  console.session().simulation().world().standUp(*robot);
+  return {};
+}
+
+Result<void> press(Console& console, const Words& words) {
+  if (words.size() < 2 || words.size() > 3) return wrongArguments(words);
+  const auto which = enumValue<Switch>(words[1]);
+  if (!which) return wrongArguments(words);
+  bool on = true;
+  if (words.size() == 3) {
+    const auto asked = switchOf(words, 2);
+    if (!asked) return asked.error();
+    on = *asked;
+  }
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (!robot.index()) return Error{"", 0, "press", "is for robots of the scene"};
+    console.session().simulation().sensors(*robot.index()).press(*which, on);
+    return {};
+  });
+}
+
+std::vector<std::string> thingNames(Console& console, const Words& before) {
+  if (before.size() != 1) return {};
+  auto names = sceneRobots(console);
+  if (before.front() == "place") names.emplace_back("ball");
+  return names;
+}
+
+std::vector<std::string> switchNames(Console&, const Words& before) {
+  if (before.size() == 1) return namesOf<Switch>();
+  return {"on", "off"};
+}
+
+}  // namespace
+
+std::vector<Command> worldCommands() {
+  using enum Command::Kind;
+  return {
+      {global, "place", "ROBOT X Y [ROTATION] | BALL X Y [VX VY]",
+       "Puts a robot on the field, in mm and degrees, or a ball, which may roll, in mm/s.", place,
+       thingNames, true},
+      {robot, "press",
+       "(headFront | headBack | chin | back | pawFR | pawFL | pawHR | pawHL) [on | off]",
+       "Presses a switch of the selected robots until it is off again.", press, switchNames, true},
+      {global, "stand", "ROBOT", "Puts a robot back on its feet.", standUp, thingNames, true},
+      {global, "throw", "ROBOT [left | right]", "Throws a robot on its side.", throwOver,
+       thingNames, true}};
+}
+
+}  // namespace gt
