@@ -4,8 +4,6 @@
 #include <linux/joystick.h>
 #include <unistd.h>
 
-#include "console/Commands.h"
-
 namespace gt {
 namespace {
 
@@ -22,19 +20,26 @@ JoystickDevice::~JoystickDevice() {
 }
 
 void JoystickDevice::update(Console& console) {
+  const auto execute = [&](const std::string& what, double value) {
+    const auto done = console.execute("joystick " + what + " " + std::to_string(value));
+    if (!done) console.print(done.error().text());
+  };
   js_event event;
   while (file_ >= 0 && read(file_, &event, sizeof event) == sizeof event) {
     const int type = event.type & ~JS_EVENT_INIT;
-    if (type == JS_EVENT_AXIS && event.number < enumCount<Joystick::Axis>) {
-      console.joystick().move(static_cast<Joystick::Axis>(event.number), event.value / fullScale);
-    } else if (type == JS_EVENT_BUTTON) {
-      const auto command = console.joystick().press(event.number + 1, event.value != 0);
-      if (!command) continue;
-      if (const auto done = console.execute(*command); !done) console.print(done.error().text());
-    }
+    if (type == JS_EVENT_AXIS && event.number < enumCount<Joystick::Axis>)
+      axes_.values[event.number] = event.value / fullScale;
+    else if (type == JS_EVENT_BUTTON)
+      execute(event.value ? "press" : "release", event.number + 1);
   }
-  if (file_ < 0) return;
-  if (const auto done = moveByJoystick(console); !done) console.print(done.error().text());
+  // The hat moves the head for as long as it is held.
+  for (std::size_t i = 0; i < enumCount<Joystick::Axis>; ++i) {
+    const auto axis = static_cast<Joystick::Axis>(i);
+    const bool held = axis >= Joystick::Axis::hatX && axes_.values[i] != 0;
+    if (!held && axes_.values[i] == told_.values[i]) continue;
+    told_.values[i] = axes_.values[i];
+    execute(std::string{enumName(axis)}, axes_.values[i]);
+  }
 }
 
 }  // namespace gt

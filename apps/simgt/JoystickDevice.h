@@ -19,6 +19,7 @@ class JoystickDevice {
 
  private:
   int file_ = -1;
+  EnumArray<Joystick::Axis, double> axes_, told_;
 };
 
 }  // namespace gt

@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 
+#include "console/ScenePicture.h"
 #include "match/Match.h"
 
 namespace gt {
@@ -12,9 +13,7 @@ struct PictureOptions {
   double time = 60;                            ///< Seconds after the match's begin.
   std::array<double, 3> from{0, -3600, 2300};  ///< Where the camera is, mm on the field.
   std::array<double, 3> at{0, -150, 0};        ///< Where it looks.
-  double openingAngle = 64;                    ///< From left to right, in degrees.
-  int width = 1280;                            ///< Pixels.
-  int height = 720;                            ///< Pixels.
+  SceneCamera camera;
   std::string out = "out/picture.png";
 };
 

@@ -1,10 +1,12 @@
 #include <CLI/CLI.hpp>
+#include <cstdio>
 
 #include "Check.h"
 #include "ConsoleProgram.h"
 #include "Layout.h"
 #include "Picture.h"
 #include "Play.h"
+#include "console/Manual.h"
 
 namespace {
 
@@ -68,13 +70,15 @@ void addPicture(CLI::App& command, gt::PictureOptions& picture) {
       ->capture_default_str();
   command.add_option("--at", picture.at, "Where the camera looks: x y z on the field in mm")
       ->capture_default_str();
-  command.add_option("--angle", picture.openingAngle, "Opening angle from left to right, degrees")
+  command
+      .add_option("--angle", picture.camera.openingAngle,
+                  "Opening angle from left to right, degrees")
       ->check(CLI::Range(1, 150))
       ->capture_default_str();
-  command.add_option("--width", picture.width, "Pixels")
+  command.add_option("--width", picture.camera.width, "Pixels")
       ->check(CLI::Range(16, 1920))
       ->capture_default_str();
-  command.add_option("--height", picture.height, "Pixels")
+  command.add_option("--height", picture.camera.height, "Pixels")
       ->check(CLI::Range(16, 1080))
       ->capture_default_str();
   command.add_option("--out", picture.out, "PNG file")->capture_default_str();
@@ -108,6 +112,8 @@ int main(int argc, char** argv) {
       *app.add_subcommand("layout", "Shows what runs in which process and what crosses");
   addLayout(showing, layout);
 
+  CLI::App& listing = *app.add_subcommand("commands", "Tells the console's commands: docs/console.md");
+
   gt::CheckOptions check;
   CLI::App& checking = *app.add_subcommand(
       "check", "Loads every configuration, layout, scene, motion and behavior; tells all errors");
@@ -117,6 +123,10 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (listing.parsed()) {
+    std::fputs(gt::consoleManual().c_str(), stdout);
+    return 0;
   }
   if (typing.parsed()) return gt::runConsole(console);
   if (checking.parsed()) return gt::checkTree(check);

@@ -82,6 +82,13 @@ const Command* Console::find(std::string_view name) {
   return found == commands().end() ? nullptr : &*found;
 }
 
+Result<void> Console::executeWithin(std::string_view line) {
+  noting_ = false;
+  auto done = execute(line);
+  noting_ = true;
+  return done;
+}
+
 Result<void> Console::execute(std::string_view line) {
   const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
   if (begin == line.size() || line[begin] == '#') return {};
@@ -89,9 +96,9 @@ Result<void> Console::execute(std::string_view line) {
   if (!words) return words.error();
   const Command* command = find(words->front());
   if (!command) return Error{"", 0, words->front(), "there is no such command; try help"};
-  const Session::Deed deed{session_.time(), selected_, std::string{line}};
   auto done = command->execute(*this, *words);
-  if (done && command->changes && words->rest != "?") session_.note(deed);
+  if (done && noting_ && command->changes && words->rest != "?")
+    session_.match().note(InterventionKind::console, std::string{line});
   if (!done && done.error().field.empty())
     return Error{done.error().file, done.error().line, words->front(), done.error().what};
   return done;

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@ struct Words : std::vector<std::string> {
 };
 
 class Console;
+class FilmWriter;
 
 /// A command of the console. Help, completion and docs/console.md are made from the table of these.
 struct Command {
@@ -44,6 +46,8 @@ class Console {
 
   /// Executes one line. Errors name the line's command or the word that is wrong.
   Result<void> execute(std::string_view line);
+  /// The same for what a command does that is noted itself.
+  Result<void> executeWithin(std::string_view line);
   /// Executes a script, one command per line, up to the first error: it names file and line.
   /// Scripts of the folder scenes/ need neither folder nor extension (.con).
   Result<void> call(const std::string& path);
@@ -73,6 +77,8 @@ class Console {
   Joystick& joystick() { return joystick_; }
   /// Values that are recorded over time, by their names (command plot).
   std::map<std::string, std::vector<RobotMemory::Sample>>& series() { return series_; }
+  /// The film that is being made; null if none is.
+  std::shared_ptr<FilmWriter>& film() { return film_; }
   /// Whether a condition did not hold that was expected to: a script that is a test has failed.
   bool expectationFailed() const { return expectationFailed_; }
   void failExpectation() { expectationFailed_ = true; }
@@ -83,7 +89,9 @@ class Console {
   std::optional<xabsl::Behavior> behavior_;
   Joystick joystick_;
   std::map<std::string, std::vector<RobotMemory::Sample>> series_;
+  std::shared_ptr<FilmWriter> film_;
   int depth_ = 0;  ///< Scripts that call each other.
+  bool noting_ = true;
   bool expectationFailed_ = false;
 };
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "console/Commands.h"
+#include "console/Manual.h"
 #include "console/TestSession.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
@@ -45,6 +46,11 @@ TEST_F(ConsoleTest, EveryCommandHasHelp) {
   expectError("nonsense", "nonsense", "no such command");
   expectFine("# a comment");
   expectFine("");
+}
+
+TEST(Manual, IsInTheDocumentation) {
+  EXPECT_EQ(*readFile("docs/console.md"), consoleManual())
+      << "simgt commands > docs/console.md brings it up to date";
 }
 
 TEST_F(ConsoleTest, SwitchesSolutionsOfSelectedRobots) {

@@ -270,14 +270,15 @@ std::vector<Command> globalCommands() {
        gcChoices, true},
       {global, "help", "[COMMAND]", "Tells what there is.", help, commandNames},
       {global, "jbc", "BUTTON COMMAND",
-       "Sets what a joystick's button (1 to 32) does when it is pressed.", jbc},
+       "Sets what a joystick's button (1 to 32) does when it is pressed.", jbc, nullptr, true},
       {global, "jhc", "tilt | pan | roll",
        "Sets which axis of the head the joystick's accelerator lever controls (by default pan); "
        "the "
        "coolie hat controls the others.",
-       jhc, oneOf<tilt, pan, roll>},
+       jhc, oneOf<tilt, pan, roll>, true},
       {global, "robot", "? | all | NAME {NAME}",
-       "Selects the robots that the robot commands are for, or lists them.", selectRobots, robotNames},
+       "Selects the robots that the robot commands are for, or lists them.", selectRobots,
+       robotNames, true},
       {global, "st", "off [SLOWNESS] | on [FACTOR]",
        "Simulated time, on by default: each step advances it by 8 ms, as fast as it goes or at "
        "most "

@@ -33,8 +33,8 @@ std::string shortName(const std::string& name) {
 
 }  // namespace
 
-Result<std::unique_ptr<RobotConnection>> RobotConnection::open(const std::vector<std::string>& robots,
-                                                     bool gameManager) {
+Result<std::unique_ptr<RobotConnection>> RobotConnection::open(
+    const std::vector<std::string>& robots, bool gameManager) {
   std::unique_ptr<RobotConnection> connection{new RobotConnection};
   auto routed = parseRobots(robots, "127.0.0.1", robotPort);
   if (!routed) return routed.error();

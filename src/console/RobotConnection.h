@@ -17,7 +17,7 @@ class RobotConnection {
   /// `gameManager` there is a port for tools of all robots, too. Keys for robots of other machines
   /// are in `config/tool.key`.
   static Result<std::unique_ptr<RobotConnection>> open(const std::vector<std::string>& robots,
-                                                  bool gameManager);
+                                                       bool gameManager);
 
   /// Passes messages on in both directions.
   void step();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 namespace gt {
 namespace {
@@ -26,27 +27,50 @@ Result<std::unique_ptr<Session>> Session::make(const MatchOptions& options, Scre
 Result<void> Session::restart(const MatchOptions& options) {
   auto match = Match::make(options);
   if (!match) return match.error();
-  robots_.clear();
-  connection_.reset();
-  match_ = std::move(*match);
+  state_ = {};
+  work(**match);
+  state_.owned = std::move(*match);
   options_ = options;
-  for (std::size_t i = 0; i < match_->robots().size(); ++i)
-    robots_.push_back(makeSimulatedRobot(*match_->robots()[i], match_->robotIndex(i)));
-  toldEvents_ = 0;
-  deeds_.clear();
-  recorders_.clear();
   behavior.clear();
+  setPace(pace_);
+  return {};
+}
+
+/// Makes the session's robots those of a match.
+void Session::work(Match& match) {
+  state_.match = &match;
+  for (std::size_t i = 0; i < match.robots().size(); ++i)
+    state_.robots.push_back(makeSimulatedRobot(*match.robots()[i], match.robotIndex(i)));
+}
+
+Result<void> Session::load(const std::string& file,
+                           const std::function<Result<void>(const std::string& line)>& perform) {
+  State before = std::exchange(state_, {});
+  const std::string behaviorBefore = std::exchange(behavior, {});
+  auto match = Match::load(file, options_, [&](Match& made, const std::string& line) {
+    if (state_.match != &made) work(made);
+    return perform(line);
+  });
+  if (!match) {
+    state_ = std::move(before);
+    behavior = behaviorBefore;
+    return match.error();
+  }
+  if (!state_.match) work(**match);
+  state_.owned = std::move(*match);
+  state_.toldEvents = simulation().referee().events().size();
+  options_ = state_.match->options();
   setPace(pace_);
   return {};
 }
 
 bool Session::step() {
   if (simulation().finished()) return false;
-  match_->step();
-  if (connection_) connection_->step();
-  for (const auto& robot : robots_)
+  state_.match->step();
+  if (state_.connection) state_.connection->step();
+  for (const auto& robot : state_.robots)
     if (const auto done = robot->step(time()); !done) screen_.print(done.error().text());
-  for (const auto& recorder : recorders_) recorder();
+  for (const auto& recorder : state_.recorders) recorder();
   tellNews();
   wait();
   screen_.stepped();
@@ -55,18 +79,19 @@ bool Session::step() {
 
 void Session::tellNews() {
   const auto& events = simulation().referee().events();
-  for (; toldEvents_ < events.size(); ++toldEvents_)
-    screen_.print(clockText(events[toldEvents_].time) + "  " + describe(events[toldEvents_]));
-  for (const auto& robot : robots_)
+  for (; state_.toldEvents < events.size(); ++state_.toldEvents)
+    screen_.print(clockText(events[state_.toldEvents].time) + "  " +
+                  describe(events[state_.toldEvents]));
+  for (const auto& robot : state_.robots)
     for (const std::string& text : robot->memory().takeTexts())
       if (robot->printsTexts) screen_.print(robot->name() + ": " + text);
-  if (connection_)
-    for (const std::string& line : connection_->news()) screen_.print(line);
+  if (state_.connection)
+    for (const std::string& line : state_.connection->news()) screen_.print(line);
 }
 
 void Session::wait() {
   // Robots elsewhere live in real time.
-  const double factor = connection_ && pace_.factor == 0 ? 1 : pace_.factor;
+  const double factor = state_.connection && pace_.factor == 0 ? 1 : pace_.factor;
   if (factor == 0) return;
   const std::chrono::duration<double, std::milli> simulated{
       static_cast<double>(time() - paceTime_) / factor};
@@ -78,36 +103,39 @@ void Session::wait() {
 
 void Session::setPace(const Pace& pace) {
   pace_ = pace;
+  if (pace.slowness > 0) match().spoil("how long robots took was measured by the clock");
   paceBegin_ = Clock::now();
   paceTime_ = time();
-  for (SimulatedRobot* robot : match_->robots()) robot->setSlowness(pace.slowness);
+  for (SimulatedRobot* robot : state_.match->robots()) robot->setSlowness(pace.slowness);
 }
 
 ConsoleRobot* Session::find(std::string_view name) const {
   const auto found =
-      std::ranges::find_if(robots_, [&](const auto& robot) { return robot->name() == name; });
-  return found == robots_.end() ? nullptr : found->get();
+      std::ranges::find_if(state_.robots, [&](const auto& robot) { return robot->name() == name; });
+  return found == state_.robots.end() ? nullptr : found->get();
 }
 
 Result<void> Session::replay(const std::string& name, const std::string& file) {
   if (find(name)) return Error{"", 0, name, "there is already a robot of this name"};
-  auto robot = makeLogRobot(name, file, match_->configuration(), time());
+  auto robot = makeLogRobot(name, file, state_.match->configuration(), time());
   if (!robot) return robot.error();
-  robots_.push_back(std::move(*robot));
+  match().spoil("a robot lives on a log");
+  state_.robots.push_back(std::move(*robot));
   return {};
 }
 
 Result<void> Session::connect(const std::vector<std::string>& robots, bool gameManager) {
-  if (connection_) return Error{"", 0, "sc", "robots are connected already"};
+  if (state_.connection) return Error{"", 0, "sc", "robots are connected already"};
   auto connection = RobotConnection::open(robots, gameManager);
   if (!connection) return connection.error();
   auto connected = (*connection)->takeRobots();
   for (const auto& robot : connected)
     if (find(robot->name()))
       return Error{"", 0, robot->name(), "there is already a robot of this name"};
-  connection_ = std::move(*connection);
-  for (auto& robot : connected) robots_.push_back(std::move(robot));
-  if (gameManager) screen_.print("game manager: " + connection_->gameManager());
+  state_.connection = std::move(*connection);
+  match().spoil("robots live elsewhere");
+  for (auto& robot : connected) state_.robots.push_back(std::move(robot));
+  if (gameManager) screen_.print("game manager: " + state_.connection->gameManager());
   return {};
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "console/RobotConnection.h"
 #include "console/ConsoleRobot.h"
+#include "console/RobotConnection.h"
 #include "match/Match.h"
 
 namespace gt {
@@ -29,31 +29,27 @@ struct Pace {
 };
 
 /// A simulation that a console works on: a scene with its robots, robots on logs, robots elsewhere,
-/// and the clock. All that a person did to it is written down: with scene and seed it tells how the
-/// simulation came to be what it is.
+/// and the clock.
 class Session {
  public:
-  /// A line of the console that changed something, and the robots that were selected then.
-  struct Deed {
-    Time time;
-    std::vector<std::string> selected;  ///< All if empty.
-    std::string line;
-  };
-
   static Result<std::unique_ptr<Session>> make(const MatchOptions& options, Screen& screen);
 
   /// Begins anew with another scene, seed, or whatever is different. Robots on logs and elsewhere
   /// are gone, and nothing has been done yet. An error leaves all as it was.
   Result<void> restart(const MatchOptions& options);
   const MatchOptions& options() const { return options_; }
+  /// Goes on where a match was when it was saved (Match::save): begins anew and does again what was
+  /// done to it, by `perform`. An error leaves all as it was.
+  Result<void> load(const std::string& file,
+                    const std::function<Result<void>(const std::string& line)>& perform);
 
-  Match& match() { return *match_; }
-  Simulation& simulation() { return match_->simulation(); }
-  Time time() const { return match_->time(); }
+  Match& match() { return *state_.match; }
+  Simulation& simulation() { return state_.match->simulation(); }
+  Time time() const { return state_.match->time(); }
   /// One step of 8 ms; false when the game is over, or nothing could go on.
   bool step();
   /// A robot of the scene first, then those on logs and elsewhere.
-  const std::vector<std::unique_ptr<ConsoleRobot>>& robots() const { return robots_; }
+  const std::vector<std::unique_ptr<ConsoleRobot>>& robots() const { return state_.robots; }
   ConsoleRobot* find(std::string_view robot) const;
 
   /// Report I.5.1: sl. A name that is in use is an error.
@@ -64,10 +60,8 @@ class Session {
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
 
-  void note(Deed deed) { deeds_.push_back(std::move(deed)); }
-  const std::vector<Deed>& deeds() const { return deeds_; }
   /// Called after each step, by what records over time.
-  std::vector<std::function<void()>>& recorders() { return recorders_; }
+  std::vector<std::function<void()>>& recorders() { return state_.recorders; }
 
   Screen& screen() { return screen_; }
   std::string behavior = {};  ///< Agents file that `xlb` loaded last; empty: that of the options.
@@ -75,22 +69,28 @@ class Session {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// What belongs to one match.
+  struct State {
+    // The robots need both as long as they live.
+    std::unique_ptr<Match> owned;
+    std::unique_ptr<RobotConnection> connection;
+    Match* match = nullptr;
+    std::vector<std::unique_ptr<ConsoleRobot>> robots;
+    std::size_t toldEvents = 0;
+    std::vector<std::function<void()>> recorders;
+  };
+
   explicit Session(Screen& screen) : screen_{screen} {}
+  void work(Match& match);
   void wait();
   void tellNews();
 
   Screen& screen_;
   MatchOptions options_;
-  // The robots need both as long as they live.
-  std::unique_ptr<Match> match_;
-  std::unique_ptr<RobotConnection> connection_;
-  std::vector<std::unique_ptr<ConsoleRobot>> robots_;
-  std::size_t toldEvents_ = 0;
+  State state_;
   Pace pace_;
   Clock::time_point paceBegin_ = Clock::now();
   Time paceTime_;
-  std::vector<Deed> deeds_;
-  std::vector<std::function<void()>> recorders_;
 };
 
 /// Minutes and seconds, as in 2:05.

@@ -4,7 +4,6 @@
 
 #include "console/Commands.h"
 #include "console/Condition.h"
-#include "console/SavedState.h"
 #include "modules/behavior/BehaviorRequest.h"
 #include "robot/Solutions.h"
 
@@ -188,12 +187,31 @@ Result<void> reset(Console& console, const Words& words) {
 
 Result<void> save(Console& console, const Words& words) {
   if (words.size() != 2) return wrongArguments(words);
-  return saveState(console.session(), withDefaults(words[1], "out/states", ".state"));
+  const std::string file = withDefaults(words[1], "out/states", ".state");
+  std::error_code ignored;  // then writing tells what is wrong
+  std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
+  return console.session().match().save(file);
 }
 
 Result<void> load(Console& console, const Words& words) {
   if (words.size() != 2) return wrongArguments(words);
-  return loadState(console, withDefaults(words[1], "out/states", ".state"));
+  const auto selection = console.selection();
+  console.select({});
+  console.forgetBehavior();
+  const auto done = console.session().load(
+      withDefaults(words[1], "out/states", ".state"), [&](const std::string& line) -> Result<void> {
+        const Command* command = Console::find(line.substr(0, line.find(' ')));
+        if (!command || !command->changes)
+          return Error{"", 0, line, "is no command that changes something"};
+        return console.execute(line);
+      });
+  if (!done) {
+    console.select(selection);
+    console.forgetBehavior();
+    return done;
+  }
+  console.series().clear();
+  return {};
 }
 
 Result<void> joystick(Console& console, const Words& words) {
@@ -210,7 +228,7 @@ Result<void> joystick(Console& console, const Words& words) {
   const auto button = numberOf(words[2], 1, Joystick::buttons);
   if (!button) return button.error();
   const auto command = stick.press(static_cast<int>(*button), down);
-  return command ? console.execute(*command) : Result<void>{};
+  return command ? console.executeWithin(*command) : Result<void>{};
 }
 
 std::vector<std::string> sceneChoices(Console&, const Words&) {

@@ -8,7 +8,6 @@
 
 #include "console/Commands.h"
 #include "console/Condition.h"
-#include "console/SavedState.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -35,7 +34,7 @@ struct Outcome {
 /// What is run many times: the scene with other seeds and all that was done to this simulation.
 struct Series {
   MatchOptions options;
-  std::vector<Session::Deed> deeds;  ///< Done at once; what a robot does with time differs.
+  std::vector<Intervention> history;  ///< Done at once, whenever it was done.
   int runs = 1;
   double timeout = 0;  ///< s; 0: until the game is over.
   std::vector<std::string> targetTexts;
@@ -65,7 +64,8 @@ Result<Outcome> runOnce(const Series& series, int index) {
   auto session = Session::make(options, screen);
   if (!session) return session.error();
   Console console{**session};
-  if (auto done = repeat(console, series.deeds); !done) return done.error();
+  for (const Intervention& deed : series.history)
+    if (auto done = console.execute(deed.line); !done) return done.error();
   Outcome outcome;
   outcome.seed = options.seed;
   const auto end = static_cast<std::int64_t>(std::llround(1000 * series.timeout));
@@ -166,13 +166,11 @@ Result<void> test(Console& console, const Words& words) {
   const std::string file = takeFile(rest).value_or("out/test.csv");
   if (rest.size() < 3) return wrongArguments(words);
   Session& session = console.session();
-  Series series{session.options(), session.deeds(), 1, 0, {}, {}};
+  Series series{session.options(), session.match().history(), 1, 0, {}, {}};
   const auto runs = numberOf(rest[2], 1, mostRuns);
   if (!runs) return runs.error();
   if (*runs != std::floor(*runs)) return wrongArguments(words);
   series.runs = static_cast<int>(*runs);
-  // What was set up counts, not when that was done.
-  for (Session::Deed& deed : series.deeds) deed.time = {};
   if (rest[1] == "game" && rest.size() == 3) {
   } else if (rest[1] == "situation" && rest.size() > 4) {
     const auto timeout = numberOf(rest[3], 0.008, 1e6);

@@ -72,12 +72,14 @@ class Match {
   const GameControllerLink* gameController() const { return gameController_.get(); }
   /// Remembers what was just done to the match from outside, for `save`.
   void note(InterventionKind kind, std::string line);
+  const std::vector<Intervention>& history() const { return history_; }
   /// Tells why nobody can repeat what happens from now on; the first reason counts.
   void spoil(const std::string& why);
 
   /// Closes the logs and tells the first error that happened in writing one.
   Result<void> close();
 
+  const MatchOptions& options() const { return options_; }
   Simulation& simulation() { return *simulation_; }
   /// The robots whose processes run in here.
   const std::vector<SimulatedRobot*>& robots() const { return robots_; }

@@ -71,11 +71,6 @@ void Referee::setScore(TeamColor team, int goals, Time now) {
   tellRobots(now);
 }
 
-void Referee::setScore(TeamColor team, int goals, Time now) {
-  score_[team] = goals;
-  tellRobots(now);
-}
-
 void Referee::setPenalty(std::size_t robot, Penalty penalty, Time now) {
   penalties_[robot] = penalty;
   backAt_[robot] = never();

@@ -205,6 +205,7 @@ struct SceneDescription {
   std::string config = "../config";
   std::string script;
   Fidelity fidelity = Fidelity::kinematic;
+  bool flags = true;
   NoiseParameters noise;
   CameraEffects camera;
   BallParameters physics;
@@ -223,7 +224,9 @@ struct SceneDescription {
         gt::field("field", &SceneDescription::field, "", "MJCF file, from the scene's folder"),
         gt::field("config", &SceneDescription::config, "", "folder of the configuration files"),
         gt::field("script", &SceneDescription::script, "", "console script to begin with"),
-        gt::field("fidelity", &SceneDescription::fidelity)};
+        gt::field("fidelity", &SceneDescription::fidelity),
+        gt::field("flags", &SceneDescription::flags, "",
+                  "whether the field has its flags: what is of the model's class flag")};
   }
 };
 

@@ -166,9 +166,11 @@ void World::writeBall(std::size_t i) {
   pose[2] = parts.radius / 1000;
   // The ball's own poses follow at once: it moves after the robots in a tick.
   mju_copy3(data_->xpos + 3 * parts.body, pose);
-  mju_copy3(data_->geom_xpos + 3 * parts.geom, pose);
   mju_quat2Mat(data_->xmat + 9 * parts.body, pose + 3);
-  mju_quat2Mat(data_->geom_xmat + 9 * parts.geom, pose + 3);
+  const auto [first, last] = geomsBelow(*model_, parts.body);
+  for (int geom = first; geom < last; ++geom)
+    mj_local2Global(data_.get(), data_->geom_xpos + 3 * geom, data_->geom_xmat + 9 * geom,
+                    model_->geom_pos + 3 * geom, model_->geom_quat + 4 * geom, parts.body, 0);
 }
 
 void World::updateKinematics() {

@@ -53,9 +53,11 @@ void GoToPoint::execute() {
   if (distance < 60 && std::abs(finalTurn) < fromDegrees(8)) return movement_.stand();
   const bool isFar = distance > 400;
   const double turn = isFar ? angleOf(offset) : finalTurn;
+  // Without a speed, as from a person who does not care (report I.5.3: xbb), as fast as it can.
+  const double limit = maxSpeed > 0 ? maxSpeed : movement_.parameters().maxForward;
   // Far away the robot walks where it looks, so it turns first.
   const double speed =
-      isFar ? maxSpeed * std::max(0.2, std::cos(std::min(std::abs(turn), pi / 2))) : maxSpeed;
+      isFar ? limit * std::max(0.2, std::cos(std::min(std::abs(turn), pi / 2))) : limit;
   movement_.approach(isFar ? movement_.avoidMates(offset) : offset, turn, speed);
 }
 

@@ -1,0 +1,56 @@
+#include "console/ScenePicture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/camera/CameraRenderer.h"
+
+namespace gt {
+namespace {
+
+/// A pixel of the picture is the mean of so many pixels of the camera's in each direction: smooth
+/// edges.
+constexpr int fineness = 3;
+
+CameraView viewOf(const SceneCamera& camera) {
+  const Vector3d ahead = camera.at - camera.from;
+  Pose3D pose;
+  pose.translation = camera.from;
+  pose.rotation = rotationZ(std::atan2(ahead.y(), ahead.x())) *
+                  rotationY(-std::atan2(ahead.z(), ahead.head<2>().norm()));
+  CameraView view;
+  view.first = view.last = pose;
+  view.info.width = camera.width * fineness;
+  view.info.height = camera.height * fineness;
+  view.info.focalX = view.info.focalY =
+      view.info.width / (2 * std::tan(fromDegrees(camera.openingAngle) / 2));
+  view.info.centerX = view.info.width / 2.0;
+  view.info.centerY = view.info.height / 2.0;
+  return view;
+}
+
+/// Each pixel is the mean of a square of the picture's.
+RgbPicture reduced(const RgbPicture& fine) {
+  RgbPicture picture{fine.width / fineness, fine.height / fineness, {}};
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (int channel = 0; channel < 3; ++channel) {
+        int sum = 0;
+        for (int row = y * fineness; row < (y + 1) * fineness; ++row)
+          for (int column = x * fineness; column < (x + 1) * fineness; ++column)
+            sum += fine.pixels[static_cast<std::size_t>(3 * (row * fine.width + column) + channel)];
+        picture.pixels.push_back(static_cast<std::uint8_t>(sum / (fineness * fineness)));
+      }
+  return picture;
+}
+
+}  // namespace
+
+RgbPicture scenePicture(const World& world, const SceneCamera& camera) {
+  const CameraScene scene{world.model()};
+  Image image;
+  CameraRenderer{scene}.render(world.data(), viewOf(camera), CameraEffects::none(), 0, image);
+  return reduced(rgbOf(image));
+}
+
+}  // namespace gt

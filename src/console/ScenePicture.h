@@ -1,0 +1,18 @@
+#pragma once
+#include "painting/Sheet.h"
+#include "simulation/World.h"
+
+namespace gt {
+
+/// From where a scene is looked at.
+struct SceneCamera {
+  Vector3d from{0, -3600, 2300};   ///< mm on the field
+  Vector3d at{0, -150, 0};         ///< mm on the field
+  double openingAngle = 64;        ///< From left to right, in degrees.
+  int width = 1280, height = 720;  ///< pixels
+};
+
+/// A picture of the world for people, with smooth edges and without a camera's faults.
+RgbPicture scenePicture(const World& world, const SceneCamera& camera);
+
+}  // namespace gt
