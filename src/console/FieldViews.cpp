@@ -115,7 +115,7 @@ Result<Sheet> radarView(Console& console, const std::vector<double>& numbers) {
   if (!robot) return robot.error();
   if (numbers.size() > 1 || (!numbers.empty() && !(numbers[0] >= 100 && numbers[0] <= 10000)))
     return Error{"", 0, "radar", "expected no number, or how far it looks: 100 to 10000 mm"};
-  const double range = numbers.empty() ? 1500 : numbers[0];
+  const double range = numbers.empty() ? 2400 : numbers[0];
   constexpr int size = 480;
   Sheet sheet{size, size, {20, 40, 25}};
   const Placement placement{{size / 2.0, size / 2.0}, size / 2.0 / range, true};

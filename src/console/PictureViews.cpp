@@ -94,7 +94,7 @@ Result<Sheet> robotView(Console& console, const std::vector<double>& numbers) {
   camera.height = 480;
   camera.openingAngle = 32;
   camera.at = {body.pose.translation.x(), body.pose.translation.y(), 0.8 * body.height};
-  camera.from = camera.at + Vector3d{650 * std::cos(from), 650 * std::sin(from), 330};
+  camera.from = camera.at + Vector3d{800 * std::cos(from), 800 * std::sin(from), 400};
   Sheet sheet{camera.width, camera.height};
   sheet.paint(scenePicture(console.session().simulation().world(), camera), {0, 0});
   sheet.text({12, 24}, (*robot)->name(), colors::white, 16);

@@ -163,7 +163,7 @@ Result<Sheet> sensorView(Console& console, const std::vector<double>&) {
   constexpr double zero = 240, perDegree = 1;
   for (std::size_t i = 0; i < enumCount<Joint>; ++i) {
     const double degrees = toDegrees(data.joints.values[i]);
-    const double y = 50 + 18 * static_cast<double>(i);
+    const double y = 58 + 18 * static_cast<double>(i);
     sheet.box({zero + std::min(0.0, degrees * perDegree), y + 3},
               {std::abs(degrees) * perDegree, 10}, bar);
     lines.add({{0, std::string{enumNames<Joint>[i]}}, {90, decimal(degrees)}});
@@ -201,7 +201,7 @@ Result<Sheet> timeView(Console& console, const std::vector<double>&) {
   Lines lines{sheet, 16};
   lines.add({{0, (*robot)->name() + ": mean time of each module, times a second"}});
   const double seconds = std::max(secondsOf(console.session().time()), 1e-3);
-  double y = 34;
+  double y = 37;
   for (const Stopwatch* watch : watches) {
     sheet.box({190, y}, {std::max(1.0, 260 * mean(*watch) / longest), 11}, bar);
     lines.add({{0, watch->name()},
