@@ -9,10 +9,11 @@ OUT     ?= out/match
 SECONDS ?= 60
 JOBS    ?= $(shell nproc)
 
-.PHONY: help play play-remote kill-test test replay bench experiments docs build packages format sanitize fuzz clean
+.PHONY: help play film play-remote kill-test test replay bench experiments docs build packages format sanitize fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
+	@echo 'make film          films half a minute of a match: out/match.mp4'
 	@echo 'make test          builds everything and runs all tests'
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
 	@echo 'make play-remote   plays a minute against a team whose robots consist of three programs each'
@@ -38,6 +39,11 @@ build: packages
 play: TARGETS = --target simgt
 play: build
 	@$(BUILD)/bin/simgt play scenes/match.scene --minutes $(MINUTES) --seed $(SEED) --threads $(JOBS) --out $(OUT)
+
+film: TARGETS = --target simgt
+film: build
+	@$(BUILD)/bin/simgt console scenes/match.scene --seed $(SEED) --threads $(JOBS) --script scenes/film.con
+	@echo 'Film: out/match.mp4'
 
 test: build
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS)
