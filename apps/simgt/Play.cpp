@@ -69,6 +69,8 @@ int play(PlayOptions options) {
   if (!made) return fail(made.error());
   Session& session = **made;
   screen.watch(session);
+  if (options.script.empty())
+    for (SimulatedRobot* robot : session.match().robots()) robot->sendOracle(false);
   if (options.realTime || !options.match.remote.empty()) session.setPace({1, 0});
 
   fmt::print("{}, {} minutes, seed {}\n", options.match.scene, options.match.minutes,

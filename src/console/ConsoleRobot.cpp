@@ -16,6 +16,7 @@ class RobotOfScene : public ConsoleRobot {
  public:
   RobotOfScene(SimulatedRobot& robot, std::size_t index)
       : ConsoleRobot{robot.name()}, robot_{robot}, index_{index} {
+    robot_.sendOracle(true);
     robot_.observe([this](const RobotInput& input, const MessageQueue& messages) {
       memory().take(messages, input.image);
     });

@@ -34,7 +34,7 @@ class SimulatedRobot : public MatchRobot {
   using Observer = std::function<void(const RobotInput& input, const MessageQueue& messages)>;
   void observe(Observer observer) { observer_ = std::move(observer); }
   /// Whether what disabled tasks would provide comes from the oracle: oracled world states
-  /// (report I.5.3: so). Without a word, it does.
+  /// (report I.5.3: so). A console has them sent; without one they are not.
   void sendOracle(bool on) { oracle_ = on; }
   /// Gives the robot a computer of its own, so many times slower than this one: pictures that come
   /// while it is busy are lost, as on the real one (report I.5.2: st off). 0: it takes no time.
@@ -78,7 +78,7 @@ class SimulatedRobot : public MatchRobot {
   const MotionInfo* motion_ = nullptr;
   std::int64_t pictures_ = 0;
   Observer observer_;
-  bool oracle_ = true;
+  bool oracle_ = false;
   double slowness_ = 0;
   double busyUntil_ = 0;  // ms
   std::int64_t lostPictures_ = 0;
