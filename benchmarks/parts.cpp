@@ -103,7 +103,7 @@ void kinematicWorld(benchmark::State& state) {
         command.joints[legJoint(leg, 2)] = 0.14;
         command.joints[legJoint(leg, 3)] = 1.3 + 0.2 * std::cos(phase);
       }
-      command.step = {0.002, std::sin(phase / 50), 0};
+      command.step = {0.01, 1, 0};  // in circles of 100 mm radius
     }
     (*world)->step(commands);
   }

@@ -21,7 +21,8 @@ Result<void> measureMatches(Figures& figures, const ExperimentOptions& options);
 Result<void> measureLocalization(Figures& figures, const ExperimentOptions& options);
 /// The image processor on random views of the simulated field.
 Result<void> measureVision(Figures& figures, const ExperimentOptions& options);
-/// Half an hour of 22 robots and 10 balls in which everything goes wrong, in both fidelities.
+/// 22 robots and 10 balls while everything goes wrong: half an hour in the kinematic fidelity, some
+/// minutes in the dynamic one.
 Result<void> measureSoak(Figures& figures, const ExperimentOptions& options);
 /// The same walks in the kinematic and in the dynamic fidelity. Nothing in it is left to chance.
 Result<void> measureFidelity(Figures& figures, const ExperimentOptions& options);

@@ -53,6 +53,7 @@ KinematicWorld::KinematicWorld(const SceneDescription& scene, Model model, const
       *factor = 1 + noise_.slip * walking.random.symmetric();
     walking_.push_back(walking);
   }
+  clear_.resize(robots_.size());
   from_.resize(robots_.size());
   ways_.resize(robots_.size());
 }
@@ -144,6 +145,17 @@ bool KinematicWorld::partPair(std::size_t a, std::size_t b) {
   return touched;
 }
 
+bool KinematicWorld::mayMeetObstacle(std::size_t i) {
+  constexpr double reach = footprintRadius + footprintX[0];
+  const Vector2d& at = robots_[i].pose.translation;
+  Clearance& clear = clear_[i];
+  constexpr double worthLooking = 25;  // mm: beside a wall it is not measured anew all the time
+  const double gone = (at - clear.from).norm();
+  if (gone + reach < clear.distance) return false;
+  if (gone > worthLooking || clear.distance == 0) clear = {at, obstacles_.distanceTo(at)};
+  return (at - clear.from).norm() + reach >= clear.distance;
+}
+
 void KinematicWorld::noteBlocked(std::size_t i) {
   constexpr double slip = 0.1;  // mm
   const Vector2d missing = from_[i] + ways_[i] - robots_[i].pose.translation;
@@ -157,13 +169,16 @@ void KinematicWorld::partRobots() {
     for (std::size_t a = 0; a < robots_.size(); ++a)
       for (std::size_t b = a + 1; b < robots_.size(); ++b) touched |= partPair(a, b);
     // Walls come last: whatever robots do to each other, none is pushed through.
-    for (RobotBody& robot : robots_)
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (!mayMeetObstacle(i)) continue;
+      RobotBody& robot = robots_[i];
       for (const double x : footprintX) {
         const Vector2d before = disc(robot.pose, x);
         Vector2d center = before;
         obstacles_.pushOut(center, footprintRadius, [&](const Vector2d&) { touched = true; });
         robot.pose.translation += center - before;
       }
+    }
     if (!touched) return;
   }
 }

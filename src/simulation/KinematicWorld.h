@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "simulation/BallPhysics.h"
 #include "simulation/Obstacles.h"
 #include "simulation/World.h"
@@ -18,6 +20,7 @@ class KinematicWorld : public World {
   void moveGeom(int geom, const Vector3d& position) override {
     World::moveGeom(geom, position);
     obstacles_ = Obstacles{*model_};
+    std::fill(clear_.begin(), clear_.end(), Clearance{});
   }
 
  private:
@@ -29,6 +32,14 @@ class KinematicWorld : public World {
 
   KinematicWorld(const SceneDescription& scene, Model model, const Random& random);
 
+  /// A place, and how far it is from there to the nearest obstacle (mm): until a robot has gone
+  /// that far, it can meet none.
+  struct Clearance {
+    Vector2d from = Vector2d::Zero();
+    double distance = 0;
+  };
+
+  bool mayMeetObstacle(std::size_t i);
   void moveJoints(RobotBody& robot, const JointAngles& targets) const;
   void walk(std::size_t i, const Pose2D& step);
   void noteBlocked(std::size_t i);
@@ -40,6 +51,7 @@ class KinematicWorld : public World {
   Obstacles obstacles_;
   BallPhysics ballPhysics_;
   std::vector<Walking> walking_;
+  std::vector<Clearance> clear_;
   std::vector<Vector2d> from_, ways_;  ///< Of each robot in this tick, on the field (mm).
 };
 

@@ -1,6 +1,7 @@
 #include "simulation/Obstacles.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace gt {
 
@@ -56,6 +57,18 @@ bool Obstacles::overlaps(const Obstacle& obstacle, const Vector2d& center, doubl
   overlap.normal = {obstacle.cosine * normal.x() - obstacle.sine * normal.y(),
                     obstacle.sine * normal.x() + obstacle.cosine * normal.y()};
   return true;
+}
+
+double Obstacles::distanceTo(const Vector2d& point) const {
+  double nearest = std::numeric_limits<double>::max();
+  for (const Obstacle& obstacle : obstacles_) {
+    const Vector2d d = point - obstacle.center;
+    const Vector2d local{obstacle.cosine * d.x() + obstacle.sine * d.y(),
+                         obstacle.cosine * d.y() - obstacle.sine * d.x()};
+    const Vector2d outside = (local.cwiseAbs() - obstacle.half).cwiseMax(0.);
+    nearest = std::min(nearest, outside.norm() - obstacle.round);
+  }
+  return std::max(nearest, 0.);
 }
 
 bool discsOverlap(const Vector2d& first, const Vector2d& second, double distance,

@@ -29,6 +29,9 @@ class Obstacles {
     }
   }
 
+  /// How far it is from a point to the nearest obstacle (mm); 0 within one.
+  double distanceTo(const Vector2d& point) const;
+
  private:
   struct Obstacle {
     Vector2d center;
