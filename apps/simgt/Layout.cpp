@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "robot/Graphviz.h"
 #include "robot/LayoutDrawing.h"
 #include "robot/Robot.h"
 #include "robot/logs/LogPlatform.h"

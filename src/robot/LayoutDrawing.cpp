@@ -1,18 +1,11 @@
 #include "robot/LayoutDrawing.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <map>
 #include <sstream>
 
+#include "robot/Graphviz.h"
 #include "robot/Robot.h"
-#include "streams/File.h"
-
-extern char** environ;
 
 namespace gt {
 namespace {
@@ -57,15 +50,6 @@ std::string join(const std::vector<std::string>& words, const std::string& betwe
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
   return text;
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + '"';
 }
 
 /// A process as a table of HTML, as Graphviz takes it for a label; names hold letters only where
@@ -119,35 +103,20 @@ std::string drawPlan(const Plan& plan) {
          "  node [shape=box, style=\"rounded,filled\", fillcolor=\"#eef3fa\", "
          "fontname=\"Helvetica\", fontsize=12];\n"
          "  edge [fontname=\"Helvetica\", fontsize=9, color=\"#555555\"];\n"
-      << "  " << quoted(platformName) << " [shape=cylinder, fillcolor=\"#f3ecd8\"];\n";
+      << "  " << dotQuoted(platformName) << " [shape=cylinder, fillcolor=\"#f3ecd8\"];\n";
   for (const Plan::Process& process : plan.processes)
-    dot << "  " << quoted(process.layout.name) << " [label=" << labelOf(process)
+    dot << "  " << dotQuoted(process.layout.name) << " [label=" << labelOf(process)
         << (process.layout.collectsMessages ? ", style=\"rounded,dashed\"" : "") << "];\n";
   for (const auto& [ends, arrow] : arrowsOf(plan)) {
     const bool messages = arrow.types.front() == "MessageQueue";
     // Message queues go both ways: one line for both.
     if (messages && ends.first > ends.second) continue;
-    dot << "  " << quoted(ends.first) << " -> " << quoted(ends.second) << " [label=\""
+    dot << "  " << dotQuoted(ends.first) << " -> " << dotQuoted(ends.second) << " [label=\""
         << join(arrow.types, "\\n") << '"' << (arrow.triggers ? ", penwidth=2.5" : "")
         << (messages ? ", style=dashed, dir=both" : "") << "];\n";
   }
   dot << "}\n";
   return dot.str();
-}
-
-Result<void> writeSvg(const std::string& drawing, const std::string& file) {
-  const std::string source = file + ".dot";
-  if (auto done = writeFile(source, drawing); !done) return done;
-  std::string command[] = {"dot", "-Tsvg", "-o" + file, source};
-  char* arguments[] = {command[0].data(), command[1].data(), command[2].data(), command[3].data(),
-                       nullptr};
-  pid_t child = 0;
-  int status = posix_spawnp(&child, "dot", nullptr, nullptr, arguments, environ);
-  if (status == 0 && waitpid(child, &status, 0) < 0) status = -1;
-  unlink(source.c_str());
-  if (status != 0)
-    return Error{file, 0, "", "cannot be drawn: Graphviz's program dot is missing or failed"};
-  return {};
 }
 
 }  // namespace gt

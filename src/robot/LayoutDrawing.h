@@ -13,7 +13,4 @@ std::string describePlan(const Plan& plan);
 /// with its modules in their order, arrows for what crosses, thick ones for what starts a cycle.
 std::string drawPlan(const Plan& plan);
 
-/// Has Graphviz draw into an SVG file; an error if its program `dot` is missing or fails.
-Result<void> writeSvg(const std::string& drawing, const std::string& file);
-
 }  // namespace gt

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "robot/Graphviz.h"
+#include "robot/ModuleGraph.h"
 #include "robot/Robot.h"
 #include "streams/File.h"
 
@@ -44,6 +46,50 @@ TEST(LayoutDrawing, GraphvizDrawsIt) {
   std::filesystem::remove(file);
   EXPECT_FALSE(writeSvg("this is no graph", file.string()));
   EXPECT_FALSE(writeSvg(drawPlan(planOf("cmd.layout")), "/no/such/folder/x.svg"));
+}
+
+/// A locator that runs, one that is switched off, and a reader of both in another process.
+std::vector<ProcessDescription> smallRobot() {
+  const TaskDescription ball{"BallLocator", "Kalman", {"BallModel"}, {}};
+  std::vector<ProcessDescription> robot(2);
+  robot[0].process = "Cognition \"1\"";
+  robot[0].tasks = {ball, {"SelfLocator", "disabled", {"RobotPose"}, {}}};
+  robot[0].tasks[0].solutions = {{"Kalman", {"BallPercept", "RobotPose"}, {}},
+                                 {"Other", {"OdometryData"}, {}}};
+  robot[0].tasks[1].solutions = {{"Lines", {"LinesPercept"}, {}}};
+  robot[1].process = "Motion";
+  robot[1].tasks = {{"HeadControl", "GT2003", {"HeadMotionRequest"}, {}}};
+  robot[1].tasks[0].solutions = {{"GT2003", {"BallModel"}, {}}};
+  return robot;
+}
+
+TEST(ModuleGraph, TellsWhatRunsAndWhereItsInputsComeFrom) {
+  EXPECT_EQ(describeModules(smallRobot()),
+            "process Cognition \"1\"\n"
+            "  BallLocator Kalman\n"
+            "    <- BallPercept of outside\n"
+            "    <- RobotPose of SelfLocator disabled\n"
+            "    -> BallModel\n"
+            "  SelfLocator disabled\n"
+            "    -> RobotPose\n"
+            "process Motion\n"
+            "  HeadControl GT2003\n"
+            "    <- BallModel of BallLocator Kalman\n"
+            "    -> HeadMotionRequest\n");
+}
+
+TEST(ModuleGraph, DrawsModulesAndTheRepresentationsBetweenThem) {
+  const std::string dot = drawModules(smallRobot());
+  EXPECT_THAT(dot, HasSubstr("\"representation BallModel\" -> \"HeadControl\";"));
+  EXPECT_THAT(dot, HasSubstr("\"SelfLocator\" -> \"representation RobotPose\" [style=dashed];"));
+  EXPECT_THAT(dot, Not(HasSubstr("LinesPercept")));  // of a solution that does not run
+  EXPECT_THAT(dot, Not(HasSubstr("OdometryData")));
+  const auto file = std::filesystem::temp_directory_path() / "gt2003-modules.svg";
+  const auto done = writeSvg(dot, file.string());
+  ASSERT_TRUE(done) << done.error().text();
+  for (const char* part : {"Kalman", "disabled", "BallPercept", "Cognition &quot;1&quot;"})
+    EXPECT_THAT(*readFile(file.string()), HasSubstr(part));
+  std::filesystem::remove(file);
 }
 
 }  // namespace

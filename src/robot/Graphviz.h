@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "base/Result.h"
+
+namespace gt {
+
+/// A text as Graphviz's language quotes it.
+std::string dotQuoted(const std::string& text);
+
+/// Has Graphviz draw into an SVG file; an error if its program `dot` is missing or fails.
+Result<void> writeSvg(const std::string& drawing, const std::string& file);
+
+}  // namespace gt
