@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "framework/LayoutCheck.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
 #include "robot/logs/LogPlatform.h"
@@ -21,13 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Looks through a tree and collects what is wrong.
 /// Whether a line of the file begins with `agent`; other files are included by such.
 bool isAgentsFile(const std::string& file) {
   const auto text = readFile(file);
   return text && (text->starts_with("agent ") || text->find("\nagent ") != text->npos);
 }
 
+/// Looks through a tree and collects what is wrong.
 class TreeCheck {
  public:
   explicit TreeCheck(std::string root) : root_{std::move(root)} {}
@@ -86,8 +87,6 @@ class TreeCheck {
       checkConfiguration(config, behavior, "");
     }
     ++counts_["configurations"];
-    collect(loadPlayer(config));
-    collect(loadNetwork(config));
     std::error_code failed;
     for (const auto& entry : fs::directory_iterator{config, failed}) {
       if (!entry.is_directory() || entry.path().filename() == "modules") continue;
@@ -113,27 +112,29 @@ class TreeCheck {
   void checkLayout(const std::string& file) {
     if (!layouts_.insert(fs::weakly_canonical(file)).second) return;
     ++counts_["layouts"];
-    const auto layout = loadLayout(file);
-    if (!layout) return collect(layout.error());
+    const auto text = readFile(file);
+    if (!text) return collect(text.error());
     // A robot on a log gets from it what others work out for themselves.
-    const auto plan = robotPlan(*layout, platformRepresentations());
-    if (!plan && !robotPlan(*layout, LogPlatform::representations())) collect(plan.error());
+    const auto errorsOn = [&](const std::vector<const RepresentationType*>& platform) {
+      return checkLayoutText(*text, file, solutions(), platform, givenRepresentations());
+    };
+    const std::vector<Error> errors = errorsOn(platformRepresentations());
+    if (!errors.empty() && !errorsOn(LogPlatform::representations()).empty())
+      errors_.insert(errors_.end(), errors.begin(), errors.end());
   }
 
   void checkScenes() {
     for (const std::string& file : files("scenes", ".scene")) {
       ++counts_["scenes"];
-      const auto scene = loadScene(file);
-      if (!scene) {
-        collect(scene.error());
-        continue;
-      }
-      collect(composeModel(*scene));
-      for (const SceneRobot& robot : scene->robots) checkLayout(scene->resolve(robot.layout));
-      if (!fs::is_directory(scene->resolve(scene->config)))
-        collect({file, 0, "config", "there is no folder " + scene->config});
-      if (!scene->script.empty() && !fs::is_regular_file(scene->resolve(scene->script)))
-        collect({file, 0, "script", "there is no file " + scene->script});
+      const std::size_t before = errors_.size();
+      const SceneDescription scene = loadScene(file, errors_);
+      if (scene.file.empty()) continue;  // it is no scene at all
+      if (errors_.size() == before) collect(composeModel(scene));
+      for (const SceneRobot& robot : scene.robots) checkLayout(scene.resolve(robot.layout));
+      if (!fs::is_directory(scene.resolve(scene.config)))
+        collect({file, 0, "config", "there is no folder " + scene.config});
+      if (!scene.script.empty() && !fs::is_regular_file(scene.resolve(scene.script)))
+        collect({file, 0, "script", "there is no file " + scene.script});
     }
   }
 

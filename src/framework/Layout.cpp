@@ -5,12 +5,14 @@
 #include <set>
 #include <sstream>
 
+#include "framework/LayoutCheck.h"
 #include "streams/File.h"
 
 namespace gt {
 namespace {
 
 using Types = std::vector<const RepresentationType*>;
+using Errors = std::vector<Error>;
 
 bool contains(const Types& types, const RepresentationType* type) {
   return std::find(types.begin(), types.end(), type) != types.end();
@@ -42,7 +44,8 @@ struct Provider {
 };
 using Providers = std::map<const RepresentationType*, Provider>;
 
-Result<Providers> findProviders(const Layout& layout, const SolutionTable& table) {
+/// Leaves out tasks that are unknown or listed twice.
+Providers findProviders(const Layout& layout, const SolutionTable& table, Errors& errors) {
   Providers providers;
   std::set<std::string> seen;
   for (const ProcessLayout& process : layout.processes)
@@ -51,14 +54,17 @@ Result<Providers> findProviders(const Layout& layout, const SolutionTable& table
         const std::string& name = group.tasks[i];
         const int line = group.taskLines[i];
         const Task* task = table.find(name);
-        if (!task) return Error{layout.file, line, name, "there is no such task"};
-        if (!seen.insert(name).second) return Error{layout.file, line, name, "is listed twice"};
+        if (!task || !seen.insert(name).second) {
+          errors.push_back(
+              {layout.file, line, name, task ? "is listed twice" : "there is no such task"});
+          continue;
+        }
         for (const RepresentationType* output : task->outputs) {
           const auto [other, added] = providers.insert({output, {process.name, &group, name}});
           if (!added)
-            return Error{
-                layout.file, line, name,
-                std::string{output->name} + " is already provided by " + other->second.task};
+            errors.push_back(
+                {layout.file, line, name,
+                 std::string{output->name} + " is already provided by " + other->second.task});
         }
       }
   return providers;
@@ -66,11 +72,12 @@ Result<Providers> findProviders(const Layout& layout, const SolutionTable& table
 
 /// Sorts a group's tasks so that each runs after those whose outputs it reads; otherwise the
 /// file's order holds.
-Result<std::vector<const Task*>> sort(const ProcessLayout::Group& group, const std::string& process,
-                                      const Layout& layout, const SolutionTable& table,
-                                      const Providers& providers) {
+std::vector<const Task*> sort(const ProcessLayout::Group& group, const std::string& process,
+                              const Layout& layout, const SolutionTable& table,
+                              const Providers& providers, Errors& errors) {
   std::vector<const Task*> waiting, order;
-  for (const std::string& name : group.tasks) waiting.push_back(table.find(name));
+  for (const std::string& name : group.tasks)
+    if (const Task* task = table.find(name)) waiting.push_back(task);
   const auto isFree = [&](const Task* task) {
     for (const RepresentationType* input : inputsOf(*task, PortKind::input)) {
       const auto provider = providers.find(input);
@@ -88,8 +95,9 @@ Result<std::vector<const Task*>> sort(const ProcessLayout::Group& group, const s
     if (next == waiting.end()) {
       std::string names;
       for (const Task* task : waiting) names += " " + task->name;
-      return Error{layout.file, group.line, process,
-                   "a circle of modules that wait for each other, among:" + names};
+      errors.push_back({layout.file, group.line, process,
+                        "a circle of modules that wait for each other, among:" + names});
+      return order;
     }
     order.push_back(*next);
     waiting.erase(next);
@@ -141,31 +149,32 @@ class Connector {
 };
 
 /// The plan of one process; appends to the connections of all.
-Result<Plan::Process> planProcess(const ProcessLayout& process, const Layout& layout,
-                                  const SolutionTable& table, const Providers& providers,
-                                  const Types& platform, const Types& given,
-                                  std::vector<Connection>& connections) {
+Plan::Process planProcess(const ProcessLayout& process, const Layout& layout,
+                          const SolutionTable& table, const Providers& providers,
+                          const Types& platform, const Types& given,
+                          std::vector<Connection>& connections, Errors& errors) {
   Plan::Process plan{process, {}};
   Connector connector{layout, process, providers, platform};
-  if (!process.collectsMessages)
-    if (const auto type = connector.trigger(process.trigger, process.line, true); !type)
-      return type.error();
+  const auto trigger = [&](const std::string& name, int line,
+                           bool blocking) -> const RepresentationType* {
+    const auto type = connector.trigger(name, line, blocking);
+    if (type) return *type;
+    errors.push_back(type.error());
+    return nullptr;
+  };
+  if (!process.collectsMessages) trigger(process.trigger, process.line, true);
   for (const ProcessLayout::Group& group : process.groups) {
-    const RepresentationType* trigger = nullptr;
-    if (!group.trigger.empty()) {
-      const auto type = connector.trigger(group.trigger, group.line, false);
-      if (!type) return type.error();
-      trigger = *type;
-    }
-    const auto order = sort(group, process.name, layout, table, providers);
-    if (!order) return order.error();
-    for (const Task* task : *order) plan.order.push_back({task, trigger});
+    const RepresentationType* type =
+        group.trigger.empty() ? nullptr : trigger(group.trigger, group.line, false);
+    for (const Task* task : sort(group, process.name, layout, table, providers, errors))
+      plan.order.push_back({task, type});
     for (std::size_t i = 0; i < group.tasks.size(); ++i)
       for (const PortKind kind : {PortKind::input, PortKind::previous})
-        for (const RepresentationType* type : inputsOf(*table.find(group.tasks[i]), kind))
-          if (!contains(given, type) && !connector.input(type))
-            return Error{layout.file, group.taskLines[i], group.tasks[i],
-                         "nobody provides its " + std::string{type->name}};
+        if (const Task* task = table.find(group.tasks[i]))
+          for (const RepresentationType* input : inputsOf(*task, kind))
+            if (!contains(given, input) && !connector.input(input))
+              errors.push_back({layout.file, group.taskLines[i], group.tasks[i],
+                                "nobody provides its " + std::string{input->name}});
   }
   connections.insert(connections.end(), connector.connections().begin(),
                      connector.connections().end());
@@ -202,9 +211,7 @@ Result<void> parseLine(const std::vector<std::string>& list, int number, Layout&
   return {};
 }
 
-}  // namespace
-
-Result<Layout> parseLayout(std::string_view text, const std::string& file) {
+Layout parseAll(std::string_view text, const std::string& file, Errors& errors) {
   Layout layout{file, {}};
   std::istringstream stream{std::string{text}};
   int number = 0;
@@ -212,9 +219,28 @@ Result<Layout> parseLayout(std::string_view text, const std::string& file) {
     ++number;
     const std::vector<std::string> list = words(line);
     if (list.empty()) continue;
-    if (const auto done = parseLine(list, number, layout); !done) return done.error();
+    if (const auto done = parseLine(list, number, layout); !done) errors.push_back(done.error());
   }
-  if (layout.processes.empty()) return Error{file, number, "process", "there is none"};
+  if (layout.processes.empty()) errors.push_back({file, number, "process", "there is none"});
+  return layout;
+}
+
+Plan planAll(const Layout& layout, const SolutionTable& table, const Types& platform,
+             const Types& given, Errors& errors) {
+  const Providers providers = findProviders(layout, table, errors);
+  Plan plan;
+  for (const ProcessLayout& process : layout.processes)
+    plan.processes.push_back(
+        planProcess(process, layout, table, providers, platform, given, plan.connections, errors));
+  return plan;
+}
+
+}  // namespace
+
+Result<Layout> parseLayout(std::string_view text, const std::string& file) {
+  Errors errors;
+  Layout layout = parseAll(text, file, errors);
+  if (!errors.empty()) return errors.front();
   return layout;
 }
 
@@ -225,16 +251,19 @@ Result<Layout> loadLayout(const std::string& file) {
 
 Result<Plan> makePlan(const Layout& layout, const SolutionTable& table, const Types& platform,
                       const Types& given) {
-  const auto providers = findProviders(layout, table);
-  if (!providers) return providers.error();
-  Plan plan;
-  for (const ProcessLayout& process : layout.processes) {
-    auto planned =
-        planProcess(process, layout, table, *providers, platform, given, plan.connections);
-    if (!planned) return planned.error();
-    plan.processes.push_back(std::move(*planned));
-  }
-  return plan;
+  Errors errors;
+  Plan made = planAll(layout, table, platform, given, errors);
+  if (!errors.empty()) return errors.front();
+  return made;
+}
+
+std::vector<Error> checkLayoutText(std::string_view text, const std::string& file,
+                                   const SolutionTable& table, const Types& platform,
+                                   const Types& given) {
+  Errors errors;
+  const Layout layout = parseAll(text, file, errors);
+  planAll(layout, table, platform, given, errors);
+  return errors;
 }
 
 }  // namespace gt

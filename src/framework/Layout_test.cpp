@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "framework/LayoutCheck.h"
 #include "framework/TestModules.h"
 
 namespace gt {
@@ -124,6 +125,21 @@ TEST(Layout, RejectsCirclesAndTwoProviders) {
   const auto providers = makePlan(*both, two, {&representation<Reading>()}, {});
   ASSERT_FALSE(providers);
   EXPECT_EQ(providers.error().what, "Estimate is already provided by Left");
+}
+
+TEST(Layout, AllErrorsAreTold) {
+  const SolutionTable table = testing::table();
+  const std::string text =
+      "Filter\nprocess A on Nothing\nFilter Filter\nNonsense\nprocess A on Reading\n"
+      "process B on Estimate\nController\n";
+  std::string told;
+  for (const Error& error :
+       checkLayoutText(text, "test.layout", table, {&representation<Reading>()}, {}))
+    told += std::to_string(error.line) + " " + error.field + "; ";
+  EXPECT_EQ(told, "1 Filter; 3 Filter; 5 A; 4 Nonsense; 2 A; 6 B; 7 Controller; ");
+  EXPECT_TRUE(checkLayoutText("process A on Reading\nFilter\nController\n", "test.layout", table,
+                              {&representation<Reading>()}, {})
+                  .empty());
 }
 
 }  // namespace

@@ -6,8 +6,12 @@
 
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <map>
 
+#include "base/Statistics.h"
+#include "representations/behavior/HeadControlMode.h"
+#include "representations/perception/LandmarksPercept.h"
 #include "streams/File.h"
 #include "streams/Json.h"
 #include "streams/Mcap.h"
@@ -296,6 +300,94 @@ TEST_F(MatchTest, WrongFilesAreToldInOneLine) {
   options = {};
   options.behavior = "behavior/nowhere.xabsl";
   EXPECT_NE(errorOf(options).find("nowhere.xabsl"), std::string::npos);
+}
+
+/// A robot that stands and looks, whose body leans otherwise than its joints tell (degrees).
+struct Lean {
+  double tilt = 0, roll = 0;
+};
+
+/// How far from the truth percepts lie.
+struct Distances {
+  RunningStatistics ball, flags;  ///< mm
+};
+
+class LeaningBody : public MatchTest {
+ protected:
+  /// Ball 1 m away and the flag behind it as a robot measures them, with robot.cfg or without.
+  void measure(const Lean& lean, bool corrected, std::uint64_t seed, Distances& distances) {
+    const fs::path config = folder / "config";
+    fs::copy("config", config, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    const Lean known = corrected ? lean : Lean{};
+    ASSERT_TRUE(writeFile((config / "robot.cfg").string(),
+                          "[00022D1F626B]\nbodyTiltOffset " +
+                              std::to_string(fromDegrees(known.tilt)) + "\nbodyRollOffset " +
+                              std::to_string(fromDegrees(known.roll)) + "\n"));
+    const auto here = [](const char* path) { return fs::absolute(path).string(); };
+    ASSERT_TRUE(writeFile(
+        (folder / "lean.scene").string(),
+        "<scene field=\"" + here("models/field2003.xml") + "\" config=\"" + config.string() +
+            "\"><robots><robot x=\"1000\" y=\"700\" rotation=\"32\" model=\"" +
+            here("models/ers210.xml") + "\" layout=\"" + here("layouts/cmd.layout") +
+            "\" address=\"00022D1F626B\" bodyTilt=\"" + std::to_string(lean.tilt) +
+            "\" bodyRoll=\"" + std::to_string(lean.roll) +
+            "\"/></robots><balls><ball x=\"1848\" y=\"1230\"/></balls></scene>"));
+    const auto match = make("logs", seed, 1, 1, (folder / "lean.scene").string());
+    Robot& robot = match->robots()[0]->robot();
+    ASSERT_TRUE(robot.request(SolutionRequest{"BehaviorControl", "disabled"}));
+    for (int tick = 0; tick < 400; ++tick) {
+      robot.layIfDisabled(HeadControlMode{HeadMode::lookAtPoint, {1000, 0, 150}});
+      match->step();
+      if (tick >= 250) add(*match, distances);
+    }
+  }
+
+  /// What the last picture showed against the truth.
+  void add(Match& match, Distances& distances) {
+    const Robot& robot = match.robots()[0]->robot();
+    const World& world = match.simulation().world();
+    const Pose2D pose = world.robot(0).pose;
+    const auto& ball = *robot.provided<BallPercept>();
+    if (ball.seen)
+      distances.ball.add((ball.offset - relative(pose, world.ball(0).position)).norm());
+    const auto& landmarks = *robot.provided<LandmarksPercept>();
+    const FieldDimensions field;
+    for (int i = 0; i < landmarks.numberOfFlags; ++i) {
+      const FlagPercept& flag = landmarks.flags[static_cast<std::size_t>(i)];
+      if (flag.type != FlagType::skyblueAbovePink || flag.distance == 0) continue;
+      const Vector2d place = flag.distance * direction(flag.angle);
+      const double elevation = (flag.boundary.top + flag.boundary.bottom) / 2;
+      const double height = landmarks.cameraOffset.z() +
+                            (place - landmarks.cameraOffset.head<2>()).norm() * std::tan(elevation);
+      const Vector2d truth = relative(pose, positionOf(flag.type, TeamColor::red, field));
+      const Vector2d off = place - truth;
+      distances.flags.add(
+          std::hypot(off.x(), off.y(), height - (field.flagBottom + field.flagTop) / 2));
+    }
+  }
+};
+
+/// Report B.4.5: with the corrections in robot.cfg, what leans otherwise than its joints tell sees
+/// things where they are.
+TEST_F(LeaningBody, RobotCfgBringsPerceptsBackToTheTruth) {
+  Distances upright, leaning, corrected;
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    measure({}, false, seed, upright);
+    for (const Lean lean : {Lean{3, 0}, Lean{-3, 0}, Lean{0, 4}, Lean{2, -4}}) {
+      measure(lean, false, seed, leaning);
+      measure(lean, true, seed, corrected);
+    }
+  }
+  for (const auto& [name, d] : {std::pair{"upright", &upright}, std::pair{"leaning", &leaning},
+                                std::pair{"corrected", &corrected}})
+    std::cout << name << ": ball " << d->ball.mean() << " mm of " << d->ball.count() << ", flag "
+              << d->flags.mean() << " mm of " << d->flags.count() << " off\n";
+  ASSERT_GT(upright.ball.count(), 300u);
+  ASSERT_GT(upright.flags.count(), 300u);
+  EXPECT_GT(leaning.ball.mean(), 2 * upright.ball.mean());
+  EXPECT_GT(leaning.flags.mean(), 1.5 * upright.flags.mean());
+  EXPECT_LT(corrected.ball.mean(), 1.3 * upright.ball.mean() + 3);
+  EXPECT_LT(corrected.flags.mean(), 1.3 * upright.flags.mean() + 3);
 }
 
 }  // namespace

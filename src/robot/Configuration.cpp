@@ -23,17 +23,64 @@ void collect(Errors& errors, const Result<void>& done) {
   if (!done) errors.push_back(done.error());
 }
 
-/// Reads a config file that may be missing.
-template <typename T>
-Result<void> readOptional(const std::string& path, T& value) {
-  return fs::exists(path) ? readConfig(path, value) : Result<void>{};
+/// Blanks a line of a text, by its number from 1; with a line [section] all up to the next one.
+/// False if there is nothing in it.
+bool leaveOut(std::string& text, int line) {
+  const auto isSection = [&](std::size_t at) {
+    at = text.find_first_not_of(" \t\r", at);
+    return at != text.npos && text[at] == '[';
+  };
+  std::size_t begin = 0;
+  for (int number = 1; number < line && begin < text.size(); ++number)
+    begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+  if (line < 1 || begin >= text.size()) return false;
+  const bool section = isSection(begin);
+  bool found = false;
+  for (std::size_t at = begin; at < text.size(); ++at) {
+    if (text[at] == '\n') {
+      if (!section || isSection(at + 1)) break;
+    } else {
+      found |= text[at] != ' ';
+      text[at] = ' ';
+    }
+  }
+  return found;
+}
+
+/// Tells all that is wrong with a config file: its lines say different things, so one that is wrong
+/// is left out and the others are read again, up to as many errors as a person reads.
+template <typename Parse>
+void collectAll(Errors& errors, std::string text, Parse parse) {
+  for (int most = 100; most > 0; --most) {
+    const Result<void> done = parse(std::as_const(text));
+    collect(errors, done);
+    if (done || !leaveOut(text, done.error().line)) return;
+  }
 }
 
 template <typename T>
-Result<void> readOptional(const std::string& path, PerRobot<T>& value) {
-  if (!fs::exists(path)) return {};
+Result<void> parse(const std::string& text, const std::string& path, T& value) {
+  return parseConfig(text, path, value);
+}
+
+template <typename T>
+Result<void> parse(const std::string& text, const std::string& path, PerRobot<T>& value) {
+  return parsePerRobot(text, path, value);
+}
+
+/// Reads a config file that may be missing.
+template <typename T>
+void readOptional(const std::string& path, T& value, Errors& errors) {
+  if (!fs::exists(path)) return;
   const auto text = readFile(path);
-  return text ? parsePerRobot(*text, path, value) : text.error();
+  if (!text) return errors.push_back(text.error());
+  collectAll(errors, *text, [&](const std::string& rest) { return parse(rest, path, value); });
+}
+
+void readNetwork(const std::string& path, NetworkSettings& network, Errors& errors) {
+  readOptional(path, network, errors);
+  if (!network.address.empty() && !isHardwareAddress(network.address))
+    errors.push_back({path, 0, "address", "expected 12 digits, as 00022D1F626B"});
 }
 
 Result<void> checkSolution(const SolutionTable& table, const std::string& task,
@@ -191,10 +238,10 @@ std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const Solut
   c.field = std::make_shared<FieldDimensions>();
   c.robot = std::make_shared<RobotDimensions>();
   c.motions = std::make_shared<MotionNet>();
-  collect(errors, readOptional(folder->path("field.cfg"), *c.field));
-  collect(errors, readOptional(folder->path("dimensions.cfg"), *c.robot));
-  collect(errors, readOptional(folder->path("robot.cfg"), c.calibration));
-  collect(errors, readOptional(folder->path("camera.cfg"), c.camera));
+  readOptional(folder->path("field.cfg"), *c.field, errors);
+  readOptional(folder->path("dimensions.cfg"), *c.robot, errors);
+  readOptional(folder->path("robot.cfg"), c.calibration, errors);
+  readOptional(folder->path("camera.cfg"), c.camera, errors);
   auto colorTable = readColorTable(
       paths.colorTable.empty() ? folder->path("coltable.c64") : paths.colorTable, paths.colorOrder);
   if (colorTable)
@@ -210,18 +257,24 @@ std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const Solut
 }
 
 /// Whether a solution has the parameters of its file, within their ranges.
-Result<void> checkParameters(const Solution& solution, const Configuration::ParameterFile& file) {
+void checkParameters(const Solution& solution, const Configuration::ParameterFile& file,
+                     Errors& errors) {
   Blackboard blackboard;
   Debug debug;
-  return solution.make({blackboard, debug, Random{0}})->configure(file.text, file.path);
+  const auto module = solution.make({blackboard, debug, Random{0}});
+  collectAll(errors, file.text,
+             [&](const std::string& rest) { return module->configure(rest, file.path); });
 }
 
-template <typename T>
-Result<T> loadOne(const std::string& folder, const char* file) {
+/// One file of a configuration that may be missing, read by `read`.
+template <typename T, typename Read>
+Result<T> loadOne(const std::string& folder, const char* file, Read read) {
   const auto opened = ConfigFolder::open(folder);
   if (!opened) return opened.error();
   T value;
-  if (auto done = readOptional(opened->path(file), value); !done) return done.error();
+  Errors errors;
+  read(opened->path(file), value, errors);
+  if (!errors.empty()) return errors.front();
   return value;
 }
 
@@ -263,21 +316,23 @@ std::vector<Error> checkConfiguration(const ConfigurationPaths& paths, const Sol
   for (const Configuration::ParameterFile& file : configuration->parameters) {
     const Task* task = table.find(file.task);
     const Solution* solution = task ? task->find(file.solution) : nullptr;
-    if (solution) collect(errors, checkParameters(*solution, file));
+    if (solution) checkParameters(*solution, file, errors);
+  }
+  if (const auto folder = openFolder(paths)) {
+    Player player;
+    readOptional(folder->path("player.cfg"), player, errors);
+    NetworkSettings network;
+    readNetwork(folder->path("network.cfg"), network, errors);
   }
   return errors;
 }
 
 Result<Player> loadPlayer(const std::string& configFolder) {
-  return loadOne<Player>(configFolder, "player.cfg");
+  return loadOne<Player>(configFolder, "player.cfg", readOptional<Player>);
 }
 
 Result<NetworkSettings> loadNetwork(const std::string& configFolder) {
-  auto settings = loadOne<NetworkSettings>(configFolder, "network.cfg");
-  if (settings && !settings->address.empty() && !isHardwareAddress(settings->address))
-    return Error{configFolder + "/network.cfg", 0, "address",
-                 "expected 12 digits, as 00022D1F626B"};
-  return settings;
+  return loadOne<NetworkSettings>(configFolder, "network.cfg", readNetwork);
 }
 
 }  // namespace gt

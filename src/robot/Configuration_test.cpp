@@ -69,6 +69,27 @@ TEST_F(ConfigurationTest, WrongConfigFiles) {
   EXPECT_THAT(error(), ::testing::StartsWith("config/field.cfg:1: "));
 }
 
+TEST_F(ConfigurationTest, CheckTellsAllErrorsOfAFile) {
+  write("config/field.cfg", "ballRadus 44\nballRadius 44\nballRadius 45\n[nowhere]\nlength 1\n");
+  write("config/robot.cfg",
+        "bodyTiltOffset 9\n[red1]\nbodyTiltOffset 1\n[00022D1F626B]\n"
+        "bodyTiltOffset 0.06\nbodyRollOfset 0\nbodyRollOffset x\n");
+  write("config/player.cfg", "teamColor green\nplayerRole keeper\n");
+  write("config/network.cfg", "robots x\naddress 12\n");
+  fs::create_directories(root / "config/modules");
+  write("config/modules/BallLocator.PIDSmoothed.cfg", "nothing 1\nnowhere 2\n");
+  std::vector<std::string> told;
+  for (const Error& error : checkConfiguration(paths, solutions()))
+    told.push_back(fs::path{error.file}.stem().string() + ":" + std::to_string(error.line) + " " +
+                   error.field);
+  EXPECT_THAT(told, ::testing::UnorderedElementsAre(
+                        "field:1 ballRadus", "field:3 ballRadius", "field:4 nowhere",
+                        "robot:1 bodyTiltOffset", "robot:2 red1", "robot:6 bodyRollOfset",
+                        "robot:7 bodyRollOffset", "player:1 teamColor", "player:2 playerRole",
+                        "network:1 robots", "network:0 address",
+                        "BallLocator.PIDSmoothed:1 nothing", "BallLocator.PIDSmoothed:2 nowhere"));
+}
+
 TEST_F(ConfigurationTest, WrongModules) {
   write("config/modules.cfg", "SelfLocator MonteCarlo\nSelfLocater MonteCarlo\n");
   EXPECT_EQ(error(), "config/modules.cfg:2: SelfLocater: there is no such task");

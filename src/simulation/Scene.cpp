@@ -12,27 +12,31 @@
 namespace gt {
 namespace {
 
-/// Reads the elements of one scene file; keeps the file's name for the errors.
+/// Reads the elements of one scene file, and goes on after errors.
 class SceneReader {
  public:
-  explicit SceneReader(const std::string& path) : path_(path) {}
+  SceneReader(const std::string& path, std::vector<Error>& errors) : path_(path), errors_(errors) {}
 
-  Result<SceneDescription> read(const xmlNode* root);
+  SceneDescription read(const xmlNode* root);
 
  private:
-  Error error(const xmlNode* node, const std::string& field, const std::string& what) const {
-    return {path_, lineOf(node), field, what};
+  void error(int line, const std::string& field, const std::string& what) {
+    errors_.push_back({path_, line, field, what});
+  }
+  void error(const xmlNode* node, const std::string& field, const std::string& what) {
+    error(lineOf(node), field, what);
   }
 
   template <typename T>
-  Result<void> readAttributes(const xmlNode* node, T& into) const;
-  Result<void> readElement(const xmlNode* node, SceneDescription& scene) const;
-  Result<void> readRobots(const xmlNode* group, std::vector<SceneRobot>& into) const;
-  Result<void> readBalls(const xmlNode* group, std::vector<SceneBall>& into) const;
-  Result<void> expectEmpty(const xmlNode* node) const;
-  Result<void> checkRobots(const SceneDescription& scene) const;
+  void readAttributes(const xmlNode* node, T& into);
+  void readElement(const xmlNode* node, SceneDescription& scene);
+  void readRobots(const xmlNode* group, std::vector<SceneRobot>& into);
+  void readBalls(const xmlNode* group, std::vector<SceneBall>& into);
+  void expectEmpty(const xmlNode* node);
+  void checkRobots(const SceneDescription& scene);
 
   std::string path_;
+  std::vector<Error>& errors_;
 };
 
 /// An element as a person knows it: <robot>.
@@ -84,7 +88,7 @@ requires std::is_enum_v<E> std::optional<std::string> parse(const std::string& t
 }
 
 template <typename T>
-Result<void> SceneReader::readAttributes(const xmlNode* node, T& into) const {
+void SceneReader::readAttributes(const xmlNode* node, T& into) {
   for (const xmlAttr* a = node->properties; a; a = a->next) {
     if (a->ns) continue;  // xsi:noNamespaceSchemaLocation
     const std::string name = nameOf(reinterpret_cast<const xmlNode*>(a));
@@ -96,60 +100,59 @@ Result<void> SceneReader::readAttributes(const xmlNode* node, T& into) const {
       known = true;
       wrong = parse(value, f.range, member);
     });
-    if (!known) return error(node, name, tag(node) + " has no such attribute");
-    if (wrong) return error(node, name, *wrong);
+    if (!known) error(node, name, tag(node) + " has no such attribute");
+    if (wrong) error(node, name, *wrong);
   }
-  return {};
 }
 
-Result<void> SceneReader::expectEmpty(const xmlNode* node) const {
+void SceneReader::expectEmpty(const xmlNode* node) {
   for (const xmlNode* child = node->children; child; child = child->next)
-    if (child->type != XML_COMMENT_NODE)
-      return error(child, nameOf(child), tag(node) + " has no content");
-  return {};
+    if (child->type != XML_COMMENT_NODE) error(child, nameOf(child), tag(node) + " has no content");
 }
 
-Result<void> SceneReader::readRobots(const xmlNode* group, std::vector<SceneRobot>& into) const {
+void SceneReader::readRobots(const xmlNode* group, std::vector<SceneRobot>& into) {
   for (const xmlNode* node = group->children; node; node = node->next) {
     if (node->type == XML_COMMENT_NODE) continue;
-    if (node->type != XML_ELEMENT_NODE || nameOf(node) != "robot")
-      return error(node, nameOf(node), "expected <robot>");
+    if (node->type != XML_ELEMENT_NODE || nameOf(node) != "robot") {
+      error(node, nameOf(node), "expected <robot>");
+      continue;
+    }
     SceneRobot robot;
     robot.line = lineOf(node);
-    if (auto r = readAttributes(node, robot); !r) return r;
-    if (auto r = expectEmpty(node); !r) return r;
+    readAttributes(node, robot);
+    expectEmpty(node);
     if (robot.name.empty())
       robot.name = std::string{enumName(robot.team)} + std::to_string(robot.player().number());
     into.push_back(robot);
   }
-  return {};
 }
 
-Result<void> SceneReader::readBalls(const xmlNode* group, std::vector<SceneBall>& into) const {
+void SceneReader::readBalls(const xmlNode* group, std::vector<SceneBall>& into) {
   for (const xmlNode* node = group->children; node; node = node->next) {
     if (node->type == XML_COMMENT_NODE) continue;
-    if (node->type != XML_ELEMENT_NODE || nameOf(node) != "ball")
-      return error(node, nameOf(node), "expected <ball>");
+    if (node->type != XML_ELEMENT_NODE || nameOf(node) != "ball") {
+      error(node, nameOf(node), "expected <ball>");
+      continue;
+    }
     SceneBall ball;
     ball.line = lineOf(node);
-    if (auto r = readAttributes(node, ball); !r) return r;
-    if (auto r = expectEmpty(node); !r) return r;
+    readAttributes(node, ball);
+    expectEmpty(node);
     into.push_back(ball);
   }
-  return {};
 }
 
-Result<void> SceneReader::readElement(const xmlNode* node, SceneDescription& scene) const {
+void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
   const std::string name = nameOf(node);
   struct NoAttributes {
     static constexpr auto fields() { return Fields{}; }
   } none;
   if (name == "robots" || name == "extras" || name == "balls") {
-    if (auto r = readAttributes(node, none); !r) return r;
+    readAttributes(node, none);
     if (name == "balls") return readBalls(node, scene.balls);
     return readRobots(node, name == "robots" ? scene.robots : scene.extras);
   }
-  if (auto r = expectEmpty(node); !r) return r;
+  expectEmpty(node);
   if (name == "noise") return readAttributes(node, scene.noise);
   if (name == "camera") return readAttributes(node, scene.camera);
   if (name == "physics") return readAttributes(node, scene.physics);
@@ -162,41 +165,42 @@ Result<void> SceneReader::readElement(const xmlNode* node, SceneDescription& sce
       "or <balls>");
 }
 
-Result<void> SceneReader::checkRobots(const SceneDescription& scene) const {
+void SceneReader::checkRobots(const SceneDescription& scene) {
   std::set<std::string> names;
   std::set<std::pair<TeamColor, PlayerRole>> players;
   for (const auto* group : {&scene.robots, &scene.extras})
     for (const SceneRobot& robot : *group) {
       if (robot.name.find('/') != std::string::npos)
-        return Error{path_, robot.line, "name", "\"" + robot.name + "\" must not contain a slash"};
+        error(robot.line, "name", "\"" + robot.name + "\" must not contain a slash");
       if (!names.insert(robot.name).second)
-        return Error{path_, robot.line, "name", "a second robot \"" + robot.name + "\""};
+        error(robot.line, "name", "a second robot \"" + robot.name + "\"");
       if (group == &scene.robots && !players.insert({robot.team, robot.role}).second)
-        return Error{path_, robot.line, "role",
-                     "a second " + std::string{enumName(robot.role)} + " of the " +
-                         std::string{enumName(robot.team)} + " team"};
+        error(robot.line, "role",
+              "a second " + std::string{enumName(robot.role)} + " of the " +
+                  std::string{enumName(robot.team)} + " team");
     }
   if (names.size() > maxSceneRobots)
-    return Error{path_, 0, "robots", "more than " + std::to_string(maxSceneRobots) + " robots"};
-  if (scene.balls.size() > 100) return Error{path_, 0, "balls", "more than 100 balls"};
-  return {};
+    error(0, "robots", "more than " + std::to_string(maxSceneRobots) + " robots");
+  if (scene.balls.size() > 100) error(0, "balls", "more than 100 balls");
 }
 
-Result<SceneDescription> SceneReader::read(const xmlNode* root) {
+SceneDescription SceneReader::read(const xmlNode* root) {
   SceneDescription scene;
   scene.file = path_;
-  if (auto r = readAttributes(root, scene); !r) return r.error();
+  readAttributes(root, scene);
   std::set<std::string> seen;
   for (const xmlNode* node = root->children; node; node = node->next) {
     if (node->type == XML_COMMENT_NODE) continue;
-    if (node->type != XML_ELEMENT_NODE) return error(node, nameOf(node), "expected an element");
-    if (!seen.insert(nameOf(node)).second)
-      return error(node, nameOf(node), "a second " + tag(node));
-    if (auto r = readElement(node, scene); !r) return r.error();
+    if (node->type != XML_ELEMENT_NODE)
+      error(node, nameOf(node), "expected an element");
+    else if (!seen.insert(nameOf(node)).second)
+      error(node, nameOf(node), "a second " + tag(node));
+    else
+      readElement(node, scene);
   }
   if (scene.radio.delayMin > scene.radio.delayMax)
-    return Error{path_, 0, "radio", "delayMin is greater than delayMax"};
-  if (auto r = checkRobots(scene); !r) return r.error();
+    error(0, "radio", "delayMin is greater than delayMax");
+  checkRobots(scene);
   return scene;
 }
 
@@ -208,10 +212,18 @@ std::string SceneDescription::resolve(const std::string& path) const {
   return (std::filesystem::path{file}.parent_path() / p).lexically_normal().string();
 }
 
-Result<SceneDescription> loadScene(const std::string& path) {
+SceneDescription loadScene(const std::string& path, std::vector<Error>& errors) {
   const auto document = readXml(path, "scene");
-  if (!document) return document.error();
-  return SceneReader{path}.read(xmlDocGetRootElement(document->get()));
+  if (document) return SceneReader{path, errors}.read(xmlDocGetRootElement(document->get()));
+  errors.push_back(document.error());
+  return {};
+}
+
+Result<SceneDescription> loadScene(const std::string& path) {
+  std::vector<Error> errors;
+  SceneDescription scene = loadScene(path, errors);
+  if (!errors.empty()) return errors.front();
+  return scene;
 }
 
 }  // namespace gt

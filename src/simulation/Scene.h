@@ -162,6 +162,7 @@ struct SceneRobot {
   std::string model = "../models/ers210.xml";
   std::string layout = "../layouts/cmd.layout";
   std::string address;
+  double bodyTilt = 0, bodyRoll = 0;
   int line = 0;
 
   Player player() const { return {team, role}; }
@@ -177,7 +178,10 @@ struct SceneRobot {
         field("rotation", &SceneRobot::rotation, "deg", "", {-360, 360}),
         field("model", &SceneRobot::model, "", "MJCF file, from the scene's folder"),
         field("layout", &SceneRobot::layout, "", "process layout, from the scene's folder"),
-        field("address", &SceneRobot::address, "", "hardware address, for robot.cfg")};
+        field("address", &SceneRobot::address, "", "hardware address, for robot.cfg"),
+        field("bodyTilt", &SceneRobot::bodyTilt, "deg",
+              "the body leans back so much more than its joints tell (report B.4.5)", {-20, 20}),
+        field("bodyRoll", &SceneRobot::bodyRoll, "deg", "likewise to the right", {-20, 20})};
   }
 };
 
@@ -236,5 +240,7 @@ constexpr std::size_t maxSceneRobots = 22;
 /// Reads a scene file; the schema is scenes/scene.xsd. Errors name file, line and element or
 /// attribute. The models that the scene names are read by `composeModel`.
 Result<SceneDescription> loadScene(const std::string& path);
+/// The same, but all errors are added to a list; what was right is returned.
+SceneDescription loadScene(const std::string& path, std::vector<Error>& errors);
 
 }  // namespace gt

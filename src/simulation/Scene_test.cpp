@@ -145,6 +145,26 @@ TEST_F(WrongFiles, namesFileLineAndField) {
   expectError("<scene fidelity=\"dreamlike\"/>", 1, "fidelity", "kinematic");
 }
 
+TEST_F(WrongFiles, allErrorsAreTold) {
+  std::vector<Error> errors;
+  const SceneDescription scene =
+      loadScene(write("<scene wrong=\"1\">\n<noise joints=\"x\" joint=\"1\"/>\n"
+                      "<nonsense/>\n<radio delayMin=\"9\" delayMax=\"1\"/>\n"
+                      "<robots>\n<robot x=\"far\" y=\"5\"/>\n<ball/>\n"
+                      "<robot bodyTilt=\"21\"/>\n</robots>\n</scene>"),
+                errors);
+  std::vector<std::pair<int, std::string>> places;
+  for (const Error& error : errors) places.emplace_back(error.line, error.field);
+  EXPECT_THAT(places, testing::UnorderedElementsAre(std::pair{1, "wrong"}, std::pair{2, "joints"},
+                                                    std::pair{2, "joint"}, std::pair{3, "nonsense"},
+                                                    std::pair{0, "radio"}, std::pair{6, "x"},
+                                                    std::pair{7, "ball"}, std::pair{8, "bodyTilt"},
+                                                    std::pair{8, "name"}, std::pair{8, "role"}));
+  ASSERT_EQ(scene.robots.size(), 2u);
+  EXPECT_EQ(scene.robots[0].y, 5);
+  EXPECT_EQ(loadScene((folder_ / "wrong.scene").string()).error().text(), errors.front().text());
+}
+
 TEST_F(WrongFiles, missingAndBrokenModels) {
   Error error = errorOf("<scene field=\"gone.xml\"/>");
   EXPECT_EQ(error.field, "field");

@@ -51,6 +51,25 @@ CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& i
   return view;
 }
 
+namespace {
+
+/// What the camera sees if the body leans otherwise than its joints tell (report B.4.5): it turns
+/// about the body's origin.
+CameraView leaning(CameraView view, const World& world, std::size_t robot,
+                   const SceneRobot& setup) {
+  if (setup.bodyTilt == 0 && setup.bodyRoll == 0) return view;
+  const RobotBody& body = world.robot(robot);
+  const Pose3D upright{rotationZ(body.pose.rotation), body.origin().translation};
+  const Matrix3d lean =
+      rotationX(fromDegrees(setup.bodyRoll)) * rotationY(-fromDegrees(setup.bodyTilt));
+  const Pose3D turn = upright * Pose3D{lean, Vector3d::Zero()} * upright.inverse();
+  view.first = turn * view.first;
+  view.last = turn * view.last;
+  return view;
+}
+
+}  // namespace
+
 Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> world,
                        const Random& random, std::size_t threads, const FieldDimensions& field)
     : scene_(scene),
@@ -168,11 +187,13 @@ void Simulation::sense(std::size_t robot) {
 void Simulation::takePicture(std::size_t robot, CameraRenderer& renderer) {
   SimulatedRobot& r = robots_[robot];
   const Stopwatch::Lap lap{r.cameraTime};
-  if (r.cameraOn)
-    renderer.render(world_->data(), cameraView(*world_, robot, CameraInfo{}), r.camera,
-                    r.pictureSeeds(), r.image);
-  else if (r.image.pixels.empty())
+  if (r.cameraOn) {
+    const CameraView view =
+        leaning(cameraView(*world_, robot, CameraInfo{}), *world_, robot, scene_.robots[robot]);
+    renderer.render(world_->data(), view, r.camera, r.pictureSeeds(), r.image);
+  } else if (r.image.pixels.empty()) {
     r.image.allocate();
+  }
   r.image.time = r.input.now;
   r.input.image = &r.image;
 }

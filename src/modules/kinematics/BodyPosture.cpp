@@ -43,8 +43,16 @@ BodyPosture bodyPosture(const RobotDimensions& robot, const JointAngles& angles)
   return best;
 }
 
-Pose3D bodyPose(const BodyPosture& posture, double roll) {
-  return {rotationX(roll) * rotationY(-posture.tilt), {0, 0, posture.height}};
+BodyPosture bodyPosture(const RobotDimensions& robot, const RobotCalibration& calibration,
+                        const JointAngles& joints) {
+  BodyPosture posture = bodyPosture(robot, joints);
+  posture.tilt += calibration.bodyTiltOffset;
+  posture.roll += calibration.bodyRollOffset;
+  return posture;
+}
+
+Pose3D bodyPose(const BodyPosture& posture) {
+  return {rotationX(posture.roll) * rotationY(-posture.tilt), {0, 0, posture.height}};
 }
 
 }  // namespace gt

@@ -1,6 +1,7 @@
 #pragma once
 #include "base/Geometry.h"
 #include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/RobotCalibration.h"
 #include "representations/infrastructure/RobotDimensions.h"
 
 namespace gt {
@@ -9,14 +10,16 @@ namespace gt {
 struct BodyPosture {
   double height = 0;  ///< mm, of the body's origin above the ground.
   double tilt = 0;    ///< rad, + nose up.
+  double roll = 0;    ///< rad, + right side down.
 };
 
 /// The body's posture from the joints, on the assumption that roll is 0 and at least one fore and
 /// one hind foot touch the ground, as the kinematic simulator does it (report 5.1.1).
 BodyPosture bodyPosture(const RobotDimensions&, const JointAngles&);
+/// The same for a robot whose body leans otherwise than its joints tell (report B.4.5).
+BodyPosture bodyPosture(const RobotDimensions&, const RobotCalibration&, const JointAngles&);
 
 /// The body's pose relative to the robot's origin, which lies on the ground below the body's.
-/// Roll + is right side down.
-Pose3D bodyPose(const BodyPosture&, double roll = 0);
+Pose3D bodyPose(const BodyPosture&);
 
 }  // namespace gt

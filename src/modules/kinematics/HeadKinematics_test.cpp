@@ -23,7 +23,7 @@ TEST(HeadKinematics, SignsOfTheAngles) {
   EXPECT_GT((cameraPose(robot, body, {0, 0.3, 0}).rotation * ahead).y(), 0.2);
   EXPECT_GT((cameraPose(robot, body, {0, 0, 0.3}).rotation * left).z(), 0.2);
   EXPECT_GT((cameraPose(robot, bodyPose({110, 0.3}), {}).rotation * ahead).z(), 0.2);
-  EXPECT_GT((cameraPose(robot, bodyPose({110, 0}, 0.3), {}).rotation * left).z(), 0.2);
+  EXPECT_GT((cameraPose(robot, bodyPose({110, 0, 0.3}), {}).rotation * left).z(), 0.2);
 }
 
 /// The report's seven steps, written out (report 3.1).
@@ -31,20 +31,20 @@ TEST(HeadKinematics, FollowsTheSevenSteps) {
   const RobotDimensions robot;
   Random random{5};
   for (int i = 0; i < 100; ++i) {
-    const BodyPosture posture{random.uniform(60, 130), random.uniform(-0.3, 0.3)};
-    const double roll = random.uniform(-0.2, 0.2);
+    const BodyPosture posture{random.uniform(60, 130), random.uniform(-0.3, 0.3),
+                              random.uniform(-0.2, 0.2)};
     const HeadAngles head{random.uniform(-1.2, 0.6), random.uniform(-1.5, 1.5),
                           random.uniform(-0.4, 0.4)};
-    const Vector3d neck = bodyPose(posture, roll) * Vector3d{robot.neckX, 0, robot.neckZ};
+    const Vector3d neck = bodyPose(posture) * Vector3d{robot.neckX, 0, robot.neckZ};
     Pose3D steps;
     steps.translate(neck.x(), neck.y(), neck.z())
-        .rotate(rotationX(roll))
+        .rotate(rotationX(posture.roll))
         .rotate(rotationY(-(posture.tilt + head.tilt)))
         .translate(0, 0, robot.neckToPan)
         .rotate(rotationZ(head.pan))
         .rotate(rotationX(head.roll))
         .translate(robot.panToCamera, 0, 0);
-    const auto pose = cameraPose(robot, bodyPose(posture, roll), head);
+    const auto pose = cameraPose(robot, bodyPose(posture), head);
     EXPECT_LT((pose.translation - steps.translation).norm(), 1e-9);
     EXPECT_LT((pose.rotation - steps.rotation).norm(), 1e-9);
   }
@@ -56,8 +56,8 @@ TEST(HeadKinematics, LookAtBringsThePointToThePixel) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     Random random{seed};
     for (int i = 0; i < 300; ++i) {
-      const auto body = bodyPose({random.uniform(80, 120), random.uniform(-0.15, 0.15)},
-                                 random.uniform(-0.1, 0.1));
+      const auto body = bodyPose(
+          {random.uniform(80, 120), random.uniform(-0.15, 0.15), random.uniform(-0.1, 0.1)});
       const Vector3d point{random.uniform(300, 3000), random.uniform(-250, 250),
                            random.uniform(0, 250)};
       const Vector2d pixel{random.uniform(30, 146), random.uniform(30, 114)};

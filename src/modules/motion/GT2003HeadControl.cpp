@@ -21,9 +21,10 @@ HeadAngles lookAtPoint(const RobotDimensions& robot, const Pose3D& body, const V
 
 void GT2003HeadControl::update(const HeadControlMode& mode, const BallModel& ball,
                                const SensorDataBuffer& sensors, const RobotDimensions& robot,
-                               const FrameInfo& frame, HeadMotionRequest& request) {
+                               const RobotCalibration& calibration, const FrameInfo& frame,
+                               HeadMotionRequest& request) {
   const auto& joints = sensors.newest().joints;
-  const auto posture = bodyPosture(robot, joints);
+  const auto posture = bodyPosture(robot, calibration, joints);
   const auto body = bodyPose(posture);
   const Vector3d ballPoint{ball.position.x(), ball.position.y(), ballRadius};
   const Situation situation{

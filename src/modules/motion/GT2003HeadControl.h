@@ -4,6 +4,7 @@
 #include "modules/motion/HeadPathPlanner.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/RobotCalibration.h"
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/modeling/BallModel.h"
@@ -47,7 +48,8 @@ class GT2003HeadControl {
   Parameters parameters;
 
   void update(const HeadControlMode&, const BallModel&, const SensorDataBuffer&,
-              const RobotDimensions&, const FrameInfo&, HeadMotionRequest&);
+              const RobotDimensions&, const RobotCalibration&, const FrameInfo&,
+              HeadMotionRequest&);
 
  private:
   enum class State { idle, lookAtBall, scanBesideBall, searchForBall, searchForLandmarks };

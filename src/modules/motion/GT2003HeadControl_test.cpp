@@ -17,6 +17,7 @@ struct Head {
   BallModel ball;
   SensorDataBuffer sensors;
   RobotDimensions robot;
+  RobotCalibration calibration;
   FrameInfo frame{{10000}};
   HeadMotionRequest request;
   double fastest = 0;
@@ -48,7 +49,7 @@ struct Head {
       ball.consecutiveTimeSeen = 0;
     }
     const double tilt = request.tilt, pan = request.pan;
-    control.update(mode, ball, sensors, robot, frame, request);
+    control.update(mode, ball, sensors, robot, calibration, frame, request);
     // What MotionControl lets through.
     request.tilt = std::clamp(request.tilt, tilt - 2.1 * 0.008, tilt + 2.1 * 0.008);
     request.pan = std::clamp(request.pan, pan - 3 * 0.008, pan + 3 * 0.008);

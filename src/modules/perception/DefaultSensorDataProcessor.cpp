@@ -14,13 +14,9 @@ namespace {
 constexpr double psdForward = 26.5, psdUp = 13.4;
 constexpr double psdRange = 900;
 
-/// The camera's pose by the joints, with the body's posture corrected for this robot (report
-/// B.4.5).
 Pose3D cameraPoseFor(const RobotDimensions& robot, const RobotCalibration& calibration,
                      const JointAngles& joints) {
-  BodyPosture posture = bodyPosture(robot, joints);
-  posture.tilt += calibration.bodyTiltOffset;
-  return cameraPose(robot, bodyPose(posture, calibration.bodyRollOffset),
+  return cameraPose(robot, bodyPose(bodyPosture(robot, calibration, joints)),
                     {joints[Joint::headTilt], joints[Joint::headPan], joints[Joint::headRoll]});
 }
 
