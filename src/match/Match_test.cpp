@@ -11,6 +11,7 @@
 
 #include "base/Statistics.h"
 #include "representations/behavior/HeadControlMode.h"
+#include "representations/perception/BallPercept.h"
 #include "representations/perception/LandmarksPercept.h"
 #include "streams/File.h"
 #include "streams/Json.h"
@@ -327,11 +328,13 @@ class LeaningBody : public MatchTest {
     ASSERT_TRUE(writeFile(
         (folder / "lean.scene").string(),
         "<scene field=\"" + here("models/field2003.xml") + "\" config=\"" + config.string() +
-            "\"><robots><robot x=\"1000\" y=\"700\" rotation=\"32\" model=\"" +
+            "\"><game referee=\"false\"/><robots><robot x=\"1000\" y=\"700\" rotation=\"32\" "
+            "model=\"" +
             here("models/ers210.xml") + "\" layout=\"" + here("layouts/cmd.layout") +
             "\" address=\"00022D1F626B\" bodyTilt=\"" + std::to_string(lean.tilt) +
             "\" bodyRoll=\"" + std::to_string(lean.roll) +
-            "\"/></robots><balls><ball x=\"1848\" y=\"1230\"/></balls></scene>"));
+            "\"/></robots><balls><ball x=\"1848\" y=\"1230\" model=\"" + here("models/ball.xml") +
+            "\"/></balls></scene>"));
     const auto match = make("logs", seed, 1, 1, (folder / "lean.scene").string());
     Robot& robot = match->robots()[0]->robot();
     ASSERT_TRUE(robot.request(SolutionRequest{"BehaviorControl", "disabled"}));

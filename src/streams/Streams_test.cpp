@@ -199,5 +199,49 @@ TEST(Streams, TakeNewMedia) {
   EXPECT_EQ(out.counts['l'], 4);
 }
 
+/// A format of one's own (report D.5), Bernstein's netstrings: "11:Hello Dolly,".
+class OutNetstrings : public StreamWriter {
+ public:
+  void writeScalar(ConstValue scalar, PhysicalOutStream& medium) override {
+    const std::string text = scalarText(scalar);
+    const std::string entry = std::to_string(text.size()) + ":" + text + ",";
+    medium.writeToStream(std::as_bytes(std::span{entry}));
+  }
+};
+class InNetstrings : public StreamReader {
+ public:
+  std::optional<std::string> readScalar(Value scalar) override {
+    const std::string rest{reinterpret_cast<const char*>(content_.data()) + at_, left()};
+    const std::size_t colon = rest.find(':');
+    if (colon == rest.npos) return "no length";
+    const std::size_t size = std::stoul(rest);
+    at_ += colon + size + 2;
+    return setScalar(scalar, rest.substr(colon + 1, size));
+  }
+};
+
+TEST(Streams, TakeNewFormats) {
+  OutStream<OutMemory, OutNetstrings> example;
+  write(example);
+  EXPECT_EQ(example.text(), "1:1,4:3.14,11:Hello Dolly,2:42,");
+  InStream<InMemory, InNetstrings> back{example.bytes()};
+  expectExample(back);
+  Random random{3};
+  for (int i = 0; i < 200; ++i) {
+    Everything value, read;
+    samples::randomize(valueOf(value), random);
+    OutStream<OutMemory, OutNetstrings> out;
+    out << value;
+    InStream<InMemory, InNetstrings> in{out.bytes()};
+    in >> read;
+    ASSERT_TRUE(in) << in.error()->text();
+    EXPECT_TRUE(in.eof());
+    OutTextMemory before, after;
+    before << value;
+    after << read;
+    EXPECT_EQ(before.text(), after.text());
+  }
+}
+
 }  // namespace
 }  // namespace gt

@@ -267,11 +267,12 @@ TEST(Programs, CheckTellsAllErrorsOfATree) {
   workplace.write("config/camera.cfg", "gain loud\n");
   workplace.write("config/log.cfg", "pictures 100\nrepresentation BallMoodel\n");
   workplace.write("config/modules.cfg", "SelfLocater MonteCarlo\nBallLocator Unheard\n");
-  workplace.write("config/nao2009/field.cfg", "ballRadus 3\n");
+  workplace.write("config/nao2009/field.cfg", "ballRadus 3\nwallHeight x\n");
   workplace.write("config/player.cfg", "teamColor green\n");
-  workplace.write("layouts/single.layout", "process All on Image\n  BallFinder\n");
+  workplace.write("layouts/single.layout", "process All on Image\n  BallFinder\n  GoalFinder\n");
   workplace.write("motions/stand.mof", "garbage\n");
   workplace.write("scenes/empty.scene", "<scene><robots/></scean>");
+  workplace.write("scenes/match.scene", "<scene>\n<ball/>\n<noise joints=\"x\"/>\n</scene>");
   const Outcome outcome = workplace.run("simgt check");
   EXPECT_EQ(outcome.status, 2);
   std::istringstream lines{outcome.errors};
@@ -279,8 +280,10 @@ TEST(Programs, CheckTellsAllErrorsOfATree) {
   for (const char* file :
        {"behavior/", "config/camera.cfg:1: gain", "config/log.cfg:2: BallMoodel",
         "config/modules.cfg:1: SelfLocater", "config/modules.cfg:2: BallLocator",
-        "config/nao2009/field.cfg:1: ballRadus", "config/player.cfg:1: teamColor",
-        "layouts/single.layout:2: BallFinder", "motions/stand.mof:1: ", "scenes/empty.scene:1: "}) {
+        "config/nao2009/field.cfg:1: ballRadus", "config/nao2009/field.cfg:2: wallHeight",
+        "config/player.cfg:1: teamColor", "layouts/single.layout:2: BallFinder",
+        "layouts/single.layout:3: GoalFinder", "motions/stand.mof:1: ", "scenes/empty.scene:1: ",
+        "scenes/match.scene:2: ball", "scenes/match.scene:3: joints"}) {
     const std::size_t found = outcome.errors.find("simgt: " + std::string{file}, at);
     EXPECT_NE(found, outcome.errors.npos) << file << " is not told, or not in order:\n"
                                           << outcome.errors;
