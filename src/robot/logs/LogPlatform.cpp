@@ -2,13 +2,17 @@
 
 #include <utility>
 
+#include "representations/infrastructure/OracledWorldState.h"
 #include "representations/motion/OdometryData.h"
 
 namespace gt {
 
 const std::vector<const RepresentationType*>& LogPlatform::representations() {
+  // Nobody knows the truth about a real robot: it is never sent, but solutions that want it may be
+  // in the table.
   static const std::vector<const RepresentationType*> list{
-      &representation<Image>(), &representation<CameraMatrix>(), &representation<OdometryData>()};
+      &representation<Image>(), &representation<CameraMatrix>(), &representation<OdometryData>(),
+      &representation<OracledWorldState>()};
   return list;
 }
 
