@@ -88,9 +88,9 @@ class LocalSocketTest : public ::testing::Test {
 TEST_F(LocalSocketTest, CarriesPackagesOfAllSizes) {
   int seed = 0;
   for (const std::size_t size : {0, 1, 4000, 4085, 4086, 4087, 4088, 4089, 5000, 65'000, 65'536,
-                                 65'537, 1'000'000, 10, 100'000, 15'900'000, 4096})
+                                 65'537, 1'000'000, 10, 100'000, 3'900'000, 4096})
     expectPasses(loadOf(size, ++seed));
-  const Load tooLarge = loadOf(16'000'001, 0);
+  const Load tooLarge = loadOf(4'000'001, 0);
   EXPECT_FALSE(server.send("client", FrameKind::package, load, &tooLarge));
   EXPECT_FALSE(server.send("nobody", FrameKind::request, load, nullptr));
   expectServes();

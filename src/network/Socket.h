@@ -18,9 +18,9 @@ struct Received {
 
 /// How much a socket holds for others.
 struct SocketLimits {
-  int frames = 64;                      ///< In each direction, for each peer; more are dropped.
-  std::int64_t frameSize = 16'000'000;  ///< A larger frame ends the connection.
-  std::size_t peers = 64;               ///< Who comes later is not let in.
+  int frames = 64;                     ///< In each direction, for each peer; more are dropped.
+  std::int64_t frameSize = 4'000'000;  ///< A larger frame ends the connection.
+  std::size_t peers = 64;              ///< Who comes later is not let in.
 };
 
 /// One end of connections: listening for many peers, or connected to one. Never waits. Made by

@@ -1,7 +1,12 @@
 #include "network/ToolPort.h"
 
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <fstream>
 #include <zmq.hpp>
 
+#include "base/FileDescriptor.h"
 #include "debug/Debug.h"
 #include "network/TestWire.h"
 
@@ -136,6 +141,96 @@ TEST_F(ToolPortTest, AToolThatFloodsOrSendsGarbageIsNotListenedTo) {
     return found;
   };
   EXPECT_TRUE(eventually(heard, [&] { step(); })) << "the others are";
+}
+
+/// What this program has of the memory, in MB.
+double memory() {
+  std::ifstream file{"/proc/self/statm"};
+  double pages = 0, resident = 0;
+  file >> pages >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// A socket that speaks ZeroMQ's protocol (ZMTP 3.0) as one likes.
+FileDescriptor speaker(const std::string& endpoint) {
+  FileDescriptor socket{::socket(AF_INET, SOCK_STREAM, 0)};
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port =
+      htons(static_cast<std::uint16_t>(std::stoi(endpoint.substr(endpoint.rfind(':') + 1))));
+  EXPECT_EQ(connect(socket.number(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  std::string greeting(64, '\0');
+  greeting[0] = '\xff', greeting[9] = '\x7f', greeting[10] = 3;
+  greeting.replace(12, 4, "NULL");
+  std::string ready = "\x05READY\x0bSocket-Type";
+  ready += std::string{"\0\0\0\x06", 4} + "DEALER";
+  const std::string text = greeting + '\x04' + static_cast<char>(ready.size()) + ready;
+  EXPECT_EQ(send(socket.number(), text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
+  // Who goes on before the other side is ready is sent away.
+  std::string answer;
+  char bytes[256];
+  while (answer.find("ROUTER") == answer.npos) {
+    const ssize_t n = recv(socket.number(), bytes, sizeof bytes, 0);
+    if (n <= 0) break;
+    answer.append(bytes, static_cast<std::size_t>(n));
+  }
+  return socket;
+}
+
+TEST_F(ToolPortTest, AMessageOfEndlesslyManyPartsIsCutOff) {
+  port = *ToolPort::open(robotNetwork, "tcp://127.0.0.1:*");
+  tools[0] = *ToolConnection::open(toolNetwork, port->endpoint());
+  const FileDescriptor enemy = speaker(port->endpoint());
+  std::string parts;
+  for (int i = 0; i < 20'000; ++i) parts += std::string{"\x01\x01x", 3};  // more; one byte
+  const double before = memory();
+  double most = before;
+  std::size_t sent = 0;
+  int refused = 0;
+  const auto flood = [&] {
+    const std::size_t at = sent % parts.size();  // it may have taken a part of them
+    const ssize_t n =
+        send(enemy.number(), parts.data() + at, parts.size() - at, MSG_DONTWAIT | MSG_NOSIGNAL);
+    sent += n > 0 ? static_cast<std::size_t>(n) : 0;
+    refused = n > 0 ? 0 : refused + 1;
+    port->update(fromTools);
+    most = std::max(most, memory());
+  };
+  EXPECT_TRUE(eventually([&] { return refused > 300 || sent > 60'000'000; }, flood, 20'000));
+  EXPECT_LT(sent, 20'000'000u) << "bytes of one message, those on their way too";
+  EXPECT_GT(sent, toolQueueSize) << "a frame may have so many";
+  EXPECT_LT(most - before, 400) << "MB";
+  tools[0]->out().write(Time{}, NumberPackage{1});
+  EXPECT_TRUE(eventually([&] { return numbers(fromTools).size() == 1; }, [&] { step(); }));
+}
+
+TEST_F(ToolPortTest, ACrowdOfConnectionsIsNotLetIn) {
+  port = *ToolPort::open(robotNetwork, "tcp://127.0.0.1:*");
+  tools[0] = *ToolConnection::open(toolNetwork, port->endpoint());
+  ASSERT_TRUE(eventually([&] { return tools[0]->connected(); }, [&] { step(); }));
+  std::vector<FileDescriptor> crowd;
+  for (int i = 0; i < 150; ++i) {
+    crowd.push_back(speaker(port->endpoint()));
+    step();
+  }
+  std::size_t open = 0;
+  const auto count = [&] {
+    open = 0;
+    char ignored[256];
+    for (const FileDescriptor& socket : crowd)
+      while (true) {
+        const ssize_t n = recv(socket.number(), ignored, sizeof ignored, MSG_DONTWAIT);
+        if (n > 0) continue;
+        open += n < 0 && errno == EAGAIN;
+        break;
+      }
+    return open <= 64;
+  };
+  EXPECT_TRUE(eventually(count, [&] { step(); })) << open;
+  fromTools.clear();
+  tools[0]->out().write(Time{}, NumberPackage{1});
+  EXPECT_TRUE(eventually([&] { return numbers(fromTools).size() == 1; }, [&] { step(); }));
 }
 
 }  // namespace

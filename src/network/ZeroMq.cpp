@@ -1,6 +1,11 @@
 #include "network/ZeroMq.h"
 
+#include <linux/tcp.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
 #include <algorithm>
+#include <cstring>
 
 #include "network/Network.h"
 
@@ -50,6 +55,55 @@ void ZeroMq::answerKeyQuestions() {
   }
 }
 
+ConnectionGuard::ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits)
+    : limits_{limits}, events_{zeroMq.context(), zmq::socket_type::pair} {
+  const std::string place =
+      "inproc://events-" + std::to_string(reinterpret_cast<std::uintptr_t>(this));
+  events_.set(zmq::sockopt::linger, 0);
+  if (zmq_socket_monitor(watched.handle(), place.c_str(),
+                         ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_DISCONNECTED) == 0)
+    events_.connect(place);
+}
+
+void ConnectionGuard::takeEvents() {
+  zmq::message_t event, address;
+  while (events_.recv(event, zmq::recv_flags::dontwait)) {
+    if (event.more() && !events_.recv(address)) return;
+    std::uint16_t kind = 0;
+    std::int32_t file = -1;
+    if (event.size() != sizeof kind + sizeof file) continue;
+    std::memcpy(&kind, event.data(), sizeof kind);
+    std::memcpy(&file, event.data<std::byte>() + sizeof kind, sizeof file);
+    std::erase_if(connections_, [&](const Connection& c) { return c.file == file; });
+    if (kind != ZMQ_EVENT_ACCEPTED) continue;
+    if (connections_.size() < limits_.peers)
+      connections_.push_back({file});
+    else
+      shutdown(file, SHUT_RDWR);
+  }
+}
+
+void ConnectionGuard::heard(int connection) {
+  const auto found = std::ranges::find(connections_, connection, &Connection::file);
+  if (found != connections_.end()) found->heard = true;
+}
+
+bool ConnectionGuard::isTolerable(Connection& connection) const {
+  constexpr std::int64_t slack = 1'000'000;  // what is under way, and the frames' heads
+  tcp_info info{};
+  socklen_t size = sizeof info;
+  if (getsockopt(connection.file, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return true;
+  const auto bytes = static_cast<std::int64_t>(info.tcpi_bytes_received);
+  if (std::exchange(connection.heard, false) || bytes < connection.bytes) connection.bytes = bytes;
+  return bytes - connection.bytes <= limits_.frameSize + slack;
+}
+
+void ConnectionGuard::check() {
+  takeEvents();
+  for (Connection& connection : connections_)
+    if (!isTolerable(connection)) shutdown(connection.file, SHUT_RDWR);
+}
+
 ZeroMqSocket::ZeroMqSocket(const Network& network, ZeroMq& zeroMq, zmq::socket_type type,
                            const SocketLimits& limits)
     : Socket{network}, listens_{type == zmq::socket_type::router}, socket_{zeroMq.context(), type} {
@@ -71,6 +125,7 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::listen(const Network& network, Zer
   // A program that was started again takes the place of the one before it.
   socket->socket_.set(zmq::sockopt::router_handover, true);
   if (keys) zeroMq.guard(socket->socket_, *keys);
+  if (endpoint.substr(0, 6) == "tcp://") socket->guard_.emplace(zeroMq, socket->socket_, limits);
   try {
     socket->socket_.bind(endpoint);
   } catch (const zmq::error_t& error) {
@@ -129,6 +184,21 @@ bool ZeroMqSocket::receivePart(zmq::message_t& part) {
 }
 
 bool ZeroMqSocket::receive(Received& received) {
+  constexpr std::int64_t checkAfter = 5;  // ms
+  try {
+    if (guard_ && network_.elapsed() - checked_ >= checkAfter) {
+      guard_->check();
+      checked_ = network_.elapsed();
+    }
+    if (!receiveFrame(received)) return false;
+    if (guard_) guard_->heard(message_.get(ZMQ_SRCFD));
+    return true;
+  } catch (const zmq::error_t&) {
+    return false;  // interrupted by a signal
+  }
+}
+
+bool ZeroMqSocket::receiveFrame(Received& received) {
   constexpr int mostGarbage = 64;  // then others have their turn first
   for (int garbage = 0; garbage < mostGarbage; ++garbage) {
     if (listens_ && !receivePart(peer_)) return false;
@@ -144,6 +214,7 @@ bool ZeroMqSocket::receive(Received& received) {
       }
     }
     ++rejected_;
+    if (guard_) guard_->heard(message_.get(ZMQ_SRCFD));
   }
   return false;
 }

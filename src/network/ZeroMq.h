@@ -28,6 +28,32 @@ class ZeroMq {
   std::optional<zmq::socket_t> keyKeeper_;
 };
 
+/// Watches who is connected with a listening socket over tcp. ZeroMQ limits the parts of a message,
+/// but not their number, nor that of connections: who sends more bytes without an end of a message
+/// than a frame has, or comes when all places are taken, is cut off.
+class ConnectionGuard {
+ public:
+  ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits);
+  /// A whole message came in by this connection.
+  void heard(int connection);
+  /// To be called often.
+  void check();
+
+ private:
+  struct Connection {
+    int file;
+    std::int64_t bytes = 0;  ///< That had come in when a message was complete.
+    bool heard = false;
+  };
+
+  void takeEvents();
+  bool isTolerable(Connection& connection) const;
+
+  SocketLimits limits_;
+  zmq::socket_t events_;
+  std::vector<Connection> connections_;
+};
+
 /// A socket of ZeroMQ, for all endpoints that others than this machine can reach.
 class ZeroMqSocket : public Socket {
  public:
@@ -51,10 +77,13 @@ class ZeroMqSocket : public Socket {
   ZeroMqSocket(const Network& network, ZeroMq& zeroMq, zmq::socket_type type,
                const SocketLimits& limits);
   bool receivePart(zmq::message_t& part);
+  bool receiveFrame(Received& received);
 
   bool listens_;
   zmq::socket_t socket_;
   zmq::message_t peer_, message_;
+  std::optional<ConnectionGuard> guard_;
+  std::int64_t checked_ = 0;
 };
 
 }  // namespace gt
