@@ -50,7 +50,8 @@ void GoToPoint::execute() {
   const Vector2d offset = relative(pose, {x, y});
   const double distance = offset.norm();
   const double finalTurn = normalize(fromDegrees(angle) - pose.rotation);
-  if (distance < 60 && std::abs(finalTurn) < fromDegrees(8)) return movement_.stand();
+  arrived_ = distance < (arrived_ ? 60 : 25) && std::abs(finalTurn) < fromDegrees(arrived_ ? 8 : 4);
+  if (arrived_) return movement_.stand();
   const bool isFar = distance > 400;
   const double turn = isFar ? angleOf(offset) : finalTurn;
   // Without a speed, as from a person who does not care (report I.5.3: xbb), as fast as it can.

@@ -82,10 +82,14 @@ struct PerformSpecialAction final : Skill<soccer::PerformSpecialAction> {
 };
 
 /// Walks to a pose on the field, keeping clear of team mates. The nearer it comes the slower; far
-/// away it walks ahead.
-struct GoToPoint final : Skill<soccer::GoToPoint> {
+/// away it walks ahead. Once it has arrived, a small drift of its pose does not set it going again.
+class GoToPoint final : public Skill<soccer::GoToPoint> {
+ public:
   using Skill::Skill;
   void execute() override;
+
+ private:
+  bool arrived_ = false;
 };
 
 /// Walks behind the ball so that it lies at (x, y) before the robot, which then faces a direction
