@@ -163,7 +163,7 @@ constexpr MemberParameter<Class, T> parameter(const char* name, T Class::*member
 /// cycle that executes it, with the parameters in their members. `parametersChanged()`, where the
 /// class has it, is called before, whenever one of them is another one than at the last call.
 template <typename T>
-concept BehaviorClass = requires(T behavior) {
+concept BehaviorClass = requires(T& behavior) {
   {T::name};
   T::parameters();
   behavior.execute();
