@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "console/Commands.h"
 #include "match/SimulatedRobot.h"
+#include "robot/Graphviz.h"
+#include "robot/ModuleGraph.h"
 #include "robot/Solutions.h"
 #include "streams/Config.h"
 #include "streams/File.h"
@@ -331,6 +335,23 @@ Result<void> log(Console& console, const Words& words) {
   });
 }
 
+/// Also for a robot elsewhere, as far as this program knows its modules.
+Result<void> graph(Console& console, const Words& words) {
+  if (words.size() > 2) return wrongArguments(words);
+  const auto robot = console.firstRobot();
+  if (!robot) return robot.error();
+  const std::vector<ProcessDescription> modules = describe(**robot);
+  if (words.size() == 2) {
+    const std::string file = withDefaults(words[1], "out/graphs", ".svg");
+    std::error_code ignored;  // then drawing tells what is wrong
+    std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
+    return writeSvg(drawModules(modules), file);
+  }
+  std::istringstream lines{describeModules(modules)};
+  for (std::string line; std::getline(lines, line);) console.print(line);
+  return {};
+}
+
 Result<void> layout(Console& console, const Words& words) {
   if (words.size() != 2) return wrongArguments(words);
   const auto text = readFile(words[1]);
@@ -373,6 +394,10 @@ std::vector<Command> robotCommands() {
        "keys "
        "are known, too, and send with a representation's name: sendRobotPose.",
        dk, debugKeyNames, true},
+      {kind, "graph", "[FILE]",
+       "Prints which solution of each task runs and where what it reads comes from; draws it into "
+       "out/graphs/ and with .svg if the file has none.",
+       graph},
       {kind, "layout", "FILE", "Regroups the modules to the processes of a layout.", layout,
        nullptr, true},
       {kind, "log", "start | stop | clear | save FILE",
