@@ -107,7 +107,8 @@ Result<void> attachSetup(const RecordedSetup& setup, McapWriter& log) {
   return attachFile(setup.layout, "robot.layout", log);
 }
 
-Result<RobotSetup> readSetup(const McapReader& log, const std::string& file) {
+Result<RobotSetup> readSetup(const McapReader& log, const std::string& file,
+                             const SolutionTable& table) {
   const auto& all = log.metadata();
   const auto metadata = std::find_if(
       all.begin(), all.end(), [](const McapReader::Metadata& m) { return m.name == metadataName; });
@@ -122,7 +123,7 @@ Result<RobotSetup> readSetup(const McapReader& log, const std::string& file) {
   paths.config = (folder.path() / "config").string();
   paths.motions = (folder.path() / "motions").string();
   paths.behavior = (folder.path() / "behavior" / *agents).string();
-  auto configuration = loadConfiguration(paths);
+  auto configuration = loadConfiguration(paths, table);
   if (!configuration) return configuration.error();
   auto layout = loadLayout((folder.path() / "robot.layout").string());
   if (!layout) return layout.error();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "robot/RecordedSetup.h"
+#include "robot/Solutions.h"
 #include "robot/logs/LogPlatform.h"
 #include "streams/RecordedMessage.h"
 
@@ -51,7 +52,7 @@ Result<void> ReplayPlatform::findInputs() {
 Result<void> ReplayPlatform::makeRobot(const ReplayOptions& options) {
   RobotSetup setup;
   if (!options.configuration || options.layout.empty()) {
-    auto recorded = readSetup(log_, path_);
+    auto recorded = readSetup(log_, path_, solutions());
     if (!recorded) return recorded.error();
     setup = std::move(*recorded);
   }
