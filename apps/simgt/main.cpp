@@ -112,7 +112,8 @@ int main(int argc, char** argv) {
       *app.add_subcommand("layout", "Shows what runs in which process and what crosses");
   addLayout(showing, layout);
 
-  CLI::App& listing = *app.add_subcommand("commands", "Tells the console's commands: docs/console.md");
+  CLI::App& listing =
+      *app.add_subcommand("commands", "Tells the console's commands: docs/console.md");
 
   gt::CheckOptions check;
   CLI::App& checking = *app.add_subcommand(
