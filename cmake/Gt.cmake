@@ -46,18 +46,33 @@ set(coldCode $<$<CONFIG:Release>:-O1>)
 find_package(Threads REQUIRED)
 find_package(GTest REQUIRED)
 
-# What nearly every test includes is compiled once. Each test still includes what it needs: the preset "clang" builds
-# without. ccache cannot share it between work trees: who has several switches it off.
-option(GT_PRECOMPILE "Precompile the headers of libraries for the tests (gcc)" ON)
+# Headers that nearly all files of a target include are compiled once. Each file still includes what it needs: the preset
+# "clang" builds without. ccache cannot share them between work trees: who has several switches this off.
+option(GT_PRECOMPILE "Precompile headers (gcc)" ON)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   set(GT_PRECOMPILE OFF)
 endif()
+# gt_precompile(target <header>... | REUSE_FROM other)
+function(gt_precompile target)
+  if(GT_PRECOMPILE)
+    cmake_parse_arguments(ARG "" "REUSE_FROM" "" ${ARGN})
+    if(ARG_REUSE_FROM)
+      target_precompile_headers(${target} REUSE_FROM ${ARG_REUSE_FROM})
+    else()
+      target_precompile_headers(${target} PRIVATE ${ARGN})
+    endif()
+    # With them gcc 12 warns of what it inlines from its own std::string (GCC bug 105329).
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
+  endif()
+endfunction()
+
+# Of all tests.
 if(GT_PRECOMPILE)
   find_package(Eigen3 REQUIRED)
   add_library(gt_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/Precompiled.cpp)
   target_compile_options(gt_precompiled PRIVATE ${coldCode})
   target_link_libraries(gt_precompiled PRIVATE Eigen3::Eigen GTest::gmock)
-  target_precompile_headers(gt_precompiled PRIVATE <gmock/gmock.h> <Eigen/Geometry> <filesystem>)
+  gt_precompile(gt_precompiled <gmock/gmock.h> <Eigen/Geometry> <filesystem>)
 endif()
 
 # gt_library(name SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ...)
@@ -84,11 +99,7 @@ function(gt_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_compile_options(${name} PRIVATE ${coldCode})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
-  if(GT_PRECOMPILE)
-    target_precompile_headers(${name} REUSE_FROM gt_precompiled)
-    # With them gcc 12 warns of what it inlines from its own std::string (GCC bug 105329).
-    target_compile_options(${name} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
-  endif()
+  gt_precompile(${name} REUSE_FROM gt_precompiled)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()
 
