@@ -11,7 +11,7 @@ namespace gt {
 struct ExperimentOptions {
   std::vector<std::uint64_t> seeds;
   double minutes = 10;      ///< Of a match.
-  int moments = 500;        ///< For vision, per seed: each gives one picture a robot.
+  int moments = 250;        ///< For vision, per seed: each gives one picture a robot.
   bool trueCamera = false;  ///< For vision: the true camera pose instead of the measured one.
 };
 

@@ -3,13 +3,29 @@
 #include <algorithm>
 
 namespace gt {
+namespace {
 
-Result<GameViews> GameViews::make(const std::string& file, std::uint64_t seed) {
-  auto scene = loadScene(file);
-  if (!scene) return scene.error();
-  auto world = makeWorld(*scene, Random{seed}.fork("world"));
+/// What a robot's camera matrix should be.
+CameraMatrix trueMatrix(const CameraView& camera, const Pose2D& robot) {
+  const Pose3D origin{rotationZ(robot.rotation), {robot.translation.x(), robot.translation.y(), 0}};
+  const Eigen::AngleAxisd turn{camera.last.rotation * camera.first.rotation.transpose()};
+  const Matrix3d halfway = Eigen::AngleAxisd{turn.angle() / 2, turn.axis()} * camera.first.rotation;
+  CameraMatrix matrix;
+  matrix.info = camera.info;
+  matrix.pose =
+      origin.inverse() * Pose3D{halfway, (camera.first.translation + camera.last.translation) / 2};
+  const double seconds = (camera.info.height - 1) * camera.info.rowTime / 1000;
+  matrix.turning = origin.rotation.transpose() * turn.axis() * turn.angle() / seconds;
+  matrix.valid = true;
+  return matrix;
+}
+
+}  // namespace
+
+Result<GameViews> GameViews::make(const SceneDescription& scene, std::uint64_t seed) {
+  auto world = makeWorld(scene, Random{seed}.fork("world"));
   if (!world) return world.error();
-  return GameViews{*std::move(scene), *std::move(world), seed};
+  return GameViews{scene, *std::move(world), seed};
 }
 
 GameViews::GameViews(SceneDescription scene, std::unique_ptr<World> world, std::uint64_t seed)
@@ -24,25 +40,33 @@ GameViews::GameViews(SceneDescription scene, std::unique_ptr<World> world, std::
     sensors_.emplace_back(scene_.noise, random_.fork("sensors" + std::to_string(i)));
 }
 
-void GameViews::shuffle() {
-  const auto somewhere = [&](double x, double y) {
-    return Vector2d{random_.uniform(-x, x), random_.uniform(-y, y)};
-  };
-  for (std::size_t i = 0; i < commands_.size(); ++i) {
-    // Not too many robots on each other's toes: the world parts those.
-    world_->placeRobot(i, {random_.uniform(-pi, pi), somewhere(1950, 1150)});
-    JointAngles& joints = commands_[i].joints;
-    const double fore = random_.uniform(-0.25, 0.1), foreKnee = random_.uniform(0.4, 1.0);
-    const double hind = random_.uniform(-0.4, -0.1), hindKnee = random_.uniform(0.6, 1.1);
-    for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft}) {
-      joints[legJoint(leg, 1)] = isFore(leg) ? fore : hind;
-      joints[legJoint(leg, 2)] = 0.1;
-      joints[legJoint(leg, 3)] = isFore(leg) ? foreKnee : hindKnee;
-    }
-    joints[Joint::headTilt] = random_.uniform(-0.9, 0.25);
-    joints[Joint::headPan] = random_.uniform(-1.5, 1.5);
+Vector2d GameViews::somewhere(double x, double y) {
+  return {random_.uniform(-x, x), random_.uniform(-y, y)};
+}
+
+void GameViews::placeRobot(std::size_t robot) {
+  // Not too many robots on each other's toes: the world parts those.
+  world_->placeRobot(robot, {random_.uniform(-pi, pi), somewhere(1950, 1150)});
+  if (robot >= commands_.size()) return;
+  JointAngles& joints = commands_[robot].joints;
+  const double fore = random_.uniform(-0.25, 0.1), foreKnee = random_.uniform(0.4, 1.0);
+  const double hind = random_.uniform(-0.4, -0.1), hindKnee = random_.uniform(0.6, 1.1);
+  for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft}) {
+    joints[legJoint(leg, 1)] = isFore(leg) ? fore : hind;
+    joints[legJoint(leg, 2)] = 0.1;
+    joints[legJoint(leg, 3)] = isFore(leg) ? foreKnee : hindKnee;
   }
-  // Most of the time the ball is of interest: close to one of the robots.
+  joints[Joint::headTilt] = random_.uniform(-0.9, 0.25);
+  joints[Joint::headPan] = random_.uniform(-1.5, 1.5);
+  const bool walks = random_.chance(0.5);
+  constexpr double mostSpeed = 200, mostTurning = 1;  // mm/s, rad/s
+  const Vector2d speed = somewhere(mostSpeed, mostSpeed);
+  const double turning = random_.uniform(-mostTurning, mostTurning);
+  commands_[robot].step = walks ? Pose2D{turning * tickSeconds, speed * tickSeconds} : Pose2D{};
+}
+
+// Most of the time the ball is of interest: close to one of the robots.
+void GameViews::placeBall() {
   const RobotBody& near = world_->robot(random_.index(commands_.size()));
   const Vector2d ball =
       random_.chance(0.5)
@@ -50,6 +74,11 @@ void GameViews::shuffle() {
           : somewhere(2000, 1250);
   world_->placeBall(0,
                     {std::clamp(ball.x(), -2050.0, 2050.0), std::clamp(ball.y(), -1300.0, 1300.0)});
+}
+
+void GameViews::shuffle() {
+  for (std::size_t i = 0; i < world_->robotCount(); ++i) placeRobot(i);
+  placeBall();
   // Heads are still on their way in some of the pictures.
   const std::size_t ticks = SensorDataBuffer::capacity + random_.index(40);
   for (std::size_t t = 0; t < ticks; ++t) step();
@@ -71,13 +100,8 @@ const GameView& GameViews::look(std::size_t robot, const CameraEffects& effects)
   const CameraView camera = cameraView(*world_, robot, CameraInfo{});
   renderer_.render(world_->data(), camera, effects, random_(), view_.image, &view_.truth);
   view_.image.time = world_->time();
-  const Pose2D& pose = world_->robot(robot).pose;
-  const Pose3D origin{rotationZ(pose.rotation), {pose.translation.x(), pose.translation.y(), 0}};
-  const Pose3D between{Eigen::Quaterniond(camera.first.rotation)
-                           .slerp(0.5, Eigen::Quaterniond(camera.last.rotation))
-                           .toRotationMatrix(),
-                       (camera.first.translation + camera.last.translation) / 2};
-  view_.camera = origin.inverse() * between;
+  view_.camera = trueMatrix(camera, world_->robot(robot).pose);
+  view_.camera.time = world_->time();
   return view_;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "representations/infrastructure/SensorData.h"
+#include "representations/perception/CameraMatrix.h"
 #include "simulation/Scene.h"
 #include "simulation/Sensors.h"
 #include "simulation/Simulation.h"
@@ -17,14 +18,14 @@ struct GameView {
   Image image;
   PictureTruth truth;
   SensorDataBuffer sensors;
-  Pose3D camera;  ///< In the robot's system when the middle row was exposed, mm.
+  CameraMatrix camera;  ///< The true one.
 };
 
-/// Random moments of matches as the robots of a scene see them: robots and ball stand anywhere,
-/// legs differ, heads look around. For experiments and for learning colours.
+/// Random moments of matches as the robots of a scene see them: robots and ball are anywhere, some
+/// robots walk, legs differ, heads look around. For experiments and for learning colours.
 class GameViews {
  public:
-  static Result<GameViews> make(const std::string& scene, std::uint64_t seed);
+  static Result<GameViews> make(const SceneDescription& scene, std::uint64_t seed);
 
   /// Puts everything somewhere else and lets the heads turn for a while.
   void shuffle();
@@ -35,6 +36,9 @@ class GameViews {
 
  private:
   GameViews(SceneDescription scene, std::unique_ptr<World> world, std::uint64_t seed);
+  Vector2d somewhere(double x, double y);
+  void placeRobot(std::size_t robot);
+  void placeBall();
   void step();
 
   SceneDescription scene_;

@@ -94,7 +94,9 @@ struct Options {
 };
 
 Result<void> learn(const Options& options) {
-  auto views = GameViews::make(options.scene, options.seed);
+  const auto scene = loadScene(options.scene);
+  if (!scene) return scene.error();
+  auto views = GameViews::make(*scene, options.seed);
   if (!views) return views.error();
   ColorHistogram histogram;
   // Light is never the same twice.

@@ -4,7 +4,7 @@
 
 namespace gt {
 
-Vector2d Picture::pointOf(const Vector3d& ray) const {
+Vector2d pointIn(const CameraMatrix& matrix, const Vector3d& ray) {
   // The row decides on the rotation, which decides on the row: twice is close enough.
   const auto project = [&](const Matrix3d& rotation) {
     const Vector3d inCamera = rotation.transpose() * ray;
@@ -12,7 +12,7 @@ Vector2d Picture::pointOf(const Vector3d& ray) const {
   };
   Vector2d p = project(matrix.pose.rotation);
   for (int i = 0; i < 2; ++i)
-    p = project(matrix.rotationAt(std::clamp<double>(p.y(), 0, image.info.height)));
+    p = project(matrix.rotationAt(std::clamp<double>(p.y(), 0, matrix.info.height)));
   return p;
 }
 

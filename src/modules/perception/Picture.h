@@ -28,6 +28,10 @@ struct ColorEdge {
   bool onBorder = false;              ///< The colour reaches to the picture's border.
 };
 
+/// Where a camera sees a direction in the robot's system, as the row there saw it; the ray must
+/// point forward.
+Vector2d pointIn(const CameraMatrix& matrix, const Vector3d& ray);
+
 /// A camera picture with all that it takes to look at it: its colours, its camera, its horizon.
 struct Picture {
   const Image& image;
@@ -42,7 +46,7 @@ struct Picture {
   /// The direction of a point in the robot's system, as its own row saw it; of length 1.
   Vector3d ray(const Vector2d& p) const { return matrix.ray(p.x(), p.y()).normalized(); }
   /// Where a direction in the robot's system is seen; its ray must point forward.
-  Vector2d pointOf(const Vector3d& ray) const;
+  Vector2d pointOf(const Vector3d& ray) const { return pointIn(matrix, ray); }
 
   /// Follows a way from a point in a colour to where the colour ends (report 3.2.4, 3.2.5): the
   /// last pixel of one of the classes, gaps of up to maxGap pixels accepted; then to a fraction of

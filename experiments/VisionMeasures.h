@@ -1,0 +1,49 @@
+#pragma once
+#include "Tally.h"
+#include "VisionTruth.h"
+#include "modules/modeling/FieldEdges.h"
+#include "representations/perception/BallPercept.h"
+#include "representations/perception/BodyPercept.h"
+#include "representations/perception/LinesPercept.h"
+#include "representations/perception/ObstaclesPercept.h"
+#include "representations/perception/PlayersPercept.h"
+#include "representations/perception/PsdPercept.h"
+
+namespace gt {
+
+/// All that was found in one picture.
+struct VisionPercepts {
+  BallPercept ball;
+  LandmarksPercept landmarks;
+  LinesPercept lines;
+  PlayersPercept players;
+  ObstaclesPercept obstacles;
+};
+
+/// Compares percepts with the truth, picture by picture. Rates are named after what has to be true
+/// (`ball.found`), false ones `false`; all are told for each band of distances, too.
+class VisionMeasures {
+ public:
+  explicit VisionMeasures(const VisionTruth& truth) : truth_(truth) {}
+
+  /// Edge points are looked up in the picture by the camera matrix that they were made with.
+  void comparePercepts(const VisionPercepts& percepts, const CameraMatrix& measured, Tally& tally);
+  void compareSensors(const RobotBody& body, const CameraMatrix& matrix, const BodyPercept& percept,
+                      Tally& tally) const;
+
+ private:
+  void compareBall(const BallPercept& percept, Tally& tally) const;
+  void compareFlags(const LandmarksPercept& percept, Tally& tally) const;
+  void compareGoals(const LandmarksPercept& percept, Tally& tally) const;
+  void compareEdges(const LinesPercept& percept, const CameraMatrix& measured, Tally& tally) const;
+  void comparePlayers(const PlayersPercept& percept, Tally& tally) const;
+  void compareObstacles(const ObstaclesPercept& percept, Tally& tally) const;
+  double bearing(const Vector2d& place) const;
+  double distance(const Vector2d& place) const;
+
+  const VisionTruth& truth_;
+  FieldDimensions field_;
+  FieldEdges edges_{field_, TeamColor::red};
+};
+
+}  // namespace gt
