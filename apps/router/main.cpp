@@ -3,44 +3,47 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 
-#include "network/Router.h"
+#include "network/RobotAddresses.h"
+#include "network/RouterSettings.h"
+#include "streams/Config.h"
 
 namespace {
 
 volatile std::sig_atomic_t stopped = 0;
 
-struct Options {
-  std::vector<std::string> robots;
-  std::string listen = "127.0.0.1";
-  int port = 15000;
-  bool release = false;
-  bool gameManager = false;
-  bool noTeams = false;
-  bool verbose = false;
-  std::string makeKeys, keys, connectKeys;
-};
-
-void addOptions(CLI::App& app, Options& options) {
-  app.add_option("robots", options.robots,
-                 "Robots: NAME=ENDPOINT, an address (10.0.1.100), or a subnet and numbers (10.0.1 "
-                 "100 101 102 103 200); the first four are a team, the others another");
-  app.add_option("--listen", options.listen,
+void addOptions(CLI::App& app, gt::RouterSettings& settings) {
+  app.add_option(
+      "robots", settings.robots,
+      "Robots: NAME=ENDPOINT, an address (10.0.1.100), a subnet and numbers (10.0.1 100 "
+      "101 102 103 200), a subnet in which they are searched for (10.0.1 auto), or auto: "
+      "those on this machine. The first four are team A, the next team B; of those "
+      "found, whose names differ in the last digit only are a team. Without any "
+      "argument: all as the last time");
+  app.add_option("--listen", settings.listen,
                  "Address on which tools connect; others than loopback need --keys")
       ->capture_default_str();
-  app.add_option("--port", options.port,
+  app.add_option("--port", settings.port,
                  "Robots listen there; tools of the robot with the number N connect to PORT+N, of "
-                 "those with a name to PORT+301 and on")
+                 "those without a number to PORT+301 and on")
       ->check(CLI::Range(1, 65000))
       ->capture_default_str();
-  app.add_flag("--release", options.release, "Only team messages: no ports for tools");
-  app.add_flag("--gm,--game-manager", options.gameManager,
+  app.add_option("--sockets", settings.sockets, "Folder in which auto finds robots")
+      ->capture_default_str();
+  app.add_flag("--release", settings.release, "Only team messages: no ports for tools");
+  app.add_flag("--gm,--game-manager", settings.gameManager,
                "A port for tools of all robots, such as a game manager: PORT+300");
-  app.add_flag("--no-teams", options.noTeams, "No messages between team mates");
-  app.add_option("--make-keys", options.makeKeys,
-                 "Writes robot.key and tool.key into this folder and ends");
-  app.add_option("--keys", options.keys, "robot.key: lets in only tools that hold tool.key");
-  app.add_option("--connect-keys", options.connectKeys, "tool.key: for robots that ask for it");
-  app.add_flag("--verbose", options.verbose, "Tells every ten seconds what went through");
+  app.add_flag("--no-teams", settings.noTeams, "No messages between team mates");
+  app.add_option("--team", settings.team, "All robots are of this team, whichever that is");
+  app.add_flag("--routers", settings.routers,
+               "A port for other routers, whose robots may be of the same teams: PORT+299");
+  app.add_option("--join", settings.join,
+                 "Another router's port for routers: tcp://10.0.1.1:15299; each two of them "
+                 "are joined once")
+      ->allow_extra_args(false);
+  app.add_option("--keys", settings.keys,
+                 "robot.key: lets in only tools and routers that hold tool.key");
+  app.add_option("--connect-keys", settings.connectKeys,
+                 "tool.key: for robots and routers that ask for it");
 }
 
 int fail(const gt::Error& error) {
@@ -48,31 +51,26 @@ int fail(const gt::Error& error) {
   return 2;
 }
 
-gt::Result<std::optional<gt::Keys>> keysOf(const std::string& file) {
-  if (file.empty()) return std::optional<gt::Keys>{};
-  auto keys = gt::loadKeys(file);
-  if (!keys) return keys.error();
-  return std::optional{std::move(*keys)};
+/// Starting without arguments is starting as the last time (report 5.3).
+gt::Result<void> recall(gt::RouterSettings& settings) {
+  const std::string file = gt::lastSettingsFile();
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    return gt::Error{"", 0, "robots", "there is none, and no last time; router --help tells more"};
+  return gt::readConfig(file, settings);
 }
 
-gt::Result<gt::RouterOptions> routerOptions(const Options& options) {
-  gt::RouterOptions result;
-  auto robots = gt::parseRobots(options.robots, options.listen, options.port);
-  if (!robots) return robots.error();
-  result.robots = std::move(*robots);
-  for (gt::RoutedRobot& robot : result.robots) {
-    if (options.release) robot.tools.clear();
-    if (options.noTeams) robot.team = 0;
-  }
-  if (options.gameManager)
-    result.all = fmt::format("tcp://{}:{}", options.listen, options.port + 300);
-  auto keys = keysOf(options.keys);
-  if (!keys) return keys.error();
-  result.listenKeys = *keys;
-  keys = keysOf(options.connectKeys);
-  if (!keys) return keys.error();
-  result.connectKeys = *keys;
-  return result;
+void keep(const gt::RouterSettings& settings) {
+  const std::string file = gt::lastSettingsFile();
+  if (file.empty()) return;
+  if (const auto done = gt::keepSettings(settings, file); !done)
+    fmt::print(stderr, "router: not kept for the next time: {}\n", done.error().text());
+}
+
+void tellOf(const gt::RoutedRobot& robot) {
+  fmt::print("{} at {}{}{}\n", robot.name, robot.robot,
+             robot.tools.empty() ? "" : ", tools at " + robot.tools,
+             robot.team.empty() ? "" : ", team " + robot.team);
 }
 
 void tell(const gt::Router& router) {
@@ -80,7 +78,42 @@ void tell(const gt::Router& router) {
     fmt::print("{}: {}, {} tools; {} messages to tools, {} to the robot, {} dropped, {} rejected\n",
                s.robot, s.connected ? "connected" : "not there", s.tools, s.toTools, s.toRobot,
                s.dropped, s.rejected);
+  if (router.routers() > 0) fmt::print("{} other routers\n", router.routers());
   std::fflush(stdout);
+}
+
+/// Serves robots that were found.
+void serve(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& settings) {
+  for (std::size_t found = robots.find(router.elapsed()); found > 0; --found) {
+    const auto robot = settings.wanted(robots.robots()[robots.robots().size() - found]);
+    if (const auto done = router.add(robot); !done)
+      (void)fail(done.error());
+    else
+      tellOf(robot);
+    std::fflush(stdout);
+  }
+}
+
+/// Passes messages until it shall end.
+void run(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& settings,
+         bool verbose) {
+  std::signal(SIGTERM, [](int) { stopped = 1; });
+  std::signal(SIGINT, [](int) { stopped = 1; });
+  std::int64_t told = 0;
+  while (!stopped) {
+    router.step(10);
+    if (robots.searches()) serve(router, robots, settings);
+    if (!verbose || router.elapsed() - told < 10'000) continue;
+    told = router.elapsed();
+    tell(router);
+  }
+  tell(router);
+}
+
+int makeKeys(const std::string& folder) {
+  if (const auto made = gt::makeKeys(folder); !made) return fail(made.error());
+  fmt::print("Keys: {0}/robot.key for who listens, {0}/tool.key for who connects\n", folder);
+  return 0;
 }
 
 }  // namespace
@@ -88,38 +121,38 @@ void tell(const gt::Router& router) {
 /// Passes messages between robots and tools, and between team mates (report 5.3).
 int main(int argc, char** argv) {
   CLI::App app{"Router: passes messages between robots and tools, and between team mates"};
-  Options options;
-  addOptions(app, options);
+  gt::RouterSettings settings;
+  settings.sockets = gt::defaultSocketFolder();
+  addOptions(app, settings);
+  std::string keyFolder;
+  app.add_option("--make-keys", keyFolder,
+                 "Writes robot.key and tool.key into this folder and ends");
+  bool verbose = false;
+  app.add_flag("--verbose", verbose, "Tells every ten seconds what went through");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  if (!options.makeKeys.empty()) {
-    const auto made = gt::makeKeys(options.makeKeys);
-    if (!made) return fail(made.error());
-    fmt::print("Keys: {0}/robot.key for who listens, {0}/tool.key for who connects\n",
-               options.makeKeys);
-    return 0;
-  }
-  if (options.robots.empty()) return fail({"", 0, "robots", "there is none to connect to"});
+  if (!keyFolder.empty()) return makeKeys(keyFolder);
+  if (argc == 1)
+    if (const auto done = recall(settings); !done) return fail(done.error());
 
-  const auto wanted = routerOptions(options);
-  if (!wanted) return fail(wanted.error());
-  const auto router = gt::Router::open(*wanted);
+  auto robots = gt::RobotList::parse(settings.robots, settings.places());
+  if (!robots) return fail(robots.error());
+  if (robots->robots().empty() && !robots->searches())
+    return fail({"", 0, "robots", "there is none to connect to"});
+  auto options = gt::routerOptions(settings);
+  if (!options) return fail(options.error());
+  for (const gt::RoutedRobot& robot : robots->robots())
+    options->robots.push_back(settings.wanted(robot));
+  const auto router = gt::Router::open(*options);
   if (!router) return fail(router.error());
-  for (const gt::RoutedRobot& robot : wanted->robots)
-    fmt::print("{} at {}{}\n", robot.name, robot.robot,
-               robot.tools.empty() ? "" : ", tools at " + robot.tools);
-  if (!wanted->all.empty()) fmt::print("tools of all robots at {}\n", wanted->all);
+  keep(settings);
+  for (const gt::RoutedRobot& robot : options->robots) tellOf(robot);
+  if (!options->all.empty()) fmt::print("tools of all robots at {}\n", options->all);
+  if (!options->routers.empty()) fmt::print("other routers at {}\n", options->routers);
   std::fflush(stdout);
-
-  std::signal(SIGTERM, [](int) { stopped = 1; });
-  std::signal(SIGINT, [](int) { stopped = 1; });
-  for (std::int64_t turns = 1; !stopped; ++turns) {
-    (*router)->step(10);
-    if (options.verbose && turns % 1000 == 0) tell(**router);
-  }
-  tell(**router);
+  run(**router, *robots, settings, verbose);
   return 0;
 }

@@ -36,11 +36,12 @@ std::string shortName(const std::string& name) {
 Result<std::unique_ptr<RobotConnection>> RobotConnection::open(
     const std::vector<std::string>& robots, bool gameManager) {
   std::unique_ptr<RobotConnection> connection{new RobotConnection};
-  auto routed = parseRobots(robots, "127.0.0.1", robotPort);
+  const auto routed = RobotList::parse(robots, {"127.0.0.1", robotPort, ""});
   if (!routed) return routed.error();
-  if (routed->empty()) return Error{"", 0, "sc", "expected an address"};
+  if (routed->robots().empty() || routed->searches())
+    return Error{"", 0, "sc", "expected an address"};
   RouterOptions options;
-  options.robots = std::move(*routed);
+  options.robots = routed->robots();
   if (gameManager) options.all = "tcp://127.0.0.1:" + std::to_string(robotPort + 300);
   for (RoutedRobot& robot : options.robots)
     robot.tools = "ipc://" + (connection->sockets_.path() / shortName(robot.name)).string();

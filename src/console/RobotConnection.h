@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "console/ConsoleRobot.h"
-#include "network/Router.h"
+#include "network/RobotList.h"
 #include "streams/TemporaryFolder.h"
 
 namespace gt {
@@ -13,7 +13,7 @@ namespace gt {
 /// the background, and a tool is connected to each of its robots.
 class RobotConnection {
  public:
-  /// Robots as the router takes them (parseRobots), named by the last number of their address. With
+  /// Robots as the router takes them (RobotList), named by the last number of their address. With
   /// `gameManager` there is a port for tools of all robots, too. Keys for robots of other machines
   /// are in `config/tool.key`.
   static Result<std::unique_ptr<RobotConnection>> open(const std::vector<std::string>& robots,

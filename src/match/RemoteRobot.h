@@ -5,7 +5,7 @@
 #include "match/MatchRobot.h"
 #include "network/Wire.h"
 #include "robot/Robot.h"
-#include "robot/linux/RobotAddresses.h"
+#include "network/RobotAddresses.h"
 
 namespace gt {
 

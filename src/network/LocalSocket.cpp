@@ -81,6 +81,11 @@ FileDescriptor descriptorOf(msghdr& message) {
 
 }  // namespace
 
+bool somebodyListens(const std::string& path) {
+  const auto address = addressOf(path);
+  return address && connectTo(makeSocket(), *address);
+}
+
 /// Messages that came in, taken from the operating system at one go.
 struct LocalConnection::Batch {
   static constexpr std::size_t size = 8;
@@ -273,7 +278,7 @@ Result<std::unique_ptr<Socket>> LocalSocket::connect(const Network& network,
 Result<void> LocalSocket::bind() {
   const auto address = addressOf(path_);
   if (!address) return failed(path_, "is no path for a socket, or too long");
-  if (connectTo(makeSocket(), *address)) return failed(path_, "another program listens there");
+  if (somebodyListens(path_)) return failed(path_, "another program listens there");
   std::error_code missing;
   if (std::filesystem::is_socket(std::filesystem::symlink_status(path_, missing)))
     unlink(path_.c_str());

@@ -14,7 +14,9 @@ namespace gt {
 
 /// A connection with another program on this machine. Small frames pass through a Unix socket; of
 /// large ones only a notice does, the package lies in memory that both see (SharedSlot.h). All ends
-/// with the connection, however a program ends.
+/// with the connection, however a program ends. What a peer costs is bounded without a guard as
+/// ZeroMQ needs it: a message is one datagram and has an end, the operating system lets few wait,
+/// and the memory of slots is the peer's.
 class LocalConnection {
  public:
   LocalConnection(FileDescriptor socket, const SocketLimits& limits);
@@ -65,6 +67,9 @@ class LocalConnection {
   std::vector<std::byte> outgoing_, package_;
   std::unique_ptr<Batch> batch_;
 };
+
+/// Whether a program listens on a path, as LocalSocket does.
+bool somebodyListens(const std::string& path);
 
 /// A socket within this machine, for endpoints as ipc://PATH. Only programs of the same user (or
 /// the administrator's) are let in.

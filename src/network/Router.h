@@ -11,33 +11,43 @@ namespace gt {
 /// A robot as the router knows it.
 struct RoutedRobot {
   std::string name;
-  std::string robot;     ///< Endpoint on which the robot listens for tools.
-  std::string tools;     ///< Endpoint on which the router listens for tools of it; empty: on none.
-  std::size_t team = 0;  ///< Robots with the same number are team mates; 0 of none.
+  std::string robot;  ///< Endpoint on which the robot listens for tools.
+  std::string tools;  ///< Endpoint on which the router listens for tools of it; empty: on none.
+  std::string team;   ///< Robots of the same one are team mates; empty: of none.
 };
+
+/// A team message as routers tell it to each other.
+struct RoutedTeamMessage {
+  std::string team;
+  TeamMessage message;
+
+  static constexpr auto fields() {
+    return Fields{field("team", &RoutedTeamMessage::team, "", "as RoutedRobot::team"),
+                  field("message", &RoutedTeamMessage::message)};
+  }
+};
+static_assert(complete<RoutedTeamMessage>);
 
 /// What the router does besides passing messages.
 struct RouterOptions {
   std::vector<RoutedRobot> robots;
-  std::string all;  ///< Endpoint for tools of all robots, such as a game manager; empty: none.
-  std::optional<Keys> listenKeys;   ///< For tools.
-  std::optional<Keys> connectKeys;  ///< For robots.
+  std::string all;      ///< Endpoint for tools of all robots, such as a game manager; empty: none.
+  std::string routers;  ///< Endpoint for other routers; empty: none.
+  std::vector<std::string> others;  ///< Endpoints on which other routers listen for this one.
+  std::optional<Keys> listenKeys;   ///< For tools and other routers.
+  std::optional<Keys> connectKeys;  ///< For robots and other routers.
 };
-
-/// Splits the report's way to name robots (report 5.3): `10.0.1.100`, or `10.0.1 100 101 102` for
-/// several of a subnet, or `NAME=ENDPOINT`. Robots of a subnet listen on `port`, the router for
-/// their tools on `port` + the last number of their address, for others on the ports from `port` +
-/// 301 on. The first four are one team, the others another.
-Result<std::vector<RoutedRobot>> parseRobots(const std::vector<std::string>& arguments,
-                                             const std::string& listen, int port);
 
 /// Passes message queues between robots and tools (report 5.3): each robot has a port, on which
 /// any number of tools sees all it sends and may send to it. Brings team messages to the robots'
-/// team mates.
+/// team mates, also to those at other routers: each two routers are connected, and a message goes
+/// from the sender's router to all others.
 class Router {
  public:
   static Result<std::unique_ptr<Router>> open(const RouterOptions& options);
 
+  /// Serves one more robot.
+  Result<void> add(const RoutedRobot& robot);
   /// Waits up to some ms for messages and passes them on.
   void step(std::int64_t ms);
 
@@ -48,8 +58,14 @@ class Router {
     std::uint64_t toTools = 0, toRobot = 0, dropped = 0, rejected = 0;  ///< Messages so far.
   };
   std::vector<Statistics> statistics() const;
+  /// How many other routers are there.
+  std::size_t routers() const;
+  /// Milliseconds since it was opened.
+  std::int64_t elapsed() const { return network_.elapsed(); }
   /// Where tools of all robots connect.
   std::string endpointOfAll() const { return all_ ? all_->endpoint() : ""; }
+  /// Where other routers connect.
+  std::string endpointOfRouters() const { return routers_ ? routers_->endpoint() : ""; }
   std::string endpointOf(std::size_t robot) const { return routes_[robot]->tools->endpoint(); }
 
  private:
@@ -65,16 +81,23 @@ class Router {
     MessageQueue fromRobot{2 * toolQueueSize}, fromTools{2 * toolQueueSize};
   };
 
-  Router() = default;
+  explicit Router(const RouterOptions& options)
+      : listenKeys_{options.listenKeys}, connectKeys_{options.connectKeys} {}
+  Result<void> openRouters(const RouterOptions& options);
   void passFromRobot(Route& route);
   void passToRobot(Route& route);
   void passTeamMessage(const Route& from, const Message& message);
+  void tellMates(const RoutedTeamMessage& told, const Route* from);
+  void exchangeWithRouters();
   void askForTeamMessages(Route& route);
 
+  std::optional<Keys> listenKeys_, connectKeys_;
   Network network_;
   std::vector<std::unique_ptr<Route>> routes_;
-  std::unique_ptr<ToolPort> all_;
+  std::unique_ptr<ToolPort> all_, routers_;
+  std::vector<std::unique_ptr<ToolConnection>> others_;
   MessageQueue toAll_{2 * toolQueueSize};
+  MessageQueue toRouters_{2 * toolQueueSize}, fromRouters_{2 * toolQueueSize};
 };
 
 }  // namespace gt

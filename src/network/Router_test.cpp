@@ -10,24 +10,6 @@ using testing::eventually;
 using testing::NumberPackage;
 using testing::TestFolder;
 
-TEST(Router, TakesRobotsAsTheReportsScriptDid) {
-  const auto robots = parseRobots({"10.0.1.7", "10.0.2", "10", "11", "red1=ipc:///tmp/red1.Tools"},
-                                  "127.0.0.1", 15000);
-  ASSERT_TRUE(robots) << robots.error().text();
-  ASSERT_EQ(robots->size(), 4u);
-  EXPECT_EQ((*robots)[0].robot, "tcp://10.0.1.7:15000");
-  EXPECT_EQ((*robots)[0].tools, "tcp://127.0.0.1:15007") << "15000 + least byte (report 5.3)";
-  EXPECT_EQ((*robots)[2].name, "10.0.2.11");
-  EXPECT_EQ((*robots)[3].robot, "ipc:///tmp/red1.Tools");
-  const auto eight =
-      parseRobots({"10.0.1", "1", "2", "3", "4", "5", "6", "7", "8"}, "127.0.0.1", 1);
-  EXPECT_EQ((*eight)[3].team, 1u);
-  EXPECT_EQ((*eight)[4].team, 2u);
-  for (const char* wrong : {"", "red", "10.0.1.256", "1", "10.0.1.2.3", "=x", "10..1.2", "-1"})
-    EXPECT_FALSE(parseRobots({wrong}, "127.0.0.1", 15000)) << wrong;
-  EXPECT_FALSE(parseRobots({"10.0.1", "7", "7"}, "127.0.0.1", 15000));
-}
-
 /// Two robots of a team, the router and a tool.
 class RouterTest : public ::testing::Test {
  protected:
@@ -35,7 +17,7 @@ class RouterTest : public ::testing::Test {
     RouterOptions options;
     for (const char* name : {"a", "b"}) {
       robots.push_back(*ToolPort::open(network, folder.endpoint(name)));
-      options.robots.push_back({name, folder.endpoint(name), "tcp://127.0.0.1:0", 1});
+      options.robots.push_back({name, folder.endpoint(name), "tcp://127.0.0.1:0", "A"});
     }
     options.all = "tcp://127.0.0.1:0";
     auto opened = Router::open(options);
@@ -117,9 +99,102 @@ TEST_F(RouterTest, BringsTeamMessagesToTeamMates) {
   EXPECT_EQ(mates.byPlayer[2].message.timeSent, Time{100});
 }
 
+/// Four routers, each two of them joined; with the robots of the first team (two), the first (one),
+/// the second (one), and none.
+TEST(Routers, BringTeamMessagesToTheTeamMatesOfOthers) {
+  const TestFolder folder;
+  ASSERT_TRUE(makeKeys(folder.file("keys")));
+  Network network;
+  std::vector<std::unique_ptr<ToolPort>> robots;
+  std::vector<std::unique_ptr<Router>> routers;
+  std::vector<std::string> opened;
+  for (const std::string teams : {"AA", "A", "B", ""}) {
+    RouterOptions options;
+    options.listenKeys = *loadKeys(folder.file("keys/robot.key"));
+    options.connectKeys = *loadKeys(folder.file("keys/tool.key"));
+    for (const char team : teams) {
+      const std::string name = "robot" + std::to_string(robots.size());
+      robots.push_back(*ToolPort::open(network, folder.endpoint(name)));
+      options.robots.push_back({name, folder.endpoint(name), "", {team}});
+    }
+    options.routers = "tcp://127.0.0.1:0";
+    options.others = opened;
+    auto router = Router::open(options);
+    ASSERT_TRUE(router) << router.error().text();
+    opened.push_back((*router)->endpointOfRouters());
+    routers.push_back(std::move(*router));
+  }
+  std::vector<MessageQueue> toRobots(robots.size());
+  const auto step = [&] {
+    for (std::size_t i = 0; i < robots.size(); ++i) robots[i]->update(toRobots[i]);
+    for (const auto& router : routers) router->step(0);
+  };
+  ASSERT_TRUE(eventually(
+      [&] {
+        return std::ranges::all_of(routers, [](const auto& r) { return r->routers() == 3; }) &&
+               std::ranges::all_of(robots, [](const auto& r) { return r->tools() == 1; });
+      },
+      step));
+  const auto heardOf = [&](std::size_t robot, std::size_t player) {
+    TeamMessages mates;
+    toRobots[robot].handleAllMessages([&](const Message& m) {
+      if (!m.is<TeamMessages>()) return;
+      EXPECT_TRUE(m.read(mates));
+    });
+    return mates.byPlayer[player].message.timeSent;
+  };
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    TeamMessage message;
+    message.playerNumber = static_cast<int>(i) + 1;
+    message.timeSent = Time{100 + static_cast<std::int64_t>(i)};
+    MessageQueue queue;
+    queue.write(Time{100}, message);
+    robots[i]->send(queue);
+  }
+  EXPECT_TRUE(eventually(
+      [&] {
+        return heardOf(0, 1) == Time{101} && heardOf(0, 2) == Time{102} &&
+               heardOf(1, 0) == Time{100} && heardOf(1, 2) == Time{102} &&
+               heardOf(2, 0) == Time{100} && heardOf(2, 1) == Time{101};
+      },
+      step));
+  for (int i = 0; i < 100; ++i) step();
+  EXPECT_EQ(heardOf(0, 3), never()) << "of the other team";
+  for (const std::size_t player : {0, 1, 2}) EXPECT_EQ(heardOf(3, player), never());
+  EXPECT_EQ(heardOf(3, 3), never()) << "not its own";
+}
+
+TEST(Routers, LetInOnlyWhoHoldsTheKey) {
+  const TestFolder folder;
+  ASSERT_TRUE(makeKeys(folder.file("ours")));
+  ASSERT_TRUE(makeKeys(folder.file("theirs")));
+  RouterOptions options;
+  options.routers = "tcp://127.0.0.1:0";
+  options.listenKeys = *loadKeys(folder.file("ours/robot.key"));
+  const auto router = *Router::open(options);
+  RouterOptions joining;
+  joining.others = {router->endpointOfRouters()};
+  const auto without = *Router::open(joining);
+  joining.connectKeys = *loadKeys(folder.file("theirs/tool.key"));
+  const auto stranger = *Router::open(joining);
+  joining.connectKeys = *loadKeys(folder.file("ours/tool.key"));
+  const auto friendly = *Router::open(joining);
+  const auto step = [&] {
+    for (Router* each : {router.get(), without.get(), stranger.get(), friendly.get()})
+      each->step(0);
+  };
+  ASSERT_TRUE(eventually([&] { return friendly->routers() == 1; }, step));
+  for (int i = 0; i < 300; ++i) step();
+  EXPECT_EQ(router->routers(), 1u);
+  EXPECT_EQ(stranger->routers() + without->routers(), 0u);
+}
+
 TEST(RouterOptions, OtherMachinesNeedKeys) {
   RouterOptions options;
   options.all = "tcp://0.0.0.0:0";
+  EXPECT_FALSE(Router::open(options));
+  options.all.clear();
+  options.routers = "tcp://0.0.0.0:0";
   EXPECT_FALSE(Router::open(options));
 }
 

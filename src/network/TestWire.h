@@ -19,10 +19,14 @@ class TestFolder {
   TemporaryFolder folder_;
 };
 
-/// An endpoint of the loopback device on which nobody listens.
-inline std::string freeTcpEndpoint() {
+/// A port of the loopback device on which nobody listens.
+inline int freePort() {
   Network network;
-  return (*network.listen("tcp://127.0.0.1:*"))->endpoint();
+  const std::string endpoint = (*network.listen("tcp://127.0.0.1:*"))->endpoint();
+  return std::stoi(endpoint.substr(endpoint.rfind(':') + 1));
+}
+inline std::string freeTcpEndpoint() {
+  return "tcp://127.0.0.1:" + std::to_string(freePort());
 }
 
 struct NumberPackage {

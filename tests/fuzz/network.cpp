@@ -5,7 +5,7 @@
 #include "framework/Requests.h"
 #include "network/Frame.h"
 #include "network/Keys.h"
-#include "network/Router.h"
+#include "network/RobotList.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/infrastructure/SensorData.h"
 
@@ -46,6 +46,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       words.emplace_back();
     else
       words.back() += c;
-  if (words.size() < 100) (void)!gt::parseRobots(words, "127.0.0.1", 15000);
+  if (words.size() < 100) (void)!gt::RobotList::parse(words, {});
   return 0;
 }

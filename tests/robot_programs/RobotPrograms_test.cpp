@@ -1,7 +1,4 @@
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,13 +10,14 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 #include <zmq.hpp>
 
+#include "base/ChildProgram.h"
 #include "framework/Requests.h"
 #include "match/Match.h"
 #include "modules/behavior/BehaviorRequest.h"
+#include "network/TestWire.h"
 #include "network/ToolPort.h"
 #include "representations/behavior/BehaviorState.h"
 #include "streams/Mcap.h"
@@ -29,58 +27,7 @@ namespace gt {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A program that ends with the test, however that ends.
-class Child {
- public:
-  explicit Child(std::vector<std::string> command) : command_{std::move(command)} { start(); }
-  ~Child() { kill(); }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  void start() {
-    const pid_t parent = getpid();
-    pid_ = fork();
-    if (pid_ != 0) return;
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(1);
-    std::vector<char*> arguments;
-    for (std::string& argument : command_) arguments.push_back(argument.data());
-    arguments.push_back(nullptr);
-    execv(arguments[0], arguments.data());
-    _exit(127);
-  }
-  bool runs() {
-    if (pid_ > 0 && waitpid(pid_, nullptr, WNOHANG) != 0) pid_ = -1;
-    return pid_ > 0;
-  }
-  void kill(int signal = SIGKILL) {
-    if (pid_ <= 0) return;
-    ::kill(pid_, signal);
-    waitpid(pid_, &status_, 0);
-    pid_ = -1;
-  }
-  int status() const { return status_; }
-  /// What it has of the memory, in MB.
-  double memory() const {
-    std::ifstream file{"/proc/" + std::to_string(pid_) + "/statm"};
-    double pages = 0, resident = 0;
-    file >> pages >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-  }
-
- private:
-  std::vector<std::string> command_;
-  pid_t pid_ = -1;
-  int status_ = 0;
-};
-
-/// A port of this machine on which nobody listens.
-std::string freePort() {
-  Network network;
-  const std::string endpoint = (*network.listen("tcp://127.0.0.1:*"))->endpoint();
-  return endpoint.substr(endpoint.rfind(':') + 1);
-}
+using testing::freePort;
 
 /// Tools that do a port all the harm they can, until they go: one that reads what the robot sends
 /// and floods it, one that asks and never reads, and one that sends garbage.
@@ -148,6 +95,7 @@ class BadTools {
 class RobotProgramsTest : public ::testing::Test {
  protected:
   explicit RobotProgramsTest(const std::string& endpoint = "", const Keys* keys = nullptr) {
+    setenv("XDG_STATE_HOME", folder.c_str(), 1);  // what a router keeps is gone with the test
     MatchOptions options;
     options.remote = {{"red3", endpoint}};
     options.sockets = folder;
@@ -157,7 +105,7 @@ class RobotProgramsTest : public ::testing::Test {
     match = std::move(*made);
     if (keys) return;
     for (const char* process : {"cognition", "motion", "debug"})
-      processes.push_back(std::make_unique<Child>(command(process, folder)));
+      processes.push_back(std::make_unique<ChildProgram>(command(process, folder)));
   }
   ~RobotProgramsTest() override { processes.clear(); }
 
@@ -209,11 +157,11 @@ class RobotProgramsTest : public ::testing::Test {
     });
   }
   /// Bad tools at an endpoint harm neither the robot nor its team mates nor a good tool there.
-  void expectNoHarm(const std::string& endpoint, const std::vector<const Child*>& watched) {
+  void expectNoHarm(const std::string& endpoint, const std::vector<const ChildProgram*>& watched) {
     ASSERT_TRUE(playUntil([&] { return joined(); }));
     ASSERT_TRUE(answers(endpoint));
     std::vector<double> memory;
-    for (const Child* child : watched) memory.push_back(child->memory());
+    for (const ChildProgram* child : watched) memory.push_back(child->memory());
     const auto heardOfIt = [&] {
       return match->simulation().input(3).team.byPlayer[2].timeReceived;
     };
@@ -244,7 +192,7 @@ class RobotProgramsTest : public ::testing::Test {
   const std::string folder = temporary.path().string();
   const std::string tools = "ipc://" + folder + "/red3.Tools";
   std::unique_ptr<Match> match;
-  std::vector<std::unique_ptr<Child>> processes;
+  std::vector<std::unique_ptr<ChildProgram>> processes;
 };
 
 TEST_F(RobotProgramsTest, ARobotOfThreeProgramsPlaysInTheTeam) {
@@ -379,7 +327,7 @@ struct OtherMachineSetup {
   const std::string keys = keyFolder.path().string();
   Keys listening;
   const OtherMachine other;
-  const std::string endpoint = "tcp://" + other.address() + ":" + freePort();
+  const std::string endpoint = "tcp://" + other.address() + ":" + std::to_string(freePort());
 };
 
 class OtherMachineTest : private OtherMachineSetup, public RobotProgramsTest {
@@ -392,7 +340,7 @@ class OtherMachineTest : private OtherMachineSetup, public RobotProgramsTest {
       auto words = command(process, folder + "/there");
       words.insert(words.end(), {"--at", "Platform=" + endpoint, "--connect-keys",
                                  keys + "/" + key + "/tool.key"});
-      processes.push_back(std::make_unique<Child>(other.there(words)));
+      processes.push_back(std::make_unique<ChildProgram>(other.there(words)));
     }
   }
 };
@@ -416,63 +364,20 @@ TEST_F(RobotProgramsTest, AToolReachesTheProcesses) {
 }
 
 TEST_F(RobotProgramsTest, BadToolsHarmNoRobot) {
-  const std::string endpoint = "tcp://127.0.0.1:" + freePort();
+  const std::string endpoint = testing::freeTcpEndpoint();
   std::vector<std::string> debug = command("debug", folder);
   debug.insert(debug.end(), {"--tools", endpoint});
-  processes[2] = std::make_unique<Child>(debug);
+  processes[2] = std::make_unique<ChildProgram>(debug);
   expectNoHarm(endpoint, {processes[0].get(), processes[1].get(), processes[2].get()});
 }
 
 TEST_F(RobotProgramsTest, BadToolsAtTheRouterHarmNoRobot) {
-  const std::string port = freePort();
+  const int port = freePort();
   // Tools of a robot with a name connect to the router's port + 301.
-  Child router{
-      {GT_PROGRAMS "/router", "red3=" + tools, "--port", std::to_string(std::stoi(port) - 301)}};
-  expectNoHarm("tcp://127.0.0.1:" + port, {processes[2].get(), &router});
+  ChildProgram router{
+      {GT_PROGRAMS "/router", "red3=" + tools, "--port", std::to_string(port - 301)}};
+  expectNoHarm("tcp://127.0.0.1:" + std::to_string(port), {processes[2].get(), &router});
   EXPECT_TRUE(router.runs());
-}
-
-/// What a program says when it ends with status 2; empty if it does not.
-std::string refusal(const std::string& command) {
-  FILE* program =
-      popen(("timeout 10 " GT_PROGRAMS "/" + command + " 2>&1 >/dev/null").c_str(), "r");
-  std::string text;
-  for (int c = std::fgetc(program); c != EOF; c = std::fgetc(program)) text += static_cast<char>(c);
-  const int status = pclose(program);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 2 ? text : "";
-}
-
-TEST(NetworkPrograms, RefuseWrongUseInOneLine) {
-  Network network;
-  const std::string taken = (*network.listen("tcp://127.0.0.1:*"))->endpoint();
-  const int port = std::stoi(taken.substr(taken.rfind(':') + 1));
-  const TemporaryFolder temporary;
-  const std::string folder = temporary.path().string();
-  const std::string motion =
-      "gtrobot-motion --sockets " + folder + " --crashes " + folder + "/crashes --robot red3 ";
-  const std::string router = "router red3=ipc://" + folder + "/red3.Tools ";
-  for (const auto& [command, line] : std::vector<std::pair<std::string, std::string>>{
-           {"router", "router: robots: there is none"},
-           {"router red3=", "router: red3=: is no robot"},
-           {"router 10.0.1.300", "router: 10.0.1.300: is no robot"},
-           {"router red3=nowhere", "router: network: nowhere: "},
-           {"router a=ipc:///x a=ipc:///y", "router: a: has the name or number of another"},
-           {router + "--listen 0.0.0.0", "router: network: tcp://0.0.0.0:15301: can be reached"},
-           {router + "--keys nokey", "router: nokey: there is no such file"},
-           {router + "--keys LICENSE", "router: LICENSE"},
-           {router + "--port " + std::to_string(port - 301), "router: network: " + taken},
-           {motion + "--at Motion", "gtrobot Motion: Motion: expected PROCESS=ENDPOINT"},
-           {motion + "--at Motion=there", "gtrobot Motion: network: there: is no endpoint"},
-           {motion + "--at Nobody=tcp://127.0.0.1:3", "gtrobot Motion: layouts/cmd.layout: Nobody"},
-           {motion + "--at Motion=tcp://0.0.0.0:5001", "gtrobot Motion: network: tcp://0.0.0.0"},
-           {motion + "--at Motion=" + taken, "gtrobot Motion: network: " + taken},
-           {motion + "--keys nokey", "gtrobot Motion: nokey: there is no such file"},
-           {motion + "--layout nolayout", "gtrobot Motion: nolayout: there is no such file"},
-       }) {
-    const std::string text = refusal(command);
-    EXPECT_EQ(text.substr(0, line.size()), line) << command;
-    EXPECT_EQ(std::ranges::count(text, '\n'), 1) << command << "\n" << text;
-  }
 }
 
 /// Kills each process at random moments; GT_KILLS says how often (3).

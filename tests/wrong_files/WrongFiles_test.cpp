@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/Random.h"
+#include "network/Network.h"
 #include "robot/logs/TestLog.h"
 #include "streams/File.h"
 
@@ -56,8 +57,9 @@ class Workplace {
   /// Runs a program in there; names of files in what it says are relative to it.
   Outcome run(const std::string& arguments) const {
     const std::string log = (root_ / "errors").string();
+    const std::string place = "cd " + root_.string() + " && XDG_STATE_HOME=" + root_.string();
     const int raw = std::system(
-        ("cd " + root_.string() + " && " + GT_PROGRAMS "/" + arguments + " >/dev/null 2>" + log)
+        (place + "/state timeout 60 " + GT_PROGRAMS "/" + arguments + " >/dev/null 2>" + log)
             .c_str());
     return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, *readFile(log)};
   }
@@ -321,6 +323,60 @@ TEST(Programs, ReplayWithoutTheRealLogIsNoError) {
   const Outcome outcome = workplace.run("replay");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, "");
+}
+
+TEST(Programs, OfTheNetworkRefuseWrongUse) {
+  const Workplace workplace;
+  Network network;
+  const std::string taken = (*network.listen("tcp://127.0.0.1:*"))->endpoint();
+  const int port = std::stoi(taken.substr(taken.rfind(':') + 1));
+  fs::create_directories(workplace.root() / "private");
+  fs::permissions(workplace.root() / "private", fs::perms::owner_all);
+  const std::string motion = "gtrobot-motion --sockets private --crashes crashes --robot red3 ";
+  const std::string router = "router red3=ipc://private/red3.Tools ";
+  for (const auto& [command, line] : std::vector<std::pair<std::string, std::string>>{
+           {"router", "router: robots: there is none"},
+           {"router --gm", "router: robots: there is none"},
+           {"router red3=", "router: red3=: is no robot"},
+           {"router 10.0.1.300", "router: 10.0.1.300: is no robot"},
+           {"router red3=nowhere", "router: network: nowhere: "},
+           {"router a=ipc:///x a=ipc:///y", "router: a: has the name or number of another"},
+           {router + "--listen 0.0.0.0", "router: network: tcp://0.0.0.0:15301: can be reached"},
+           {router + "--release --routers --listen 0.0.0.0",
+            "router: network: tcp://0.0.0.0:15299: can be reached"},
+           {router + "--release --join there", "router: network: there: "},
+           {router + "--keys nokey", "router: nokey: there is no such file"},
+           {router + "--keys config/log.cfg", "router: config/log.cfg"},
+           {router + "--port " + std::to_string(port - 301), "router: network: " + taken},
+           {motion + "--at Motion", "gtrobot Motion: Motion: expected PROCESS=ENDPOINT"},
+           {motion + "--at Motion=there", "gtrobot Motion: network: there: is no endpoint"},
+           {motion + "--at Nobody=tcp://127.0.0.1:3", "gtrobot Motion: layouts/cmd.layout: Nobody"},
+           {motion + "--at Motion=tcp://0.0.0.0:5001", "gtrobot Motion: network: tcp://0.0.0.0"},
+           {motion + "--at Motion=" + taken, "gtrobot Motion: network: " + taken},
+           {motion + "--keys nokey", "gtrobot Motion: nokey: there is no such file"},
+           {motion + "--layout nolayout", "gtrobot Motion: nolayout: there is no such file"},
+       }) {
+    const Outcome outcome = workplace.run(command);
+    EXPECT_EQ(outcome.status, 2) << command;
+    EXPECT_THAT(outcome.errors, StartsWith(line)) << command;
+    EXPECT_EQ(messages(outcome.errors), 1) << command << "\n" << outcome.errors;
+  }
+}
+
+TEST(Programs, TheRouterRefusesAWrongLastTime) {
+  const Workplace workplace;
+  fs::create_directories(workplace.root() / "state/gt2003");
+  for (const auto& [text, line] : std::vector<std::pair<std::string, std::string>>{
+           {"garbage\n", "router.cfg:1: garbage"},
+           {"robots red3=\n", "router: red3=: is no robot"},
+           {"port 70000\n", "router.cfg:1: port"},
+           {"", "router: robots: there is none"}}) {
+    workplace.write("state/gt2003/router.cfg", text);
+    const Outcome outcome = workplace.run("router");
+    EXPECT_EQ(outcome.status, 2) << text;
+    EXPECT_THAT(outcome.errors, HasSubstr(line)) << text;
+    EXPECT_EQ(messages(outcome.errors), 1) << outcome.errors;
+  }
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "network/Keys.h"
 #include "robot/Processes.h"
-#include "robot/linux/RobotAddresses.h"
+#include "network/RobotAddresses.h"
 
 namespace gt {
 

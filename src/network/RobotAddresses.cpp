@@ -1,4 +1,4 @@
-#include "robot/linux/RobotAddresses.h"
+#include "network/RobotAddresses.h"
 
 #include <sys/stat.h>
 #include <unistd.h>

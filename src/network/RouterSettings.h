@@ -1,0 +1,63 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "network/RobotList.h"
+
+namespace gt {
+
+/// What the router's command line tells, and what is kept of it for the next start.
+struct RouterSettings {
+  std::vector<std::string> robots;
+  std::string sockets;
+  std::string listen = "127.0.0.1";
+  int port = 15000;
+  bool release = false;
+  bool gameManager = false;
+  bool noTeams = false;
+  std::string team;
+  bool routers = false;
+  std::vector<std::string> join;
+  std::string keys;
+  std::string connectKeys;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("robots", &RouterSettings::robots, "", "as on the command line (report 5.3)"),
+        field("sockets", &RouterSettings::sockets, "", "folder of the robots of this machine"),
+        field("listen", &RouterSettings::listen, "", "address on which tools connect"),
+        field("port", &RouterSettings::port, "", "of robots", {1, 65000}),
+        field("release", &RouterSettings::release, "", "only team messages"),
+        field("gameManager", &RouterSettings::gameManager, "", "a port for tools of all robots"),
+        field("noTeams", &RouterSettings::noTeams, "", "no team messages"),
+        field("team", &RouterSettings::team, "", "of all robots; empty: as they are named"),
+        field("routers", &RouterSettings::routers, "", "a port for other routers"),
+        field("join", &RouterSettings::join, "", "endpoints of other routers"),
+        field("keys", &RouterSettings::keys, "", "key file for listening"),
+        field("connectKeys", &RouterSettings::connectKeys, "", "key file for connecting")};
+  }
+
+  RobotList::Places places() const { return {listen, port, sockets}; }
+  /// Where the router listens for tools of all robots, and for other routers.
+  std::string endpoint(int number) const {
+    return "tcp://" + listen + ":" + std::to_string(port + number);
+  }
+  /// A robot of the list as these settings want it.
+  RoutedRobot wanted(RoutedRobot robot) const;
+};
+static_assert(complete<RouterSettings>);
+
+/// Above the router's port: the ports for other routers, and for tools of all robots.
+constexpr int routersPort = 299;
+constexpr int allRobotsPort = 300;
+
+/// What the router shall do, but for its robots; reads the key files.
+Result<RouterOptions> routerOptions(const RouterSettings& settings);
+
+/// The file with the settings of the last start, in the folder for a user's state of programs
+/// ($XDG_STATE_HOME, or ~/.local/state); empty if the user has none.
+std::string lastSettingsFile();
+/// Keeps settings for the next start; makes the folder.
+Result<void> keepSettings(const RouterSettings& settings, const std::string& file);
+
+}  // namespace gt
