@@ -49,6 +49,7 @@ class RouterProgramsTest : public ::testing::Test {
           return true;
         },
         [&] {
+          network.wait(0);  // answers who may connect
           for (std::size_t i = 0; i < robots.size(); ++i) tell(i);
         },
         10'000);
