@@ -216,9 +216,9 @@ Result<void> measureLocalization(Figures& figures, const ExperimentOptions& opti
 
   // What each departure from the report's text gains.
   MonteCarlo::Parameters literal;
-  literal.randomReplacement = 1;
+  literal.templates.randomReplacement = 1;
   walking<MonteCarlo>(figures, name + ".allRandom", literal, {}, minutes, seeds);
-  literal.newProbability = 0.5;
+  literal.templates.newProbability = 0.5;
   walking<MonteCarlo>(figures, name + ".literal", literal, {}, minutes, seeds);
   relocalizing<MonteCarlo>(figures, name + ".literal", literal, seeds);
   return {};

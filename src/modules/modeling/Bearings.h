@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/Geometry.h"
+#include "modules/modeling/FastMath.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/perception/LandmarksPercept.h"
@@ -38,32 +39,30 @@ inline Vector2d positionOfPost(GoalColor color, bool left, TeamColor team,
 /// All edges that do not lie on the picture's border.
 Bearings bearingsIn(const LandmarksPercept& percept, TeamColor team, const FieldDimensions& field);
 
-/// atan2 by a polynomial, 1e-5 rad exact: the similarity (3.11) needs no more.
-inline double fastAtan2(double y, double x) {
-  const double ax = std::abs(x), ay = std::abs(y);
-  const double larger = ax > ay ? ax : ay, smaller = ax > ay ? ay : ax;
-  if (larger == 0) return 0;
-  const double z = smaller / larger, z2 = z * z;
-  double a =
-      z * (0.9998660 + z2 * (-0.3302995 + z2 * (0.1801410 + z2 * (-0.0851330 + z2 * 0.0208351))));
-  a = ay > ax ? pi / 2 - a : a;
-  a = x < 0 ? pi - a : a;
-  return y < 0 ? -a : a;
-}
+/// A bearing as a loop over samples needs it.
+struct BearingTerms {
+  float landmarkX, landmarkY, radius, directionX, directionY;
 
-/// How far the measured bearing lies beside the one expected from a camera at `camera` on the
-/// field, carried by a robot that looks along the unit vector `heading`; in [-pi, pi] (report
-/// (3.10)).
-inline double deviation(const Bearing& bearing, const Vector2d& camera, const Vector2d& heading) {
-  const double vx = bearing.landmark.x() - camera.x(), vy = bearing.landmark.y() - camera.y();
-  const double wx = heading.x() * vx + heading.y() * vy, wy = heading.x() * vy - heading.y() * vx;
-  // asin(radius / distance) turns the flag's axis to its edge; as sine and cosine, both times the
-  // distance.
-  const double r = bearing.radius, squared = wx * wx + wy * wy - r * r;
-  const double k = std::sqrt(squared > 0 ? squared : 0);
-  const double ex = k * wx - r * wy, ey = k * wy + r * wx;
-  const Vector2d& m = bearing.direction;
-  return fastAtan2(ex * m.y() - ey * m.x(), ex * m.x() + ey * m.y());
-}
+  explicit BearingTerms(const Bearing& bearing)
+      : landmarkX{static_cast<float>(bearing.landmark.x())},
+        landmarkY{static_cast<float>(bearing.landmark.y())},
+        radius{static_cast<float>(bearing.radius)},
+        directionX{static_cast<float>(bearing.direction.x())},
+        directionY{static_cast<float>(bearing.direction.y())} {}
+
+  /// How far the measured bearing lies beside the one expected from a camera at (x, y) on the
+  /// field, carried by a robot whose rotation has that cosine and sine; in [-pi, pi] (report
+  /// (3.10)).
+  float deviation(float x, float y, float cosine, float sine) const {
+    const float vx = landmarkX - x, vy = landmarkY - y;
+    const float wx = cosine * vx + sine * vy, wy = cosine * vy - sine * vx;
+    // asin(radius / distance) turns the flag's axis to its edge; as sine and cosine, both times the
+    // distance.
+    const float squared = wx * wx + wy * wy - radius * radius;
+    const float k = std::sqrt(squared > 0 ? squared : 0);
+    const float ex = k * wx - radius * wy, ey = k * wy + radius * wx;
+    return fastAtan2(ex * directionY - ey * directionX, ex * directionX + ey * directionY);
+  }
+};
 
 }  // namespace gt

@@ -7,14 +7,19 @@
 namespace gt {
 namespace {
 
-TEST(Bearings, FastAtan2IsExactEnough) {
+TEST(Bearings, FastFunctionsAreExactEnough) {
   Random random{1};
   for (int i = 0; i < 100000; ++i) {
-    const double x = random.symmetric(), y = random.symmetric();
+    const auto x = static_cast<float>(random.symmetric());
+    const auto y = static_cast<float>(random.symmetric());
     EXPECT_NEAR(fastAtan2(y, x), std::atan2(y, x), 2e-5) << y << ' ' << x;
+    const auto exponent = static_cast<float>(-60 * random.uniform());
+    EXPECT_NEAR(fastExp(exponent) / std::exp(exponent), 1, 1e-5) << exponent;
   }
   EXPECT_EQ(fastAtan2(0, 0), 0);
-  EXPECT_NEAR(std::abs(fastAtan2(0, -1)), pi, 1e-9);
+  EXPECT_NEAR(std::abs(fastAtan2(0, -1)), pi, 1e-6);
+  EXPECT_EQ(fastExp(0), 1);
+  EXPECT_LT(fastExp(-1e30f), 1e-30f);
 }
 
 TEST(Bearings, DeviationFollowsTheFormulaOfTheReport) {
@@ -30,7 +35,10 @@ TEST(Bearings, DeviationFollowsTheFormulaOfTheReport) {
     for (const double side : {1.0, 0.0, -1.0}) {
       const Bearing bearing{landmark, 50 * side, direction(measured)};
       const double expected = normalize(measured - (flag + side * edge));
-      const double actual = deviation(bearing, robot * offset, direction(robot.rotation));
+      const Vector2d camera = robot * offset, heading = direction(robot.rotation);
+      const double actual = BearingTerms{bearing}.deviation(
+          static_cast<float>(camera.x()), static_cast<float>(camera.y()),
+          static_cast<float>(heading.x()), static_cast<float>(heading.y()));
       EXPECT_NEAR(normalize(actual - expected), 0, 3e-5);
     }
   }

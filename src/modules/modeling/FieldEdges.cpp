@@ -1,6 +1,7 @@
 #include "modules/modeling/FieldEdges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gt {
@@ -8,17 +9,16 @@ namespace gt {
 FieldEdges::FieldEdges(const FieldDimensions& f, TeamColor team)
     : circleRadius_(f.centerCircleRadius) {
   const Vector2d half{0, f.ySideline};
+  const EdgeType border = f.wallHeight > 0 ? EdgeType::border : EdgeType::line;
   segments_[EdgeType::line].push_back({half, -half});
   addMirrored(EdgeType::line, {f.xPenaltyArea, f.yPenaltyArea}, {f.xPenaltyArea, -f.yPenaltyArea});
   for (const double side : {-1, 1}) {
     addMirrored(EdgeType::line, {f.xPenaltyArea, side * f.yPenaltyArea},
                 {f.xGroundline, side * f.yPenaltyArea});
-    addMirrored(EdgeType::border, {f.xGroundline, side * f.yGoal},
-                {f.xGroundline, side * f.ySideCorner});
-    addMirrored(EdgeType::border, {f.xGroundline, side * f.ySideCorner},
-                {f.xSideCorner, side * f.ySideline});
+    addMirrored(border, {f.xGroundline, side * f.yGoal}, {f.xGroundline, side * f.ySideCorner});
+    addMirrored(border, {f.xGroundline, side * f.ySideCorner}, {f.xSideCorner, side * f.ySideline});
     const Vector2d corner{f.xSideCorner, side * f.ySideline};
-    segments_[EdgeType::border].push_back({corner, {-corner.x(), corner.y()}});
+    segments_[border].push_back({corner, {-corner.x(), corner.y()}});
   }
   addMirrored(EdgeType::line, {f.xGroundline, f.yGoal}, {f.xGroundline, -f.yGoal});
   for (const EdgeType type : {EdgeType::yellowGoal, EdgeType::skyblueGoal}) {
@@ -52,6 +52,27 @@ Vector2d FieldEdges::closest(EdgeType type, const Vector2d& point) const {
   if (type == EdgeType::line && point.squaredNorm() > 0)
     consider(circleRadius_ * point.normalized());
   return best;
+}
+
+void FieldEdges::crossings(EdgeType type, const Vector2d& from, const Vector2d& ray,
+                           std::vector<double>& distances) const {
+  const auto cross = [](const Vector2d& a, const Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  for (const Segment& s : segments_[type]) {
+    const Vector2d way = s.to - s.from, toSegment = s.from - from;
+    const double slope = cross(ray, way);
+    if (std::abs(slope) < 1e-9) continue;  // parallel: seen lengthwise
+    const double distance = cross(toSegment, way) / slope;
+    const double along = cross(toSegment, ray) / slope;
+    if (distance > 0 && along >= 0 && along <= 1) distances.push_back(distance);
+  }
+  if (type != EdgeType::line) return;
+  const double middle = -from.dot(ray);
+  const double squared = circleRadius_ * circleRadius_ - (from.squaredNorm() - middle * middle);
+  if (squared <= 0) return;
+  for (const double distance : {middle - std::sqrt(squared), middle + std::sqrt(squared)})
+    if (distance > 0) distances.push_back(distance);
 }
 
 }  // namespace gt

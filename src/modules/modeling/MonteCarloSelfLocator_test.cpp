@@ -92,31 +92,29 @@ TEST(MonteCarloSelfLocator, APictureIsUsedOnce) {
   do robot.step();
   while (robot.percept.numberOfFlags == 0);
   bench(robot);
-  std::vector<double> probabilities;
-  for (const Sample& sample : bench.locator.samples()) probabilities.push_back(sample.probability);
+  const std::vector<float> probabilities = bench.locator.samples().probability;
   bench(robot);
-  for (std::size_t i = 0; i < probabilities.size(); ++i)
-    EXPECT_EQ(bench.locator.samples()[i].probability, probabilities[i]);
+  EXPECT_EQ(bench.locator.samples().probability, probabilities);
 }
 
 TEST(MonteCarloSelfLocator, ProbabilitiesChangeByBoundedSteps) {
   SyntheticRobot robot{5};
   Bench bench{5};
-  bench.locator.parameters.replacement = 0;  // Else new samples would blur the picture.
+  bench.locator.parameters.templates.replacement = 0;  // Else new samples would blur the picture.
   bench(robot);
   double low = 1, high = 0;
-  const double start = bench.locator.parameters.newProbability;
-  const double fall = bench.locator.parameters.fall;
+  const double start = bench.locator.parameters.templates.newProbability;
+  const double fall = bench.locator.parameters.landmarks.fall;
   for (int picture = 1; picture <= 10;) {
     robot.step();
     if (bearingsIn(robot.percept, robot.player.teamColor, robot.field).count == 0) continue;
     bench(robot);
-    for (const Sample& sample : bench.locator.samples()) {
-      low = std::min(low, sample.probability);
-      high = std::max(high, sample.probability);
+    for (const double probability : bench.locator.samples().probability) {
+      low = std::min(low, probability);
+      high = std::max(high, probability);
     }
-    EXPECT_GE(low, start - fall * picture - 1e-9);  // (3.13)
-    EXPECT_LE(high, 1);
+    EXPECT_GE(low, start - fall * picture - 1e-6);  // (3.13)
+    EXPECT_LE(high, 1 + 1e-6);
     ++picture;
   }
   EXPECT_LT(low, start - 2 * fall);

@@ -164,4 +164,21 @@ void PoseTemplates::add(const Pose2D& camera) {
     poses_[static_cast<std::size_t>(count_++)] = robot;
 }
 
+void replaceByTemplates(const TemplateReplacement& parameters, PoseTemplates& templates,
+                        const RobotPose* candidate, const FieldDimensions& field,
+                        SampleSet& samples, Random& random) {
+  EnumArray<Evidence, float> with = samples.meanEvidence();
+  with[Evidence::landmarks] = static_cast<float>(parameters.newProbability);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double evidence = samples.evidence[Evidence::landmarks][i];
+    if (!random.chance(parameters.replacement * (1 - evidence))) continue;
+    if (candidate && random.chance(candidate->validity))
+      samples.replace(i, candidate->pose, with);
+    else if (const auto pose = templates.take(random))
+      samples.replace(i, *pose, with);
+    else if (random.chance(parameters.randomReplacement))
+      samples.replace(i, randomPose(field, random), with);
+  }
+}
+
 }  // namespace gt

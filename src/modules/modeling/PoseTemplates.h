@@ -5,6 +5,8 @@
 #include "base/Geometry.h"
 #include "base/Random.h"
 #include "modules/modeling/Bearings.h"
+#include "modules/modeling/SampleSet.h"
+#include "representations/modeling/RobotPose.h"
 #include "representations/perception/LandmarksPercept.h"
 
 namespace gt {
@@ -54,5 +56,30 @@ class PoseTemplates {
   std::array<Pose2D, 96> poses_;
   int count_ = 0;
 };
+
+/// How templates replace improbable samples (report 3.3.2.3).
+struct TemplateReplacement {
+  double replacement = 1;
+  double randomReplacement = 0.02;
+  double newProbability = 0.9;
+
+  static constexpr auto fields() {
+    using T = TemplateReplacement;
+    return Fields{
+        field("replacement", &T::replacement, "",
+              "how often an improbable sample makes room for a template", {0, 1}),
+        field("randomReplacement", &T::randomReplacement, "",
+              "how often a sample that no template replaces becomes a random one", {0, 1}),
+        field("newProbability", &T::newProbability, "", "of a template or random sample", {0, 1})};
+  }
+};
+static_assert(complete<TemplateReplacement>);
+
+/// Replaces each sample, with the probability that the landmarks speak against it, by the candidate
+/// if there is one (as often as that is valid), by a template, or by a random pose. Other evidence
+/// than the landmarks' is the average's then.
+void replaceByTemplates(const TemplateReplacement& parameters, PoseTemplates& templates,
+                        const RobotPose* candidate, const FieldDimensions& field,
+                        SampleSet& samples, Random& random);
 
 }  // namespace gt

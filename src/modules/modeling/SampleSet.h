@@ -1,27 +1,53 @@
 #pragma once
+#include <cstdint>
+#include <initializer_list>
 #include <vector>
 
+#include "base/Enum.h"
 #include "base/Geometry.h"
 #include "base/Random.h"
 #include "representations/infrastructure/FieldDimensions.h"
+#include "streams/Reflection.h"
 
 namespace gt {
 
-/// One hypothesis of where the robot is (report (3.7)).
-struct Sample {
-  Vector2d position = Vector2d::Zero();  ///< In mm on the field.
-  Vector2d heading{1, 0};                ///< Unit vector: the rotation without its trigonometry.
-  double probability = 0;                ///< Filtered, report (3.13).
+/// What is observed apart from each other: each kind has a filtered probability of its own, so that
+/// what is seen often does not outvote what is seen rarely (report 3.3.3.1).
+enum class Evidence { landmarks, lines, border, goals };
 
-  static Sample at(const Pose2D& pose, double probability) {
-    return {pose.translation, direction(pose.rotation), probability};
+/// How far a step may lead elsewhere than the odometry says (report (3.8)), and how far improbable
+/// samples are moved in search of a better place (3.14).
+struct MotionModel {
+  double forwardError = 0.1;
+  double sidewardError = 0.02;
+  double turnErrorByDistance = 0.002;
+  double turnErrorByAngle = 0.2;
+  double searchDistance = 100;
+  double searchAngle = 0.5;
+
+  static constexpr auto fields() {
+    using M = MotionModel;
+    return Fields{
+        field("forwardError", &M::forwardError, "", "of the distance walked, (3.8)", {0, 1}),
+        field("sidewardError", &M::sidewardError, "", "of the distance walked, (3.8)", {0, 1}),
+        field("turnErrorByDistance", &M::turnErrorByDistance, "rad/mm", "(3.8)", {0, 0.1}),
+        field("turnErrorByAngle", &M::turnErrorByAngle, "", "of the angle turned, (3.8)", {0, 1}),
+        field("searchDistance", &M::searchDistance, "mm", "of the random search, (3.14)",
+              {0, 1000}),
+        field("searchAngle", &M::searchAngle, "rad", "of the random search, (3.14)", {0, 3})};
   }
-  /// A point given relative to the robot, on the field.
-  Vector2d operator*(const Vector2d& p) const {
-    return {position.x() + heading.x() * p.x() - heading.y() * p.y(),
-            position.y() + heading.y() * p.x() + heading.x() * p.y()};
+};
+static_assert(complete<MotionModel>);
+
+/// How fast a filtered probability follows (report (3.13), (3.19)).
+struct ProbabilityFilter {
+  float rise, fall;
+
+  float operator()(float old, float now) const {
+    const float least = old - fall, most = old + rise;
+    const float notLess = now < least ? least : now;
+    return notLess > most ? most : notLess;
   }
-  void turn(double angle);
 };
 
 /// The average of the largest cluster, and how certain it is (report 3.3.2.4).
@@ -34,12 +60,52 @@ struct Cluster {
 /// A pose anywhere on the field.
 Pose2D randomPose(const FieldDimensions& field, Random& random);
 
-/// Copies samples so often as their probability demands (importance resampling, report 3.3.2.3).
-/// The number of samples stays; `buffer` is the memory for it.
-void resample(std::vector<Sample>& samples, std::vector<Sample>& buffer, Random& random);
+/// The hypotheses of where the robot is (report (3.7)), each with a probability. Single precision,
+/// and an array for each number, since a loop over all samples then computes several at once;
+/// instead of a rotation its cosine and sine, so that none has to be computed.
+class SampleSet {
+ public:
+  /// Samples with a filtered probability for each of these.
+  explicit SampleSet(std::initializer_list<Evidence> kinds) : kinds_{kinds} {}
 
-/// The samples in the fullest 2 x 2 x 2 of 10 x 10 x 10 cells over the field, averaged
-/// (report 3.3.2.4, (3.15), (3.16)).
-Cluster largestCluster(const std::vector<Sample>& samples, const FieldDimensions& field);
+  /// So many samples; new ones stand anywhere on the field. Allocates if the number changes.
+  void resize(std::size_t size, const FieldDimensions& field, double probability, Random& random);
+  std::size_t size() const { return x.size(); }
+
+  /// Moves all samples with the robot, by the odometry's step and an error of their own; if
+  /// `search`, improbable ones also search. Walls stop samples as they stop robots.
+  void move(const Pose2D& step, const MotionModel& model, bool search, const FieldDimensions& field,
+            Random& random);
+  /// The probability of each sample is the product of its evidence (3.20).
+  void multiplyEvidence();
+  /// Copies samples so often as their probability demands (importance resampling, 3.3.2.3).
+  void resample(Random& random);
+  /// Puts a sample elsewhere, with that evidence of each kind.
+  void replace(std::size_t i, const Pose2D& pose, const EnumArray<Evidence, float>& with);
+  /// The mean evidence of each kind over all samples; 1 of kinds that are not kept.
+  EnumArray<Evidence, float> meanEvidence() const;
+  /// The samples in the fullest 2 x 2 x 2 of 10 x 10 x 10 cells over the field, averaged
+  /// (report 3.3.2.4, (3.15), (3.16)).
+  Cluster largestCluster(const FieldDimensions& field);
+
+  Pose2D pose(std::size_t i) const;
+  const std::vector<Evidence>& kinds() const { return kinds_; }
+
+  std::vector<float> x, y;                           ///< In mm on the field.
+  std::vector<float> cosine, sine;                   ///< Of the rotation.
+  std::vector<float> probability;                    ///< Of the sample.
+  EnumArray<Evidence, std::vector<float>> evidence;  ///< Empty for kinds that are not kept.
+
+ private:
+  void drawNoise(std::size_t columns, Random& random);
+  void assignCells(const FieldDimensions& field);
+  template <typename Work>
+  void forEachColumn(Work&& work);
+
+  std::vector<Evidence> kinds_;
+  std::vector<float> noise_, buffer_;
+  std::vector<std::int32_t> source_;  ///< Of each sample, in resampling.
+  std::vector<std::int32_t> cellX_, cellY_, cellAngle_;
+};
 
 }  // namespace gt

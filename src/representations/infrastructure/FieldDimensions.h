@@ -28,6 +28,8 @@ struct FieldDimensions {
   double flagTop = 410;
   double ballRadius = 43;
 
+  bool operator==(const FieldDimensions&) const = default;
+
   static constexpr auto fields() {
     return Fields{field("xGroundline", &FieldDimensions::xGroundline, "mm",
                         "opponent's; the own one at -x", {1, 1e5}),

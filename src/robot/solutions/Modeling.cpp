@@ -1,7 +1,10 @@
 #include "modules/modeling/DefaultRobotStateDetector.h"
 #include "modules/modeling/DefaultTeamBallLocator.h"
 #include "modules/modeling/DefaultTeamMessageSender.h"
+#include "modules/modeling/Fusion2003SelfLocator.h"
 #include "modules/modeling/FusionSelfLocator.h"
+#include "modules/modeling/GT2003SelfLocator.h"
+#include "modules/modeling/LinesSelfLocator.h"
 #include "modules/modeling/MonteCarloSelfLocator.h"
 #include "modules/modeling/OracledLocators.h"
 #include "modules/modeling/PidSmoothedBallLocator.h"
@@ -14,6 +17,9 @@ namespace gt {
 void addModelingSolutions(SolutionTable& table) {
   table.add<SelfLocator, MonteCarloSelfLocator>("MonteCarlo");
   table.add<SelfLocator, FusionSelfLocator>("Fusion");
+  table.add<SelfLocator, Fusion2003SelfLocator>("Fusion2003");
+  table.add<SelfLocator, GT2003SelfLocator>("GT2003");
+  table.add<SelfLocator, LinesSelfLocator>("Lines");
   table.add<SelfLocator, SingleLandmarkSelfLocator>("SingleLandmark");
   table.add<SelfLocator, OracledSelfLocator>("Oracled");
   table.add<BallLocator, PidSmoothedBallLocator>("PIDSmoothed");

@@ -16,8 +16,16 @@ constexpr double dt = SyntheticRobot::picturePeriod / 1000.0;
 }  // namespace
 
 SyntheticRobot::SyntheticRobot(std::uint64_t seed, const SyntheticWorld& world)
-    : world_{world}, random_{seed}, moving_{world.walks} {
+    : world_{world},
+      random_{seed},
+      seeing_{random_.fork("edges")},
+      moving_{world.walks},
+      edges_{field, TeamColor::red} {
   player.teamColor = random_.chance(0.5) ? TeamColor::red : TeamColor::blue;
+  edges_ = FieldEdges{field, player.teamColor};
+  Random places = random_.fork("flags");
+  for (Vector2d& error : flagErrors_)
+    error = world.misplacedFlags * direction(pi * places.symmetric());
   pose = placeOnField();
   headPan_ = random_.uniform(-headLimit, headLimit);
   chooseGoal();
@@ -107,11 +115,19 @@ void SyntheticRobot::turnHead() {
 void SyntheticRobot::see() {
   percept = {};
   percept.time = time;
+  lines.time = time;
+  for (auto& points : lines.points) points.clear();
   percept.cameraOffset = {123 + 66.6 * std::cos(headPan_), 66.6 * std::sin(headPan_), 180};
   commonError_ = world_.commonNoise * random_.gaussian() +
                  (moving_ ? world_.sway * std::sin(seconds() * 2 * pi / 0.67) : 0);
-  for (int i = 0; i < 6; ++i) seeFlag(static_cast<FlagType>(i));
+  camera.time = time;
+  camera.valid = true;
+  camera.pose.translation = percept.cameraOffset;
+  if (seeing_.chance(world_.lostPictures)) return;
+  for (std::uint64_t i = world_.flags ? world_.missingFlags : 6; i < 6; ++i)
+    seeFlag(static_cast<FlagType>(i));
   for (int i = 0; i < 2; ++i) seeGoal(static_cast<GoalColor>(i));
+  seeEdges();
 }
 
 bool SyntheticRobot::cutToPicture(ConditionalBoundary& boundary) {
@@ -128,8 +144,9 @@ bool SyntheticRobot::cutToPicture(ConditionalBoundary& boundary) {
 }
 
 void SyntheticRobot::seeFlag(FlagType type) {
-  const Vector2d camera = pose * percept.cameraOffset.head<2>();
-  const Vector2d toFlag = positionOf(type, player.teamColor, field) - camera;
+  const Vector2d from = pose * percept.cameraOffset.head<2>();
+  const Vector2d toFlag = positionOf(type, player.teamColor, field) +
+                          flagErrors_[static_cast<std::size_t>(type)] - from;
   const double distance = toFlag.norm();
   if (distance > world_.range || distance < 2 * field.flagRadius) return;
   if (random_.chance(0.05 + 0.3 * distance / world_.range)) return;
@@ -157,9 +174,9 @@ void SyntheticRobot::seeFlag(FlagType type) {
 }
 
 void SyntheticRobot::seeGoal(GoalColor color) {
-  const Vector2d camera = pose * percept.cameraOffset.head<2>();
-  const Vector2d left = positionOfPost(color, true, player.teamColor, field) - camera;
-  const Vector2d right = positionOfPost(color, false, player.teamColor, field) - camera;
+  const Vector2d from = pose * percept.cameraOffset.head<2>();
+  const Vector2d left = positionOfPost(color, true, player.teamColor, field) - from;
+  const Vector2d right = positionOfPost(color, false, player.teamColor, field) - from;
   if (left.norm() > world_.range && right.norm() > world_.range) return;
   GoalPercept goal;
   goal.color = color;
@@ -181,6 +198,44 @@ void SyntheticRobot::seeGoal(GoalColor color) {
   if (goal.boundary.left <= goal.boundary.right || !cutToPicture(goal.boundary)) return;
   goal.angle = (goal.boundary.left + goal.boundary.right) / 2;
   percept.goals[static_cast<std::size_t>(percept.numberOfGoals++)] = goal;
+}
+
+void SyntheticRobot::seeEdges() {
+  constexpr double step = openingAngle / 14;
+  const double tiltError = world_.tiltNoise * seeing_.gaussian();
+  for (double angle = headPan_ - openingAngle / 2 + step / 2; angle < headPan_ + openingAngle / 2;
+       angle += step)
+    seeEdges(angle, tiltError);
+}
+
+/// Looks along one scan line of the picture, to the border or, in a goal's mouth, to the goal.
+void SyntheticRobot::seeEdges(double angle, double tiltError) {
+  constexpr double nearest = 220;  // mm; what is nearer lies below the picture
+  const double height = percept.cameraOffset.z();
+  const Vector2d offset = percept.cameraOffset.head<2>();
+  const Vector2d from = pose * offset, ray = direction(pose.rotation + angle);
+  double wall = 1e9;
+  for (const EdgeType type :
+       {EdgeType::border, EdgeType::yellowGoal, EdgeType::skyblueGoal, EdgeType::line}) {
+    crossings_.clear();
+    edges_.crossings(type, from, ray, crossings_);
+    for (const double distance : crossings_) {
+      if (type != EdgeType::line) wall = std::min(wall, distance);
+      const double range = type == EdgeType::line ? world_.lineRange : world_.edgeRange;
+      if (distance < nearest || distance > range || distance > wall) continue;
+      if (seeing_.chance(0.1 + 0.4 * distance / range)) continue;
+      const double below =
+          std::atan2(height, distance) + tiltError + world_.pointNoise * seeing_.gaussian();
+      if (below < 0.02) continue;
+      double beside = angle + commonError_ + world_.edgeNoise * seeing_.gaussian();
+      EdgeType seen = type;
+      if (seeing_.chance(world_.outliers)) {
+        beside += seeing_.uniform(-0.3, 0.3);
+        seen = static_cast<EdgeType>(seeing_.index(enumCount<EdgeType>));
+      }
+      lines.points[seen].push_back(offset + direction(beside) * (height / std::tan(below)));
+    }
+  }
 }
 
 }  // namespace gt

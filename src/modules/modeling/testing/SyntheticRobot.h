@@ -1,13 +1,18 @@
 #pragma once
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "base/Geometry.h"
 #include "base/Random.h"
 #include "base/Time.h"
+#include "modules/modeling/FieldEdges.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/motion/OdometryData.h"
+#include "representations/perception/CameraMatrix.h"
 #include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/LinesPercept.h"
 
 namespace gt {
 
@@ -24,12 +29,21 @@ struct SyntheticWorld {
   double range = 4500;               ///< mm
   double secondsBetweenBlocks = 30;  ///< after which the robot walks against an obstacle
   double secondsBlocked = 3;
-  bool turnsHeadAlways = false;  ///< else it looks at a ball for half of the time
+  double tiltNoise = 0.010;        ///< rad, of the camera, common to a picture
+  double pointNoise = 0.004;       ///< rad, vertically, on each point on an edge
+  double lineRange = 1300;         ///< mm, farther away lines are too thin to be seen
+  double edgeRange = 3200;         ///< mm, the same for border and goals
+  bool flags = true;               ///< false: there are no beacons on the field
+  std::uint64_t missingFlags = 0;  ///< as many of the six beacons were taken away
+  double misplacedFlags = 0;       ///< mm, by which each stands elsewhere
+  double lostPictures = 0;         ///< share in which nothing is found
+  bool turnsHeadAlways = false;    ///< else it looks at a ball for half of the time
   bool walks = true;
 };
 
-/// A robot that walks about the field, turns its head and sees landmarks, with its true pose: a
-/// test bench for self-locators that needs neither pictures nor physics. One step is one picture.
+/// A robot that walks about the field, turns its head and sees landmarks and edges, with its true
+/// pose: a test bench for self-locators that needs neither pictures nor physics. One step is one
+/// picture.
 class SyntheticRobot {
  public:
   explicit SyntheticRobot(std::uint64_t seed, const SyntheticWorld& world = {});
@@ -45,6 +59,8 @@ class SyntheticRobot {
   Pose2D pose;
   OdometryData odometry;
   LandmarksPercept percept;
+  LinesPercept lines;
+  CameraMatrix camera;  ///< Only the position is filled in.
   FieldDimensions field;
   Player player;
   Time time;
@@ -59,18 +75,24 @@ class SyntheticRobot {
   void see();
   void seeFlag(FlagType type);
   void seeGoal(GoalColor color);
+  void seeEdges();
+  void seeEdges(double angle, double tiltError);
   /// Cuts an interval of angles to what the camera sees; false where too little remains.
   bool cutToPicture(ConditionalBoundary& boundary);
   double seconds() const { return static_cast<double>(time.ms) / 1000; }
 
   SyntheticWorld world_;
   Random random_;
+  Random seeing_;  ///< Of its own, so that edges change nothing of the walk and the landmarks.
   bool moving_;
   Pose2D goal_, slip_;
   double headPan_ = 0, ballPan_ = 0;
   Time blockedUntil_ = never(), modeUntil_ = never();
   bool tracksBall_ = false;
   double commonError_ = 0;
+  FieldEdges edges_;
+  std::array<Vector2d, 6> flagErrors_;  ///< How far each flag stands elsewhere.
+  std::vector<double> crossings_;
   struct Hidden {
     Time until = never();
     double left = 0, right = 0;  ///< Shares of the goal.
