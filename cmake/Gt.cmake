@@ -40,8 +40,9 @@ if(NOT GT_DEBUGGING)
   add_compile_definitions(GT_NO_DEBUGGING)
 endif()
 
-# What runs but once (tests, the reading of options) is rather built fast than built for speed.
+# What runs but once (tests, the reading of options and files) is rather built fast than built for speed.
 set(coldCode $<$<CONFIG:Release>:-O1>)
+set(hotCode $<$<CONFIG:Release>:-O3>)
 
 find_package(Threads REQUIRED)
 find_package(GTest REQUIRED)
@@ -75,12 +76,26 @@ if(GT_PRECOMPILE)
   gt_precompile(gt_precompiled <gmock/gmock.h> <Eigen/Geometry> <filesystem>)
 endif()
 
-# gt_library(name SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ...)
-# One folder is one library. Without sources it is a library of headers. Its tests become the program <name>_test.
+# Of all programs that read options by CLI11.
+if(GT_PRECOMPILE)
+  find_package(CLI11 REQUIRED)
+  add_library(gt_precompiled_options OBJECT ${PROJECT_SOURCE_DIR}/cmake/Precompiled.cpp)
+  target_compile_options(gt_precompiled_options PRIVATE ${coldCode})
+  target_link_libraries(gt_precompiled_options PRIVATE CLI11::CLI11)
+  gt_precompile(gt_precompiled_options <CLI/CLI.hpp>)
+endif()
+
+# gt_library(name [COLD] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [HOT b.cpp ...])
+# One folder is one library. Without sources it is a library of headers. Its tests become the program <name>_test. What is
+# cold runs but once, besides the sources that are hot.
 function(gt_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;TESTS;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "SOURCES;TESTS;DEPS;HOT" ${ARGN})
   if(ARG_SOURCES)
     add_library(${name} STATIC ${ARG_SOURCES})
+    if(ARG_COLD)
+      target_compile_options(${name} PRIVATE ${coldCode})
+      set_source_files_properties(${ARG_HOT} PROPERTIES COMPILE_OPTIONS "${hotCode}")
+    endif()
     target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
     target_link_libraries(${name} PUBLIC ${ARG_DEPS})
   else()
@@ -110,6 +125,9 @@ function(gt_program name)
   add_executable(${name} ${ARG_SOURCES})
   if(NOT ARG_HOT)
     target_compile_options(${name} PRIVATE ${coldCode})
+    if("CLI11::CLI11" IN_LIST ARG_DEPS)
+      gt_precompile(${name} REUSE_FROM gt_precompiled_options)
+    endif()
   endif()
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
 endfunction()
