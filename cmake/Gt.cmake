@@ -42,6 +42,9 @@ endif()
 
 # What runs but once (tests, the reading of options and files) is rather built fast than built for speed.
 set(coldCode $<$<CONFIG:Release>:-O1>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  list(APPEND coldCode $<$<CONFIG:Release>:-Wno-maybe-uninitialized>)  # with -O1, gcc 12 warns of its std::optional
+endif()
 set(hotCode $<$<CONFIG:Release>:-O3>)
 
 find_package(Threads REQUIRED)
