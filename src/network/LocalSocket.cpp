@@ -181,7 +181,7 @@ bool LocalConnection::refill() {
                              MSG_DONTWAIT | MSG_CMSG_CLOEXEC, nullptr);
   batch_->next = 0;
   batch_->count = count > 0 ? static_cast<std::size_t>(count) : 0;
-  batch_->last = batch_->count < Batch::size;
+  batch_->last = batch_->count > 0 && batch_->count < Batch::size;
   return count >= 0 || errno == EAGAIN || errno == EINTR;
 }
 
