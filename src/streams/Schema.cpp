@@ -158,7 +158,7 @@ std::string snakeCase(std::string_view name) {
     const bool begins = i > 0 && isUpper(c) &&
                         (!isUpper(name[i - 1]) ||
                          (i + 1 < name.size() && isLetter(name[i + 1]) && !isUpper(name[i + 1])));
-    if (begins && s.back() != '_') s += '_';
+    if (begins && !s.empty() && s.back() != '_') s += '_';
     if (isUpper(c))
       s += static_cast<char>(c - 'A' + 'a');
     else if (isLetter(c) || isDigit(c) || (c == '_' && !s.empty() && s.back() != '_'))
