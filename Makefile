@@ -59,7 +59,7 @@ kill-test: build
 play-remote: build
 	@scripts/play-remote $(BUILD) 1 red1 red2 red3 red4
 
-bench: TARGETS = --target bench
+bench: TARGETS = --target bench layout-cmd
 bench: PACKAGES += libprotobuf-dev protobuf-compiler
 bench: build
 	@$(BUILD)/bin/bench --json out/bench.json

@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 
 #include "LogSpeed.h"
 #include "MatchSpeed.h"
 #include "Parts.h"
+#include "RobotPrograms.h"
 #include "benchmarks/streams/Streams.h"
 
 /// Measures the speed of whole matches and of the parts of the system.
@@ -16,8 +18,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   std::string only;
-  app.add_option("--only", only, "Measures but one part: matches, logs, streams or parts")
-      ->check(CLI::IsMember({"matches", "logs", "streams", "parts"}));
+  app.add_option("--only", only, "Measures but one part: matches, logs, streams, parts or programs")
+      ->check(CLI::IsMember({"matches", "logs", "streams", "parts", "programs"}));
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {
     app.parse(argc, argv);
@@ -26,19 +28,20 @@ int main(int argc, char** argv) {
   }
 
   gt::Figures figures;
-  const auto wanted = [&](std::string_view part) { return only.empty() || only == part; };
-  if (wanted("matches"))
-    if (const auto done = gt::measureMatchSpeed(figures, options); !done) {
+  using Measure = std::function<gt::Result<void>()>;
+  const std::vector<std::pair<std::string_view, Measure>> parts{
+      {"matches", [&] { return gt::measureMatchSpeed(figures, options); }},
+      {"logs", [&] { return gt::measureLogSpeed(figures); }},
+      {"programs", [&] { return gt::measureRobotPrograms(figures); }},
+      {"streams", [&] { return gt::measureStreams(figures), gt::Result<void>{}; }},
+      {"parts", [&] { return gt::measureParts(figures), gt::Result<void>{}; }}};
+  for (const auto& [part, measure] : parts) {
+    if (!only.empty() && only != part) continue;
+    if (const auto done = measure(); !done) {
       fmt::print(stderr, "bench: {}\n", done.error().text());
       return 2;
     }
-  if (wanted("logs"))
-    if (const auto done = gt::measureLogSpeed(figures); !done) {
-      fmt::print(stderr, "bench: {}\n", done.error().text());
-      return 2;
-    }
-  if (wanted("streams")) gt::measureStreams(figures);
-  if (wanted("parts")) gt::measureParts(figures);
+  }
   figures.print();
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path{json}.parent_path(), ignored);

@@ -120,6 +120,13 @@ BENCHMARK(moduleCall)->Name("speed.framework.call")->Apply(inNanoseconds);
 void measureParts(Figures& figures) {
   FigureReporter reporter{figures};
   benchmark::RunSpecifiedBenchmarks(&reporter);
+  // Each with the bare means of those that do the same (processes.cpp).
+  const std::string process = "speed.process.";
+  for (const auto& [figure, bare, aim] : {std::tuple{"cycle", "zeromq.bare", 1.2},
+                                          {"zeromq.wire", "zeromq.bareLooking", 1.2},
+                                          {"ipc.wire", "ipc.bareUnixSocket", 1.0}})
+    figures.addRatio(process + figure + ".ratio", process + figure, process + bare,
+                     Aim::atMost(aim));
 }
 
 }  // namespace gt

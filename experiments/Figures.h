@@ -37,6 +37,17 @@ class Figures {
     figures_.push_back(std::move(f));
   }
 
+  /// Adds how many times as large a figure is as another one, both measured before.
+  void addRatio(std::string name, std::string_view figure, std::string_view to, Aim aim = {}) {
+    const auto of = std::ranges::find(figures_, figure, &Figure::name);
+    const auto by = std::ranges::find(figures_, to, &Figure::name);
+    if (of == figures_.end() || by == figures_.end()) return;
+    Figure f{std::move(name), "times", of->value / by->value, of->n, 0, 0, aim};
+    f.low = of->low / by->high;
+    f.high = of->high / by->low;
+    figures_.push_back(std::move(f));
+  }
+
   void print() const {
     fmt::print("{:<52} {:>9} {:<9} {:>4} {:>9} {:>9}  {}\n", "figure", "value", "unit", "n", "low",
                "high", "aim");

@@ -221,7 +221,8 @@ LocalConnection::Outcome LocalConnection::takeShared(std::span<const std::byte> 
   if (notice.number == 0) return Outcome::frame;
   if (memory && !keepSlot(frame.type, memory)) return Outcome::garbage;
   const auto slot = std::ranges::find(in_, frame.type, &InSlot::type);
-  if (slot == in_.end() || notice.size > slot->slot.size()) return Outcome::garbage;
+  if (slot == in_.end() || notice.size == 0 || notice.size > slot->slot.size())
+    return Outcome::garbage;
   if (package_.size() < notice.size) package_.resize(notice.size);
   frame.bytes = {package_.data(), notice.size};
   // What was replaced before it could be read is no garbage: the notice of the next one follows.
