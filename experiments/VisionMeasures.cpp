@@ -96,7 +96,7 @@ void VisionMeasures::compareBall(const BallPercept& percept, Tally& tally) const
 
 void VisionMeasures::compareFlags(const LandmarksPercept& percept, Tally& tally) const {
   constexpr int least = 4;  // Pixels, below which a thing does not count as seen.
-  constexpr double elsewhere = fromDegrees(6);
+  constexpr double elsewhere = fromDegrees(4);
   for (std::size_t type = 0; type < enumCount<FlagType>; ++type) {
     const Vector2d place = truth_.flag(static_cast<FlagType>(type));
     const double away = distance(place);
@@ -115,7 +115,9 @@ void VisionMeasures::compareFlags(const LandmarksPercept& percept, Tally& tally)
     }
     if (found == end) continue;
     const double error = normalize(found->angle - angleOf(place));
-    const bool wrong = visible < least || std::abs(error) > elsewhere;
+    // What is seen of a flag that the picture cuts off lies anywhere within it.
+    const double half = std::asin(std::min(1., field_.flagRadius / away));
+    const bool wrong = visible < least || std::abs(error) > elsewhere + half;
     tally.count("flags.false", wrong);
     if (wrong || !isWhole) continue;
     flags.measure("bearing", "deg", toDegrees(error));
@@ -171,7 +173,8 @@ void VisionMeasures::compareEdges(const LinesPercept& percept, const CameraMatri
   }
 }
 
-// A percept belongs to a robot that stands about there, of its colour if there is one.
+// A percept belongs to a robot of its colour whose tricot is seen in that direction, if there is
+// one.
 void VisionMeasures::comparePlayers(const PlayersPercept& percept, Tally& tally) const {
   constexpr int least = 40;  // Pixels of tricot.
   for (std::size_t i = 0; i < truth_.robots(); ++i) {
@@ -190,8 +193,9 @@ void VisionMeasures::comparePlayers(const PlayersPercept& percept, Tally& tally)
     for (const Vector2d& p : percept.players[team]) {
       bool any = false, right = false;
       for (std::size_t i = 0; i < truth_.robots(); ++i) {
-        if (truth_.isOwn(i) || (truth_.robot(i) - p).norm() > std::max(400., 0.4 * p.norm()))
-          continue;
+        if (truth_.isOwn(i) || truth_.pixels(Kind::tricot, i) == 0) continue;
+        const double wide = std::max(fromDegrees(5), std::atan2(200, distance(truth_.robot(i))));
+        if (std::abs(normalize(bearing(truth_.robot(i)) - bearing(p))) > wide) continue;
         any = true;
         right = right || truth_.team(i) == team;
       }

@@ -52,6 +52,7 @@ const std::vector<AimOf> aims{{"ball.found", Aim::atLeast(98)},
 struct Eyes {
   DefaultSensorDataProcessor sensorDataProcessor;
   GT2003ImageProcessor imageProcessor;
+  OdometryData odometry;
   CameraMatrix matrix;
   BodyPercept body;
   PsdPercept psd;
@@ -59,8 +60,12 @@ struct Eyes {
   Debug debug;
 
   void look(const GameView& view, const ColorTable64& colors, bool trueCamera) {
-    sensorDataProcessor.update({view.image.time}, view.sensors, view.image, RobotDimensions{},
-                               RobotCalibration{}, MotionInfo{}, matrix, body, psd);
+    // Twice, to know how the robot walks.
+    for (const Time time : {Time{view.image.time.ms - tickMs}, view.image.time}) {
+      odometry.pose = odometry.pose * view.step;
+      sensorDataProcessor.update({time}, view.sensors, view.image, RobotDimensions{},
+                                 RobotCalibration{}, MotionInfo{}, odometry, matrix, body, psd);
+    }
     if (trueCamera) matrix = view.camera;
     imageProcessor.update(view.image, matrix, colors, FieldDimensions{}, percepts.ball,
                           percepts.landmarks, percepts.lines, percepts.players, percepts.obstacles,

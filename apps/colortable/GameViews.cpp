@@ -97,6 +97,7 @@ void GameViews::step() {
 const GameView& GameViews::look(std::size_t robot, const CameraEffects& effects) {
   view_.robot = robot;
   view_.sensors = buffers_[robot];
+  view_.step = commands_[robot].step;
   const CameraView camera = cameraView(*world_, robot, CameraInfo{});
   renderer_.render(world_->data(), camera, effects, random_(), view_.image, &view_.truth);
   view_.image.time = world_->time();

@@ -18,6 +18,7 @@ struct GameView {
   Image image;
   PictureTruth truth;
   SensorDataBuffer sensors;
+  Pose2D step;          ///< How far the robot believes to have walked in the last tick.
   CameraMatrix camera;  ///< The true one.
 };
 

@@ -26,63 +26,103 @@ Vector3d rotationVector(const Matrix3d& rotation) {
   return turn.axis() * turn.angle();
 }
 
-Vector3d averageAcceleration(const SensorDataBuffer& sensors) {
-  Vector3d sum = Vector3d::Zero();
-  for (const SensorData& frame : sensors.frames) sum += frame.acceleration;
-  return sum / SensorDataBuffer::capacity;
+/// Whether the time of a frame lies in a picture's exposure, half a tick early or late included.
+bool isDuring(const SensorData& frame, Time end, double duration) {
+  constexpr double halfTick = 4;
+  const double age = static_cast<double>(end - frame.time);
+  return age >= -halfTick && age <= duration + halfTick;
 }
 
-/// The camera's pose when a picture's middle row was exposed, and how it turned meanwhile.
-void computeMatrix(const SensorDataBuffer& sensors, const Image& image,
-                   const RobotDimensions& robot, const RobotCalibration& calibration,
-                   CameraMatrix& matrix) {
+/// The camera's pose when a picture's middle row was exposed, and how it turned meanwhile; `speed`
+/// is that of the robot (mm/s, rad/s), whose system is that of the picture's end.
+CameraMatrix cameraMatrix(const SensorDataBuffer& sensors, const Image& image,
+                          const RobotDimensions& robot, const RobotCalibration& calibration,
+                          const Pose2D& speed) {
   const CameraInfo& info = image.info;
-  const auto poseAtRow = [&](double row) {
-    return cameraPoseFor(robot, calibration,
-                         jointsAt(sensors, image.time, (row - (info.height - 1)) * info.rowTime));
+  const double duration = (info.height - 1) * info.rowTime;
+  const JointMotion joints = jointMotion(sensors, image.time, duration);
+  const auto poseAt = [&](double milliseconds) {
+    return cameraPoseFor(robot, calibration, joints.at(milliseconds));
   };
+  CameraMatrix matrix;
   matrix.time = image.time;
   matrix.info = info;
-  matrix.pose = poseAtRow(info.height / 2.0);
-  const double seconds = (info.height - 1) * info.rowTime / 1000;
-  matrix.turning = Vector3d::Zero();
-  if (seconds > 0)
-    matrix.turning =
-        rotationVector(poseAtRow(info.height - 1).rotation * poseAtRow(0).rotation.transpose()) /
-        seconds;
+  const double back = -duration / 2000;
+  const Vector2d way = speed.translation * back;
+  matrix.pose = Pose3D{rotationZ(speed.rotation * back), {way.x(), way.y(), 0}} * poseAt(0);
+  matrix.turning = {0, 0, speed.rotation};
+  if (duration > 0)
+    matrix.turning +=
+        rotationVector(poseAt(duration / 2).rotation * poseAt(-duration / 2).rotation.transpose()) /
+        (duration / 1000);
+  return matrix;
 }
 
 }  // namespace
 
-JointAngles jointsAt(const SensorDataBuffer& sensors, Time start, double milliseconds) {
-  const auto& frames = sensors.frames;
-  std::size_t after = frames.size() - 1;
-  const auto age = [&](std::size_t i) {
-    return static_cast<double>(frames[i].time - start) - milliseconds;
-  };
-  while (after > 0 && age(after - 1) >= 0) --after;
-  if (after == 0 || age(after) <= 0) return frames[after].joints;
-  const double low = age(after - 1), high = age(after);
-  const double part = -low / std::max(high - low, 1e-9);
+JointAngles JointMotion::at(double milliseconds) const {
   JointAngles joints;
-  for (std::size_t i = 0; i < joints.values.size(); ++i) {
-    const double before = frames[after - 1].joints.values[i];
-    joints.values[i] = before + part * (frames[after].joints.values[i] - before);
-  }
+  for (std::size_t i = 0; i < joints.values.size(); ++i)
+    joints.values[i] = angles.values[i] + milliseconds * perMillisecond.values[i];
   return joints;
+}
+
+JointMotion jointMotion(const SensorDataBuffer& sensors, Time end, double duration) {
+  double n = 0, squares = 0, sum = 0;
+  const auto since = [&](const SensorData& frame) {
+    return static_cast<double>(frame.time - end) + duration / 2;
+  };
+  for (const SensorData& frame : sensors.frames) {
+    if (!isDuring(frame, end, duration)) continue;
+    n += 1;
+    sum += since(frame);
+  }
+  JointMotion motion;
+  if (n == 0) {
+    motion.angles = sensors.at(end).joints;
+    return motion;
+  }
+  const double middle = sum / n;
+  for (const SensorData& frame : sensors.frames)
+    if (isDuring(frame, end, duration)) squares += std::pow(since(frame) - middle, 2);
+  for (std::size_t i = 0; i < motion.angles.values.size(); ++i) {
+    double angle = 0, slope = 0;
+    for (const SensorData& frame : sensors.frames) {
+      if (!isDuring(frame, end, duration)) continue;
+      angle += frame.joints.values[i] / n;
+      slope += frame.joints.values[i] * (since(frame) - middle);
+    }
+    motion.perMillisecond.values[i] = squares > 0 ? slope / squares : 0;
+    motion.angles.values[i] = angle - middle * motion.perMillisecond.values[i];
+  }
+  return motion;
+}
+
+Vector3d averageAcceleration(const SensorDataBuffer& sensors, int ticks) {
+  const int n = std::clamp(ticks, 1, SensorDataBuffer::capacity);
+  Vector3d sum = Vector3d::Zero();
+  for (int i = SensorDataBuffer::capacity - n; i < SensorDataBuffer::capacity; ++i)
+    sum += sensors.frames[static_cast<std::size_t>(i)].acceleration;
+  return sum / n;
 }
 
 void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorDataBuffer& sensors,
                                         const Image& image, const RobotDimensions& robot,
                                         const RobotCalibration& calibration,
-                                        const MotionInfo& motion, CameraMatrix& matrix,
-                                        BodyPercept& body, PsdPercept& psd) {
+                                        const MotionInfo& motion, const OdometryData& odometry,
+                                        CameraMatrix& matrix, BodyPercept& body, PsdPercept& psd) {
   const SensorData& newest = sensors.newest();
-  const Vector3d shortAverage = averageAcceleration(sensors);
+  const Vector3d shortAverage = averageAcceleration(sensors, parameters.shortAverage);
   const double elapsed = static_cast<double>(frame.time - lastUpdate_);
   const double gain = 1 - std::exp(-elapsed / parameters.longAverage);
   longAverage_ += std::clamp(gain, 0.0, 1.0) * (shortAverage - longAverage_);
   lastUpdate_ = frame.time;
+  const Pose2D walked = odometry.pose.relativeTo(odometry_);
+  odometry_ = odometry.pose;
+  Pose2D speed;
+  // After a longer time it tells nothing of this picture.
+  if (elapsed > 0 && elapsed <= 200)
+    speed = {walked.rotation * 1000 / elapsed, walked.translation * 1000 / elapsed};
 
   const BodyPosture posture = bodyPosture(robot, newest.joints);
   body.time = newest.time;
@@ -92,7 +132,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   body.height = posture.height;
   body.switches = newest.switches;
 
-  computeMatrix(sensors, image, robot, calibration, matrix);
+  matrix = cameraMatrix(sensors, image, robot, calibration, speed);
   matrix.valid = motion.stable && body.state == BodyState::standing;
 
   const Pose3D camera = cameraPoseFor(robot, calibration, newest.joints);

@@ -6,6 +6,7 @@
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/motion/MotionInfo.h"
+#include "representations/motion/OdometryData.h"
 
 namespace gt {
 
@@ -14,6 +15,7 @@ namespace gt {
 class DefaultSensorDataProcessor {
  public:
   struct Parameters {
+    int shortAverage = 16;
     double longAverage = 1500;
     double fallenAngle = fromDegrees(50);
     double liftedChange = 2500;
@@ -21,6 +23,8 @@ class DefaultSensorDataProcessor {
 
     static constexpr auto fields() {
       return Fields{
+          field("shortAverage", &Parameters::shortAverage, "ticks",
+                "over which acceleration is averaged", {1, SensorDataBuffer::capacity}),
           field("longAverage", &Parameters::longAverage, "ms",
                 "time constant of the long average of acceleration", {100, 10000}),
           field("fallenAngle", &Parameters::fallenAngle, "rad", "a body that leans more has fallen",
@@ -35,17 +39,31 @@ class DefaultSensorDataProcessor {
 
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
               const RobotDimensions& robot, const RobotCalibration& calibration,
-              const MotionInfo& motion, CameraMatrix& matrix, BodyPercept& body, PsdPercept& psd);
+              const MotionInfo& motion, const OdometryData& odometry, CameraMatrix& matrix,
+              BodyPercept& body, PsdPercept& psd);
 
  private:
   BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest);
 
+  Pose2D odometry_;
   Vector3d longAverage_ = Vector3d::Zero();
   Time lastUpdate_ = never();
   Time lastOnGround_ = never();
 };
 
-/// The joint angles at a point in time, interpolated between the frames around it.
-JointAngles jointsAt(const SensorDataBuffer& sensors, Time start, double milliseconds);
+/// How the joints moved around a moment: a line through what was measured, which takes from each
+/// measurement's noise.
+struct JointMotion {
+  JointAngles angles, perMillisecond;
+
+  JointAngles at(double milliseconds) const;
+};
+
+/// The joints' motion from `duration` milliseconds before a point in time until then, around the
+/// moment halfway; the newest frame that is not younger if none lies in between.
+JointMotion jointMotion(const SensorDataBuffer& sensors, Time end, double duration);
+
+/// The mean acceleration of the last ticks (report 3.1); of all there are if they are fewer.
+Vector3d averageAcceleration(const SensorDataBuffer& sensors, int ticks);
 
 }  // namespace gt

@@ -25,8 +25,8 @@ class DefaultSensorDataProcessorTest : public testing::Test {
     image_.time = now_;
   }
   void run() {
-    processor_.update({now_}, sensors_, image_, robot_, calibration_, motion_, matrix_, body_,
-                      psd_);
+    processor_.update({now_}, sensors_, image_, robot_, calibration_, motion_, odometry_, matrix_,
+                      body_, psd_);
   }
 
   Time now_{200};
@@ -35,6 +35,7 @@ class DefaultSensorDataProcessorTest : public testing::Test {
   RobotDimensions robot_;
   RobotCalibration calibration_;
   MotionInfo motion_;
+  OdometryData odometry_;
   DefaultSensorDataProcessor processor_;
   CameraMatrix matrix_;
   BodyPercept body_;

@@ -11,7 +11,8 @@ constexpr int maxGap = 2;
 constexpr std::array parts{0.25, 0.5, 0.75};
 // Scans whose edges differ by less than this many pixels met the same edge.
 constexpr double sameEdge = 1.2;
-constexpr double straight = 0.5;  // The part of the scans that has to meet an edge.
+constexpr double farthestFlag = 5500;  // mm: nothing on a field is further away
+constexpr double straight = 0.5;       // The part of the scans that has to meet an edge.
 
 bool pinkIsAbove(FlagType type) {
   return type == FlagType::pinkAboveYellow || type == FlagType::pinkAboveGreen ||
@@ -91,6 +92,7 @@ bool FlagSpecialist::measure(const Picture& picture, const Vector2d& start,
   m.lower = m.pinkAbove ? m.other : m.pink;
   if (!picture.contains(start) || !measureHeights(picture, start, m)) return false;
   if (!scanWidth(picture, start, m)) return false;
+  if (!isSolid(picture, start, m)) return false;
   scanColumns(picture, start, m);
   const double tolerance = sameEdge / picture.matrix.info.focalX;
   const auto left = left_.merge(1, tolerance, straight),
@@ -99,7 +101,7 @@ bool FlagSpecialist::measure(const Picture& picture, const Vector2d& start,
              bottom = bottom_.merge(-1, tolerance, straight);
   flag.boundary = {left.angle,    right.angle,    top.angle,    bottom.angle,
                    left.onBorder, right.onBorder, top.onBorder, bottom.onBorder};
-  return locateFlag(picture.matrix, field, flag);
+  return locateFlag(picture.matrix, field, elevation(picture.ray(start)), flag);
 }
 
 bool FlagSpecialist::measureHeights(const Picture& picture, const Vector2d& start,
@@ -152,6 +154,26 @@ bool FlagSpecialist::scanWidth(const Picture& picture, const Vector2d& start,
   return !left_.empty() && widest >= 1.5;
 }
 
+// Blurred edges between other colours look like a flag's, but not like both of its fields.
+bool FlagSpecialist::isSolid(const Picture& picture, const Vector2d& start,
+                             const Measurement& m) const {
+  for (const bool upper : {true, false}) {
+    const double end = upper ? -m.heightAbove : m.heightBelow;
+    const ColorSet& colors = upper ? m.upper : m.lower;
+    int inside = 0, right = 0;
+    for (const double down : parts)
+      for (const double across : parts) {
+        const Vector2d p = start + picture.horizon.down * (end * down) +
+                           picture.horizon.along * (leftmost_ + (rightmost_ - leftmost_) * across);
+        if (!picture.contains(p)) continue;
+        ++inside;
+        right += colors.contains(picture.classAt(p)) ? 1 : 0;
+      }
+    if (2 * right <= inside) return false;
+  }
+  return true;
+}
+
 void FlagSpecialist::scanColumns(const Picture& picture, const Vector2d& start,
                                  const Measurement& m) {
   top_.clear();
@@ -172,40 +194,50 @@ void FlagSpecialist::scanColumns(const Picture& picture, const Vector2d& start,
   }
 }
 
-bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, FlagPercept& flag) {
+bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double middle,
+                FlagPercept& flag) {
   const ConditionalBoundary& b = flag.boundary;
   const double width = b.left - b.right;
   const double height = std::tan(b.top) - std::tan(b.bottom);
   if (width <= 0 || height <= 0) return false;
   const bool wide = !b.leftOnBorder && !b.rightOnBorder;
   const bool high = !b.topOnBorder && !b.bottomOnBorder;
-  const double proportion = (field.flagTop - field.flagBottom) / (2 * field.flagRadius);
+  const double flagHeight = field.flagTop - field.flagBottom;
+  const double proportion = flagHeight / (2 * field.flagRadius);
   if (high && height < 0.55 * proportion * width) return false;
   if (wide && height > 1.6 * proportion * width) return false;
 
-  const double byWidth = field.flagRadius / std::sin(width / 2);
-  // The edges at top and bottom are seen on the side that faces the camera.
-  const double byHeight = field.flagRadius + (field.flagTop - field.flagBottom) / height;
+  // The edges at top and bottom are seen on the side that faces the camera; of what the picture
+  // cuts off one of the two colours may still be whole.
+  const double half = !b.topOnBorder      ? std::tan(b.top) - std::tan(middle)
+                      : !b.bottomOnBorder ? std::tan(middle) - std::tan(b.bottom)
+                                          : 0;
+  const double byWidth = wide ? field.flagRadius / std::sin(width / 2) : 0;
+  const double byHeight = high       ? field.flagRadius + flagHeight / height
+                          : half > 0 ? field.flagRadius + flagHeight / 2 / half
+                                     : 0;
   // The height is twice the width and so twice as exact.
-  double distance = high && wide ? (4 * byHeight + byWidth) / 5
-                    : high       ? byHeight
-                    : wide       ? byWidth
-                                 : 0;
+  const double distance = high && wide   ? (4 * byHeight + byWidth) / 5
+                          : byHeight > 0 ? byHeight
+                                         : byWidth;
+  if (distance > farthestFlag) return false;
   const Vector3d camera = matrix.pose.translation;
   if (distance > 0 && matrix.valid) {
     // What is not where a flag's edges must be is no flag.
     const double tolerance = 70 + 0.12 * distance;
-    const double side = distance - field.flagRadius;
-    const double top = camera.z() + side * std::tan(b.top);
-    const double bottom = camera.z() + side * std::tan(b.bottom);
-    if (!b.topOnBorder && std::abs(top - field.flagTop) > tolerance) return false;
-    if (!b.bottomOnBorder && std::abs(bottom - field.flagBottom) > tolerance) return false;
+    const auto isAt = [&](double elevation, double z) {
+      const double side = distance - field.flagRadius;
+      return std::abs(camera.z() + side * std::tan(elevation) - z) <= tolerance;
+    };
+    if (!b.topOnBorder && !isAt(b.top, field.flagTop)) return false;
+    if (!b.bottomOnBorder && !isAt(b.bottom, field.flagBottom)) return false;
+    if (!isAt(middle, (field.flagTop + field.flagBottom) / 2)) return false;
   }
   double bearing = (b.left + b.right) / 2;
   if (distance > field.flagRadius && !wide) {
-    const double half = std::asin(field.flagRadius / distance);
-    if (!b.leftOnBorder) bearing = b.left - half;
-    if (!b.rightOnBorder) bearing = b.right + half;
+    const double side = std::asin(field.flagRadius / distance);
+    if (!b.leftOnBorder) bearing = b.left - side;
+    if (!b.rightOnBorder) bearing = b.right + side;
   }
   const Vector2d axis = camera.head<2>() + direction(bearing) * distance;
   flag.distance = distance > 0 ? axis.norm() : 0;

@@ -36,6 +36,7 @@ class FlagSpecialist {
   void scanRows(const Picture& picture, const Vector2d& start, double offset, ColorSet colors,
                 double& widest);
   bool scanWidth(const Picture& picture, const Vector2d& start, const Measurement& m);
+  bool isSolid(const Picture& picture, const Vector2d& start, const Measurement& m) const;
   void scanColumns(const Picture& picture, const Vector2d& start, const Measurement& m);
 
   std::array<Cluster, 16> clusters_;
@@ -44,8 +45,9 @@ class FlagSpecialist {
   double leftmost_ = 0, rightmost_ = 0;  ///< Pixels along the horizon from the start.
 };
 
-/// Where a flag stands as its boundary tells: fills in distance and angle (report 3.2.4); false if
-/// no flag can look like that.
-bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, FlagPercept& flag);
+/// Where a flag stands as its boundary and the elevation at which its colours meet tell: fills in
+/// distance and angle (report 3.2.4); false if no flag can look like that.
+bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double middle,
+                FlagPercept& flag);
 
 }  // namespace gt

@@ -85,8 +85,7 @@ void GT2003ImageProcessor::drawScan(const Picture& picture, Debug& debug) const 
     for (const FlagIndication& f : scanner_.flags) canvas.point(f.position, colors::pink, 2);
     for (const GoalIndication& g : scanner_.goals) canvas.line(g.top, g.bottom, colors::blue);
     for (const PlayerIndication& p : scanner_.players)
-      if (p.footKnown)
-        canvas.line(p.upper, p.foot, p.team == TeamColor::red ? colors::red : colors::blue);
+      canvas.line(p.upper, p.lower, p.team == TeamColor::red ? colors::red : colors::blue);
   }
   if (auto canvas = debug.onImage(drawEdges)) {
     constexpr EnumArray<EdgeType, Color> colorOf{

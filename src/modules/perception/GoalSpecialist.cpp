@@ -12,7 +12,17 @@ constexpr double sameEdge = 1.2;  // Pixels, as for flags.
 constexpr double straight = 0.5;  // The part of the rows that has to meet a post.
 constexpr ColorSet robotColors{ColorClass::red, ColorClass::blue, ColorClass::black,
                                ColorClass::gray};
+// What is never seen where a goal meets the ground.
+constexpr ColorSet notBelow{ColorClass::red, ColorClass::blue, ColorClass::black, ColorClass::gray,
+                            ColorClass::noColor};
 constexpr std::size_t minLines = 2;
+
+// Where a robot begins the goal does not end.
+bool isHidden(const Picture& picture, const Vector2d& edge, const Vector2d& way, ColorSet robot) {
+  const Vector2d beyond = edge + way * 2.5;
+  return picture.contains(beyond) && robot.contains(picture.classAt(beyond));
+}
+
 // Rows, as parts of the goal's height. Robots hide the lower ones.
 constexpr std::array rows{0.15, 0.3, 0.5, 0.7, 0.85};
 
@@ -58,10 +68,9 @@ void GoalSpecialist::scanRows(const Picture& picture, const GoalIndication& from
     const Vector2d p = from.top + (from.bottom - from.top) * part;
     if (!colors.contains(picture.classAt(p))) continue;
     const ColorEdge end = picture.findEdge(p, picture.horizon.along * -sign, colors, maxGap);
-    // Where a robot begins the goal does not end.
-    const Vector2d beyond = end.point - picture.horizon.along * (2.5 * sign);
-    const bool hidden = picture.contains(beyond) && robotColors.contains(picture.classAt(beyond));
-    edge.add(azimuth(picture.ray(end.point)), end.onBorder || hidden);
+    edge.add(
+        azimuth(picture.ray(end.point)),
+        end.onBorder || isHidden(picture, end.point, picture.horizon.along * -sign, robotColors));
   }
 }
 
@@ -84,7 +93,8 @@ void GoalSpecialist::scanColumn(const Picture& picture, const GoalIndication& at
   const ColorEdge top = picture.findEdge(middle, -picture.horizon.down, colors, maxGap);
   const ColorEdge bottom = picture.findEdge(middle, picture.horizon.down, colors, maxGap);
   top_.add(elevation(picture.ray(top.point)), top.onBorder);
-  bottom_.add(elevation(picture.ray(bottom.point)), bottom.onBorder);
+  bottom_.add(elevation(picture.ray(bottom.point)),
+              bottom.onBorder || isHidden(picture, bottom.point, picture.horizon.down, notBelow));
 }
 
 bool GoalSpecialist::measure(const Picture& picture, const FieldDimensions& field,
@@ -122,6 +132,14 @@ bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPe
   }
   const double widest = 2.0 * field.yGoal;
   if (distance > 0 && width * distance > 1.6 * widest) return false;
+  // It stands on the ground, below the horizon.
+  if (matrix.valid && !b.bottomOnBorder && b.bottom > fromDegrees(1)) return false;
+  // Of a goal whose foot is hidden the upper edge tells the distance: flags are narrower.
+  constexpr double narrowest = 180;
+  const double above = field.goalHeight - camera.z();
+  if (matrix.valid && b.bottomOnBorder && !b.topOnBorder && !b.leftOnBorder && !b.rightOnBorder &&
+      above > 0 && width * above < narrowest * std::tan(b.top))
+    return false;
   const double bearing = (b.left + b.right) / 2;
   const Vector2d middle = camera.head<2>() + direction(bearing) * distance;
   goal.distance = distance > 0 ? middle.norm() : 0;

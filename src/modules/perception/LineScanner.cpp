@@ -10,6 +10,7 @@ namespace {
 constexpr int maxGap = 2;      // Pixels of a wrong class accepted within an object.
 constexpr int minPink = 2;     // Pixels of each of a flag's colours.
 constexpr int minGoal = 3;     // Pixels of a goal's colour.
+constexpr int minHidden = 8;   // The same, of a goal whose foot is hidden.
 constexpr int minBall = 2;     // Orange pixels.
 constexpr int maxToField = 6;  // Pixels from a goal's lower end to the green.
 
@@ -31,11 +32,11 @@ void LineScanner::scan(const Picture& picture, const ScanLine& line, const Field
     switch (runs_[i].color) {
       case ColorClass::orange:
       case ColorClass::red:
-        next = findBall(picture, line, i);
+        next = findBall(line, i);
         break;
       case ColorClass::blue: {
         const Stretch tricot = stretchFrom(i, ColorSet{ColorClass::blue}, maxGap);
-        findPlayer(picture, line, tricot, TeamColor::blue);
+        findPlayer(line, tricot, TeamColor::blue);
         next = tricot.last + 1;
         break;
       }
@@ -101,14 +102,14 @@ LineScanner::Stretch LineScanner::ballFrom(std::size_t first) const {
 }
 
 // Shaded orange often appears as red: red counts as ball where there is at least as much orange.
-std::size_t LineScanner::findBall(const Picture& picture, const ScanLine& line, std::size_t first) {
+std::size_t LineScanner::findBall(const ScanLine& line, std::size_t first) {
   const Stretch stretch = ballFrom(first);
   const std::size_t next = stretch.last + 1;
   int orange = 0;
   for (std::size_t i = stretch.first; i <= stretch.last; ++i)
     if (runs_[i].color == ColorClass::orange) orange += runs_[i].length();
   if (orange < minBall || 2 * orange < stretch.pixels) {
-    findPlayer(picture, line, stretch, TeamColor::red);
+    findPlayer(line, stretch, TeamColor::red);
     return next;
   }
   BallSegment segment;
@@ -155,7 +156,7 @@ void LineScanner::findFlag(const ScanLine& line, std::size_t first) {
 }
 
 // A goal stands on the field: below its colour comes green, perhaps after a line, or the picture's
-// border.
+// border, or a robot that hides the rest.
 std::size_t LineScanner::findGoal(const Picture& picture, const ScanLine& line, std::size_t first) {
   const ColorClass color = runs_[first].color;
   const Stretch stretch = stretchFrom(first, ColorSet{color}, maxGap);
@@ -165,44 +166,43 @@ std::size_t LineScanner::findGoal(const Picture& picture, const ScanLine& line, 
   goal.color = color == ColorClass::yellow ? GoalColor::yellow : GoalColor::skyblue;
   goal.top = line.at(runs_[stretch.first].begin);
   goal.bottom = line.at(runs_[stretch.last].end - 1);
-  if (picture.horizon.fromPicture(goal.bottom).y() < 0) return next;
+  const int end = runs_[stretch.last].end;
   bool onField = next == runs_.size() && line.toBorder;
   for (std::size_t i = next; i < runs_.size() && !onField; ++i) {
     const Run& run = runs_[i];
-    if (run.begin - runs_[stretch.last].end > maxToField) break;
+    if (run.begin - end > maxToField) break;
     onField = run.color == ColorClass::green && run.length() >= minPink;
     // Between both colours may lie some pixels that are mixed of them.
-    const int mixed = run.begin - runs_[stretch.last].end;
-    goal.meetsField = onField && mixed <= maxGap;
-    goal.foot = line.at((run.begin + runs_[stretch.last].end - 1) / 2.0);
+    goal.meetsField = onField && run.begin - end <= maxGap;
+    goal.foot = line.at((run.begin + end - 1) / 2.0);
   }
-  if (onField) goals.push_back(goal);
+  onField = onField && picture.horizon.fromPicture(goal.bottom).y() >= 0;
+  if (onField || isHidden(stretch)) goals.push_back(goal);
   return next;
 }
 
-// Below a robot's tricot come its legs, then, at a foot or behind the body, the field.
-void LineScanner::findPlayer(const Picture& picture, const ScanLine& line, const Stretch& tricot,
-                             TeamColor team) {
+// A robot's colours follow, and nothing that belongs to a flag is near.
+bool LineScanner::isHidden(const Stretch& goal) const {
+  constexpr ColorSet robot{ColorClass::gray, ColorClass::black, ColorClass::red, ColorClass::blue,
+                           ColorClass::noColor};
+  constexpr ColorSet flag{ColorClass::pink, ColorClass::white};
+  const int end = runs_[goal.last].end;
+  if (goal.pixels < minHidden || runs_.back().end - end < maxToField) return false;
+  for (std::size_t i = goal.last + 1; i < runs_.size() && runs_[i].begin - end < maxToField; ++i)
+    if (!robot.contains(runs_[i].color)) return false;
+  for (std::size_t i = goal.first; i-- > 0 && runs_[goal.first].begin - runs_[i].end <= maxGap;)
+    if (flag.contains(runs_[i].color)) return false;
+  return true;
+}
+
+void LineScanner::findPlayer(const ScanLine& line, const Stretch& tricot, TeamColor team) {
   PlayerIndication player;
   player.team = team;
+  player.u = line.u;
   player.pixels = tricot.pixels;
   player.upper = line.at(runs_[tricot.first].begin - 0.5);
+  player.lower = line.at(runs_[tricot.last].end - 0.5);
   player.upperKnown = tricot.first > 0 || !line.fromBorder;
-  for (std::size_t i = tricot.last + 1; i < runs_.size() && !player.footKnown; ++i) {
-    if (runs_[i].color != ColorClass::green || runs_[i].length() < minPink) continue;
-    player.foot = line.at(runs_[i].begin - 0.5);
-    player.footKnown = true;
-  }
-  // The line is followed where it ends above the field, for as far as the picture reaches.
-  int green = 0;
-  for (int i = line.length; !player.footKnown; ++i) {
-    const Vector2d p = line.at(i);
-    if (!picture.contains(p)) break;
-    green = picture.classAt(p) == ColorClass::green ? green + 1 : 0;
-    if (green < minPink) continue;
-    player.foot = line.at(i + 0.5 - minPink);
-    player.footKnown = true;
-  }
   players.push_back(player);
 }
 

@@ -30,11 +30,12 @@ struct GoalIndication {
   Vector2d foot = Vector2d::Zero();
 };
 
-/// A piece of tricot on a scan line, and where the field begins below it (report 3.2.6).
+/// A piece of tricot on a scan line (report 3.2.6).
 struct PlayerIndication {
   TeamColor team = TeamColor::red;
-  Vector2d upper = Vector2d::Zero(), foot = Vector2d::Zero();
-  bool upperKnown = false, footKnown = false;  ///< Whether these were seen within the picture.
+  double u = 0;  ///< Of its scan line.
+  Vector2d upper = Vector2d::Zero(), lower = Vector2d::Zero();
+  bool upperKnown = false;  ///< Whether it begins within the picture.
   int pixels = 0;
 };
 
@@ -74,11 +75,11 @@ class LineScanner {
   void findRuns(const Picture& picture, const ScanLine& line);
   Stretch stretchFrom(std::size_t first, ColorSet classes, int maxGap) const;
   Stretch ballFrom(std::size_t first) const;
-  std::size_t findBall(const Picture& picture, const ScanLine& line, std::size_t first);
+  std::size_t findBall(const ScanLine& line, std::size_t first);
   void findFlag(const ScanLine& line, std::size_t first);
-  void findPlayer(const Picture& picture, const ScanLine& line, const Stretch& tricot,
-                  TeamColor team);
+  void findPlayer(const ScanLine& line, const Stretch& tricot, TeamColor team);
   void findGreen(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
+  bool isHidden(const Stretch& goal) const;
   std::size_t findGoal(const Picture& picture, const ScanLine& line, std::size_t first);
 
   std::vector<Run> runs_;

@@ -1,73 +1,139 @@
 #include "modules/perception/PlayerSpecialist.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "modules/perception/FieldView.h"
 
 namespace gt {
 namespace {
 
-constexpr int minPixels = 3;         // Of tricot on a scan line.
-constexpr int minClusterPixels = 8;  // Of tricot in all of a robot.
-constexpr double tricotTop = 190;    // mm: typical height of the back of a robot that walks
-constexpr double tricotHeight = 60;  // mm: typical height of its tricot, seen from the side
-constexpr double mostTricot = 120;   // mm: the most of it in a row, with that of a leg below
-constexpr double bodyRadius = 10;    // mm: from what is nearest of a robot to its middle
-constexpr double bodyWidth = 300;    // mm: the longest that a robot is seen
+constexpr int minPixels = 3;            // Of tricot on a scan line.
+constexpr int minClusterPixels = 8;     // Of tricot in all of a robot.
+constexpr int minGreen = 2;             // Pixels below a foot.
+constexpr int minLeg = 3;               // Pixels above it.
+constexpr double typicalHeight = 55;    // mm: of a piece of tricot, seen from the side
+constexpr double mostHeight = 120;      // mm: the same with that of a leg below
+constexpr double typicalTricot = 6400;  // mm2: of a side
+constexpr double mostTricot = 11600;    // mm2: with legs and back
+constexpr double bodyRadius = 70;       // mm: from the nearest foot to its middle
+constexpr double bodyWidth = 300;       // mm: the longest that a robot is seen
+constexpr double footBeside = 60;       // mm: feet stand that far beside the tricot
+constexpr double farBelow = 1e4;        // pixels: to the end of the picture
+
+// What is below the tricot and does not belong to the ground, nor to what lies on it.
+bool isBody(ColorClass color) {
+  constexpr ColorSet bodyColors{ColorClass::gray, ColorClass::black, ColorClass::red,
+                                ColorClass::blue, ColorClass::noColor};
+  return bodyColors.contains(color);
+}
+
+double focal(const Picture& picture) {
+  return picture.matrix.info.focalX;
+}
 
 }  // namespace
 
 void PlayerSpecialist::find(const Picture& picture, std::span<const PlayerIndication> indications,
                             PlayersPercept& percept) {
+  feet_.clear();
   for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {
-    percept.players[team].clear();
-    findTeam(picture, indications, team, percept.players[team]);
-  }
-}
-
-void PlayerSpecialist::findTeam(const Picture& picture,
-                                std::span<const PlayerIndication> indications, TeamColor team,
-                                std::vector<Vector2d>& players) {
-  const Vector2d camera = picture.matrix.pose.translation.head<2>();
-  cluster_.clear();
-  for (const PlayerIndication& indication : indications) {
-    if (indication.team != team || indication.pixels < minPixels) continue;
-    Sight sight;
-    sight.azimuth = azimuth(picture.ray(indication.upper));
-    sight.pixels = indication.pixels;
-    std::optional<Vector2d> place;
-    if (indication.footKnown) place = onGround(picture, indication.foot);
-    if (!place && indication.upperKnown) place = onPlane(picture, indication.upper, tricotTop);
-    sight.distance = place ? (*place - camera).norm()
-                           : picture.matrix.info.focalX * tricotHeight / indication.pixels;
-    // Through its legs the green behind a close robot is seen.
-    sight.distance =
-        std::min(sight.distance, picture.matrix.info.focalX * mostTricot / indication.pixels);
-    if (!cluster_.empty()) {
-      const Sight& last = cluster_.back();
-      const double gap = std::abs(normalize(sight.azimuth - last.azimuth));
-      if (gap * std::min(sight.distance, last.distance) > bodyWidth / 2)
-        endCluster(picture, players);
+    std::vector<Vector2d>& players = percept.players[team];
+    players.clear();
+    cluster_.clear();
+    for (const PlayerIndication& indication : indications) {
+      if (indication.team != team || indication.pixels < minPixels) continue;
+      if (!cluster_.empty()) {
+        // A robot seen at this size is at most that far away.
+        const int pixels = std::max(indication.pixels, cluster_.back().pixels);
+        const double widest = bodyWidth / 2 * pixels / typicalHeight;
+        if (indication.u - cluster_.back().u > std::max(8., widest)) endCluster(picture, players);
+      }
+      cluster_.push_back(indication);
     }
-    cluster_.push_back(sight);
+    endCluster(picture, players);
   }
-  endCluster(picture, players);
 }
 
-// Not all foot points are below a foot, some are below the body: the smallest distance counts, but
-// for the one scan line in eight that may have got lost.
 void PlayerSpecialist::endCluster(const Picture& picture, std::vector<Vector2d>& players) {
-  int pixels = 0;
-  for (const Sight& sight : cluster_) pixels += sight.pixels;
+  int pixels = 0, longest = 0, lines = 0;
+  for (const PlayerIndication& piece : cluster_) {
+    lines += &piece == &cluster_.front() || piece.u != (&piece - 1)->u ? 1 : 0;
+    pixels += piece.pixels;
+    longest = std::max(longest, piece.pixels);
+  }
   if (pixels >= minClusterPixels) {
-    const double middle = (cluster_.front().azimuth + cluster_.back().azimuth) / 2;
-    const auto least = cluster_.begin() + static_cast<std::ptrdiff_t>(cluster_.size() / 8);
-    std::nth_element(cluster_.begin(), least, cluster_.end(),
-                     [](const Sight& a, const Sight& b) { return a.distance < b.distance; });
+    const double width = cluster_.back().u - cluster_.front().u + 1, area = pixels * width / lines;
+    const double bearing = (azimuth(picture.ray(cluster_.front().upper)) +
+                            azimuth(picture.ray(cluster_.back().upper))) /
+                           2;
+    lookForFeet(picture);
+    // How far away it looks if `height` of it are the longest piece and `surface` is all of it.
+    const auto bySize = [&](double height, double surface) {
+      return focal(picture) * std::min(height / longest, std::sqrt(surface / area));
+    };
+    // Of a robot so close that its feet are not in the picture only the size tells.
+    const double distance = foot_ < border_
+                                ? std::min(foot_, bySize(mostHeight, mostTricot))
+                                : std::min(border_, bySize(typicalHeight, typicalTricot));
     players.push_back(picture.matrix.pose.translation.head<2>() +
-                      (least->distance + bodyRadius) * direction(middle));
+                      (distance + bodyRadius) * direction(bearing));
   }
   cluster_.clear();
+}
+
+// Below a tricot, or a place beside it, come legs, then green. The first green below the tricot may
+// be seen between the legs, the last one before `end` is at a foot. A leg that leaves the picture
+// stands nearer than that.
+void PlayerSpecialist::follow(const Picture& picture, double u, double v, double end, Which which) {
+  int green = 0, body = which == Which::first ? minGreen : 0;
+  Vector2d p = picture.horizon.toPicture(u, v);
+  std::optional<Vector2d> foot;
+  const ColorClass others =
+      cluster_.front().team == TeamColor::red ? ColorClass::blue : ColorClass::red;
+  for (; v < end && picture.contains(p); v += 1, p += picture.horizon.down) {
+    const ColorClass color = picture.classAt(p);
+    if (color == others) break;
+    green = color == ColorClass::green ? green + 1 : 0;
+    body += isBody(color) ? 1 : 0;
+    if (green < minGreen) continue;
+    if (body >= (which == Which::first ? minGreen : minLeg))
+      foot = p - picture.horizon.down * (minGreen - 0.5);
+    if (foot && which == Which::first) break;
+    body = 0;
+  }
+  const auto distanceOf = [&](const Vector2d& at) {
+    const auto place = onGround(picture, at);
+    return place ? (*place - picture.matrix.pose.translation.head<2>()).norm() : farthestOnGround;
+  };
+  if (foot) {
+    feet_.push_back(*foot);
+    foot_ = std::min(foot_, distanceOf(*foot));
+  } else if (v < end && body > minGreen && which == Which::first) {
+    border_ = std::min(border_, distanceOf(p - picture.horizon.down));
+  }
+}
+
+// Not all foot points are below a foot, some are below the body: the smallest distance counts. The
+// legs of the side that is nearer reach further down, and stand beside the tricot, too.
+void PlayerSpecialist::lookForFeet(const Picture& picture) {
+  foot_ = border_ = farthestOnGround;
+  for (const PlayerIndication& piece : cluster_)
+    follow(picture, piece.u, picture.horizon.fromPicture(piece.lower).y(), farBelow, Which::first);
+  if (foot_ == farthestOnGround) return;
+  const double until = 0.6 * foot_;
+  const double bearing = azimuth(picture.ray(cluster_[cluster_.size() / 2].lower));
+  const Vector2d below = until * direction(bearing);
+  const double end = picture.horizon
+                         .fromPicture(picture.pointOf(
+                             {below.x(), below.y(), -picture.matrix.pose.translation.z()}))
+                         .y();
+  const double beside = focal(picture) * footBeside / foot_;
+  std::size_t piece = 0;
+  for (double u = cluster_.front().u - beside; u <= cluster_.back().u + beside; u += 2) {
+    while (piece + 1 < cluster_.size() && cluster_[piece + 1].u < u + 1) ++piece;
+    follow(picture, u, picture.horizon.fromPicture(cluster_[piece].lower).y(), end, Which::last);
+  }
 }
 
 }  // namespace gt

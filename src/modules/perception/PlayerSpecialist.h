@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,18 +15,21 @@ class PlayerSpecialist {
   void find(const Picture& picture, std::span<const PlayerIndication> indications,
             PlayersPercept& percept);
 
+  /// The foot points of the last picture, for drawings.
+  const std::vector<Vector2d>& feet() const { return feet_; }
+
  private:
-  /// What one scan line tells of a robot: from the camera, on the ground.
-  struct Sight {
-    double azimuth = 0, distance = 0;
-    int pixels = 0;
-  };
+  /// Whether the first or the last foot on a line is wanted.
+  enum class Which { first, last };
 
-  void findTeam(const Picture& picture, std::span<const PlayerIndication> indications,
-                TeamColor team, std::vector<Vector2d>& players);
   void endCluster(const Picture& picture, std::vector<Vector2d>& players);
+  void lookForFeet(const Picture& picture);
+  void follow(const Picture& picture, double u, double v, double end, Which which);
 
-  std::vector<Sight> cluster_;
+  std::vector<PlayerIndication> cluster_;
+  std::vector<Vector2d> feet_;
+  double foot_ = 0;    ///< mm, to the nearest foot of the cluster.
+  double border_ = 0;  ///< mm, to where the nearest leg leaves the picture.
 };
 
 }  // namespace gt
