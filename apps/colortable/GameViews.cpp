@@ -76,7 +76,22 @@ void GameViews::placeBall() {
                     {std::clamp(ball.x(), -2050.0, 2050.0), std::clamp(ball.y(), -1300.0, 1300.0)});
 }
 
+// Legs stand anywhere; a leg's own height stays.
+void GameViews::placeReferees() {
+  const mjModel& model = world_->model();
+  for (int i = 0; i < scene_.referees; ++i) {
+    const Vector2d at = somewhere(1950, 1200), apart = direction(random_.uniform(-pi, pi)) * 110;
+    for (const bool left : {true, false}) {
+      const std::string name = "referee" + std::to_string(i) + (left ? "/left" : "/right");
+      const int geom = mj_name2id(&model, mjOBJ_GEOM, name.c_str());
+      const Vector2d leg = left ? Vector2d{at + apart} : Vector2d{at - apart};
+      world_->moveGeom(geom, {leg.x(), leg.y(), 1000 * model.geom_pos[3 * geom + 2]});
+    }
+  }
+}
+
 void GameViews::shuffle() {
+  placeReferees();
   for (std::size_t i = 0; i < world_->robotCount(); ++i) placeRobot(i);
   placeBall();
   // Heads are still on their way in some of the pictures.
@@ -99,7 +114,8 @@ const GameView& GameViews::look(std::size_t robot, const CameraEffects& effects)
   view_.sensors = buffers_[robot];
   view_.step = commands_[robot].step;
   const CameraView camera = cameraView(*world_, robot, CameraInfo{});
-  renderer_.render(world_->data(), camera, effects, random_(), view_.image, &view_.truth);
+  renderer_.render(world_->data(), camera, effects.at(world_->time()), random_(), view_.image,
+                   &view_.truth);
   view_.image.time = world_->time();
   view_.camera = trueMatrix(camera, world_->robot(robot).pose);
   view_.camera.time = world_->time();

@@ -40,6 +40,7 @@ class GameViews {
   Vector2d somewhere(double x, double y);
   void placeRobot(std::size_t robot);
   void placeBall();
+  void placeReferees();
   void step();
 
   SceneDescription scene_;

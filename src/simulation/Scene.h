@@ -210,6 +210,8 @@ struct SceneDescription {
   std::string script;
   Fidelity fidelity = Fidelity::kinematic;
   bool flags = true;
+  int audience = 0;
+  int referees = 0;
   NoiseParameters noise;
   CameraEffects camera;
   BallParameters physics;
@@ -230,7 +232,11 @@ struct SceneDescription {
         gt::field("script", &SceneDescription::script, "", "console script to begin with"),
         gt::field("fidelity", &SceneDescription::fidelity),
         gt::field("flags", &SceneDescription::flags, "",
-                  "whether the field has its flags: what is of the model's class flag")};
+                  "whether the field has its flags: what is of the model's class flag"),
+        gt::field("audience", &SceneDescription::audience, "",
+                  "people in strong colours behind the outer wall", {0, 200}),
+        gt::field("referees", &SceneDescription::referees, "",
+                  "whose legs stand on the field, beside the walls", {0, 200})};
   }
 };
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/Enum.h"
+#include "simulation/ScenePeople.h"
 #include "simulation/Xml.h"
 
 namespace gt {
@@ -147,6 +148,8 @@ Result<std::string> Composer::compose() {
   document_ = std::move(*field);
   root_ = xmlDocGetRootElement(document_.get());
   if (!scene_.flags) removeFlags();
+  addAudience(childOf(root_, "worldbody", true), scene_.audience);
+  addReferees(childOf(root_, "worldbody", true), scene_.referees);
   for (const auto* group : {&scene_.robots, &scene_.extras})
     for (const SceneRobot& robot : *group)
       if (auto r = addRobot(robot); !r) return r.error();

@@ -95,6 +95,35 @@ TEST(Scene, schemaKnowsWhatTheLoaderKnows) {
   check(SceneDescription{});
 }
 
+TEST(Scene, peopleStandWhereTheyAreMeantTo) {
+  SceneDescription scene = matchScene();
+  scene.audience = 40;
+  scene.referees = 3;
+  const auto model = composeModel(scene);
+  ASSERT_TRUE(model) << model.error().text();
+  const auto geom = [&](const std::string& name) {
+    return mj_name2id(model->get(), mjOBJ_GEOM, name.c_str());
+  };
+  const auto place = [&](int id) {
+    return Vector2d{(*model)->geom_pos[3 * id], (*model)->geom_pos[3 * id + 1]};
+  };
+  for (int i = 0; i < scene.audience; ++i) {
+    const int shirt = geom("audience" + std::to_string(i) + "/shirt");
+    ASSERT_GE(shirt, 0);
+    EXPECT_TRUE(std::abs(place(shirt).x()) > 3.5 || std::abs(place(shirt).y()) > 2.6);
+    EXPECT_EQ((*model)->geom_contype[shirt], 0);
+  }
+  EXPECT_EQ(geom("audience40/shirt"), -1);
+  for (int i = 0; i < scene.referees; ++i) {
+    const int leg = geom("referee" + std::to_string(i) + "/left");
+    ASSERT_GE(leg, 0);
+    EXPECT_LT(std::abs(place(leg).x()), 2.1);
+    EXPECT_LT(std::abs(place(leg).y()), 1.35);
+    EXPECT_EQ((*model)->geom_group[leg], 2) << "what robots run into";
+  }
+  EXPECT_EQ(*composeText(scene), *composeText(scene));
+}
+
 TEST_F(WrongFiles, missingScene) {
   const auto scene = loadScene("scenes/nowhere.scene");
   ASSERT_FALSE(scene);
@@ -133,6 +162,8 @@ TEST_F(WrongFiles, namesFileLineAndField) {
   expectError("<scene>\n<noise joints=\"nan\"/></scene>", 2, "joints", "expected a number");
   expectError("<scene>\n<radio loss=\"1.5\"/></scene>", 2, "loss", "outside");
   expectError("<scene><radio delayMin=\"200\"/></scene>", 0, "radio", "delayMin");
+  expectError("<scene\naudience=\"-1\"/>", 1, "audience", "outside");
+  expectError("<scene\nreferees=\"1.5\"/>", 1, "referees", "whole number");
   expectError("<scene>\n<game referee=\"maybe\"/></scene>", 2, "referee", "true or false");
   expectError("<scene>\n<robots>\n<robot team=\"green\"/></robots></scene>", 3, "team",
               "red, blue");

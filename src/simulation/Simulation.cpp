@@ -190,7 +190,7 @@ void Simulation::takePicture(std::size_t robot, CameraRenderer& renderer) {
   if (r.cameraOn) {
     const CameraView view =
         leaning(cameraView(*world_, robot, CameraInfo{}), *world_, robot, scene_.robots[robot]);
-    renderer.render(world_->data(), view, r.camera, r.pictureSeeds(), r.image);
+    renderer.render(world_->data(), view, r.camera.at(r.input.now), r.pictureSeeds(), r.image);
   } else if (r.image.pixels.empty()) {
     r.image.allocate();
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/Time.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "streams/Reflection.h"
 
@@ -18,7 +19,12 @@ struct CameraEffects {
   double noiseCr = 2;
   bool pixelShading = false;
   bool shadows = false;
+  double exposure = 0;
+  double lightChange = 0;
+  double lightPeriod = 10;
 
+  /// What they are at a time, with the light that there is then.
+  CameraEffects at(Time time) const;
   /// A camera without faults.
   static CameraEffects none() { return {false, 0, 0, 1, 0, 0, 0, 0, 0, false, false}; }
 
@@ -28,6 +34,8 @@ struct CameraEffects {
     perfect.rollingShutter = rollingShutter;
     perfect.pixelShading = pixelShading;
     perfect.shadows = shadows;
+    perfect.exposure = exposure;
+    perfect.lightPeriod = lightPeriod;
     return *this != perfect;
   }
   friend bool operator==(const CameraEffects&, const CameraEffects&) = default;
@@ -49,14 +57,20 @@ struct CameraEffects {
         field("noiseCr", &CameraEffects::noiseCr, "", "", {0, 60}),
         field("pixelShading", &CameraEffects::pixelShading, "",
               "each pixel is lit by the emitters for itself; otherwise each surface, by daylight"),
-        field("shadows", &CameraEffects::shadows, "", "with pixelShading: emitters throw shadows")};
+        field("shadows", &CameraEffects::shadows, "", "with pixelShading: emitters throw shadows"),
+        field("exposure", &CameraEffects::exposure, "ms",
+              "of each row: what the camera turns past is smeared", {0, 40}),
+        field("lightChange", &CameraEffects::lightChange, "",
+              "share by which all light grows and shrinks", {0, 0.9}),
+        field("lightPeriod", &CameraEffects::lightPeriod, "s", "in which it does so", {0.1, 1000})};
   }
 };
 static_assert(complete<CameraEffects>);
 
 /// The effects with the camera set in another way (report B.4.3). Effects are as they are told with
 /// the settings by default: gain and shutter speed change the light by a stop's half each, gain the
-/// noise, too; the other white balances shift the colours as in light that they are not made for.
+/// noise, too, shutter speed the exposure; the other white balances shift the colours as in light
+/// that they are not made for.
 CameraEffects withSettings(CameraEffects effects, const CameraSettings& settings);
 
 }  // namespace gt

@@ -29,6 +29,8 @@ void CameraRenderer::render(const mjData& data, const CameraView& view,
                                       rasterizer_);
   }
   if (truth) tell(*truth);
+  if (effects.exposure > 0 && isFinite(view.first) && isFinite(view.last))
+    motionBlur_.apply(view, effects.exposure, rasterizer_);
   if (effects.colors())
     effects_.apply(rasterizer_, effects, seed, image);
   else

@@ -9,6 +9,7 @@
 #include "simulation/camera/CameraEffects.h"
 #include "simulation/camera/CameraScene.h"
 #include "simulation/camera/CameraView.h"
+#include "simulation/camera/MotionBlur.h"
 #include "simulation/camera/PictureEffects.h"
 #include "simulation/camera/Projection.h"
 #include "simulation/camera/Rasterizer.h"
@@ -40,6 +41,7 @@ class CameraRenderer {
   const CameraScene* scene_;
   Projection projection_;
   Rasterizer rasterizer_;
+  MotionBlur motionBlur_;
   PictureEffects effects_;
 };
 
