@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/Random.h"
+#include "base/Statistics.h"
 #include "modules/kinematics/BodyPosture.h"
 #include "modules/kinematics/HeadKinematics.h"
 
@@ -124,6 +126,83 @@ TEST_F(DefaultSensorDataProcessorTest, PutsTheDistanceSensorsHitAhead) {
   // 26.5 before the pan axis, 40.1 behind the camera, 13.4 above its axis.
   EXPECT_NEAR((psd_.offset - camera).dot(matrix_.pose.rotation.col(0)), 300 - 40.1, 1e-6);
   EXPECT_NEAR((psd_.offset - camera).dot(matrix_.pose.rotation.col(2)), 13.4, 1e-6);
+}
+
+// A line through five measurements is surer than one of them by the root of five.
+TEST_F(DefaultSensorDataProcessorTest, AveragesTheJointsNoiseDuringTheExposure) {
+  constexpr double noise = 0.004;
+  Random random{1};
+  RunningStatistics errors;
+  fill(0);
+  run();
+  const double truth = std::asin(matrix_.pose.rotation.col(0).z());
+  for (int i = 0; i < 400; ++i) {
+    fill(0);
+    for (SensorData& frame : sensors_.frames)
+      frame.joints[Joint::headTilt] += noise * random.gaussian();
+    run();
+    errors.add(std::asin(matrix_.pose.rotation.col(0).z()) - truth);
+  }
+  EXPECT_NEAR(errors.mean(), 0, 3 * noise / std::sqrt(5 * 400));
+  EXPECT_NEAR(errors.standardDeviation(), noise / std::sqrt(5), 0.2 * noise);
+}
+
+TEST_F(DefaultSensorDataProcessorTest, GivesEachRowTheTurnOfTheWalkingRobot) {
+  fill(0);
+  run();
+  const Matrix3d standing = matrix_.pose.rotation;
+  constexpr double turning = 1.2, speed = 150;
+  now_ = now_ + 40;
+  odometry_.pose = {0.04 * turning, 0.04 * speed, 0};
+  fill(0);
+  run();
+  for (const int row : {0, 50, 100, 143}) {
+    const double seconds = -(image_.info.height - 1 - row) * image_.info.rowTime / 1000;
+    EXPECT_LT((matrix_.rotationAt(row) - rotationZ(turning * seconds) * standing).norm(), 1e-3)
+        << row;
+  }
+  const double back = -(image_.info.height - 1) * image_.info.rowTime / 2000;
+  EXPECT_NEAR(
+      matrix_.pose.translation.x() -
+          cameraPose(robot_, bodyPose(bodyPosture(robot_, sensors_.newest().joints)), {-0.3, 0, 0})
+              .translation.x(),
+      speed * back, 0.1);
+}
+
+TEST_F(DefaultSensorDataProcessorTest, AveragesTheLastTicks) {
+  for (int i = 0; i < SensorDataBuffer::capacity; ++i) {
+    SensorData frame;
+    frame.acceleration = {100.0 * i, 0, 9810};
+    sensors_.push(frame);
+  }
+  EXPECT_EQ(averageAcceleration(sensors_, 1).x(), 1500);
+  EXPECT_EQ(averageAcceleration(sensors_, 4).x(), 1350);
+  EXPECT_EQ(averageAcceleration(sensors_, 100).x(), 750) << "all there are";
+}
+
+TEST_F(DefaultSensorDataProcessorTest, TellsTiltAndRollFromAcceleration) {
+  for (const double tilt : {-0.3, 0.0, 0.25})
+    for (const double roll : {-0.4, 0.0, 0.2}) {
+      const Matrix3d body = rotationY(-tilt) * rotationX(roll);
+      fill(0, body.transpose() * Vector3d{0, 0, 9810});
+      run();
+      EXPECT_NEAR(body_.tilt, tilt, 1e-9);
+      EXPECT_NEAR(body_.roll, roll, 1e-9);
+    }
+}
+
+// The short average leaves the long one at once: no need to wait until the paws hang for long.
+TEST_F(DefaultSensorDataProcessorTest, NoticesAtOnceWhenItIsLiftedWithAJerk) {
+  for (int i = 0; i < 100; ++i, now_ = now_ + 40) {
+    fill(0);
+    run();
+  }
+  fill(0, {0, 2500, 12000}, false);
+  run();
+  EXPECT_EQ(body_.state, BodyState::liftedUp);
+  fill(0, {0, 2500, 12000}, true);
+  run();
+  EXPECT_EQ(body_.state, BodyState::standing) << "with its paws on the ground it is only pushed";
 }
 
 }  // namespace

@@ -203,5 +203,35 @@ TEST_F(FieldPercepts, RobotsAreFoundByTheirTricots) {
   }
 }
 
+// Green is seen between the legs, and the nearest foot stands beside the tricot.
+TEST_F(FieldPercepts, ARobotIsAsFarAsItsNearestFoot) {
+  boxes_ = {{{900, -60, 110}, {1000, 60, 185}, ColorClass::red},
+            {{820, 60, 0}, {850, 90, 110}, ColorClass::gray},
+            {{1040, -60, 0}, {1070, -30, 110}, ColorClass::gray}};
+  look(0, -0.25);
+  ASSERT_EQ(players_.players[TeamColor::red].size(), 1u);
+  EXPECT_NEAR(players_.players[TeamColor::red].front().x(), 890, 60);
+  EXPECT_TRUE(players_.players[TeamColor::blue].empty());
+}
+
+TEST_F(FieldPercepts, ARobotSoCloseThatItsFeetAreNotSeenIsJudgedBySize) {
+  boxes_ = {{{330, -150, 60}, {400, 150, 110}, ColorClass::gray},
+            {{330, -62, 110}, {400, 62, 162}, ColorClass::blue},
+            {{330, -150, 0}, {400, 150, 60}, ColorClass::gray}};
+  look(0, 0.1);
+  ASSERT_EQ(players_.players[TeamColor::blue].size(), 1u);
+  EXPECT_NEAR(players_.players[TeamColor::blue].front().x(), 390, 120);
+}
+
+TEST_F(FieldPercepts, ARobotHidesTheFootOfAGoalButNotTheGoal) {
+  boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+            {{600, -200, 0}, {700, 150, 170}, ColorClass::gray}};
+  look(0, 0.05);
+  ASSERT_EQ(landmarks_.numberOfGoals, 1);
+  const ConditionalBoundary& b = landmarks_.goals[0].boundary;
+  EXPECT_NEAR(toDegrees(b.left), toDegrees(std::atan2(290, 1410)), 1);
+  EXPECT_NEAR(toDegrees(b.right), toDegrees(std::atan2(-310, 1410)), 1);
+}
+
 }  // namespace
 }  // namespace gt

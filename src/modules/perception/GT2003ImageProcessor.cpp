@@ -11,8 +11,20 @@ const DebugKey drawHorizon{"ImageProcessor/horizon"};
 const DebugKey drawGrid{"ImageProcessor/grid"};
 const DebugKey drawIndications{"ImageProcessor/indications"};
 const DebugKey drawEdges{"ImageProcessor/edges"};
+const DebugKey drawSpecialistsWays{"ImageProcessor/specialists"};
+const DebugKey drawOnGround{"ImageProcessor/ground"};
 const DebugKey drawFreeGround{"ImageProcessor/freeGround"};
 const DebugKey drawFound{"ImageProcessor/percepts"};
+
+Color colorOf(EdgeType type) {
+  constexpr EnumArray<EdgeType, Color> edgeColors{
+      {colors::white, colors::red, colors::yellow, colors::skyblue}};
+  return edgeColors[type];
+}
+
+Color colorOf(TeamColor team) {
+  return team == TeamColor::red ? colors::red : colors::blue;
+}
 
 }  // namespace
 
@@ -35,7 +47,9 @@ void GT2003ImageProcessor::update(const Image& image, const CameraMatrix& matrix
                                   LinesPercept& lines, PlayersPercept& players,
                                   ObstaclesPercept& obstacles, Debug& debug) {
   const Horizon horizon = horizonOf(matrix);
-  const Picture picture{image, colors, matrix, horizon};
+  ways_.clear();
+  const bool watched = debug.isActive(drawSpecialistsWays);
+  const Picture picture{image, colors, matrix, horizon, watched ? &ways_ : nullptr};
   grid_.build(image.info, horizon, spacing(matrix, field));
   scanner_.clear();
   edgeScanner_.clear();
@@ -55,7 +69,9 @@ void GT2003ImageProcessor::update(const Image& image, const CameraMatrix& matrix
   findFreeGround(picture, obstacles);
   ball.time = landmarks.time = lines.time = players.time = obstacles.time = image.time;
   drawScan(picture, debug);
+  drawSpecialists(debug);
   drawPercepts(picture, ball, landmarks, players, debug);
+  drawGround(ball, lines, players, obstacles, debug);
 }
 
 void GT2003ImageProcessor::findFreeGround(const Picture& picture, ObstaclesPercept& percept) const {
@@ -85,13 +101,11 @@ void GT2003ImageProcessor::drawScan(const Picture& picture, Debug& debug) const 
     for (const FlagIndication& f : scanner_.flags) canvas.point(f.position, colors::pink, 2);
     for (const GoalIndication& g : scanner_.goals) canvas.line(g.top, g.bottom, colors::blue);
     for (const PlayerIndication& p : scanner_.players)
-      canvas.line(p.upper, p.lower, p.team == TeamColor::red ? colors::red : colors::blue);
+      canvas.line(p.upper, p.lower, colorOf(p.team));
   }
   if (auto canvas = debug.onImage(drawEdges)) {
-    constexpr EnumArray<EdgeType, Color> colorOf{
-        {colors::white, colors::red, colors::yellow, colors::skyblue}};
     for (const EdgeScanner::EdgePoint& p : edgeScanner_.points())
-      canvas.point(p.inPicture, colorOf[p.type], 1.5);
+      canvas.point(p.inPicture, colorOf(p.type), 1.5);
   }
   if (auto canvas = debug.onImage(drawFreeGround))
     for (const GreenSection& green : scanner_.greens)
@@ -120,8 +134,37 @@ void GT2003ImageProcessor::drawPercepts(const Picture& picture, const BallPercep
     for (const Vector2d& p : players.players[team]) {
       const Vector3d ray = Vector3d{p.x(), p.y(), 0} - picture.matrix.pose.translation;
       if (picture.matrix.pose.rotation.col(0).dot(ray) > 0)
-        canvas.point(picture.pointOf(ray), team == TeamColor::red ? colors::red : colors::blue, 4);
+        canvas.point(picture.pointOf(ray), colorOf(team), 4);
     }
+}
+
+// The pixels that the specialists have touched, and the edges that they have found there
+// (report, figure 3.3c).
+void GT2003ImageProcessor::drawSpecialists(Debug& debug) const {
+  auto canvas = debug.onImage(drawSpecialistsWays);
+  if (!canvas) return;
+  for (const ScanWay& way : ways_) canvas.line(way.start, way.end.point, colors::gray);
+  for (const ScanWay& way : ways_)
+    if (!way.end.onBorder) canvas.point(way.end.point, colors::green, 0.7);
+  for (const Vector2d& foot : playerSpecialist_.feet()) canvas.point(foot, colors::pink, 0.7);
+}
+
+// What was found as it lies on the ground around the robot (report, figure 3.1b).
+void GT2003ImageProcessor::drawGround(const BallPercept& ball, const LinesPercept& lines,
+                                      const PlayersPercept& players,
+                                      const ObstaclesPercept& obstacles, Debug& debug) const {
+  auto canvas = debug.onRobot(drawOnGround);
+  if (!canvas) return;
+  for (const FreeGround& line : obstacles.lines) {
+    canvas.line(line.nearPoint, line.farPoint, colors::green);
+    if (!line.farOnBorder) canvas.point(line.farPoint, colors::black, 15);
+  }
+  for (std::size_t t = 0; t < enumCount<EdgeType>; ++t)
+    for (const Vector2d& p : lines.points[static_cast<EdgeType>(t)])
+      canvas.point(p, colorOf(static_cast<EdgeType>(t)), 20);
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
+    for (const Vector2d& p : players.players[team]) canvas.circle(p, 120, colorOf(team), 2);
+  if (ball.seen) canvas.disk(ball.offset, 43, colors::orange);
 }
 
 }  // namespace gt

@@ -35,9 +35,12 @@ class GT2003ImageProcessor {
   GridSpacing spacing(const CameraMatrix& matrix, const FieldDimensions& field) const;
   void findFreeGround(const Picture& picture, ObstaclesPercept& percept) const;
   void drawScan(const Picture& picture, Debug& debug) const;
+  void drawSpecialists(Debug& debug) const;
   void drawPercepts(const Picture& picture, const BallPercept& ball,
                     const LandmarksPercept& landmarks, const PlayersPercept& players,
                     Debug& debug) const;
+  void drawGround(const BallPercept& ball, const LinesPercept& lines, const PlayersPercept& players,
+                  const ObstaclesPercept& obstacles, Debug& debug) const;
 
   ScanGrid grid_;
   LineScanner scanner_;
@@ -46,6 +49,7 @@ class GT2003ImageProcessor {
   GoalSpecialist goalSpecialist_;
   EdgeScanner edgeScanner_;
   PlayerSpecialist playerSpecialist_;
+  std::vector<ScanWay> ways_;  ///< Of the specialists, if somebody wants to see them.
 };
 
 }  // namespace gt

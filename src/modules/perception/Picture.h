@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "modules/perception/Horizon.h"
 #include "representations/infrastructure/Image.h"
@@ -28,6 +29,12 @@ struct ColorEdge {
   bool onBorder = false;              ///< The colour reaches to the picture's border.
 };
 
+/// A way that was followed through the picture, for drawings.
+struct ScanWay {
+  Vector2d start;
+  ColorEdge end;
+};
+
 /// Where a camera sees a direction in the robot's system, as the row there saw it; the ray must
 /// point forward.
 Vector2d pointIn(const CameraMatrix& matrix, const Vector3d& ray);
@@ -38,6 +45,7 @@ struct Picture {
   const ColorTable64& colors;
   const CameraMatrix& matrix;
   const Horizon& horizon;
+  std::vector<ScanWay>* ways = nullptr;  ///< Takes down all ways, where somebody wants to see them.
 
   bool contains(const Vector2d& p) const { return image.info.contains(p.x(), p.y()); }
   ColorClass classAt(const Vector2d& p) const {
@@ -79,6 +87,7 @@ struct Picture {
     }
     edge.point =
         edge.onBorder ? Vector2d{start + direction * last} : refineEdge(start, direction, last);
+    if (ways) ways->push_back({start, edge});
     return edge;
   }
 
