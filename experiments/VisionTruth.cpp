@@ -32,6 +32,7 @@ VisionTruth::Object VisionTruth::objectOf(int geom, ColorClass color) const {
   const bool outside = name.ends_with("Outside");
   if (name.starts_with("goalYellow") && !outside) return {Kind::goal, 0};
   if (name.starts_with("goalSkyblue") && !outside) return {Kind::goal, 1};
+  if (name.starts_with("audience")) return {Kind::background, 0};
   if (name.starts_with("carpet") || name == "circleGreen" || name == "floor")
     return {Kind::ground, 0};
   if (name.starts_with("line") || name == "circleWhite") return {Kind::line, 0};

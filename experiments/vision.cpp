@@ -15,19 +15,51 @@ namespace {
 /// How the pictures of a row of the experiment differ from those of the match scene.
 struct Condition {
   std::string name;
-  double share = 1;  ///< Of the moments that are looked at.
+  double share = 1;    ///< Of the moments that are looked at.
+  bool brief = false;  ///< Only the figures with an aim are told.
   std::function<void(SceneDescription&)> change;
 };
 
 std::vector<Condition> conditions() {
+  using Scene = SceneDescription;
   const auto light = [](double brightness) {
-    return [=](SceneDescription& scene) { scene.camera.brightness = brightness; };
+    return [=](Scene& scene) { scene.camera.brightness = brightness; };
   };
-  return {
-      {"", 1, [](SceneDescription&) {}}, {"dark.", 1, light(0.75)}, {"bright.", 1, light(1.25)}};
+  return {{"", 1, false, [](Scene&) {}},
+          {"dark.", 1, false, light(0.75)},
+          {"bright.", 1, false, light(1.25)},
+          {"hard.dim.", 0.2, true, light(0.5)},
+          {"hard.changing.", 0.2, true,
+           [](Scene& scene) {
+             scene.camera.lightChange = 0.5;
+             scene.camera.lightPeriod = 3;
+           }},
+          {"hard.noise.", 0.2, true,
+           [](Scene& scene) {
+             scene.camera.noiseY = 8;
+             scene.camera.noiseCb = scene.camera.noiseCr = 5;
+           }},
+          {"hard.motion.", 0.2, true, [](Scene& scene) { scene.camera.exposure = 20; }},
+          {"hard.vignetting.", 0.2, true, [](Scene& scene) { scene.camera.vignetting = 0.5; }},
+          {"hard.cast.", 0.2, true,
+           [](Scene& scene) {
+             scene.camera.shiftCb = -8;
+             scene.camera.shiftCr = 8;
+           }},
+          {"hard.shadows.", 0.01, true,
+           [](Scene& scene) { scene.camera.pixelShading = scene.camera.shadows = true; }},
+          {"hard.audience.", 0.2, true, [](Scene& scene) { scene.audience = 60; }},
+          {"hard.referees.", 0.2, true, [](Scene& scene) { scene.referees = 4; }},
+          {"hard.crowd.", 0.2, true, [](Scene& scene) {
+             for (int i = 0; i < 8; ++i) {
+               SceneRobot robot = scene.robots[static_cast<std::size_t>(i) % scene.robots.size()];
+               robot.name = "extra" + std::to_string(i);
+               scene.extras.push_back(robot);
+             }
+           }}};
 }
 
-/// What is measured under a condition, and what it should be at default.
+/// What each figure should be at default.
 struct AimOf {
   const char* name;
   Aim aim;
@@ -111,8 +143,7 @@ void inParallel(std::size_t count, const std::function<void(std::size_t)>& work)
 /// The figures of one condition: a value for each seed that has one.
 class Report {
  public:
-  Report(const std::string& condition, Figures& figures)
-      : condition_(condition), figures_(figures) {}
+  Report(const Condition& condition, Figures& figures) : condition_(condition), figures_(figures) {}
 
   void add(const std::vector<Tally>& runs) {
     Tally all;
@@ -153,11 +184,12 @@ class Report {
   void add(const std::string& name, const std::string& unit, const std::vector<double>& values) {
     const auto aim =
         std::find_if(aims.begin(), aims.end(), [&](const AimOf& of) { return name == of.name; });
-    const bool asked = condition_.empty() && aim != aims.end();
-    figures_.add("vision." + condition_ + name, unit, values, asked ? aim->aim : Aim{});
+    if (condition_.brief && aim == aims.end()) return;
+    const bool asked = condition_.name.empty() && aim != aims.end();
+    figures_.add("vision." + condition_.name + name, unit, values, asked ? aim->aim : Aim{});
   }
 
-  std::string condition_;
+  const Condition& condition_;
   Figures& figures_;
 };
 
@@ -185,7 +217,7 @@ Result<void> measureVision(Figures& figures, const ExperimentOptions& options) {
       if (!results[i]) return results[i].error();
       runs.push_back(*std::move(results[i]));
     }
-    Report{rows[row].name, figures}.add(runs);
+    Report{rows[row], figures}.add(runs);
   }
   return {};
 }
