@@ -309,11 +309,14 @@ bool BallSpecialist::pointCone(const Picture& picture, double ballRadius, Cone& 
   return true;
 }
 
-// A ball neither floats nor lies deep in the ground: seen at the distance that its size tells, its
-// centre is at its radius above the ground, as far as size and camera matrix can be trusted.
+// A ball neither floats nor lies deep in the ground, nor does it ever reach up to the horizon: seen
+// at the distance that its size tells, its centre is at its radius above the ground, as far as size
+// and camera matrix can be trusted.
 bool BallSpecialist::isOnGround(const Picture& picture, const BallPercept& percept,
                                 const Vector3d& axis, double ballRadius) const {
-  if (percept.distanceBySize == 0 || !picture.matrix.valid) return true;
+  if (!picture.matrix.valid) return true;
+  if (elevation(axis) > fromDegrees(1)) return false;
+  if (percept.distanceBySize == 0) return true;
   const double height = picture.matrix.pose.translation.z() + axis.z() * percept.distanceBySize;
   return std::abs(height - ballRadius) < 60 + 0.12 * percept.distanceBySize;
 }

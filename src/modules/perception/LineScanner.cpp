@@ -181,15 +181,16 @@ std::size_t LineScanner::findGoal(const Picture& picture, const ScanLine& line, 
   return next;
 }
 
-// A robot's colours follow, and nothing that belongs to a flag is near.
+// Below it comes a robot down to the green or the end of the line, and nothing that belongs to a
+// flag is near: what is seen above a wall is no goal.
 bool LineScanner::isHidden(const Stretch& goal) const {
-  constexpr ColorSet robot{ColorClass::gray, ColorClass::black, ColorClass::red, ColorClass::blue,
-                           ColorClass::noColor};
   constexpr ColorSet flag{ColorClass::pink, ColorClass::white};
   const int end = runs_[goal.last].end;
   if (goal.pixels < minHidden || runs_.back().end - end < maxToField) return false;
-  for (std::size_t i = goal.last + 1; i < runs_.size() && runs_[i].begin - end < maxToField; ++i)
-    if (!robot.contains(runs_[i].color)) return false;
+  for (std::size_t i = goal.last + 1; i < runs_.size(); ++i) {
+    if (flag.contains(runs_[i].color) && runs_[i].length() >= minPink) return false;
+    if (runs_[i].color == ColorClass::green && runs_[i].length() >= minPink) break;
+  }
   for (std::size_t i = goal.first; i-- > 0 && runs_[goal.first].begin - runs_[i].end <= maxGap;)
     if (flag.contains(runs_[i].color)) return false;
   return true;

@@ -11,6 +11,7 @@ namespace {
 constexpr int minPixels = 3;            // Of tricot on a scan line.
 constexpr int minClusterPixels = 8;     // Of tricot in all of a robot.
 constexpr int minGreen = 2;             // Pixels below a foot.
+constexpr int minWall = 4;              // White pixels of a wall.
 constexpr int minLeg = 3;               // Pixels above it.
 constexpr double typicalHeight = 55;    // mm: of a piece of tricot, seen from the side
 constexpr double mostHeight = 120;      // mm: the same with that of a leg below
@@ -68,6 +69,7 @@ void PlayerSpecialist::endCluster(const Picture& picture, std::vector<Vector2d>&
                             azimuth(picture.ray(cluster_.back().upper))) /
                            2;
     lookForFeet(picture);
+    if (std::min(foot_, border_) == farthestOnGround) return cluster_.clear();
     // How far away it looks if `height` of it are the longest piece and `surface` is all of it.
     const auto bySize = [&](double height, double surface) {
       return focal(picture) * std::min(height / longest, std::sqrt(surface / area));
@@ -84,16 +86,17 @@ void PlayerSpecialist::endCluster(const Picture& picture, std::vector<Vector2d>&
 
 // Below a tricot, or a place beside it, come legs, then green. The first green below the tricot may
 // be seen between the legs, the last one before `end` is at a foot. A leg that leaves the picture
-// stands nearer than that.
+// stands nearer than that. What is seen above a wall has no foot.
 void PlayerSpecialist::follow(const Picture& picture, double u, double v, double end, Which which) {
-  int green = 0, body = which == Which::first ? minGreen : 0;
+  int green = 0, white = 0, body = which == Which::first ? minGreen : 0;
   Vector2d p = picture.horizon.toPicture(u, v);
   std::optional<Vector2d> foot;
   const ColorClass others =
       cluster_.front().team == TeamColor::red ? ColorClass::blue : ColorClass::red;
   for (; v < end && picture.contains(p); v += 1, p += picture.horizon.down) {
     const ColorClass color = picture.classAt(p);
-    if (color == others) break;
+    white += color == ColorClass::white ? 1 : 0;
+    if (color == others || (which == Which::first && white >= minWall)) return;
     green = color == ColorClass::green ? green + 1 : 0;
     body += isBody(color) ? 1 : 0;
     if (green < minGreen) continue;
