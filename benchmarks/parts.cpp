@@ -82,7 +82,7 @@ void xabslCycle(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) {
     ball.lastSeen = frame.time = frame.time + 40;
     control.update(frame, (*configuration)->behavior, {}, {}, *(*configuration)->field, game, {},
-                   ball, {}, {}, {}, {}, motion, head, leds, message, debug);
+                   ball, {}, {}, {}, {}, {}, {}, motion, head, leds, message, debug);
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// What one match says.
 struct Row {
   std::uint64_t seed = 0;
-  int red = 0, blue = 0, ownGoals = 0, kicks = 0, stuckBalls = 0;
+  int red = 0, blue = 0, ownGoals = 0, kicks = 0, stuckBalls = 0, penalties = 0;
   double distance = 0;
   ErrorStatistics localization;
   double longestLost = 0;
@@ -34,6 +34,7 @@ Result<Row> playMatch(std::uint64_t seed, double minutes) {
   for (const MatchEvent& event : summary.events) {
     row.ownGoals += event.kind == "goal" && event.ownGoal;
     row.stuckBalls += event.kind == "stuckBall";
+    row.penalties += event.kind == "penalty";
   }
   for (const RobotSummary& robot : summary.robots) {
     row.distance += robot.distanceWalked / 1000;
@@ -77,12 +78,13 @@ Result<void> measureMatches(Figures& figures, const ExperimentOptions& options) 
   const auto played = playMatches(options.seeds, options.minutes);
   if (!played) return played.error();
   const std::vector<Row>& rows = *played;
-  fmt::print("{:>6} {:>7} {:>4} {:>6} {:>6} {:>9} {:>8} {:>8} {:>8} {:>7}\n", "seed", "score",
-             "own", "kicks", "stuck", "walked m", "median", "p95 mm", "max mm", "lost s");
+  fmt::print("{:>6} {:>7} {:>4} {:>6} {:>6} {:>9} {:>9} {:>8} {:>8} {:>8} {:>7}\n", "seed", "score",
+             "own", "kicks", "stuck", "penalties", "walked m", "median", "p95 mm", "max mm",
+             "lost s");
   for (const Row& r : rows)
-    fmt::print("{:>6} {:>7} {:>4} {:>6} {:>6} {:>9.0f} {:>8.0f} {:>8.0f} {:>8.0f} {:>7.1f}\n",
+    fmt::print("{:>6} {:>7} {:>4} {:>6} {:>6} {:>9} {:>9.0f} {:>8.0f} {:>8.0f} {:>8.0f} {:>7.1f}\n",
                r.seed, fmt::format("{}:{}", r.red, r.blue), r.ownGoals, r.kicks, r.stuckBalls,
-               r.distance, r.localization.median, r.localization.percentile95,
+               r.penalties, r.distance, r.localization.median, r.localization.percentile95,
                r.localization.maximum, r.longestLost);
 
   const auto goals = column(rows, [](const Row& r) { return r.red + r.blue - r.ownGoals; });
@@ -92,6 +94,7 @@ Result<void> measureMatches(Figures& figures, const ExperimentOptions& options) 
   figures.add("match.goals.own", "goals", column(rows, [](const Row& r) { return r.ownGoals; }));
   figures.add("match.kicks", "kicks", column(rows, [](const Row& r) { return r.kicks; }));
   figures.add("match.stuckBalls", "balls", column(rows, [](const Row& r) { return r.stuckBalls; }));
+  figures.add("match.penalties", "robots", column(rows, [](const Row& r) { return r.penalties; }));
   figures.add("match.localization.error.median", "mm",
               column(rows, [](const Row& r) { return r.localization.median; }), Aim::atMost(150));
   figures.add("match.localization.error.p95", "mm",

@@ -17,6 +17,8 @@
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/modeling/BallModel.h"
+#include "representations/modeling/ObstaclesModel.h"
+#include "representations/modeling/PlayersCollection.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/modeling/RobotState.h"
 #include "representations/motion/HeadMotionRequest.h"
@@ -28,6 +30,7 @@
 #include "representations/perception/BallPercept.h"
 #include "representations/perception/BodyPercept.h"
 #include "representations/perception/CameraMatrix.h"
+#include "representations/perception/CollisionPercept.h"
 #include "representations/perception/ColorTable64.h"
 #include "representations/perception/LandmarksPercept.h"
 #include "representations/perception/LinesPercept.h"
@@ -44,9 +47,9 @@ using AllRepresentations =
          BehaviorTeamMessage, TeamMessage, TeamMessages, CameraInfo, CameraSettings,
          FieldDimensions, FrameInfo, GameControlData, Image, JointData, OracledWorldState, Player,
          RobotCalibration, RobotDimensions, SensorData, SensorDataBuffer, BallModel, TeamBallModel,
-         RobotPose, RobotState, HeadMotionRequest, MotionInfo, MotionNet, OdometryData,
-         SpecialActionsOutput, WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix,
-         ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept, PlayersPercept,
-         PsdPercept>;
+         ObstaclesModel, PlayersCollection, RobotPose, RobotState, HeadMotionRequest, MotionInfo,
+         MotionNet, OdometryData, SpecialActionsOutput, WalkingEngineOutput, BallPercept,
+         BodyPercept, CameraMatrix, CollisionPercept, ColorTable64, LandmarksPercept, LinesPercept,
+         ObstaclesPercept, PlayersPercept, PsdPercept>;
 
 }  // namespace gt

@@ -21,6 +21,7 @@ void Movement::approach(const Vector2d& offset, double turn, double maxSpeed) {
   const double distance = offset.norm();
   const double speed = std::min(maxSpeed, 40 + 1.2 * distance);
   Vector2d v = distance < 1 ? Vector2d::Zero() : Vector2d{offset / distance * speed};
+  v = keptFromPlayers(v);
   // The same direction at the speed that the slower of the two axes allows.
   const double maxX = v.x() > 0 ? parameters_.maxForward : parameters_.maxSideways;
   const double over = std::max(std::abs(v.x()) / maxX, std::abs(v.y()) / parameters_.maxSideways);
@@ -28,21 +29,34 @@ void Movement::approach(const Vector2d& offset, double turn, double maxSpeed) {
   walk(v, 1.5 * turn);
 }
 
-Vector2d Movement::avoidMates(const Vector2d& offset) const {
-  // A potential field (report 3.8.3): the goal pulls, each team mate nearby pushes away and to the
-  // side on which it is passed, so that the robot does not get stuck right before it.
-  constexpr double clearance = 500;
-  const double distance = std::max(offset.norm(), 1.0);
-  Vector2d heading = offset / distance;
-  world_.forEachMate([&](const TeamMessage& mate) {
-    const Vector2d toMate = relative(world_.self.pose, mate.robotPose.translation);
-    const double away = std::max(toMate.norm(), 1.0);
-    if (away > clearance || toMate.dot(offset) < 0) return;
-    const double side = offset.x() * toMate.y() - offset.y() * toMate.x() > 0 ? -1 : 1;
-    const Vector2d past = rotated(toMate / away, side * pi / 2);
-    heading += (past - toMate / away) * (clearance / away - 1);
-  });
-  return heading.normalized() * distance;
+Vector2d Movement::keptFromPlayers(Vector2d speed) const {
+  // Walking into a robot moves it as little as oneself, and is a foul: what remains of the speed is
+  // what leads past it.
+  const PlayersCollection& players = world_.players;
+  for (const auto* team : {&players.opponents, &players.ownTeam})
+    for (const LocatedPlayer& player : *team) {
+      const Vector2d to = relative(world_.self.pose, player.position);
+      const double distance = to.norm(), room = distance - parameters_.keepOff;
+      if (room > 150 || distance < 1) continue;
+      const double closing = to.dot(speed) / distance;
+      speed -= std::max(0., closing - std::max(0., room)) * to / distance;
+    }
+  return speed;
+}
+
+void Movement::approachAvoiding(const Vector2d& offset, double turn, double maxSpeed) {
+  const ObstaclesModel& obstacles = world_.obstacles;
+  const double width = parameters_.clearance;
+  const double heading = angleOf(offset), needed = std::min(offset.norm(), parameters_.freeWay);
+  // Move freely.
+  if (obstacles.corridor(heading, width) >= needed) return approach(offset, turn, maxSpeed);
+  // Avoid the obstacle: turn to where there is a way, and walk as fast as there is room.
+  auto way = obstacles.freeDirection(heading, width, needed);
+  if (!way) way = obstacles.freeDirection(heading, width, needed / 2);
+  const double room = obstacles.corridor(0, width) - parameters_.stopBefore;
+  const double speed = std::clamp(room, -50., maxSpeed);
+  walk({way ? speed * std::max(0., std::cos(*way)) : std::min(speed, 0.), 0},
+       1.5 * way.value_or(heading));
 }
 
 void GoToPoint::execute() {
@@ -59,7 +73,8 @@ void GoToPoint::execute() {
   // Far away the robot walks where it looks, so it turns first.
   const double speed =
       isFar ? limit * std::max(0.2, std::cos(std::min(std::abs(turn), pi / 2))) : limit;
-  movement_.approach(isFar ? movement_.avoidMates(offset) : offset, turn, speed);
+  if (isFar) return movement_.approachAvoiding(offset, turn, speed);
+  movement_.approach(offset, turn, speed);
 }
 
 void GoToBall::execute() {
@@ -78,6 +93,8 @@ void GoToBall::execute() {
   const double step = std::copysign(std::min(std::abs(around), most), around);
   const Vector2d next =
       ball + gt::direction(facing + pi + around - step) * movement_.parameters().aroundBall;
+  // Near the ball obstacles do not count: they would win every duel (report 3.5.2, 3.8.2).
+  if (distance > 700) return movement_.approachAvoiding(next, angleOf(next), maxSpeed);
   if (distance > 600) return movement_.approach(next, angleOf(next), maxSpeed);
   movement_.approach(next, distance > 350 ? angleOf(ball) : 0.5 * normalize(facing + angleOf(ball)),
                      maxSpeed);

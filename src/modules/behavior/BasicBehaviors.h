@@ -13,6 +13,10 @@ class Movement {
     double maxSideways = 165;
     double maxTurn = 100;
     double aroundBall = 240;
+    double clearance = 250;
+    double freeWay = 700;
+    double keepOff = 260;
+    double stopBefore = 230;
 
     static constexpr auto fields() {
       return Fields{
@@ -21,7 +25,17 @@ class Movement {
                 {10, 400}),
           field("maxTurn", &Parameters::maxTurn, "degree/s", "fastest turn", {10, 200}),
           field("aroundBall", &Parameters::aroundBall, "mm", "radius of the way round the ball",
-                {100, 1000})};
+                {100, 1000}),
+          field("clearance", &Parameters::clearance, "mm",
+                "width of a corridor through which the robot walks", {100, 1000}),
+          field("freeWay", &Parameters::freeWay, "mm",
+                "if the way is free so far, obstacles do not count", {100, 2000}),
+          field("keepOff", &Parameters::keepOff, "mm",
+                "from the robot's middle to that of another, which it does not come nearer to",
+                {0, 1000}),
+          field("stopBefore", &Parameters::stopBefore, "mm",
+                "from the robot's middle to an obstacle that it does not walk towards any more",
+                {0, 1000})};
     }
   };
 
@@ -40,10 +54,14 @@ class Movement {
   void walk(const Vector2d& speed, double turn);
   /// Walks by an offset in mm and turns by an angle, ever slower.
   void approach(const Vector2d& offset, double turn, double maxSpeed);
-  /// An offset of the same length that leads past team mates on the way.
-  Vector2d avoidMates(const Vector2d& offset) const;
+  /// The same from far away: past obstacles on the way, for which the robot faces the direction in
+  /// which it walks (report 4.3).
+  void approachAvoiding(const Vector2d& offset, double turn, double maxSpeed);
 
  private:
+  /// A speed that does not lead into another robot.
+  Vector2d keptFromPlayers(Vector2d speed) const;
+
   const WorldState& world_;
   MotionRequest& request_;
   const Parameters& parameters_;
@@ -81,7 +99,7 @@ struct PerformSpecialAction final : Skill<soccer::PerformSpecialAction> {
   void execute() override { movement_.perform(id); }
 };
 
-/// Walks to a pose on the field, keeping clear of team mates. The nearer it comes the slower; far
+/// Walks to a pose on the field, past obstacles. The nearer it comes the slower; far
 /// away it walks ahead. Once it has arrived, a small drift of its pose does not set it going again.
 class GoToPoint final : public Skill<soccer::GoToPoint> {
  public:

@@ -62,19 +62,17 @@ TEST_F(BasicBehaviorsTest, GoToPointArrivesFromAnywhere) {
 }
 
 TEST_F(BasicBehaviorsTest, GoToPointKeepsClearOfMates) {
-  world.player.role = PlayerRole::striker1;
-  auto& mate = world.team.byPlayer[3];
-  mate.message.playerNumber = 4;
-  mate.timeReceived = world.now;
-  mate.message.robotPose = {0, 0, 60};
+  const Vector2d mate{0, 60};
+  world.players.ownTeam = {{mate, world.now, 0.9, 4}};
   world.self.pose = {0, -1500, 0};
   double nearest = 1e9;
   goTo({1500, 0}, 0);
   for (int cycle = 0; cycle < 1500; ++cycle) {
+    world.obstacles = {};
+    world.addMatesToObstacles();
     skills.goToPoint.execute();
     move();
-    nearest = std::min(nearest,
-                       (world.self.pose.translation - mate.message.robotPose.translation).norm());
+    nearest = std::min(nearest, (world.self.pose.translation - mate).norm());
   }
   EXPECT_GT(nearest, 150);
   EXPECT_LT((world.self.pose.translation - Vector2d{1500, 0}).norm(), 100);

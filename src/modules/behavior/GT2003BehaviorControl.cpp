@@ -108,13 +108,26 @@ void GT2003BehaviorControl::update(const FrameInfo& frame, const Behavior& behav
                                    const BehaviorControlRequest& control, const Player& player,
                                    const FieldDimensions& field, const GameControlData& game,
                                    const RobotPose& self, const BallModel& ball,
-                                   const TeamBallModel& teamBall, const RobotState& body,
+                                   const TeamBallModel& teamBall, const ObstaclesModel& obstacles,
+                                   const PlayersCollection& players, const RobotState& body,
                                    const TeamMessages& team, const MotionInfo& motion,
                                    MotionRequest& motionRequest, HeadControlMode& headControlMode,
                                    LedRequest& ledRequest, BehaviorTeamMessage& message,
                                    Debug& debug) {
   if (behavior.compiled && behavior.compiled->shared() != loaded_) load(behavior, debug);
-  world_ = {frame.time, player, field, game, self, ball, teamBall, body, team, motion};
+  world_.now = frame.time;
+  world_.player = player;
+  world_.field = field;
+  world_.game = game;
+  world_.self = self;
+  world_.ball = ball;
+  world_.teamBall = teamBall;
+  world_.obstacles = obstacles;
+  world_.players = players;
+  world_.body = body;
+  world_.team = team;
+  world_.motion = motion;
+  world_.addMatesToObstacles();
   role_ = negotiateRole(world_, role_);
 
   movement_.stand();

@@ -31,8 +31,9 @@ class GT2003BehaviorControl {
   void update(const FrameInfo& frame, const Behavior& behavior,
               const BehaviorControlRequest& control, const Player& player,
               const FieldDimensions& field, const GameControlData& game, const RobotPose& self,
-              const BallModel& ball, const TeamBallModel& teamBall, const RobotState& body,
-              const TeamMessages& team, const MotionInfo& motion, MotionRequest& motionRequest,
+              const BallModel& ball, const TeamBallModel& teamBall, const ObstaclesModel& obstacles,
+              const PlayersCollection& players, const RobotState& body, const TeamMessages& team,
+              const MotionInfo& motion, MotionRequest& motionRequest,
               HeadControlMode& headControlMode, LedRequest& ledRequest,
               BehaviorTeamMessage& message, Debug& debug);
 

@@ -24,8 +24,9 @@ class GT2003BehaviorControlTest : public ::testing::Test {
 
   void cycle(int ms = 40) {
     frame.time = frame.time + ms;
-    control.update(frame, *behavior, {}, player, field, game, self, ball, teamBall, body, team,
-                   motion, motionRequest, headControlMode, ledRequest, message, debug);
+    control.update(frame, *behavior, {}, player, field, game, self, ball, teamBall, obstacles,
+                   players, body, team, motion, motionRequest, headControlMode, ledRequest, message,
+                   debug);
   }
   void seeBall(const Vector2d& position) {
     ball.position = position;
@@ -42,6 +43,8 @@ class GT2003BehaviorControlTest : public ::testing::Test {
   RobotPose self{{0, -1000, 0}, 1};
   BallModel ball;
   TeamBallModel teamBall;
+  ObstaclesModel obstacles;
+  PlayersCollection players;
   RobotState body;
   TeamMessages team;
   MotionInfo motion;
@@ -64,8 +67,8 @@ TEST_F(GT2003BehaviorControlTest, KeepsItsBehaviorWhereANewOneDoesNotLink) {
     const Behavior edited{xabsl::compile("a.xabsl", {{"a.xabsl", text}}).behavior};
     ASSERT_TRUE(edited.compiled);
     frame.time = frame.time + 40;
-    control.update(frame, edited, {}, player, field, game, self, ball, teamBall, body, team, motion,
-                   motionRequest, headControlMode, ledRequest, message, debug);
+    control.update(frame, edited, {}, player, field, game, self, ball, teamBall, obstacles, players,
+                   body, team, motion, motionRequest, headControlMode, ledRequest, message, debug);
   };
   const auto calling = [](const std::string& name) {
     return "namespace skills(\"Skills\") { behavior " + name + " { } }" +

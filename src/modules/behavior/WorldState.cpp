@@ -4,6 +4,19 @@
 
 namespace gt {
 
+void WorldState::addMatesToObstacles() {
+  constexpr double halfWidth = 80;
+  for (const LocatedPlayer& mate : players.ownTeam) {
+    if (mate.number == 0) continue;
+    const Vector2d middle = relative(self.pose, mate.position);
+    const double distance = std::max(middle.norm(), 1.0);
+    const Vector2d away = middle / distance, aside = rotated(away, pi / 2);
+    const Vector2d front = middle - away * std::min(halfWidth, distance / 2);
+    for (const double part : {-1., -0.5, 0., 0.5, 1.})
+      obstacles.enter(front + part * halfWidth * aside, true, mate.lastSeen);
+  }
+}
+
 double estimatedTimeToReachBall(const WorldState& world) {
   constexpr double walkSpeed = 0.2, turnSpeed = 0.0015;  // mm/ms, rad/ms
   const Vector2d ball = world.knownBall();

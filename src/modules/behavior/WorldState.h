@@ -8,6 +8,8 @@
 #include "representations/infrastructure/GameControlData.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/modeling/BallModel.h"
+#include "representations/modeling/ObstaclesModel.h"
+#include "representations/modeling/PlayersCollection.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/modeling/RobotState.h"
 #include "representations/motion/MotionInfo.h"
@@ -27,6 +29,12 @@ struct WorldState {
   RobotState body;
   TeamMessages team;
   MotionInfo motion;
+  ObstaclesModel obstacles;
+  PlayersCollection players;
+
+  /// Enters the team mates that told where they are among the obstacles, for the camera does not
+  /// see what is behind the robot.
+  void addMatesToObstacles();
 
   /// The known ball relative to the robot: its own if it saw it lately, else the team's
   /// (report 3.8.2).

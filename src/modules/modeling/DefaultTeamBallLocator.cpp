@@ -14,7 +14,7 @@ void DefaultTeamBallLocator::update(const BallModel& ball, const RobotPose& robo
   // nobody else's counts; and an old one is better than none.
   teamBall = {};
   if (ball.lastSeen != never())
-    teamBall = {robotPose.pose * ball.position, ball.lastSeen, player.number()};
+    teamBall = {robotPose.pose * ball.position, ball.lastSeen, player.number(), ball.deviation};
   const auto ownAge = frame.time - ball.lastSeen;
   if (ownAge > parameters.ownBallTime) {
     double best = badness(static_cast<double>(ownAge), robotPose.validity);
@@ -28,7 +28,8 @@ void DefaultTeamBallLocator::update(const BallModel& ball, const RobotPose& robo
       const double bad = badness(static_cast<double>(age), message.robotPoseValidity);
       if (bad >= best) continue;
       best = bad;
-      teamBall = {message.ballPosition, frame.time - age, message.playerNumber};
+      teamBall = {message.ballPosition, frame.time - age, message.playerNumber,
+                  message.ballDeviation};
     }
   }
   if (teamBall.seenBy == 0) return;

@@ -10,6 +10,8 @@ void DefaultTeamMessageSender::update(const RobotPose& robotPose, const BallMode
   message.robotPose = robotPose.pose;
   message.robotPoseValidity = robotPose.validity;
   message.ballPosition = robotPose.pose * ball.position;
+  message.ballSpeed = rotated(ball.speed, robotPose.pose.rotation);
+  message.ballDeviation = ball.deviation;
   message.ballLastSeen = ball.lastSeen;
   message.behavior = behavior;
 }

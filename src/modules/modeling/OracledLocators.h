@@ -1,7 +1,10 @@
 #pragma once
+#include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/OracledWorldState.h"
 #include "representations/modeling/BallModel.h"
+#include "representations/modeling/ObstaclesModel.h"
+#include "representations/modeling/PlayersCollection.h"
 #include "representations/modeling/RobotPose.h"
 
 namespace gt {
@@ -20,6 +23,21 @@ class OracledBallLocator {
 
  private:
   Time first_ = never();
+};
+
+/// Solves PlayersLocator by asking the oracle.
+class OracledPlayersLocator {
+ public:
+  void update(const OracledWorldState& oracle, const Player& player, const FrameInfo& frame,
+              PlayersCollection& players);
+};
+
+/// Solves ObstaclesLocator by asking the oracle: all sectors are seen all the time. Obstacles are
+/// the field's walls and the other robots, each as two discs.
+class OracledObstaclesLocator {
+ public:
+  void update(const OracledWorldState& oracle, const FieldDimensions& field, const FrameInfo& frame,
+              ObstaclesModel& obstacles);
 };
 
 }  // namespace gt

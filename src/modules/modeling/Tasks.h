@@ -3,6 +3,8 @@
 
 #include "representations/behavior/TeamMessage.h"
 #include "representations/modeling/BallModel.h"
+#include "representations/modeling/ObstaclesModel.h"
+#include "representations/modeling/PlayersCollection.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/modeling/RobotState.h"
 
@@ -23,6 +25,16 @@ struct TeamBallLocator {
   using Outputs = std::tuple<TeamBallModel>;
 };
 
+/// Where other players are (report 3.7).
+struct PlayersLocator {
+  using Outputs = std::tuple<PlayersCollection>;
+};
+
+/// How far the ground around the robot is free (report 3.5).
+struct ObstaclesLocator {
+  using Outputs = std::tuple<ObstaclesModel>;
+};
+
 /// What has happened to the robot's body (report, chapter 3's table).
 struct RobotStateDetector {
   using Outputs = std::tuple<RobotState>;
@@ -33,7 +45,7 @@ struct TeamMessageSender {
   using Outputs = std::tuple<TeamMessage>;
 };
 
-using ModelingTasks =
-    std::tuple<SelfLocator, BallLocator, TeamBallLocator, RobotStateDetector, TeamMessageSender>;
+using ModelingTasks = std::tuple<SelfLocator, BallLocator, TeamBallLocator, PlayersLocator,
+                                 ObstaclesLocator, RobotStateDetector, TeamMessageSender>;
 
 }  // namespace gt

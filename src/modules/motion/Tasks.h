@@ -8,6 +8,7 @@
 #include "representations/motion/OdometryData.h"
 #include "representations/motion/SpecialActionsOutput.h"
 #include "representations/motion/WalkingEngineOutput.h"
+#include "representations/perception/CollisionPercept.h"
 
 /// The tasks of the motion (report 3.9), each an exchangeable slot. All of them run every 8 ms.
 namespace gt {
@@ -24,11 +25,15 @@ struct HeadControl {
 struct MotionControl {
   using Outputs = std::tuple<JointData, OdometryData, MotionInfo>;
 };
+/// Recognizes collisions (report 3.6).
+struct CollisionDetector {
+  using Outputs = std::tuple<CollisionPercept>;
+};
 struct LEDControl {
   using Outputs = std::tuple<LedValue>;
 };
 
-using MotionTasks =
-    std::tuple<WalkingEngine, SpecialActions, HeadControl, MotionControl, LEDControl>;
+using MotionTasks = std::tuple<WalkingEngine, SpecialActions, HeadControl, MotionControl,
+                               CollisionDetector, LEDControl>;
 
 }  // namespace gt

@@ -31,6 +31,8 @@ struct TeamMessage {
   Pose2D robotPose;
   double robotPoseValidity = 0;
   Vector2d ballPosition = Vector2d::Zero();
+  Vector2d ballSpeed = Vector2d::Zero();
+  double ballDeviation = 0;
   Time ballLastSeen = never();
   BehaviorTeamMessage behavior;
 
@@ -40,6 +42,8 @@ struct TeamMessage {
                   field("robotPose", &TeamMessage::robotPose, "mm, rad"),
                   field("robotPoseValidity", &TeamMessage::robotPoseValidity, "", "", {0, 1}),
                   field("ballPosition", &TeamMessage::ballPosition, "mm", "on the field"),
+                  field("ballSpeed", &TeamMessage::ballSpeed, "mm/s", "on the field"),
+                  field("ballDeviation", &TeamMessage::ballDeviation, "mm", "BallModel"),
                   field("ballLastSeen", &TeamMessage::ballLastSeen, "ms", "by the sender's clock"),
                   field("behavior", &TeamMessage::behavior)};
   }

@@ -1,3 +1,4 @@
+#include "modules/motion/DefaultCollisionDetector.h"
 #include "modules/motion/DefaultLedControl.h"
 #include "modules/motion/DefaultMotionControl.h"
 #include "modules/motion/GT2003HeadControl.h"
@@ -14,6 +15,7 @@ void addMotionSolutions(SolutionTable& table) {
   table.add<WalkingEngine, InvKinWalkingEngine>("InvKin");
   table.add<SpecialActions, MotionNetSpecialActions>("GT2003MotionNet");
   table.add<MotionControl, DefaultMotionControl>("Default");
+  table.add<CollisionDetector, DefaultCollisionDetector>("Default");
 }
 
 }  // namespace gt

@@ -1,0 +1,68 @@
+#pragma once
+#include <array>
+
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "debug/Debug.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/motion/OdometryData.h"
+#include "representations/perception/BallPercept.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// The ball as report 3.4.1 words it: its position is that of the percepts, its speed follows from
+/// the last two of them, and both are floating averages. A solution of BallLocator.
+class BallChallengeBallLocator {
+ public:
+  static constexpr int mostPercepts = 32;
+
+  struct Parameters {
+    int positions = 3;
+    int speeds = 10;
+    std::int64_t longestGap = 240;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("positions", &P::positions, "", "over which the position is averaged",
+                {1, mostPercepts}),
+          field("speeds", &P::speeds, "", "over which the speed is averaged", {1, mostPercepts}),
+          field("longestGap", &P::longestGap, "ms",
+                "not perceived for a short period of time: without the ball so long, the "
+                "averages and the consecutive time seen go on",
+                {0, 10000})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const BallPercept& percept, const OdometryData& odometry, const FrameInfo& frame,
+              BallModel& model, Debug& debug);
+
+ private:
+  /// The newest values, and their mean.
+  class Average {
+   public:
+    void clear() { count_ = 0; }
+    void add(const Vector2d& value);
+    int count() const { return count_; }
+    const Vector2d& newest() const { return values_[0]; }
+    Vector2d mean(int most) const;
+    void move(const Pose2D& step);
+    void rotate(double angle);
+
+   private:
+    std::array<Vector2d, mostPercepts> values_;  ///< Newest first.
+    int count_ = 0;
+  };
+
+  Average positions_, speeds_;
+  Vector2d position_ = Vector2d::Zero(), speed_ = Vector2d::Zero();
+  Time lastSeen_ = never(), seenSince_ = never();
+  OdometryData lastOdometry_;
+  bool first_ = true;
+};
+static_assert(complete<BallChallengeBallLocator::Parameters>);
+
+}  // namespace gt

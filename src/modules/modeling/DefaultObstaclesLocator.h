@@ -1,0 +1,69 @@
+#pragma once
+#include "debug/Debug.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/modeling/ObstaclesModel.h"
+#include "representations/motion/OdometryData.h"
+#include "representations/perception/CameraMatrix.h"
+#include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/ObstaclesPercept.h"
+#include "representations/perception/PsdPercept.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Keeps a radar-like view of the surroundings from the free ground seen in pictures, the distance
+/// sensor and odometry (report 3.5). A solution of ObstaclesLocator.
+class DefaultObstaclesLocator {
+ public:
+  struct Parameters {
+    bool useImages = true;
+    bool usePsd = false;
+    std::int64_t forgetAfter = 4000;
+    double ballSize = 150;
+    std::int64_t ballTime = 500;
+    double lowestObstacle = 100;
+    double highestObstacle = 300;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("useImages", &P::useImages, "", "whether pictures count"),
+          field("usePsd", &P::usePsd, "",
+                "whether the distance sensor counts; it did not in the competition"),
+          field("forgetAfter", &P::forgetAfter, "ms", "without having been seen again",
+                {100, 100000}),
+          field("ballSize", &P::ballSize, "mm",
+                "what ends the free ground that near to the ball is the ball, no obstacle",
+                {0, 1000}),
+          field("ballTime", &P::ballTime, "ms", "since the ball was seen, for which that holds",
+                {0, 10000}),
+          field("lowestObstacle", &P::lowestObstacle, "mm",
+                "height of what the distance sensor must not look over", {1, 1000}),
+          field("highestObstacle", &P::highestObstacle, "mm",
+                "what the distance sensor hits above that is none", {1, 10000})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const ObstaclesPercept& percept, const PsdPercept& psd,
+              const LandmarksPercept& landmarks, const BallModel& ball, const CameraMatrix& camera,
+              const OdometryData& odometry, const FrameInfo& frame, ObstaclesModel& model,
+              Debug& debug);
+
+ private:
+  void move(const Pose2D& step, Time now);
+  void seePicture(const ObstaclesPercept& percept, const BallModel& ball);
+  void seePsd(const PsdPercept& psd, const CameraMatrix& camera);
+  void clear(const Vector2d& from, const Vector2d& to);
+  void seeGoal(const GoalPercept& percept, const LandmarksPercept& landmarks);
+  void draw(const CameraMatrix& camera, Debug& debug) const;
+
+  ObstaclesModel model_;
+  bool first_ = true;
+  OdometryData lastOdometry_;
+  Time lastPicture_ = never(), lastPsd_ = never(), lastLandmarks_ = never();
+};
+static_assert(complete<DefaultObstaclesLocator::Parameters>);
+
+}  // namespace gt

@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+
+#include "debug/Debug.h"
+#include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/modeling/RobotPose.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Fuses the balls of all robots of the team, each as uncertain as its seer's pose, its distance
+/// and its age make it; balls that do not agree with the most of that do not count, so that a lost
+/// robot does no harm (report 6.2.3). A solution of TeamBallLocator.
+class FusedTeamBallLocator {
+ public:
+  struct Parameters {
+    std::int64_t ownBallTime = 500;
+    std::int64_t oldestBall = 5000;
+    std::int64_t silence = 3000;
+    double leastNoise = 30, distanceShare = 0.08;
+    double poseNoise = 60, doubtNoise = 900, directionNoise = 0.06;
+    double drift = 150;
+    double deceleration = 250;
+    double gate = 2.5;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      constexpr Range any{0, 1e6};
+      return Fields{
+          field("ownBallTime", &P::ownBallTime, "ms",
+                "since the ball was seen, for which nothing counts that the own one contradicts",
+                any),
+          field("oldestBall", &P::oldestBall, "ms", "age of a ball that still counts", any),
+          field("silence", &P::silence, "ms", "after which a team mate is taken to be gone", any),
+          field("leastNoise", &P::leastNoise, "mm", "of a seen ball, at least", any),
+          field("distanceShare", &P::distanceShare, "",
+                "of its distance, that is its noise where its locator does not tell it", any),
+          field("poseNoise", &P::poseNoise, "mm", "of a pose that is certain", any),
+          field("doubtNoise", &P::doubtNoise, "mm", "more than that, of one that is not", any),
+          field("directionNoise", &P::directionNoise, "rad",
+                "of a pose, that moves what is far away", any),
+          field("drift", &P::drift, "mm/s", "by which a ball becomes uncertain with age", any),
+          field("deceleration", &P::deceleration, "mm/s^2", "of a rolling ball", any),
+          field("gate", &P::gate, "", "standard deviations within which two balls agree", any)};
+    }
+  };
+  Parameters parameters;
+
+  void update(const BallModel& ball, const RobotPose& robotPose, const TeamMessages& messages,
+              const FrameInfo& frame, const Player& player, TeamBallModel& teamBall, Debug& debug);
+
+ private:
+  /// Where one robot says that the ball is now.
+  struct Opinion {
+    Vector2d position = Vector2d::Zero();  ///< mm, on the field
+    double variance = 0;                   ///< mm^2, of each coordinate
+    std::int64_t age = 0;                  ///< ms
+    int player = 0;
+  };
+
+  Opinion opinion(const Vector2d& position, const Vector2d& speed, double deviation,
+                  double distance, std::int64_t age, int player) const;
+  double poseVariance(double validity, double distance) const;
+  bool agree(const Opinion& a, const Opinion& b) const;
+  void collect(const BallModel& ball, const RobotPose& robotPose, const TeamMessages& messages,
+               Time now, int self);
+  const Opinion& mostSupported(int self) const;
+
+  std::array<Opinion, 5> opinions_;  ///< The robot's own one first, if there is one.
+  std::size_t count_ = 0;
+};
+static_assert(complete<FusedTeamBallLocator::Parameters>);
+
+}  // namespace gt

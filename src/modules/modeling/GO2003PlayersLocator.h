@@ -1,0 +1,83 @@
+#pragma once
+#include <vector>
+
+#include "debug/Debug.h"
+#include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/modeling/PlayersCollection.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/perception/PlayersPercept.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Locates other players where the percepts of the last two seconds are dense on a grid, and
+/// replaces those of the own team by what the team mates tell (report 3.7). A solution of
+/// PlayersLocator.
+class GO2003PlayersLocator {
+ public:
+  struct Parameters {
+    std::int64_t memory = 2000;
+    double cell = 100;
+    double spread = 150;
+    double threshold = 1.5;
+    double playerSize = 350;
+    std::int64_t silence = 2000;
+    double leastValidity = 0.3;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("memory", &P::memory, "ms", "for which a percept is kept", {40, 10000}),
+          field("cell", &P::cell, "mm", "of the grid", {20, 1000}),
+          field("spread", &P::spread, "mm",
+                "standard deviation with which a percept counts around its cell", {10, 1000}),
+          field("threshold", &P::threshold, "",
+                "percepts in one place that make a player; old ones count less", {0, 100}),
+          field("playerSize", &P::playerSize, "mm",
+                "no two players are nearer to each other: it is the same one", {0, 2000}),
+          field("silence", &P::silence, "ms", "after which a team mate's position is too old",
+                {0, 100000}),
+          field("leastValidity", &P::leastValidity, "",
+                "of the pose of a team mate that is believed", {0, 1})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const PlayersPercept& percept, const RobotPose& robotPose,
+              const TeamMessages& messages, const FieldDimensions& field, const Player& player,
+              const FrameInfo& frame, PlayersCollection& players, Debug& debug);
+
+ private:
+  struct Sighting {
+    Vector2d position = Vector2d::Zero();  ///< mm, on the field.
+    Time time;
+  };
+  /// The percepts of one team in the last two seconds, and how dense they are on the grid.
+  struct Team {
+    std::vector<Sighting> sightings;
+    std::vector<double> density;
+  };
+
+  void remember(const std::vector<Vector2d>& seen, Time time, const RobotPose& robotPose,
+                const FieldDimensions& field, Team& team) const;
+  void distribute(Team& team, Time now);
+  void locate(Team& team, Time now, std::vector<LocatedPlayer>& players);
+  void addMates(const TeamMessages& messages, const Player& player, Time now,
+                std::vector<LocatedPlayer>& players) const;
+  void setGrid(const FieldDimensions& field);
+  double weight(const Sighting& sighting, Time now) const;
+  Vector2d cornerOfGrid() const { return {-halfLength_, -halfWidth_}; }
+
+  double halfLength_ = 0, halfWidth_ = 0;  ///< mm, of the grid.
+  int columns_ = 0, rows_ = 0;
+  EnumArray<TeamColor, Team> teams_;
+  std::vector<double> smoothed_, kernel_;
+  std::vector<int> maxima_;
+  Time lastPercept_ = never();
+};
+static_assert(complete<GO2003PlayersLocator::Parameters>);
+
+}  // namespace gt

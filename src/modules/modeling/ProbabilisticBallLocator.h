@@ -1,0 +1,100 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "debug/Debug.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/motion/OdometryData.h"
+#include "representations/perception/BallPercept.h"
+#include "representations/perception/CameraMatrix.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Several hypotheses about the ball's position and speed, each a Kalman filter in the robot's
+/// system that knows how a ball rolls; percepts that fit none make a new one: sensor resetting
+/// (report 6.2.3). A solution of BallLocator.
+class ProbabilisticBallLocator {
+ public:
+  static constexpr int mostHypotheses = 6;
+
+  struct Parameters {
+    double deceleration = 250;
+    double push = 120;
+    double acrossNoise = 12, acrossShare = 0.015;
+    double alongNoise = 15, alongShare = 0.05, alongTilt = 2.5e-5;
+    double stepNoise = 0.1;
+    double turnNoise = 0.05;
+    double newSpeed = 500;
+    double falseDensity = 3e-8;
+    double newDensity = 4e-9;
+    double missed = 0.85;
+    double missedRange = 1500;
+    std::int64_t longestGap = 240;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("deceleration", &P::deceleration, "mm/s^2", "of a rolling ball", {0, 10000}),
+          field("push", &P::push, "mm/s per root of a second",
+                "how much a ball's speed changes by chance", {0, 10000}),
+          field("acrossNoise", &P::acrossNoise, "mm", "of a percept, across the line of sight",
+                {1, 1000}),
+          field("acrossShare", &P::acrossShare, "", "of the distance, added to that", {0, 1}),
+          field("alongNoise", &P::alongNoise, "mm", "of a percept, along the line of sight",
+                {1, 1000}),
+          field("alongShare", &P::alongShare, "", "of the distance, added to that", {0, 1}),
+          field("alongTilt", &P::alongTilt, "1/mm",
+                "of the distance squared, added too: an error of the camera's tilt", {0, 1}),
+          field("stepNoise", &P::stepNoise, "", "of a walked distance", {0, 1}),
+          field("turnNoise", &P::turnNoise, "", "of a turned angle", {0, 1}),
+          field("newSpeed", &P::newSpeed, "mm/s", "standard deviation of a new ball's speed",
+                {1, 10000}),
+          field("falseDensity", &P::falseDensity, "1/mm^2", "of wrong percepts", {0, 1}),
+          field("newDensity", &P::newDensity, "1/mm^2", "of balls that were moved or kicked",
+                {1e-15, 1}),
+          field("missed", &P::missed, "",
+                "by which a hypothesis loses weight whenever the ball should be seen and is not",
+                {0, 1}),
+          field("missedRange", &P::missedRange, "mm", "within which a ball should be seen",
+                {0, 10000}),
+          field("longestGap", &P::longestGap, "ms",
+                "without the ball that does not end the consecutive time seen", {0, 10000})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const BallPercept& percept, const CameraMatrix& camera, const OdometryData& odometry,
+              const FrameInfo& frame, BallModel& model, Debug& debug);
+
+ private:
+  using State = Eigen::Vector4d;  ///< Position (mm), speed (mm/s).
+  using Covariance = Eigen::Matrix4d;
+  struct Hypothesis {
+    State state = State::Zero();
+    Covariance covariance = Covariance::Identity();
+    double weight = 0;
+    Time lastSeen = never(), seenSince = never();
+
+    Vector2d position() const { return state.head<2>(); }
+  };
+
+  void predict(const Pose2D& step, double seconds);
+  void observe(const BallPercept& percept);
+  double correct(Hypothesis& hypothesis, const Vector2d& seen, const Eigen::Matrix2d& noise) const;
+  void miss(const CameraMatrix& camera);
+  void tidy();
+  Eigen::Matrix2d noiseOf(const Vector2d& seen) const;
+  const Hypothesis& best() const { return hypotheses_[0]; }
+
+  std::array<Hypothesis, mostHypotheses + 1> hypotheses_;  ///< The most probable first.
+  int count_ = 0;
+  Time lastUpdate_ = never(), lastPicture_ = never();
+  OdometryData lastOdometry_;
+};
+static_assert(complete<ProbabilisticBallLocator::Parameters>);
+
+}  // namespace gt

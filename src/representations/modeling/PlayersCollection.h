@@ -1,0 +1,42 @@
+#pragma once
+#include <vector>
+
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Where another robot is on the field.
+struct LocatedPlayer {
+  Vector2d position = Vector2d::Zero();
+  Time lastSeen = never();
+  double validity = 0;
+  int number = 0;
+
+  static constexpr auto fields() {
+    return Fields{field("position", &LocatedPlayer::position, "mm", "on the field"),
+                  field("lastSeen", &LocatedPlayer::lastSeen, "ms",
+                        "by this robot, or when it told where it is"),
+                  field("validity", &LocatedPlayer::validity, "", "", {0, 1}),
+                  field("number", &LocatedPlayer::number, "",
+                        "1 to 4 of a team mate that told its pose; 0 if not known")};
+  }
+};
+static_assert(complete<LocatedPlayer>);
+
+/// All other players recognized (report 3.7), the most distinct first. Provided by the
+/// PlayersLocator.
+struct PlayersCollection {
+  Time time;
+  std::vector<LocatedPlayer> ownTeam, opponents;
+
+  static constexpr auto fields() {
+    return Fields{field("time", &PlayersCollection::time, "ms"),
+                  field("ownTeam", &PlayersCollection::ownTeam, "", "without the robot itself"),
+                  field("opponents", &PlayersCollection::opponents)};
+  }
+};
+static_assert(complete<PlayersCollection>);
+
+}  // namespace gt

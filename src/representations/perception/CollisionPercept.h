@@ -1,0 +1,28 @@
+#pragma once
+#include "base/Enum.h"
+#include "base/Time.h"
+#include "representations/infrastructure/Joints.h"
+
+namespace gt {
+
+/// Whether the robot runs into something, as its legs feel it (report 3.6). Provided by the
+/// CollisionDetector.
+struct CollisionPercept {
+  Time time;
+  EnumArray<Leg, bool> legs;
+  double strength = 0;
+  Time lastCollision = never();
+
+  bool collision() const { return lastCollision == time; }
+
+  static constexpr auto fields() {
+    return Fields{field("time", &CollisionPercept::time, "ms"),
+                  field("legs", &CollisionPercept::legs, "", "that something holds up"),
+                  field("strength", &CollisionPercept::strength, "",
+                        "of the leg held up most: from 1 on that is a collision"),
+                  field("lastCollision", &CollisionPercept::lastCollision, "ms")};
+  }
+};
+static_assert(complete<CollisionPercept>);
+
+}  // namespace gt
