@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "Figures.h"
@@ -12,6 +13,8 @@ struct ExperimentOptions {
   std::vector<std::uint64_t> seeds;
   double minutes = 10;      ///< Of a match.
   int moments = 250;        ///< For vision, per seed: each gives one picture a robot.
+  bool ceiling = false;     ///< For the world model: truth from a ceiling camera, not the oracle.
+  std::string ceilingLogs;  ///< Folder for its logs; none are written if empty.
   bool trueCamera = false;  ///< For vision: the true camera pose instead of the measured one.
 };
 
@@ -24,6 +27,10 @@ Result<void> measureVision(Figures& figures, const ExperimentOptions& options);
 /// 22 robots and 10 balls while everything goes wrong: half an hour in the kinematic fidelity, some
 /// minutes in the dynamic one.
 Result<void> measureSoak(Figures& figures, const ExperimentOptions& options);
+/// What robots know of ball, obstacles and other players while they play (report 3.4 to 3.7).
+Result<void> measureWorldModel(Figures& figures, const ExperimentOptions& options);
+/// Whether and how soon legs feel that the robot runs into something (report 3.6).
+Result<void> measureCollisions(Figures& figures, const ExperimentOptions& options);
 /// The same walks in the kinematic and in the dynamic fidelity. Nothing in it is left to chance.
 Result<void> measureFidelity(Figures& figures, const ExperimentOptions& options);
 

@@ -23,11 +23,13 @@ std::optional<std::vector<std::uint64_t>> parseSeeds(const std::string& text) {
 }
 
 using Experiment = Result<void> (*)(Figures&, const ExperimentOptions&);
-const std::map<std::string, Experiment> experiments{{"fidelity", measureFidelity},
+const std::map<std::string, Experiment> experiments{{"collisions", measureCollisions},
+                                                    {"fidelity", measureFidelity},
                                                     {"localization", measureLocalization},
                                                     {"matches", measureMatches},
                                                     {"soak", measureSoak},
-                                                    {"vision", measureVision}};
+                                                    {"vision", measureVision},
+                                                    {"worldmodel", measureWorldModel}};
 
 }  // namespace
 }  // namespace gt
@@ -45,6 +47,9 @@ int main(int argc, char** argv) {
   app.add_option("--moments", options.moments, "For vision: moments of matches per seed")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
+  app.add_flag("--ceiling", options.ceiling,
+               "For the world model: the truth from a camera at the ceiling, not the oracle");
+  app.add_option("--ceiling-logs", options.ceilingLogs, "Folder for the logs of that camera");
   app.add_flag("--true-camera", options.trueCamera, "For vision: the true camera pose");
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {

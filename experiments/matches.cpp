@@ -1,10 +1,9 @@
 // Plays matches on several seeds and tells what the issue of a whole match asks for: goals, own
 // goals, and how well the robots knew where they were.
-#include <atomic>
-#include <thread>
 #include <vector>
 
 #include "Experiments.h"
+#include "InParallel.h"
 #include "match/Match.h"
 
 namespace gt {
@@ -49,14 +48,7 @@ Result<Row> playMatch(std::uint64_t seed, double minutes) {
 /// seeds.
 Result<std::vector<Row>> playMatches(const std::vector<std::uint64_t>& seeds, double minutes) {
   std::vector<Result<Row>> results(seeds.size(), Row{});
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < seeds.size();) results[i] = playMatch(seeds[i], minutes);
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
+  inParallel(seeds.size(), [&](std::size_t i) { results[i] = playMatch(seeds[i], minutes); });
   std::vector<Row> rows;
   for (Result<Row>& result : results) {
     if (!result) return result.error();

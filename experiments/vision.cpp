@@ -1,9 +1,7 @@
 // Looks at random moments of matches and compares what is found in the pictures with the truth.
-#include <atomic>
-#include <functional>
-#include <thread>
 
 #include "Experiments.h"
+#include "InParallel.h"
 #include "VisionMeasures.h"
 #include "modules/perception/ColorTableFile.h"
 #include "modules/perception/DefaultSensorDataProcessor.h"
@@ -126,18 +124,6 @@ Result<Tally> measure(const SceneDescription& scene, const ColorTable64& colors,
     }
   }
   return tally;
-}
-
-/// Calls work(i) for 0 .. count-1, as many at once as there are cores.
-void inParallel(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
-  const auto run = [&] {
-    for (std::size_t i; (i = next++) < count;) work(i);
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(run);
-  run();
-  for (std::thread& thread : threads) thread.join();
 }
 
 /// The figures of one condition: a value for each seed that has one.

@@ -6,6 +6,7 @@
 #include "representations/behavior/MotionRequest.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/CameraSettings.h"
+#include "representations/infrastructure/CeilingCameraPercept.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameControlData.h"
@@ -45,11 +46,12 @@ template <template <typename...> typename List>
 using AllRepresentations =
     List<BehaviorState, BehaviorTrace, HeadControlMode, LedRequest, LedValue, MotionRequest,
          BehaviorTeamMessage, TeamMessage, TeamMessages, CameraInfo, CameraSettings,
-         FieldDimensions, FrameInfo, GameControlData, Image, JointData, OracledWorldState, Player,
-         RobotCalibration, RobotDimensions, SensorData, SensorDataBuffer, BallModel, TeamBallModel,
-         ObstaclesModel, PlayersCollection, RobotPose, RobotState, HeadMotionRequest, MotionInfo,
-         MotionNet, OdometryData, SpecialActionsOutput, WalkingEngineOutput, BallPercept,
-         BodyPercept, CameraMatrix, CollisionPercept, ColorTable64, LandmarksPercept, LinesPercept,
-         ObstaclesPercept, PlayersPercept, PsdPercept>;
+         CeilingCameraPercept, FieldDimensions, FrameInfo, GameControlData, Image, JointData,
+         OracledWorldState, Player, RobotCalibration, RobotDimensions, SensorData, SensorDataBuffer,
+         BallModel, TeamBallModel, ObstaclesModel, PlayersCollection, RobotPose, RobotState,
+         HeadMotionRequest, MotionInfo, MotionNet, OdometryData, SpecialActionsOutput,
+         WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix, CollisionPercept,
+         ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept, PlayersPercept,
+         PsdPercept>;
 
 }  // namespace gt

@@ -123,14 +123,14 @@ TEST(BallChallengeBallLocator, AveragesPositionsAndSpeeds) {
   EXPECT_DOUBLE_EQ(scene.model.speed.x(), (10 + 30) / 0.04 / 2);
 }
 
-TEST(ProbabilisticBallLocator, NoticesAKickWithinThreePictures) {
+TEST(ProbabilisticBallLocator, NoticesAKickWithinFourPictures) {
   Scene<ProbabilisticBallLocator> scene;
   scene.ball = {200, 0};
   scene.deceleration = 250;
   for (int i = 0; i < 25; ++i) scene.step();
   EXPECT_LT(scene.model.speed.norm(), 30);
   scene.ballSpeed = {1500, 300};
-  for (int i = 0; i < 3; ++i) scene.step();
+  for (int i = 0; i < 4; ++i) scene.step();
   EXPECT_LT(scene.error(), 40);
   EXPECT_LT(scene.speedError(), 350);
   for (int i = 0; i < 20; ++i) scene.step();

@@ -22,7 +22,7 @@ void ProbabilisticBallLocator::update(const BallPercept& percept, const CameraMa
   lastUpdate_ = frame.time;
   if (percept.time != lastPicture_) {
     if (percept.seen)
-      observe(percept);
+      observe(percept, seconds);
     else
       miss(camera);
     tidy();
@@ -87,9 +87,25 @@ Eigen::Matrix2d ProbabilisticBallLocator::noiseOf(const Vector2d& seen) const {
          (along * along - across * across) * away * away.transpose();
 }
 
+// A kick changes the speed, not the place: the same ball once more, with a speed that nobody knows.
+void ProbabilisticBallLocator::addKicked(double seconds) {
+  if (count_ == 0 || parameters.kicked <= 0) return;
+  const double variance = parameters.newSpeed * parameters.newSpeed;
+  Hypothesis& kicked = hypotheses_[static_cast<std::size_t>(count_++)];
+  kicked = best();
+  kicked.weight *= parameters.kicked;
+  for (int k = 0; k < 2; ++k) {
+    kicked.covariance(k, k) += variance * seconds * seconds;
+    kicked.covariance(k, k + 2) += variance * seconds;
+    kicked.covariance(k + 2, k) += variance * seconds;
+    kicked.covariance(k + 2, k + 2) += variance;
+  }
+}
+
 // Each hypothesis becomes more probable by how well the percept fits, or the percept was a wrong
 // one, which says nothing. The ball may also have been moved to where it is seen now.
-void ProbabilisticBallLocator::observe(const BallPercept& percept) {
+void ProbabilisticBallLocator::observe(const BallPercept& percept, double seconds) {
+  addKicked(seconds);
   const Eigen::Matrix2d noise = noiseOf(percept.offset);
   for (int i = 0; i < count_; ++i) {
     Hypothesis& h = hypotheses_[static_cast<std::size_t>(i)];

@@ -28,7 +28,8 @@ class ProbabilisticBallLocator {
     double alongNoise = 15, alongShare = 0.05, alongTilt = 2.5e-5;
     double stepNoise = 0.1;
     double turnNoise = 0.05;
-    double newSpeed = 500;
+    double newSpeed = 700;
+    double kicked = 0.01;
     double falseDensity = 3e-8;
     double newDensity = 4e-9;
     double missed = 0.85;
@@ -51,8 +52,11 @@ class ProbabilisticBallLocator {
                 "of the distance squared, added too: an error of the camera's tilt", {0, 1}),
           field("stepNoise", &P::stepNoise, "", "of a walked distance", {0, 1}),
           field("turnNoise", &P::turnNoise, "", "of a turned angle", {0, 1}),
-          field("newSpeed", &P::newSpeed, "mm/s", "standard deviation of a new ball's speed",
+          field("newSpeed", &P::newSpeed, "mm/s",
+                "standard deviation of the speed of a ball that is new or was just kicked",
                 {1, 10000}),
+          field("kicked", &P::kicked, "", "probability that a ball was, from picture to picture",
+                {0, 1}),
           field("falseDensity", &P::falseDensity, "1/mm^2", "of wrong percepts", {0, 1}),
           field("newDensity", &P::newDensity, "1/mm^2", "of balls that were moved or kicked",
                 {1e-15, 1}),
@@ -83,14 +87,15 @@ class ProbabilisticBallLocator {
   };
 
   void predict(const Pose2D& step, double seconds);
-  void observe(const BallPercept& percept);
+  void addKicked(double seconds);
+  void observe(const BallPercept& percept, double seconds);
   double correct(Hypothesis& hypothesis, const Vector2d& seen, const Eigen::Matrix2d& noise) const;
   void miss(const CameraMatrix& camera);
   void tidy();
   Eigen::Matrix2d noiseOf(const Vector2d& seen) const;
   const Hypothesis& best() const { return hypotheses_[0]; }
 
-  std::array<Hypothesis, mostHypotheses + 1> hypotheses_;  ///< The most probable first.
+  std::array<Hypothesis, mostHypotheses + 2> hypotheses_;  ///< The most probable first.
   int count_ = 0;
   Time lastUpdate_ = never(), lastPicture_ = never();
   OdometryData lastOdometry_;

@@ -1,0 +1,139 @@
+#include "WorldModelWatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gt {
+namespace {
+
+const FieldDimensions field;
+
+bool isOnField(const Vector2d& p) {
+  return std::abs(p.x()) < field.xGoalBack && std::abs(p.y()) < field.ySideline + 50;
+}
+
+/// 0 to 70 cm, in which the ball is handled; to 150 cm; beyond that.
+const char* bandOf(double distance) {
+  return distance < 700 ? "near" : distance < 1500 ? "middle" : "far";
+}
+
+}  // namespace
+
+void BallWatch::update(const SimulatedRobot& robot, const OracledWorldState& truth, Tally& tally) {
+  const auto* percept = robot.robot().provided<BallPercept>();
+  const auto* odometry = robot.robot().provided<OdometryData>();
+  const auto* camera = robot.robot().provided<CameraMatrix>();
+  if (!percept || !odometry || !camera) return;
+  const FrameInfo frame{truth.time};
+  pidSmoothed_.update(*percept, *odometry, frame, models_[0], debug_);
+  challenge_.update(*percept, *odometry, frame, models_[1], debug_);
+  probabilistic_.update(*percept, *camera, *odometry, frame, models_[2], debug_);
+  debug_.out().clear();
+
+  const Vector2d ball = relative(truth.robotPose, truth.ballPosition);
+  const Vector2d speed = rotated(truth.ballSpeed, -truth.robotPose.rotation);
+  if (speed.norm() > lastSpeed_ + 300) kicked_ = truth.time;
+  lastSpeed_ = speed.norm();
+  if (percept->seen) perceived_ = percept->time;
+  const auto unseen = truth.time - perceived_;
+  const BallSituation situation = unseen > 3000                 ? BallSituation::lost
+                                  : unseen > 300                ? BallSituation::hidden
+                                  : truth.time - kicked_ < 1000 ? BallSituation::kicked
+                                  : speed.norm() > 50           ? BallSituation::rolling
+                                                                : BallSituation::resting;
+  if (situation == BallSituation::lost || perceived_ == never()) return;
+  constexpr const char* names[] = {"pidsmoothed", "ballchallenge", "probabilistic"};
+  for (int i = 0; i < 3; ++i) {
+    const BallModel& model = models_[i];
+    const std::string name =
+        std::string{"ball."} + names[i] + '.' + std::string{enumName(situation)};
+    const double error = (model.position - ball).norm();
+    tally.measure(name + ".position", "mm", error);
+    tally.measure(name + '.' + bandOf(ball.norm()) + ".position", "mm", error);
+    tally.measure(name + ".speed", "mm/s", (model.speed - speed).norm());
+  }
+}
+
+void TeamBallWatch::send(const TeamMessage& sent, Time now) {
+  if (random_.chance(loss_)) return;
+  TeamMessages::Received& received =
+      messages_.byPlayer[static_cast<std::size_t>(sent.playerNumber - 1)];
+  received = {sent, now};
+  if (!oneIsLost_ || sent.playerNumber != 2) return;
+  // The second player believes, and is sure, that it stands turned by a right angle, a metre aside.
+  const Pose2D wrong{pi / 2, 0, 1000};
+  TeamMessage& message = received.message;
+  const Pose2D believed = message.robotPose * wrong;
+  message.ballPosition = believed * relative(message.robotPose, message.ballPosition);
+  message.ballSpeed = rotated(message.ballSpeed, wrong.rotation);
+  message.robotPose = believed;
+}
+
+void TeamBallWatch::update(const BallModel& ball, const RobotPose& pose,
+                           const OracledWorldState& truth, const Player& player, Tally& tally) {
+  const FrameInfo frame{truth.time};
+  TeamBallModel chosen, fused;
+  default_.update(ball, pose, messages_, frame, player, chosen, debug_);
+  fused_.update(ball, pose, messages_, frame, player, fused, debug_);
+  debug_.out().clear();
+  const auto measure = [&](const char* of, const Vector2d& position) {
+    tally.measure("teamball." + name_ + '.' + of, "mm", (position - truth.ballPosition).norm());
+  };
+  if (chosen.seenBy == 0 || fused.seenBy == 0 || ball.lastSeen == never()) return;
+  measure("single", pose.pose * ball.position);
+  measure("default", chosen.position);
+  measure("fused", fused.position);
+}
+
+void compareObstacles(const SimulatedRobot& robot, const OracledWorldState& truth, Tally& tally) {
+  const auto* obstacles = robot.robot().provided<ObstaclesModel>();
+  if (!obstacles || !robot.motion()) return;
+  if (robot.motion()->executed.type != MotionType::walk ||
+      robot.motion()->executed.walk.translation.x() < 50)
+    return;
+  ObstaclesModel real;
+  OracledObstaclesLocator{}.update(truth, field, {truth.time}, real);
+  // What matters is what is near; the model's obstacles end at 2 m.
+  constexpr double width = 250, nearBy = 1500;
+  const double expected = std::min(real.corridor(0, width), nearBy);
+  const double modeled = std::min(obstacles->corridor(0, width), nearBy);
+  tally.measure("obstacles.corridor", "mm", modeled - expected);
+  if (expected < 600) {
+    tally.measure("obstacles.corridor.blocked", "mm", modeled - expected);
+    tally.count("obstacles.corridor.blockedSeen", modeled < expected + 300);
+  } else {
+    tally.count("obstacles.corridor.freeSeen", modeled > 450);
+  }
+}
+
+void comparePlayers(const SimulatedRobot& robot, const OracledWorldState& truth, Tally& tally) {
+  const auto* players = robot.robot().provided<PlayersCollection>();
+  if (!players) return;
+  const TeamColor own = robot.robot().setup().player.teamColor;
+  constexpr double known = 300, same = 500;
+  const auto nearest = [&](const Vector2d& to, const std::vector<LocatedPlayer>& among) {
+    double least = 1e9;
+    for (const LocatedPlayer& p : among) least = std::min(least, (p.position - to).norm());
+    return least;
+  };
+  for (const OracledRobot& other : truth.others) {
+    const Vector2d& place = other.pose.translation;
+    if (!isOnField(place)) continue;
+    const bool mate = other.teamColor == own;
+    const double error = nearest(place, mate ? players->ownTeam : players->opponents);
+    tally.count("players.known", error < known);
+    tally.count(mate ? "players.mates.known" : "players.opponents.known", error < known);
+    const double distance = (place - truth.robotPose.translation).norm();
+    if (!mate)
+      tally.count(std::string{"players.opponents."} + bandOf(distance) + ".known", error < known);
+    if (error < same) tally.measure("players.position", "mm", error);
+  }
+  for (const LocatedPlayer& p : players->opponents) {
+    double least = 1e9;
+    for (const OracledRobot& other : truth.others)
+      least = std::min(least, (other.pose.translation - p.position).norm());
+    tally.count("players.opponents.true", least < same);
+  }
+}
+
+}  // namespace gt

@@ -1,0 +1,43 @@
+#pragma once
+#include <vector>
+
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "representations/infrastructure/Player.h"
+
+namespace gt {
+
+/// A robot as it was recognized from above by the marks on its back.
+struct MarkedRobot {
+  TeamColor teamColor = TeamColor::red;
+  int number = 0;
+  Pose2D pose;
+
+  static constexpr auto fields() {
+    return Fields{field("teamColor", &MarkedRobot::teamColor),
+                  field("number", &MarkedRobot::number, "", "1 to 4"),
+                  field("pose", &MarkedRobot::pose, "mm, rad", "in the red team's coordinates")};
+  }
+};
+static_assert(complete<MarkedRobot>);
+
+/// What a camera at the ceiling saw of the field in one picture (report 6.2.2). Provided by the
+/// simulated one, or by the program of a real one, whose log has these messages on the topic
+/// /CeilingCameraPercept.
+struct CeilingCameraPercept {
+  Time time;
+  std::vector<MarkedRobot> robots;
+  bool ballSeen = false;
+  Vector2d ball = Vector2d::Zero();
+
+  static constexpr auto fields() {
+    using P = CeilingCameraPercept;
+    return Fields{field("time", &P::time, "ms", "when the picture was taken"),
+                  field("robots", &P::robots),
+                  field("ballSeen", &P::ballSeen, "", "not hidden under a robot, nor overlooked"),
+                  field("ball", &P::ball, "mm", "in the red team's coordinates")};
+  }
+};
+static_assert(complete<CeilingCameraPercept>);
+
+}  // namespace gt
