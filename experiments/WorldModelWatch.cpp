@@ -6,10 +6,10 @@
 namespace gt {
 namespace {
 
-const FieldDimensions field;
+const FieldDimensions dimensions;
 
 bool isOnField(const Vector2d& p) {
-  return std::abs(p.x()) < field.xGoalBack && std::abs(p.y()) < field.ySideline + 50;
+  return std::abs(p.x()) < dimensions.xGoalBack && std::abs(p.y()) < dimensions.ySideline + 50;
 }
 
 /// 0 to 70 cm, in which the ball is handled; to 150 cm; beyond that.
@@ -92,7 +92,7 @@ void compareObstacles(const SimulatedRobot& robot, const OracledWorldState& trut
       robot.motion()->executed.walk.translation.x() < 50)
     return;
   ObstaclesModel real;
-  OracledObstaclesLocator{}.update(truth, field, {truth.time}, real);
+  OracledObstaclesLocator{}.update(truth, dimensions, {truth.time}, real);
   // What matters is what is near; the model's obstacles end at 2 m.
   constexpr double width = 250, nearBy = 1500;
   const double expected = std::min(real.corridor(0, width), nearBy);

@@ -16,9 +16,9 @@ namespace {
 /// What is watched of one robot.
 struct Watch {
   explicit Watch(std::uint64_t seed)
-      : team{{"loss5", 0.05, false, seed},
-             {"loss50", 0.5, false, seed},
-             {"onelost", 0.05, true, seed}} {}
+      : team{{{"loss5", 0.05, false, seed},
+              {"loss50", 0.5, false, seed},
+              {"onelost", 0.05, true, seed}}} {}
   BallWatch ball;
   std::array<TeamBallWatch, 3> team;
 };

@@ -63,7 +63,9 @@ const std::vector<ReportKey>& reportKeys() {
       {"send_perceptCollection_drawing", {"ImageProcessor/percepts"}, {}},
       {"send_selfLocator_drawing", {"SelfLocator/pose"}, {}},
       {"send_selfLocatorField_drawing", {"SelfLocator/samples", "SelfLocator/pose"}, {}},
-      {"send_worldState_drawing", {"BallLocator/ball", "TeamBallLocator/ball"}, {}}};
+      {"send_worldState_drawing",
+       {"BallLocator/ball", "TeamBallLocator/ball", "PlayersLocator/players"},
+       {}}};
   return list;
 }
 

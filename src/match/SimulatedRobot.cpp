@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "representations/modeling/PlayersCollection.h"
 #include "robot/Solutions.h"
 
 namespace gt {
@@ -19,7 +20,13 @@ void layOracle(const OracledWorldState& truth, Robot& robot) {
   ball.lastSeen = truth.time;
   ball.consecutiveTimeSeen = 1000;
   robot.layIfDisabled(ball);
-  robot.layIfDisabled(TeamBallModel{truth.ballPosition, truth.time, 0});
+  robot.layIfDisabled(TeamBallModel{truth.ballPosition, truth.time, 0, 0});
+  PlayersCollection players;
+  players.time = truth.time;
+  for (const OracledRobot& other : truth.others)
+    (other.teamColor == robot.setup().player.teamColor ? players.ownTeam : players.opponents)
+        .push_back({other.pose.translation, truth.time, 1, other.number});
+  robot.layIfDisabled(players);
 }
 
 }  // namespace

@@ -204,6 +204,32 @@ TEST_F(GT2003BehaviorControlTest, NeverPlaysTheBallAtTheOwnGoal) {
     }
 }
 
+// Report 3.8.2: the kick depends on the obstacle model and on the free part of the goal.
+TEST_F(GT2003BehaviorControlTest, PlaysTheBallPastObstacles) {
+  WorldState world;
+  world.now = world.ball.lastSeen = {1000};
+  world.self.pose = {0, 1000, 0};
+  world.ball.position = {200, 0};
+  const Vector2d ballOnField{1200, 0};
+  // The keeper stands on the left: the middle of what is free lies on the right.
+  for (const double y : {0., 60., 120., 180.})
+    world.obstacles.enter(relative(world.self.pose, {1950, y}), true, world.now);
+  const double crossing = std::tan(kickDirection(world)) * (2100 - ballOnField.x());
+  EXPECT_LT(crossing, -70);
+  EXPECT_GT(crossing, -300);
+  // Far from the goal: past the opponent right before the ball, whichever way is shorter.
+  world.obstacles = {};
+  world.self.pose = {0, -1000, 0};
+  const double free = kickDirection(world);
+  for (const double y : {-80., -40., 0., 40.}) world.obstacles.enter({550, y}, true, world.now);
+  EXPECT_GT(kickDirection(world), free + fromDegrees(10));
+  EXPECT_LT(kickDirection(world), free + fromDegrees(40));
+  // One behind does not matter.
+  world.obstacles = {};
+  world.obstacles.enter({-300, 0}, true, world.now);
+  EXPECT_EQ(kickDirection(world), free);
+}
+
 TEST_F(GT2003BehaviorControlTest, FindsRoomBehindABallAtTheWall) {
   WorldState world;
   world.now = world.ball.lastSeen = {1000};

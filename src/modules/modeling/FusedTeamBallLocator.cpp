@@ -59,15 +59,8 @@ void FusedTeamBallLocator::collect(const BallModel& ball, const RobotPose& robot
                                    const TeamMessages& messages, Time now, int self) {
   count_ = 0;
   if (const auto age = now - ball.lastSeen; age <= parameters.oldestBall)
-    opinions_[count_++] =
-        opinion(robotPose.pose * ball.position, rotated(ball.speed, robotPose.pose.rotation),
-                ball.deviation, ball.position.norm(), 0, self);
-  if (count_ > 0) {
-    // It was moved on to now by its locator.
-    const auto age = now - ball.lastSeen;
-    opinions_[0].age = age;
-    opinions_[0].variance += squared(parameters.drift * static_cast<double>(age) / 1000);
-  }
+    opinions_[count_++] = {robotPose.pose * ball.position,
+                           ballVariance(ball.deviation, ball.position.norm(), age), age, self};
   for (const TeamMessages::Received& received : messages.byPlayer) {
     const TeamMessage& m = received.message;
     if (m.playerNumber == 0 || m.playerNumber == self || count_ == opinions_.size()) continue;
@@ -76,32 +69,28 @@ void FusedTeamBallLocator::collect(const BallModel& ball, const RobotPose& robot
     const auto age = silence + (m.timeSent - m.ballLastSeen);
     if (silence > parameters.silence || age > parameters.oldestBall || age < 0) continue;
     const double distance = (m.ballPosition - m.robotPose.translation).norm();
-    Opinion& o = opinions_[count_];
-    o = opinion(m.ballPosition, m.ballSpeed, m.ballDeviation, distance, silence, m.playerNumber);
-    o.age = age;
     const double away = (m.ballPosition - robotPose.pose.translation).norm();
-    o.variance += squared(parameters.drift * static_cast<double>(age) / 1000) +
-                  poseVariance(m.robotPoseValidity, distance) +
-                  poseVariance(robotPose.validity, away);
-    if (std::isfinite(o.variance) && o.position.allFinite()) ++count_;
+    const double variance = ballVariance(m.ballDeviation, distance, age) +
+                            poseVariance(m.robotPoseValidity, distance) +
+                            poseVariance(robotPose.validity, away);
+    const Opinion o{m.ballPosition + wayOf(m.ballSpeed, silence), variance, age, m.playerNumber};
+    if (std::isfinite(o.variance) && o.position.allFinite()) opinions_[count_++] = o;
   }
 }
 
-/// Moves a ball on for as long as its message took, and tells how well it was seen.
-FusedTeamBallLocator::Opinion FusedTeamBallLocator::opinion(const Vector2d& position,
-                                                            const Vector2d& speed, double deviation,
-                                                            double distance, std::int64_t age,
-                                                            int player) const {
-  const double v = speed.norm();
-  const double rolls = parameters.deceleration > 0 ? v / parameters.deceleration : 1;
-  const double seconds = std::min(static_cast<double>(age) / 1000, rolls);
+/// How far a ball rolls in some milliseconds.
+Vector2d FusedTeamBallLocator::wayOf(const Vector2d& speed, std::int64_t ms) const {
+  const double v = speed.norm(), a = parameters.deceleration;
+  if (v < 1) return Vector2d::Zero();
+  const double seconds = std::min(static_cast<double>(ms) / 1000, a > 0 ? v / a : 1);
+  return speed * seconds * (1 - a * seconds / v / 2);
+}
+
+double FusedTeamBallLocator::ballVariance(double deviation, double distance,
+                                          std::int64_t age) const {
   const double seen = deviation > 0 ? deviation : parameters.distanceShare * distance;
-  Opinion o;
-  o.position =
-      position + speed * seconds * (v > 0 ? 1 - parameters.deceleration * seconds / v / 2 : 1);
-  o.variance = squared(parameters.leastNoise) + squared(seen);
-  o.player = player;
-  return o;
+  return squared(parameters.leastNoise) + squared(seen) +
+         squared(parameters.drift * static_cast<double>(age) / 1000);
 }
 
 double FusedTeamBallLocator::poseVariance(double validity, double distance) const {

@@ -61,8 +61,10 @@ class FusedTeamBallLocator {
     int player = 0;
   };
 
-  Opinion opinion(const Vector2d& position, const Vector2d& speed, double deviation,
-                  double distance, std::int64_t age, int player) const;
+  Vector2d wayOf(const Vector2d& speed, std::int64_t ms) const;
+  /// Of a ball as its seer knows it, mm^2.
+  double ballVariance(double deviation, double distance, std::int64_t age) const;
+  /// What a pose's error adds to that on the field.
   double poseVariance(double validity, double distance) const;
   bool agree(const Opinion& a, const Opinion& b) const;
   void collect(const BallModel& ball, const RobotPose& robotPose, const TeamMessages& messages,
