@@ -8,6 +8,7 @@
 
 #include "base/Enum.h"
 #include "simulation/Xml.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -15,16 +16,19 @@ namespace {
 /// Reads the elements of one scene file, and goes on after errors.
 class SceneReader {
  public:
-  SceneReader(const std::string& path, std::vector<Error>& errors) : path_(path), errors_(errors) {}
+  SceneReader(const std::string& path, const xmlDoc& document, std::string_view text,
+              std::vector<Error>& errors)
+      : path_(path), places_(document, text), errors_(errors) {}
 
   SceneDescription read(const xmlNode* root);
 
  private:
-  void error(int line, const std::string& field, const std::string& what) {
-    errors_.push_back({path_, line, field, what});
+  void error(const FilePlace& place, const std::string& field, const std::string& what) {
+    errors_.push_back(errorAt(path_, place, field, what));
   }
+  /// At an element, or at one of its attributes.
   void error(const xmlNode* node, const std::string& field, const std::string& what) {
-    error(lineOf(node), field, what);
+    error(places_.of(node, field), field, what);
   }
 
   template <typename T>
@@ -36,6 +40,7 @@ class SceneReader {
   void checkRobots(const SceneDescription& scene);
 
   std::string path_;
+  XmlPlaces places_;
   std::vector<Error>& errors_;
 };
 
@@ -118,7 +123,7 @@ void SceneReader::readRobots(const xmlNode* group, std::vector<SceneRobot>& into
       continue;
     }
     SceneRobot robot;
-    robot.line = lineOf(node);
+    robot.place = places_.of(node);
     readAttributes(node, robot);
     expectEmpty(node);
     if (robot.name.empty())
@@ -135,10 +140,12 @@ void SceneReader::readBalls(const xmlNode* group, std::vector<SceneBall>& into) 
       continue;
     }
     SceneBall ball;
-    ball.line = lineOf(node);
+    ball.place = places_.of(node);
     readAttributes(node, ball);
     expectEmpty(node);
     into.push_back(ball);
+    if (into.size() == maxSceneBalls + 1)
+      error(node, "ball", "is one more than " + std::to_string(maxSceneBalls));
   }
 }
 
@@ -156,7 +163,12 @@ void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
   if (name == "noise") return readAttributes(node, scene.noise);
   if (name == "camera") return readAttributes(node, scene.camera);
   if (name == "physics") return readAttributes(node, scene.physics);
-  if (name == "radio") return readAttributes(node, scene.radio);
+  if (name == "radio") {
+    readAttributes(node, scene.radio);
+    if (scene.radio.delayMin > scene.radio.delayMax)
+      error(node, "delayMin", "is greater than delayMax");
+    return;
+  }
   if (name == "game") return readAttributes(node, scene.game);
   if (name == "rules") return readAttributes(node, scene.rules);
   return error(
@@ -168,20 +180,21 @@ void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
 void SceneReader::checkRobots(const SceneDescription& scene) {
   std::set<std::string> names;
   std::set<std::pair<TeamColor, PlayerRole>> players;
+  std::size_t count = 0;
   for (const auto* group : {&scene.robots, &scene.extras})
     for (const SceneRobot& robot : *group) {
+      if (++count == maxSceneRobots + 1)
+        error(robot.place, "robot", "is one more than " + std::to_string(maxSceneRobots));
       if (robot.name.find('/') != std::string::npos)
-        error(robot.line, "name", "\"" + robot.name + "\" must not contain a slash");
+        error(robot.place, "name", "\"" + robot.name + "\" must not contain a slash");
       if (!names.insert(robot.name).second)
-        error(robot.line, "name", "a second robot \"" + robot.name + "\"");
-      if (group == &scene.robots && !players.insert({robot.team, robot.role}).second)
-        error(robot.line, "role",
+        error(robot.place, "name", "a second robot \"" + robot.name + "\"");
+      const bool plays = scene.game.referee && group == &scene.robots;
+      if (plays && !players.insert({robot.team, robot.role}).second)
+        error(robot.place, "role",
               "a second " + std::string{enumName(robot.role)} + " of the " +
                   std::string{enumName(robot.team)} + " team");
     }
-  if (names.size() > maxSceneRobots)
-    error(0, "robots", "more than " + std::to_string(maxSceneRobots) + " robots");
-  if (scene.balls.size() > 100) error(0, "balls", "more than 100 balls");
 }
 
 SceneDescription SceneReader::read(const xmlNode* root) {
@@ -198,8 +211,6 @@ SceneDescription SceneReader::read(const xmlNode* root) {
     else
       readElement(node, scene);
   }
-  if (scene.radio.delayMin > scene.radio.delayMax)
-    error(0, "radio", "delayMin is greater than delayMax");
   checkRobots(scene);
   return scene;
 }
@@ -214,8 +225,10 @@ std::string SceneDescription::resolve(const std::string& path) const {
 
 SceneDescription loadScene(const std::string& path, std::vector<Error>& errors) {
   const auto document = readXml(path, "scene");
-  if (document) return SceneReader{path, errors}.read(xmlDocGetRootElement(document->get()));
-  errors.push_back(document.error());
+  const auto text = readFile(path);
+  if (document && text)
+    return SceneReader{path, **document, *text, errors}.read(xmlDocGetRootElement(document->get()));
+  errors.push_back(document ? text.error() : document.error());
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include "base/Geometry.h"
 #include "base/Result.h"
 #include "representations/infrastructure/Player.h"
+#include "simulation/FilePlace.h"
 #include "simulation/camera/CameraEffects.h"
 #include "streams/Reflection.h"
 
@@ -163,7 +164,7 @@ struct SceneRobot {
   std::string layout = "../layouts/cmd.layout";
   std::string address;
   double bodyTilt = 0, bodyRoll = 0;
-  int line = 0;
+  FilePlace place;
 
   Player player() const { return {team, role}; }
   Pose2D pose() const { return {normalize(fromDegrees(rotation)), x, y}; }
@@ -189,7 +190,7 @@ struct SceneRobot {
 struct SceneBall {
   double x = 0, y = 0;
   std::string model = "../models/ball.xml";
-  int line = 0;
+  FilePlace place;
 
   Vector2d position() const { return {x, y}; }
 
@@ -242,6 +243,7 @@ struct SceneDescription {
 
 /// Most robots of a scene, active and passive together.
 constexpr std::size_t maxSceneRobots = 22;
+constexpr std::size_t maxSceneBalls = 100;
 
 /// Reads a scene file; the schema is scenes/scene.xsd. Errors name file, line and element or
 /// attribute. The models that the scene names are read by `composeModel`.

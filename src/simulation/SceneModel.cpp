@@ -50,7 +50,7 @@ class Composer {
     xmlNode* body = nullptr;
   };
 
-  Result<Part*> part(const std::string& file, int line);
+  Result<Part*> part(const std::string& file, const FilePlace& place);
   void addShared(const Part& part);
   xmlNode* addBody(const Part& part, const std::string& prefix);
   Result<void> addRobot(const SceneRobot& robot);
@@ -63,12 +63,12 @@ class Composer {
   std::map<std::string, Part> parts_;
 };
 
-Result<Composer::Part*> Composer::part(const std::string& file, int line) {
+Result<Composer::Part*> Composer::part(const std::string& file, const FilePlace& place) {
   if (const auto known = parts_.find(file); known != parts_.end()) return &known->second;
   const std::string path = scene_.resolve(file);
   std::error_code code;
   if (!std::filesystem::is_regular_file(path, code))
-    return Error{scene_.file, line, "model", "there is no file " + path};
+    return errorAt(scene_.file, place, "model", "there is no file " + path);
   auto document = readXml(path, "mujoco");
   if (!document) return document.error();
   Part part;
@@ -107,7 +107,7 @@ xmlNode* Composer::addBody(const Part& part, const std::string& prefix) {
 }
 
 Result<void> Composer::addRobot(const SceneRobot& robot) {
-  auto model = part(robot.model, robot.line);
+  auto model = part(robot.model, robot.place);
   if (!model) return model.error();
   const Part& part = **model;
   xmlNode* body = addBody(part, robot.name + "/");
@@ -120,7 +120,7 @@ Result<void> Composer::addRobot(const SceneRobot& robot) {
 }
 
 Result<void> Composer::addBall(const SceneBall& ball, std::size_t index) {
-  auto model = part(ball.model, ball.line);
+  auto model = part(ball.model, ball.place);
   if (!model) return model.error();
   addBody(**model, "ball" + std::to_string(index) + "/");
   return {};

@@ -161,9 +161,9 @@ TEST_F(WrongFiles, namesFileLineAndField) {
   expectError("<scene>\n<noise joints=\"many\"/></scene>", 2, "joints", "expected a number");
   expectError("<scene>\n<noise joints=\"nan\"/></scene>", 2, "joints", "expected a number");
   expectError("<scene>\n<radio loss=\"1.5\"/></scene>", 2, "loss", "outside");
-  expectError("<scene><radio delayMin=\"200\"/></scene>", 0, "radio", "delayMin");
-  expectError("<scene\naudience=\"-1\"/>", 1, "audience", "outside");
-  expectError("<scene\nreferees=\"1.5\"/>", 1, "referees", "whole number");
+  expectError("<scene>\n<radio delayMin=\"200\"/></scene>", 2, "delayMin", "greater");
+  expectError("<scene\naudience=\"-1\"/>", 2, "audience", "outside");
+  expectError("<scene\nreferees=\"1.5\"/>", 2, "referees", "whole number");
   expectError("<scene>\n<game referee=\"maybe\"/></scene>", 2, "referee", "true or false");
   expectError("<scene>\n<robots>\n<robot team=\"green\"/></robots></scene>", 3, "team",
               "red, blue");
@@ -174,6 +174,90 @@ TEST_F(WrongFiles, namesFileLineAndField) {
   expectError("<scene><robots>\n<ball/></robots></scene>", 2, "ball", "expected <robot>");
   expectError("<scene><balls/>\n<balls/></scene>", 2, "balls", "a second <balls>");
   expectError("<scene fidelity=\"dreamlike\"/>", 1, "fidelity", "kinematic");
+}
+
+TEST_F(WrongFiles, namesTheColumn) {
+  const auto told = [&](const std::string& text) {
+    const std::string error = errorOf(text).text();
+    return error.substr(error.find("wrong.scene") + 11);
+  };
+  EXPECT_EQ(told("<scene>\n  <noise psd='1' joints = \"many\"/></scene>"),
+            ":2: joints: expected a number, found \"many\" (column 18)");
+  EXPECT_EQ(told("<scene><!-- <a b=''> -->\n<robots> <robot/>\t<leg/></robots></scene>"),
+            ":2: leg: expected <robot> (column 19)");
+  EXPECT_EQ(told("<?xml version='1.0'?>\n<scene><!-- \xc3\xa4 --><noise psd='-1'/></scene>"),
+            ":2: psd: -1 is outside 0.000000 .. 1000.000000 (column 25)");
+  EXPECT_EQ(told("<scene>\n<robots>\n  here\n</robots></scene>"),
+            ":3: text: expected <robot> (column 3)");
+  EXPECT_EQ(told("<scene><robots><robot/> <robot/></robots></scene>"),
+            ":1: name: a second robot \"red1\" (column 25)");
+  EXPECT_THAT(told("<scene>\n <noise <</scene>"), HasSubstr(":2: "));
+  EXPECT_THAT(told("<scene>\n <noise <</scene>"), HasSubstr("(column 10)"));
+  const std::string field = std::filesystem::absolute("models/field2003.xml").string();
+  EXPECT_THAT(
+      told("<scene field='" + field + "'><balls>\n  <ball model='gone.xml'/></balls></scene>"),
+      testing::AllOf(HasSubstr(":2: model: there is no file"), HasSubstr("(column 3)")));
+}
+
+TEST_F(WrongFiles, tooManyAreTold) {
+  const auto sceneOf = [](const char* group, const std::string& entry, int count) {
+    std::string text = std::string{"<scene><game referee='false'/><"} + group + ">\n";
+    for (int i = 0; i < count; ++i) {
+      std::string line = entry;
+      if (const auto at = line.find('#'); at != line.npos) line.replace(at, 1, std::to_string(i));
+      text += line + "\n";
+    }
+    return text + "</" + group + "></scene>";
+  };
+  EXPECT_TRUE(loadScene(write(sceneOf("robots", "<robot name='r#'/>", 22))));
+  const Error robots = errorOf(sceneOf("robots", "<robot name='r#'/>", 23));
+  EXPECT_EQ(robots.line, 24);
+  EXPECT_THAT(robots.what, HasSubstr("one more than 22"));
+  EXPECT_TRUE(loadScene(write(sceneOf("balls", "<ball/>", 100))));
+  const Error balls = errorOf(sceneOf("balls", "<ball/>", 101));
+  EXPECT_EQ(balls.line, 102);
+  EXPECT_THAT(balls.what, HasSubstr("one more than 100"));
+}
+
+TEST_F(WrongFiles, aPassiveRobotIsActivatedByMovingItsEntry) {
+  std::ifstream file{"scenes/obstacle-challenge.scene"};
+  std::string text{std::istreambuf_iterator<char>{file}, {}};
+  const std::size_t begin = text.find("<robot name=\"obstacle1\""),
+                    end = text.find("/>", begin) + 2;
+  const std::string entry = text.substr(begin, end - begin);
+  text.erase(begin, end - begin);
+  text.insert(text.find("</robots>"), entry);
+  auto scene = loadScene(write(text));
+  ASSERT_TRUE(scene) << scene.error().text();
+  scene->file = "scenes/moved.scene";  // where its models are
+  const auto world = worldOf(*scene);
+  EXPECT_EQ(world->activeRobots(), 2u);
+  EXPECT_EQ(world->robotCount(), 8u);
+}
+
+TEST(Scene, anyNumberOfRobotsAndBallsMoves) {
+  const SceneDescription match = matchScene();
+  for (const Fidelity fidelity : {Fidelity::kinematic, Fidelity::dynamic})
+    for (const auto& [robots, balls] : {std::pair{0, 0}, {0, 3}, {1, 0}, {22, 10}}) {
+      SceneDescription scene = match;
+      scene.fidelity = fidelity;
+      scene.robots.clear();
+      scene.balls.assign(static_cast<std::size_t>(balls), match.balls[0]);
+      for (int i = 0; i < balls; ++i) scene.balls[static_cast<std::size_t>(i)].x = 100 * i;
+      for (int i = 0; i < robots; ++i) {
+        SceneRobot robot = match.robots[0];
+        robot.name = "robot" + std::to_string(i);
+        robot.x = -1500 + 300 * (i % 11);
+        robot.y = i < 11 ? -900 : 900;
+        scene.robots.push_back(robot);
+      }
+      const auto world = worldOf(scene);
+      const std::vector<RobotCommand> commands(world->activeRobots(), standingCommand());
+      for (int i = 0; i < 25; ++i) world->step(commands);
+      EXPECT_EQ(world->robotCount(), static_cast<std::size_t>(robots));
+      EXPECT_EQ(world->ballCount(), static_cast<std::size_t>(balls));
+      EXPECT_EQ(world->time().ms, 200);
+    }
 }
 
 TEST_F(WrongFiles, allErrorsAreTold) {
@@ -188,7 +272,7 @@ TEST_F(WrongFiles, allErrorsAreTold) {
   for (const Error& error : errors) places.emplace_back(error.line, error.field);
   EXPECT_THAT(places, testing::UnorderedElementsAre(std::pair{1, "wrong"}, std::pair{2, "joints"},
                                                     std::pair{2, "joint"}, std::pair{3, "nonsense"},
-                                                    std::pair{0, "radio"}, std::pair{6, "x"},
+                                                    std::pair{4, "delayMin"}, std::pair{6, "x"},
                                                     std::pair{7, "ball"}, std::pair{8, "bodyTilt"},
                                                     std::pair{8, "name"}, std::pair{8, "role"}));
   ASSERT_EQ(scene.robots.size(), 2u);

@@ -1,10 +1,13 @@
 #pragma once
 #include <libxml/tree.h>
 
+#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 
-#include "base/Result.h"
+#include "simulation/FilePlace.h"
 
 namespace gt {
 
@@ -26,5 +29,17 @@ std::string attribute(const xmlNode* node, const char* name);
 
 /// An element's line in its file.
 int lineOf(const xmlNode* node);
+
+/// Where the elements, attributes and texts of a document begin: libxml2 knows lines only.
+class XmlPlaces {
+ public:
+  /// The document was read from a file of this text.
+  XmlPlaces(const xmlDoc& document, std::string_view text);
+
+  FilePlace of(const xmlNode* node, const std::string& attribute = "") const;
+
+ private:
+  std::map<std::pair<const xmlNode*, std::string>, FilePlace> places_;
+};
 
 }  // namespace gt

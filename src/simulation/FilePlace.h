@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "base/Result.h"
+
+namespace gt {
+
+/// A place in a file, from 1; column 0 where only the line is known.
+struct FilePlace {
+  int line = 0;
+  int column = 0;
+};
+
+/// What is wrong at a place of a file. An Error has no column: it is told with what is wrong.
+inline Error errorAt(const std::string& file, const FilePlace& place, const std::string& field,
+                     const std::string& what) {
+  return {file, place.line, field,
+          place.column > 0 ? what + " (column " + std::to_string(place.column) + ")" : what};
+}
+
+}  // namespace gt
