@@ -23,16 +23,18 @@ struct Format {
   int players, playerSize;
 };
 
-constexpr std::array<Format, 5> formats{{
+constexpr std::array<Format, 7> formats{{
     {4, 120, true, 4, 0, false, false, 0, 0, 4, 8},
     {7, 116, false, 4, 1, false, false, 1, 0, 11, 4},
     {12, 54, false, 1, 5, false, true, 0, 3, 6, 2},
+    {14, 62, false, 1, 5, false, true, 0, 5, 7, 2},
     {15, 118, false, 1, 5, false, true, 2, 5, 20, 2},
+    {19, 198, false, 1, 5, true, true, 2, 5, 20, 4},
     {20, 158, false, 1, 5, true, true, 2, 5, 20, 3},
 }};
 
 const Format* formatOf(int version) {
-  const int known = version > 15 && version < 20 ? 15 : version;
+  const int known = version > 15 && version < 19 ? 15 : version;
   const auto format = std::find_if(formats.begin(), formats.end(),
                                    [&](const Format& f) { return f.version == known; });
   return format == formats.end() ? nullptr : &*format;
@@ -66,14 +68,18 @@ Penalty penaltyOf(int version, std::uint32_t number) {
       of2019{ballHolding,     fieldPlayerCharge, illegalDefense,   requestForPickup,
              illegalDefender, requestForPickup,  requestForPickup, requestForPickup,
              obstruction,     illegalDefender},
-      of2022{ballHolding,      fieldPlayerCharge, illegalDefense, requestForPickup, illegalDefender,
-             requestForPickup, requestForPickup,  obstruction,    illegalDefense},
+      of2022{ballHolding,     fieldPlayerCharge, illegalDefense,   requestForPickup,
+             illegalDefender, requestForPickup,  requestForPickup, obstruction,
+             illegalDefense,  requestForPickup,  illegalDefense},
+      of2025{illegalDefender, illegalDefense,   obstruction, requestForPickup, requestForPickup,
+             ballHolding,     requestForPickup, ballHolding, fieldPlayerCharge},
       of2026{illegalDefender,  illegalDefense, illegalDefense,   obstruction, requestForPickup,
              requestForPickup, ballHolding,    requestForPickup, ballHolding, fieldPlayerCharge};
   const auto& known = version <= 4    ? of2005
                       : version <= 7  ? of2012
                       : version <= 12 ? of2019
-                      : version < 20  ? of2022
+                      : version < 19  ? of2022
+                      : version == 19 ? of2025
                                       : of2026;
   if (number == 0) return none;
   return number <= known.size() ? known[number - 1] : requestForPickup;
@@ -94,7 +100,7 @@ ReadTeam readTeam(Reader& reader, const Format& format, int version) {
   read.team.score = static_cast<int>(std::min(reader.number(width), 999u));
   reader.skip(format.afterScore);
   for (int i = 0; i < format.players; ++i) {
-    const int penaltyBytes = format.playerSize == 3 ? 1 : format.playerSize / 2;
+    const int penaltyBytes = format.wideVersion == 4 ? format.playerSize / 2 : 1;
     const Penalty penalty = penaltyOf(version, reader.number(penaltyBytes));
     if (i < 4) read.team.penalties[static_cast<std::size_t>(i)] = penalty;
     reader.skip(format.playerSize - penaltyBytes);
@@ -122,7 +128,7 @@ Result<GameControllerMessage> parseGameController(std::span<const std::byte> byt
   message.version = std::to_integer<int>(bytes[4]);
   const Format* format = formatOf(message.version);
   if (!format)
-    return wrong("version", std::to_string(message.version) + " is none of 4, 7, 12, 15 to 20");
+    return wrong("version", std::to_string(message.version) + " is none of 4, 7, 12, 14 to 20");
   if (bytes.size() != format->size)
     return wrong(
         "", std::to_string(bytes.size()) + " bytes instead of " + std::to_string(format->size));

@@ -14,8 +14,8 @@
 namespace gt {
 
 /// What the RoboCup game controller tells all robots, in whichever of its formats: RGme of 2005
-/// (version 4), 2012 (7), 2019 (12), 2022 to 2024 (15 to 19) and 2026 (20). Sent by UDP to port
-/// 3838, some times a second.
+/// (version 4), 2012 (7), 2019 (12), 2022 (14), 2023 to 2025 (15 to 18), and those of the humanoid
+/// league (19, 20). Sent by UDP to port 3838, some times a second.
 struct GameControllerMessage {
   struct Team {
     int number = 0;

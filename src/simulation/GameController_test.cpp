@@ -46,6 +46,14 @@ std::vector<std::byte> message(int version) {
       b.n(1, {12, 9, 5, 0, 0, 0, 3, 0, 0, 7}).n(2, {90, 0});
       b.n(1, {5, 0, 1, 0}).n(2, {0}).zeros(6).n(1, {2, 30}).zeros(4);
       return b.n(1, {7, 1, 3, 0}).n(2, {0}).zeros(2).n(1, {1, 30}).zeros(8).bytes();
+    case 14:
+      b.n(1, {14, 9, 7, 0, 0, 0, 3, 0, 0, 7}).n(2, {90, 0});
+      b.n(1, {5, 0, 1, 0}).n(2, {0, 9}).zeros(6).n(1, {2, 30}).zeros(6);
+      return b.n(1, {7, 1, 3, 0}).n(2, {0, 9}).zeros(2).n(1, {1, 30}).zeros(10).bytes();
+    case 19:
+      b.n(1, {19, 9, 7, 0, 0, 0, 3, 0, 0, 7}).n(2, {90, 0});
+      b.n(1, {5, 0, 3, 1, 1, 0}).n(2, {0, 9}).zeros(12).n(1, {9, 30, 0, 1}).zeros(64);
+      return b.n(1, {7, 1, 3, 1, 3, 0}).n(2, {0, 9}).zeros(4).n(1, {6, 30, 1, 0}).zeros(72).bytes();
     case 20:
       b.n(1, {20, 9, 7, 0, 0, 0, 3, 0, 0, 7}).n(2, {90, 0});
       b.n(1, {5, 0, 3, 1, 1, 0}).n(2, {0, 9}).zeros(9).n(1, {10, 30, 0}).zeros(48);
@@ -58,7 +66,7 @@ std::vector<std::byte> message(int version) {
 }
 
 TEST(GameController, allVersionsSayTheSame) {
-  for (const int version : {4, 7, 12, 15, 18, 20}) {
+  for (const int version : {4, 7, 12, 14, 15, 16, 17, 18, 19, 20}) {
     const auto read = parseGameController(message(version));
     ASSERT_TRUE(read) << version << ": " << read.error().text();
     EXPECT_EQ(read->version, version);
@@ -89,9 +97,11 @@ TEST(GameController, teamsAreToldApartByColour) {
 }
 
 TEST(GameController, aStoppedGameStands) {
-  auto bytes = message(20);
-  bytes[8] = std::byte{1};
-  EXPECT_EQ(parseGameController(bytes)->state, GameState::set);
+  for (const int version : {19, 20}) {
+    auto bytes = message(version);
+    bytes[8] = std::byte{1};
+    EXPECT_EQ(parseGameController(bytes)->state, GameState::set) << version;
+  }
 }
 
 TEST(GameController, whatIsNoMessageIsRefused) {
