@@ -113,9 +113,10 @@ Result<void> measureFidelity(Figures& figures, const ExperimentOptions&) {
     const Vector2d& wanted = kinematic->speed.translation;
     if (const double speed = wanted.norm(); speed > 1)
       figures.add(name + ".speed", "%",
-                  {100 * dynamic->speed.translation.dot(wanted) / speed / speed});
+                  {100 * dynamic->speed.translation.dot(wanted) / speed / speed}, Aim::atLeast(50));
     if (w.request.rotation != 0)
-      figures.add(name + ".turn", "%", {100 * dynamic->speed.rotation / kinematic->speed.rotation});
+      figures.add(name + ".turn", "%", {100 * dynamic->speed.rotation / kinematic->speed.rotation},
+                  Aim::atLeast(50));
     else
       figures.add(name + ".drift", "deg/s", {toDegrees(dynamic->speed.rotation)});
     figures.add(name + ".height", "mm", {dynamic->height - kinematic->height});

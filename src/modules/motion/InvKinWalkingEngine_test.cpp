@@ -196,7 +196,8 @@ TEST(InvKinWalkingEngine, RectanglesWalkAsFar) {
     }
     EXPECT_NEAR(highest, walk.engine.parameters.foreFootLift - walk.engine.parameters.foreHeight,
                 2);
-    EXPECT_NEAR(farthest, 150 * 0.16, 0.7);
+    const double onGround = 0.5 * 0.008 * walk.engine.parameters.stepLen;
+    EXPECT_NEAR(farthest, 150 * onGround / 2, 0.7);
   }
 }
 
