@@ -107,13 +107,13 @@ std::vector<double> factorsOf(const std::vector<Run>& runs) {
   return factors;
 }
 
-/// A scene of so many robots. Two teams have numbers for eight: the others stand about.
+/// A scene of so many robots, all of which have programs.
 std::string sceneOf(std::size_t robots) {
   const auto here = std::filesystem::current_path().string();
-  std::string active, passive;
+  std::string entries;
   for (std::size_t i = 0; i < robots; ++i) {
     constexpr std::array<const char*, 4> roles{"striker2", "striker1", "goalie", "defender"};
-    (i < 8 ? active : passive) += fmt::format(
+    entries += fmt::format(
         "<robot name=\"r{0}\" team=\"{1}\" role=\"{2}\" x=\"{3}\" y=\"{4}\" "
         "model=\"{5}/models/ers210.xml\" layout=\"{5}/layouts/cmd.layout\"/>",
         i, i % 2 == 0 ? "red" : "blue", roles[i / 2 % 4], -1800 + 700 * static_cast<int>(i % 6),
@@ -121,9 +121,9 @@ std::string sceneOf(std::size_t robots) {
   }
   return fmt::format(
       "<scene field=\"{0}/models/field2003.xml\" config=\"{0}/config\"><game referee=\"false\"/>"
-      "<robots>{1}</robots><extras>{2}</extras>"
+      "<robots>{1}</robots>"
       "<balls><ball x=\"0\" y=\"0\" model=\"{0}/models/ball.xml\"/></balls></scene>",
-      here, active, passive);
+      here, entries);
 }
 
 Result<void> measureGrowth(Figures& figures, const MatchSpeedOptions& options) {
