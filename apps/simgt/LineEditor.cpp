@@ -60,6 +60,7 @@ LineEditor::~LineEditor() {
 
 std::optional<std::string> LineEditor::read(std::function<void()> work) {
   idleWork = &work;
+  for (const std::string& line : console->takeOffers()) add_history(line.c_str());
   char* typed = readline("simgt> ");
   idleWork = nullptr;
   if (!typed) return std::nullopt;

@@ -7,8 +7,9 @@
 
 namespace gt {
 
-/// Reads lines from a terminal with editing, history (kept in out/console_history) and completion
-/// of commands, keys, tasks, symbols, values and paths, by readline. One at a time.
+/// Reads lines from a terminal with editing, history (kept in out/console_history; with the
+/// commands that scripts echo) and completion of commands, keys, tasks, symbols, values and paths,
+/// by readline. One at a time.
 class LineEditor {
  public:
   explicit LineEditor(Console& console);

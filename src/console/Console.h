@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "console/Joystick.h"
@@ -74,6 +75,13 @@ class Console {
   Result<const xabsl::Model*> behavior();
   void forgetBehavior() { behavior_.reset(); }
 
+  /// Keeps a command for who types to execute or not (report I.5.2: echo).
+  void offer(std::string line) {
+    if (offers_.size() < mostOffers) offers_.push_back(std::move(line));
+  }
+  /// What was offered since it was asked for last.
+  std::vector<std::string> takeOffers() { return std::exchange(offers_, {}); }
+
   Joystick& joystick() { return joystick_; }
   /// Values that are recorded over time, by their names (command plot).
   std::map<std::string, std::vector<RobotMemory::Sample>>& series() { return series_; }
@@ -84,7 +92,10 @@ class Console {
   void failExpectation() { expectationFailed_ = true; }
 
  private:
+  static constexpr std::size_t mostOffers = 1000;
+
   Session& session_;
+  std::vector<std::string> offers_;
   std::vector<std::string> selected_;  ///< All if empty.
   std::optional<xabsl::Behavior> behavior_;
   Joystick joystick_;

@@ -43,6 +43,8 @@ std::vector<std::string> commandNames(Console&, const Words&) {
 
 Result<void> echo(Console& console, const Words& words) {
   console.print(words.rest);
+  const auto echoed = splitWords(words.rest);
+  if (echoed && !echoed->empty() && Console::find(echoed->front())) console.offer(words.rest);
   return {};
 }
 
@@ -264,7 +266,8 @@ std::vector<Command> globalCommands() {
        "folder and extension.",
        call, scripts},
       {global, "cls", "", "Clears the console.", cls},
-      {global, "echo", "TEXT", "Prints a text.", echo},
+      {global, "echo", "TEXT",
+       "Prints a text. If that is a command, who types finds it in the history.", echo},
       {global, "gc", "reset | ready | playing | final | kickOff (blue | red) [BLUESCORE REDSCORE]",
        "Controls the game of all robots, as a game manager does; reset also clears the score.", gc,
        gcChoices, true},

@@ -1,0 +1,177 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace gt {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char *program = GT_PROGRAMS "/simgt", *scene = "scenes/one-robot.scene";
+constexpr const char *upKey = "\033[A", *prompt = "simgt> ";
+
+/// The program with its console in a terminal of 24 lines.
+class Terminal {
+ public:
+  Terminal() {
+    const winsize size{24, 100, 0, 0};
+    pid_ = forkpty(&terminal_, nullptr, nullptr, &size);
+    if (pid_ != 0) return;
+    setenv("TERM", "xterm", 1);
+    unsetenv("INPUTRC");
+    execl(program, program, "console", scene, nullptr);
+    _exit(127);
+  }
+  ~Terminal() {
+    if (pid_ > 0) {
+      kill(pid_, SIGKILL);
+      waitpid(pid_, nullptr, 0);
+    }
+    close(terminal_);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  void type(const std::string& keys) {
+    ASSERT_EQ(write(terminal_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
+  }
+  /// What the program writes up to a text, which it removes; all there was if that does not come.
+  std::string until(const std::string& text) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{30};
+    std::size_t found;
+    while ((found = written_.find(text)) == written_.npos &&
+           std::chrono::steady_clock::now() < end && read()) {
+    }
+    EXPECT_NE(found, written_.npos) << "expected " << text << " in:\n" << written_;
+    const std::size_t length = found == written_.npos ? written_.size() : found + text.size();
+    std::string result = written_.substr(0, length);
+    written_.erase(0, length);
+    return result;
+  }
+  /// Ends the program by a command, and returns its exit status.
+  int exit() {
+    type("exit\n");
+    while (read()) {
+    }
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  /// Whether the program still has its terminal.
+  bool read() {
+    pollfd waiting{terminal_, POLLIN, 0};
+    if (poll(&waiting, 1, 1000) == 0) return true;
+    std::array<char, 4096> bytes;
+    const auto count = ::read(terminal_, bytes.data(), bytes.size());
+    if (count > 0) written_.append(bytes.data(), static_cast<std::size_t>(count));
+    return count > 0;
+  }
+
+  int terminal_ = -1;
+  pid_t pid_ = -1;
+  std::string written_;
+};
+
+TEST(Terminal, CompletesCommandsKeysSolutionsAndOptions) {
+  Terminal terminal;
+  terminal.until(prompt);
+  terminal.type("ec\tin one word\n");
+  terminal.until("echo in one word\r\n");
+  EXPECT_THAT(terminal.until(prompt), HasSubstr("in one word\r\n"));
+  for (const auto& [typed, completed] :
+       {std::pair{"dk send_selfLocatorF\t", "send_selfLocatorField_drawing "},
+        {"sr BallLocator PID\t", "PIDSmoothed "},
+        {"xo search_b\t", "search_ball "},
+        {"get ball.spe\t", "ball.speed "},
+        {"set emitters/am\t", "emitters/ambient "},
+        {"call remo\t", "remote-control "}}) {
+    terminal.type(typed);
+    terminal.until(completed);
+    terminal.type("\025");  // takes the line away
+  }
+  EXPECT_EQ(terminal.exit(), 0);
+}
+
+TEST(Terminal, RemembersWhatWasTyped) {
+  {
+    Terminal terminal;
+    terminal.until(prompt);
+    terminal.type("echo first\n");
+    terminal.until(prompt);
+    terminal.type("echo second\n");
+    terminal.until(prompt);
+    terminal.type(std::string{upKey} + upKey);
+    terminal.until("echo second");
+    terminal.until("first");
+    terminal.type("\n");
+    EXPECT_THAT(terminal.until(prompt), HasSubstr("\nfirst\r\n"));
+    EXPECT_EQ(terminal.exit(), 0);
+  }
+  Terminal terminal;  // the next time, too: exit was the last, before it echo first
+  terminal.until(prompt);
+  terminal.type(std::string{upKey} + upKey);
+  terminal.until("cho first");  // only what differs from exit is written anew
+  EXPECT_EQ(terminal.exit(), 0);
+}
+
+TEST(Terminal, OffersWhatScriptsEcho) {
+  Terminal terminal;
+  terminal.until(prompt);
+  terminal.type("call tests/console/echo.con\n");
+  terminal.until("get time\r\n");
+  terminal.until(prompt);
+  terminal.type(std::string{upKey} + "\n");
+  EXPECT_THAT(terminal.until(prompt), HasSubstr("get time\r\n0\r\n"));
+  EXPECT_EQ(terminal.exit(), 0);
+}
+
+TEST(Terminal, ShowsTimeScoreAndFactorInALiveLine) {
+  Terminal terminal;
+  terminal.until(prompt);
+  terminal.type("run 60\n");
+  const std::string live = terminal.until("times real time");
+  EXPECT_THAT(live, HasSubstr("\r\033[K\033[7m"));
+  EXPECT_THAT(live, HasSubstr("0:0"));
+  terminal.until("\r\033[K");
+  terminal.until(prompt);
+  terminal.type("nonsense\n");
+  EXPECT_THAT(terminal.until(prompt), HasSubstr("\033[31mnonsense: there is no such command"));
+  EXPECT_EQ(terminal.exit(), 0) << "what was typed wrongly was told then";
+}
+
+/// What the program prints if lines are piped in, and its exit status.
+std::pair<std::string, int> piped(const std::string& lines) {
+  const std::string command = "printf '" + lines + "' | " + program + " console " + scene + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  std::string text;
+  std::array<char, 512> bytes;
+  while (const auto count = fread(bytes.data(), 1, bytes.size(), pipe))
+    text.append(bytes.data(), count);
+  return {text, WEXITSTATUS(pclose(pipe))};
+}
+
+TEST(Terminal, APipeIsPlain) {
+  const auto [text, status] = piped("echo one\\nrun 1\\nexpect time == 1\\n");
+  EXPECT_EQ(text, "one\n");
+  EXPECT_EQ(status, 0);
+  const auto [failed, failure] = piped("echo one\\nexpect time == 1\\necho never\\n");
+  EXPECT_EQ(failed, "one\nsimgt: input:2: expect: does not hold: time == 1\n");
+  EXPECT_EQ(failure, 1);
+  EXPECT_EQ(piped("nonsense\\n").second, 2);
+}
+
+}  // namespace
+}  // namespace gt
