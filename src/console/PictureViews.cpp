@@ -6,6 +6,7 @@
 #include "console/Views.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/perception/ColorTable64.h"
+#include "simulation/camera/Lighting.h"
 
 namespace gt {
 namespace {
@@ -105,6 +106,31 @@ Result<Sheet> robotView(Console& console, const std::vector<double>& numbers) {
     sheet.box(at, {10, 10}, lit ? colors::orange : Color{60, 60, 60});
     sheet.text(at + Vector2d{16, 9}, std::string{enumNames<Led>[i]}, colors::white, 11);
   }
+  return sheet;
+}
+
+Result<Sheet> facetteView(Console& console, const std::vector<double>& numbers) {
+  if (numbers.size() != 0 && numbers.size() != 3)
+    return Error{"", 0, "facette", "expected no numbers, or X Y Z from where"};
+  const World& world = console.session().simulation().world();
+  Pose3D pose;
+  int hidden = -1;
+  if (numbers.size() == 3) {
+    pose.translation = {numbers[0], numbers[1], numbers[2]};
+  } else {
+    const auto robot = console.firstRobot();
+    if (!robot) return robot.error();
+    if (!(*robot)->index()) return Error{"", 0, (*robot)->name(), "is no robot of the scene"};
+    pose = world.camera(*(*robot)->index());
+    hidden = world.parts(*(*robot)->index()).headBody;
+  }
+  Image image;
+  Facette{360, 180}.take(Lighting{world.model()}, CameraScene{world.model()}, world.data(), pose,
+                         hidden, false, image);
+  const RgbPicture picture = rgbOf(image);
+  constexpr int scale = 2;
+  Sheet sheet{picture.width * scale, picture.height * scale};
+  sheet.paint(picture, {0, 0}, scale);
   return sheet;
 }
 

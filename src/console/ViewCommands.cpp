@@ -144,6 +144,8 @@ const std::vector<View>& views() {
       {"scene", sceneView,
        "the scene from a side; X Y Z and X Y Z in mm may say from where and at what"},
       {"robot", robotView, "the robot from near, with its LEDs; a direction in degrees may follow"},
+      {"facette", facetteView,
+       "all around the robot's camera, or around X Y Z in mm, each degree a pixel"},
       {"image", imageView, "the camera's picture with the image drawings"},
       {"colorClassImage", colorClassImageView, "the same in colour classes"},
       {"colorSpace", colorSpaceView, "how the picture uses the colour space"},

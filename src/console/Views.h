@@ -11,6 +11,8 @@ namespace gt {
 Result<Sheet> sceneView(Console& console, const std::vector<double>& numbers);
 /// Report I.3.2: the robot, centred, from the front left.
 Result<Sheet> robotView(Console& console, const std::vector<double>& numbers);
+/// Report 5.1.1: what a spherical camera sees, in the place of the robot's or at a point in mm.
+Result<Sheet> facetteView(Console& console, const std::vector<double>& numbers);
 /// Report I.3.3.1: the camera's picture with image drawings upon it.
 Result<Sheet> imageView(Console& console, const std::vector<double>&);
 /// Report I.3.3.1: the same, segmented into colour classes.
