@@ -35,9 +35,12 @@ with hyphens. Simulated time stands while nothing is asked of it: `run` and `unt
 | `red1.x`, `.y`, `.rotation`, `.height`, `.tilt`, `.roll`, `.walked`, `.posture` | of a robot's body, truly, in mm and degrees |
 | `red1.RobotPose.pose.rotation`, `RobotPose.pose.rotation` | of a representation; without a name of the selected robot |
 | `red1.WalkingEngine.maxStepSizeX`, `WalkingEngine.InvKin.maxStepSizeX` | a parameter, of the solution that runs or another one |
+| `robots/red1/joints/headPan`, `emitters/ambient`, `radio/loss`, `fidelity` | an object of the scene, in mm and degrees: `get ?` lists them |
 
-Conditions compare them (`<`, `<=`, `>`, `>=`, `==`, `!=`) with each other, numbers, names and sums (`+ - * /`, `abs(a)`, `min(a, b)`,
-`max(a, b)`, `distance(red1, ball)`), joined by `and`, `or`, `not` and parentheses.
+In conditions objects are written with dots; a number behind one counts its numbers: `robots.red1.0` is x.
+
+Conditions compare values (`<`, `<=`, `>`, `>=`, `==`, `!=`) with each other, numbers, names and sums (`+ - * /`, `abs(a)`,
+`min(a, b)`, `max(a, b)`, `distance(red1, ball)`), joined by `and`, `or`, `not` and parentheses.
 )";
 
 void add(std::string& text, Command::Kind kind, const char* heading) {

@@ -64,6 +64,11 @@ Result<void> Session::load(const std::string& file,
   return {};
 }
 
+SceneTree& Session::tree() {
+  if (!state_.tree) state_.tree = std::make_unique<SceneTree>(simulation());
+  return *state_.tree;
+}
+
 bool Session::step() {
   if (simulation().finished()) return false;
   state_.match->step();

@@ -9,6 +9,7 @@
 #include "console/ConsoleRobot.h"
 #include "console/RobotConnection.h"
 #include "match/Match.h"
+#include "simulation/SceneTree.h"
 
 namespace gt {
 
@@ -45,6 +46,8 @@ class Session {
 
   Match& match() { return *state_.match; }
   Simulation& simulation() { return state_.match->simulation(); }
+  /// All objects of the scene, by path.
+  SceneTree& tree();
   Time time() const { return state_.match->time(); }
   /// One step of 8 ms; false when the game is over, or nothing could go on.
   bool step();
@@ -75,6 +78,7 @@ class Session {
     std::unique_ptr<Match> owned;
     std::unique_ptr<RobotConnection> connection;
     Match* match = nullptr;
+    std::unique_ptr<SceneTree> tree;  ///< Once it was asked for.
     std::vector<std::unique_ptr<ConsoleRobot>> robots;
     std::size_t toldEvents = 0;
     std::vector<std::function<void()>> recorders;

@@ -85,21 +85,32 @@ Result<void> expect(Console& console, const Words& words) {
   return Error{"", 0, "expect", "does not hold: " + words.rest};
 }
 
-Result<void> get(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
-  if (words[1] == "?") {
-    list(console, valueNames(console));
-    const auto robot = console.firstRobot();
-    if (!robot) return {};
+/// Values, parameters and objects of the scene whose names begin so.
+void listValues(Console& console, const std::string& begin) {
+  const auto tell = [&](const std::string& name, const std::string& more, std::string_view doc) {
+    if (name.starts_with(begin))
+      console.print(name + more + (doc.empty() ? "" : "  // " + std::string{doc}));
+  };
+  for (const std::string& name : valueNames(console)) tell(name, "", "");
+  if (const auto robot = console.firstRobot())
     for (const ProcessDescription& process : describe(**robot))
       for (const TaskDescription& task : process.tasks)
         for (const SolutionDescription& solution : task.solutions)
           for (const ParameterDescription& p : solution.parameters)
-            console.print(task.name + "." + solution.name + "." + p.path + " " + p.value +
-                          (p.unit.empty() ? "" : " " + p.unit) +
-                          (p.doc.empty() ? "" : "  // " + p.doc));
+            tell(task.name + "." + solution.name + "." + p.path,
+                 " " + p.value + (p.unit.empty() ? "" : " " + p.unit), p.doc);
+  SceneTree& tree = console.session().tree();
+  for (const SceneTree::Object& object : tree.list(""))
+    if (const auto value = tree.get(object.path))
+      tell(object.path, " " + *value + (object.canBeSet ? "" : " (only watched)"), object.help);
+}
+
+Result<void> get(Console& console, const Words& words) {
+  if (words.size() > 1 && words[1] == "?" && words.size() <= 3) {
+    listValues(console, words.size() == 3 ? words[2] : "");
     return {};
   }
+  if (words.size() != 2) return wrongArguments(words);
   // What a robot has is told of each selected one; what there is once, once.
   const std::string first = words[1].substr(0, words[1].find('.'));
   const auto robots = console.selected();
@@ -123,6 +134,8 @@ Result<void> set(Console& console, const Words& words) {
   if (words.size() < 3) return wrongArguments(words);
   std::string value = words[2];
   for (std::size_t i = 3; i < words.size(); ++i) value += " " + words[i];
+  if (const auto object = objectPath(console.session(), words[1]))
+    return console.session().tree().set(*object, value);
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     const auto name = parameterName(robot, words[1]);
     if (!name) return name.error();
@@ -132,8 +145,11 @@ Result<void> set(Console& console, const Words& words) {
 
 std::vector<std::string> parameterChoices(Console& console, const Words& before) {
   std::vector<std::string> names;
+  if (before.size() > 1) return names;
+  for (const SceneTree::Object& object : console.session().tree().list(""))
+    if (object.canBeSet || before.front() == "get") names.push_back(object.path);
   const auto robot = console.firstRobot();
-  if (!robot || before.size() > 1) return names;
+  if (!robot) return names;
   for (const ProcessDescription& process : describe(**robot))
     for (const TaskDescription& task : process.tasks)
       for (const SolutionDescription& solution : task.solutions)
@@ -250,10 +266,9 @@ std::vector<Command> simulationCommands() {
       {global, "expect", "CONDITION",
        "Tells whether a condition holds; a script ends here if not, with exit status 1.", expect,
        valueChoices},
-      {robot, "get", "? | VALUE",
-       "Prints a value by its path: of the game, a ball, a robot's body, its representations or "
-       "its "
-       "parameters. With ? all of them.",
+      {robot, "get", "? [BEGIN] | VALUE",
+       "Prints a value by its path: of the game, a ball, a robot's body, its representations, its "
+       "parameters, or any object of the scene. With ? all of them, or those that begin so.",
        get, valueChoices},
       {global, "joystick", "(press | release) BUTTON | AXIS VALUE",
        "Does what a joystick does: its buttons 1 to 32, and its axes x, y, z, accelerator, hatX "
@@ -270,8 +285,10 @@ std::vector<Command> simulationCommands() {
        save},
       {global, "scene", "FILE", "Begins with another scene.", scene, sceneChoices},
       {global, "seed", "NUMBER", "Begins anew with another seed.", seed},
-      {robot, "set", "TASK[.SOLUTION].PATH VALUE", "Sets a parameter.", set, parameterChoices,
-       true},
+      {robot, "set", "TASK[.SOLUTION].PATH VALUE | OBJECT VALUE",
+       "Sets a parameter; or moves or switches an object of the scene, such as "
+       "robots/red1/joints/headPan.",
+       set, parameterChoices, true},
       {global, "until", "CONDITION [within SECONDS]",
        "Lets simulated time pass until a condition holds; fails like expect if that takes longer "
        "(600 s without a word).",

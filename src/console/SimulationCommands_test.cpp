@@ -97,6 +97,58 @@ TEST_F(SimulationCommands, ThingsAreMovedByHand) {
   expectError("press nose", "press", "expected");
 }
 
+TEST_F(SimulationCommands, ObjectsAreListedWatchedAndMovedByPath) {
+  EXPECT_THAT(
+      told("get ? robots/blue1"),
+      Contains("robots/blue1 2000 0 0  // x y in mm, and the angle in deg; the robot is put on "
+               "its feet there"));
+  EXPECT_THAT(told("get ? robots/blue1"), testing::Not(Contains(HasSubstr("red1"))));
+  EXPECT_THAT(told("get ?"), Contains(HasSubstr("robots/red1/sensors/psd")));
+  expectFine("set robots/blue1 500 100");
+  EXPECT_EQ(value("robots/blue1"), "500 100 0");
+  EXPECT_TRUE(holds("robots.blue1.1 == 100 and blue1.x == 500"));
+  expectFine("set balls.0 -100 50 300 0");
+  EXPECT_TRUE(holds("ball.speed == 300 and balls.0.2 == 300"));
+  expectFine("set robots/red4/joints/headPan 40");
+  EXPECT_TRUE(holds("abs(robots.red4.joints.headPan - 40) < 0.001"));
+  expectFine("set radio/out true");
+  EXPECT_EQ(value("radio/out"), "true");
+  expectError("set robots/red9 0 0", "robots/red9", "no such object");
+  expectError("set robots/red1/height 5", "robots/red1/height", "only be watched");
+  expectError("set robots/red1 here", "robots/red1", "expected numbers");
+  expectError("get robots/red9", "robots/red9", "no such value");
+  EXPECT_THAT(console->completions("set robots/red1/po"),
+              testing::ElementsAre("robots/red1/posture"));
+  EXPECT_THAT(console->completions("get robots/red1/he"),
+              testing::ElementsAre("robots/red1/height"));
+  EXPECT_THAT(console->completions("set robots/red1/he"), testing::IsEmpty());
+  for (const char* line : {"place ?", "throw ?", "stand ?"})
+    EXPECT_THAT(told(line), Contains("blue1")) << line;
+  EXPECT_THAT(told("place ?"), Contains("ball"));
+  EXPECT_THAT(told("press ?"), Contains("headFront"));
+}
+
+TEST_F(SimulationCommands, TheFidelityChangesWhileTheSceneGoesOn) {
+  EXPECT_EQ(told("fidelity"), std::vector<std::string>{"kinematic"});
+  EXPECT_EQ(told("fidelity ?"), (std::vector<std::string>{"kinematic", "dynamic"}));
+  expectFine("run 2");
+  const double x = session->simulation().world().robot(1).pose.translation.x();
+  EXPECT_THAT(told("fidelity dynamic"), Contains(HasSubstr("motors, contacts and friction")));
+  EXPECT_EQ(session->time().ms, 2000);
+  EXPECT_NEAR(session->simulation().world().robot(1).pose.translation.x(), x, 1);
+  EXPECT_THAT(told("fidelity dynamic"), testing::IsEmpty());
+  expectFine("run 1");
+  EXPECT_TRUE(holds("fidelity == dynamic and red4.posture == standing"));
+  expectFine("save " + file("dynamic.state"));
+  expectFine("run 500 ms");
+  const auto straight = session->simulation().fingerprint();
+  expectFine("load " + file("dynamic.state"));
+  EXPECT_TRUE(holds("fidelity == dynamic"));
+  expectFine("run 500 ms");
+  EXPECT_EQ(session->simulation().fingerprint(), straight);
+  expectError("fidelity dreamlike", "fidelity", "expected");
+}
+
 TEST_F(SimulationCommands, SameSeedSameSimulation) {
   expectFine("run 2");
   const auto before = session->simulation().fingerprint();

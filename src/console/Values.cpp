@@ -1,5 +1,6 @@
 #include "console/Values.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "console/Commands.h"
@@ -115,7 +116,29 @@ Result<ConsoleValue> valueOfRobot(ConsoleRobot& robot, const std::string& path) 
   return text ? Result<ConsoleValue>{ofText(*text)} : text.error();
 }
 
+/// An object of the scene tree, or one of its numbers.
+std::optional<ConsoleValue> objectValue(Session& session, const std::string& path) {
+  if (const auto object = objectPath(session, path))
+    if (const auto value = session.tree().get(*object)) return ofText(*value);
+  const std::size_t last = path.find_last_of("./");
+  if (last == path.npos) return std::nullopt;
+  const auto index = numberOf(path.substr(last + 1), 0, 100);
+  const auto object = objectPath(session, path.substr(0, last));
+  if (!index || !object) return std::nullopt;
+  const auto value = session.tree().get(*object);
+  const auto numbers = value ? splitWords(*value) : Result<Words>{value.error()};
+  const auto at = static_cast<std::size_t>(*index);
+  if (!numbers || at >= numbers->size()) return std::nullopt;
+  return ofText((*numbers)[at]);
+}
+
 }  // namespace
+
+std::optional<std::string> objectPath(Session& session, std::string path) {
+  if (path.find('/') != path.npos) return path;
+  std::ranges::replace(path, '.', '/');
+  return session.tree().get(path) ? std::optional{path} : std::nullopt;
+}
 
 Result<ParameterName> parameterName(ConsoleRobot& robot, const std::string& name) {
   const auto [task, rest] = splitPath(name);
@@ -150,8 +173,10 @@ Result<ConsoleValue> valueAt(Console& console, const std::string& path) {
     auto value = valueOfRobot(*robot, field);
     return value ? value : Error{"", 0, path, value.error().what};
   }
+  if (auto value = objectValue(session, path)) return *value;
   const auto robot = console.firstRobot();
-  if (!robot) return Error{"", 0, path, "there is no such value; try get ?"};
+  if (!robot || path.find('/') != path.npos)
+    return Error{"", 0, path, "there is no such value; try get ?"};
   return valueOfRobot(**robot, path);
 }
 

@@ -20,10 +20,17 @@ struct ConsoleValue {
 ///     red1.x, red1.y, red1.rotation, red1.height, red1.tilt, red1.roll, red1.walked, red1.posture
 ///     red1.RobotPose.pose.rotation      what a robot provides or reads
 ///     red1.ImageProcessor.denseSpacing  a parameter, as TASK.PATH or TASK.SOLUTION.PATH
+///     robots/red1/joints/headPan        an object of the scene tree (SceneTree); in conditions
+///     with
+///                                       dots; field.flag.2 is the third of its numbers
 ///
 /// The truth is in the field's coordinates: mm, degrees, seconds. Without a robot's name the last
 /// two are of the first selected one.
 Result<ConsoleValue> valueAt(Console& console, const std::string& path);
+
+/// The path of an object of the scene tree, of which a person may write it with dots; nothing if it
+/// is none. What is written with slashes is meant to be one.
+std::optional<std::string> objectPath(Session& session, std::string path);
 
 /// Where a robot or a ball is on the field, by its name; nothing if there is none.
 std::optional<Vector2d> placeOf(Console& console, std::string_view name);

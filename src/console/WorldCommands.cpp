@@ -30,7 +30,24 @@ std::optional<std::size_t> ballOf(Console& console, const std::string& word) {
   return std::nullopt;
 }
 
+std::vector<std::string> thingNames(Console& console, const Words& before) {
+  if (before.size() != 1) return {};
+  auto names = sceneRobots(console);
+  if (before.front() != "place") return names;
+  for (std::size_t i = 0; i < console.session().simulation().world().ballCount(); ++i)
+    names.push_back(i == 0 ? "ball" : "ball" + std::to_string(i));
+  return names;
+}
+
+/// What is behind a command with ? alone.
+bool asked(Console& console, const Words& words, const std::vector<std::string>& names) {
+  if (words.size() != 2 || words[1] != "?") return false;
+  list(console, names);
+  return true;
+}
+
 Result<void> place(Console& console, const Words& words) {
+  if (asked(console, words, thingNames(console, {"place"}))) return {};
   if (words.size() < 4 || words.size() > 6) return wrongArguments(words);
   std::vector<double> numbers;
   for (std::size_t i = 2; i < words.size(); ++i) {
@@ -57,6 +74,7 @@ Result<void> place(Console& console, const Words& words) {
 }
 
 Result<void> throwOver(Console& console, const Words& words) {
+  if (asked(console, words, sceneRobots(console))) return {};
   if (words.size() != 2 && words.size() != 3) return wrongArguments(words);
   const bool right = words.size() == 3 && words[2] == "right";
   if (words.size() == 3 && !right && words[2] != "left") return wrongArguments(words);
@@ -68,6 +86,7 @@ Result<void> throwOver(Console& console, const Words& words) {
 }
 
 Result<void> standUp(Console& console, const Words& words) {
+  if (asked(console, words, sceneRobots(console))) return {};
   if (words.size() != 2) return wrongArguments(words);
   const auto robot = sceneRobot(console, words[1]);
   if (!robot) return robot.error();
@@ -76,6 +95,7 @@ Result<void> standUp(Console& console, const Words& words) {
 }
 
 Result<void> press(Console& console, const Words& words) {
+  if (asked(console, words, namesOf<Switch>())) return {};
   if (words.size() < 2 || words.size() > 3) return wrongArguments(words);
   const auto which = enumValue<Switch>(words[1]);
   if (!which) return wrongArguments(words);
@@ -92,11 +112,22 @@ Result<void> press(Console& console, const Words& words) {
   });
 }
 
-std::vector<std::string> thingNames(Console& console, const Words& before) {
-  if (before.size() != 1) return {};
-  auto names = sceneRobots(console);
-  if (before.front() == "place") names.emplace_back("ball");
-  return names;
+Result<void> fidelity(Console& console, const Words& words) {
+  if (words.size() > 2) return wrongArguments(words);
+  Simulation& simulation = console.session().simulation();
+  if (words.size() == 1) {
+    console.print(enumName(simulation.scene().fidelity));
+    return {};
+  }
+  if (asked(console, words, namesOf<Fidelity>())) return {};
+  const auto wanted = enumValue<Fidelity>(words[1]);
+  if (!wanted) return wrongArguments(words);
+  if (*wanted == simulation.scene().fidelity) return {};
+  if (auto done = simulation.changeFidelity(*wanted); !done) return done;
+  console.print(*wanted == Fidelity::dynamic
+                    ? "All stands where it stood; motors, contacts and friction move it now."
+                    : "All stands where it stood; robots move by their own motion model now.");
+  return {};
 }
 
 std::vector<std::string> switchNames(Console&, const Words& before) {
@@ -104,19 +135,24 @@ std::vector<std::string> switchNames(Console&, const Words& before) {
   return {"on", "off"};
 }
 
+constexpr char kinematic[] = "kinematic", dynamic[] = "dynamic";
+
 }  // namespace
 
 std::vector<Command> worldCommands() {
   using enum Command::Kind;
   return {
-      {global, "place", "ROBOT X Y [ROTATION] | BALL X Y [VX VY]",
+      {global, "fidelity", "? | [kinematic | dynamic]",
+       "Goes on in the other fidelity, with all where it is; tells which one it is.", fidelity,
+       oneOf<kinematic, dynamic>, true},
+      {global, "place", "? | ROBOT X Y [ROTATION] | BALL X Y [VX VY]",
        "Puts a robot on the field, in mm and degrees, or a ball, which may roll, in mm/s.", place,
        thingNames, true},
       {robot, "press",
-       "(headFront | headBack | chin | back | pawFR | pawFL | pawHR | pawHL) [on | off]",
+       "? | (headFront | headBack | chin | back | pawFR | pawFL | pawHR | pawHL) [on | off]",
        "Presses a switch of the selected robots until it is off again.", press, switchNames, true},
-      {global, "stand", "ROBOT", "Puts a robot back on its feet.", standUp, thingNames, true},
-      {global, "throw", "ROBOT [left | right]", "Throws a robot on its side.", throwOver,
+      {global, "stand", "? | ROBOT", "Puts a robot back on its feet.", standUp, thingNames, true},
+      {global, "throw", "? | ROBOT [left | right]", "Throws a robot on its side.", throwOver,
        thingNames, true}};
 }
 
