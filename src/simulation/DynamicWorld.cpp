@@ -15,7 +15,8 @@ constexpr double gravity = 9.81;       // m/s^2
 constexpr double gearInertia = 6e-4;   // kg m^2, of a motor as seen from behind its gear; ESTIMATE
 constexpr double groundGap = 0.0005;   // m: the floor lies that far below the carpet's surface
 constexpr std::int64_t heldMs = 1500;  // how long robots are held at most when they are switched on
-constexpr double fallen = 0.5;         // cosine of the angle between the body's z and the vertical
+constexpr double fastest = 20, widestTurn = 100;  // m/s, rad/s: no body moves faster
+constexpr double fallen = 0.5;  // cosine of the angle between the body's z and the vertical
 
 /// No part of a robot gets further from its body's centre within a tick (mm).
 constexpr double robotReach = 360;
@@ -308,7 +309,24 @@ void DynamicWorld::undoIfBroken() {
     std::fill_n(data_->qvel, model_->nv, 0);
     std::fill_n(data_->qacc_warmstart, model_->nv, 0);
   }
+  for (const RobotParts& parts : parts_) slowDown(parts.poseAddress, parts.body);
+  for (const BallParts& ball : ballParts_) slowDown(ball.poseAddress, ball.body);
   goodPositions_.assign(data_->qpos, data_->qpos + coordinates);
+}
+
+void DynamicWorld::slowDown(int poseAddress, int body) {
+  // Whoever was put into something else is pushed out of it, and may be shot across the field.
+  mjtNum* speed = data_->qvel + model_->body_dofadr[body];
+  const double tooFast =
+      std::max(threeOf(speed).norm() / fastest, threeOf(speed + 3).norm() / widestTurn);
+  if (tooFast <= 1) return;
+  int dofs = 6;  // of the body, then one of each joint
+  while (model_->body_dofadr[body] + dofs < model_->nv &&
+         model_->body_rootid[model_->dof_bodyid[model_->body_dofadr[body] + dofs]] == body)
+    ++dofs;
+  std::fill_n(speed, dofs, 0);
+  if (!goodPositions_.empty())
+    std::copy_n(goodPositions_.begin() + poseAddress, dofs + 1, data_->qpos + poseAddress);
 }
 
 }  // namespace gt

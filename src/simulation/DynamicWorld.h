@@ -51,6 +51,8 @@ class DynamicWorld : public World {
   /// A robot touches another one, or a wall (-1).
   void meet(std::size_t robot, int other);
   void undoIfBroken();
+  /// Puts a body that moves as nothing can back to where it was before the tick, at rest.
+  void slowDown(int poseAddress, int body);
   Vector3d speedOf(std::size_t robot) const;
 
   BallParameters ballParameters_;
