@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr const char *program = GT_PROGRAMS "/simgt", *scene = "scenes/one-robot.scene";
-constexpr const char *upKey = "\033[A", *prompt = "simgt> ";
+constexpr const char *upKey = "\033[A", *clearKey = "\025", *prompt = "simgt> ";
 
 /// The program with its console in a terminal of 24 lines.
 class Terminal {
@@ -58,11 +58,12 @@ class Terminal {
     written_.erase(0, length);
     return result;
   }
-  /// Ends the program by a command, and returns its exit status.
+  /// Ends the program by a command, and returns its exit status; -1 if it goes on.
   int exit() {
-    type("exit\n");
-    while (read()) {
-    }
+    type(std::string{clearKey} + "exit\n");
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{30};
+    while (read())
+      if (std::chrono::steady_clock::now() > end) return -1;
     int status = 0;
     waitpid(pid_, &status, 0);
     pid_ = -1;
@@ -90,7 +91,7 @@ TEST(Terminal, CompletesCommandsKeysSolutionsAndOptions) {
   terminal.until(prompt);
   terminal.type("ec\tin one word\n");
   terminal.until("echo in one word\r\n");
-  EXPECT_THAT(terminal.until(prompt), HasSubstr("in one word\r\n"));
+  EXPECT_THAT(terminal.until(prompt), HasSubstr("\rin one word"));
   for (const auto& [typed, completed] :
        {std::pair{"dk send_selfLocatorF\t", "send_selfLocatorField_drawing "},
         {"sr BallLocator PID\t", "PIDSmoothed "},
@@ -100,7 +101,7 @@ TEST(Terminal, CompletesCommandsKeysSolutionsAndOptions) {
         {"call remo\t", "remote-control "}}) {
     terminal.type(typed);
     terminal.until(completed);
-    terminal.type("\025");  // takes the line away
+    terminal.type(clearKey);
   }
   EXPECT_EQ(terminal.exit(), 0);
 }
@@ -117,7 +118,7 @@ TEST(Terminal, RemembersWhatWasTyped) {
     terminal.until("echo second");
     terminal.until("first");
     terminal.type("\n");
-    EXPECT_THAT(terminal.until(prompt), HasSubstr("\nfirst\r\n"));
+    EXPECT_THAT(terminal.until(prompt), HasSubstr("\rfirst"));
     EXPECT_EQ(terminal.exit(), 0);
   }
   Terminal terminal;  // the next time, too: exit was the last, before it echo first
@@ -131,10 +132,10 @@ TEST(Terminal, OffersWhatScriptsEcho) {
   Terminal terminal;
   terminal.until(prompt);
   terminal.type("call tests/console/echo.con\n");
-  terminal.until("get time\r\n");
+  terminal.until("get time");
   terminal.until(prompt);
   terminal.type(std::string{upKey} + "\n");
-  EXPECT_THAT(terminal.until(prompt), HasSubstr("get time\r\n0\r\n"));
+  EXPECT_THAT(terminal.until(prompt), HasSubstr("\r0"));
   EXPECT_EQ(terminal.exit(), 0);
 }
 
