@@ -156,6 +156,17 @@ class RobotProgramsTest : public ::testing::Test {
       return answered;
     });
   }
+  /// Plays on; returns which share of the frames and of the pictures was without an answer in time.
+  std::pair<double, double> missedWhilePlaying(std::int64_t ms) {
+    const RemoteStatistics before = robot().statistics();
+    play(ms);
+    const RemoteStatistics& now = robot().statistics();
+    const auto share = [](std::int64_t part, std::int64_t whole) {
+      return static_cast<double>(part) / static_cast<double>(std::max<std::int64_t>(whole, 1));
+    };
+    return {share(now.missedFrames - before.missedFrames, now.frames - before.frames),
+            share(now.missedPictures - before.missedPictures, now.pictures - before.pictures)};
+  }
   /// Bad tools at an endpoint harm neither the robot nor its team mates nor a good tool there.
   void expectNoHarm(const std::string& endpoint, const std::vector<const ChildProgram*>& watched) {
     ASSERT_TRUE(playUntil([&] { return joined(); }));
@@ -166,15 +177,15 @@ class RobotProgramsTest : public ::testing::Test {
       return match->simulation().input(3).team.byPlayer[2].timeReceived;
     };
     const Time heardBefore = heardOfIt();
-    const RemoteStatistics before = robot().statistics();
+    const std::int64_t framesBefore = robot().statistics().frames;
+    // What others on this machine take from the robot is not the bad tools' doing.
+    const auto [framesAlone, picturesAlone] = missedWhilePlaying(1500);
     const BadTools enemies{endpoint};
-    play(3000);
-    const RemoteStatistics& now = robot().statistics();
+    const auto [frames, pictures] = missedWhilePlaying(3000);
     EXPECT_GT(enemies.sent(), 1000u);
-    EXPECT_GT(now.frames - before.frames, 280u);
-    EXPECT_LT(now.missedFrames - before.missedFrames, 190u)
-        << "of 375, on a machine that others use";
-    EXPECT_LT(now.missedPictures - before.missedPictures, 38u) << "of 75";
+    EXPECT_GT(robot().statistics().frames - framesBefore, 420);
+    EXPECT_LT(frames, 0.5 + framesAlone) << framesAlone << " without bad tools";
+    EXPECT_LT(pictures, 0.5 + picturesAlone) << picturesAlone << " without bad tools";
     EXPECT_TRUE(answers(endpoint)) << "a good tool beside the bad ones";
     for (const auto& process : processes) EXPECT_TRUE(process->runs());
     for (std::size_t i = 0; i < watched.size(); ++i)
@@ -367,6 +378,7 @@ TEST_F(RobotProgramsTest, BadToolsHarmNoRobot) {
   const std::string endpoint = testing::freeTcpEndpoint();
   std::vector<std::string> debug = command("debug", folder);
   debug.insert(debug.end(), {"--tools", endpoint});
+  processes[2].reset();  // two at once would be in each other's way
   processes[2] = std::make_unique<ChildProgram>(debug);
   expectNoHarm(endpoint, {processes[0].get(), processes[1].get(), processes[2].get()});
 }
