@@ -180,14 +180,18 @@ void VisionMeasures::comparePlayers(const PlayersPercept& percept, Tally& tally)
   for (std::size_t i = 0; i < truth_.robots(); ++i) {
     const Vector2d place = truth_.robot(i);
     if (truth_.isOwn(i) || truth_.pixels(Kind::tricot, i) < least) continue;
-    double error = 1e9;
-    for (const Vector2d& p : percept.players[truth_.team(i)])
-      error = std::min(error, (p - place).norm());
+    double error = 1e9, range = 0;
+    for (const Vector2d& p : percept.players[truth_.team(i)]) {
+      if ((p - place).norm() >= error) continue;
+      error = (p - place).norm();
+      range = p.norm() - place.norm();
+    }
     const bool found = error < std::max(250., 0.25 * place.norm());
-    const std::string name = place.norm() < 1200 ? "players" : "players.distant";
-    tally.count(name + ".found", found);
-    tally.count(name + "." + std::string{enumName(truth_.team(i))} + ".found", found);
-    if (found) tally.measure(name + ".error", "mm", error);
+    Banded players{tally, place.norm() < 1200 ? "players" : "players.distant", place.norm()};
+    players.count("found", found);
+    players.count(std::string{enumName(truth_.team(i))} + ".found", found);
+    if (found) players.measure("error", "mm", error);
+    if (found) players.measure("range", "mm", range);
   }
   for (const TeamColor team : {TeamColor::red, TeamColor::blue})
     for (const Vector2d& p : percept.players[team]) {

@@ -141,7 +141,10 @@ bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPe
       above > 0 && width * above < narrowest * std::tan(b.top))
     return false;
   const double bearing = (b.left + b.right) / 2;
-  const Vector2d middle = camera.head<2>() + direction(bearing) * distance;
+  // The height is that of all walls of the goal: on average it is seen halfway to its back.
+  const double depth = field.xGoalBack - field.xGroundline;
+  const Vector2d middle =
+      camera.head<2>() + direction(bearing) * std::max(distance - depth / 2, 0.0);
   goal.distance = distance > 0 ? middle.norm() : 0;
   goal.angle = distance > 0 ? angleOf(middle) : bearing;
   return true;

@@ -17,7 +17,9 @@ constexpr double typicalHeight = 55;    // mm: of a piece of tricot, seen from t
 constexpr double mostHeight = 120;      // mm: the same with that of a leg below
 constexpr double typicalTricot = 6400;  // mm2: of a side
 constexpr double mostTricot = 11600;    // mm2: with legs and back
-constexpr double bodyRadius = 70;       // mm: from the nearest foot to its middle
+constexpr double typicalShare = 0.65;   // of the way to where a leg leaves the picture
+constexpr double footToMiddle = 105;    // mm: from the nearest foot to the middle of the body
+constexpr double sideToMiddle = 40;     // mm: from what is seen of a tricot to it
 constexpr double bodyWidth = 300;       // mm: the longest that a robot is seen
 constexpr double footBeside = 60;       // mm: feet stand that far beside the tricot
 constexpr double farBelow = 1e4;        // pixels: to the end of the picture
@@ -65,9 +67,9 @@ void PlayerSpecialist::endCluster(const Picture& picture, std::vector<Vector2d>&
   }
   if (pixels >= minClusterPixels) {
     const double width = cluster_.back().u - cluster_.front().u + 1, area = pixels * width / lines;
-    const double bearing = (azimuth(picture.ray(cluster_.front().upper)) +
-                            azimuth(picture.ray(cluster_.back().upper))) /
-                           2;
+    const double left = azimuth(picture.ray(cluster_.front().upper));
+    const double right = azimuth(picture.ray(cluster_.back().upper));
+    const double bearing = right + normalize(left - right) / 2;
     lookForFeet(picture);
     if (std::min(foot_, border_) == farthestOnGround) return cluster_.clear();
     // How far away it looks if `height` of it are the longest piece and `surface` is all of it.
@@ -75,11 +77,11 @@ void PlayerSpecialist::endCluster(const Picture& picture, std::vector<Vector2d>&
       return focal(picture) * std::min(height / longest, std::sqrt(surface / area));
     };
     // Of a robot so close that its feet are not in the picture only the size tells.
-    const double distance = foot_ < border_
-                                ? std::min(foot_, bySize(mostHeight, mostTricot))
-                                : std::min(border_, bySize(typicalHeight, typicalTricot));
-    players.push_back(picture.matrix.pose.translation.head<2>() +
-                      (distance + bodyRadius) * direction(bearing));
+    const bool byFoot = foot_ < border_;
+    const double distance = byFoot ? footToMiddle + std::min(foot_, bySize(mostHeight, mostTricot))
+                                   : sideToMiddle + std::min(typicalShare * border_,
+                                                             bySize(typicalHeight, typicalTricot));
+    players.push_back(picture.matrix.pose.translation.head<2>() + distance * direction(bearing));
   }
   cluster_.clear();
 }
@@ -91,13 +93,16 @@ void PlayerSpecialist::follow(const Picture& picture, double u, double v, double
   int green = 0, white = 0, body = which == Which::first ? minGreen : 0;
   Vector2d p = picture.horizon.toPicture(u, v);
   std::optional<Vector2d> foot;
+  const bool aboveHorizon = v < 0;
   const ColorClass others =
       cluster_.front().team == TeamColor::red ? ColorClass::blue : ColorClass::red;
   for (; v < end && picture.contains(p); v += 1, p += picture.horizon.down) {
     const ColorClass color = picture.classAt(p);
     white += color == ColorClass::white ? 1 : 0;
-    if (color == others || (which == Which::first && white >= minWall)) return;
+    if (color == others || (aboveHorizon && white >= minWall)) return;
     green = color == ColorClass::green ? green + 1 : 0;
+    // At a line of the field colours are mixed that look like a leg's.
+    if (which == Which::last && color == ColorClass::white) body = 0;
     body += isBody(color) ? 1 : 0;
     if (green < minGreen) continue;
     if (body >= (which == Which::first ? minGreen : minLeg))
@@ -131,7 +136,7 @@ void PlayerSpecialist::lookForFeet(const Picture& picture) {
                          .fromPicture(picture.pointOf(
                              {below.x(), below.y(), -picture.matrix.pose.translation.z()}))
                          .y();
-  const double beside = focal(picture) * footBeside / foot_;
+  const double beside = focal(picture) * footBeside / std::max(foot_, footBeside);
   std::size_t piece = 0;
   for (double u = cluster_.front().u - beside; u <= cluster_.back().u + beside; u += 2) {
     while (piece + 1 < cluster_.size() && cluster_[piece + 1].u < u + 1) ++piece;
