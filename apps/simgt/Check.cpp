@@ -129,7 +129,7 @@ class TreeCheck {
       const std::size_t before = errors_.size();
       const SceneDescription scene = loadScene(file, errors_);
       if (scene.file.empty()) continue;  // it is no scene at all
-      if (errors_.size() == before) collect(composeModel(scene));
+      if (errors_.size() == before) checkModel(scene, errors_);
       for (const SceneRobot& robot : scene.robots) checkLayout(scene.resolve(robot.layout));
       if (!fs::is_directory(scene.resolve(scene.config)))
         collect({file, 0, "config", "there is no folder " + scene.config});

@@ -17,8 +17,17 @@ Matrix3d rotationZ(double angle) {
   return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
 }
 
+namespace {
+
+/// Whether the rotated x-axis points straight up or down.
+bool isUpright(const Matrix3d& rotation) {
+  return std::hypot(rotation(2, 1), rotation(2, 2)) < 1e-9;
+}
+
+}  // namespace
+
 double angleX(const Matrix3d& rotation) {
-  return std::atan2(rotation(2, 1), rotation(2, 2));
+  return isUpright(rotation) ? 0 : std::atan2(rotation(2, 1), rotation(2, 2));
 }
 
 double angleY(const Matrix3d& rotation) {
@@ -26,7 +35,8 @@ double angleY(const Matrix3d& rotation) {
 }
 
 double angleZ(const Matrix3d& rotation) {
-  return std::atan2(rotation(1, 0), rotation(0, 0));
+  return isUpright(rotation) ? std::atan2(-rotation(0, 1), rotation(1, 1))
+                             : std::atan2(rotation(1, 0), rotation(0, 0));
 }
 
 Vector3d Pose3D::operator*(const Vector3d& point) const {

@@ -6,12 +6,18 @@
 
 namespace gt {
 
-/// Vectors and matrices of the report (2.1.4: Vector2, Vector3, Matrix3x3). Eigen has the
-/// operations: `a.dot(b)` is the inner product, `a.cross(b)` the report's `a ^ b`, and there are
-/// `norm()`, `transpose()`, `normalized()`, sums and products.
-using Vector2d = Eigen::Vector2d;
-using Vector3d = Eigen::Vector3d;
-using Matrix3d = Eigen::Matrix3d;
+/// Vectors and matrices of the report (2.1.4). Eigen has the operations: `a.dot(b)` is the inner
+/// product, `a.cross(b)` the report's `a ^ b`, and there are `norm()`, `transpose()`,
+/// `normalized()`, sums and products.
+template <typename T>
+using Vector2 = Eigen::Matrix<T, 2, 1>;
+template <typename T>
+using Vector3 = Eigen::Matrix<T, 3, 1>;
+template <typename T>
+using Matrix3x3 = Eigen::Matrix<T, 3, 3>;
+using Vector2d = Vector2<double>;
+using Vector3d = Vector3<double>;
+using Matrix3d = Matrix3x3<double>;
 
 constexpr double pi = std::numbers::pi;
 
@@ -46,13 +52,14 @@ inline Vector2d direction(double angle) {
 }
 
 /// Rotations about one axis, counterclockwise when looked at against the axis (report 2.1.4,
-/// RotationMatrix).
+/// RotationMatrix): a product rotates on, `transpose()` rotates back.
 Matrix3d rotationX(double angle);
 Matrix3d rotationY(double angle);
 Matrix3d rotationZ(double angle);
 
 /// The rotation about an axis in a matrix that is rotationZ(z) * rotationY(y) * rotationX(x)
-/// (report 2.1.4, RotationMatrix); y lies in [-pi/2, pi/2].
+/// (report 2.1.4, RotationMatrix); y lies in [-pi/2, pi/2]. Where y is one of these ends only x and
+/// z together are known: then x is 0.
 double angleX(const Matrix3d& rotation);
 double angleY(const Matrix3d& rotation);
 double angleZ(const Matrix3d& rotation);

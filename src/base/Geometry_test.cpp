@@ -76,6 +76,16 @@ TEST(Geometry, RotationsTellTheirAngles) {
   }
 }
 
+TEST(Geometry, AnglesMakeTheirRotationAgainAlsoWhereTheyAreAmbiguous) {
+  for (const double y : {-pi / 2, pi / 2, pi / 2 - 1e-7})
+    for (const double x : {-2.0, 0.0, 3.0}) {
+      const Matrix3d rotation = rotationZ(1) * rotationY(y) * rotationX(x);
+      const Matrix3d again =
+          rotationZ(angleZ(rotation)) * rotationY(angleY(rotation)) * rotationX(angleX(rotation));
+      EXPECT_NEAR((again - rotation).norm(), 0, 1e-7) << x << ' ' << y;
+    }
+}
+
 // The operators of report 2.1.4 by their closed forms.
 TEST(Geometry, VectorsHaveTheProductsOfTheReport) {
   const Vector3d a{1, 2, 3}, b{-2, 5, 7};
@@ -90,6 +100,10 @@ TEST(Geometry, VectorsHaveTheProductsOfTheReport) {
   EXPECT_EQ(m * a, Vector3d(14, 32, 53));
   EXPECT_EQ((m * m)(2, 0), 7 + 8 * 4 + 10 * 7);
   EXPECT_EQ((m + m)(1, 2), 12);
+  const Vector2<int> pixel{3, -4};
+  EXPECT_EQ(pixel.dot(Vector2<int>{2, 1}), 2);
+  EXPECT_EQ(pixel.transpose() * pixel, 25);
+  EXPECT_EQ((Matrix3x3<float>::Identity() * 2 * Vector3<float>{1, 2, 3}).z(), 6);
 }
 
 TEST(Geometry, Pose3DInverts) {

@@ -354,5 +354,44 @@ TEST_F(ConsoleTest, ScriptsTellFileAndLineOfTheirErrors) {
   EXPECT_FALSE(console->call(file("nothing.con")));
 }
 
+// Report E.5: several modules write to one drawing. E.7: stopwatches become plots.
+TEST(RobotMemory, JoinsWhatIsDrawnAtOneTime) {
+  RobotMemory memory;
+  const auto take = [&](int ms, std::initializer_list<const char*> keys) {
+    MessageQueue queue{1 << 16};
+    for (const char* key : keys)
+      queue.write({ms}, Drawing{key, DrawingSpace::field, {{ElementType::point, {{0, 0}}}}});
+    queue.write({ms}, StopwatchTime{"thinking", 1.0 * ms});
+    memory.take(queue, nullptr);
+  };
+  const auto elements = [&](const char* key) { return memory.drawings().at(key).elements.size(); };
+  take(8, {"sketch", "other", "sketch"});
+  take(8, {"sketch"});
+  EXPECT_EQ(elements("sketch"), 3u);
+  EXPECT_EQ(elements("other"), 1u);
+  take(16, {"sketch"});
+  EXPECT_EQ(elements("sketch"), 1u);
+  EXPECT_EQ(elements("other"), 1u);
+  ASSERT_EQ(memory.plots().at("thinking").size(), 3u);
+  EXPECT_EQ(memory.plots().at("thinking").back().value, 16);
+}
+
+TEST(RobotMemory, TakesNoPictureThatIsNotWhole) {
+  RobotMemory memory;
+  MessageQueue queue;
+  Image image;
+  image.info.width = image.info.height = 2;
+  image.allocate();
+  queue.write({8}, image);
+  image.info.height = 2000;
+  queue.write({16}, image);
+  memory.record(true);
+  memory.take(queue, nullptr);
+  EXPECT_EQ(memory.picture().info.height, 2);
+  const auto file = std::filesystem::temp_directory_path() / "gt2003-whole.mcap";
+  EXPECT_TRUE(memory.saveRecord(file.string(), "red1"));
+  std::filesystem::remove(file);
+}
+
 }  // namespace
 }  // namespace gt

@@ -1,6 +1,8 @@
 #include "console/RobotMemory.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "representations/All.h"
@@ -23,6 +25,7 @@ class RecordWriter {
       for (const RepresentationType* type : task.outputs) types_[type->id] = {type, "/"};
     for (const RepresentationType* type :
          {&representation<Text>(), &representation<Drawing>(), &representation<Plot>(),
+          &representation<StopwatchTime>(), &representation<DroppedMessages>(),
           &representation<BehaviorState>()})
       types_[type->id] = {type, "/"};
     for (const auto* list : {&platformRepresentations(), &LogPlatform::representations()})
@@ -59,24 +62,53 @@ void RobotMemory::take(const MessageQueue& messages, const Image* picture) {
     Drawing drawing;
     Plot plot;
     Text text;
+    StopwatchTime time;
+    DroppedMessages dropped;
+    Image image;
     if (message.is<Drawing>() && message.read(drawing)) {
-      drawings_[drawing.key] = std::move(drawing);
+      keep(message.time, std::move(drawing));
     } else if (message.is<Plot>() && message.read(plot)) {
-      std::deque<Sample>& samples = plots_[plot.key];
-      samples.push_back({message.time, plot.value});
-      if (samples.size() > mostSamples) samples.pop_front();
+      keep(plot.key, {message.time, plot.value});
+    } else if (message.is<StopwatchTime>() && message.read(time)) {
+      keep(time.event, {message.time, time.microseconds});
     } else if (message.is<Text>() && message.read(text)) {
-      if (texts_.size() < mostTexts) texts_.push_back(std::move(text.text));
+      keep(std::move(text.text));
+    } else if (message.is<DroppedMessages>() && message.read(dropped)) {
+      for (const DroppedMessage& type : dropped.types)
+        keep("dropped " + std::to_string(type.count) + " messages " + type.type);
     } else if (message.is<BehaviorState>()) {
       static_cast<void>(message.read(behavior_));
-    } else if (message.is<Image>()) {
-      static_cast<void>(message.read(picture_));
+    } else if (message.is<Image>() && message.read(image)) {
+      picture_ = std::move(image);
     }
   });
-  if (recording_ && !messages.empty()) keep(messages);
+  if (recording_ && !messages.empty()) keepAll(messages);
 }
 
-void RobotMemory::keep(const MessageQueue& messages) {
+void RobotMemory::keep(Time time, Drawing drawing) {
+  const auto [known, isNew] = drawings_.try_emplace(drawing.key, drawing);
+  if (isNew) {
+    drawnAt_[drawing.key] = time;
+    return;
+  }
+  // Several modules may have drawn it at the same time (report E.5).
+  if (std::exchange(drawnAt_[drawing.key], time) != time || known->second.space != drawing.space)
+    known->second = std::move(drawing);
+  else
+    std::ranges::move(drawing.elements, std::back_inserter(known->second.elements));
+}
+
+void RobotMemory::keep(const std::string& plot, Sample sample) {
+  std::deque<Sample>& samples = plots_[plot];
+  samples.push_back(sample);
+  if (samples.size() > mostSamples) samples.pop_front();
+}
+
+void RobotMemory::keep(std::string text) {
+  if (texts_.size() < mostTexts) texts_.push_back(std::move(text));
+}
+
+void RobotMemory::keepAll(const MessageQueue& messages) {
   if (recordedBytes_ + messages.size() > mostRecorded) {
     recording_ = false;
     texts_.emplace_back("the recording is full and ends");
@@ -109,7 +141,7 @@ Result<void> RobotMemory::saveRecord(const std::string& file, const std::string&
     queue.handleAllMessages([&](const Message& message) {
       writer.write(message);
       Image image;
-      if (message.is<Image>() && message.read(image) && !image.pixels.empty()) log->write(image);
+      if (message.is<Image>() && message.read(image)) log->write(image);
     });
   }
   return log->close();

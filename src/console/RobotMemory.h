@@ -26,6 +26,7 @@ class RobotMemory {
 
   /// The newest of each key.
   const std::map<std::string, Drawing>& drawings() const { return drawings_; }
+  /// What was plotted, and the times of stopwatches in us.
   const std::map<std::string, std::deque<Sample>>& plots() const { return plots_; }
   const BehaviorState& behavior() const { return behavior_; }
   const Image& picture() const { return picture_; }
@@ -41,9 +42,13 @@ class RobotMemory {
   Result<void> saveRecord(const std::string& file, const std::string& robot) const;
 
  private:
-  void keep(const MessageQueue& messages);
+  void keep(Time time, Drawing drawing);
+  void keep(const std::string& plot, Sample sample);
+  void keep(std::string text);
+  void keepAll(const MessageQueue& messages);
 
   std::map<std::string, Drawing> drawings_;
+  std::map<std::string, Time> drawnAt_;
   std::map<std::string, std::deque<Sample>> plots_;
   BehaviorState behavior_;
   Image picture_;

@@ -11,54 +11,58 @@ void Canvas::send() {
 }
 
 DrawingElement& Canvas::add(ElementType type, std::vector<Vector2d> points, Color color,
-                            double penWidth) {
+                            double penWidth, PenStyle style) {
   DrawingElement& element = drawing_->elements.emplace_back();
   element.type = type;
   element.points = std::move(points);
   element.color = color;
   element.penWidth = penWidth;
+  element.penStyle = style;
   return element;
 }
 
 void Canvas::point(const Vector2d& at, Color color, double radius) {
-  add(ElementType::point, {at}, color, 1).size = radius;
+  add(ElementType::point, {at}, color).size = radius;
 }
 
-void Canvas::line(const Vector2d& from, const Vector2d& to, Color color, double penWidth) {
-  add(ElementType::line, {from, to}, color, penWidth);
+void Canvas::line(const Vector2d& from, const Vector2d& to, Color color, double penWidth,
+                  PenStyle style) {
+  add(ElementType::line, {from, to}, color, penWidth, style);
 }
 
-void Canvas::arrow(const Vector2d& from, const Vector2d& to, Color color, double penWidth) {
-  add(ElementType::arrow, {from, to}, color, penWidth);
+void Canvas::arrow(const Vector2d& from, const Vector2d& to, Color color, double penWidth,
+                   PenStyle style) {
+  add(ElementType::arrow, {from, to}, color, penWidth, style);
 }
 
-void Canvas::circle(const Vector2d& center, double radius, Color color, double penWidth) {
-  add(ElementType::circle, {center}, color, penWidth).size = radius;
+void Canvas::circle(const Vector2d& center, double radius, Color color, double penWidth,
+                    PenStyle style) {
+  add(ElementType::circle, {center}, color, penWidth, style).size = radius;
 }
 
 void Canvas::disk(const Vector2d& center, double radius, Color color) {
-  add(ElementType::disk, {center}, color, 1).size = radius;
+  add(ElementType::disk, {center}, color).size = radius;
 }
 
 void Canvas::ellipse(const Vector2d& center, double first, double second, double angle, Color color,
-                     double penWidth) {
+                     double penWidth, PenStyle style) {
   const Vector2d axis = direction(angle);
   add(ElementType::ellipse,
       {center, center + first * axis, center + second * Vector2d{-axis.y(), axis.x()}}, color,
-      penWidth);
+      penWidth, style);
 }
 
 void Canvas::sector(const Vector2d& center, double radius, double from, double to, Color color) {
   add(ElementType::sector,
-      {center, center + radius * direction(from), center + radius * direction(to)}, color, 1);
+      {center, center + radius * direction(from), center + radius * direction(to)}, color);
 }
 
-void Canvas::path(std::vector<Vector2d> points, Color color, double penWidth) {
-  add(ElementType::path, std::move(points), color, penWidth);
+void Canvas::path(std::vector<Vector2d> points, Color color, double penWidth, PenStyle style) {
+  add(ElementType::path, std::move(points), color, penWidth, style);
 }
 
 void Canvas::area(std::vector<Vector2d> corners, Color color) {
-  add(ElementType::area, std::move(corners), color, 1);
+  add(ElementType::area, std::move(corners), color);
 }
 
 void Canvas::cross(const Vector2d& at, double size, Color color, double penWidth) {
@@ -67,12 +71,12 @@ void Canvas::cross(const Vector2d& at, double size, Color color, double penWidth
   line(at - down, at + down, color, penWidth);
 }
 
-void Canvas::polygon(std::vector<Vector2d> corners, Color color, double penWidth) {
-  add(ElementType::polygon, std::move(corners), color, penWidth);
+void Canvas::polygon(std::vector<Vector2d> corners, Color color, double penWidth, PenStyle style) {
+  add(ElementType::polygon, std::move(corners), color, penWidth, style);
 }
 
 void Canvas::text(const Vector2d& at, std::string text, Color color, double height) {
-  DrawingElement& element = add(ElementType::text, {at}, color, 1);
+  DrawingElement& element = add(ElementType::text, {at}, color);
   element.size = height;
   element.text = std::move(text);
 }

@@ -22,7 +22,8 @@ class Canvas {
   Canvas() = default;
   Canvas(Debug& debug, const DebugKey& key, DrawingSpace space);
   ~Canvas() {
-    if (drawing_) send();
+    if constexpr (debugging)
+      if (drawing_) send();
   }
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
@@ -30,17 +31,22 @@ class Canvas {
   explicit operator bool() const { return debugging && drawing_ != nullptr; }
 
   void point(const Vector2d& at, Color color = {}, double radius = 1);
-  void line(const Vector2d& from, const Vector2d& to, Color color = {}, double penWidth = 1);
-  void arrow(const Vector2d& from, const Vector2d& to, Color color = {}, double penWidth = 1);
-  void circle(const Vector2d& center, double radius, Color color = {}, double penWidth = 1);
+  void line(const Vector2d& from, const Vector2d& to, Color color = {}, double penWidth = 1,
+            PenStyle style = {});
+  void arrow(const Vector2d& from, const Vector2d& to, Color color = {}, double penWidth = 1,
+             PenStyle style = {});
+  void circle(const Vector2d& center, double radius, Color color = {}, double penWidth = 1,
+              PenStyle style = {});
   void disk(const Vector2d& center, double radius, Color color = {});
   /// An ellipse by its half axes; the first one points into the direction (rad).
   void ellipse(const Vector2d& center, double first, double second, double direction,
-               Color color = {}, double penWidth = 1);
+               Color color = {}, double penWidth = 1, PenStyle style = {});
   /// A filled part of a disk, counterclockwise from one direction to another (rad).
   void sector(const Vector2d& center, double radius, double from, double to, Color color = {});
-  void path(std::vector<Vector2d> points, Color color = {}, double penWidth = 1);
-  void polygon(std::vector<Vector2d> corners, Color color = {}, double penWidth = 1);
+  void path(std::vector<Vector2d> points, Color color = {}, double penWidth = 1,
+            PenStyle style = {});
+  void polygon(std::vector<Vector2d> corners, Color color = {}, double penWidth = 1,
+               PenStyle style = {});
   void area(std::vector<Vector2d> corners, Color color = {});
   void cross(const Vector2d& at, double size, Color color = {}, double penWidth = 1);
   void text(const Vector2d& at, std::string text, Color color = {}, double height = 10);
@@ -48,7 +54,8 @@ class Canvas {
   void pose(const Pose2D& pose, Color color = {}, double length = 100);
 
  private:
-  DrawingElement& add(ElementType type, std::vector<Vector2d> points, Color color, double penWidth);
+  DrawingElement& add(ElementType type, std::vector<Vector2d> points, Color color,
+                      double penWidth = 1, PenStyle style = {});
   void send();
 
   Debug* debug_ = nullptr;
@@ -69,34 +76,43 @@ class Debug {
   Canvas onRobot(const DebugKey& key) { return draw(key, DrawingSpace::robot); }
   Canvas onImage(const DebugKey& key) { return draw(key, DrawingSpace::image); }
 
-  /// Sends a text in any case.
-  void text(std::string text) {
-    if constexpr (debugging) out_.write(now_, Text{std::move(text)});
-  }
-  void plot(const DebugKey& key, double value) {
-    if (isActive(key)) out_.write(now_, Plot{std::string{key.name()}, value});
+  /// Sends any representation: in any case, or if the key is active (report E.4, OUTPUT and INFO).
+  template <typename T>
+  void send(const T& representation) {
+    if constexpr (debugging) out_.write(now_, representation);
   }
   template <typename T>
   void send(const DebugKey& key, const T& representation) {
-    if (isActive(key)) out_.write(now_, representation);
+    if (isActive(key)) send(representation);
   }
-  /// Does some work, and sends how long it took if the key is active (report E.7).
+  /// Sends a text in any case.
+  void text(std::string text) { send(Text{std::move(text)}); }
+  void plot(const DebugKey& key, double value) {
+    if (isActive(key)) send(Plot{std::string{key.name()}, value});
+  }
+  /// Does some work and sends how long it took: in any case, or if the key is active (report E.7).
   template <typename Work>
-  void stopTime(const DebugKey& key, Work&& work) {
-    if (!isActive(key)) return std::forward<Work>(work)();
-    Stopwatch watch{std::string{key.name()}};
+  void stopTime(std::string_view event, Work&& work) {
+    Stopwatch watch{std::string{event}};
     {
       const Stopwatch::Lap lap{watch};
       std::forward<Work>(work)();
     }
-    out_.write(now_, StopwatchTime{watch.name(), 1000 * watch.totalMs()});
+    send(StopwatchTime{watch.name(), 1000 * watch.totalMs()});
+  }
+  template <typename Work>
+  void stopTime(const DebugKey& key, Work&& work) {
+    if (!isActive(key)) return std::forward<Work>(work)();
+    stopTime(key.name(), std::forward<Work>(work));
   }
 
   /// The numbers that a tool has sent under a key since the last cycle (report E.2); null if it has
   /// not.
   const std::vector<double>* received(const DebugKey& key) const;
   /// Hands numbers in, for the modules of this cycle.
-  void receive(GenericDebugData data) { received_.push_back(std::move(data)); }
+  void receive(GenericDebugData data) {
+    if constexpr (debugging) received_.push_back(std::move(data));
+  }
   void forgetReceived() { received_.clear(); }
 
   bool isActive(const DebugKey& key) { return debugging && keys_.isActive(key, now_); }

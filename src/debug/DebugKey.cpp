@@ -12,11 +12,9 @@ std::vector<const DebugKey*>& registry() {
 
 }  // namespace
 
-DebugKey::DebugKey(std::string_view name) : name_{name} {
-  if constexpr (debugging) {
-    index_ = registry().size();
-    registry().push_back(this);
-  }
+void DebugKey::enlist() {
+  index_ = registry().size();
+  registry().push_back(this);
 }
 
 const std::vector<const DebugKey*>& DebugKey::all() {
@@ -41,7 +39,8 @@ bool DebugKeyState::isDue(Time now) {
     case DebugKeyMode::everyTimes:
       return ++count_ % std::max<std::int64_t>(request_.n, 1) == 0;
     case DebugKeyMode::everyMs:
-      if (now - last_ < request_.n) return false;
+      // Time may go back: a log is played from elsewhere, a simulation is started anew.
+      if (now >= last_ && now - last_ < request_.n) return false;
       last_ = now;
       return true;
   }

@@ -21,7 +21,9 @@ constexpr bool debugging = true;
 /// to add a key.
 class DebugKey {
  public:
-  explicit DebugKey(std::string_view name);
+  explicit DebugKey(std::string_view name) : name_{name} {
+    if constexpr (debugging) enlist();
+  }
   DebugKey(const DebugKey&) = delete;
   DebugKey& operator=(const DebugKey&) = delete;
 
@@ -34,6 +36,8 @@ class DebugKey {
   static const DebugKey* find(std::string_view name);
 
  private:
+  void enlist();
+
   std::string_view name_;
   std::size_t index_ = 0;
 };

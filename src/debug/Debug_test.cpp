@@ -59,6 +59,50 @@ TEST(Debug, HasShapesForAllThatViewersShow) {
   EXPECT_LT((sector[2] - Vector2d{10, 25}).norm(), 1e-9);
 }
 
+/// "CIRCLE(sketch, x, y, radius, 3, 0, Drawings::orange)" (report E.5): pens have width and style.
+TEST(Debug, DrawsWithPens) {
+  Debug debug;
+  debug.keys().set(samples, {DebugKeyMode::always});
+  if (auto canvas = debug.onField(samples)) {
+    canvas.circle({1, 2}, 5, colors::orange, 3);
+    canvas.line({0, 0}, {1, 1}, colors::gray, 2, PenStyle::dash);
+    canvas.polygon({{0, 0}, {1, 0}, {1, 1}}, colors::gray, 1, PenStyle::dot);
+  }
+  Drawing drawing;
+  debug.out().handleAllMessages([&](const Message& m) { ASSERT_TRUE(m.read(drawing)); });
+  ASSERT_EQ(drawing.elements.size(), 3u);
+  EXPECT_EQ(drawing.elements[0].penWidth, 3);
+  EXPECT_EQ(drawing.elements[0].color.g, colors::orange.g);
+  EXPECT_EQ(drawing.elements[0].penStyle, PenStyle::solid);
+  EXPECT_EQ(drawing.elements[1].penStyle, PenStyle::dash);
+  EXPECT_EQ(drawing.elements[2].penStyle, PenStyle::dot);
+}
+
+/// The examples of report E.4: OUTPUT sends in any case, INFO if the key is active.
+TEST(Debug, SendsInAnyCaseOrOnRequest) {
+  Debug debug;
+  const auto sent = [&] {
+    std::string all;
+    debug.out().handleAllMessages([&](const Message& message) {
+      Text text;
+      Plot plot;
+      if (message.is<Text>() && message.read(text)) all += text.text + ' ';
+      if (message.is<Plot>() && message.read(plot)) all += plot.key + ' ';
+    });
+    debug.out().clear();
+    return all;
+  };
+  debug.text("Found 3 balls.");
+  debug.send(Plot{"sensors", 1});
+  debug.send(samples, Text{"nobody asked"});
+  debug.plot(samples, 2);
+  EXPECT_EQ(sent(), "Found 3 balls. sensors ");
+  debug.keys().set(samples, {DebugKeyMode::times, 1});
+  debug.send(samples, Text{"asked"});
+  debug.send(samples, Text{"once only"});
+  EXPECT_EQ(sent(), "asked ");
+}
+
 TEST(Debug, HandsGenericDebugDataToWhoKnowsItsName) {
   Debug debug;
   EXPECT_EQ(debug.received(samples), nullptr);
@@ -69,6 +113,15 @@ TEST(Debug, HandsGenericDebugDataToWhoKnowsItsName) {
   EXPECT_EQ(debug.received(other), nullptr);
   debug.forgetReceived();
   EXPECT_EQ(debug.received(samples), nullptr);
+}
+
+TEST(DebugKey, IsSentAgainWhenTimeGoesBack) {
+  Debug debug;
+  debug.keys().set(samples, {DebugKeyMode::everyMs, 100});
+  for (const int ms : {5000, 5050, 5100, 0, 50, 100}) {
+    debug.begin({ms});
+    EXPECT_EQ(debug.keys().isActive(samples, debug.now()), ms % 100 == 0) << ms;
+  }
 }
 
 TEST(Debug, StopsTheTimeOnRequest) {
@@ -83,6 +136,11 @@ TEST(Debug, StopsTheTimeOnRequest) {
   debug.out().handleAllMessages([&](const Message& m) { ASSERT_TRUE(m.read(time)); });
   EXPECT_EQ(time.event, "Test/samples");
   EXPECT_GE(time.microseconds, 0);
+  // In any case, as STOP_TIME does (report E.7).
+  debug.stopTime("roots", [&] { ++done; });
+  debug.out().handleAllMessages([&](const Message& m) { ASSERT_TRUE(m.read(time)); });
+  EXPECT_EQ(time.event, "roots");
+  EXPECT_EQ(done, 3);
 }
 
 TEST(DebugKey, IsFoundByName) {

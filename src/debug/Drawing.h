@@ -42,6 +42,8 @@ enum class ElementType {
   text
 };
 
+enum class PenStyle { solid, dash, dot };
+
 /// One element of a drawing; what its points mean depends on its type.
 struct DrawingElement {
   ElementType type = ElementType::point;
@@ -50,6 +52,7 @@ struct DrawingElement {
   Color color;
   double penWidth = 1;
   std::string text;
+  PenStyle penStyle = PenStyle::solid;
 
   static constexpr auto fields() {
     return Fields{field("type", &DrawingElement::type),
@@ -58,7 +61,8 @@ struct DrawingElement {
                         "radius of circles, disks and points, height of text"),
                   field("color", &DrawingElement::color),
                   field("penWidth", &DrawingElement::penWidth, "pixel"),
-                  field("text", &DrawingElement::text)};
+                  field("text", &DrawingElement::text),
+                  field("penStyle", &DrawingElement::penStyle, "", "of lines")};
   }
 };
 static_assert(complete<DrawingElement>);

@@ -293,6 +293,37 @@ TEST(Receiver, RequestsTheNextPackageAfterMain) {
   process.step(Time{30});
 }
 
+/// "the non-blocking receivers shall be defined first. Otherwise, the packages of the non-blocking
+/// receivers may be older": here the order does not matter, all receive when the cycle begins.
+TEST(Receiver, HoldsTheNewestWhereverItIsDefined) {
+  Custom source, process;
+  Sender<NumberPackage> numbers{source};
+  Receiver<NumberPackage> before{process}, blocking{process, true}, after{process};
+  numbers.connect(before);
+  numbers.connect(after);
+  Custom trigger;
+  Sender<NumberPackage> triggers{trigger};
+  triggers.connect(blocking);
+  source.work = [&] {
+    ++numbers.number;
+    numbers.send();
+  };
+  trigger.work = [&] { triggers.send(); };
+  int cycles = 0;
+  process.work = [&] {
+    ++cycles;
+    EXPECT_EQ(before.number, 3);
+    EXPECT_EQ(after.number, 3);
+  };
+  for (int ms = 0; ms < 30; ms += 10) {
+    source.step(Time{ms});
+    process.step(Time{ms});
+  }
+  trigger.step(Time{30});
+  process.step(Time{30});
+  EXPECT_EQ(cycles, 1) << "it waits for the blocking one";
+}
+
 /// "The only possibility to ensure that a receiver will get a package is to only send it, when it
 /// already has been requested": by requestedNew() here.
 TEST(Sender, NothingIsMissedIfSentOnlyWhenRequested) {

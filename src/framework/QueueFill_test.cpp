@@ -152,6 +152,39 @@ TEST_F(QueueFillTest, SavesSomeSecondsAndSendsNothing) {
   EXPECT_EQ(saved, std::vector<std::string>{"a b c "});
 }
 
+/// "debugIn for incoming and debugOut for outgoing debug messages" (report E.1): a process that
+/// holds both talks with the tools, whatever else it does.
+TEST(DebugProcess, ConnectsEveryProcessThatHoldsQueues) {
+  class Echo : public Process {
+   public:
+    Echo() : Process{"Echo"} {}
+    Receiver<MessageQueue> debugIn{*this};
+    Sender<MessageQueue> debugOut{*this};
+
+   protected:
+    int main() override {
+      debugOut.clear();
+      if (debugIn.receivedNew()) debugIn.moveAllMessages(debugOut);
+      if (!debugOut.empty()) debugOut.send();
+      return -8;
+    }
+  } echo;
+  DebugProcess debug{"Debug"};
+  debug.connect(echo.debugOut, echo.debugIn);
+  debug.fromTools().write({3}, Text{"hello"});
+  for (Time now{0}; now < Time{40}; now = now + 8) {
+    debug.step(now);
+    echo.step(now);
+  }
+  std::string told;
+  debug.toTools().handleAllMessages([&](const Message& message) {
+    Text text;
+    ASSERT_TRUE(message.read(text));
+    told += text.text + std::to_string(message.time.ms);
+  });
+  EXPECT_EQ(told, "hello3");
+}
+
 TEST_F(QueueFillTest, RefusesWrongTimes) {
   for (const double seconds : {0.0, -1.0, std::nan(""), 1e300}) {
     ask(QueueFillMode::collect, seconds);

@@ -10,6 +10,7 @@
 #include "streams/MessageQueue.h"
 #include "streams/Reflection.h"
 #include "streams/Schema.h"
+#include "streams/Type.h"
 
 namespace gt {
 
@@ -26,8 +27,8 @@ struct RepresentationType {
   Schema (*schema)();
   /// As data; null for types that are not streamed.
   const Type* (*type)();
-  /// A value as bytes for a wire: the size, the bytes into room of that size, and back. Null for
-  /// types that do not travel.
+  /// A value as bytes for a wire: the size, the bytes into room of that size, and back, if it is
+  /// one that its type allows (`checked`). Null for types that do not travel.
   std::size_t (*encodedSize)(const void* value);
   void (*encodeTo)(const void* value, std::byte* out);
   Result<void> (*decode)(std::span<const std::byte> bytes, void* value);
@@ -47,7 +48,9 @@ struct WireFormat<T> {
     encodeTo(*static_cast<const T*>(value), out);
   }
   static Result<void> read(std::span<const std::byte> bytes, void* value) {
-    return decode(bytes, *static_cast<T*>(value));
+    T& to = *static_cast<T*>(value);
+    auto done = decode(bytes, to);
+    return done ? checked(valueOf(std::as_const(to))) : done;
   }
 };
 template <>

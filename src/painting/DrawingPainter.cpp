@@ -53,7 +53,11 @@ class ElementPainter {
         size_(limited(element.size * placement.scale)) {
     const Color& c = element.color;
     cairo_set_source_rgba(context, c.r / 255.0, c.g / 255.0, c.b / 255.0, c.a / 255.0);
-    cairo_set_line_width(context, std::clamp(element.penWidth, 0.5, 100.0));
+    const double width = std::clamp(element.penWidth, 0.5, 100.0);
+    cairo_set_line_width(context, width);
+    // The round ends take a width of each gap.
+    const double dashes[] = {element.penStyle == PenStyle::dash ? 4 * width : 0, 3 * width};
+    if (element.penStyle != PenStyle::solid) cairo_set_dash(context, dashes, 2, 0);
     cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
   }
@@ -139,6 +143,7 @@ class ElementPainter {
     cairo_stroke(context_);
   }
   void arrowHead() {
+    cairo_set_dash(context_, nullptr, 0, 0);
     const Vector2d tip = at(element_.points.size() - 1), shaft = tip - at(0);
     const double length = std::min(shaft.norm() * 0.4, std::max(4 * placement_.scale, 6.0));
     for (const double side : {-1.0, 1.0}) {

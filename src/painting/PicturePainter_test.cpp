@@ -77,6 +77,27 @@ TEST(PicturePainter, PaintsCirclesAsRings) {
   }
 }
 
+TEST(PicturePainter, PaintsDashedAndDottedLines) {
+  const auto covered = [](PenStyle style) {
+    const auto painter =
+        painted({ElementType::line, {{2, 15}, {37, 15}}, 0, colors::white, 2, "", style});
+    int bright = 0, gaps = 0;
+    for (int x = 5; x < 74; ++x) {
+      const bool on = at(painter, x, 30)[0] > 127;
+      bright += on;
+      gaps += !on && at(painter, x - 1, 30)[0] > 127;
+    }
+    EXPECT_EQ(gaps > 2, style != PenStyle::solid);
+    return bright;
+  };
+  const int solid = covered(PenStyle::solid), dash = covered(PenStyle::dash),
+            dot = covered(PenStyle::dot);
+  EXPECT_EQ(solid, 69);
+  EXPECT_LT(dash, 60);
+  EXPECT_LT(dot, dash);
+  EXPECT_GT(dot, 0);
+}
+
 TEST(PicturePainter, PaintsLinesArrowsAndPolygons) {
   const auto line = painted({ElementType::line, {{5, 10}, {35, 10}}, 0, colors::white, 2, ""});
   EXPECT_EQ(at(line, 11, 20), white);

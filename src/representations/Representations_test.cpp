@@ -76,7 +76,8 @@ void throughMessages(const T& value, Check&& check) {
   queue.handleAllMessages([&](const Message& message) {
     T read{};
     if (message.template is<T>()) {
-      EXPECT_TRUE(message.read(read));
+      // Of random values some are none that may come from outside; they are told, but read.
+      EXPECT_EQ(static_cast<bool>(message.read(read)), static_cast<bool>(checked(valueOf(value))));
       check(read, "message");
     } else if (message.id == messageId("binary")) {
       InBinaryMessage in{message};
@@ -124,6 +125,27 @@ TYPED_TEST(Representations, KeepTheirValuesInFiles) {
   InTextFile inText{path};
   EXPECT_TRUE(encoded(readFrom<TypeParam>(inText)) == encoded(value));
   std::filesystem::remove(path);
+}
+
+TEST(Messages, RefuseFromOutsideWhatModulesCouldNotBear) {
+  const auto refused = [](const auto& value) {
+    auto read = value;
+    const std::vector<std::byte> bytes = encoded(value);
+    const auto done = Message{0, {}, bytes}.read(read);
+    return done ? "" : done.error().text();
+  };
+  Image image;
+  image.allocate();
+  EXPECT_EQ(refused(image), "");
+  image.pixels.pop_back();
+  EXPECT_EQ(refused(image), "its pixels are not as many as its size says");
+  image.info.height = -1;
+  EXPECT_EQ(refused(image), "info.height: must be from 1 to 4096 instead of -1");
+  LandmarksPercept landmarks;
+  landmarks.numberOfFlags = 6;
+  EXPECT_EQ(refused(landmarks), "");
+  landmarks.numberOfFlags = 7;
+  EXPECT_EQ(refused(landmarks), "numberOfFlags: must be from 0 to 6 instead of 7");
 }
 
 /// Whether a type is one of the representations or part of one.

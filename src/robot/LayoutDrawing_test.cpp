@@ -44,7 +44,10 @@ TEST(LayoutDrawing, GraphvizDrawsIt) {
   for (const char* part : {"Cognition", "Motion", "Platform", "ImageProcessor", "MotionRequest"})
     EXPECT_THAT(svg, HasSubstr(part));
   std::filesystem::remove(file);
-  EXPECT_FALSE(writeSvg("this is no graph", file.string()));
+  const auto wrong = writeSvg("this is no graph", file.string());
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(wrong.error().text(), HasSubstr("cannot be drawn: Error: "));
+  EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_FALSE(writeSvg(drawPlan(planOf("cmd.layout")), "/no/such/folder/x.svg"));
 }
 

@@ -26,6 +26,7 @@ std::string freeLogFile(const std::string& base) {
 RobotLog::RobotLog(McapWriter writer) : writer_{std::move(writer)} {
   for (const RepresentationType* type :
        {&representation<Text>(), &representation<Drawing>(), &representation<Plot>(),
+        &representation<StopwatchTime>(), &representation<DroppedMessages>(),
         &representation<BehaviorTrace>(), &representation<BehaviorState>()})
     know(*type);
   camera_ = writer_.addChannel<CompressedImage>("/camera");
@@ -64,7 +65,6 @@ Result<std::string> saveQueue(const MessageQueue& queue, const std::string& base
   const std::string file = freeLogFile(base + ".saved");
   auto log = RobotLog::open(file, {{"robot", std::filesystem::path{base}.filename().string()}});
   if (!log) return log.error();
-  log->know(representation<DroppedMessages>());
   for (const auto& [name, task] : table.tasks())
     for (const RepresentationType* type : task.outputs) log->know(*type);
   log->write(queue);

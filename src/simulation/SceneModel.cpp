@@ -1,13 +1,14 @@
 #include "simulation/SceneModel.h"
 
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/Enum.h"
 #include "simulation/ScenePeople.h"
 #include "simulation/Xml.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -35,12 +36,14 @@ xmlNode* childOf(xmlNode* parent, const char* name, bool create = false) {
   return create ? xmlNewChild(parent, nullptr, BAD_CAST name, nullptr) : nullptr;
 }
 
-/// Joins models to one document.
+/// Joins models to one document, and collects what is wrong with them.
 class Composer {
  public:
-  explicit Composer(const SceneDescription& scene) : scene_(scene) {}
+  Composer(const SceneDescription& scene, std::vector<Error>& errors)
+      : scene_(scene), errors_(errors) {}
 
-  Result<std::string> compose();
+  /// The text of the whole; nothing after an error.
+  std::optional<std::string> compose();
 
  private:
   /// A model file that was read: its defaults and assets stand in the document already.
@@ -50,33 +53,48 @@ class Composer {
     xmlNode* body = nullptr;
   };
 
-  Result<Part*> part(const std::string& file, const FilePlace& place);
+  /// A document that the scene names; null if it cannot be had.
+  XmlDocument read(const std::string& file, const FilePlace& place, const char* field);
+  /// A model; null if it cannot be had.
+  const Part* part(const std::string& file, const FilePlace& place);
   void addShared(const Part& part);
   xmlNode* addBody(const Part& part, const std::string& prefix);
-  Result<void> addRobot(const SceneRobot& robot);
-  Result<void> addBall(const SceneBall& ball, std::size_t index);
+  void addRobot(const SceneRobot& robot);
+  void addBall(const SceneBall& ball, std::size_t index);
   void removeFlags();
 
   const SceneDescription& scene_;
+  std::vector<Error>& errors_;
   XmlDocument document_;
   xmlNode* root_ = nullptr;
   std::map<std::string, Part> parts_;
 };
 
-Result<Composer::Part*> Composer::part(const std::string& file, const FilePlace& place) {
-  if (const auto known = parts_.find(file); known != parts_.end()) return &known->second;
+XmlDocument Composer::read(const std::string& file, const FilePlace& place, const char* field) {
   const std::string path = scene_.resolve(file);
   std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code))
-    return errorAt(scene_.file, place, "model", "there is no file " + path);
+  if (!std::filesystem::is_regular_file(path, code)) {
+    errors_.push_back(errorAt(scene_.file, place, field, "there is no file " + path));
+    return nullptr;
+  }
   auto document = readXml(path, "mujoco");
-  if (!document) return document.error();
+  if (document) return std::move(*document);
+  errors_.push_back(document.error());
+  return nullptr;
+}
+
+const Composer::Part* Composer::part(const std::string& file, const FilePlace& place) {
+  if (const auto known = parts_.find(file); known != parts_.end()) return &known->second;
   Part part;
-  part.document = std::move(*document);
+  part.document = read(file, place, "model");
+  if (!part.document) return nullptr;
   part.prefix = std::filesystem::path{file}.stem().string() + "/";
   xmlNode* root = xmlDocGetRootElement(part.document.get());
   if (xmlNode* world = childOf(root, "worldbody")) part.body = childOf(world, "body");
-  if (!part.body) return Error{path, lineOf(root), "worldbody", "expected a <body> in it"};
+  if (!part.body) {
+    errors_.push_back({scene_.resolve(file), lineOf(root), "worldbody", "expected a <body> in it"});
+    return nullptr;
+  }
   addShared(part);
   return &parts_.emplace(file, std::move(part)).first->second;
 }
@@ -106,24 +124,20 @@ xmlNode* Composer::addBody(const Part& part, const std::string& prefix) {
   return copy;
 }
 
-Result<void> Composer::addRobot(const SceneRobot& robot) {
-  auto model = part(robot.model, robot.place);
-  if (!model) return model.error();
-  const Part& part = **model;
-  xmlNode* body = addBody(part, robot.name + "/");
+void Composer::addRobot(const SceneRobot& robot) {
+  const Part* part = this->part(robot.model, robot.place);
+  if (!part) return;
+  xmlNode* body = addBody(*part, robot.name + "/");
   // Tricots are the geoms of class "tricot"; an explicit material overrides the class's red.
   forEachElement(body, [&](xmlNode* node) {
-    if (robot.team == TeamColor::blue && attribute(node, "class") == part.prefix + "tricot")
-      setAttribute(node, "material", part.prefix + "blue");
+    if (robot.team == TeamColor::blue && attribute(node, "class") == part->prefix + "tricot")
+      setAttribute(node, "material", part->prefix + "blue");
   });
-  return {};
 }
 
-Result<void> Composer::addBall(const SceneBall& ball, std::size_t index) {
-  auto model = part(ball.model, ball.place);
-  if (!model) return model.error();
-  addBody(**model, "ball" + std::to_string(index) + "/");
-  return {};
+void Composer::addBall(const SceneBall& ball, std::size_t index) {
+  if (const Part* part = this->part(ball.model, ball.place))
+    addBody(*part, "ball" + std::to_string(index) + "/");
 }
 
 /// As in the localization challenge of 2003 (facts, 2.3).
@@ -138,23 +152,23 @@ void Composer::removeFlags() {
   }
 }
 
-Result<std::string> Composer::compose() {
-  const std::string path = scene_.resolve(scene_.field);
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code))
-    return Error{scene_.file, 0, "field", "there is no file " + path};
-  auto field = readXml(path, "mujoco");
-  if (!field) return field.error();
-  document_ = std::move(*field);
+std::optional<std::string> Composer::compose() {
+  const std::size_t before = errors_.size();
+  document_ = read(scene_.field, {}, "field");
+  // The models are looked at even if there is no field to put them on.
+  if (!document_) document_.reset(xmlNewDoc(BAD_CAST "1.0"));
   root_ = xmlDocGetRootElement(document_.get());
+  if (!root_) {
+    root_ = xmlNewNode(nullptr, BAD_CAST "mujoco");
+    xmlDocSetRootElement(document_.get(), root_);
+  }
   if (!scene_.flags) removeFlags();
   addAudience(childOf(root_, "worldbody", true), scene_.audience);
   addReferees(childOf(root_, "worldbody", true), scene_.referees);
   for (const auto* group : {&scene_.robots, &scene_.extras})
-    for (const SceneRobot& robot : *group)
-      if (auto r = addRobot(robot); !r) return r.error();
-  for (std::size_t i = 0; i < scene_.balls.size(); ++i)
-    if (auto r = addBall(scene_.balls[i], i); !r) return r.error();
+    for (const SceneRobot& robot : *group) addRobot(robot);
+  for (std::size_t i = 0; i < scene_.balls.size(); ++i) addBall(scene_.balls[i], i);
+  if (errors_.size() > before) return std::nullopt;
 
   xmlChar* text = nullptr;
   int size = 0;
@@ -164,28 +178,47 @@ Result<std::string> Composer::compose() {
   return result;
 }
 
-}  // namespace
-
-Result<std::string> composeText(const SceneDescription& scene) {
-  return Composer{scene}.compose();
+/// Compiles each file of a scene alone that is not among the errors yet: lines of the joined text
+/// tell nothing.
+void compileFiles(const SceneDescription& scene, std::vector<Error>& errors) {
+  std::set<std::string> files{scene.resolve(scene.field)};
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group) files.insert(scene.resolve(robot.model));
+  for (const SceneBall& ball : scene.balls) files.insert(scene.resolve(ball.model));
+  for (const Error& error : errors) files.erase(error.file);
+  for (const std::string& path : files) {
+    const auto content = readFile(path);
+    if (!content) continue;  // told already
+    if (auto alone = compileModel(*content, path); !alone) errors.push_back(alone.error());
+  }
 }
 
-Result<Model> composeModel(const SceneDescription& scene) {
-  const auto text = composeText(scene);
-  if (!text) return text.error();
-  auto model = compileModel(*text, scene.file);
-  if (model) return model;
-  // Lines of the joined text tell nothing: one of the files is to blame, or they do not fit.
-  std::set<std::string> files{scene.field};
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) files.insert(robot.model);
-  for (const SceneBall& ball : scene.balls) files.insert(ball.model);
-  for (const std::string& name : files) {
-    std::ifstream file{scene.resolve(name)};
-    const std::string content{std::istreambuf_iterator<char>{file}, {}};
-    if (auto alone = compileModel(content, scene.resolve(name)); !alone) return alone.error();
+/// The model; null, and there are errors, if it cannot be made.
+Model composed(const SceneDescription& scene, std::vector<Error>& errors) {
+  const std::size_t before = errors.size();
+  const auto text = Composer{scene, errors}.compose();
+  std::optional<Error> misfit;
+  if (text) {
+    auto model = compileModel(*text, scene.file);
+    if (model) return std::move(*model);
+    misfit = {scene.file, 0, "", "its models do not fit together: " + model.error().what};
   }
-  return Error{scene.file, 0, "", "its models do not fit together: " + model.error().what};
+  compileFiles(scene, errors);
+  if (errors.size() == before) errors.push_back(*misfit);
+  return nullptr;
+}
+
+}  // namespace
+
+Result<Model> composeModel(const SceneDescription& scene) {
+  std::vector<Error> errors;
+  auto model = composed(scene, errors);
+  if (model) return model;
+  return errors.front();
+}
+
+void checkModel(const SceneDescription& scene, std::vector<Error>& errors) {
+  composed(scene, errors);
 }
 
 }  // namespace gt

@@ -6,11 +6,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/Time.h"
 #include "streams/Binary.h"
 #include "streams/Reflection.h"
+#include "streams/Type.h"
 
 namespace gt {
 
@@ -36,10 +38,12 @@ struct Message {
   bool is() const {
     return id == messageId<T>();
   }
-  /// Reads the message, as often as one likes (the report's resetReadPosition is not needed).
+  /// Reads the message, as often as one likes (the report's resetReadPosition is not needed). It
+  /// may come from outside: what its type does not allow is an error (`checked`).
   template <typename T>
   Result<void> read(T& value) const {
-    return decode(bytes, value);
+    auto done = decode(bytes, value);
+    return done ? checked(valueOf(std::as_const(value))) : done;
   }
 };
 

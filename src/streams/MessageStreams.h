@@ -13,11 +13,7 @@ class OutMessageQueue : public OutMemory {
   explicit OutMessageQueue(MessageQueue& queue) : queue_{queue} {}
 
  protected:
-  bool finish(std::uint32_t id, Time time) {
-    const bool done = queue_.append({id, time, bytes()});
-    clear();
-    return done;
-  }
+  bool finish(std::uint32_t id, Time time) { return queue_.append({id, time, bytes()}); }
 
  private:
   MessageQueue& queue_;
@@ -30,8 +26,9 @@ class OutMessage : public OutStream<OutMessageQueue, Format> {
   using OutStream<OutMessageQueue, Format>::OutStream;
   /// Appends the message to the queue; false if there was no room for it.
   bool finishMessage(std::uint32_t id, Time time) {
-    this->format_ = Format{};
-    return this->finish(id, time);
+    const bool done = this->finish(id, time);
+    this->reset();
+    return done;
   }
 };
 

@@ -343,7 +343,7 @@ Result<void> readRecorded(const MessageDefinition& definition, std::span<const s
   Reader reader{bytes.subspan(cdr::headerSize)};
   if (!ValueFiller{definition, reader}.fill(definition.root(), value) || !reader.finish())
     return reader.error();
-  return {};
+  return checked(value);
 }
 
 Result<Json> recordedJson(const MessageDefinition& definition, std::span<const std::byte> bytes) {

@@ -11,7 +11,8 @@ namespace gt {
 /// Reads a message into a value whose type may have changed since: fields are found by name, what
 /// was not recorded keeps its value, what is not there any more is passed over. Numbers are
 /// converted (rounded and kept in range where need be), enumerations go by name where the schema
-/// tells names. After an error the value may be changed in part; it stays valid.
+/// tells names. A value that its type does not allow is an error (`checked`). After an error the
+/// value may be changed in part.
 Result<void> readRecorded(const MessageDefinition& definition, std::span<const std::byte> bytes,
                           Value value);
 template <Streamable T>

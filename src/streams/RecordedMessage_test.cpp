@@ -8,6 +8,7 @@
 #include "base/Enum.h"
 #include "base/Random.h"
 #include "streams/Binary.h"
+#include "streams/MessageQueue.h"
 #include "streams/Samples.h"
 #include "streams/Schema.h"
 
@@ -221,6 +222,47 @@ TEST(RecordedMessage, TellsWhichFieldEndsTooEarly) {
   const auto done = readRecorded(definitionOf(schemaOf<then::Report>()), bytes, report);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().field.substr(0, 6), "scores");
+}
+
+/// A type with a range and with something between its fields.
+struct Board {
+  int width = 2;
+  std::vector<int> cells;
+  std::vector<samples::Inner> inners;
+
+  std::string_view flaw() const {
+    return static_cast<int>(cells.size()) % width == 0 ? "" : "its last row is not whole";
+  }
+  static constexpr auto fields() {
+    return Fields{field("width", &Board::width, "", "", {1, 9}), field("cells", &Board::cells),
+                  field("inners", &Board::inners)};
+  }
+};
+
+TEST(Checked, RefusesWhatATypeDoesNotAllow) {
+  const auto wrongIn = [](const Board& board) {
+    const auto byName = [&] {
+      Board read;
+      return readRecorded(definitionOf(schemaOf<Board>()), encoded(board), read);
+    }();
+    MessageQueue queue;
+    queue.write({1}, board);
+    Result<void> asMessage;
+    queue.handleAllMessages([&](const Message& message) {
+      Board read;
+      asMessage = message.read(read);
+    });
+    EXPECT_EQ(byName ? "" : byName.error().text(), asMessage ? "" : asMessage.error().text());
+    return asMessage ? "" : asMessage.error().text();
+  };
+  EXPECT_EQ(wrongIn({}), "");
+  EXPECT_EQ(wrongIn({3, {1, 2, 3}, {{true, "", 100}}}), "");
+  EXPECT_EQ(wrongIn({2, {1, 2, 3}, {}}), "its last row is not whole");
+  EXPECT_EQ(wrongIn({0, {1}, {}}), "width: must be from 1 to 9 instead of 0");
+  EXPECT_EQ(wrongIn({1, {}, {{}, {true, "", 100.5}}}),
+            "inners.1.value: must be from -100 to 100 instead of 100.5");
+  EXPECT_EQ(wrongIn({1, {}, {{true, "", std::nan("")}}}),
+            "inners.0.value: must be from -100 to 100 instead of nan");
 }
 
 TEST(RecordedMessage, BoundsWhatAMessageBecomes) {

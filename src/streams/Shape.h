@@ -134,6 +134,10 @@ struct Shape<Vector2d> : VectorShape<2> {
   static constexpr std::string_view name = "Vector2d";
 };
 template <>
+struct Shape<Vector2<int>> : VectorShape<2> {
+  static constexpr std::string_view name = "Vector2i";
+};
+template <>
 struct Shape<Vector3d> : VectorShape<3> {
   static constexpr std::string_view name = "Vector3d";
 };

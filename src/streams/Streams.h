@@ -47,7 +47,7 @@ class OutFile : public PhysicalOutStream {
 class OutMemory : public PhysicalOutStream {
  public:
   void writeToStream(std::span<const std::byte> bytes) override;
-  void clear() { bytes_.clear(); }
+  void reset() { bytes_.clear(); }
   const std::vector<std::byte>& bytes() const { return bytes_; }
   std::string_view text() const {
     return {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()};
@@ -61,6 +61,7 @@ class OutMemory : public PhysicalOutStream {
 class OutSize : public PhysicalOutStream {
  public:
   void writeToStream(std::span<const std::byte> bytes) override { size_ += bytes.size(); }
+  void reset() { size_ = 0; }
   std::size_t size() const { return size_; }
 
  private:
@@ -252,10 +253,17 @@ class OutStream : public Out, public Medium {
  public:
   using Medium::Medium;
   void write(ConstValue value) override { detail::writeValue(value, format_, *this); }
+  /// Forgets what was written, and begins anew.
+  void reset() requires requires(Medium& medium) { medium.reset(); }
+  {
+    Medium::reset();
+    format_ = Format{};
+  }
 
  protected:
   void writeEndLine() override { format_.writeEndLine(*this); }
 
+ private:
   Format format_;
 };
 

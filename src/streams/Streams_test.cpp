@@ -82,6 +82,38 @@ TEST(Streams, SizesAreThoseOfWhatIsStored) {
   EXPECT_EQ(textSize.size(), textMemory.bytes().size());
 }
 
+/// "void reset() {size = 0;}" (report D.5): what follows is a stream of its own.
+TEST(Streams, BeginAnewWhenTheyAreReset) {
+  OutBinaryMemory memory;
+  OutBinarySize size;
+  OutTextMemory text;
+  for (int i = 0; i < 2; ++i) {
+    memory.reset();
+    size.reset();
+    text.reset();
+    memory << true << 3.14;
+    size << true << 3.14;
+    text << 1 << 2;
+    EXPECT_EQ(memory.bytes().size(), cdr::headerSize + 16);
+    EXPECT_EQ(size.size(), memory.bytes().size());
+    EXPECT_EQ(text.text(), "1 2");
+  }
+}
+
+TEST(Streams, TakeNumbersOfAllSizes) {
+  OutTextMemory out;
+  out << 'A' << short{-2} << 3u << 4L << 5UL << 0.1f << true << Vector2<int>{6, -7};
+  EXPECT_EQ(out.text(), "65 -2 3 4 5 0.1 true 6 -7");
+  char a = 0;
+  unsigned long b = 0;
+  int rest = 0;
+  InTextMemory in{std::string_view{"65\n18446744073709551615 1"}};
+  in >> a >> endl >> b >> endl >> rest;  // an end of line may be read, but need not
+  EXPECT_TRUE(in && in.eof());
+  EXPECT_EQ(a, 'A');
+  EXPECT_EQ(b, ~0ul);
+}
+
 // The stream of one value is what encode() writes: two ways, one format.
 TEST(Streams, BinaryIsTheFormatOfEncode) {
   Random random{10};

@@ -1,5 +1,6 @@
 #include "streams/Type.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <limits>
@@ -94,7 +95,51 @@ std::optional<std::string> setEnumeration(Value v, std::string_view text) {
   return choices(v.type->names);
 }
 
+/// Whether values of a type can be wrong at all: most are not worth looking at.
+bool isConditional(const Type& type) {
+  if (type.kind == Kind::array || type.kind == Kind::list) return isConditional(type.element());
+  return type.flaw || std::any_of(type.parts.begin(), type.parts.end(), [](const Part& part) {
+           return part.range.bounds() || isConditional(part.type());
+         });
+}
+
+double asDouble(ConstValue number) {
+  return dispatch(number.type().number, [&](auto* type) {
+    return static_cast<double>(load<std::remove_pointer_t<decltype(type)>>(number.data()));
+  });
+}
+
+Error in(std::string_view name, Error error) {
+  error.field = std::string(name) + (error.field.empty() ? "" : "." + error.field);
+  return error;
+}
+
+Result<void> checkElements(ConstValue sequence) {
+  if (!isConditional(sequence.type().element())) return {};
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    if (auto done = checked(sequence.element(i)); !done) return in(std::to_string(i), done.error());
+  return {};
+}
+
 }  // namespace
+
+Result<void> checked(ConstValue value) {
+  const Type& type = value.type();
+  if (type.kind == Kind::array || type.kind == Kind::list) return checkElements(value);
+  for (const Part& p : type.parts) {
+    const ConstValue part = value.part(p);
+    if (p.range.bounds() && part.type().kind == Kind::number) {
+      const double number = asDouble(part);
+      if (!(number >= p.range.low && number <= p.range.high))
+        return Error{"", 0, std::string(p.name),
+                     rangeText(p.range) + " instead of " + scalarText(part)};
+    }
+    if (auto done = checked(part); !done) return in(p.name, done.error());
+  }
+  const std::string_view flaw = type.flaw ? type.flaw(value.data()) : std::string_view{};
+  if (!flaw.empty()) return Error{"", 0, "", std::string(flaw)};
+  return {};
+}
 
 std::size_t Value::size() const {
   return type->kind == Kind::list ? type->length(data) : type->count;

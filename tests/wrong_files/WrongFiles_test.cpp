@@ -275,6 +275,14 @@ TEST(Programs, CheckTellsAllErrorsOfATree) {
   workplace.write("motions/stand.mof", "garbage\n");
   workplace.write("scenes/empty.scene", "<scene><robots/></scean>");
   workplace.write("scenes/match.scene", "<scene>\n<ball/>\n<noise joints=\"x\"/>\n</scene>");
+  workplace.write("models/odd.xml", "<mujoco><worldbody/></mujoco>");
+  workplace.write("models/odder.xml",
+                  "<mujoco><worldbody><body><bogus/></body></worldbody></mujoco>");
+  workplace.write(
+      "scenes/several.scene",
+      "<scene>\n<robots>\n<robot team=\"red\" role=\"goalie\" model=\"../models/none.xml\"/>\n"
+      "<robot team=\"red\" role=\"defender\" model=\"../models/odd.xml\"/>\n"
+      "<robot team=\"red\" role=\"striker1\" model=\"../models/odder.xml\"/>\n</robots>\n</scene>");
   const Outcome outcome = workplace.run("simgt check");
   EXPECT_EQ(outcome.status, 2);
   std::istringstream lines{outcome.errors};
@@ -284,8 +292,10 @@ TEST(Programs, CheckTellsAllErrorsOfATree) {
         "config/modules.cfg:1: SelfLocater", "config/modules.cfg:2: BallLocator",
         "config/nao2009/field.cfg:1: ballRadus", "config/nao2009/field.cfg:2: wallHeight",
         "config/player.cfg:1: teamColor", "layouts/single.layout:2: BallFinder",
-        "layouts/single.layout:3: GoalFinder", "motions/stand.mof:1: ", "scenes/empty.scene:1: ",
-        "scenes/match.scene:2: ball", "scenes/match.scene:3: joints"}) {
+        "layouts/single.layout:3: GoalFinder", "models/odd.xml:1: worldbody",
+        "models/odder.xml:1: ", "motions/stand.mof:1: ", "scenes/empty.scene:1: ",
+        "scenes/match.scene:2: ball", "scenes/match.scene:3: joints",
+        "scenes/several.scene:3: model"}) {
     const std::size_t found = outcome.errors.find("simgt: " + std::string{file}, at);
     EXPECT_NE(found, outcome.errors.npos) << file << " is not told, or not in order:\n"
                                           << outcome.errors;

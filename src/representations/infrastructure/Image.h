@@ -32,9 +32,14 @@ struct Image {
     return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(info.width) +
                   static_cast<std::size_t>(x)];
   }
-  /// Makes room for the pixels that `info` asks for.
-  void allocate() {
-    pixels.resize(static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height));
+  /// The number of pixels that `info` asks for.
+  std::size_t area() const {
+    return static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height);
+  }
+  void allocate() { pixels.resize(area()); }
+  /// What no picture from outside may have (`checked`).
+  std::string_view flaw() const {
+    return pixels.size() == area() ? "" : "its pixels are not as many as its size says";
   }
 
   static constexpr auto fields() {
