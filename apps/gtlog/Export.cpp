@@ -21,11 +21,24 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
 
 /// A list longer than this makes a table that nobody can read.
 constexpr std::size_t mostColumns = 10'000;
+constexpr const char* tooManyColumns = "would have more than 10000 columns";
 
 Result<File> openFile(const std::string& path) {
   File file{std::fopen(path.c_str(), "w")};
   if (!file) return Error{path, 0, "", std::string("cannot be written: ") + std::strerror(errno)};
   return file;
+}
+
+/// An export that is whole or failed.
+Result<std::vector<Error>> wholly(const Result<void>& done) {
+  if (!done) return done.error();
+  return std::vector<Error>{};
+}
+
+/// Writes a text; `name` is the file's in errors.
+Result<void> put(std::FILE* to, const std::string& text, const std::string& name) {
+  if (std::fwrite(text.data(), 1, text.size(), to) == text.size()) return {};
+  return Error{name, 0, "", std::string("cannot be written: ") + std::strerror(errno)};
 }
 
 Result<void> closeFile(File file, const std::string& path) {
@@ -87,8 +100,7 @@ class Columns {
       }
       if (paths_.size() >= mostColumns) return;
       paths_.insert(paths_.begin() + static_cast<std::ptrdiff_t>(at), path);
-      places_.clear();
-      for (std::size_t i = 0; i < paths_.size(); ++i) places_.emplace(paths_[i], i);
+      for (std::size_t i = at; i < paths_.size(); ++i) places_[paths_[i]] = i;
       ++at;
     });
     return paths_.size() < mostColumns;
@@ -104,7 +116,7 @@ class Columns {
 }  // namespace
 
 Result<void> exportJson(const std::string& log, const Selection& selection, std::FILE* to,
-                        std::uint64_t limit) {
+                        const std::string& name, std::uint64_t limit) {
   std::uint64_t count = 0;
   const Error enough{"", 0, "", ""};
   const auto done = forEachJson(
@@ -112,7 +124,8 @@ Result<void> exportJson(const std::string& log, const Selection& selection, std:
       [&](const McapChannel& channel, std::int64_t time, const Json& message) -> Result<void> {
         const Json line{{"topic", channel.topic}, {"time", time}, {"message", message}};
         // Texts of others may not be UTF-8.
-        fmt::print(to, "{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+        const auto text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+        if (auto written = put(to, text, name); !written) return written;
         if (++count == limit) return enough;
         return {};
       });
@@ -128,14 +141,14 @@ Result<void> exportCsv(const std::string& log, const Selection& selection, const
   auto done =
       forEachJson(log, one, [&](const auto&, std::int64_t, const Json& json) -> Result<void> {
         if (columns.add(json)) return {};
-        return Error{log, 0, topic, "would have more than 10000 columns"};
+        return Error{log, 0, topic, tooManyColumns};
       });
   if (!done) return done;
   auto file = openFile(to);
   if (!file) return file.error();
-  fmt::print(file->get(), "time");
-  for (const std::string& path : columns.paths()) fmt::print(file->get(), ",{}", path);
-  fmt::print(file->get(), "\n");
+  std::string head = "time";
+  for (const std::string& path : columns.paths()) head += ',' + path;
+  if (done = put(file->get(), head + '\n', to); !done) return done;
   std::vector<std::string> row(columns.paths().size());
   done =
       forEachJson(log, one, [&](const auto&, std::int64_t time, const Json& json) -> Result<void> {
@@ -143,10 +156,9 @@ Result<void> exportCsv(const std::string& log, const Selection& selection, const
         forEachScalar(json, "", [&](const std::string& path, const Json& scalar) {
           row[columns.place(path)] = cell(scalar);
         });
-        fmt::print(file->get(), "{}.{:09}", time / 1'000'000'000, time % 1'000'000'000);
-        for (const std::string& text : row) fmt::print(file->get(), ",{}", text);
-        fmt::print(file->get(), "\n");
-        return {};
+        auto line = fmt::format("{}.{:09}", time / 1'000'000'000, time % 1'000'000'000);
+        for (const std::string& text : row) line += ',' + text;
+        return put(file->get(), line + '\n', to);
       });
   if (!done) return done;
   return closeFile(std::move(*file), to);
@@ -170,15 +182,40 @@ Result<void> exportTrace(const std::string& log, const Selection& selection,
   return writeFile(to, trace);
 }
 
-Result<void> exportLog(const std::string& log, const Selection& selection, const std::string& to) {
+namespace {
+
+/// A CSV file for each topic; those that make no table are told.
+Result<std::vector<Error>> exportTables(const std::string& log, const Selection& selection,
+                                        const std::vector<std::string>& topics,
+                                        const std::string& to) {
+  std::error_code failed;
+  std::filesystem::create_directories(to, failed);
+  if (failed) return Error{to, 0, "", failed.message()};
+  std::vector<Error> left;
+  for (const std::string& topic : topics) {
+    std::string name = topic.substr(std::min(topic.find_first_not_of('/'), topic.size()));
+    std::replace(name.begin(), name.end(), '/', '.');
+    const auto done =
+        exportCsv(log, selection, topic, (std::filesystem::path{to} / (name + ".csv")).string());
+    if (!done && done.error().what != tooManyColumns) return done.error();
+    if (!done) left.push_back(done.error());
+  }
+  return left;
+}
+
+}  // namespace
+
+Result<std::vector<Error>> exportLog(const std::string& log, const Selection& selection,
+                                     const std::string& to) {
   const std::string extension = std::filesystem::path{to}.extension().string();
   if (extension == ".json" || extension == ".jsonl") {
     auto file = openFile(to);
     if (!file) return file.error();
-    if (auto done = exportJson(log, selection, file->get()); !done) return done;
-    return closeFile(std::move(*file), to);
+    auto done = exportJson(log, selection, file->get(), to);
+    if (done) done = closeFile(std::move(*file), to);
+    return wholly(done);
   }
-  if (extension == ".trace") return exportTrace(log, selection, to);
+  if (extension == ".trace") return wholly(exportTrace(log, selection, to));
   const auto reader = McapReader::open(log);
   if (!reader) return reader.error();
   std::vector<std::string> topics;
@@ -186,24 +223,9 @@ Result<void> exportLog(const std::string& log, const Selection& selection, const
     if (selection.holds(channel) &&
         std::find(topics.begin(), topics.end(), channel.topic) == topics.end())
       topics.push_back(channel.topic);
-  if (extension == ".csv") {
-    if (topics.size() != 1)
-      return Error{to, 0, "", "a CSV file is of one topic; choose it by --topic, or name a folder"};
-    return exportCsv(log, selection, topics.front(), to);
-  }
-  std::error_code failed;
-  std::filesystem::create_directories(to, failed);
-  if (failed) return Error{to, 0, "", failed.message()};
-  for (const std::string& topic : topics) {
-    std::string name =
-        topic.substr(topic.find_first_not_of('/') == topic.npos ? 0 : topic.find_first_not_of('/'));
-    std::replace(name.begin(), name.end(), '/', '.');
-    if (auto done = exportCsv(log, selection, topic,
-                              (std::filesystem::path{to} / (name + ".csv")).string());
-        !done)
-      return done;
-  }
-  return {};
+  if (extension != ".csv") return exportTables(log, selection, topics, to);
+  if (topics.size() == 1) return wholly(exportCsv(log, selection, topics.front(), to));
+  return Error{to, 0, "", "a CSV file is of one topic; choose it by --topic, or name a folder"};
 }
 
 }  // namespace gt

@@ -6,9 +6,9 @@
 namespace gt {
 
 /// Prints messages as JSON, one on each line: {"topic":…,"time":…,"message":…}, the time in
-/// nanoseconds. At most `limit` of them, if that is not 0.
+/// nanoseconds. At most `limit` of them, if that is not 0. The file's name is for errors.
 Result<void> exportJson(const std::string& log, const Selection& selection, std::FILE* to,
-                        std::uint64_t limit = 0);
+                        const std::string& name, std::uint64_t limit = 0);
 
 /// Writes one topic as CSV: a column for the time in seconds, and one for each path of a field.
 /// Lists have as many columns as the longest of them needs; what a message lacks is empty.
@@ -19,7 +19,8 @@ Result<void> exportCsv(const std::string& log, const Selection& selection, const
 Result<void> exportTrace(const std::string& log, const Selection& selection, const std::string& to);
 
 /// By the name of what is written: .json or .jsonl; .trace; .csv for one topic; else a folder with
-/// a CSV file for each topic.
-Result<void> exportLog(const std::string& log, const Selection& selection, const std::string& to);
+/// a CSV file for each topic. Returns what makes no table, such as whole pictures.
+Result<std::vector<Error>> exportLog(const std::string& log, const Selection& selection,
+                                     const std::string& to);
 
 }  // namespace gt

@@ -9,6 +9,7 @@
 #include "gtlog/Import.h"
 #include "gtlog/LogList.h"
 #include "gtlog/Transfer.h"
+#include "representations/infrastructure/Image.h"
 #include "representations/modeling/BallModel.h"
 #include "streams/File.h"
 #include "streams/Json.h"
@@ -108,6 +109,22 @@ TEST_F(GtLog, JoinsByTime) {
   EXPECT_EQ(reader->metadata()[0].name, "a/gt2003");
 }
 
+TEST_F(GtLog, TellsTheTopicsOfSeveralRobotsApart) {
+  for (const char* robot : {"red1", "blue2"}) {
+    auto writer = McapWriter::open(path(std::string{robot} + ".mcap"));
+    writer->metadata("gt2003", {{"robot", robot}});
+    writer->write("/BallModel", Time{40}, BallModel{});
+    ASSERT_TRUE(writer->close());
+  }
+  ASSERT_TRUE(joinLogs({path("red1.mcap"), path("blue2.mcap")}, path("both.mcap")));
+  const auto both = McapReader::open(path("both.mcap"));
+  ASSERT_EQ(both->channels().size(), 2u);
+  EXPECT_EQ(both->channels()[0].topic, "/red1/BallModel");
+  EXPECT_EQ(both->channels()[1].topic, "/blue2/BallModel");
+  ASSERT_TRUE(joinLogs({path("red1.mcap"), path("red1.mcap")}, path("same.mcap")));
+  EXPECT_EQ(McapReader::open(path("same.mcap"))->channels()[0].topic, "/BallModel");
+}
+
 TEST_F(GtLog, ChecksAndRepairsALogThatIsCutOff) {
   const std::string log = makeLog("a.mcap");
   const auto good = checkLog(log);
@@ -156,6 +173,29 @@ TEST_F(GtLog, ExportsCsv) {
   EXPECT_THAT(text, testing::StartsWith("time,stamp.sec,stamp.nanosec,frame_id\n"
                                         "0.000000000,0,0,\"a,\"\"b\"\"\nc\"\n"));
   EXPECT_THAT(exportLog(log, {}, path("one.csv")).error().text(), HasSubstr("of one topic"));
+}
+
+TEST_F(GtLog, ExportsTablesOfAllThatMakesOne) {
+  auto writer = McapWriter::open(path("wide.mcap"));
+  Image image;
+  image.allocate();
+  writer->write("/Image", Time{40}, image);
+  writer->write("/BallModel", Time{40}, BallModel{});
+  ASSERT_TRUE(writer->close());
+  const auto left = exportLog(path("wide.mcap"), {}, path("tables"));
+  ASSERT_TRUE(left) << left.error().text();
+  ASSERT_EQ(left->size(), 1u);
+  EXPECT_THAT(left->front().text(), HasSubstr("/Image: would have more than 10000 columns"));
+  EXPECT_TRUE(std::filesystem::exists(path("tables/BallModel.csv")));
+  EXPECT_FALSE(std::filesystem::exists(path("tables/Image.csv")));
+}
+
+TEST_F(GtLog, TellsAFullDisk) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  std::filesystem::create_symlink("/dev/full", path("full.json"));
+  const auto done = exportLog(makeLog("a.mcap"), {}, path("full.json"));
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().text(), HasSubstr("full.json: cannot be written: No space left"));
 }
 
 TEST_F(GtLog, ImportsTheRealRobotsLog) {

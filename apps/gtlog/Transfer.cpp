@@ -1,5 +1,6 @@
 #include "gtlog/Transfer.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -22,6 +23,7 @@ void copyExtras(const McapReader& from, McapWriter& to, const std::string& prefi
 /// A log that is being copied, one message ahead, so that several can be merged by time.
 struct Source {
   McapReader reader;
+  std::string topics{};  ///< What the topics' names begin with in the new log.
   std::map<std::uint16_t, McapWriter::ChannelId> channels{};
   std::optional<McapMessage> message{};
 
@@ -41,13 +43,33 @@ struct Source {
 void copy(Source& source, McapWriter& writer) {
   const McapMessage& message = *source.message;
   auto known = source.channels.find(message.channel);
-  if (known == source.channels.end())
-    known =
-        source.channels
-            .emplace(message.channel, writer.addChannel(*source.reader.channel(message.channel)))
-            .first;
+  if (known == source.channels.end()) {
+    McapChannel channel = *source.reader.channel(message.channel);
+    channel.topic = source.topics + channel.topic;
+    known = source.channels.emplace(message.channel, writer.addChannel(channel)).first;
+  }
   // Times beyond what a log of ours may hold are the work of others; they end up at its ends.
   writer.write(known->second, std::max<std::int64_t>(message.time, 0), message.data);
+}
+
+/// Whose log it is; empty if it does not tell.
+std::string robotOf(const McapReader& log) {
+  for (const auto& m : log.metadata())
+    if (const auto robot = m.entries.find("robot"); m.name == "gt2003" && robot != m.entries.end())
+      return robot->second;
+  return {};
+}
+
+/// Tells the topics of several robots apart.
+void nameRobots(std::vector<Source>& sources) {
+  const std::string first = robotOf(sources.front().reader);
+  const bool same = std::all_of(sources.begin(), sources.end(), [&](const Source& source) {
+    return robotOf(source.reader) == first;
+  });
+  if (same) return;
+  for (Source& source : sources)
+    if (const std::string robot = robotOf(source.reader); !robot.empty())
+      source.topics = "/" + robot;
 }
 
 /// Merges logs by time, with what the selection holds.
@@ -60,6 +82,7 @@ Result<Transferred> transfer(const std::vector<std::string>& from, const Selecti
     if (!reader) return reader.error();
     sources.push_back({std::move(*reader)});
   }
+  nameRobots(sources);
   auto writer = McapWriter::open(to);
   if (!writer) return writer.error();
   Transferred result;

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <system_error>
 
 #include "gtlog/Check.h"
 #include "gtlog/Export.h"
@@ -41,7 +42,9 @@ Result<int> list(const Arguments& arguments) {
 }
 
 Result<int> show(const Arguments& arguments) {
-  if (auto done = exportJson(arguments.log, arguments.selection, stdout, arguments.limit); !done)
+  if (auto done = exportJson(arguments.log, arguments.selection, stdout, "standard output",
+                             arguments.limit);
+      !done)
     return done.error();
   return 0;
 }
@@ -62,6 +65,13 @@ Result<int> tell(const Result<Transferred>& done, const std::string& to) {
   if (!done) return done.error();
   for (const Error& lost : done->lost) fmt::print(stderr, "gtlog: {}\n", lost.text());
   fmt::print("{}: {} messages\n", to, done->messages);
+  return 0;
+}
+
+Result<int> exportTo(const Arguments& arguments) {
+  const auto left = exportLog(arguments.log, arguments.selection, arguments.out);
+  if (!left) return left.error();
+  for (const Error& topic : *left) fmt::print(stderr, "gtlog: {}\n", topic.text());
   return 0;
 }
 
@@ -161,7 +171,7 @@ int main(int argc, char** argv) {
       command("export",
               "Writes messages as JSON lines (OUT.json), CSV (OUT.csv, one topic), a trace of the "
               "behavior (OUT.trace, for xabsl trace), or into a folder of CSV files",
-              [&] { return done(exportLog(a.log, a.selection, a.out)); });
+              [&] { return exportTo(a); });
   exporting.add_option("log", a.log)->required();
   exporting.add_option("out", a.out)->required();
   addSelection(exporting, a.selection);
@@ -179,7 +189,12 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  const auto status = run();
-  if (!status) fmt::print(stderr, "gtlog: {}\n", status.error().text());
-  return status ? *status : 2;
+  try {
+    const auto status = run();
+    if (status) return *status;
+    fmt::print(stderr, "gtlog: {}\n", status.error().text());
+  } catch (const std::system_error& error) {  // fmt's, where nothing can be printed
+    fmt::print(stderr, "gtlog: standard output: {}\n", error.what());
+  }
+  return 2;
 }

@@ -13,6 +13,10 @@ std::vector<const DebugKey*>& registry() {
 }  // namespace
 
 void DebugKey::enlist() {
+  if (const DebugKey* same = find(name_)) {
+    index_ = same->index_;
+    return;
+  }
   index_ = registry().size();
   registry().push_back(this);
 }

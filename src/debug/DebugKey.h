@@ -18,7 +18,7 @@ constexpr bool debugging = true;
 
 /// The name of something that can be asked for at run time, like "SelfLocator/samples" (report
 /// E.3). A constant at namespace scope in the file that uses it; that is the one place one writes
-/// to add a key.
+/// to add a key. Constants of one name are one key: several modules may draw under it.
 class DebugKey {
  public:
   explicit DebugKey(std::string_view name) : name_{name} {
@@ -30,7 +30,7 @@ class DebugKey {
   std::string_view name() const { return name_; }
   std::size_t index() const { return index_; }
 
-  /// All keys of the program, in the order of their indices.
+  /// All keys of the program, each name once, in the order of their indices.
   static const std::vector<const DebugKey*>& all();
   /// The key with a name; null if there is none.
   static const DebugKey* find(std::string_view name);

@@ -143,6 +143,16 @@ TEST(Debug, StopsTheTimeOnRequest) {
   EXPECT_EQ(done, 3);
 }
 
+TEST(DebugKey, IsOneWhereverItsNameStands) {
+  const std::size_t keys = DebugKey::all().size();
+  const DebugKey again{"Test/samples"};
+  EXPECT_EQ(DebugKey::all().size(), keys);
+  Debug debug;
+  debug.keys().set(again, {DebugKeyMode::always});
+  EXPECT_TRUE(debug.isActive(samples));
+  EXPECT_FALSE(debug.isActive(other));
+}
+
 TEST(DebugKey, IsFoundByName) {
   EXPECT_EQ(DebugKey::find("Test/samples"), &samples);
   EXPECT_EQ(DebugKey::find("Test/nothing"), nullptr);
