@@ -19,7 +19,9 @@ std::string describe(const SourcePlace& place) {
 void printHead(const CrashReport& report) {
   fmt::print("{} (process {}, thread {}) died of signal {} {}", report.program, report.process,
              report.thread, report.signalNumber, report.signal);
-  if (report.signal == "SIGSEGV" || report.signal == "SIGBUS")
+  if (report.sender != 0 && report.sender != report.process)
+    fmt::print(", sent by process {}", report.sender);
+  else if (report.sender == 0 && (report.signal == "SIGSEGV" || report.signal == "SIGBUS"))
     fmt::print(", accessing {:#x}", report.address);
   fmt::print("\n");
   if (report.time > 0 && report.time < 253'402'300'799)
@@ -107,7 +109,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Turns a crash report into source lines, the call stack and assembler"};
   app.add_option("report", file, "crash-PROGRAM-PID.txt")->required();
   app.add_option("--symbols", folders,
-                 "Folder with the symbols of stripped programs, or these with symbols");
+                 "Folder with the symbols of stripped programs, or these with symbols")
+      ->check(CLI::ExistingDirectory);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

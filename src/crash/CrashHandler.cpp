@@ -150,7 +150,10 @@ void writeSignal(Output& out, int number, const siginfo_t& info) {
   out.decimal(static_cast<std::uint64_t>(number)) << " " << name << "\ncode ";
   if (info.si_code < 0) out << "-";
   out.decimal(static_cast<std::uint64_t>(std::abs(info.si_code))) << "\n";
-  if (number == SIGSEGV || number == SIGBUS || number == SIGILL || number == SIGFPE) {
+  if (info.si_code <= 0) {
+    out << "sender ";
+    out.decimal(static_cast<std::uint64_t>(info.si_pid)) << "\n";
+  } else if (number == SIGSEGV || number == SIGBUS || number == SIGILL || number == SIGFPE) {
     out << "address ";
     out.hex(reinterpret_cast<std::uintptr_t>(info.si_addr)) << "\n";
   }

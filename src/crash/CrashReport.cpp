@@ -84,6 +84,7 @@ bool readLine(std::string_view key, std::string_view text, CrashReport& report) 
     return report.signal = text, good;
   }
   if (key == "code") return set(report.code, decimal<int>(text));
+  if (key == "sender") return set(report.sender, decimal<std::int64_t>(text));
   if (key == "address") return set(report.address, hex(text));
   if (key == "time") return set(report.time, decimal<std::int64_t>(text));
   if (key == "process") return set(report.process, decimal<std::int64_t>(text));

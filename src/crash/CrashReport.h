@@ -22,6 +22,7 @@ struct CrashReport {
   std::string program, signal;
   int signalNumber = 0, code = 0;
   std::uint64_t address = 0;  ///< That was accessed, where the signal is about one.
+  std::int64_t sender = 0;    ///< The process that sent the signal; 0 if none did.
   std::int64_t time = 0;      ///< Seconds since 1970.
   std::int64_t process = 0, thread = 0;
   std::vector<std::pair<std::string, std::uint64_t>>

@@ -112,6 +112,13 @@ TEST_F(Crash, TellsWhereAnAccessFailed) {
   EXPECT_EQ(at->place.line, lineOf("segv"));
 }
 
+TEST_F(Crash, TellsWhoSentTheSignal) {
+  const CrashReport report = crash(CRASH_CHILD, "killed", SIGSEGV);
+  EXPECT_EQ(report.sender, report.process);
+  EXPECT_EQ(report.address, 0u);
+  EXPECT_EQ(crash(CRASH_CHILD, "segv", SIGSEGV).sender, 0);
+}
+
 TEST_F(Crash, TellsWhoGaveUp) {
   expectPlace(placeOf(crash(CRASH_CHILD, "abort", SIGABRT), "giveUp"), "crashes::giveUp()",
               "abort");

@@ -1,4 +1,7 @@
 // Dies on purpose: crash_child FOLDER segv|abort|overflow|thread|divide
+#include <signal.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -34,6 +37,7 @@ volatile int sink = 0;
   if (how == "segv" || how == "thread") writeNowhere(nowhere);
   if (how == "abort") giveUp();
   if (how == "divide") sink = divideBy(sink);
+  if (how == "killed") kill(getpid(), SIGSEGV);
   if (how == "overflow") sink = recurse(0);
   sink = 1;
 }
