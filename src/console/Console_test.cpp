@@ -360,7 +360,8 @@ TEST(RobotMemory, JoinsWhatIsDrawnAtOneTime) {
   const auto take = [&](int ms, std::initializer_list<const char*> keys) {
     MessageQueue queue{1 << 16};
     for (const char* key : keys)
-      queue.write({ms}, Drawing{key, DrawingSpace::field, {{ElementType::point, {{0, 0}}}}});
+      queue.write(
+          {ms}, Drawing{key, DrawingSpace::field, {{ElementType::point, {{0, 0}}, 1, {}, 1, ""}}});
     queue.write({ms}, StopwatchTime{"thinking", 1.0 * ms});
     memory.take(queue, nullptr);
   };
