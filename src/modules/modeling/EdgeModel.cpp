@@ -55,20 +55,19 @@ void EdgeModel::prepare(const FieldDimensions& field, TeamColor team) {
   team_ = team;
 }
 
-void EdgeModel::choose(const Parameters& parameters, const LinesPercept& percept, Random& random) {
+void EdgeModel::choose(const LinesPercept& percept, int wanted, double farthest, Random& random) {
   chosen_.clear();
   for (std::size_t t = 0; t < enumCount<EdgeType>; ++t) {
     const auto type = static_cast<EdgeType>(t);
     const std::vector<Vector2d>& points = percept.points[type];
-    if (points.empty()) continue;
-    const auto wanted = std::min(static_cast<std::size_t>(parameters.points), points.size());
+    const auto count = std::min(static_cast<std::size_t>(wanted), points.size());
     // Evenly over the picture from a random start on: neighbours tell the same.
-    const double stride = static_cast<double>(points.size()) / static_cast<double>(wanted);
+    const double stride = static_cast<double>(points.size()) / static_cast<double>(count);
     const double start = random.uniform() * static_cast<double>(points.size());
-    for (std::size_t i = 0; i < wanted; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       const auto at = static_cast<std::size_t>(start + stride * static_cast<double>(i));
       const Vector2d& point = points[at % points.size()];
-      if (point.norm() < parameters.farthest) chosen_.push_back({type, point});
+      if (point.norm() < farthest) chosen_.push_back({type, point});
     }
   }
 }

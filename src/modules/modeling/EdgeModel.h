@@ -20,19 +20,21 @@ struct ChosenPoint {
 };
 
 /// Judges samples by points on edges, corrects them, and draws new ones from what was seen (report
-/// 3.3.3). Shared by all self-locators that use edges.
+/// 3.3.3). Shared by all self-locators that use edges. The constants are the report's but for the
+/// number of points, which was 1 for want of time, and the correction, of which its text tells
+/// none.
 class EdgeModel {
  public:
   struct Parameters {
-    int points = 1;
+    int points = 5;
     double verticalWeight = 10;
     double verticalWeightLoss = 9;
     double fastest = 200;
     double horizontalWeight = 100;
     double rise = 0.01;
     double fall = 0.005;
-    double correction = 0.1;
-    double correctionRange = 1000;
+    double correction = 0.25;
+    double correctionRange = 600;
     double correctionLimit = 300;
     double farthest = 3000;
     double newEvidence = 0.95;
@@ -64,8 +66,9 @@ class EdgeModel {
 
   /// Looks up the tables of a field; computes them if it is another one than before.
   void prepare(const FieldDimensions& field, TeamColor team);
-  /// Chooses points of a picture by chance.
-  void choose(const Parameters& parameters, const LinesPercept& percept, Random& random);
+  /// Chooses so many points of each type in a picture by chance, none of them `farthest` (mm) away
+  /// or more.
+  void choose(const LinesPercept& percept, int points, double farthest, Random& random);
   /// Filters the evidence of lines, border and goals of all samples by the chosen points, and draws
   /// the samples towards the edges (report (3.17) to (3.19), 3.3.3.3). The speed in mm/s.
   void observe(const Parameters& parameters, const Vector3d& camera, double speed,

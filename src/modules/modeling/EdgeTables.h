@@ -17,12 +17,21 @@ class EdgeTables {
     float x, y;
   };
 
+  /// An edge near a cell: a point on it, and where to it lies from the cell, as a unit vector.
+  struct Edge {
+    Point point, normal;
+  };
+
   EdgeTables(const FieldDimensions& field, TeamColor team);
 
-  /// The point on an edge of a type that is nearest to a place, taken for the straight edge that
-  /// is nearest to the cell in which the place lies; beyond the table, to the nearest cell.
+  /// The edge of a type that is nearest to the cell in which a place lies; beyond the table, to the
+  /// nearest cell.
+  const Edge& nearest(EdgeType type, float x, float y) const {
+    return edges_[type][static_cast<std::size_t>(row(y) * columns_ + column(x))];
+  }
+  /// The point on that edge, taken for a straight one, that is nearest to the place.
   Point closest(EdgeType type, float x, float y) const {
-    const Edge& edge = edges_[type][static_cast<std::size_t>(row(y) * columns_ + column(x))];
+    const Edge& edge = nearest(type, x, y);
     const float distance = (edge.point.x - x) * edge.normal.x + (edge.point.y - y) * edge.normal.y;
     return {x + distance * edge.normal.x, y + distance * edge.normal.y};
   }
@@ -38,11 +47,6 @@ class EdgeTables {
  private:
   static constexpr double distanceStep = 50;  ///< mm
   static constexpr int distanceSteps = 80;
-
-  /// Nearest to a cell: a point on it, and where to it lies from the cell, as a unit vector.
-  struct Edge {
-    Point point, normal;
-  };
 
   int column(float x) const { return cell(x, low_.x, columns_); }
   int row(float y) const { return cell(y, low_.y, rows_); }

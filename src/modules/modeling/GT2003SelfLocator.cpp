@@ -59,7 +59,7 @@ bool GT2003SelfLocator::observeEdges(const LinesPercept& percept, const CameraMa
   if (percept.time == lastLines_) return false;
   lastLines_ = percept.time;
   const double speed = speed_(odometry, percept.time);
-  edges_.choose(parameters.edges, percept, random);
+  edges_.choose(percept, parameters.edges.points, parameters.edges.farthest, random);
   if (edges_.chosen().empty()) return false;
   edges_.observe(parameters.edges, camera.pose.translation, speed, samples_);
   return true;

@@ -20,7 +20,7 @@ void LinesSelfLocator::update(const LinesPercept& percept, const CameraMatrix& c
   if (percept.time != lastPicture_) {
     lastPicture_ = percept.time;
     const double speed = speed_(odometry, percept.time);
-    edges_.choose(parameters.edges, percept, random);
+    edges_.choose(percept, parameters.edges.points, parameters.edges.farthest, random);
     if (!edges_.chosen().empty()) {
       edges_.observe(parameters.edges, camera.pose.translation, speed, samples_);
       samples_.multiplyEvidence();

@@ -30,6 +30,7 @@ class LogPlatform {
   /// What the robot drew on that picture.
   const std::vector<Drawing>& drawings() const { return drawings_; }
   Robot& robot() { return *robot_; }
+  const Robot& robot() const { return *robot_; }
 
  private:
   LogPlatform(const NaoLog& log, std::unique_ptr<Robot> robot)

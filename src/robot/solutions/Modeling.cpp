@@ -8,6 +8,7 @@
 #include "modules/modeling/FusionSelfLocator.h"
 #include "modules/modeling/GO2003PlayersLocator.h"
 #include "modules/modeling/GT2003SelfLocator.h"
+#include "modules/modeling/KalmanSelfLocator.h"
 #include "modules/modeling/LinesSelfLocator.h"
 #include "modules/modeling/MonteCarloSelfLocator.h"
 #include "modules/modeling/OracledLocators.h"
@@ -24,6 +25,7 @@ void addModelingSolutions(SolutionTable& table) {
   table.add<SelfLocator, FusionSelfLocator>("Fusion");
   table.add<SelfLocator, Fusion2003SelfLocator>("Fusion2003");
   table.add<SelfLocator, GT2003SelfLocator>("GT2003");
+  table.add<SelfLocator, KalmanSelfLocator>("Kalman");
   table.add<SelfLocator, LinesSelfLocator>("Lines");
   table.add<SelfLocator, SingleLandmarkSelfLocator>("SingleLandmark");
   table.add<SelfLocator, OracledSelfLocator>("Oracled");

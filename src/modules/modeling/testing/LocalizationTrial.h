@@ -39,8 +39,8 @@ struct LocalizationTrial {
 };
 
 /// Lets a locator follow a robot for some pictures. `locate(robot)` returns the RobotPose.
-template <typename Locate>
-LocalizationTrial follow(SyntheticRobot& robot, int pictures, Locate&& locate) {
+template <typename Robot, typename Locate>
+LocalizationTrial follow(Robot& robot, int pictures, Locate&& locate) {
   LocalizationTrial trial;
   double lost = 0;
   for (int i = 0; i < pictures; ++i) {
@@ -56,8 +56,8 @@ LocalizationTrial follow(SyntheticRobot& robot, int pictures, Locate&& locate) {
 }
 
 /// Pictures until a locator has found the robot; `most` if it has not by then.
-template <typename Locate>
-int picturesUntilLocalized(SyntheticRobot& robot, int most, Locate&& locate) {
+template <typename Robot, typename Locate>
+int picturesUntilLocalized(Robot& robot, int most, Locate&& locate) {
   PicturesUntilLocalized counter;
   for (int i = 0; i < most && !counter.done(); ++i) {
     robot.step();
@@ -66,5 +66,4 @@ int picturesUntilLocalized(SyntheticRobot& robot, int most, Locate&& locate) {
   return counter.result().value_or(most);
 }
 
-/// The value below which a share of all values lies.
 }  // namespace gt

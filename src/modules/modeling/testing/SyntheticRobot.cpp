@@ -120,14 +120,27 @@ void SyntheticRobot::see() {
   percept.cameraOffset = {123 + 66.6 * std::cos(headPan_), 66.6 * std::sin(headPan_), 180};
   commonError_ = world_.commonNoise * random_.gaussian() +
                  (moving_ ? world_.sway * std::sin(seconds() * 2 * pi / 0.67) : 0);
+  if (world_.hidden > 0) placeRobotsInTheWay();
   camera.time = time;
   camera.valid = true;
   camera.pose.translation = percept.cameraOffset;
   if (seeing_.chance(world_.lostPictures)) return;
-  for (std::uint64_t i = world_.flags ? world_.missingFlags : 6; i < 6; ++i)
+  for (int i = world_.flags ? world_.missingFlags : 6; i < 6; ++i)
     seeFlag(static_cast<FlagType>(i));
   for (int i = 0; i < 2; ++i) seeGoal(static_cast<GoalColor>(i));
   seeEdges();
+}
+
+/// Others stand here and there around the robot for a while.
+void SyntheticRobot::placeRobotsInTheWay() {
+  if (time < robotsMoveAt_) return;
+  robotsMoveAt_ = time + static_cast<std::int64_t>(seeing_.uniform(1000, 3000));
+  for (bool& hidden : hiddenSectors_) hidden = seeing_.chance(world_.hidden);
+}
+
+bool SyntheticRobot::isHidden(double angle) const {
+  const double sector = (normalize(angle) + pi) / (2 * pi) * hiddenSectors_.size();
+  return hiddenSectors_[std::min(static_cast<std::size_t>(sector), hiddenSectors_.size() - 1)];
 }
 
 bool SyntheticRobot::cutToPicture(ConditionalBoundary& boundary) {
@@ -157,6 +170,7 @@ void SyntheticRobot::seeFlag(FlagType type) {
     else
       center = headPan_ + random_.uniform(-0.5, 0.5);
   }
+  if (isHidden(center)) return;
   const double half = std::asin(field.flagRadius / distance);
   FlagPercept flag;
   flag.type = type;
@@ -196,6 +210,7 @@ void SyntheticRobot::seeGoal(GoalColor color) {
   }
   if (random_.chance(world_.outliers)) goal.boundary.left += random_.uniform(-0.3, 0.3);
   if (goal.boundary.left <= goal.boundary.right || !cutToPicture(goal.boundary)) return;
+  if (isHidden((goal.boundary.left + goal.boundary.right) / 2)) return;
   goal.angle = (goal.boundary.left + goal.boundary.right) / 2;
   percept.goals[static_cast<std::size_t>(percept.numberOfGoals++)] = goal;
 }
@@ -205,7 +220,7 @@ void SyntheticRobot::seeEdges() {
   const double tiltError = world_.tiltNoise * seeing_.gaussian();
   for (double angle = headPan_ - openingAngle / 2 + step / 2; angle < headPan_ + openingAngle / 2;
        angle += step)
-    seeEdges(angle, tiltError);
+    if (!isHidden(angle)) seeEdges(angle, tiltError);
 }
 
 /// Looks along one scan line of the picture, to the border or, in a goal's mouth, to the goal.

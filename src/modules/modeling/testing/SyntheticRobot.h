@@ -37,6 +37,7 @@ struct SyntheticWorld {
   std::uint64_t missingFlags = 0;  ///< as many of the six beacons were taken away
   double misplacedFlags = 0;       ///< mm, by which each stands elsewhere
   double lostPictures = 0;         ///< share in which nothing is found
+  double hidden = 0;               ///< share of what is seen that other robots hide
   bool turnsHeadAlways = false;    ///< else it looks at a ball for half of the time
   bool walks = true;
 };
@@ -77,6 +78,8 @@ class SyntheticRobot {
   void seeGoal(GoalColor color);
   void seeEdges();
   void seeEdges(double angle, double tiltError);
+  void placeRobotsInTheWay();
+  bool isHidden(double angle) const;
   /// Cuts an interval of angles to what the camera sees; false where too little remains.
   bool cutToPicture(ConditionalBoundary& boundary);
   double seconds() const { return static_cast<double>(time.ms) / 1000; }
@@ -93,6 +96,8 @@ class SyntheticRobot {
   FieldEdges edges_;
   std::array<Vector2d, 6> flagErrors_;  ///< How far each flag stands elsewhere.
   std::vector<double> crossings_;
+  std::array<bool, 24> hiddenSectors_{};  ///< Around the robot, by others in the way.
+  Time robotsMoveAt_ = never();
   struct Hidden {
     Time until = never();
     double left = 0, right = 0;  ///< Shares of the goal.
