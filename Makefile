@@ -19,7 +19,7 @@ help:
 	@echo 'make play-remote   plays a minute against a team whose robots consist of three programs each'
 	@echo 'make kill-test     kills each program of a robot 50 times during a match'
 	@echo 'make bench         measures speed, also against other libraries: out/bench.json'
-	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json'
+	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html'
 	@echo 'make docs          writes pages with charts about the soccer behavior: out/docs/index.html'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
 	@echo 'make fuzz          feeds broken files to all that reads files, SECONDS=$(SECONDS) each'
@@ -60,7 +60,7 @@ play-remote: build
 	@scripts/play-remote $(BUILD) 1 red1 red2 red3 red4
 
 bench: TARGETS = --target bench layout-cmd
-bench: PACKAGES += libprotobuf-dev protobuf-compiler
+bench: PACKAGES += libprotobuf-dev protobuf-compiler libmrpt-slam-dev
 bench: build
 	@$(BUILD)/bin/bench --json out/bench.json
 

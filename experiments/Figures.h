@@ -1,7 +1,6 @@
 #pragma once
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -23,6 +22,15 @@ struct Aim {
   bool met(double figure) const { return kind == Kind::atMost ? figure <= value : figure >= value; }
 };
 
+/// A measured figure: the mean over its runs (seeds), and how these spread.
+struct Figure {
+  std::string name, unit;
+  double value = 0;
+  std::size_t n = 0;
+  double low = 0, high = 0, median = 0, p95 = 0;
+  Aim aim;
+};
+
 /// The measured figures of an experiment, each with one stable name: printed as a table, written as
 /// JSON.
 class Figures {
@@ -30,11 +38,9 @@ class Figures {
   /// Adds a figure of which each run (seed) gave one value: their mean, the lowest and the highest.
   void add(std::string name, std::string unit, const std::vector<double>& runs, Aim aim = {}) {
     if (runs.empty()) return;
-    Figure f{std::move(name), std::move(unit), 0, runs.size(), 0, 0, aim};
-    f.value = mean(runs);
-    f.low = *std::min_element(runs.begin(), runs.end());
-    f.high = *std::max_element(runs.begin(), runs.end());
-    figures_.push_back(std::move(f));
+    figures_.push_back({std::move(name), std::move(unit), mean(runs), runs.size(),
+                        quantile(runs, 0), quantile(runs, 1), quantile(runs, 0.5),
+                        quantile(runs, 0.95), aim});
   }
 
   /// Adds how many times as large a figure is as another one, both measured before.
@@ -42,11 +48,15 @@ class Figures {
     const auto of = std::ranges::find(figures_, figure, &Figure::name);
     const auto by = std::ranges::find(figures_, to, &Figure::name);
     if (of == figures_.end() || by == figures_.end()) return;
-    Figure f{std::move(name), "times", of->value / by->value, of->n, 0, 0, aim};
+    Figure f{std::move(name), "times", of->value / by->value, of->n, 0, 0, 0, 0, aim};
     f.low = of->low / by->high;
     f.high = of->high / by->low;
+    f.median = of->median / by->median;
+    f.p95 = of->p95 / by->p95;
     figures_.push_back(std::move(f));
   }
+
+  const std::vector<Figure>& all() const { return figures_; }
 
   void print() const {
     fmt::print("{:<52} {:>9} {:<9} {:>4} {:>9} {:>9}  {}\n", "figure", "value", "unit", "n", "low",
@@ -65,8 +75,9 @@ class Figures {
   bool write(const std::string& path) const {
     auto list = nlohmann::ordered_json::array();
     for (const Figure& f : figures_) {
-      nlohmann::ordered_json object{{"name", f.name}, {"value", f.value}, {"unit", f.unit},
-                                    {"n", f.n},       {"low", f.low},     {"high", f.high}};
+      nlohmann::ordered_json object{{"name", f.name},     {"value", f.value}, {"unit", f.unit},
+                                    {"n", f.n},           {"low", f.low},     {"high", f.high},
+                                    {"median", f.median}, {"p95", f.p95}};
       if (f.aim.kind != Aim::Kind::none) {
         object["aim"] = f.aim.value;
         object["met"] = f.aim.met(f.value);
@@ -79,13 +90,6 @@ class Figures {
   }
 
  private:
-  struct Figure {
-    std::string name, unit;
-    double value;
-    std::size_t n;
-    double low, high;
-    Aim aim;
-  };
   std::vector<Figure> figures_;
 };
 

@@ -1,109 +1,167 @@
-// Measures the self-locators against the truth on a test bench without simulator: a robot that
-// walks, slips, is blocked, sees landmarks through a narrow camera, and is carried away by the
-// referee (report 3.3.2.5 and 3.3.3.4).
-#include <functional>
+// Measures the self-locators against the truth: the report's experiments (3.3.3.4, figure 3.8) in
+// the simulator, with its pictures and the robot's own vision; and how robust they are on a test
+// bench without pictures, where everything goes wrong that can.
+#include <cmath>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "Experiments.h"
-#include "base/Random.h"
+#include "Parallel.h"
+#include "SimulatedWalker.h"
 #include "base/Statistics.h"
 #include "modules/behavior/BasicBehaviors.h"
-#include "modules/modeling/FusionSelfLocator.h"
-#include "modules/modeling/MonteCarloSelfLocator.h"
-#include "modules/modeling/SingleLandmarkSelfLocator.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
+#include "modules/modeling/testing/Locators.h"
 
 namespace gt {
 namespace {
 
 constexpr int picturesPerMinute = 60 * 1000 / SyntheticRobot::picturePeriod;
 
-/// A self-locator that follows one synthetic robot.
-template <typename Solution>
-class Locator {
- public:
-  Locator(const typename Solution::Parameters& parameters, std::uint64_t seed) : random_{seed} {
-    locator_.parameters = parameters;
-  }
-  RobotPose operator()(const SyntheticRobot& robot) {
-    if constexpr (std::is_same_v<Solution, SingleLandmarkSelfLocator>)
-      locator_.update(robot.percept, robot.odometry, robot.field, robot.player, estimate_, debug_);
-    else
-      locator_.update(robot.percept, robot.odometry, robot.field, robot.player, estimate_, random_,
-                      debug_);
-    return estimate_;
-  }
+/// With so much slip the odometry alone is off by more than a metre within a minute.
+constexpr double muchSlip = 0.4, muchNoise = 2;
 
- private:
-  Solution locator_;
-  RobotPose estimate_;
-  Random random_;
-  Debug debug_{1024};
-};
+/// The values of one run by the names of their figures.
+using Run = std::map<std::string, std::pair<std::string, double>>;
 
-/// What is asked of a row of the walking experiment.
-struct WalkingAims {
-  Aim mean, median, p95, longestLost;
-};
+/// What a walk's or a search's figures should be at most.
+const std::map<std::string, Aim> aims{
+    {"odometry.experiment1.minute", Aim::atLeast(1000)},
+    {"lines.nobeacons.experiment1.error.mean", Aim::atMost(50)},
+    {"kalman.experiment1.error.mean", Aim::atMost(50)},
+    {"kalman.nobeacons.experiment1.error.mean", Aim::atMost(50)},
+    {"lines.nobeacons.experiment2.stop.mean", Aim::atMost(40)},
+    {"lines.nobeacons.experiment2.estimate.mean", Aim::atMost(30)},
+    {"kalman.experiment2.stop.mean", Aim::atMost(40)},
+    {"kalman.experiment2.estimate.mean", Aim::atMost(30)},
+    {"kalman.nobeacons.experiment2.stop.mean", Aim::atMost(40)},
+    {"kalman.nobeacons.experiment2.estimate.mean", Aim::atMost(30)},
+    {"montecarlo.fromNothing.median", Aim::atMost(10)},
+    {"montecarlo.kidnapped.median", Aim::atMost(10)},
+    {"montecarlo.search.mirrored.longest", Aim::atMost(2)},
+    {"kalman.fromNothing.median", Aim::atMost(10)},
+    {"kalman.kidnapped.median", Aim::atMost(10)},
+    {"kalman.search.mirrored.longest", Aim::atMost(2)},
+    {"kalman.nobeacons.search.mirrored.longest", Aim::atMost(2)},
+    {"montecarlo.error.median", Aim::atMost(150)},
+    {"montecarlo.error.p95", Aim::atMost(600)},
+    {"montecarlo.lost.longest", Aim::atMost(15)}};
 
-/// The error while a robot walks about, after the first ten seconds.
-template <typename Solution>
-void walking(Figures& figures, const std::string& name,
-             const typename Solution::Parameters& parameters, const SyntheticWorld& world,
-             int minutes, const std::vector<std::uint64_t>& seeds, const WalkingAims& aims = {}) {
-  std::vector<double> mean, median, p95, below, angle, lost;
-  for (const std::uint64_t seed : seeds) {
-    SyntheticRobot robot{seed, world};
-    Locator<Solution> locator{parameters, seed};
-    follow(robot, picturesPerMinute / 6, locator);
-    const LocalizationTrial trial = follow(robot, minutes * picturesPerMinute, locator);
-    mean.push_back(gt::mean(trial.errors));
-    median.push_back(quantile(trial.errors, 0.5));
-    p95.push_back(quantile(trial.errors, 0.95));
-    const auto belowMean = std::count_if(trial.errors.begin(), trial.errors.end(),
-                                         [&](double e) { return e < mean.back(); });
-    below.push_back(100 * static_cast<double>(belowMean) /
-                    static_cast<double>(trial.errors.size()));
-    angle.push_back(toDegrees(quantile(trial.angles, 0.5)));
-    lost.push_back(trial.longestLost);
+/// Runs an experiment on all seeds and adds the figures.
+Result<void> measureOnSeeds(Figures& figures, const std::vector<std::uint64_t>& seeds,
+                            const std::function<Result<Run>(std::uint64_t)>& experiment) {
+  std::vector<Result<Run>> runs(seeds.size(), Run{});
+  inParallel(seeds.size(), [&](std::size_t i) { runs[i] = experiment(seeds[i]); });
+  std::map<std::string, std::pair<std::string, std::vector<double>>> columns;
+  for (const Result<Run>& run : runs) {
+    if (!run) return run.error();
+    for (const auto& [name, value] : *run) {
+      columns[name].first = value.first;
+      columns[name].second.push_back(value.second);
+    }
   }
-  figures.add(name + ".error.mean", "mm", mean, aims.mean);
-  figures.add(name + ".error.median", "mm", median, aims.median);
-  figures.add(name + ".error.p95", "mm", p95, aims.p95);
-  figures.add(name + ".error.belowMean", "%", below);
-  figures.add(name + ".angle.median", "deg", angle);
-  figures.add(name + ".lost.longest", "s", lost, aims.longestLost);
+  for (const auto& [name, column] : columns) {
+    const auto aim = aims.find(name);
+    figures.add("localization." + name, column.first, column.second,
+                aim == aims.end() ? Aim{} : aim->second);
+  }
+  return {};
 }
 
-/// Pictures until the pose is within 20 cm and stays: from nothing, and after the referee has put
-/// the robot elsewhere, while it stands and turns its head (report, figure 3.8).
-template <typename Solution>
-void relocalizing(Figures& figures, const std::string& name,
-                  const typename Solution::Parameters& parameters,
-                  const std::vector<std::uint64_t>& seeds, Aim first = {}, Aim again = {}) {
-  constexpr int trials = 20, most = 1000;
-  std::vector<double> fromNothing, kidnapped, worst;
-  SyntheticWorld standing;
-  standing.walks = false;
-  standing.turnsHeadAlways = true;
-  for (const std::uint64_t seed : seeds) {
-    std::vector<double> a, b;
-    for (std::uint64_t i = 0; i < trials; ++i) {
-      SyntheticRobot robot{seed * 1000 + i, standing};
-      Locator<Solution> locator{parameters, seed * 1000 + i};
-      a.push_back(picturesUntilLocalized(robot, most, locator));
-      follow(robot, 100, locator);
-      robot.kidnap();
-      b.push_back(picturesUntilLocalized(robot, most, locator));
-    }
-    fromNothing.push_back(quantile(a, 0.5));
-    kidnapped.push_back(quantile(b, 0.5));
-    worst.push_back(std::max(quantile(a, 1), quantile(b, 1)));
+/// Where the robot would be if the field were turned by half a circle: without goals and beacons
+/// nothing tells one from the other.
+bool isMirrored(const Pose2D& estimate, const Pose2D& truth) {
+  const double right = (estimate.translation - truth.translation).norm();
+  const double mirrored = (estimate.translation + truth.translation).norm();
+  return mirrored < right && std::abs(normalize(estimate.rotation - truth.rotation)) > pi / 2;
+}
+
+/// For how long an estimate is the mirror image of the truth although something that tells them
+/// apart has been seen since.
+class MirrorWatch {
+ public:
+  void add(bool mirrored, const LandmarksPercept& seen) {
+    told_ = mirrored && (told_ || seen.numberOfFlags + seen.numberOfGoals > 0);
+    now_ = told_ ? now_ + SyntheticRobot::picturePeriod / 1000.0 : 0;
+    longest_ = std::max(longest_, now_);
   }
-  figures.add(name + ".fromNothing.median", "pictures", fromNothing, first);
-  figures.add(name + ".kidnapped.median", "pictures", kidnapped, again);
-  figures.add(name + ".relocalizing.worst", "pictures", worst);
+  double longest() const { return longest_; }  ///< s
+
+ private:
+  bool told_ = false;
+  double now_ = 0, longest_ = 0;
+};
+
+/// A self-locator that follows a robot beside others, and what it achieves.
+struct Follower {
+  std::string name;
+  std::unique_ptr<AnyLocator> locator;
+  std::vector<double> errors;
+  MirrorWatch mirror;
+  double lost = 0, longestLost = 0;
+
+  template <typename Robot>
+  double look(const Robot& robot) {
+    const Pose2D estimate = (*locator)(seenBy(robot)).pose;
+    const double error = (estimate.translation - robot.pose.translation).norm();
+    mirror.add(isMirrored(estimate, robot.pose), robot.percept);
+    lost = error > 600 ? lost + SyntheticRobot::picturePeriod / 1000.0 : 0;
+    longestLost = std::max(longestLost, lost);
+    return error;
+  }
+  void tell(Run& run) const {
+    const double average = mean(errors);
+    const auto below =
+        std::count_if(errors.begin(), errors.end(), [&](double e) { return e < average; });
+    run[name + ".error.mean"] = {"mm", average};
+    run[name + ".error.median"] = {"mm", quantile(errors, 0.5)};
+    run[name + ".error.p95"] = {"mm", quantile(errors, 0.95)};
+    run[name + ".error.belowMean"] = {
+        "%", 100 * static_cast<double>(below) / static_cast<double>(errors.size())};
+    run[name + ".lost.longest"] = {"s", longestLost};
+    run[name + ".mirrored.longest"] = {"s", mirror.longest()};
+  }
+};
+
+/// All locators that can do without beacons, or all.
+std::vector<Follower> followers(const std::string& suffix, bool beacons, std::uint64_t seed) {
+  std::vector<Follower> all;
+  for (const LocatorKind& kind : locatorKinds())
+    if (beacons || kind.usesEdges)
+      all.push_back({kind.name + (beacons ? "" : ".nobeacons") + suffix, kind.make(seed), {}, {}});
+  return all;
+}
+
+/// Experiment 1: a random walk of 18 minutes with much slip, the head turning left and right. All
+/// locators see the same.
+Result<Run> experiment1(std::uint64_t seed, bool beacons) {
+  constexpr int minutes = 18;
+  auto made =
+      SimulatedWalker::make(seed, {.slip = muchSlip, .motion = muchNoise, .flags = beacons});
+  if (!made) return made.error();
+  SimulatedWalker& robot = **made;
+  std::vector<Follower> all = followers(".experiment1", beacons, seed);
+  Pose2D truth, counted;
+  std::vector<double> drift;
+  for (int i = 0; i < picturesPerMinute * minutes; ++i) {
+    robot.step();
+    if (i % picturesPerMinute == 0) {
+      const Pose2D walked = robot.odometry.pose.relativeTo(counted);
+      if (i > 0) drift.push_back(((truth * walked).translation - robot.pose.translation).norm());
+      truth = robot.pose;
+      counted = robot.odometry.pose;
+    }
+    for (Follower& follower : all) {
+      const double error = follower.look(robot);
+      if (i >= picturesPerMinute / 6) follower.errors.push_back(error);
+    }
+  }
+  Run run;
+  for (const Follower& follower : all) follower.tell(run);
+  if (beacons) run["odometry.experiment1.minute"] = {"mm", mean(drift)};
+  return run;
 }
 
 /// How far a robot stands off when it has walked to a point, and how far its estimate is off then.
@@ -113,8 +171,8 @@ struct Arrival {
 
 /// Walks to a point by the behavior's own skill, until it has stood for half a second (or for two
 /// minutes, where it does not come to rest).
-template <typename Locate>
-Arrival goTo(const Pose2D& goal, SyntheticRobot& robot, Locate&& locate) {
+template <typename Robot>
+Arrival goTo(const Pose2D& goal, Robot& robot, AnyLocator& locator) {
   WorldState world;
   MotionRequest request;
   const Movement::Parameters parameters;
@@ -126,102 +184,163 @@ Arrival goTo(const Pose2D& goal, SyntheticRobot& robot, Locate&& locate) {
   goToPoint.maxSpeed = 150;
   int stood = 0;
   for (int i = 0; i < 2 * picturesPerMinute && stood < 12; ++i) {
-    world.self = locate(robot);
+    world.self = locator(seenBy(robot));
     goToPoint.execute();
     const bool stands = request.type == MotionType::stand;
     stood = stands ? stood + 1 : 0;
     robot.step(stands ? Pose2D{} : request.walk);
   }
   return {(robot.pose.translation - goal.translation).norm(),
-          (locate(robot).pose.translation - robot.pose.translation).norm()};
+          (locator(seenBy(robot)).pose.translation - robot.pose.translation).norm()};
 }
 
-/// Experiment 2 of the report (3.3.3.4): 68 random points, reached by go-to-point, with the head
-/// always turning.
-template <typename Solution>
-void goingToPoints(Figures& figures, const std::string& name,
-                   const typename Solution::Parameters& parameters, const SyntheticWorld& world,
-                   const std::vector<std::uint64_t>& seeds, Aim stop = {}, Aim estimate = {}) {
+/// Experiment 2: 68 random points, reached by go-to-point, with the head always turning.
+template <typename Robot>
+void experiment2(Robot& robot, AnyLocator& locator, std::uint64_t seed, const std::string& name,
+                 Run& run) {
   constexpr int points = 68;
-  std::vector<double> ofRobot, ofEstimate, p95;
-  for (const std::uint64_t seed : seeds) {
-    SyntheticRobot robot{seed, world};
-    Locator<Solution> locator{parameters, seed};
-    Random random{seed};
-    follow(robot, picturesPerMinute / 6, locator);
-    std::vector<double> stops, estimates;
-    for (int i = 0; i < points; ++i) {
-      const double angle = pi * random.symmetric();
-      const double x = 0.85 * robot.field.xGroundline * random.symmetric();
-      const double y = 0.85 * robot.field.ySideline * random.symmetric();
-      const Arrival arrival = goTo({angle, x, y}, robot, locator);
-      stops.push_back(arrival.ofRobot);
-      estimates.push_back(arrival.ofEstimate);
-    }
-    ofRobot.push_back(mean(stops));
-    ofEstimate.push_back(mean(estimates));
-    p95.push_back(quantile(stops, 0.95));
+  Random random{seed};
+  std::vector<double> stops, estimates;
+  for (int i = 0; i < picturesPerMinute / 6; ++i) {
+    robot.step();
+    locator(seenBy(robot));
   }
-  figures.add(name + ".stop.mean", "mm", ofRobot, stop);
-  figures.add(name + ".stop.p95", "mm", p95);
-  figures.add(name + ".estimate.mean", "mm", ofEstimate, estimate);
+  for (int i = 0; i < points; ++i) {
+    const double angle = pi * random.symmetric();
+    const double x = 0.85 * robot.field.xGroundline * random.symmetric();
+    const double y = 0.85 * robot.field.ySideline * random.symmetric();
+    const Arrival arrival = goTo({angle, x, y}, robot, locator);
+    stops.push_back(arrival.ofRobot);
+    estimates.push_back(arrival.ofEstimate);
+  }
+  run[name + ".experiment2.stop.mean"] = {"mm", mean(stops)};
+  run[name + ".experiment2.stop.median"] = {"mm", quantile(stops, 0.5)};
+  run[name + ".experiment2.stop.p95"] = {"mm", quantile(stops, 0.95)};
+  run[name + ".experiment2.estimate.mean"] = {"mm", mean(estimates)};
+  run[name + ".experiment2.estimate.median"] = {"mm", quantile(estimates, 0.5)};
+  run[name + ".experiment2.estimate.p95"] = {"mm", quantile(estimates, 0.95)};
 }
 
-/// The report's experiments (3.3.3.4, figure 3.8), and what a match is like.
-template <typename Solution>
-void measure(Figures& figures, const std::string& name, const std::vector<std::uint64_t>& seeds,
-             const WalkingAims& match = {}, Aim found = {}, Aim walked = {}, Aim stop = {},
-             Aim estimate = {}) {
-  constexpr int minutes = 18;  // as in the report's experiment 1
-  const typename Solution::Parameters defaults;
-  walking<Solution>(figures, name, defaults, {}, minutes, seeds, match);
-  relocalizing<Solution>(figures, name, defaults, seeds, found, found);
-  // 15 cm/s, the head always turning, nothing in the way.
-  SyntheticWorld quiet;
-  quiet.walkingSpeed = 150;
-  quiet.turnsHeadAlways = true;
-  quiet.secondsBetweenBlocks = 1e12;
-  walking<Solution>(figures, name + ".experiment1", defaults, quiet, minutes, seeds,
-                    {walked, {}, {}, {}});
-  goingToPoints<Solution>(figures, name + ".experiment2", defaults, quiet, seeds, stop, estimate);
+/// Pictures until each locator's pose is within 20 cm and stays, all seeing the same.
+void search(SimulatedWalker& robot, std::vector<Follower>& all,
+            std::map<std::string, std::vector<double>>& pictures) {
+  constexpr int most = 500;
+  std::vector<PicturesUntilLocalized> counters(all.size());
+  bool found = false;
+  for (int i = 0; i < most && !found; ++i) {
+    robot.step();
+    found = true;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const double error = all[k].look(robot);
+      if (!counters[k].done()) counters[k].add(error);
+      found &= counters[k].done();
+    }
+  }
+  for (std::size_t k = 0; k < all.size(); ++k)
+    pictures[all[k].name].push_back(counters[k].result().value_or(most));
+}
+
+/// From nothing, and after the referee has put the robot elsewhere, while it stands and turns its
+/// head (report, figure 3.8).
+Result<Run> relocalizing(std::uint64_t seed, bool beacons) {
+  constexpr int trials = 15;
+  auto made = SimulatedWalker::make(seed, {.flags = beacons, .walks = false});
+  if (!made) return made.error();
+  SimulatedWalker& robot = **made;
+  std::map<std::string, std::vector<double>> nothing, kidnapped;
+  std::map<std::string, double> mirrored;
+  for (std::uint64_t i = 0; i < trials; ++i) {
+    std::vector<Follower> all = followers("", beacons, seed * 1000 + i);
+    robot.kidnap();
+    search(robot, all, nothing);
+    robot.kidnap();
+    search(robot, all, kidnapped);
+    for (const Follower& f : all) mirrored[f.name] = std::max(mirrored[f.name], f.mirror.longest());
+  }
+  Run run;
+  for (const auto& [name, pictures] : nothing) {
+    run[name + ".fromNothing.median"] = {"pictures", quantile(pictures, 0.5)};
+    run[name + ".fromNothing.mean"] = {"pictures", mean(pictures)};
+    run[name + ".fromNothing.p95"] = {"pictures", quantile(pictures, 0.95)};
+    run[name + ".kidnapped.median"] = {"pictures", quantile(kidnapped[name], 0.5)};
+    run[name + ".kidnapped.mean"] = {"pictures", mean(kidnapped[name])};
+    run[name + ".kidnapped.p95"] = {"pictures", quantile(kidnapped[name], 0.95)};
+    run[name + ".search.mirrored.longest"] = {"s", mirrored[name]};
+  }
+  return run;
+}
+
+/// What goes wrong in a row of the robustness table.
+struct Trouble {
+  std::string name;
+  SyntheticWorld world;
+};
+
+std::vector<Trouble> troubles() {
+  std::vector<Trouble> rows{{"", {}}};
+  const auto row = [&](const std::string& name) -> SyntheticWorld& {
+    return rows.emplace_back(Trouble{"." + name, {}}).world;
+  };
+  for (int missing = 1; missing <= 6; ++missing)
+    row("missing" + std::to_string(missing)).missingFlags = missing;
+  row("misplaced10cm").misplacedFlags = 100;
+  row("wrong10percent").outliers = 0.1;
+  row("halfDropped").lostPictures = 0.5;
+  row("robotsInTheWay").hidden = 0.4;
+  SyntheticWorld& walls = row("leaningOnWalls");
+  walls.secondsBetweenBlocks = 8;
+  row("slip30percent").slip = 0.3;
+  return rows;
+}
+
+/// The errors while everything goes wrong, in a world like a match.
+Result<Run> robustness(std::uint64_t seed) {
+  constexpr int minutes = 6;
+  Run run;
+  for (const Trouble& trouble : troubles()) {
+    SyntheticRobot robot{seed, trouble.world};
+    std::vector<Follower> all = followers(trouble.name, true, seed);
+    for (int i = 0; i < picturesPerMinute * minutes; ++i) {
+      robot.step();
+      for (Follower& follower : all) {
+        const double error = follower.look(robot);
+        if (i >= picturesPerMinute / 6) follower.errors.push_back(error);
+      }
+    }
+    for (const Follower& follower : all) follower.tell(run);
+  }
+  return run;
+}
+
+Result<Run> goingToPoints(std::uint64_t seed) {
+  Run run;
+  for (const bool beacons : {true, false})
+    for (const LocatorKind& kind : locatorKinds()) {
+      if (!beacons && !kind.usesEdges) continue;
+      auto robot = SimulatedWalker::make(seed, {.flags = beacons});
+      if (!robot) return robot.error();
+      const auto locator = kind.make(seed);
+      experiment2(**robot, *locator, seed, kind.name + (beacons ? "" : ".nobeacons"), run);
+    }
+  return run;
 }
 
 }  // namespace
 
 Result<void> measureLocalization(Figures& figures, const ExperimentOptions& options) {
-  using MonteCarlo = MonteCarloSelfLocator;
-  constexpr int minutes = 18;
   const std::vector<std::uint64_t>& seeds = options.seeds;
-  const std::string name = "localization.montecarlo";
-  // Aims of the project; the report has 14 to 40 pictures (figure 3.8), 105, 94 and 84 mm
-  // (3.3.3.4).
-  measure<MonteCarlo>(figures, name, seeds,
-                      {{}, Aim::atMost(150), Aim::atMost(600), Aim::atMost(15)}, Aim::atMost(10),
-                      Aim::atMost(50), Aim::atMost(40), Aim::atMost(30));
-  measure<SingleLandmarkSelfLocator>(figures, "localization.singlelandmark", seeds);
-  measure<FusionSelfLocator>(figures, "localization.fusion", seeds);
-  MonteCarlo::Parameters few;
-  few.samples = 30;
-  walking<MonteCarlo>(figures, name + ".30samples", few, {}, minutes, seeds);
-  relocalizing<MonteCarlo>(figures, name + ".30samples", few, seeds);
-
-  const MonteCarlo::Parameters defaults;
-  SyntheticWorld slipping;
-  slipping.slip = 0.3;
-  walking<MonteCarlo>(figures, name + ".slip30", defaults, slipping, minutes, seeds);
-  SyntheticWorld wrong;
-  wrong.outliers = 0.1;
-  wrong.hiddenPosts = 0.3;
-  walking<MonteCarlo>(figures, name + ".outliers10", defaults, wrong, minutes, seeds);
-
-  // What each departure from the report's text gains.
-  MonteCarlo::Parameters literal;
-  literal.templates.randomReplacement = 1;
-  walking<MonteCarlo>(figures, name + ".allRandom", literal, {}, minutes, seeds);
-  literal.templates.newProbability = 0.5;
-  walking<MonteCarlo>(figures, name + ".literal", literal, {}, minutes, seeds);
-  relocalizing<MonteCarlo>(figures, name + ".literal", literal, seeds);
-  return {};
+  for (const bool beacons : {true, false}) {
+    if (auto done = measureOnSeeds(figures, seeds,
+                                   [=](std::uint64_t seed) { return experiment1(seed, beacons); });
+        !done)
+      return done;
+    if (auto done = measureOnSeeds(figures, seeds,
+                                   [=](std::uint64_t seed) { return relocalizing(seed, beacons); });
+        !done)
+      return done;
+  }
+  if (auto done = measureOnSeeds(figures, seeds, robustness); !done) return done;
+  return measureOnSeeds(figures, seeds, goingToPoints);
 }
 
 }  // namespace gt

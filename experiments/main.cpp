@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
 
 #include "Experiments.h"
+#include "LocalizationPage.h"
 
 namespace gt {
 namespace {
@@ -30,6 +32,13 @@ const std::map<std::string, Experiment> experiments{{"collisions", measureCollis
                                                     {"soak", measureSoak},
                                                     {"vision", measureVision},
                                                     {"worldmodel", measureWorldModel}};
+
+/// Writes the page of the self-locators beside the figures' file, if they were measured.
+Result<void> writePages(const Figures& figures, const std::filesystem::path& json) {
+  const auto ofLocators = [](const Figure& f) { return f.name.starts_with("localization."); };
+  if (std::none_of(figures.all().begin(), figures.all().end(), ofLocators)) return {};
+  return writeLocalizationPage(std::filesystem::path{json}.replace_extension(".html"), figures);
+}
 
 }  // namespace
 }  // namespace gt
@@ -74,6 +83,10 @@ int main(int argc, char** argv) {
   figures.print();
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path{json}.parent_path(), ignored);
+  if (const auto done = gt::writePages(figures, json); !done) {
+    fmt::print(stderr, "experiment: {}\n", done.error().text());
+    return 2;
+  }
   if (figures.write(json)) return 0;
   fmt::print(stderr, "experiment: {} cannot be written\n", json);
   return 2;

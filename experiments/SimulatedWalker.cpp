@@ -1,0 +1,145 @@
+#include "SimulatedWalker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modules/motion/InvKinWalkingEngine.h"
+#include "modules/perception/ColorTableFile.h"
+#include "modules/perception/DefaultSensorDataProcessor.h"
+#include "modules/perception/GT2003ImageProcessor.h"
+#include "streams/Config.h"
+
+namespace gt {
+
+/// The robot's program: walks as it is told, turns the head, looks at pictures.
+class SimulatedWalker::Body : public RobotController {
+ public:
+  Body(ColorTable64 colors, const InvKinWalkingEngine::Parameters& walk)
+      : colors_{std::move(colors)} {
+    engine_.parameters = walk;
+  }
+
+  void cycle(const RobotInput& input, RobotOutput& output) override {
+    if (input.image) look(input);
+    MotionRequest request;
+    request.type = moves_ ? MotionType::walk : MotionType::stand;
+    request.walk = speed_;
+    engine_.update({input.now}, request, {}, {motion_}, walk_);
+    motion_.executed = request;
+    output.joints = walk_.joints;
+    setHead(input.now, output.joints.angles);
+    odometry.pose = odometry.pose * walk_.odometryStep;
+    output.odometry = odometry;
+  }
+
+  void order(const Pose2D& speed) {
+    speed_ = speed;
+    moves_ = speed.translation.norm() + 200 * std::abs(speed.rotation) > 1;
+  }
+
+  OdometryData odometry;
+  LandmarksPercept landmarks;
+  LinesPercept lines;
+  CameraMatrix matrix;
+
+ private:
+  void look(const RobotInput& input) {
+    sensorDataProcessor_.update({input.now}, input.sensors, *input.image, RobotDimensions{},
+                                RobotCalibration{}, motion_, matrix, body_, psd_);
+    imageProcessor_.update(*input.image, matrix, colors_, FieldDimensions{}, ball_, landmarks,
+                           lines, players_, obstacles_, debug_);
+  }
+  /// From left to right and back.
+  static void setHead(Time now, JointAngles& angles) {
+    constexpr double widest = 85 * pi / 180, speed = 2, tilt = -0.3;  // rad, rad/s
+    const double phase = std::fmod(static_cast<double>(now.ms) / 1000 * speed / (4 * widest), 1);
+    angles[Joint::headPan] = widest * (phase < 0.5 ? 4 * phase - 1 : 3 - 4 * phase);
+    angles[Joint::headTilt] = tilt;
+    angles[Joint::headRoll] = 0;
+  }
+
+  ColorTable64 colors_;
+  InvKinWalkingEngine engine_;
+  WalkingEngineOutput walk_;
+  MotionInfo motion_;
+  Pose2D speed_;
+  bool moves_ = false;
+  DefaultSensorDataProcessor sensorDataProcessor_;
+  GT2003ImageProcessor imageProcessor_;
+  BodyPercept body_;
+  PsdPercept psd_;
+  BallPercept ball_;
+  PlayersPercept players_;
+  ObstaclesPercept obstacles_;
+  Debug debug_{1024};
+};
+
+Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(std::uint64_t seed,
+                                                               const WalkerWorld& world) {
+  auto scene = loadScene("scenes/match.scene");
+  if (!scene) return scene.error();
+  auto colors = readColorTable("config/coltable.c64");
+  if (!colors) return colors.error();
+  InvKinWalkingEngine::Parameters walk;
+  if (auto read = readConfig("config/modules/WalkingEngine.InvKin.cfg", walk); !read)
+    return read.error();
+  scene->noise.slip = world.slip;
+  scene->noise.motion = world.motion;
+  scene->flags = world.flags;
+  scene->game.referee = false;
+  scene->robots.resize(1);
+  scene->balls.clear();
+  auto simulation = Simulation::make(*scene, seed);
+  if (!simulation) return simulation.error();
+  std::unique_ptr<SimulatedWalker> walker{new SimulatedWalker{seed, world}};
+  walker->simulation_ = *std::move(simulation);
+  walker->player.teamColor = walker->simulation_->players()[0].teamColor;
+  auto body = std::make_unique<Body>(*std::move(colors), walk);
+  walker->body_ = body.get();
+  walker->simulation_->attach(0, std::move(body));
+  walker->kidnap();
+  return walker;
+}
+
+SimulatedWalker::SimulatedWalker(std::uint64_t seed, const WalkerWorld& world)
+    : world_{world}, random_{Random{seed}.fork("walker")} {}
+
+SimulatedWalker::~SimulatedWalker() = default;
+
+Pose2D SimulatedWalker::placeOnField() {
+  const double x = (field.xGroundline - 350) * random_.symmetric();
+  const double y = (field.ySideline - 250) * random_.symmetric();
+  return {pi * random_.symmetric(), x, y};
+}
+
+void SimulatedWalker::kidnap() {
+  // In its own team's coordinates; the world's are those of the red team.
+  const Pose2D place = placeOnField();
+  simulation_->world().placeRobot(0, place);
+  goal_ = placeOnField().translation;
+}
+
+void SimulatedWalker::step() {
+  Pose2D speed;
+  if (world_.walks) {
+    const Vector2d toGoal = relative(pose, goal_);
+    if (toGoal.norm() < 100 || random_.chance(0.002)) goal_ = placeOnField().translation;
+    speed = {std::clamp(angleOf(toGoal), -0.8, 0.8), toGoal.normalized() * world_.walkingSpeed};
+  }
+  step(speed);
+}
+
+void SimulatedWalker::step(const Pose2D& speed) {
+  body_->order(speed);
+  const Time before = percept.time;
+  for (int i = 0; i < 2 * Simulation::ticksPerPicture && body_->landmarks.time == before; ++i)
+    simulation_->step();
+  time = simulation_->time();
+  pose = simulation_->world().robot(0).pose;
+  odometry = body_->odometry;
+  percept = body_->landmarks;
+  lines = body_->lines;
+  camera = body_->matrix;
+}
+
+}  // namespace gt

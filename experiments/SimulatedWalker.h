@@ -1,0 +1,63 @@
+#pragma once
+#include <memory>
+
+#include "base/Random.h"
+#include "base/Result.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/motion/OdometryData.h"
+#include "representations/perception/CameraMatrix.h"
+#include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/LinesPercept.h"
+#include "simulation/Simulation.h"
+
+namespace gt {
+
+/// What is different from the match scene around a SimulatedWalker.
+struct WalkerWorld {
+  double slip = 0.06;
+  double motion = 1;  ///< White noise of steps.
+  bool flags = true;
+  double walkingSpeed = 150;  ///< mm/s
+  bool walks = true;
+};
+
+/// A robot alone on the simulated field that walks about and turns its head from left to right and
+/// back (report 3.3.3.4), with its own walking engine and vision. One step is one picture. It has
+/// the members of a SyntheticRobot, so that the same experiments run on both.
+class SimulatedWalker {
+ public:
+  static Result<std::unique_ptr<SimulatedWalker>> make(std::uint64_t seed,
+                                                       const WalkerWorld& world = {});
+  ~SimulatedWalker();
+
+  /// To the next picture, walking to random places.
+  void step();
+  /// The same, but walks as it is told: in the robot's system, mm/s and rad/s.
+  void step(const Pose2D& speed);
+  /// The referee puts the robot somewhere else; its odometry knows nothing of it.
+  void kidnap();
+
+  Pose2D pose;
+  OdometryData odometry;
+  LandmarksPercept percept;
+  LinesPercept lines;
+  CameraMatrix camera;
+  FieldDimensions field;
+  Player player;
+  Time time;
+
+ private:
+  class Body;
+
+  SimulatedWalker(std::uint64_t seed, const WalkerWorld& world);
+  Pose2D placeOnField();
+
+  WalkerWorld world_;
+  Random random_;
+  std::unique_ptr<Simulation> simulation_;
+  Body* body_ = nullptr;  ///< Owned by the simulation.
+  Vector2d goal_;
+};
+
+}  // namespace gt
