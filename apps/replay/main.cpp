@@ -6,6 +6,7 @@
 
 #include "painting/PicturePainter.h"
 #include "replay/Replay.h"
+#include "replay/Track.h"
 #include "streams/Jpeg.h"
 
 namespace {
@@ -49,19 +50,27 @@ Result<void> run(const ReplayFiles& files, const std::string& out, bool pictures
   std::filesystem::create_directories(out, failed);
   if (failed) return Error{out, 0, "", failed.message()};
   Comparison comparison;
+  Track track;
+  FieldDimensions field;
   const auto done = replay(files,
                            [&](const LogPlatform& platform, const BallPercept& ball,
                                const BallLabel* label) -> Result<void> {
                              if (platform.picture().number == 0) printHeading();
                              printRow(platform.picture(), ball, label);
                              comparison.add(ball, label);
+                             field = *platform.robot().setup().configuration->field;
+                             if (const auto* pose = platform.robot().provided<RobotPose>())
+                               track.add(*pose, {platform.picture().odometry});
                              return pictures ? writePicture(platform, out) : Result<void>{};
                            });
   if (!done) return done;
   fmt::print("{}", comparison.text());
+  const std::string trackFile = out + ".track.svg";
+  if (auto written = track.write(trackFile, field); !written) return written;
   const std::string json = out + ".json";
   if (!comparison.figures().write(json)) return Error{json, 0, "", "cannot be written"};
-  fmt::print("Figures: {}{}\n", json, pictures ? ", pictures: " + out + "/" : "");
+  fmt::print("Track: {}, figures: {}{}\n", trackFile, json,
+             pictures ? ", pictures: " + out + "/" : "");
   return {};
 }
 
