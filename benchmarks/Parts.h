@@ -1,6 +1,8 @@
 #pragma once
 #include <benchmark/benchmark.h>
 
+#include <string>
+
 #include "experiments/Figures.h"
 
 namespace gt {
@@ -21,8 +23,8 @@ inline void aim(benchmark::State& state, double atMost) {
   state.counters["aim"] = atMost;
 }
 
-/// Measures all parts that are registered by BENCHMARK(), in time of the processor if they do not
-/// ask for real time.
-void measureParts(Figures& figures);
+/// Measures the parts that are registered by BENCHMARK() and whose names match a regular
+/// expression, in time of the processor if they do not ask for real time.
+void measureParts(Figures& figures, const std::string& only);
 
 }  // namespace gt

@@ -1,19 +1,22 @@
-// What a self-locator costs in each picture, by the number of its samples.
+// What a self-locator costs in each picture: by the number of its samples and by what is seen.
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "Parts.h"
-#include "base/Random.h"
+#include "modules/modeling/Fusion2003SelfLocator.h"
 #include "modules/modeling/FusionSelfLocator.h"
-#include "modules/modeling/testing/SyntheticRobot.h"
+#include "modules/modeling/KalmanSelfLocator.h"
+#include "modules/modeling/LinesSelfLocator.h"
+#include "modules/modeling/testing/Locators.h"
 
 namespace gt {
 namespace {
 
 struct Moment {
   OdometryData odometry;
-  LandmarksPercept percept;
+  LandmarksPercept landmarks;
+  LinesPercept lines;
+  CameraMatrix camera;
 };
 
 /// What a robot saw while it walked about.
@@ -23,54 +26,88 @@ const std::vector<Moment>& walk() {
     std::vector<Moment> walked(2000);
     for (Moment& moment : walked) {
       robot.step();
-      moment = {robot.odometry, robot.percept};
+      moment = {robot.odometry, robot.percept, robot.lines, robot.camera};
     }
     return walked;
   }();
   return moments;
 }
 
-template <typename Solution>
-void locate(benchmark::State& state, const typename Solution::Parameters& parameters) {
-  const std::vector<Moment>& moments = walk();
-  const SyntheticRobot robot{1};
-  Solution locator;
-  locator.parameters = parameters;
-  RobotPose pose;
-  Random random{1};
-  Debug debug{1024};
-  std::size_t next = 0;
-  for ([[maybe_unused]] auto _ : state) {
-    const Moment& m = moments[next++ % moments.size()];
-    if constexpr (std::is_same_v<Solution, SingleLandmarkSelfLocator>)
-      locator.update(m.percept, m.odometry, robot.field, robot.player, pose, debug);
-    else
-      locator.update(m.percept, m.odometry, robot.field, robot.player, pose, random, debug);
+/// The same walk, but each picture shows exactly so many flags, well in sight.
+std::vector<Moment> walkSeeing(int flags) {
+  std::vector<Moment> moments = walk();
+  for (Moment& moment : moments) {
+    moment.landmarks.numberOfGoals = 0;
+    moment.landmarks.numberOfFlags = flags;
+    for (int i = 0; i < flags; ++i) {
+      FlagPercept& flag = moment.landmarks.flags[static_cast<std::size_t>(i)];
+      flag.type = static_cast<FlagType>(i);
+      flag.angle = 0.4 * i - 0.4;
+      flag.distance = 1500;
+      flag.boundary = {flag.angle + 0.03, flag.angle - 0.03};
+    }
   }
-  benchmark::DoNotOptimize(pose);
+  return moments;
 }
 
-void singleLandmark(benchmark::State& state) {
-  locate<SingleLandmarkSelfLocator>(state, {});
-}
-void fusion(benchmark::State& state) {
-  locate<FusionSelfLocator>(state, {});
-}
-void monteCarlo(benchmark::State& state, int samples) {
-  locate<MonteCarloSelfLocator>(state, {.samples = samples});
+template <typename Solution>
+void locate(benchmark::State& state, const std::vector<Moment>& moments,
+            const typename Solution::Parameters& parameters) {
+  const SyntheticRobot robot{1};
+  LocatorOf<Solution> locator{parameters, 1};
+  std::size_t next = 0;
+  double sum = 0;
+  const auto look = [&] {
+    const Moment& m = moments[next++ % moments.size()];
+    const Seen seen{m.landmarks, m.lines, m.camera, m.odometry, robot.field, robot.player};
+    sum += locator(seen).validity;
+  };
+  look();  // the first one computes tables
+  for ([[maybe_unused]] auto _ : state) look();
+  benchmark::DoNotOptimize(sum);
 }
 
-BENCHMARK(singleLandmark)->Name("speed.localization.singlelandmark")->Apply(inMicroseconds);
-BENCHMARK(fusion)->Name("speed.localization.fusion.30")->Apply(inMicroseconds);
-BENCHMARK_CAPTURE(monteCarlo, few, 30)
-    ->Name("speed.localization.montecarlo.30")
-    ->Apply(inMicroseconds);
-BENCHMARK_CAPTURE(monteCarlo, some, 100)
-    ->Name("speed.localization.montecarlo.100")
-    ->Apply(inMicroseconds);
-BENCHMARK_CAPTURE(monteCarlo, many, 1000)
-    ->Name("speed.localization.montecarlo.1000")
-    ->Apply(inMicroseconds);
+template <typename Solution>
+void add(const std::string& name, const typename Solution::Parameters& parameters,
+         double atMost = 0, const std::vector<Moment>& moments = walk()) {
+  benchmark::RegisterBenchmark(("speed.localization." + name).c_str(),
+                               [=](benchmark::State& state) {
+                                 if (atMost > 0) aim(state, atMost);
+                                 locate<Solution>(state, moments, parameters);
+                               })
+      ->Apply(inMicroseconds);
+}
+
+bool addAll() {
+  add<SingleLandmarkSelfLocator>("singlelandmark", {});
+  add<KalmanSelfLocator>("kalman", {});
+  for (const int samples : {30, 100, 1000}) {
+    const std::string number = "." + std::to_string(samples);
+    FusionSelfLocator::Parameters fusion;
+    Fusion2003SelfLocator::Parameters fusion2003;
+    fusion.monteCarlo.samples = fusion2003.gt2003.samples = samples;
+    add<MonteCarloSelfLocator>("montecarlo" + number, {.samples = samples}, samples == 100 ? 4 : 0);
+    add<FusionSelfLocator>("fusion" + number, fusion);
+    add<LinesSelfLocator>("lines" + number, {.samples = samples});
+    add<GT2003SelfLocator>("gt2003" + number, {.samples = samples});
+    add<Fusion2003SelfLocator>("fusion2003" + number, fusion2003);
+  }
+  // As many as other particle filters are measured with, and how cost grows with percepts.
+  for (const int samples : {30, 100, 1000})
+    add<MonteCarloSelfLocator>("montecarlo.twoFlags." + std::to_string(samples),
+                               {.samples = samples}, 0, walkSeeing(2));
+  for (const int flags : {1, 4, 6})
+    add<MonteCarloSelfLocator>("montecarlo.flags" + std::to_string(flags) + ".100",
+                               {.samples = 100}, 0, walkSeeing(flags));
+  for (const int points : {1, 5, 20}) {
+    LinesSelfLocator::Parameters parameters;
+    parameters.edges.points = points;
+    add<LinesSelfLocator>("lines.points" + std::to_string(points) + ".100", parameters);
+  }
+  return true;
+}
+
+[[maybe_unused]] const bool added = addAll();
 
 }  // namespace
 }  // namespace gt

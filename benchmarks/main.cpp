@@ -18,8 +18,10 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   std::string only;
-  app.add_option("--only", only, "Measures but one part: matches, logs, streams, parts or programs")
-      ->check(CLI::IsMember({"matches", "logs", "streams", "parts", "programs"}));
+  app.add_option("--only", only,
+                 "Measures but one part: matches, logs, streams, parts, of these localization, or "
+                 "programs")
+      ->check(CLI::IsMember({"matches", "logs", "streams", "parts", "localization", "programs"}));
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {
     app.parse(argc, argv);
@@ -34,7 +36,7 @@ int main(int argc, char** argv) {
       {"logs", [&] { return gt::measureLogSpeed(figures); }},
       {"programs", [&] { return gt::measureRobotPrograms(figures); }},
       {"streams", [&] { return gt::measureStreams(figures), gt::Result<void>{}; }},
-      {"parts", [&] { return gt::measureParts(figures), gt::Result<void>{}; }}};
+      {"parts", [&] { gt::measureParts(figures, "all"), gt::Result<void>{}; }}};
   for (const auto& [part, measure] : parts) {
     if (!only.empty() && only != part) continue;
     if (const auto done = measure(); !done) {
@@ -42,6 +44,7 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
+  if (only == "localization") gt::measureParts(figures, "^speed\\.localization");
   figures.print();
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path{json}.parent_path(), ignored);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "framework/Module.h"
@@ -117,9 +118,9 @@ BENCHMARK(moduleCall)->Name("speed.framework.call")->Apply(inNanoseconds);
 
 }  // namespace
 
-void measureParts(Figures& figures) {
+void measureParts(Figures& figures, const std::string& only) {
   FigureReporter reporter{figures};
-  benchmark::RunSpecifiedBenchmarks(&reporter);
+  benchmark::RunSpecifiedBenchmarks(&reporter, only);
   // Each with the bare means of those that do the same (processes.cpp).
   const std::string process = "speed.process.";
   for (const auto& [figure, bare, aim] : {std::tuple{"cycle", "zeromq.bare", 1.2},
