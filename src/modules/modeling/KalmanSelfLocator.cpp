@@ -228,8 +228,8 @@ void KalmanSelfLocator::add(const Pose2D& pose, double behind) {
 /// The best one first; those that have become like a better one, or hopeless, go.
 void KalmanSelfLocator::sortOut(const FieldDimensions& field) {
   if (hypotheses_.empty()) return;
-  std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
-                   [](const Hypothesis& a, const Hypothesis& b) { return a.weight > b.weight; });
+  std::sort(hypotheses_.begin(), hypotheses_.end(),
+            [](const Hypothesis& a, const Hypothesis& b) { return a.weight > b.weight; });
   const double best = hypotheses_.front().weight;
   std::size_t kept = 0;
   for (Hypothesis& h : hypotheses_) {

@@ -24,6 +24,12 @@ TEST(PoseHypothesis, WeighsByVariances) {
   EXPECT_NEAR(hypothesis.pose().translation.x(), 15, 1e-9);
 }
 
+TEST(PoseHypothesis, WhatIsNoNumberIsNotBelieved) {
+  PoseHypothesis hypothesis{{0, 0, 0}, 20, 0.1};
+  EXPECT_EQ(hypothesis.correct({std::nan(""), {1, 0, 0}, 400}, 3), 0);
+  EXPECT_EQ(hypothesis.pose().translation, (Vector2d{0, 0}));
+}
+
 TEST(PoseHypothesis, AnUnknownRotationMakesAWalkUncertainSideways) {
   PoseHypothesis hypothesis{{pi / 2, 0, 0}, 10, 0.1};
   hypothesis.move({0, 1000, 0}, {0, 0, 0});

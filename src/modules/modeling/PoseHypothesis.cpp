@@ -27,6 +27,7 @@ double PoseHypothesis::correct(const ScalarMeasurement& m, double gate) {
   const double variance = m.slope.dot(spread) + m.variance;
   const double squared = m.innovation * m.innovation / variance;
   const double likelihood = std::sqrt(m.variance / variance) * std::exp(-squared / 2);
+  if (!std::isfinite(squared)) return 0;
   if (squared > gate * gate) return likelihood;
   const Vector3d gain = spread / variance;
   pose_.translation += (gain * m.innovation).head<2>();
