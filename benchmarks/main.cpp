@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
       {"logs", [&] { return gt::measureLogSpeed(figures); }},
       {"programs", [&] { return gt::measureRobotPrograms(figures); }},
       {"streams", [&] { return gt::measureStreams(figures), gt::Result<void>{}; }},
-      {"parts", [&] { gt::measureParts(figures, "all"), gt::Result<void>{}; }}};
+      {"parts", [&] { return gt::measureParts(figures, "all"), gt::Result<void>{}; }}};
   for (const auto& [part, measure] : parts) {
     if (!only.empty() && only != part) continue;
     if (const auto done = measure(); !done) {

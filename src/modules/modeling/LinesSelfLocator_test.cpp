@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "base/TestAllocations.h"
 #include "modules/modeling/Fusion2003SelfLocator.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
+#include "modules/modeling/testing/Locators.h"
 
 namespace gt {
 namespace {
@@ -193,6 +195,21 @@ TEST(Fusion2003SelfLocator, NeedsFewSamples) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
     errors.push_back(mean(walk<Fusion2003SelfLocator>(seed, true).errors));
   EXPECT_LT(mean(errors), 90);
+}
+
+TEST(SelfLocators, AllocateNothing) {
+  for (const LocatorKind& kind : locatorKinds()) {
+    const auto locator = kind.make(1);
+    SyntheticRobot robot{1};
+    long sum = 0;
+    for (int i = 0; i < 1000; ++i) {
+      robot.step();
+      const long before = allocations();
+      (*locator)(seenBy(robot));
+      if (i >= 500) sum += allocations() - before;
+    }
+    EXPECT_EQ(sum, 0) << kind.name;
+  }
 }
 
 }  // namespace

@@ -138,9 +138,9 @@ void SampleSet::move(const Pose2D& step, const MotionModel& model, bool search,
 }
 
 void SampleSet::multiplyEvidence() {
-  std::fill(probability.begin(), probability.end(), 1.f);
-  for (const Evidence kind : kinds_) {
-    const std::vector<float>& factor = evidence[kind];
+  probability = evidence[kinds_.front()];
+  for (std::size_t k = 1; k < kinds_.size(); ++k) {
+    const std::vector<float>& factor = evidence[kinds_[k]];
     for (std::size_t i = 0; i < size(); ++i) probability[i] *= factor[i];
   }
 }

@@ -65,7 +65,7 @@ Pose2D randomPose(const FieldDimensions& field, Random& random);
 /// instead of a rotation its cosine and sine, so that none has to be computed.
 class SampleSet {
  public:
-  /// Samples with a filtered probability for each of these.
+  /// Samples with a filtered probability for each of these, at least one.
   explicit SampleSet(std::initializer_list<Evidence> kinds) : kinds_{kinds} {}
 
   /// So many samples; new ones stand anywhere on the field. Allocates if the number changes.
