@@ -154,6 +154,18 @@ TEST(ProbabilisticBallLocator, WrongPerceptsAreNoBallUntilTheyAgree) {
   EXPECT_LT(scene.error(), 10);
 }
 
+TEST(ProbabilisticBallLocator, FindsABallAgainThatLayElsewhereForLong) {
+  for (const int pictures : {10, 100, 1000}) {
+    Scene<ProbabilisticBallLocator> scene;
+    scene.ball = {2500, 400};
+    for (int i = 0; i < 25; ++i) scene.step();
+    for (int i = 0; i < pictures; ++i) scene.step({0.02, 6, 2}, {0, 0}, false);
+    scene.ball = scene.odometry.pose * Vector2d{600, -300};
+    for (int i = 0; i < 4; ++i) scene.step();
+    EXPECT_LT(scene.error(), 20) << pictures;
+  }
+}
+
 TEST(ProbabilisticBallLocator, ABallThatShouldBeSeenAndIsNotGivesWay) {
   const auto steps = [](bool looksThere) {
     Scene<ProbabilisticBallLocator> scene;

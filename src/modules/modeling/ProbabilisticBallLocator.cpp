@@ -73,7 +73,9 @@ void ProbabilisticBallLocator::predict(const Pose2D& step, double seconds) {
     h.covariance = transition * h.covariance * transition.transpose();
     const double drift = walked + turned * h.position().norm();
     h.covariance.diagonal().head<2>().array() += drift * drift;
-    h.covariance.diagonal().tail<2>().array() += parameters.push * parameters.push * seconds;
+    // However long a ball is not seen: it rolls no faster than a ball that was just kicked.
+    if (h.covariance.diagonal().tail<2>().maxCoeff() < parameters.newSpeed * parameters.newSpeed)
+      h.covariance.diagonal().tail<2>().array() += parameters.push * parameters.push * seconds;
   }
 }
 
@@ -105,6 +107,7 @@ void ProbabilisticBallLocator::addKicked(double seconds) {
 // Each hypothesis becomes more probable by how well the percept fits, or the percept was a wrong
 // one, which says nothing. The ball may also have been moved to where it is seen now.
 void ProbabilisticBallLocator::observe(const BallPercept& percept, double seconds) {
+  if (count_ > 0 && percept.time - best().lastSeen > parameters.forgetAfter) count_ = 0;
   addKicked(seconds);
   const Eigen::Matrix2d noise = noiseOf(percept.offset);
   for (int i = 0; i < count_; ++i) {
@@ -164,10 +167,15 @@ void ProbabilisticBallLocator::tidy() {
   const auto begin = hypotheses_.begin();
   std::sort(begin, begin + count_,
             [](const Hypothesis& a, const Hypothesis& b) { return a.weight > b.weight; });
+  // One that could be anywhere does not swallow one that knows its place.
   const auto isSame = [](const Hypothesis& a, const Hypothesis& b) {
-    const Covariance sum = a.covariance + b.covariance;
-    const State difference = a.state - b.state;
-    return difference.dot(sum.inverse() * difference) < 1;
+    const Hypothesis& surer =
+        a.covariance(0, 0) + a.covariance(1, 1) < b.covariance(0, 0) + b.covariance(1, 1) ? a : b;
+    const Eigen::Matrix2d place = surer.covariance.topLeftCorner<2, 2>();
+    const Eigen::Matrix2d speeds = (a.covariance + b.covariance).bottomRightCorner<2, 2>();
+    const Vector2d apart = a.position() - b.position();
+    const Vector2d faster = a.state.tail<2>() - b.state.tail<2>();
+    return apart.dot(place.inverse() * apart) < 1 && faster.dot(speeds.inverse() * faster) < 1;
   };
   constexpr double least = 1e-6;
   int kept = 0;

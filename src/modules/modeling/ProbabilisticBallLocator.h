@@ -34,6 +34,7 @@ class ProbabilisticBallLocator {
     double newDensity = 4e-9;
     double missed = 0.85;
     double missedRange = 1500;
+    std::int64_t forgetAfter = 5000;
     std::int64_t longestGap = 240;
 
     static constexpr auto fields() {
@@ -65,6 +66,8 @@ class ProbabilisticBallLocator {
                 {0, 1}),
           field("missedRange", &P::missedRange, "mm", "within which a ball should be seen",
                 {0, 10000}),
+          field("forgetAfter", &P::forgetAfter, "ms",
+                "without the ball, after which the next percept is believed at once", {0, 1000000}),
           field("longestGap", &P::longestGap, "ms",
                 "without the ball that does not end the consecutive time seen", {0, 10000})};
     }
