@@ -13,12 +13,12 @@ namespace {
 /// Contacts of 22 robots that lie upon each other cost some fifty times as much as kinematics.
 constexpr double kinematicMinutes = 30, dynamicMinutes = 3;
 
-/// The memory that this program has in use (MiB).
+/// The memory that this program has in use (MiB), without what the system may drop at any time.
 double memoryInUse() {
   std::ifstream file{"/proc/self/statm"};
-  double total = 0, resident = 0;
-  file >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+  double total = 0, resident = 0, ofFiles = 0;
+  file >> total >> resident >> ofFiles;
+  return (resident - ofFiles) * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
 Result<void> soak(Figures& figures, Fidelity fidelity, std::uint64_t seed) {

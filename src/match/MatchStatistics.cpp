@@ -12,6 +12,20 @@ namespace {
 /// A robot that is further from where it believes to be does not know where it is.
 constexpr double lostDistance = 1000;  // mm
 
+/// Whether a special action is there to play the ball.
+bool isKick(SpecialAction action) {
+  switch (action) {
+    case SpecialAction::none:
+    case SpecialAction::stand:
+    case SpecialAction::getup:
+    case SpecialAction::sit:
+    case SpecialAction::scratchHead:
+      return false;
+    default:
+      return true;
+  }
+}
+
 }  // namespace
 
 ErrorStatistics statisticsOf(const std::vector<double>& errors) {
@@ -70,9 +84,7 @@ void MatchStatistics::countActions(std::size_t robot) {
     const SpecialAction action = motion->executed.type == MotionType::specialAction
                                      ? motion->executed.specialAction
                                      : SpecialAction::none;
-    const bool kick = action != SpecialAction::none && action != SpecialAction::stand &&
-                      action != SpecialAction::getup;
-    if (kick && action != record.lastAction) ++record.kicks[action];
+    if (isKick(action) && action != record.lastAction) ++record.kicks[action];
     record.lastAction = action;
   }
   if (const RobotState* state = robots_[robot]->state()) {

@@ -89,6 +89,7 @@ struct Window {
 const double toLeft = pi / 2, toRight = -pi / 2;
 const std::vector<Window> windows{
     {SpecialAction::chestKick, 0, 0.9, 350, {110, -40}, {200, 40}},
+    {SpecialAction::unswBashOptimized, 0, 0.9, 350, {120, -40}, {200, 40}},
     {SpecialAction::armKickLeft, toLeft, 0.8, 350, {130, -15}, {160, 30}},
     {SpecialAction::armKickRight, toRight, 0.8, 350, {130, -30}, {160, 15}},
     {SpecialAction::headLeft, toLeft, 0.9, 250, {140, 0}, {160, 40}},

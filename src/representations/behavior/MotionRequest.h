@@ -18,7 +18,10 @@ enum class SpecialAction {
   armKickRight,
   headLeft,
   headRight,
-  getup
+  getup,
+  unswBashOptimized,
+  sit,
+  scratchHead
 };
 
 /// What the tail does meanwhile (report I.5.3: tr).
