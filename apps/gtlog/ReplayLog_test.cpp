@@ -63,7 +63,7 @@ TEST_F(ReplayLog, SwitchesSolutions) {
     return false;
   };
   EXPECT_TRUE(differs("/LandmarksPercept"));
-  EXPECT_FALSE(differs("/CameraMatrix"));
+  EXPECT_FALSE(differs("/GameControlData"));
   options.solutions = {{"ImageProcessor", "NoSuchSolution", "", 0}};
   EXPECT_THAT(replayLog(options, path("blind.mcap")).error().text(), HasSubstr("NoSuchSolution"));
 }

@@ -188,11 +188,11 @@ std::vector<WrongFile> wrongFiles() {
       {"CheckedBehaviorGarbage", agents, garbage(), checkBehavior, agents + ": error: "},
 
       {"MotionMissing", "motions/stand.mof", missing, play, "simgt: motions/"},
-      {"MotionTruncated", mof, truncated(150), play, "simgt: " + mof + ": label start: "},
+      {"MotionTruncated", mof, truncated(192), play, "simgt: " + mof + ": label start: "},
       {"MotionGarbage", mof, garbage(), play, "simgt: " + mof + ":1: "},
       {"MotionWrongName", "motions/extern.mof", replaced("getup", "getupp"), play,
        "simgt: motions/extern.mof:"},
-      {"CheckedMotionTruncated", mof, truncated(150), checkMotions, mof + ": label start: "},
+      {"CheckedMotionTruncated", mof, truncated(192), checkMotions, mof + ": label start: "},
       {"CheckedMotionWrongName", mof, replaced("label start", "label begin"), checkMotions,
        mof + ": label start: "},
 
