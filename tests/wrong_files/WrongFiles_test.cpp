@@ -188,11 +188,11 @@ std::vector<WrongFile> wrongFiles() {
       {"CheckedBehaviorGarbage", agents, garbage(), checkBehavior, agents + ": error: "},
 
       {"MotionMissing", "motions/stand.mof", missing, play, "simgt: motions/"},
-      {"MotionTruncated", mof, truncated(192), play, "simgt: " + mof + ": label start: "},
+      {"MotionTruncated", mof, truncated(184), play, "simgt: " + mof + ": label start: "},
       {"MotionGarbage", mof, garbage(), play, "simgt: " + mof + ":1: "},
       {"MotionWrongName", "motions/extern.mof", replaced("getup", "getupp"), play,
        "simgt: motions/extern.mof:"},
-      {"CheckedMotionTruncated", mof, truncated(192), checkMotions, mof + ": label start: "},
+      {"CheckedMotionTruncated", mof, truncated(184), checkMotions, mof + ": label start: "},
       {"CheckedMotionWrongName", mof, replaced("label start", "label begin"), checkMotions,
        mof + ": label start: "},
 
@@ -227,7 +227,7 @@ std::vector<WrongFile> wrongFiles() {
       {"LabelsTruncated", "labels.csv", truncated(36), see, "replay: labels.csv:2: x: "},
 
       {"FieldWrongName", "config/nao2009/field.cfg", replaced("ballRadius", "ballRadus"), see,
-       "replay: config/nao2009/field.cfg:11: ballRadus: "},
+       "replay: config/nao2009/field.cfg:16: ballRadus: "},
       {"FieldGarbage", "config/nao2009/field.cfg", garbage(), see,
        "replay: config/nao2009/field.cfg:1: "},
       {"FieldTruncated", "config/nao2009/field.cfg", truncatedAfter("xPenalty"), see,
