@@ -3,9 +3,9 @@
 #include <string>
 
 #include "match/MatchRobot.h"
+#include "network/RobotAddresses.h"
 #include "network/Wire.h"
 #include "robot/Robot.h"
-#include "network/RobotAddresses.h"
 
 namespace gt {
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "network/Keys.h"
-#include "robot/Processes.h"
 #include "network/RobotAddresses.h"
+#include "robot/Processes.h"
 
 namespace gt {
 
