@@ -2,12 +2,9 @@
 
 #include <algorithm>
 
+#include "modules/modeling/BallDrawing.h"
+
 namespace gt {
-namespace {
-
-const DebugKey drawBall{"BallLocator/ball"};
-
-}  // namespace
 
 void BallChallengeBallLocator::Average::add(const Vector2d& value) {
   std::rotate(values_.begin(), values_.end() - 1, values_.end());
@@ -69,10 +66,7 @@ void BallChallengeBallLocator::update(const BallPercept& percept, const Odometry
   model.lastSeen = lastSeen_;
   model.consecutiveTimeSeen =
       frame.time - lastSeen_ > parameters.longestGap ? 0 : lastSeen_ - seenSince_;
-  if (auto canvas = debug.onRobot(drawBall)) {
-    canvas.circle(position_, 43, colors::orange);
-    canvas.arrow(position_, position_ + speed_, colors::orange);
-  }
+  draw(model, debug);
 }
 
 }  // namespace gt

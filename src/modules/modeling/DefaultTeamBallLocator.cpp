@@ -1,11 +1,8 @@
 #include "modules/modeling/DefaultTeamBallLocator.h"
 
+#include "modules/modeling/BallDrawing.h"
+
 namespace gt {
-namespace {
-
-const DebugKey drawTeamBall{"TeamBallLocator/ball"};
-
-}  // namespace
 
 void DefaultTeamBallLocator::update(const BallModel& ball, const RobotPose& robotPose,
                                     const TeamMessages& messages, const FrameInfo& frame,
@@ -33,8 +30,7 @@ void DefaultTeamBallLocator::update(const BallModel& ball, const RobotPose& robo
     }
   }
   if (teamBall.seenBy == 0) return;
-  if (auto canvas = debug.onField(drawTeamBall))
-    canvas.circle(teamBall.position, 43, colors::orange);
+  draw(teamBall, debug);
 }
 
 }  // namespace gt

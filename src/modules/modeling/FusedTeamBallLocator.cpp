@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/modeling/BallDrawing.h"
+
 namespace gt {
 namespace {
 
-const DebugKey drawTeamBall{"TeamBallLocator/ball"};
 const DebugKey drawOpinions{"TeamBallLocator/opinions"};
 
 double squared(double x) {
@@ -40,10 +41,7 @@ void FusedTeamBallLocator::update(const BallModel& ball, const RobotPose& robotP
   }
   teamBall = {sum / weights, frame.time - age, surest->player, std::sqrt(1 / weights)};
 
-  if (auto canvas = debug.onField(drawTeamBall)) {
-    canvas.circle(teamBall.position, 43, colors::orange);
-    canvas.circle(teamBall.position, teamBall.deviation, colors::orange);
-  }
+  draw(teamBall, debug);
   if (auto canvas = debug.onField(drawOpinions))
     for (std::size_t i = 0; i < count_; ++i) {
       const Opinion& o = opinions_[i];

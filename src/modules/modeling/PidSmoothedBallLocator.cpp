@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/modeling/BallDrawing.h"
+
 namespace gt {
-namespace {
-
-const DebugKey drawBall{"BallLocator/ball"};
-
-}  // namespace
 
 void PidSmoothedBallLocator::update(const BallPercept& percept, const OdometryData& odometry,
                                     const FrameInfo& frame, BallModel& model, Debug& debug) {
@@ -40,10 +37,7 @@ void PidSmoothedBallLocator::update(const BallPercept& percept, const OdometryDa
   model.lastSeen = lastSeen_;
   model.consecutiveTimeSeen =
       frame.time - lastSeen_ > parameters.longestGap ? 0 : lastSeen_ - seenSince_;
-  if (auto canvas = debug.onRobot(drawBall)) {
-    canvas.circle(position_, 43, colors::orange);
-    canvas.arrow(position_, position_ + speed_, colors::orange);
-  }
+  draw(model, debug);
 }
 
 void PidSmoothedBallLocator::predict(const Pose2D& step, double seconds, bool seen) {

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/modeling/BallDrawing.h"
+
 namespace gt {
 namespace {
 
-const DebugKey drawBall{"BallLocator/ball"};
 const DebugKey drawHypotheses{"BallLocator/hypotheses"};
 
 }  // namespace
@@ -38,10 +39,7 @@ void ProbabilisticBallLocator::update(const BallPercept& percept, const CameraMa
   model.consecutiveTimeSeen =
       frame.time - ball.lastSeen > parameters.longestGap ? 0 : ball.lastSeen - ball.seenSince;
   model.deviation = std::sqrt(ball.covariance.topLeftCorner<2, 2>().trace() / 2);
-  if (auto canvas = debug.onRobot(drawBall)) {
-    canvas.circle(model.position, 43, colors::orange);
-    canvas.arrow(model.position, model.position + model.speed, colors::orange);
-  }
+  draw(model, debug);
   if (auto canvas = debug.onRobot(drawHypotheses))
     for (int i = 0; i < count_; ++i) {
       const Hypothesis& h = hypotheses_[static_cast<std::size_t>(i)];

@@ -96,7 +96,7 @@ struct GoalPercept {
   static constexpr auto fields() {
     return Fields{field("color", &GoalPercept::color), field("boundary", &GoalPercept::boundary),
                   field("distance", &GoalPercept::distance, "mm",
-                        "robot's origin to the goal's middle; 0 if not known"),
+                        "robot's origin to the middle between the goal's posts; 0 if not known"),
                   field("angle", &GoalPercept::angle, "rad",
                         "from the robot's origin to the middle of what is seen")};
   }
