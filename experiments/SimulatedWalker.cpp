@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "modules/motion/InvKinWalkingEngine.h"
-#include "modules/perception/ColorTableFile.h"
+#include "colors/ColorTableFile.h"
 #include "modules/perception/DefaultSensorDataProcessor.h"
 #include "modules/perception/GT2003ImageProcessor.h"
 #include "streams/Config.h"

@@ -3,7 +3,7 @@
 #include "Experiments.h"
 #include "InParallel.h"
 #include "VisionMeasures.h"
-#include "modules/perception/ColorTableFile.h"
+#include "colors/ColorTableFile.h"
 #include "modules/perception/DefaultSensorDataProcessor.h"
 #include "modules/perception/GT2003ImageProcessor.h"
 

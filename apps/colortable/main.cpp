@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "colortable/GameViews.h"
-#include "modules/perception/ColorTableFile.h"
+#include "colors/ColorTableFile.h"
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "colors/Rgb.h"
 #include "painting/DrawingPainter.h"
 
 namespace gt {
@@ -12,14 +13,11 @@ namespace {
 
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-/// Full-range YCbCr (JFIF) as Cairo's RGB24.
-std::uint32_t rgbOf(const Pixel& pixel) {
-  const double cb = pixel.cb - 128.0, cr = pixel.cr - 128.0;
-  const auto byte = [](double value) {
-    return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-  };
-  return byte(pixel.y + 1.402 * cr) << 16 | byte(pixel.y - 0.344136 * cb - 0.714136 * cr) << 8 |
-         byte(pixel.y + 1.772 * cb);
+/// A colour as Cairo's RGB24.
+std::uint32_t rgb24(const Pixel& pixel) {
+  const Rgb color = rgbOf(pixel);
+  const auto byte = [](double value) { return static_cast<std::uint32_t>(std::lround(value)); };
+  return byte(color.red) << 16 | byte(color.green) << 8 | byte(color.blue);
 }
 
 }  // namespace
@@ -36,7 +34,7 @@ PicturePainter::PicturePainter(const Image& image, int scale)
   for (int y = 0; y < high; ++y)
     for (int x = 0; x < wide; ++x) {
       const std::size_t from = static_cast<std::size_t>(y / factor) * (wide / factor) + x / factor;
-      if (from < image.pixels.size()) to[y * stride + x] = rgbOf(image.pixels[from]);
+      if (from < image.pixels.size()) to[y * stride + x] = rgb24(image.pixels[from]);
     }
   cairo_surface_mark_dirty(surface_.get());
 }

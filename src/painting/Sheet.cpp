@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "colors/Rgb.h"
 #include "streams/File.h"
 #include "streams/Jpeg.h"
 
@@ -39,17 +40,13 @@ cairo_status_t append(void* text, const unsigned char* data, unsigned int length
 RgbPicture rgbOf(const Image& image) {
   RgbPicture picture{
       std::clamp(image.info.width, 0, largest), std::clamp(image.info.height, 0, largest), {}};
-  const auto byte = [](double value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-  };
+  const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(value)); };
   const auto count =
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   for (std::size_t i = 0; i < count; ++i) {
-    const Pixel pixel = i < image.pixels.size() ? image.pixels[i] : Pixel{};
-    const double cb = pixel.cb - 128.0, cr = pixel.cr - 128.0;
-    picture.pixels.push_back(byte(pixel.y + 1.402 * cr));
-    picture.pixels.push_back(byte(pixel.y - 0.344136 * cb - 0.714136 * cr));
-    picture.pixels.push_back(byte(pixel.y + 1.772 * cb));
+    const Rgb color = rgbOf(i < image.pixels.size() ? image.pixels[i] : Pixel{});
+    for (const double part : {color.red, color.green, color.blue})
+      picture.pixels.push_back(byte(part));
   }
   return picture;
 }

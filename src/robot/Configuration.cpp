@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "modules/behavior/GT2003BehaviorControl.h"
-#include "modules/perception/ColorTableFile.h"
 #include "robot/Processes.h"
 #include "streams/Config.h"
 #include "streams/File.h"
@@ -220,6 +219,14 @@ void readMotions(const std::string& folder, MotionNet& motions, Errors& errors) 
     errors.push_back(net.error());
 }
 
+void readTsl(const std::string& file, TslColors& colors, Errors& errors) {
+  auto read = readTslColors(file);
+  if (read)
+    colors = std::move(*read);
+  else
+    errors.push_back(read.error());
+}
+
 Result<ConfigFolder> openFolder(const ConfigurationPaths& paths) {
   if (paths.location.empty()) return ConfigFolder::open(paths.config);
   return ConfigFolder{paths.config, paths.location};
@@ -248,6 +255,9 @@ std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const Solut
     c.colorTable = std::make_shared<ColorTable64>(std::move(*colorTable));
   else
     errors.push_back(colorTable.error());
+  c.tslColors = std::make_shared<TslColors>();
+  if (const std::string file = folder->path("coltable.tsl"); fs::exists(file))
+    readTsl(file, *c.tslColors, errors);
   readMotions(paths.motions, *c.motions, errors);
   c.behavior = readBehavior({paths.behavior, {}}, errors);
   readSolutions(table, folder->path("modules.cfg"), c.solutions, errors);
@@ -291,6 +301,7 @@ void Configuration::share(Blackboard& blackboard, const std::string& address) co
   blackboard.share(field);
   blackboard.share(robot);
   blackboard.share(colorTable);
+  blackboard.share(tslColors);
   blackboard.share(motions);
   blackboard.get<Behavior>() = behavior;
   blackboard.get<RobotCalibration>() = calibration.of(address);
@@ -298,8 +309,9 @@ void Configuration::share(Blackboard& blackboard, const std::string& address) co
 
 std::vector<const RepresentationType*> Configuration::representations() {
   return {&representation<FieldDimensions>(), &representation<RobotDimensions>(),
-          &representation<ColorTable64>(),    &representation<MotionNet>(),
-          &representation<Behavior>(),        &representation<RobotCalibration>()};
+          &representation<ColorTable64>(),    &representation<TslColors>(),
+          &representation<MotionNet>(),       &representation<Behavior>(),
+          &representation<RobotCalibration>()};
 }
 
 Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths,

@@ -3,12 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "colors/ColorTableFile.h"
+#include "colors/TslColors.h"
 #include "framework/Blackboard.h"
 #include "framework/SolutionTable.h"
 #include "modules/behavior/Behavior.h"
 #include "modules/behavior/BehaviorRequest.h"
 #include "modules/motion/MotionNetLoader.h"
-#include "modules/perception/ColorTableFile.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/Player.h"
@@ -28,6 +29,7 @@ namespace gt {
 ///     robot.cfg                  RobotCalibration of each robot by hardware address (B.4.5)
 ///     camera.cfg                 CameraSettings, for each robot if wanted (B.4.3)
 ///     coltable.c64               ColorTable64 (report B.4.2)
+///     coltable.tsl               TslColors (report J.6.3)
 ///     modules.cfg                the solution of each task
 ///     modules/TASK.SOLUTION.cfg  the parameters of that solution
 ///     log.cfg                    what is recorded
@@ -55,6 +57,7 @@ struct Configuration {
   PerRobot<RobotCalibration> calibration;
   PerRobot<CameraSettings> camera;
   std::shared_ptr<ColorTable64> colorTable;
+  std::shared_ptr<TslColors> tslColors;
   std::shared_ptr<MotionNet> motions;
   Behavior behavior;  ///< Each robot has its own: it may be edited while it runs.
   std::vector<SolutionChoice> solutions;

@@ -189,6 +189,18 @@ TEST_F(ConfigurationTest, RobotsAreCalibratedByTheirAddresses) {
   EXPECT_EQ(blackboard.get<RobotCalibration>().bodyTiltOffset, 0.06);
 }
 
+TEST_F(ConfigurationTest, ColorsByThresholds) {
+  write("config/coltable.tsl",
+        "[orange]\npriority 1\ntint 110 140\nsaturation 60 255\nluminance 40 200\n");
+  Blackboard blackboard;
+  (*loadConfiguration(paths))->share(blackboard, "");
+  const TslColors& colors = blackboard.get<TslColors>();
+  EXPECT_EQ(colors.classOf({120, 100, 100}), ColorClass::orange);
+  EXPECT_EQ(colors.classOf({10, 100, 100}), ColorClass::noColor);
+  write("config/coltable.tsl", "[orange]\ntint 110 256\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/coltable.tsl:2: orange.tint: "));
+}
+
 TEST_F(ConfigurationTest, WrongRobots) {
   write("config/robot.cfg", "[00022D1F626B]\nbodyTiltOffset 0.06\n[red1]\n");
   EXPECT_THAT(error(), ::testing::StartsWith("config/robot.cfg:3: red1: "));

@@ -1,5 +1,5 @@
 #include "Fuzz.h"
-#include "modules/perception/ColorTableFile.h"
+#include "colors/ColorTableFile.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   (void)!gt::parseColorTable(gt::textOf(data, size), "fuzz");

@@ -1,4 +1,4 @@
-#include "modules/perception/ColorTableFile.h"
+#include "colors/ColorTableFile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
