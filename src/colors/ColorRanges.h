@@ -28,6 +28,11 @@ constexpr bool inCircularRange(const ColorRange& range, int value) {
 /// The shortest range on a circle of `size` values that holds a range and a value.
 ColorRange withValue(const ColorRange& range, int value, int size);
 
+/// How many values lie in a range on a circle of `size` values.
+constexpr int circularWidth(const ColorRange& range, int size) {
+  return ((range[1] - range[0]) % size + size) % size + 1;
+}
+
 /// A range of a file under its name, for checks and for writing.
 struct NamedRange {
   const char* name;

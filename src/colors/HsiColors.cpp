@@ -17,11 +17,6 @@ std::array<NamedRange, 3> named(const HsiRange& range) {
            {"intensity", range.intensity, 100}}};
 }
 
-/// How many values lie in a range of hues.
-int widthOf(const ColorRange& hue) {
-  return (hue[0] <= hue[1] ? std::min(hue[1], circle - 1) - hue[0] : hue[1] + circle - hue[0]) + 1;
-}
-
 /// A range cut at one of its ends so that a value lies outside, and what share of it that takes.
 struct Cut {
   ColorRange range;
@@ -36,7 +31,7 @@ Cut without(const ColorRange& range, int value) {
 }
 
 Cut withoutHue(const ColorRange& range, int hue) {
-  const double width = widthOf(range);
+  const double width = range == ColorRange{0, circle} ? circle : circularWidth(range, circle);
   const int below = ((hue - range[0]) % circle + circle) % circle + 1;
   const int above = ((range[1] - hue) % circle + circle) % circle + 1;
   if (width >= circle || std::min(below, above) >= width) return {{}, 1};  // no end, nothing left

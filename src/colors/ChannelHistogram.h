@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "colors/ColorRanges.h"
+
+namespace gt {
+
+/// How often each value of one channel was seen, and which thresholds follow from it.
+class ChannelHistogram {
+ public:
+  /// A channel of the values 0 to size - 1, which may lie on a circle.
+  explicit ChannelHistogram(int size, bool circular = false)
+      : counts_(static_cast<std::size_t>(size)), circular_(circular) {}
+
+  void add(int value, std::uint64_t times = 1) {
+    counts_[static_cast<std::size_t>(value)] += times;
+    total_ += times;
+  }
+  const std::vector<std::uint64_t>& counts() const { return counts_; }
+  std::uint64_t total() const { return total_; }
+
+  /// The narrowest range that holds at least a share of what was seen (above 0, up to 1); of
+  /// equally narrow ones that which holds most. If nothing was seen, nothing lies in it.
+  ColorRange narrowest(double share) const;
+
+ private:
+  std::vector<std::uint64_t> counts_;
+  bool circular_;
+  std::uint64_t total_ = 0;
+};
+
+}  // namespace gt

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "representations/perception/ColorTable64.h"
+
+namespace gt {
+
+/// How often colours of one class are taken for which other one: a confusion matrix.
+class ColorConfusion {
+ public:
+  void add(ColorClass truth, ColorClass said, std::uint64_t times = 1) {
+    counts_[truth][said] += times;
+  }
+  std::uint64_t count(ColorClass truth, ColorClass said) const { return counts_[truth][said]; }
+
+  /// How many are of a class, and how many are said to be.
+  std::uint64_t are(ColorClass colorClass) const;
+  std::uint64_t said(ColorClass colorClass) const;
+  std::uint64_t total() const;
+
+  /// The share of what is said to be of a class that is; 1 if nothing is said to be.
+  double precision(ColorClass colorClass) const;
+  /// The share of what is of a class that is said to be; 1 if nothing is.
+  double recall(ColorClass colorClass) const;
+  /// The share of all that is said to be what it is.
+  double agreement() const;
+
+  /// As lines for people: a row for each class that there is, with its precision and recall.
+  std::string text(const std::string& rows, const std::string& columns) const;
+
+ private:
+  EnumArray<ColorClass, EnumArray<ColorClass, std::uint64_t>> counts_;
+};
+
+/// How two tables agree about all colours: the first one's classes are the truth.
+ColorConfusion compareTables(const ColorTable64& a, const ColorTable64& b);
+
+}  // namespace gt

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "colors/HsiColors.h"
+#include "colors/PictureRegion.h"
+#include "colors/TslColors.h"
+
+namespace gt {
+
+/// How often each colour was seen in each class, in pictures whose pixels' classes are known; from
+/// that come tables, HSI ranges and TSL thresholds.
+class ColorStatistics {
+ public:
+  ColorStatistics();
+
+  /// Counts a pixel.
+  void add(const Pixel& pixel, ColorClass colorClass) {
+    ++counts_[ColorTable64::index(pixel.y, pixel.cb, pixel.cr)][colorClass];
+  }
+  /// Counts the pixels of a picture whose four neighbours are of the same class: others are mixed
+  /// by blur. There is a class for each pixel.
+  void add(const Image& image, std::span<const ColorClass> classes);
+  /// Counts the pixels of a region.
+  void add(const Image& image, const LabelledRegion& label);
+
+  /// The class that most pixels of each colour have, if 70 % do and at least `leastPixels`. Colours
+  /// never seen take the class of their neighbours if these agree, in `growth` steps.
+  ColorTable64 table(int growth, std::uint32_t leastPixels = 2) const;
+
+  /// The narrowest ranges that hold a share of each class's pixels in each channel; those whose
+  /// pixels are of the class most often have priority. In HSI the order of classes is fixed.
+  TslColors tsl(double share) const;
+  HsiColors hsi(double share) const;
+
+ private:
+  using Counts = EnumArray<ColorClass, std::uint32_t>;
+
+  void grow(ColorTable64& table, std::uint32_t leastPixels) const;
+  void setPriorities(TslColors& colors) const;
+  /// Calls visit(rgb, counts) for the colours that were seen, by the middles of their cubes.
+  template <typename Visit>
+  void forEachColor(Visit visit) const;
+
+  std::vector<Counts> counts_;  ///< For each colour of a table.
+};
+
+}  // namespace gt

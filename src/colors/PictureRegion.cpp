@@ -1,0 +1,72 @@
+#include "colors/PictureRegion.h"
+
+#include <array>
+#include <charconv>
+
+#include "streams/File.h"
+
+namespace gt {
+namespace {
+
+constexpr std::string_view heading = "picture,class,left,top,right,bottom";
+constexpr std::array columns{"picture", "class", "left", "top", "right", "bottom"};
+
+/// The cells of a row; fewer or more than there should be are told by their number.
+std::vector<std::string_view> cellsOf(std::string_view row) {
+  std::vector<std::string_view> cells;
+  for (;;) {
+    const auto end = row.find(',');
+    cells.push_back(row.substr(0, end));
+    if (end == row.npos) return cells;
+    row.remove_prefix(end + 1);
+  }
+}
+
+Result<LabelledRegion> parseRow(std::string_view row, const std::string& file, int line) {
+  const std::vector<std::string_view> cells = cellsOf(row);
+  if (cells.size() != columns.size())
+    return Error{file, line, "", "expected " + std::string{heading}};
+  if (cells[0].empty()) return Error{file, line, columns[0], "is missing"};
+  const auto colorClass = enumValue<ColorClass>(cells[1]);
+  if (!colorClass)
+    return Error{file, line, columns[1], "there is no class '" + std::string{cells[1]} + "'"};
+  std::array<int, 4> corners{};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::string_view cell = cells[2 + i];
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), corners[i]);
+    if (error != std::errc{} || end != cell.data() + cell.size() || corners[i] < 0)
+      return Error{file, line, columns[2 + i],
+                   "expected a pixel's number instead of '" + std::string{cell} + "'"};
+  }
+  const auto [left, top, right, bottom] = corners;
+  if (left > right) return Error{file, line, "right", "lies left of left"};
+  if (top > bottom) return Error{file, line, "bottom", "lies above top"};
+  return LabelledRegion{std::string{cells[0]}, *colorClass, {left, top, right, bottom}};
+}
+
+}  // namespace
+
+Result<std::vector<LabelledRegion>> parseRegions(std::string_view text, const std::string& file) {
+  std::vector<LabelledRegion> regions;
+  for (int line = 1; !text.empty(); ++line) {
+    const auto end = std::min(text.find('\n'), text.size());
+    std::string_view row = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (row.ends_with('\r')) row.remove_suffix(1);
+    if (line == 1 && row != heading) break;
+    if (line == 1 || row.empty()) continue;
+    auto region = parseRow(row, file, line);
+    if (!region) return region.error();
+    regions.push_back(*std::move(region));
+  }
+  if (regions.empty())
+    return Error{file, 1, "", "expected a table of labels: " + std::string{heading}};
+  return regions;
+}
+
+Result<std::vector<LabelledRegion>> readRegions(const std::string& file) {
+  const auto text = readFile(file);
+  return text ? parseRegions(*text, file) : text.error();
+}
+
+}  // namespace gt

@@ -1,0 +1,38 @@
+#pragma once
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/Result.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/perception/ColorTable64.h"
+
+namespace gt {
+
+/// A rectangle of a picture: the pixels from its upper left to its lower right corner, both
+/// included.
+struct PictureRegion {
+  int left = 0, top = 0, right = 0, bottom = 0;
+
+  /// Calls visit(pixel) for all of a picture's pixels that lie inside.
+  template <typename Visit>
+  void forEachPixel(const Image& image, Visit visit) const {
+    for (int y = std::max(top, 0); y <= std::min(bottom, image.info.height - 1); ++y)
+      for (int x = std::max(left, 0); x <= std::min(right, image.info.width - 1); ++x)
+        visit(image.at(x, y));
+  }
+};
+
+/// What a person says of a picture: a rectangle that shows one colour class.
+struct LabelledRegion {
+  std::string picture;  ///< A file's name, or a log's picture by its number from 0.
+  ColorClass colorClass = ColorClass::noColor;
+  PictureRegion region;
+};
+
+/// Reads a table of labels with the columns picture, class, left, top, right, bottom.
+Result<std::vector<LabelledRegion>> parseRegions(std::string_view text, const std::string& file);
+Result<std::vector<LabelledRegion>> readRegions(const std::string& file);
+
+}  // namespace gt
