@@ -69,7 +69,7 @@ function errorData(length) {
   return [...lines, ...aimLines];
 }
 
-const logTicks = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
+const logTicks = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
 
 function errorOptions() {
   return {
@@ -89,7 +89,7 @@ function errorOptions() {
       },
       y: {
         type: 'logarithmic',
-        min: 10,
+        min: 1,
         suggestedMax: 1000,
         title: {display: true, text: 'error, mm'},
         afterBuildTicks: (axis) => {
