@@ -31,7 +31,7 @@ set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
 
 set(GT_SANITIZE "" CACHE STRING "Sanitizers to build with, as for -fsanitize=: address,undefined or thread")
 if(GT_SANITIZE)
-  add_compile_options(-fsanitize=${GT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_compile_options(-fsanitize=${GT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
   add_link_options(-fsanitize=${GT_SANITIZE})
   # The thread sanitizer knows no fences: ours order memory that another program reads, which it does not see either.
   add_compile_options($<$<AND:$<STREQUAL:${GT_SANITIZE},thread>,$<CXX_COMPILER_ID:GNU>>:-Wno-tsan>)
