@@ -373,8 +373,14 @@ TEST(RobotMemory, JoinsWhatIsDrawnAtOneTime) {
   take(16, {"sketch"});
   EXPECT_EQ(elements("sketch"), 1u);
   EXPECT_EQ(elements("other"), 1u);
-  ASSERT_EQ(memory.plots().at("thinking").size(), 3u);
-  EXPECT_EQ(memory.plots().at("thinking").back().value, 16);
+  memory.showDrawing("sketch", false);
+  take(24, {"sketch", "other"});
+  EXPECT_EQ(memory.drawings().size(), 1u);
+  memory.showDrawing("sketch", true);
+  take(32, {"sketch"});
+  EXPECT_EQ(elements("sketch"), 1u);
+  ASSERT_EQ(memory.plots().at("thinking").size(), 5u);
+  EXPECT_EQ(memory.plots().at("thinking").back().value, 32);
 }
 
 TEST(RobotMemory, TakesNoPictureThatIsNotWhole) {

@@ -107,12 +107,17 @@ Result<void> watch(ConsoleRobot& robot, const std::string& representation,
   return robot.send(WatchRequest{representation, "", often.mode, often.n});
 }
 
+Result<void> request(ConsoleRobot& robot, const std::string& key, const DebugKeyRequest& often) {
+  robot.memory().showDrawing(key, often.mode != DebugKeyMode::disabled);
+  return robot.request(DebugRequest{key, often.mode, often.n});
+}
+
 Result<void> setKey(ConsoleRobot& robot, const std::string& name, const DebugKeyRequest& often) {
   const auto known =
       std::ranges::find_if(reportKeys(), [&](const ReportKey& key) { return key.name == name; });
   if (known != reportKeys().end()) {
     for (const std::string& key : known->keys)
-      if (auto done = robot.request(DebugRequest{key, often.mode, often.n}); !done) return done;
+      if (auto done = request(robot, key, often); !done) return done;
     // A robot on a log has only some of the representations.
     for (const std::string& representation : known->representations)
       if (const auto done = watch(robot, representation, often);
@@ -123,7 +128,7 @@ Result<void> setKey(ConsoleRobot& robot, const std::string& name, const DebugKey
   if (!DebugKey::find(name) && name.starts_with("send") && name.size() > 4)
     return watch(robot, name.substr(4), often);
   if (!DebugKey::find(name)) return Error{"", 0, name, "there is no such debug key; try dk ?"};
-  return robot.request(DebugRequest{name, often.mode, often.n});
+  return request(robot, name, often);
 }
 
 Result<void> dk(Console& console, const Words& words) {

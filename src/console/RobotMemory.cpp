@@ -85,7 +85,17 @@ void RobotMemory::take(const MessageQueue& messages, const Image* picture) {
   if (recording_ && !messages.empty()) keepAll(messages);
 }
 
+void RobotMemory::showDrawing(const std::string& key, bool on) {
+  if (on) {
+    hidden_.erase(key);
+  } else {
+    hidden_.insert(key);
+    drawings_.erase(key);
+  }
+}
+
 void RobotMemory::keep(Time time, Drawing drawing) {
+  if (hidden_.contains(drawing.key)) return;  // on its way when the key was switched off
   const auto [known, isNew] = drawings_.try_emplace(drawing.key, drawing);
   if (isNew) {
     drawnAt_[drawing.key] = time;

@@ -1,6 +1,7 @@
 #pragma once
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ class RobotMemory {
 
   /// The newest of each key.
   const std::map<std::string, Drawing>& drawings() const { return drawings_; }
+  /// Whether drawings of a key are kept, as they are at first; those that were are forgotten if
+  /// not.
+  void showDrawing(const std::string& key, bool on);
   /// What was plotted, and the times of stopwatches in us.
   const std::map<std::string, std::deque<Sample>>& plots() const { return plots_; }
   const BehaviorState& behavior() const { return behavior_; }
@@ -49,6 +53,7 @@ class RobotMemory {
 
   std::map<std::string, Drawing> drawings_;
   std::map<std::string, Time> drawnAt_;
+  std::set<std::string> hidden_;  ///< Keys of drawings that are not kept.
   std::map<std::string, std::deque<Sample>> plots_;
   BehaviorState behavior_;
   Image picture_;
