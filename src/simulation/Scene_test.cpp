@@ -339,6 +339,35 @@ TEST_F(WrongFiles, aModelWithOtherJointsIsRefused) {
   EXPECT_EQ(errorWith("<site name=\"camera\"", "<site name=\"camera\""), "");
 }
 
+TEST_F(WrongFiles, aFieldAndBallsOfAnotherKind) {
+  const auto variant = [&](const std::string& model, const std::string& from,
+                           const std::string& to) {
+    std::ifstream file{"models/" + model};
+    std::string text{std::istreambuf_iterator<char>{file}, {}};
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos);
+    write(text.replace(at, from.size(), to), model);
+    return (folder_ / model).string();
+  };
+  for (const Fidelity fidelity : {Fidelity::kinematic, Fidelity::dynamic}) {
+    SceneDescription scene = duelScene({0, -1500, -800}, {0, 0});
+    scene.fidelity = fidelity;
+    // The left wall's inner side is half a metre nearer than on the field of 2003.
+    scene.field = variant("field2003.xml", "pos=\"0 1.4 0.05\"", "pos=\"0 0.9 0.05\"");
+    scene.balls[0].model = variant("ball.xml", "size=\"0.043\"", "size=\"0.08\"");
+    const auto world = worldOf(scene);
+    const std::vector<RobotCommand> commands(1, standingCommand());
+    world->placeBall(0, {0, 300}, {0, 1000});
+    double farthest = 0;
+    for (int i = 0; i < 125; ++i) {
+      world->step(commands);
+      farthest = std::max(farthest, world->ball(0).position.y());
+    }
+    EXPECT_NEAR(farthest, 850 - 80, 15);
+    EXPECT_LT(world->ball(0).speed.y(), 0);
+  }
+}
+
 TEST(Scene, twentyTwoRobotsAndTenBalls) {
   SceneDescription scene = matchScene();
   for (int i = 0; i < 14; ++i) {
