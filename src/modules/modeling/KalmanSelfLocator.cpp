@@ -13,7 +13,8 @@ const DebugKey drawHypotheses{"SelfLocator/hypotheses"};
 const DebugKey drawPose{"SelfLocator/pose"};
 
 constexpr double newDeviation = 250, newAngleDeviation = 0.25;  // mm, rad
-constexpr double sameDistance = 120, sameAngle = 0.2;           // mm, rad
+constexpr double badFit = 0.3;
+constexpr double sameDistance = 120, sameAngle = 0.2;  // mm, rad
 
 double squared(double x) {
   return x * x;
@@ -63,7 +64,9 @@ void KalmanSelfLocator::update(const LandmarksPercept& landmarks, const LinesPer
     lastLines_ = lines.time;
     edges_.choose(lines, parameters.points, parameters.farthest, random);
     observeEdges(cameraOffset);
-    addFromEdges(random);
+    if (isElsewhere()) view_.clear();
+    view_.add(edges_.chosen(), random);
+    addFromView(field, random);
   }
   sortOut(field);
   if (!hypotheses_.empty()) {
@@ -96,6 +99,7 @@ void KalmanSelfLocator::move(const OdometryData& odometry, Time now) {
                          squared(p.turnDrift) * seconds;
   for (Hypothesis& h : hypotheses_) h.filter.move(step, {slipping, slipping, turning});
   templates_.move(step);
+  view_.move(step);
 }
 
 void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
@@ -104,6 +108,8 @@ void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
   if (bearings.count == 0) return;
   const Parameters& p = parameters;
   const Vector2d offset = percept.cameraOffset.head<2>();
+  addMirrored();
+  view_.add(bearings, offset);
   // What errs alike does not become better known by being measured often.
   const double variance = squared(p.commonAngle) * bearings.count + squared(p.bearingError);
   for (Hypothesis& h : hypotheses_) {
@@ -165,6 +171,7 @@ void KalmanSelfLocator::judge(Hypothesis& hypothesis, double likelihoods, int co
   constexpr double follow = 0.15;
   const double average = likelihoods / count;
   hypothesis.weight += importance * average * std::min(std::sqrt(count), 3.);
+  hypothesis.surprises = std::exp(average) < badFit ? hypothesis.surprises + 1 : 0;
   hypothesis.fit += follow * (std::min(std::exp(average), 1.) - hypothesis.fit);
 }
 
@@ -174,51 +181,66 @@ void KalmanSelfLocator::addFromLandmarks(Random& random) {
     if (const auto pose = templates_.take(random)) add(*pose, parameters.newWeight);
 }
 
-/// Where an edge alone could have been seen from is nearly everywhere: of many such poses the ones
-/// are taken that fit to the other points as well, and only while nothing else fits.
-void KalmanSelfLocator::addFromEdges(Random& random) {
-  constexpr double goodFit = 0.35;
+/// Whether what fitted up to now does not fit any more: the robot was put somewhere else.
+bool KalmanSelfLocator::isElsewhere() const {
+  return !hypotheses_.empty() && hypotheses_.front().fit > badFit &&
+         hypotheses_.front().surprises >= 2;
+}
+
+/// Where one thing could have been seen from is nearly everywhere: of many such poses the one is
+/// taken that fits best to all that was seen of late, and only while nothing else fits. If the best
+/// hypothesis fits badly, the pose need not prove itself: it begins as far before or behind it as
+/// it agrees better or worse with what was seen.
+void KalmanSelfLocator::addFromView(const FieldDimensions& field, Random& random) {
+  constexpr double goodFit = 0.5, lostFit = 0.4;
   constexpr int tried = 60;
-  const std::vector<ChosenPoint>& points = edges_.chosen();
-  if (points.size() < 3) return;
   if (!hypotheses_.empty() && hypotheses_.front().fit > goodFit && random.chance(0.9)) return;
-  Pose2D best;
-  double most = -1;
+  std::optional<Pose2D> best;
+  double most = 0.5;
   for (int i = 0; i < tried; ++i) {
-    const ChosenPoint& chosen = points[random.index(points.size())];
-    if (edges_.tables().posesCount(chosen.type, chosen.point) == 0) continue;
-    const Pose2D pose = edges_.tables().drawPose(chosen.type, chosen.point, random);
-    const double fits = agreement(pose);
+    const auto pose = view_.drawPose(edges_.tables(), field, random);
+    if (!pose || std::abs(pose->translation.x()) > field.xGroundline ||
+        std::abs(pose->translation.y()) > field.ySideline)
+      continue;
+    const double fits = view_.agreement(*pose, edges_.tables());
     if (fits <= most) continue;
     most = fits;
     best = pose;
   }
-  if (most > 0.5) add(best, parameters.newWeight + 1);
-}
-
-/// How many of the points lie near an edge of their type as seen from a pose, in [0, 1].
-double KalmanSelfLocator::agreement(const Pose2D& pose) const {
-  double sum = 0;
-  for (const ChosenPoint& chosen : edges_.chosen()) {
-    const Vector2d place = pose * chosen.point;
-    const EdgeTables::Point edge = edges_.tables().closest(
-        chosen.type, static_cast<float>(place.x()), static_cast<float>(place.y()));
-    const double distance = (Vector2d{edge.x, edge.y} - place).norm();
-    sum += 1 / (1 + squared(distance / (50 + 0.15 * chosen.point.norm())));
+  if (!best) return;
+  double behind = parameters.newWeight + 1;
+  if (!hypotheses_.empty() && hypotheses_.front().fit < lostFit) {
+    constexpr double trust = 40, mostAhead = 6;
+    const double known = view_.agreement(hypotheses_.front().filter.pose(), edges_.tables());
+    behind = std::max(-mostAhead, parameters.newWeight - trust * (most - known));
   }
-  return sum / static_cast<double>(edges_.chosen().size());
+  add(*best, behind);
 }
 
-/// Adds a hypothesis behind the best one, unless there is one like it; the worst makes room.
+/// The field looks the same from the other side but for its landmarks: before these are looked at,
+/// the mirror image of the best hypothesis becomes one, too.
+void KalmanSelfLocator::addMirrored() {
+  if (hypotheses_.empty()) return;
+  Hypothesis mirrored = hypotheses_.front();
+  mirrored.filter.mirror();
+  mirrored.weight -= parameters.newWeight;
+  add(mirrored);
+}
+
+/// Adds a pose as a hypothesis behind the best one.
 void KalmanSelfLocator::add(const Pose2D& pose, double behind) {
   double best = hypotheses_.empty() ? behind : -1e9;
+  for (const Hypothesis& h : hypotheses_) best = std::max(best, h.weight);
+  add({{pose, newDeviation, newAngleDeviation}, best - behind, 0.3});
+}
+
+/// Adds a hypothesis unless there is one like it; the worst makes room.
+void KalmanSelfLocator::add(const Hypothesis& fresh) {
   auto worst = hypotheses_.begin();
   for (auto h = hypotheses_.begin(); h != hypotheses_.end(); ++h) {
-    if (h->filter.isNear(pose, 2 * sameDistance, 2 * sameAngle)) return;
-    best = std::max(best, h->weight);
+    if (h->filter.isNear(fresh.filter.pose(), 2 * sameDistance, 2 * sameAngle)) return;
     if (h->weight < worst->weight) worst = h;
   }
-  const Hypothesis fresh{{pose, newDeviation, newAngleDeviation}, best - behind, 0.3};
   if (hypotheses_.size() < static_cast<std::size_t>(parameters.hypotheses))
     hypotheses_.push_back(fresh);
   else if (worst->weight < fresh.weight)

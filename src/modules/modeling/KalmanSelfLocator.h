@@ -7,6 +7,7 @@
 #include "modules/modeling/EdgeModel.h"
 #include "modules/modeling/PoseHypothesis.h"
 #include "modules/modeling/PoseTemplates.h"
+#include "modules/modeling/RecentView.h"
 #include "representations/modeling/RobotPose.h"
 #include "streams/Reflection.h"
 
@@ -77,6 +78,7 @@ class KalmanSelfLocator {
     PoseHypothesis filter;
     double weight = 0;  ///< The logarithm of a probability; the best one has 0.
     double fit = 0.5;   ///< How well the last pictures fitted, in [0, 1].
+    int surprises = 0;  ///< Pictures in a row that did not fit at all.
   };
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
 
@@ -87,15 +89,18 @@ class KalmanSelfLocator {
   void observeEdges(const Vector3d& camera);
   void judge(Hypothesis& hypothesis, double likelihoods, int count, double importance) const;
   void addFromLandmarks(Random& random);
-  void addFromEdges(Random& random);
-  double agreement(const Pose2D& pose) const;
-  void add(const Pose2D& pose, double weight);
+  bool isElsewhere() const;
+  void addMirrored();
+  void addFromView(const FieldDimensions& field, Random& random);
+  void add(const Pose2D& pose, double behind);
+  void add(const Hypothesis& fresh);
   void sortOut(const FieldDimensions& field);
   void draw(const RobotPose& robotPose, Debug& debug) const;
 
   std::vector<Hypothesis> hypotheses_;  ///< The best one comes first after each picture.
   EdgeModel edges_;
   PoseTemplates templates_;
+  RecentView view_;
   OdometryData lastOdometry_;
   Time last_ = never(), lastLandmarks_ = never(), lastLines_ = never();
   bool started_ = false;

@@ -46,4 +46,10 @@ void PoseHypothesis::clamp(double farX, double farY) {
   pose_.translation.y() = std::clamp(pose_.translation.y(), -farY, farY);
 }
 
+void PoseHypothesis::mirror() {
+  pose_ = Pose2D{pi, 0, 0} * pose_;
+  covariance_.block<2, 1>(0, 2) *= -1;
+  covariance_.block<1, 2>(2, 0) *= -1;
+}
+
 }  // namespace gt

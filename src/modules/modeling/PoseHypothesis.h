@@ -28,6 +28,8 @@ class PoseHypothesis {
   /// Whether another pose lies so near that it is the same.
   bool isNear(const Pose2D& other, double distance, double angle) const;
   void clamp(double farX, double farY);
+  /// Turns it by half a circle around the middle of the field.
+  void mirror();
 
   const Pose2D& pose() const { return pose_; }
   /// mm^2, rad^2.
