@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "replay/FieldComparison.h"
+
 namespace gt {
 namespace {
 
@@ -70,6 +72,61 @@ TEST(Comparison, CountsWhatWasFound) {
   EXPECT_THAT(comparison.text(), testing::HasSubstr("5.00 pixels in the centre and 0.50"));
   EXPECT_THAT(comparison.text(), testing::HasSubstr("agree 2 "));
   EXPECT_THAT(comparison.text(), testing::HasSubstr("size 1.050 on average"));
+}
+
+TEST(FieldLabels, CoverMostPictures) {
+  const auto labels = readFieldLabels("tests/real/nao2009-field.csv");
+  ASSERT_TRUE(labels) << labels.error().text();
+  EXPECT_GE(labels->size(), 60u);
+  const auto balls = readLabels(labelFile);
+  for (const auto& [picture, label] : *labels)
+    EXPECT_EQ(label.time, (*balls)[static_cast<std::size_t>(picture)].time) << picture;
+}
+
+TEST(FieldLabels, NameTheLineThatIsWrong) {
+  const std::string file = testing::TempDir() + "field.csv";
+  const auto errorOf = [&](const std::string& row) {
+    std::ofstream{file} << "picture,time,what,x,y\n0,1,none,0,0\n" << row << "\n";
+    const auto labels = readFieldLabels(file);
+    EXPECT_FALSE(labels) << row;
+    return labels ? std::string{} : labels.error().text();
+  };
+  EXPECT_THAT(errorOf("1,2,wall,0,0"), testing::HasSubstr("field.csv:3: what"));
+  EXPECT_THAT(errorOf("1,two,none,0,0"), testing::HasSubstr("field.csv:3: time"));
+  EXPECT_THAT(errorOf("1,2,line1,0,nan"), testing::HasSubstr("field.csv:3: x"));
+  EXPECT_THAT(errorOf("1,2,line1"), testing::HasSubstr("field.csv:3: x"));
+  EXPECT_THAT(errorOf("0,2,line1,1,1"), testing::HasSubstr("field.csv:3: time"));
+}
+
+TEST(FieldComparison, MeasuresDistancesFromLabels) {
+  // A camera half a metre above the ground looks straight down.
+  CameraMatrix matrix;
+  matrix.time = Time{7};
+  matrix.pose.translation = {0, 0, 500};
+  matrix.pose.rotation << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+  const auto onGround = [&](double x, double y) {
+    const Vector3d ray = matrix.ray(x, y);
+    return Vector2d{(matrix.pose.translation + 500 / -ray.z() * ray).head<2>()};
+  };
+  FieldLabel label;
+  label.time = 7;
+  label.lines = {{{40, 50}, {60, 50}, {80, 50}}, {{100, 100}, {100, 120}}};
+  EXPECT_DOUBLE_EQ(label.distance({50, 53}), 3);
+  EXPECT_DOUBLE_EQ(label.distance({100, 90}), 10);
+  LinesPercept lines;
+  lines.points[EdgeType::line] = {onGround(45, 51), onGround(62, 50), onGround(150, 20)};
+  FieldComparison comparison;
+  comparison.add(lines, LandmarksPercept{}, matrix, label);
+  matrix.time = Time{8};
+  comparison.add(lines, LandmarksPercept{}, matrix, label);  // of another log
+  Figures figures;
+  comparison.addTo(figures);
+  const auto value = [&](const char* name) {
+    return std::ranges::find(figures.all(), name, &Figure::name)->value;
+  };
+  EXPECT_DOUBLE_EQ(value("vision.real.lines.found"), 40) << "two of five labelled points";
+  EXPECT_NEAR(value("vision.real.lines.onLabel"), 200.0 / 3, 1e-9);
+  EXPECT_NEAR(value("vision.real.lines.error"), 0.5, 0.01);
 }
 
 std::string realFolder() {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "painting/PicturePainter.h"
+#include "replay/FieldComparison.h"
 #include "replay/Replay.h"
 #include "replay/Track.h"
 #include "streams/Jpeg.h"
@@ -45,10 +46,39 @@ Result<void> writePicture(const LogPlatform& platform, const std::string& out) {
                   painter.height(), painter.rgb());
 }
 
-Result<void> run(const ReplayFiles& files, const std::string& out, bool pictures) {
+/// Compares lines and goals, too, if there are labels of them.
+class FieldWatch {
+ public:
+  static Result<FieldWatch> make(const std::string& labelFile) {
+    FieldWatch watch;
+    if (labelFile.empty()) return watch;
+    auto labels = readFieldLabels(labelFile);
+    if (!labels) return labels.error();
+    watch.labels_ = *std::move(labels);
+    return watch;
+  }
+
+  void look(const LogPlatform& platform) {
+    const auto* lines = platform.robot().provided<LinesPercept>();
+    const auto* landmarks = platform.robot().provided<LandmarksPercept>();
+    const auto label = labels_.find(platform.picture().number);
+    if (lines && landmarks && label != labels_.end())
+      comparison_.add(*lines, *landmarks, platform.picture().cameraMatrix, label->second);
+  }
+  const FieldComparison& comparison() const { return comparison_; }
+
+ private:
+  std::map<int, FieldLabel> labels_;
+  FieldComparison comparison_;
+};
+
+Result<void> run(const ReplayFiles& files, const std::string& fieldLabels, const std::string& out,
+                 bool pictures) {
   std::error_code failed;
   std::filesystem::create_directories(out, failed);
   if (failed) return Error{out, 0, "", failed.message()};
+  auto watch = FieldWatch::make(fieldLabels);
+  if (!watch) return watch.error();
   Comparison comparison;
   Track track;
   FieldDimensions field;
@@ -58,17 +88,20 @@ Result<void> run(const ReplayFiles& files, const std::string& out, bool pictures
                              if (platform.picture().number == 0) printHeading();
                              printRow(platform.picture(), ball, label);
                              comparison.add(ball, label);
+                             watch->look(platform);
                              field = *platform.robot().setup().configuration->field;
                              if (const auto* pose = platform.robot().provided<RobotPose>())
                                track.add(*pose, {platform.picture().odometry});
                              return pictures ? writePicture(platform, out) : Result<void>{};
                            });
   if (!done) return done;
-  fmt::print("{}", comparison.text());
+  fmt::print("{}{}", comparison.text(), watch->comparison().text());
   const std::string trackFile = out + ".track.svg";
   if (auto written = track.write(trackFile, field); !written) return written;
   const std::string json = out + ".json";
-  if (!comparison.figures().write(json)) return Error{json, 0, "", "cannot be written"};
+  Figures figures = comparison.figures();
+  watch->comparison().addTo(figures);
+  if (!figures.write(json)) return Error{json, 0, "", "cannot be written"};
   fmt::print("Track: {}, figures: {}{}\n", trackFile, json,
              pictures ? ", pictures: " + out + "/" : "");
   return {};
@@ -82,15 +115,18 @@ int main(int argc, char** argv) {
   ReplayFiles files;
   files.log = folder + "/nao2009.log";
   files.colors = folder + "/coltable-field.c64";
-  std::string out = "out/replay";
+  std::string out = "out/replay", fieldLabels = "tests/real/nao2009-field.csv";
   bool pictures = true;
-  CLI::App app{"Lets a robot live on a real robot's log and compares the balls that it sees"};
+  CLI::App app{
+      "Lets a robot live on a real robot's log and compares what it sees with what a person saw"};
   const auto* log = app.add_option("--log", files.log, "the log")->capture_default_str();
   app.add_option("--colors", files.colors, "its colour table")->capture_default_str();
   app.add_option("--config", files.config, "configuration folder of its league")
       ->capture_default_str();
   app.add_option("--layout", files.layout, "which modules run")->capture_default_str();
-  app.add_option("--labels", files.labels, "what a person saw; empty for none")
+  app.add_option("--labels", files.labels, "the balls that a person saw; empty for none")
+      ->capture_default_str();
+  app.add_option("--field-labels", fieldLabels, "lines and goals that a person saw; empty for none")
       ->capture_default_str();
   app.add_option("--out", out, "folder for the pictures with percepts; the figures go to OUT.json")
       ->capture_default_str();
@@ -105,7 +141,7 @@ int main(int argc, char** argv) {
     fmt::print("replay: no real robot's log at {}, nothing to look at\n", files.log);
     return 0;
   }
-  const auto done = run(files, out, pictures);
+  const auto done = run(files, fieldLabels, out, pictures);
   if (!done) fmt::print(stderr, "replay: {}\n", done.error().text());
   return done ? 0 : badInput;
 }

@@ -31,23 +31,6 @@ std::uint64_t sum(const EnumArray<ColorClass, std::uint32_t>& counts) {
 
 ColorStatistics::ColorStatistics() : counts_(ColorTable64{}.classes.size()) {}
 
-void ColorStatistics::add(const Image& image, std::span<const ColorClass> classes) {
-  const int width = image.info.width, height = image.info.height;
-  for (int y = 1; y < height - 1; ++y)
-    for (int x = 1; x < width - 1; ++x) {
-      const auto at = [&](int column, int row) {
-        return classes[static_cast<std::size_t>(row * width + column)];
-      };
-      const ColorClass c = at(x, y);
-      if (at(x - 1, y) == c && at(x + 1, y) == c && at(x, y - 1) == c && at(x, y + 1) == c)
-        add(image.at(x, y), c);
-    }
-}
-
-void ColorStatistics::add(const Image& image, const LabelledRegion& label) {
-  label.region.forEachPixel(image, [&](const Pixel& pixel) { add(pixel, label.colorClass); });
-}
-
 ColorTable64 ColorStatistics::table(int growth, std::uint32_t leastPixels) const {
   ColorTable64 table;
   for (std::size_t i = 0; i < counts_.size(); ++i) {

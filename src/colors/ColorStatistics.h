@@ -1,10 +1,9 @@
 #pragma once
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "colors/HsiColors.h"
-#include "colors/PictureRegion.h"
+#include "colors/LabelledPicture.h"
 #include "colors/TslColors.h"
 
 namespace gt {
@@ -19,11 +18,11 @@ class ColorStatistics {
   void add(const Pixel& pixel, ColorClass colorClass) {
     ++counts_[ColorTable64::index(pixel.y, pixel.cb, pixel.cr)][colorClass];
   }
-  /// Counts the pixels of a picture whose four neighbours are of the same class: others are mixed
-  /// by blur. There is a class for each pixel.
-  void add(const Image& image, std::span<const ColorClass> classes);
-  /// Counts the pixels of a region.
-  void add(const Image& image, const LabelledRegion& label);
+  /// Counts the pixels of a picture whose class is sure.
+  void add(const LabelledPicture& picture) {
+    picture.forEachPixel([this](const Pixel& pixel, ColorClass c) { add(pixel, c); });
+  }
+  void add(const Image& image, std::span<const ColorClass> classes) { add({image, classes, {}}); }
 
   /// The class that most pixels of each colour have, if 70 % do and at least `leastPixels`. Colours
   /// never seen take the class of their neighbours if these agree, in `growth` steps.

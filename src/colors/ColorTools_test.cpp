@@ -203,11 +203,13 @@ TEST(ColorStatistics, LearnFromPicturesWithKnownClasses) {
   std::vector<ColorClass> classes;
   for (int i = 0; i < 800; ++i)
     classes.push_back(i % 40 < 20 ? ColorClass::orange : ColorClass::green);
-  for (int i = 0; i < 10; ++i) statistics.add(withNoise(halves(orange, green), 3, random), classes);
-  // What person says of a region, beside what the simulator says of each pixel.
+  for (int i = 0; i < 10; ++i)
+    statistics.add({withNoise(halves(orange, green), 3, random), classes, {}});
+  // What a person says of a region, beside what the simulator says of each pixel.
   const Pixel white{230, 128, 128, 0};
   const Image wall = withNoise(halves(white, orange), 3, random);
-  statistics.add(wall, {"wall", ColorClass::white, {0, 0, 19, 19}});
+  const std::vector<LabelledRegion> regions{{"wall", ColorClass::white, {0, 0, 19, 19}}};
+  statistics.add({wall, {}, regions});
   const ColorTable64 table = statistics.table(2);
   const TslColors tsl = statistics.tsl(0.99);
   const HsiColors hsi = statistics.hsi(0.99);

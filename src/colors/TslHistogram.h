@@ -1,7 +1,7 @@
 #pragma once
 #include "base/Random.h"
 #include "colors/ChannelHistogram.h"
-#include "colors/PictureRegion.h"
+#include "colors/LabelledPicture.h"
 #include "colors/TslColors.h"
 
 namespace gt {

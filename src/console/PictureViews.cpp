@@ -4,6 +4,7 @@
 
 #include "console/ScenePicture.h"
 #include "console/Views.h"
+#include "painting/ColorClassViews.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/perception/ColorTable64.h"
 #include "simulation/camera/Lighting.h"
@@ -12,19 +13,6 @@ namespace gt {
 namespace {
 
 constexpr int enlarged = 4;  // pixels of the page for one of the camera
-
-/// How each class is shown, in the order of ColorClass.
-constexpr std::array<Color, enumCount<ColorClass>> classColors{{{128, 128, 128},
-                                                                {255, 130, 0},
-                                                                {250, 220, 20},
-                                                                {70, 180, 240},
-                                                                {250, 90, 170},
-                                                                {220, 30, 30},
-                                                                {40, 70, 220},
-                                                                {30, 160, 50},
-                                                                {170, 170, 170},
-                                                                {255, 255, 255},
-                                                                {0, 0, 0}}};
 
 /// The picture that the robot has, or an error if it has none yet.
 Result<const Image*> pictureOf(ConsoleRobot& robot) {
@@ -150,15 +138,7 @@ Result<Sheet> colorClassImageView(Console& console, const std::vector<double>&) 
   const auto picture = pictureOf(**robot);
   if (!picture) return picture.error();
   const ColorTable64& table = *console.session().match().configuration().colorTable;
-  RgbPicture classes{(*picture)->info.width, (*picture)->info.height, {}};
-  for (const Pixel& pixel : (*picture)->pixels) {
-    const Color& color = classColors[static_cast<std::size_t>(table[pixel])];
-    for (const std::uint8_t channel : {color.r, color.g, color.b})
-      classes.pixels.push_back(channel);
-  }
-  classes.pixels.resize(3u * static_cast<std::size_t>(classes.width) *
-                        static_cast<std::size_t>(classes.height));
-  Sheet sheet = enlargedSheet(classes);
+  Sheet sheet = enlargedSheet(classesOf(**picture, table));
   paintImageDrawings(sheet, **robot);
   return sheet;
 }

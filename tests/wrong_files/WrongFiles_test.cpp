@@ -44,6 +44,9 @@ class Workplace {
     write("robot.log", log.log());
     // One run of 64^3 colours of class 0, and the end.
     write("robot.c64", std::string("\0\0\4\0\0\0\0\0\0", 9));
+    write("classes.tsl", "[orange]\ntint 110 140\nsaturation 60 255\nluminance 40 200\n");
+    write("regions.csv", "picture,class,left,top,right,bottom\n0,orange,1,1,2,2\n");
+    write("field.csv", "picture,time,what,x,y\n0,5000,line1,100,120\n");
     write("labels.csv", "picture,time,class,x,y,r\n0,5000,whole,160,120,20\n");
   }
   ~Workplace() { fs::remove_all(root_); }
@@ -118,7 +121,9 @@ void PrintTo(const WrongFile& wrong, std::ostream* stream) {
 }
 
 const std::string play = "simgt play scenes/one-robot.scene --minutes 0.01 --no-logs --out out";
-const std::string see = "replay --log robot.log --colors robot.c64 --labels labels.csv --out out";
+const std::string see =
+    "replay --log robot.log --colors robot.c64 --labels labels.csv --field-labels field.csv "
+    "--out out";
 const std::string checkBehavior = "xabsl check behavior/GT2003.xabsl";
 const std::string checkMotions = "motionnet check motions";
 
@@ -204,6 +209,17 @@ std::vector<WrongFile> wrongFiles() {
       {"LogColorTableWrongClass", "robot.c64",
        replaced(std::string(1, '\4') + '\0' + '\0', "\4\0\13"), see, "replay: robot.c64: byte "},
 
+      {"ComparedTableGarbage", "robot.c64", garbage(),
+       "colortable compare config/coltable.c64 robot.c64", "colortable: robot.c64: byte 0: "},
+      {"ConvertedClassesWrongName", "classes.tsl", replaced("tint", "tone"),
+       "colortable convert classes.tsl out.c64", "colortable: classes.tsl:2: orange.tone: "},
+      {"RegionsWrongClass", "regions.csv", replaced("orange", "purple"),
+       "colortable learn --pictures robot.log --labels regions.csv --out out.c64",
+       "colortable: regions.csv:2: class: there is no class 'purple'"},
+      {"LabelledPictureGarbage", "robot.log", garbage(),
+       "colortable learn --pictures robot.log --labels regions.csv --out out.c64",
+       "colortable: robot.log: "},
+
       {"LogMissing", "robot.log", missing, see, "replay: robot.log: there is no such file"},
       {"LogEmpty", "robot.log", text(""), see, "replay: robot.log: byte 0: "},
       {"LogTruncated", "robot.log", truncated(100), see, "replay: robot.log: byte 8: "},
@@ -225,6 +241,10 @@ std::vector<WrongFile> wrongFiles() {
       {"LabelsMissing", "labels.csv", missing, see, "replay: labels.csv: "},
       {"LabelsGarbage", "labels.csv", garbage(), see, "replay: labels.csv:1: "},
       {"LabelsTruncated", "labels.csv", truncated(36), see, "replay: labels.csv:2: x: "},
+
+      {"FieldLabelsGarbage", "field.csv", garbage(), see, "replay: field.csv:1: "},
+      {"FieldLabelsWrongName", "field.csv", replaced("line1", "wall"), see,
+       "replay: field.csv:2: what: "},
 
       {"FieldWrongName", "config/nao2009/field.cfg", replaced("ballRadius", "ballRadus"), see,
        "replay: config/nao2009/field.cfg:16: ballRadus: "},
@@ -316,11 +336,28 @@ TEST(Programs, RefuseFoldersInsteadOfFiles) {
 
 TEST(Programs, RefuseWrongArguments) {
   const Workplace workplace;
-  for (const std::string program :
-       {"simgt", "simgt play --bogus", "simgt play --minutes 0", "simgt play --seed many",
-        "simgt play --threads 0", "replay --bogus", "replay robot.log", "xabsl", "xabsl check",
-        "xabsl bogus", "motionnet", "motionnet bogus", "motionnet check a b", "gtlog",
-        "gtlog bogus", "gtlog cut robot.log", "crashlog"}) {
+  for (const std::string program : {"simgt",
+                                    "simgt play --bogus",
+                                    "simgt play --minutes 0",
+                                    "simgt play --seed many",
+                                    "simgt play --threads 0",
+                                    "replay --bogus",
+                                    "replay robot.log",
+                                    "xabsl",
+                                    "xabsl check",
+                                    "xabsl bogus",
+                                    "motionnet",
+                                    "motionnet bogus",
+                                    "motionnet check a b",
+                                    "gtlog",
+                                    "gtlog bogus",
+                                    "gtlog cut robot.log",
+                                    "crashlog",
+                                    "colortable",
+                                    "colortable learn",
+                                    "colortable learn --out out.png --moments 1",
+                                    "colortable learn --log robot.log --out out.c64",
+                                    "colortable filter robot.c64 out.c64 --class purple"}) {
     const Outcome outcome = workplace.run(program);
     EXPECT_EQ(outcome.status, 2) << program;
     EXPECT_NE(outcome.errors, "") << program;

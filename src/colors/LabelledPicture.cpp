@@ -1,4 +1,4 @@
-#include "colors/PictureRegion.h"
+#include "colors/LabelledPicture.h"
 
 #include <array>
 #include <charconv>

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,31 @@ struct LabelledRegion {
   std::string picture;  ///< A file's name, or a log's picture by its number from 0.
   ColorClass colorClass = ColorClass::noColor;
   PictureRegion region;
+};
+
+/// A picture of which one knows what it shows: the class of each pixel, as the simulator tells, or
+/// regions, as a person does.
+struct LabelledPicture {
+  const Image& image;
+  std::span<const ColorClass> classes;  ///< Of all pixels, or none.
+  std::span<const LabelledRegion> regions;
+
+  /// Calls visit(pixel, class) for the pixels whose class is sure. Those whose four neighbours are
+  /// of another class are not: blur mixes them.
+  template <typename Visit>
+  void forEachPixel(Visit visit) const {
+    for (const LabelledRegion& label : regions)
+      label.region.forEachPixel(image, [&](const Pixel& pixel) { visit(pixel, label.colorClass); });
+    if (classes.empty()) return;
+    const int width = image.info.width, height = image.info.height;
+    const auto at = [&](int x, int y) { return classes[static_cast<std::size_t>(y * width + x)]; };
+    for (int y = 1; y < height - 1; ++y)
+      for (int x = 1; x < width - 1; ++x) {
+        const ColorClass c = at(x, y);
+        if (at(x - 1, y) == c && at(x + 1, y) == c && at(x, y - 1) == c && at(x, y + 1) == c)
+          visit(image.at(x, y), c);
+      }
+  }
 };
 
 /// Reads a table of labels with the columns picture, class, left, top, right, bottom.

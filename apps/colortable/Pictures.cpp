@@ -1,0 +1,149 @@
+#include "colortable/Pictures.h"
+
+#include <map>
+#include <set>
+
+#include "colortable/GameViews.h"
+#include "robot/logs/NaoLog.h"
+#include "streams/File.h"
+#include "streams/Jpeg.h"
+#include "streams/Mcap.h"
+
+namespace gt {
+namespace {
+
+/// The labels of each picture.
+class Labels {
+ public:
+  static Result<Labels> read(const std::string& file) {
+    Labels labels;
+    labels.file_ = file;
+    if (file.empty()) return labels;
+    const auto regions = readRegions(file);
+    if (!regions) return regions.error();
+    for (const LabelledRegion& region : *regions)
+      labels.byPicture_[region.picture].push_back(region);
+    return labels;
+  }
+
+  std::span<const LabelledRegion> of(const std::string& picture) {
+    used_.insert(picture);
+    return byPicture_[picture];
+  }
+
+  /// Whether all labels belong to pictures that there were.
+  Result<void> check() const {
+    for (const auto& entry : byPicture_)
+      if (!used_.contains(entry.first))
+        return Error{file_, 0, entry.first, "there is no such picture"};
+    return {};
+  }
+
+ private:
+  std::string file_;
+  std::map<std::string, std::vector<LabelledRegion>> byPicture_;
+  std::set<std::string> used_;
+};
+
+Result<void> visitSimulated(const PictureSource& source, const PictureVisitor& visit) {
+  const auto scene = loadScene(source.scene);
+  if (!scene) return scene.error();
+  auto views = GameViews::make(*scene, source.seed);
+  if (!views) return views.error();
+  constexpr std::array share{-1.0, -1.0 / 3, 0.0, 1.0 / 3, 1.0};
+  for (int i = 0; i < source.moments; ++i) {
+    views->shuffle();
+    CameraEffects effects = views->scene().camera;
+    effects.brightness *= 1 + source.light * share[static_cast<std::size_t>(i) % share.size()];
+    for (std::size_t robot = 0; robot < views->world().activeRobots(); ++robot) {
+      const GameView& view = views->look(robot, effects);
+      const std::string name = std::to_string(i) + "." + std::to_string(robot);
+      if (!visit(name, {view.image, view.truth.classes, {}})) return {};
+    }
+  }
+  return {};
+}
+
+Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const auto raw = decodeJpeg(bytes);
+  if (!raw) return Error{name, 0, "", raw.error().what};
+  if (raw->components != 3) return Error{name, 0, "", "is no colour picture in YCbCr"};
+  constexpr int largest = 4096;
+  if (raw->width > largest || raw->height > largest)
+    return Error{name, 0, "", "is larger than " + std::to_string(largest) + " pixels a side"};
+  Image image;
+  image.info.width = raw->width;
+  image.info.height = raw->height;
+  image.allocate();
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = {raw->data[3 * i], raw->data[3 * i + 1], raw->data[3 * i + 2], 0};
+  return image;
+}
+
+/// Shows a picture to a visitor; false if that was the last one.
+using Show = std::function<bool(const std::string&, const Image&)>;
+
+Result<void> showMcap(const std::string& path, const Show& show) {
+  auto log = McapReader::open(path);
+  if (!log) return log.error();
+  int number = 0;
+  for (;;) {
+    const auto message = log->next();
+    if (!message) return message.error();
+    if (!*message) break;
+    const McapChannel& channel = *log->channel((*message)->channel);
+    if (channel.topic != "/camera") continue;
+    const std::string name = std::to_string(number++);
+    CompressedImage packed;
+    if (auto done = gt::decode((*message)->data, packed); !done)
+      return Error{path, 0, "/camera " + name, done.error().text()};
+    const auto image = decode(packed.data, path);
+    if (!image) return Error{path, 0, "/camera " + name, image.error().what};
+    if (!show(name, *image)) return {};
+  }
+  if (number == 0) return Error{path, 0, "/camera", "there are no pictures in it"};
+  return {};
+}
+
+Result<void> showNaoLog(const std::string& path, const Show& show) {
+  const auto log = readNaoLog(path);
+  if (!log) return log.error();
+  if (log->pictures.empty()) return Error{path, 0, "", "there are no pictures in it"};
+  Image image;
+  for (const NaoPicture& picture : log->pictures) {
+    if (auto done = log->decode(picture, image); !done) return done;
+    if (!show(std::to_string(picture.number), image)) return {};
+  }
+  return {};
+}
+
+Result<void> showFiles(const std::vector<std::string>& files, const Show& show) {
+  for (const std::string& file : files) {
+    const auto bytes = readFile(file);
+    if (!bytes) return bytes.error();
+    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes->data());
+    const auto image = decode({data, bytes->size()}, file);
+    if (!image) return image.error();
+    if (!show(file, *image)) return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> forEachPicture(const PictureSource& source, const PictureVisitor& visit) {
+  if (source.simulated()) return visitSimulated(source, visit);
+  auto labels = Labels::read(source.labels);
+  if (!labels) return labels.error();
+  bool all = true;
+  const auto show = [&](const std::string& name, const Image& image) {
+    all = visit(name, {image, {}, labels->of(name)});
+    return all;
+  };
+  const auto done = source.log.empty()              ? showFiles(source.files, show)
+                    : source.log.ends_with(".mcap") ? showMcap(source.log, show)
+                                                    : showNaoLog(source.log, show);
+  return done && all ? labels->check() : done;
+}
+
+}  // namespace gt

@@ -1,0 +1,95 @@
+#include "replay/FieldComparison.h"
+
+#include <algorithm>
+
+#include "base/Statistics.h"
+#include "modules/perception/Picture.h"
+
+namespace gt {
+namespace {
+
+constexpr double onLine = 3;    ///< Pixels: a point that near belongs to a label.
+constexpr double spacing = 15;  ///< Pixels: scan lines are not further apart near the horizon.
+
+/// Where the points on lines were found in the picture.
+std::vector<Vector2d> inPicture(const LinesPercept& lines, const CameraMatrix& matrix) {
+  std::vector<Vector2d> points;
+  for (const Vector2d& p : lines.points[EdgeType::line]) {
+    const Vector3d ray = Vector3d{p.x(), p.y(), 0} - matrix.pose.translation;
+    points.push_back(pointIn(matrix, ray));
+  }
+  return points;
+}
+
+}  // namespace
+
+void FieldComparison::add(const LinesPercept& lines, const LandmarksPercept& landmarks,
+                          const CameraMatrix& matrix, const FieldLabel& label) {
+  if (label.time != matrix.time.ms) return;
+  ++pictures_;
+  addLines(lines, matrix, label);
+  addGoal(landmarks, matrix, label);
+}
+
+void FieldComparison::addLines(const LinesPercept& lines, const CameraMatrix& matrix,
+                               const FieldLabel& label) {
+  const std::vector<Vector2d> points = inPicture(lines, matrix);
+  for (const auto& line : label.lines)
+    for (const Vector2d& at : line) {
+      // A point of the same line, as far away as the next scan line may be.
+      const bool found = std::ranges::any_of(points, [&](const Vector2d& p) {
+        return (p - at).norm() <= spacing && label.distance(p) <= onLine;
+      });
+      labelsFound_.push_back(found ? 100 : 0);
+    }
+  for (const Vector2d& p : points) {
+    const double distance = label.distance(p);
+    pointsOnLabels_.push_back(distance <= onLine ? 100 : 0);
+    if (distance <= onLine) lineErrors_.push_back(distance);
+  }
+}
+
+void FieldComparison::addGoal(const LandmarksPercept& landmarks, const CameraMatrix& matrix,
+                              const FieldLabel& label) {
+  const GoalPercept* goal = nullptr;
+  for (int i = 0; i < landmarks.numberOfGoals; ++i)
+    if (landmarks.goals[static_cast<std::size_t>(i)].color == GoalColor::skyblue)
+      goal = &landmarks.goals[static_cast<std::size_t>(i)];
+  if (!label.leftPost && !label.rightPost) {
+    goalsFalse_.push_back(landmarks.numberOfGoals > 0 ? 100 : 0);
+    return;
+  }
+  goalsFound_.push_back(goal ? 100 : 0);
+  if (!goal) return;
+  const auto compare = [&](const std::optional<Vector2d>& post, double angle, bool onBorder) {
+    if (!post || onBorder) return;
+    const double seen = azimuth(matrix.ray(post->x(), post->y()));
+    postErrors_.push_back(toDegrees(std::abs(normalize(angle - seen))));
+  };
+  compare(label.leftPost, goal->boundary.left, goal->boundary.leftOnBorder);
+  compare(label.rightPost, goal->boundary.right, goal->boundary.rightOnBorder);
+}
+
+std::string FieldComparison::text() const {
+  const auto percent = [](const std::vector<double>& list) {
+    return list.empty() ? std::string{"-"} : fmt::format("{:.1f} %", mean(list));
+  };
+  return fmt::format(
+      "lines and goals labelled in {} pictures: {} of {} labelled points of lines found, {} of {} "
+      "points found lie on labels, {:.2f} pixels from their middle; goal found in {} of {} "
+      "pictures, false in {} of {}\n",
+      pictures_, percent(labelsFound_), labelsFound_.size(), percent(pointsOnLabels_),
+      pointsOnLabels_.size(), lineErrors_.empty() ? 0 : mean(lineErrors_), percent(goalsFound_),
+      goalsFound_.size(), percent(goalsFalse_), goalsFalse_.size());
+}
+
+void FieldComparison::addTo(Figures& figures) const {
+  figures.add("vision.real.lines.found", "%", labelsFound_);
+  figures.add("vision.real.lines.onLabel", "%", pointsOnLabels_);
+  figures.add("vision.real.lines.error", "pixel", lineErrors_);
+  figures.add("vision.real.goal.found", "%", goalsFound_);
+  figures.add("vision.real.goal.false", "%", goalsFalse_);
+  figures.add("vision.real.goal.post.error", "deg", postErrors_);
+}
+
+}  // namespace gt

@@ -1,0 +1,37 @@
+#pragma once
+#include <vector>
+
+#include "experiments/Figures.h"
+#include "replay/FieldLabels.h"
+#include "representations/perception/CameraMatrix.h"
+#include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/LinesPercept.h"
+
+namespace gt {
+
+/// Compares the points on lines and the goals that vision found in a log's pictures with what a
+/// person saw in them.
+class FieldComparison {
+ public:
+  /// One more picture; a label for another time is passed over.
+  void add(const LinesPercept& lines, const LandmarksPercept& landmarks, const CameraMatrix& matrix,
+           const FieldLabel& label);
+
+  /// The summary, for people: a few lines.
+  std::string text() const;
+  /// Adds vision.real.lines.found and the like.
+  void addTo(Figures& figures) const;
+
+ private:
+  void addLines(const LinesPercept& lines, const CameraMatrix& matrix, const FieldLabel& label);
+  void addGoal(const LandmarksPercept& landmarks, const CameraMatrix& matrix,
+               const FieldLabel& label);
+
+  int pictures_ = 0;
+  std::vector<double> labelsFound_, pointsOnLabels_;  ///< 100 or 0 each.
+  std::vector<double> lineErrors_;                    ///< Pixels.
+  std::vector<double> goalsFound_, goalsFalse_;       ///< 100 or 0 each picture.
+  std::vector<double> postErrors_;                    ///< Degrees.
+};
+
+}  // namespace gt

@@ -1,0 +1,123 @@
+#include "replay/FieldLabels.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "streams/File.h"
+
+namespace gt {
+namespace {
+
+constexpr std::string_view heading = "picture,time,what,x,y";
+constexpr std::array columns{"picture", "time", "what", "x", "y"};
+
+using Cells = std::array<std::string_view, columns.size()>;
+
+/// A row of the table that is read; tells which cell is wrong.
+struct Row {
+  const std::string& file;
+  int line;
+  Cells cells;
+
+  Error wrong(std::size_t column, std::string what) const {
+    return {file, line, columns[column], std::move(what)};
+  }
+  template <typename T>
+  Result<T> number(std::size_t column) const {
+    const std::string_view cell = cells[column];
+    T value{};
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc{} || end != cell.data() + cell.size())
+      return wrong(column, "a number was expected");
+    return value;
+  }
+};
+
+/// The labels that are read, and which line of a picture each of its numbers means.
+struct Reading {
+  std::map<int, FieldLabel> labels;
+  std::map<std::pair<int, std::string_view>, std::size_t> lines;
+
+  Result<void> add(const Row& row);
+};
+
+Result<void> Reading::add(const Row& row) {
+  const auto picture = row.number<int>(0);
+  if (!picture) return picture.error();
+  const auto time = row.number<std::int64_t>(1);
+  if (!time) return time.error();
+  const auto x = row.number<double>(3), y = row.number<double>(4);
+  if (!x) return x.error();
+  if (!y) return y.error();
+  if (!std::isfinite(*x) || !std::isfinite(*y)) return row.wrong(3, "a number was expected");
+  const auto [label, isNew] = labels.try_emplace(*picture);
+  if (isNew) label->second.time = *time;
+  if (label->second.time != *time) return row.wrong(1, "this picture has another time above");
+  const std::string_view what = row.cells[2];
+  if (what == "none") return {};
+  if (what == "leftPost") {
+    label->second.leftPost = Vector2d{*x, *y};
+  } else if (what == "rightPost") {
+    label->second.rightPost = Vector2d{*x, *y};
+  } else if (what.starts_with("line")) {
+    auto& all = label->second.lines;
+    const auto [line, isFirst] = lines.try_emplace({*picture, what}, all.size());
+    if (isFirst) all.emplace_back();
+    all[line->second].emplace_back(*x, *y);
+  } else {
+    return row.wrong(2, "line and a number, leftPost, rightPost or none was expected");
+  }
+  return {};
+}
+
+double distanceToSegment(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
+  const Vector2d way = b - a;
+  const double square = way.squaredNorm();
+  const double part = square > 0 ? std::clamp((point - a).dot(way) / square, 0.0, 1.0) : 0;
+  return (point - (a + part * way)).norm();
+}
+
+}  // namespace
+
+double FieldLabel::distance(const Vector2d& point) const {
+  // Between points further apart something was in the way, or the line was not labelled.
+  constexpr double farthest = 25;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Vector2d& next = line[std::min(i + 1, line.size() - 1)];
+      const bool joined = (next - line[i]).norm() <= farthest;
+      least = std::min(least, distanceToSegment(point, line[i], joined ? next : line[i]));
+    }
+  return least;
+}
+
+Result<std::map<int, FieldLabel>> readFieldLabels(const std::string& file) {
+  const auto content = readFile(file);
+  if (!content) return content.error();
+  std::string_view text = *content;
+  Reading reading;
+  for (int line = 1; !text.empty(); ++line) {
+    const auto end = std::min(text.find('\n'), text.size());
+    std::string_view rest = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line == 1) {
+      if (rest == heading) continue;
+      return Error{file, line, "", std::string{heading} + " was expected"};
+    }
+    if (rest.empty()) continue;
+    Cells cells;
+    for (std::string_view& cell : cells) {
+      cell = rest.substr(0, rest.find(','));
+      rest.remove_prefix(std::min(cell.size() + 1, rest.size()));
+    }
+    if (auto done = reading.add({file, line, cells}); !done) return done.error();
+  }
+  if (reading.labels.empty()) return Error{file, 0, "", "there are no labels"};
+  return std::move(reading.labels);
+}
+
+}  // namespace gt

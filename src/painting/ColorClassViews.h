@@ -1,0 +1,17 @@
+#pragma once
+#include "painting/Sheet.h"
+#include "representations/perception/ColorTable64.h"
+
+namespace gt {
+
+/// How a colour class is shown.
+Color displayColor(ColorClass colorClass);
+
+/// A picture's colour classes instead of its colours.
+RgbPicture classesOf(const Image& image, const ColorTable64& table);
+
+/// A whole colour table: for every fourth brightness all its colours, as they are and by class,
+/// with a legend.
+Sheet tableSheet(const ColorTable64& table);
+
+}  // namespace gt
