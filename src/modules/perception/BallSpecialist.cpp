@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/perception/BallView.h"
+
 namespace gt {
 namespace {
 
 constexpr int maxGap = 3;              // Pixels within the ball that may have another colour.
 constexpr int traceRays = 24;          // Ways from within the ball to its boundary.
 constexpr std::size_t minForCone = 8;  // Boundary points, a third of the circle.
-constexpr double minRadius = 1.2;      // Pixels.
 
 /// Whether fewer than half of the segments' opposite ends lie on the wrong side of a point.
 template <typename Wrong>
@@ -39,10 +40,6 @@ constexpr double away = 2.5;
 ColorClass classBeyond(const Picture& picture, const Vector2d& edge, const Vector2d& way) {
   const Vector2d beyond = edge + way * away;
   return picture.contains(beyond) ? picture.classAt(beyond) : ColorClass::noColor;
-}
-
-double focalLength(const Picture& picture) {
-  return (picture.matrix.info.focalX + picture.matrix.info.focalY) / 2;
 }
 
 }  // namespace
@@ -173,7 +170,7 @@ void BallSpecialist::traceBoundary(const Picture& picture, const Vector2d& insid
 bool BallSpecialist::fitCone(const Picture& picture, Cone& cone) const {
   const std::size_t n = std::min<std::size_t>(points_.size(), traceRays);
   if (n < minForCone) return false;
-  const double focal = focalLength(picture);
+  const double focal = focalLength(picture.matrix.info);
   std::array<Vector3d, traceRays> rays;
   std::array<bool, traceRays> used{};
   std::size_t inliers = 0;
@@ -213,25 +210,7 @@ bool BallSpecialist::look(const Picture& picture, std::span<const BallSegment> s
                           const Cluster& cluster, double ballRadius, BallPercept& percept) {
   Cone cone;
   if (!locate(picture, segments, cluster, ballRadius, cone)) return false;
-  const double focal = focalLength(picture);
-  percept.angle = {azimuth(cone.axis), elevation(cone.axis)};
-  percept.centerInImage = picture.pointOf(cone.axis);
-  percept.radiusInImage = std::tan(cone.angle) * focal;
-  if (cone.angle > 0) {
-    if (percept.radiusInImage < minRadius) return false;
-    percept.distanceBySize = ballRadius / std::sin(cone.angle);
-  }
-  // Where the ray meets the plane through the ball's centre.
-  const Vector3d camera = picture.matrix.pose.translation;
-  constexpr double flattest = 0.01, farthest = 10000;
-  if (cone.axis.z() < -flattest && camera.z() > ballRadius)
-    percept.distanceByProjection = (ballRadius - camera.z()) / cone.axis.z();
-  if (percept.distanceByProjection > farthest) percept.distanceByProjection = 0;
-  const bool projected = picture.matrix.valid && percept.distanceByProjection > 0;
-  const double distance = projected ? percept.distanceByProjection : percept.distanceBySize;
-  if (distance <= 0) return false;
-  percept.offset = (camera + cone.axis * distance).head<2>();
-  if (cone.angle == 0) percept.radiusInImage = focal * ballRadius / distance;
+  if (!describeBall(picture, cone.axis, cone.angle, ballRadius, percept)) return false;
   percept.seen = isOnGround(picture, percept, cone.axis, ballRadius) && isOrange(picture, percept);
   return percept.seen;
 }
@@ -307,18 +286,6 @@ bool BallSpecialist::pointCone(const Picture& picture, double ballRadius, Cone& 
   center.z() = ballRadius;
   cone = {(center - camera).normalized(), 0};
   return true;
-}
-
-// A ball neither floats nor lies deep in the ground, nor does it ever reach up to the horizon: seen
-// at the distance that its size tells, its centre is at its radius above the ground, as far as size
-// and camera matrix can be trusted.
-bool BallSpecialist::isOnGround(const Picture& picture, const BallPercept& percept,
-                                const Vector3d& axis, double ballRadius) const {
-  if (!picture.matrix.valid) return true;
-  if (elevation(axis) > fromDegrees(1)) return false;
-  if (percept.distanceBySize == 0) return true;
-  const double height = picture.matrix.pose.translation.z() + axis.z() * percept.distanceBySize;
-  return std::abs(height - ballRadius) < 60 + 0.12 * percept.distanceBySize;
 }
 
 // A disk around the place where the ball should be must be orange, and what is around it must not

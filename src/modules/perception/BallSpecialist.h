@@ -47,8 +47,6 @@ class BallSpecialist {
   bool circleCone(const Picture& picture, Cone& cone) const;
   bool pointCone(const Picture& picture, double ballRadius, Cone& cone) const;
   bool fitCone(const Picture& picture, Cone& cone) const;
-  bool isOnGround(const Picture& picture, const BallPercept& percept, const Vector3d& axis,
-                  double ballRadius) const;
   bool isOrange(const Picture& picture, const BallPercept& percept) const;
 
   std::vector<Cluster> clusters_;

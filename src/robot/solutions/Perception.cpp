@@ -1,5 +1,10 @@
+#include "modules/perception/CheckerboardDetector.h"
 #include "modules/perception/DefaultSensorDataProcessor.h"
 #include "modules/perception/GT2003ImageProcessor.h"
+#include "modules/perception/GridImageProcessor2.h"
+#include "modules/perception/GridImageProcessor3.h"
+#include "modules/perception/GridImageProcessorTSL.h"
+#include "modules/perception/LinesImageProcessor.h"
 #include "modules/perception/Tasks.h"
 #include "robot/Solutions.h"
 
@@ -8,6 +13,11 @@ namespace gt {
 void addPerceptionSolutions(SolutionTable& table) {
   table.add<SensorDataProcessor, DefaultSensorDataProcessor>("Default");
   table.add<ImageProcessor, GT2003ImageProcessor>("GT2003");
+  table.add<ImageProcessor, GridImageProcessor2>("GridImageProcessor2");
+  table.add<ImageProcessor, GridImageProcessor3>("GridImageProcessor3");
+  table.add<ImageProcessor, GridImageProcessorTSL>("GridImageProcessorTSL");
+  table.add<ImageProcessor, LinesImageProcessor>("Lines");
+  table.add<ImageProcessor, CheckerboardDetector>("CheckerboardDetector");
 }
 
 }  // namespace gt
