@@ -19,9 +19,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   std::string only;
   app.add_option("--only", only,
-                 "Measures but one part: matches, logs, streams, parts, of these localization, or "
-                 "programs")
-      ->check(CLI::IsMember({"matches", "logs", "streams", "parts", "localization", "programs"}));
+                 "Measures but one part: matches, logs, streams, parts, of these localization or "
+                 "vision, or programs")
+      ->check(CLI::IsMember(
+          {"matches", "logs", "streams", "parts", "localization", "programs", "vision"}));
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {
     app.parse(argc, argv);
@@ -44,6 +45,9 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
+  if (only == "vision") gt::measureParts(figures, "^speed\\.vision");
+  figures.addRatio("speed.vision.blackWhiteBall.ofOpenCv", "speed.vision.blackWhiteBall",
+                   "speed.vision.blackWhiteBall.opencv", gt::Aim::atMost(0.1));
   if (only == "localization") gt::measureParts(figures, "^speed\\.localization");
   figures.print();
   std::error_code ignored;

@@ -24,6 +24,10 @@ Result<void> measureMatches(Figures& figures, const ExperimentOptions& options);
 Result<void> measureLocalization(Figures& figures, const ExperimentOptions& options);
 /// The image processor on random views of the simulated field.
 Result<void> measureVision(Figures& figures, const ExperimentOptions& options);
+/// The image processor that adapts its colours while robots play (report 6.2.1).
+Result<void> measureVisionPlay(Figures& figures, const ExperimentOptions& options);
+/// Opening angles and body offsets from pictures of a checkerboard (report 3, B.4.5).
+Result<void> measureCalibration(Figures& figures, const ExperimentOptions& options);
 /// 22 robots and 10 balls while everything goes wrong: half an hour in the kinematic fidelity, some
 /// minutes in the dynamic one.
 Result<void> measureSoak(Figures& figures, const ExperimentOptions& options);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/motion/InvKinWalkingEngine.h"
 #include "colors/ColorTableFile.h"
+#include "modules/motion/InvKinWalkingEngine.h"
 #include "modules/perception/DefaultSensorDataProcessor.h"
 #include "modules/perception/GT2003ImageProcessor.h"
 #include "streams/Config.h"

@@ -6,25 +6,24 @@
 
 namespace gt {
 
-VisionTruth::VisionTruth(const GameViews& views) : views_(views) {
-  for (const auto* group : {&views.scene().robots, &views.scene().extras})
+VisionTruth::VisionTruth(const World& world, const SceneDescription& scene) : world_(world) {
+  for (const auto* group : {&scene.robots, &scene.extras})
     for (const SceneRobot& robot : *group) players_.push_back(robot.player());
   objects_.push_back({Kind::background, 0});
-  const CameraScene camera{views.world().model()};
-  for (int geom = 0; geom < views.world().model().ngeom; ++geom)
+  const CameraScene camera{world.model()};
+  for (int geom = 0; geom < world.model().ngeom; ++geom)
     objects_.push_back(objectOf(geom, camera.classOf(geom)));
 }
 
 VisionTruth::Object VisionTruth::objectOf(int geom, ColorClass color) const {
-  const World& world = views_.world();
-  const mjModel& model = world.model();
-  for (std::size_t i = 0; i < world.robotCount(); ++i) {
-    const RobotParts& parts = world.parts(i);
+  const mjModel& model = world_.model();
+  for (std::size_t i = 0; i < world_.robotCount(); ++i) {
+    const RobotParts& parts = world_.parts(i);
     if (geom < parts.firstGeom || geom >= parts.lastGeom) continue;
     const bool tricot = color == ColorClass::red || color == ColorClass::blue;
     return {tricot ? Kind::tricot : Kind::robot, i};
   }
-  if (model.geom_bodyid[geom] == world.ballBody(0)) return {Kind::ball, 0};
+  if (model.geom_bodyid[geom] == world_.ballBody(0)) return {Kind::ball, 0};
   const std::string_view name = model.names + model.name_geomadr[geom];
   for (std::size_t type = 0; type < enumCount<FlagType>; ++type)
     if (name.starts_with(enumNames<FlagType>[type]) && !name.ends_with("Base"))

@@ -15,7 +15,7 @@ class VisionTruth {
  public:
   enum class Kind { background, ground, line, border, flag, goal, ball, robot, tricot, other };
 
-  explicit VisionTruth(const GameViews& views);
+  VisionTruth(const World& world, const SceneDescription& scene);
 
   /// Takes a picture to tell about.
   void look(const GameView& view);
@@ -23,12 +23,12 @@ class VisionTruth {
   const CameraMatrix& camera() const { return view_->camera; }
   Vector2d onRobot(const Vector2d& onField) const { return relative(pose(), onField); }
   Vector2d onField(const Vector2d& onRobot) const { return pose() * onRobot; }
-  Vector2d ball() const { return onRobot(views_.world().ball(0).position); }
+  Vector2d ball() const { return onRobot(world_.ball(0).position); }
   Vector2d flag(FlagType type) const { return onRobot(positionOf(type, TeamColor::red, field_)); }
   /// A goal's left and right post, as seen from the field.
   Vector2d post(GoalColor color, bool left) const;
-  std::size_t robots() const { return views_.world().robotCount(); }
-  Vector2d robot(std::size_t i) const { return onRobot(views_.world().robot(i).pose.translation); }
+  std::size_t robots() const { return world_.robotCount(); }
+  Vector2d robot(std::size_t i) const { return onRobot(world_.robot(i).pose.translation); }
   TeamColor team(std::size_t i) const { return players_[i].teamColor; }
   bool isOwn(std::size_t robot) const { return robot == view_->robot; }
 
@@ -45,11 +45,11 @@ class VisionTruth {
     std::size_t number = 0;
   };
 
-  const Pose2D& pose() const { return views_.world().robot(view_->robot).pose; }
+  const Pose2D& pose() const { return world_.robot(view_->robot).pose; }
   Object objectOf(int geom, ColorClass color) const;
   const Object& objectAt(int x, int y) const;
 
-  const GameViews& views_;
+  const World& world_;
   FieldDimensions field_;
   std::vector<Player> players_;
   std::vector<Object> objects_;  ///< The background, then the geoms.

@@ -25,13 +25,12 @@ std::optional<std::vector<std::uint64_t>> parseSeeds(const std::string& text) {
 }
 
 using Experiment = Result<void> (*)(Figures&, const ExperimentOptions&);
-const std::map<std::string, Experiment> experiments{{"collisions", measureCollisions},
-                                                    {"fidelity", measureFidelity},
-                                                    {"localization", measureLocalization},
-                                                    {"matches", measureMatches},
-                                                    {"soak", measureSoak},
-                                                    {"vision", measureVision},
-                                                    {"worldmodel", measureWorldModel}};
+const std::map<std::string, Experiment> experiments{
+    {"calibration", measureCalibration}, {"collisions", measureCollisions},
+    {"fidelity", measureFidelity},       {"localization", measureLocalization},
+    {"matches", measureMatches},         {"soak", measureSoak},
+    {"vision", measureVision},           {"visionplay", measureVisionPlay},
+    {"worldmodel", measureWorldModel}};
 
 /// Writes the page of the self-locators beside the figures' file, if they were measured.
 Result<void> writePages(const Figures& figures, const std::filesystem::path& json) {

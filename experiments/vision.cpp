@@ -3,19 +3,71 @@
 #include "Experiments.h"
 #include "InParallel.h"
 #include "VisionMeasures.h"
+#include "colors/ColorStatistics.h"
 #include "colors/ColorTableFile.h"
 #include "modules/perception/DefaultSensorDataProcessor.h"
 #include "modules/perception/GT2003ImageProcessor.h"
+#include "modules/perception/GridImageProcessor2.h"
+#include "modules/perception/GridImageProcessor3.h"
+#include "modules/perception/GridImageProcessorTSL.h"
+#include "modules/perception/LinesImageProcessor.h"
 
 namespace gt {
 namespace {
 
-/// How the pictures of a row of the experiment differ from those of the match scene.
+/// The colours that image processors know.
+struct KnownColors {
+  ColorTable64 table;  ///< Made by hand.
+  TslColors tsl;
+};
+
+/// A solution of the task ImageProcessor, at work.
+using Processor = std::function<void(const Image&, const CameraMatrix&, VisionPercepts&)>;
+using MakeProcessor = Processor (*)(const KnownColors&);
+
+template <typename Solution, typename... Colors>
+Processor processor(const Colors&... colors) {
+  struct State {
+    Solution solution;
+    Random random{2003};
+    Debug debug{1024};
+  };
+  return [state = std::make_shared<State>(), &colors...](
+             const Image& image, const CameraMatrix& matrix, VisionPercepts& p) {
+    const auto update = [&](auto&... chance) {
+      state->solution.update(image, matrix, colors..., FieldDimensions{}, p.ball, p.landmarks,
+                             p.lines, p.players, p.obstacles, chance..., state->debug);
+    };
+    if constexpr (std::is_same_v<Solution, GridImageProcessor3>)
+      update(state->random);
+    else
+      update();
+  };
+}
+Processor gt2003(const KnownColors& colors) {
+  return processor<GT2003ImageProcessor>(colors.table);
+}
+Processor grid2(const KnownColors&) {
+  return processor<GridImageProcessor2>();
+}
+Processor grid3(const KnownColors& colors) {
+  return processor<GridImageProcessor3>(colors.table);
+}
+Processor gridTsl(const KnownColors& colors) {
+  return processor<GridImageProcessorTSL>(colors.tsl);
+}
+Processor lines(const KnownColors& colors) {
+  return processor<LinesImageProcessor>(colors.table);
+}
+
+/// How the pictures of a row of the experiment differ from those of the match scene, and who looks
+/// at them.
 struct Condition {
   std::string name;
   double share = 1;    ///< Of the moments that are looked at.
   bool brief = false;  ///< Only the figures with an aim are told.
   std::function<void(SceneDescription&)> change;
+  MakeProcessor processor = gt2003;
 };
 
 std::vector<Condition> conditions() {
@@ -57,6 +109,33 @@ std::vector<Condition> conditions() {
            }}};
 }
 
+/// The other image processors.
+std::vector<Condition> processorConditions() {
+  using Scene = SceneDescription;
+  const auto same = [](Scene&) {};
+  const auto dim = [](Scene& scene) { scene.camera.brightness = 0.5; };
+  const auto cast = [](Scene& scene) {
+    scene.camera.shiftCb = -8;
+    scene.camera.shiftCr = 8;
+  };
+  const auto blackWhite = [](Scene& scene) {
+    for (SceneBall& ball : scene.balls) ball.model = "../models/ball-black-white.xml";
+  };
+  // The challenge for which it was made: nobody else is on the field.
+  const auto challenge = [=](Scene& scene) {
+    blackWhite(scene);
+    scene.robots.resize(1);
+  };
+  return {{"GridImageProcessor2.", 0.2, true, same, grid2},
+          {"GridImageProcessor2.dim.", 0.2, true, dim, grid2},
+          {"GridImageProcessor2.cast.", 0.2, true, cast, grid2},
+          {"GridImageProcessorTSL.", 0.2, true, same, gridTsl},
+          {"GridImageProcessorTSL.dim.", 0.2, true, dim, gridTsl},
+          {"GridImageProcessor3.", 2, true, challenge, grid3},
+          {"GridImageProcessor3.match.", 0.5, true, blackWhite, grid3},
+          {"LinesImageProcessor.", 0.2, true, same, lines}};
+}
+
 /// What each figure should be at default.
 struct AimOf {
   const char* name;
@@ -80,16 +159,17 @@ const std::vector<AimOf> aims{{"ball.found", Aim::atLeast(98)},
 
 /// A robot's part of vision.
 struct Eyes {
+  explicit Eyes(Processor processor) : imageProcessor{std::move(processor)} {}
+
   DefaultSensorDataProcessor sensorDataProcessor;
-  GT2003ImageProcessor imageProcessor;
+  Processor imageProcessor;
   OdometryData odometry;
   CameraMatrix matrix;
   BodyPercept body;
   PsdPercept psd;
   VisionPercepts percepts;
-  Debug debug;
 
-  void look(const GameView& view, const ColorTable64& colors, bool trueCamera) {
+  void look(const GameView& view, bool trueCamera) {
     // Twice, to know how the robot walks.
     for (const Time time : {Time{view.image.time.ms - tickMs}, view.image.time}) {
       odometry.pose = odometry.pose * view.step;
@@ -97,26 +177,52 @@ struct Eyes {
                                  RobotCalibration{}, MotionInfo{}, odometry, matrix, body, psd);
     }
     if (trueCamera) matrix = view.camera;
-    imageProcessor.update(view.image, matrix, colors, FieldDimensions{}, percepts.ball,
-                          percepts.landmarks, percepts.lines, percepts.players, percepts.obstacles,
-                          debug);
+    imageProcessor(view.image, matrix, percepts);
   }
 };
 
-/// One condition with one seed.
-Result<Tally> measure(const SceneDescription& scene, const ColorTable64& colors, std::uint64_t seed,
-                      int moments, bool trueCamera) {
+/// Thresholds in the TSL space that hold nearly all that some pictures show of each colour.
+Result<TslColors> learnTsl(const SceneDescription& scene) {
+  constexpr std::uint64_t seed = 2003;  // Not one of those that are measured by default.
+  constexpr int moments = 60;
+  constexpr double share = 0.98;
   auto views = GameViews::make(scene, seed);
   if (!views) return views.error();
-  VisionTruth truth{*views};
-  VisionMeasures measures{truth};
-  Tally tally;
-  Eyes eyes;
+  ColorStatistics statistics;
   for (int i = 0; i < moments; ++i) {
     views->shuffle();
     for (std::size_t robot = 0; robot < views->world().activeRobots(); ++robot) {
       const GameView& view = views->look(robot, scene.camera);
-      eyes.look(view, colors, trueCamera);
+      statistics.add(view.image, view.truth.classes);
+    }
+  }
+  TslColors colors = statistics.tsl(share);
+  // What has a tint has it in any light.
+  for (std::size_t i = 0; i < enumCount<ColorClass>; ++i) {
+    const auto color = static_cast<ColorClass>(i);
+    constexpr ColorSet tinted{ColorClass::orange, ColorClass::yellow, ColorClass::skyblue,
+                              ColorClass::pink,   ColorClass::red,    ColorClass::blue,
+                              ColorClass::green};
+    ColorRange& luminance = colors.classes[color].luminance;
+    if (tinted.contains(color)) luminance = {luminance[0] / 2, 255};
+  }
+  return colors;
+}
+
+/// One condition with one seed.
+Result<Tally> measure(const SceneDescription& scene, Processor processor, std::uint64_t seed,
+                      int moments, bool trueCamera) {
+  auto views = GameViews::make(scene, seed);
+  if (!views) return views.error();
+  VisionTruth truth{views->world(), views->scene()};
+  VisionMeasures measures{truth};
+  Tally tally;
+  Eyes eyes{std::move(processor)};
+  for (int i = 0; i < moments; ++i) {
+    views->shuffle();
+    for (std::size_t robot = 0; robot < views->world().activeRobots(); ++robot) {
+      const GameView& view = views->look(robot, scene.camera);
+      eyes.look(view, trueCamera);
       truth.look(view);
       measures.compareSensors(views->world().robot(robot), eyes.matrix, eyes.body, tally);
       measures.comparePercepts(eyes.percepts, eyes.matrix, tally);
@@ -170,7 +276,8 @@ class Report {
   void add(const std::string& name, const std::string& unit, const std::vector<double>& values) {
     const auto aim =
         std::find_if(aims.begin(), aims.end(), [&](const AimOf& of) { return name == of.name; });
-    if (condition_.brief && aim == aims.end()) return;
+    const bool ofBall = condition_.processor == grid3 && name.starts_with("ball.");
+    if (condition_.brief && aim == aims.end() && !ofBall) return;
     const bool asked = condition_.name.empty() && aim != aims.end();
     figures_.add("vision." + condition_.name + name, unit, values, asked ? aim->aim : Aim{});
   }
@@ -182,11 +289,15 @@ class Report {
 }  // namespace
 
 Result<void> measureVision(Figures& figures, const ExperimentOptions& options) {
-  const auto colors = readColorTable("config/coltable.c64");
-  if (!colors) return colors.error();
+  const auto table = readColorTable("config/coltable.c64");
+  if (!table) return table.error();
   const auto scene = loadScene("scenes/match.scene");
   if (!scene) return scene.error();
-  const std::vector<Condition> rows = conditions();
+  const auto tsl = learnTsl(*scene);
+  if (!tsl) return tsl.error();
+  const KnownColors colors{*table, *tsl};
+  std::vector<Condition> rows = conditions();
+  for (Condition& row : processorConditions()) rows.push_back(std::move(row));
   const std::size_t seeds = options.seeds.size();
   std::vector<Result<Tally>> results(rows.size() * seeds, Tally{});
   inParallel(results.size(), [&](std::size_t i) {
@@ -194,7 +305,7 @@ Result<void> measureVision(Figures& figures, const ExperimentOptions& options) {
     SceneDescription changed = *scene;
     row.change(changed);
     results[i] =
-        measure(changed, *colors, options.seeds[i % seeds],
+        measure(changed, row.processor(colors), options.seeds[i % seeds],
                 std::max(1, static_cast<int>(options.moments * row.share)), options.trueCamera);
   });
   for (std::size_t row = 0; row < rows.size(); ++row) {

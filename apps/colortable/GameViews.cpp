@@ -3,9 +3,7 @@
 #include <algorithm>
 
 namespace gt {
-namespace {
 
-/// What a robot's camera matrix should be.
 CameraMatrix trueMatrix(const CameraView& camera, const Pose2D& robot) {
   const Pose3D origin{rotationZ(robot.rotation), {robot.translation.x(), robot.translation.y(), 0}};
   const Eigen::AngleAxisd turn{camera.last.rotation * camera.first.rotation.transpose()};
@@ -19,8 +17,6 @@ CameraMatrix trueMatrix(const CameraView& camera, const Pose2D& robot) {
   matrix.valid = true;
   return matrix;
 }
-
-}  // namespace
 
 Result<GameViews> GameViews::make(const SceneDescription& scene, std::uint64_t seed) {
   auto world = makeWorld(scene, Random{seed}.fork("world"));

@@ -22,6 +22,9 @@ struct GameView {
   CameraMatrix camera;  ///< The true one.
 };
 
+/// What the camera matrix of a robot should be that stands there and takes this picture.
+CameraMatrix trueMatrix(const CameraView& camera, const Pose2D& robot);
+
 /// Random moments of matches as the robots of a scene see them: robots and ball are anywhere, some
 /// robots walk, legs differ, heads look around. For experiments and for learning colours.
 class GameViews {
