@@ -96,7 +96,10 @@ Actuators::Actuator* Actuators::find(const std::string& name) {
 }
 
 void Actuators::step(World& world) {
-  for (Actuator& actuator : actuators_) move(world, actuator);
+  for (Actuator& actuator : actuators_) {
+    actuator.body = world.model().jnt_bodyid[actuator.joint];  // each fidelity has its own
+    move(world, actuator);
+  }
 }
 
 void Actuators::hold(World& world) const {

@@ -8,6 +8,8 @@ namespace {
 
 /// No part of a robot lies further from the body's centre on the ground than this (mm).
 constexpr double robotReach = 330;
+/// Balls that are further away from a robot than this do not touch it in the next tick (mm).
+constexpr double mayTouchWithin = 1000;
 /// Robots push a ball out of themselves by at most this in a tick, so that it never gets so deep
 /// into a wall that it would leave it on the far side (mm).
 constexpr double longestPush = 25;
@@ -24,9 +26,19 @@ BallPhysics::BallPhysics(const BallParameters& parameters, const mjModel& model)
       positions_(static_cast<std::size_t>(3 * model.ngeom)),
       rotations_(static_cast<std::size_t>(9 * model.ngeom)) {}
 
-void BallPhysics::rememberGeoms(const mjData& data) {
-  std::copy_n(data.geom_xpos, positions_.size(), positions_.begin());
-  std::copy_n(data.geom_xmat, rotations_.size(), rotations_.begin());
+void BallPhysics::rememberGeoms(const mjData& data, std::span<const RobotParts> parts,
+                                std::span<const RobotBody> robots,
+                                std::span<const BallState> balls) {
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const auto mayTouch = [&](const BallState& ball) {
+      return (robots[i].pose.translation - ball.position).squaredNorm() <
+             mayTouchWithin * mayTouchWithin;
+    };
+    if (std::none_of(balls.begin(), balls.end(), mayTouch)) continue;
+    const int first = parts[i].firstGeom, count = parts[i].lastGeom - first;
+    std::copy_n(data.geom_xpos + 3 * first, 3 * count, positions_.begin() + 3 * first);
+    std::copy_n(data.geom_xmat + 9 * first, 9 * count, rotations_.begin() + 9 * first);
+  }
 }
 
 void BallPhysics::step(BallState& ball, const BallParts& parts, mjData& data,

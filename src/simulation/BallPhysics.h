@@ -23,8 +23,10 @@ class BallPhysics {
 
   BallPhysics(const BallParameters& parameters, const mjModel& model);
 
-  /// Keeps the poses of all geoms at the end of a tick; the next tick's speeds follow from them.
-  void rememberGeoms(const mjData& data);
+  /// Keeps, at the end of a tick, the poses of the parts that a ball may meet in the next one;
+  /// their speeds follow from them.
+  void rememberGeoms(const mjData& data, std::span<const RobotParts> parts,
+                     std::span<const RobotBody> robots, std::span<const BallState> balls);
 
   /// Moves the ball by one tick. `data` holds the robots' poses after their own motion; the ball's
   /// own place in it is used for the tests.

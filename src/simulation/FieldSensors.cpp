@@ -9,14 +9,19 @@ namespace {
 
 constexpr double farthest = 10;  // m, of a whisker without cutoff
 
+/// The body that a geom moves with: 0 if it stands still.
+int movedWith(const mjModel& model, int geom) {
+  return model.body_weldid[model.geom_bodyid[geom]];
+}
+
 /// Whether anything but the floor touches one of the geoms of a body.
 bool isTouched(const World& world, int body) {
   const mjModel& model = world.model();
   for (int geom = 0; geom < model.ngeom; ++geom) {
-    if (model.geom_bodyid[geom] != body) continue;
+    if (movedWith(model, geom) != body) continue;
     for (int other = 0; other < model.ngeom; ++other) {
       const int group = model.geom_group[other];
-      if (model.geom_bodyid[other] != body && group >= 2 && group <= 4 &&
+      if (movedWith(model, other) != body && group >= 2 && group <= 4 &&
           geomsTouch(world, geom, other, 0.0005))
         return true;
     }
@@ -64,12 +69,12 @@ void FieldSensors::step(const World& world) {
 
 void FieldSensors::measure(const World& world, Sensor& sensor) const {
   const Pose3D pose = sitePose(world.data(), sensor.site);
-  const int body = world.model().site_bodyid[sensor.site];
+  const int body = world.model().body_weldid[world.model().site_bodyid[sensor.site]];
   switch (sensor.kind) {
     case FieldSensorKind::whisker:
       sensor.value[0] =
           rayDistance(world, pose.translation, pose.rotation.col(2), 1000 * sensor.range,
-                      [&](int geom) { return world.model().geom_bodyid[geom] == body; });
+                      [&](int geom) { return movedWith(world.model(), geom) == body; });
       return;
     case FieldSensorKind::touch:
       sensor.value[0] = isTouched(world, body);

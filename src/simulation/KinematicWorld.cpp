@@ -70,7 +70,7 @@ Result<std::unique_ptr<World>> KinematicWorld::make(const SceneDescription& scen
 }
 
 void KinematicWorld::step(std::span<const RobotCommand> commands) {
-  ballPhysics_.rememberGeoms(*data_);
+  ballPhysics_.rememberGeoms(*data_, parts_, robots_, balls_);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     from_[i] = robots_[i].pose.translation;
     ways_[i].setZero();

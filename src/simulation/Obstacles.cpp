@@ -9,7 +9,7 @@ Obstacles::Obstacles(const mjModel& model) {
   const ModelData data = makeData(model);
   mj_kinematics(&model, data.get());
   for (int geom = 0; geom < model.ngeom; ++geom) {
-    if (model.geom_group[geom] != 2 || model.body_rootid[model.geom_bodyid[geom]] != 0) continue;
+    if (model.geom_group[geom] != 2 || model.body_weldid[model.geom_bodyid[geom]] != 0) continue;
     const int type = model.geom_type[geom];
     const mjtNum* size = model.geom_size + 3 * geom;
     const Matrix3d rotation = rotationFromMuJoCo(data->geom_xmat + 9 * geom);

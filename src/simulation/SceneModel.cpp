@@ -62,6 +62,7 @@ class Composer {
   void addRobot(const SceneRobot& robot);
   void addBall(const SceneBall& ball, std::size_t index);
   void removeFlags();
+  void separateField();
 
   const SceneDescription& scene_;
   std::vector<Error>& errors_;
@@ -152,6 +153,25 @@ void Composer::removeFlags() {
   }
 }
 
+/// MuJoCo tests each geom of one body with each of another, but only bodies that are near each
+/// other, and all are near the world's own: so what stands on the floor gets bodies of its own.
+void Composer::separateField() {
+  xmlNode* world = childOf(root_, "worldbody", true);
+  std::vector<xmlNode*> geoms;
+  for (xmlNode* child = world->children; child; child = child->next) {
+    if (child->type != XML_ELEMENT_NODE || nameOf(child) != "geom") continue;
+    // Geoms keep their numbers: all before the last floor stay what they are.
+    attribute(child, "type") == "plane" ? geoms.clear() : geoms.push_back(child);
+  }
+  xmlNode* next = childOf(world, "body");
+  for (xmlNode* geom : geoms) {
+    xmlNode* body = xmlNewNode(nullptr, BAD_CAST "body");
+    next ? xmlAddPrevSibling(next, body) : xmlAddChild(world, body);
+    xmlUnlinkNode(geom);
+    xmlAddChild(body, geom);
+  }
+}
+
 std::optional<std::string> Composer::compose() {
   const std::size_t before = errors_.size();
   document_ = read(scene_.field, {}, "field");
@@ -165,6 +185,7 @@ std::optional<std::string> Composer::compose() {
   if (!scene_.flags) removeFlags();
   addAudience(childOf(root_, "worldbody", true), scene_.audience);
   addReferees(childOf(root_, "worldbody", true), scene_.referees);
+  if (scene_.fidelity == Fidelity::dynamic) separateField();
   for (const auto* group : {&scene_.robots, &scene_.extras})
     for (const SceneRobot& robot : *group) addRobot(robot);
   for (std::size_t i = 0; i < scene_.balls.size(); ++i) addBall(scene_.balls[i], i);

@@ -270,8 +270,9 @@ void SceneTree::addActuators() {
         [kind = actuator.kind] { return std::string{enumName(kind)}; });
     add(path + "/executed", "whether the last command met no obstacle",
         [&s, name] { return textOf(s.actuators().find(name)->executed); });
-    const int body = actuator.body, joint = actuator.joint;
-    add(path + "/position", "x y z in mm", [&s, body] {
+    const int joint = actuator.joint;
+    add(path + "/position", "x y z in mm", [&s, joint] {
+      const int body = s.world().model().jnt_bodyid[joint];  // each fidelity has its own
       const Vector3d p = fromMuJoCo(s.world().data().xpos + 3 * body);
       return textOf({p.x(), p.y(), p.z()});
     });
@@ -335,7 +336,7 @@ void SceneTree::addField() {
   const mjModel& model = s.world().model();
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const std::string name = nameOf(model, mjOBJ_GEOM, geom);
-    if (name.empty() || model.body_rootid[model.geom_bodyid[geom]] != 0) continue;
+    if (name.empty() || model.body_weldid[model.geom_bodyid[geom]] != 0) continue;
     addNumbers(
         "field/" + name, "x y z in mm of its middle",
         [&s, geom] {

@@ -6,6 +6,8 @@ namespace gt {
 namespace {
 
 constexpr double psdNearest = 100, psdFurthest = 900;
+/// No part of a robot lies further from the origin of its body than this (m).
+constexpr double robotReach = 0.5;
 
 }  // namespace
 
@@ -34,32 +36,62 @@ void Sensors::read(const World& world, std::size_t robot, SensorData& readings) 
 
 namespace {
 
+/// A ray through the world, in metres, and how far away is what it meets first.
+class Ray {
+ public:
+  Ray(const World& world, const Vector3d& start, const Vector3d& direction, double range)
+      : model_(world.model()),
+        data_(world.data()),
+        from_(start / 1000),
+        along_(direction),
+        nearest_(range / 1000) {
+    if (along_.z() < 0) nearest_ = std::min(nearest_, -from_.z() / along_.z());  // the floor
+  }
+
+  /// Whether it may meet something in a sphere before what it meets first so far.
+  bool mayMeet(const mjtNum* center, double radius) const {
+    const Vector3d d = Eigen::Map<const Vector3d>{center} - from_;
+    const double ahead = d.dot(along_);
+    return ahead >= -radius && ahead <= nearest_ + radius &&
+           d.squaredNorm() - ahead * ahead <= radius * radius;
+  }
+  void meet(int geom) {
+    const int group = model_.geom_group[geom];
+    if (group < 2 || group > 4) return;
+    const mjtNum* center = data_.geom_xpos + 3 * geom;
+    if (!mayMeet(center, model_.geom_rbound[geom])) return;
+    const mjtNum hit = mju_rayGeom(center, data_.geom_xmat + 9 * geom, model_.geom_size + 3 * geom,
+                                   from_.data(), along_.data(), model_.geom_type[geom]);
+    if (hit >= 0) nearest_ = std::min(nearest_, hit);
+  }
+  double distance() const { return 1000 * nearest_; }
+
+ private:
+  const mjModel& model_;
+  const mjData& data_;
+  Vector3d from_, along_;
+  double nearest_;
+};
+
 /// See rayDistance; a template, so that a robot's own sensor costs no indirect calls.
 template <typename Passes>
 double distanceAlong(const World& world, const Vector3d& start, const Vector3d& direction,
                      double range, const Passes& passes) {
-  const mjModel& model = world.model();
-  const mjData& data = world.data();
-  const Vector3d from = start / 1000;
-  const mjtNum* along = direction.data();
-  double nearest = range / 1000;
-  if (along[2] < 0) nearest = std::min(nearest, -from[2] / along[2]);  // the floor
-  for (int geom = 0; geom < model.ngeom; ++geom) {
-    if (passes(geom)) continue;
-    const int group = model.geom_group[geom];
-    if (group < 2 || group > 4) continue;
-    // Only what the ray passes nearer than the geom's bounding sphere is wide.
-    const mjtNum* center = data.geom_xpos + 3 * geom;
-    const mjtNum d[3] = {center[0] - from[0], center[1] - from[1], center[2] - from[2]};
-    const mjtNum bound = model.geom_rbound[geom];
-    const mjtNum ahead = d[0] * along[0] + d[1] * along[1] + d[2] * along[2];
-    if (ahead < -bound || ahead > nearest + bound) continue;
-    if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - ahead * ahead > bound * bound) continue;
-    const mjtNum hit = mju_rayGeom(center, data.geom_xmat + 9 * geom, model.geom_size + 3 * geom,
-                                   from.data(), along, model.geom_type[geom]);
-    if (hit >= 0) nearest = std::min(nearest, hit);
+  Ray ray{world, start, direction, range};
+  const auto meetAll = [&](int first, int last) {
+    for (int geom = first; geom < last; ++geom)
+      if (!passes(geom)) ray.meet(geom);
+  };
+  int next = 0;
+  for (std::size_t robot = 0; robot < world.robotCount(); ++robot) {
+    const RobotParts& parts = world.parts(robot);
+    meetAll(next, parts.firstGeom);
+    next = parts.lastGeom;
+    if (ray.mayMeet(world.data().xpos + 3 * parts.body, robotReach))
+      meetAll(parts.firstGeom, parts.lastGeom);
   }
-  return 1000 * nearest;
+  meetAll(next, world.model().ngeom);
+  return ray.distance();
 }
 
 }  // namespace

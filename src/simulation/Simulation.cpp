@@ -160,11 +160,7 @@ void Simulation::step() {
       r.failure = "the controller threw something";
     }
   };
-  // Ticks without pictures are so short that sharing them would cost more than it gains.
-  if (picture)
-    pool_.forEach(robots_.size(), work);
-  else
-    for (std::size_t i = 0; i < robots_.size(); ++i) work(i, 0);
+  pool_.forEach(robots_.size(), work);
   act();
   ++tick_;
 }

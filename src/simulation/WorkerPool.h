@@ -23,19 +23,23 @@ class WorkerPool {
   std::size_t threads() const { return threads_.size() + 1; }
 
   /// Calls work(index, worker) for 0 .. count-1, worker in 0 .. threads()-1; returns when all is
-  /// done. The calling thread works, too. Not to be called from within work.
+  /// done. The calling thread works, too, and does all that the others come too late for. Not to be
+  /// called from within work.
   void forEach(std::size_t count, const Work& work);
 
  private:
   void run(std::size_t worker);
   void takeShare(std::size_t worker);
+  bool take(std::size_t& index);
 
   std::vector<std::thread> threads_;
   const Work* work_ = nullptr;
-  std::size_t count_ = 0;
-  std::atomic<std::size_t> next_{0};
+  std::uint32_t count_ = 0;
   std::atomic<std::uint32_t> job_{0};
-  std::atomic<std::size_t> busy_{0};
+  /// The number of the job, and in the lower half how many of its indices nobody has taken yet: so
+  /// who comes too late for one job never takes an index of the next without its work.
+  std::atomic<std::uint64_t> open_{0};
+  std::atomic<std::uint32_t> unfinished_{0};
   bool stop_ = false;
 };
 

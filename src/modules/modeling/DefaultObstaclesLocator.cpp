@@ -12,6 +12,31 @@ const DebugKey drawRadarOnImage{"ObstaclesLocator/image"};
 
 using Sector = ObstaclesModel::Sector;
 
+/// The directions in which a sector begins and ends.
+struct Borders {
+  Vector2d right, left;
+};
+const auto sectorBorders = [] {
+  std::array<Borders, ObstaclesModel::numberOfSectors> borders;
+  for (int i = 0; i < ObstaclesModel::numberOfSectors; ++i) {
+    constexpr double half = pi / ObstaclesModel::numberOfSectors;
+    const double middle = ObstaclesModel::middleOf(i);
+    borders[static_cast<std::size_t>(i)] = {direction(middle - half), direction(middle + half)};
+  }
+  return borders;
+}();
+
+/// Whether a place lies in a sector and not right on its border: known without its angle.
+bool isWellWithin(int sector, const Vector2d& place, double distance) {
+  if (sector < 0) return false;
+  const auto cross = [](const Vector2d& a, const Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  const double sure = 1e-9 * distance;
+  const Borders& borders = sectorBorders[static_cast<std::size_t>(sector)];
+  return cross(borders.right, place) > sure && cross(place, borders.left) > sure;
+}
+
 }  // namespace
 
 void DefaultObstaclesLocator::update(const ObstaclesPercept& percept, const PsdPercept& psd,
@@ -93,10 +118,12 @@ void DefaultObstaclesLocator::clear(const Vector2d& from, const Vector2d& to) {
   for (int i = 0; i <= strides; ++i) {
     const Vector2d place = from + (to - from) * (static_cast<double>(i) / strides);
     const double distance = place.norm();
-    if (const int here = ObstaclesModel::sectorOf(place); here != sector) {
-      free();
-      sector = here;
-      nearest = farthest = distance;
+    if (!isWellWithin(sector, place, distance)) {
+      if (const int here = ObstaclesModel::sectorOf(place); here != sector) {
+        free();
+        sector = here;
+        nearest = farthest = distance;
+      }
     }
     nearest = std::min(nearest, distance);
     farthest = std::max(farthest, distance);

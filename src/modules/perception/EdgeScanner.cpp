@@ -30,13 +30,11 @@ double EdgeScanner::sharpest(int at) const {
 }
 
 void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
-  const auto length = static_cast<std::size_t>(line.length);
-  y_.resize(length);
+  y_.resize(static_cast<std::size_t>(line.length));
+  std::uint8_t* const y = y_.data();
   PixelWalk walk{picture.image, line};
-  for (std::size_t i = 0; i < length; ++i, walk.step()) y_[i] = walk.pixel().y;
-  const auto difference = [&](int i) {
-    return y_[static_cast<std::size_t>(i)] - y_[static_cast<std::size_t>(i - reach)];
-  };
+  for (int i = 0; i < line.length; ++i, walk.step()) y[i] = walk.pixel().y;
+  const auto difference = [y](int i) { return y[i] - y[i - reach]; };
   const auto isAt = [&](int k, ColorClass color) {
     return k >= 0 && k < line.length && picture.classAt(line.at(k)) == color;
   };
@@ -49,9 +47,8 @@ void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
   Bright bright;
   bool inside = true;  // perhaps: a wall that reaches beyond the picture is bright from the start
   for (int i = reach; i < line.length; ++i) {
-    const int d = difference(i);
-    const bool rising = d > contrast, falling = d < -contrast;
-    if (!rising && !falling) continue;
+    if (std::abs(difference(i)) <= contrast) continue;
+    const bool rising = difference(i) > 0;
     // The steepest place of this edge.
     int best = i;
     while (i + 1 < line.length &&

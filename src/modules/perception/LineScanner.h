@@ -82,6 +82,7 @@ class LineScanner {
   bool isHidden(const Stretch& goal) const;
   std::size_t findGoal(const Picture& picture, const ScanLine& line, std::size_t first);
 
+  std::vector<ColorClass> classes_;  ///< Of the pixels.
   std::vector<Run> runs_;
 };
 

@@ -20,10 +20,13 @@ class PictureEffects {
 
  private:
   void setTables(int width, const CameraEffects& effects);
+  void setLight(int width, const CameraEffects& effects);
+  void setNoise(const CameraEffects& effects);
   const std::uint8_t* blurRow(const Rasterizer& picture, int y, int weight);
 
   // Four entries for each pixel of a row: y, cb, cr and the unused byte. Made for `known_`.
-  std::vector<std::int16_t> offset_, gain_, base_, sigma_;
+  std::vector<std::int16_t> offset_, gain_;
+  std::vector<std::int16_t> added_;  ///< Noise and colour cast, a picture takes rows of it.
   std::vector<std::uint8_t> vertical_, blurred_;
   int width_ = 0;
   CameraEffects known_;

@@ -49,8 +49,9 @@ void Rasterizer::begin(int width, int height, PackedColor background, bool withG
   colors_.assign(size, background);
   nearness_.assign(size, 0.0f);
   if (withGeoms) geoms_.assign(size, -1);
-  left_.resize(static_cast<std::size_t>(height));
-  right_.resize(static_cast<std::size_t>(height));
+  for (auto* values : {&left_, &right_, &rowNearness_, &perPixel_})
+    values->resize(static_cast<std::size_t>(height));
+  for (auto* pixels : {&from_, &to_}) pixels->resize(static_cast<std::size_t>(height));
 }
 
 void Rasterizer::fill(const ScreenPoint* points, int count, const ScreenPlane& plane,
@@ -68,12 +69,12 @@ void Rasterizer::fill(const ScreenPoint* points, int count, const ScreenPlane& p
     return;
   for (int i = 0, j = count - 1; i < count; j = i++)
     addEdge(points[j], points[i], plane.clockwise, first, end);
+  measureRows(first, end, plane);
   if (hasDepth_)
-    withGeoms_ ? fillRows<true, true>(first, end, plane, color)
-               : fillRows<true, false>(first, end, plane, color);
+    withGeoms_ ? fillRows<true, true>(first, end, color) : fillRows<true, false>(first, end, color);
   else
-    withGeoms_ ? fillRows<false, true>(first, end, plane, color)
-               : fillRows<false, false>(first, end, plane, color);
+    withGeoms_ ? fillRows<false, true>(first, end, color)
+               : fillRows<false, false>(first, end, color);
 }
 
 void Rasterizer::addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first,
@@ -90,22 +91,39 @@ void Rasterizer::addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockw
   for (int y = from; y < to; ++y, ++row) side[y] = upper.x + row * slope;
 }
 
+// For all rows at once, so that the processor works on several of them at a time.
+void Rasterizer::measureRows(int first, int end, const ScreenPlane& plane) {
+  const float limit = static_cast<float>(width_);
+  const auto bounded = [limit](float v) { return std::max(0.0f, std::min(v, limit)); };
+  const auto n = static_cast<std::size_t>(end - first), skipped = static_cast<std::size_t>(first);
+  const float *left = left_.data() + skipped, *right = right_.data() + skipped;
+  int* __restrict from = from_.data();
+  int* __restrict to = to_.data();
+  float* __restrict nearness = rowNearness_.data();
+  float* __restrict perPixel = perPixel_.data();
+  for (std::size_t i = 0; i < n; ++i) {
+    from[i] = pixelFrom(bounded(left[i]));
+    to[i] = pixelFrom(bounded(right[i]));
+    const float center = static_cast<float>(first + static_cast<int>(i)) + 0.5f;
+    const float scale = 1 / plane.distanceAt(center);
+    const int start = from[i] & ~(lanes - 1);
+    perPixel[i] = plane.perColumnAt(center) * scale;
+    nearness[i] =
+        plane.firstColumnAt(center) * scale + perPixel[i] * (static_cast<float>(start) + 0.5f);
+  }
+}
+
 template <bool hasDepth, bool withGeoms>
-void Rasterizer::fillRows(int first, int end, const ScreenPlane& plane, PackedColor color) {
+void Rasterizer::fillRows(int first, int end, PackedColor color) {
   const auto value = static_cast<std::int32_t>(color);
   const Ints lane = {0, 1, 2, 3}, colors = {value, value, value, value};
   const Ints everywhere = {-1, -1, -1, -1};
   const Ints geoms = {geom_, geom_, geom_, geom_};
-  const float limit = static_cast<float>(width_);
   for (int y = first; y < end; ++y) {
-    const auto row = static_cast<std::size_t>(y);
-    const int from = pixelFrom(std::clamp(left_[row], 0.0f, limit));
-    const int to = pixelFrom(std::clamp(right_[row], 0.0f, limit));
+    const auto row = static_cast<std::size_t>(y - first);
+    const int from = from_[row], to = to_[row];
     if (from >= to) continue;
-    const int start = from & ~(lanes - 1);
-    const float center = static_cast<float>(y) + 0.5f, scale = 1 / plane.distanceAt(center);
-    const float perX = plane.perColumnAt(center) * scale;
-    const float z = plane.firstColumnAt(center) * scale + perX * (static_cast<float>(start) + 0.5f);
+    const float z = rowNearness_[row], perX = perPixel_[row];
     Floats nearness = {z, z + perX, z + 2 * perX, z + 3 * perX};
     const float step = lanes * perX;
     PackedColor* const colorRow = colors_.data() + offset(y);
@@ -122,7 +140,7 @@ void Rasterizer::fillRows(int first, int end, const ScreenPlane& plane, PackedCo
       nearness += step;
     };
     // Only the first and the last group of pixels may reach beyond the ends.
-    int x = start;
+    int x = from & ~(lanes - 1);
     const Ints column = lane + x;
     fillLanes(x, (column >= from) & (column < to));
     for (x += lanes; x + lanes <= to; x += lanes) fillLanes(x, everywhere);

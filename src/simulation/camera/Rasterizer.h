@@ -31,8 +31,11 @@ class Rasterizer {
 
  private:
   void addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first, int end);
+  /// What each row of a polygon has to know: its first pixel and the one behind its last, the
+  /// nearness at its first group of pixels and how it changes.
+  void measureRows(int first, int end, const ScreenPlane& plane);
   template <bool hasDepth, bool withGeoms>
-  void fillRows(int first, int end, const ScreenPlane& plane, PackedColor color);
+  void fillRows(int first, int end, PackedColor color);
   std::size_t offset(int y) const { return static_cast<std::size_t>(y * stride_); }
 
   int width_ = 0, height_ = 0, stride_ = 0;
@@ -41,7 +44,9 @@ class Rasterizer {
   std::vector<PackedColor> colors_;
   std::vector<float> nearness_;
   std::vector<std::int32_t> geoms_;
-  std::vector<float> left_, right_;
+  std::vector<float> left_, right_;  ///< The outline, by row of the picture.
+  std::vector<int> from_, to_;       ///< By row of the polygon, as what follows.
+  std::vector<float> rowNearness_, perPixel_;
 };
 
 }  // namespace gt
