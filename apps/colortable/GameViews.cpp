@@ -109,7 +109,7 @@ const GameView& GameViews::look(std::size_t robot, const CameraEffects& effects)
   view_.robot = robot;
   view_.sensors = buffers_[robot];
   view_.step = commands_[robot].step;
-  const CameraView camera = cameraView(*world_, robot, CameraInfo{});
+  const CameraView camera = cameraView(*world_, robot, scene_.optics);
   renderer_.render(world_->data(), camera, effects.at(world_->time()), random_(), view_.image,
                    &view_.truth);
   view_.image.time = world_->time();

@@ -36,10 +36,13 @@ inline void set(const CameraInfo& value, rival::CameraInfo& message) {
   message.set_center_x(value.centerX);
   message.set_center_y(value.centerY);
   message.set_row_time(value.rowTime);
+  message.set_distortion2(value.distortion2);
+  message.set_distortion4(value.distortion4);
 }
 inline void get(const rival::CameraInfo& message, CameraInfo& value) {
   value = {message.width(),    message.height(),   message.focal_x(), message.focal_y(),
-           message.center_x(), message.center_y(), message.row_time()};
+           message.center_x(), message.center_y(), message.row_time(),
+           message.distortion2(), message.distortion4()};
 }
 
 inline void set(const Image& value, rival::Image& message) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/Enum.h"
+#include "simulation/World.h"
 #include "simulation/Xml.h"
 #include "streams/File.h"
 
@@ -33,6 +34,7 @@ class SceneReader {
 
   template <typename T>
   void readAttributes(const xmlNode* node, T& into);
+  void readOptics(const xmlNode* node, CameraInfo& optics);
   void readElement(const xmlNode* node, SceneDescription& scene);
   void readRobots(const xmlNode* group, std::vector<SceneRobot>& into);
   void readBalls(const xmlNode* group, std::vector<SceneBall>& into);
@@ -110,6 +112,18 @@ void SceneReader::readAttributes(const xmlNode* node, T& into) {
   }
 }
 
+void SceneReader::readOptics(const xmlNode* node, CameraInfo& optics) {
+  readAttributes(node, optics);
+  if (attribute(node, "centerX").empty()) optics.centerX = optics.width / 2.0;
+  if (attribute(node, "centerY").empty()) optics.centerY = optics.height / 2.0;
+  constexpr int largest = 1280;  // Each robot has such pictures.
+  for (const auto& [name, size] : {std::pair{"width", optics.width}, {"height", optics.height}})
+    if (size > largest) error(node, name, "expected at most " + std::to_string(largest));
+  constexpr double longest = static_cast<double>((World::cameraHistory - 1) * tickMs);
+  if ((optics.height - 1) * optics.rowTime > longest)
+    error(node, "rowTime", "all rows together take longer than " + std::to_string(longest) + " ms");
+}
+
 void SceneReader::expectEmpty(const xmlNode* node) {
   for (const xmlNode* child = node->children; child; child = child->next)
     if (child->type != XML_COMMENT_NODE) error(child, nameOf(child), tag(node) + " has no content");
@@ -162,6 +176,7 @@ void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
   expectEmpty(node);
   if (name == "noise") return readAttributes(node, scene.noise);
   if (name == "camera") return readAttributes(node, scene.camera);
+  if (name == "optics") return readOptics(node, scene.optics);
   if (name == "physics") return readAttributes(node, scene.physics);
   if (name == "radio") {
     readAttributes(node, scene.radio);
@@ -171,10 +186,10 @@ void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
   }
   if (name == "game") return readAttributes(node, scene.game);
   if (name == "rules") return readAttributes(node, scene.rules);
-  return error(
-      node, name,
-      "expected <noise>, <camera>, <physics>, <radio>, <game>, <rules>, <robots>, <extras> "
-      "or <balls>");
+  return error(node, name,
+               "expected <noise>, <camera>, <optics>, <physics>, <radio>, <game>, <rules>, "
+               "<robots>, <extras> "
+               "or <balls>");
 }
 
 void SceneReader::checkRobots(const SceneDescription& scene) {

@@ -4,6 +4,7 @@
 
 #include "base/Geometry.h"
 #include "base/Result.h"
+#include "representations/infrastructure/CameraInfo.h"
 #include "representations/infrastructure/Player.h"
 #include "simulation/FilePlace.h"
 #include "simulation/camera/CameraEffects.h"
@@ -215,6 +216,7 @@ struct SceneDescription {
   int referees = 0;
   NoiseParameters noise;
   CameraEffects camera;
+  CameraInfo optics;
   BallParameters physics;
   RadioParameters radio;
   GameParameters game;

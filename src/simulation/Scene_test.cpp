@@ -87,6 +87,7 @@ TEST(Scene, schemaKnowsWhatTheLoaderKnows) {
   };
   check(NoiseParameters{});
   check(CameraEffects{});
+  check(CameraInfo{});
   check(BallParameters{});
   check(RadioParameters{});
   check(GameParameters{});
@@ -177,6 +178,9 @@ TEST_F(WrongFiles, namesFileLineAndField) {
   expectError("<scene><robots><robot/>\n<robot name=\"x\"/></robots></scene>", 2, "role", "goalie");
   expectError("<scene><robots>\n<ball/></robots></scene>", 2, "ball", "expected <robot>");
   expectError("<scene><balls/>\n<balls/></scene>", 2, "balls", "a second <balls>");
+  expectError("<scene>\n<optics width=\"2000\"/></scene>", 2, "width", "at most 1280");
+  expectError("<scene>\n<optics distortion2=\"-2\"/></scene>", 2, "distortion2", "outside");
+  expectError("<scene>\n<optics height=\"240\"/></scene>", 2, "rowTime", "longer than 40");
   expectError("<scene fidelity=\"dreamlike\"/>", 1, "fidelity", "kinematic");
 }
 

@@ -185,7 +185,7 @@ void Simulation::takePicture(std::size_t robot, CameraRenderer& renderer) {
   const Stopwatch::Lap lap{r.cameraTime};
   if (r.cameraOn) {
     const CameraView view =
-        leaning(cameraView(*world_, robot, CameraInfo{}), *world_, robot, scene_.robots[robot]);
+        leaning(cameraView(*world_, robot, scene_.optics), *world_, robot, scene_.robots[robot]);
     renderer.render(world_->data(), view, r.camera.at(r.input.now), r.pictureSeeds(), r.image);
   } else if (r.image.pixels.empty()) {
     r.image.allocate();

@@ -16,6 +16,11 @@ Horizon horizonOf(const CameraMatrix& matrix) {
   horizon.along = {horizon.down.y(), -horizon.down.x()};
   horizon.base =
       Vector2d{info.centerX, info.centerY} + horizon.down * (r(2, 0) / std::max(slope, flattest));
+  if (!info.distortion().none()) {
+    // A lens bends the horizon; next to the optical axis it stays parallel to itself.
+    const Vector2d center{info.centerX, info.centerY};
+    horizon.base = center + info.distorted(horizon.base - center);
+  }
   return horizon;
 }
 

@@ -35,6 +35,23 @@ TEST(Horizon, HoldsWhatIsFarAway) {
   EXPECT_GT(seen, 50);
 }
 
+// With a lens that bends it, the horizon is that next to the optical axis.
+TEST(Horizon, FollowsTheLens) {
+  Random random{6};
+  for (int i = 0; i < 50; ++i) {
+    CameraMatrix matrix = someMatrix(random);
+    matrix.info.distortion2 = -0.2;
+    const Horizon horizon = horizonOf(matrix);
+    if (!matrix.info.contains(horizon.base.x(), horizon.base.y())) continue;
+    const auto up = [&](double u) {
+      const Vector2d p = horizon.toPicture(u, 0);
+      return (matrix.pose.rotation * matrix.info.ray(p.x(), p.y()).normalized()).z();
+    };
+    EXPECT_NEAR(up(0), 0, 1e-9);
+    EXPECT_NEAR(up(0.5), up(-0.5), 1e-9) << "it is bent the same to both sides";
+  }
+}
+
 // The report's formulas 3.5 and 3.6 for the left and the right border, where the focal lengths are
 // the same and the axis meets the middle.
 TEST(Horizon, FollowsTheReportsFormula) {
@@ -51,6 +68,30 @@ TEST(Horizon, FollowsTheReportsFormula) {
     EXPECT_NEAR(horizon.fromPicture({0, 72 - left}).y(), 0, 1e-6);
     EXPECT_NEAR(horizon.fromPicture({176, 72 - right}).y(), 0, 1e-6);
   }
+}
+
+TEST(CameraInfo, UndoesTheLens) {
+  for (const auto& [k2, k4] :
+       {std::pair{-0.2, 0.0}, {-0.25, 0.08}, {0.1, 0.0}, {-1.0, 0.3}, {-1.0, 1.0}, {0.3, -1.0}}) {
+    CameraInfo info;
+    info.distortion2 = k2;
+    info.distortion4 = k4;
+    double before = -1;
+    for (double r = 0; r < 3; r += 0.01) {
+      const double seen = r * info.distortion().factor(r * r);
+      EXPECT_GT(seen, before) << "no direction is seen twice: " << k2 << " " << r;
+      before = seen;
+      EXPECT_NEAR(seen * info.distortion().undoing(seen * seen), r, 1e-3) << k2 << " " << k4;
+    }
+    const Vector2d pixel{20.5, 130.25};
+    const Vector2d again = info.project(2.5 * info.ray(pixel.x(), pixel.y()));
+    EXPECT_NEAR((again - pixel).norm(), 0, 1e-2) << k2 << " " << k4;
+  }
+  // A barrel sees more than the focal length tells.
+  CameraInfo barrel;
+  barrel.distortion2 = -0.2;
+  EXPECT_GT(barrel.openingAngleX(), CameraInfo{}.openingAngleX() + 0.02);
+  EXPECT_NEAR(CameraInfo{}.openingAngleX(), 57.6 * pi / 180, 1e-3);
 }
 
 TEST(Horizon, ExistsForEveryRotation) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/Geometry.h"
+#include "representations/infrastructure/LensDistortion.h"
 #include "streams/Reflection.h"
 
 namespace gt {
@@ -16,19 +17,36 @@ struct CameraInfo {
   double centerX = 88;
   double centerY = 72;
   double rowTime = 0.23;
+  double distortion2 = 0;
+  double distortion4 = 0;
 
   /// The direction of a point of the picture in the camera's system (x along the optical axis, y
   /// left, z up), not normalized.
   Vector3d ray(double x, double y) const {
-    return {1, (centerX - x) / focalX, (centerY - y) / focalY};
+    const Vector3d seen{1, (centerX - x) / focalX, (centerY - y) / focalY};
+    if (distortion().none()) return seen;
+    const double factor = distortion().undoing(seen.tail<2>().squaredNorm());
+    return {1, factor * seen.y(), factor * seen.z()};
   }
   /// Where a point in the camera's system is seen; its x must be positive.
   Vector2d project(const Vector3d& inCamera) const {
-    return {centerX - focalX * inCamera.y() / inCamera.x(),
-            centerY - focalY * inCamera.z() / inCamera.x()};
+    const Vector2d offset{focalX * inCamera.y() / inCamera.x(),
+                          focalY * inCamera.z() / inCamera.x()};
+    const Vector2d center{centerX, centerY};
+    return distortion().none() ? center - offset : center - distorted(offset);
   }
-  double openingAngleX() const { return 2 * std::atan(width / (2 * focalX)); }
-  double openingAngleY() const { return 2 * std::atan(height / (2 * focalY)); }
+  LensDistortion distortion() const { return {distortion2, distortion4}; }
+  /// Where the lens lets a point appear that should be at an offset from the optical axis (pixels).
+  Vector2d distorted(const Vector2d& offset) const {
+    const double x = offset.x() / focalX, y = offset.y() / focalY;
+    return distortion().factor(x * x + y * y) * offset;
+  }
+  double openingAngleX() const {
+    return std::atan(ray(0, centerY).y()) - std::atan(ray(width, centerY).y());
+  }
+  double openingAngleY() const {
+    return std::atan(ray(centerX, 0).z()) - std::atan(ray(centerX, height).z());
+  }
   bool contains(double x, double y) const { return x >= 0 && y >= 0 && x < width && y < height; }
 
   static constexpr auto fields() {
@@ -40,7 +58,10 @@ struct CameraInfo {
         field("centerX", &CameraInfo::centerX, "pixel", "where the optical axis meets the picture"),
         field("centerY", &CameraInfo::centerY, "pixel"),
         field("rowTime", &CameraInfo::rowTime, "ms",
-              "from the exposure of a row to that of the next", {0, 10})};
+              "from the exposure of a row to that of the next", {0, 10}),
+        field("distortion2", &CameraInfo::distortion2, "", "of the lens: k2 of LensDistortion",
+              {-1, 1}),
+        field("distortion4", &CameraInfo::distortion4, "", "k4 of LensDistortion", {-1, 1})};
   }
 };
 static_assert(complete<CameraInfo>);

@@ -4,6 +4,20 @@
 #include <cmath>
 
 namespace gt {
+namespace {
+
+/// By how much more a lens sees than its focal length tells, at most: in one of the corners.
+double widestFactor(const CameraInfo& info) {
+  double widest = 1;
+  for (const double x : {info.centerX, info.width - info.centerX})
+    for (const double y : {info.centerY, info.height - info.centerY}) {
+      const double a = x / info.focalX, b = y / info.focalY;
+      widest = std::max(widest, info.distortion().undoing(a * a + b * b));
+    }
+  return widest;
+}
+
+}  // namespace
 
 void Projection::set(const CameraView& view, bool rollingShutter) {
   constexpr double metres = 0.001;
@@ -27,16 +41,23 @@ void Projection::set(const CameraView& view, bool rollingShutter) {
     moving_ = (metres * (middle.transpose() * (view.last.translation - view.first.translation)))
                   .cast<float>();
   }
-  bends_ = turning_.norm() > 1e-4f || moving_.norm() > 1e-5f;
+  moves_ = turning_.norm() > 1e-4f || moving_.norm() > 1e-5f;
   rowOffset_ = static_cast<float>(info.height / 2.0 - info.centerY);
   middleRow_ = static_cast<float>(info.height) / 2;
   rowShare_ = rows ? 1 / static_cast<float>(info.height - 1) : 0;
 
+  const LensDistortion lens = info.distortion();
+  distorts_ = !lens.none();
+  distortion2_ = static_cast<float>(lens.k2);
+  distortion4_ = static_cast<float>(lens.k4);
+  distortionLimit_ = static_cast<float>(lens.limit());
+
   // What turns into the picture during the exposure lies outside its borders at half time.
   const double margin = 0.02 + std::min(1.0, 1.0 * static_cast<double>(turning_.norm()) +
                                                  static_cast<double>(moving_.norm()) / 0.1);
+  const double widest = distorts_ ? widestFactor(info) : 1;
   const auto border = [&](double pixels, double focal) {
-    return static_cast<float>(pixels / focal + margin);
+    return static_cast<float>(widest * pixels / focal + margin);
   };
   normals_ = {Eigen::Vector3f{1, 0, 0},
               Eigen::Vector3f{border(info.centerX, info.focalX), -1, 0}.normalized(),
@@ -44,6 +65,26 @@ void Projection::set(const CameraView& view, bool rollingShutter) {
               Eigen::Vector3f{border(info.centerY, info.focalY), 0, -1}.normalized(),
               Eigen::Vector3f{border(info.height - info.centerY, info.focalY), 0, 1}.normalized()};
   offsets_ = {nearest, 0, 0, 0, 0};
+}
+
+// Straight edges get points between, so that it is enough to distort points; a plane's nearness is
+// that of where the point should be, which is off by as little as the lens bends.
+ScreenPoint Projection::projectByLens(const Eigen::Vector3f& point,
+                                      const Eigen::Vector3f& moved) const {
+  constexpr float limit = 1e5f;
+  const auto bounded = [=](float v) { return std::min(limit, std::max(-limit, v)); };
+  const auto project = [&](const Eigen::Vector3f& p) -> ScreenPoint {
+    const float nearness = 1 / std::max(p.x(), nearest / 4);
+    const float y = p.y() * nearness, z = p.z() * nearness;
+    const float square = std::min(y * y + z * z, distortionLimit_);
+    const float factor = 1 + square * (distortion2_ + square * distortion4_);
+    return {bounded(centerX_ - focalX_ * y * factor), bounded(centerY_ - focalY_ * z * factor)};
+  };
+  const ScreenPoint seen = project(moved);
+  if (!moves_) return seen;
+  // The lens moves it into another row, which is exposed at another moment.
+  const float s = std::clamp(rowShare_ * (seen.y - middleRow_), -0.75f, 0.75f);
+  return project(point - s * (turning_.cross(point) + moving_));
 }
 
 bool Projection::planeOf(const Eigen::Vector3f* points, int count, ScreenPlane& plane) const {

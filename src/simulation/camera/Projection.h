@@ -41,8 +41,8 @@ class Projection {
   const Eigen::Matrix3f& rotation() const { return rotation_; }
   /// Pixels per radian in the picture's centre.
   float focal() const { return focalX_; }
-  /// Whether straight edges are bent by the camera's motion.
-  bool bends() const { return bends_; }
+  /// Whether straight edges are bent, by the camera's motion or by its lens.
+  bool bends() const { return moves_ || distorts_; }
 
   /// How much can be seen of a sphere, its centre in the camera's system.
   Visibility visibility(const Eigen::Vector3f& center, float radius) const;
@@ -63,13 +63,18 @@ class Projection {
   static constexpr int maxPoints = 64;
   static constexpr int planeCount = 5;
 
+  /// How a point in the camera's system moves until a row is exposed, and where the lens lets it
+  /// appear.
+  ScreenPoint projectByLens(const Eigen::Vector3f& point, const Eigen::Vector3f& moved) const;
+
   Eigen::Matrix3f rotation_ = Eigen::Matrix3f::Identity();
   Eigen::Vector3f position_ = Eigen::Vector3f::Zero();
   Eigen::Vector3f turning_ = Eigen::Vector3f::Zero();  ///< Over the whole exposure.
   Eigen::Vector3f moving_ = Eigen::Vector3f::Zero();
   float focalX_ = 1, focalY_ = 1, centerX_ = 0, centerY_ = 0;
   float rowOffset_ = 0, rowShare_ = 0, middleRow_ = 0;
-  bool bends_ = false;
+  bool moves_ = false, distorts_ = false;
+  float distortion2_ = 0, distortion4_ = 0, distortionLimit_ = 0;  ///< As in LensDistortion.
   std::array<Eigen::Vector3f, planeCount> normals_;
   std::array<float, planeCount> offsets_{};
 };
@@ -79,7 +84,7 @@ inline ScreenPoint Projection::project(const Eigen::Vector3f& point) const {
   // It is exposed when s * (rows - 1) = row(s) - middle; times x this is a square equation in s,
   // nearly a linear one: one step of refinement is exact to a thousandth of a pixel.
   Eigen::Vector3f p = point;
-  if (bends_) {
+  if (moves_) {
     const Eigen::Vector3f change = -(turning_.cross(point) + moving_);
     const float linear = p.x() + rowShare_ * (rowOffset_ * change.x() + focalY_ * change.z());
     const float constant = rowShare_ * (rowOffset_ * p.x() + focalY_ * p.z());
@@ -87,6 +92,7 @@ inline ScreenPoint Projection::project(const Eigen::Vector3f& point) const {
     s = -constant / (linear + change.x() * s);
     p += std::min(0.75f, std::max(-0.75f, s)) * change;
   }
+  if (distorts_) return projectByLens(point, p);
   constexpr float limit = 1e5f;
   const float nearness = 1 / std::max(p.x(), nearest / 4);
   const auto bounded = [=](float v) { return std::min(limit, std::max(-limit, v)); };
