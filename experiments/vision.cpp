@@ -17,7 +17,9 @@ namespace {
 
 /// The colours that image processors know.
 struct KnownColors {
-  ColorTable64 table;  ///< Made by hand.
+  ColorTable64 table;    ///< The configuration's.
+  ColorTable64 hand;     ///< Of HSI ranges made by hand.
+  ColorTable64 learned;  ///< Of other pictures than those that are measured.
   TslColors tsl;
 };
 
@@ -46,6 +48,22 @@ Processor processor(const Colors&... colors) {
 }
 Processor gt2003(const KnownColors& colors) {
   return processor<GT2003ImageProcessor>(colors.table);
+}
+Processor withHandMade(const KnownColors& colors) {
+  return processor<GT2003ImageProcessor>(colors.hand);
+}
+Processor withLearned(const KnownColors& colors) {
+  return processor<GT2003ImageProcessor>(colors.learned);
+}
+/// Takes a lens for one that bends nothing.
+Processor ignoringLens(const KnownColors& colors) {
+  return [see = gt2003(colors), picture = Image{}](const Image& image, const CameraMatrix& matrix,
+                                                   VisionPercepts& p) mutable {
+    picture = image;
+    CameraMatrix straight = matrix;
+    picture.info.distortion2 = straight.info.distortion2 = 0;
+    see(picture, straight, p);
+  };
 }
 Processor grid2(const KnownColors&) {
   return processor<GridImageProcessor2>();
@@ -107,6 +125,16 @@ std::vector<Condition> conditions() {
                scene.extras.push_back(robot);
              }
            }}};
+}
+
+/// Other colour tables, and another lens.
+std::vector<Condition> cameraConditions() {
+  const auto same = [](SceneDescription&) {};
+  const auto barrel = [](SceneDescription& scene) { scene.optics.distortion2 = -0.2; };
+  return {{"colors.hand.", 0.2, true, same, withHandMade},
+          {"colors.learned.", 0.2, true, same, withLearned},
+          {"lens.", 0.2, true, barrel, gt2003},
+          {"lens.ignored.", 0.2, true, barrel, ignoringLens}};
 }
 
 /// The other image processors.
@@ -181,11 +209,10 @@ struct Eyes {
   }
 };
 
-/// Thresholds in the TSL space that hold nearly all that some pictures show of each colour.
-Result<TslColors> learnTsl(const SceneDescription& scene) {
+/// What some pictures show of each colour.
+Result<ColorStatistics> lookAround(const SceneDescription& scene) {
   constexpr std::uint64_t seed = 2003;  // Not one of those that are measured by default.
   constexpr int moments = 60;
-  constexpr double share = 0.98;
   auto views = GameViews::make(scene, seed);
   if (!views) return views.error();
   ColorStatistics statistics;
@@ -196,6 +223,12 @@ Result<TslColors> learnTsl(const SceneDescription& scene) {
       statistics.add(view.image, view.truth.classes);
     }
   }
+  return statistics;
+}
+
+/// Thresholds in the TSL space that hold nearly all that was seen of each colour.
+TslColors learnTsl(const ColorStatistics& statistics) {
+  constexpr double share = 0.98;
   TslColors colors = statistics.tsl(share);
   // What has a tint has it in any light.
   for (std::size_t i = 0; i < enumCount<ColorClass>; ++i) {
@@ -293,10 +326,15 @@ Result<void> measureVision(Figures& figures, const ExperimentOptions& options) {
   if (!table) return table.error();
   const auto scene = loadScene("scenes/match.scene");
   if (!scene) return scene.error();
-  const auto tsl = learnTsl(*scene);
-  if (!tsl) return tsl.error();
-  const KnownColors colors{*table, *tsl};
+  const auto hand = readHsiColors("experiments/colors/hand.hsi");
+  if (!hand) return hand.error();
+  const auto statistics = lookAround(*scene);
+  if (!statistics) return statistics.error();
+  constexpr int growth = 4;
+  const auto colors = std::make_unique<KnownColors>(
+      KnownColors{*table, hand->table(), statistics->table(growth), learnTsl(*statistics)});
   std::vector<Condition> rows = conditions();
+  for (Condition& row : cameraConditions()) rows.push_back(std::move(row));
   for (Condition& row : processorConditions()) rows.push_back(std::move(row));
   const std::size_t seeds = options.seeds.size();
   std::vector<Result<Tally>> results(rows.size() * seeds, Tally{});
@@ -305,7 +343,7 @@ Result<void> measureVision(Figures& figures, const ExperimentOptions& options) {
     SceneDescription changed = *scene;
     row.change(changed);
     results[i] =
-        measure(changed, row.processor(colors), options.seeds[i % seeds],
+        measure(changed, row.processor(*colors), options.seeds[i % seeds],
                 std::max(1, static_cast<int>(options.moments * row.share)), options.trueCamera);
   });
   for (std::size_t row = 0; row < rows.size(); ++row) {

@@ -32,7 +32,7 @@ double LensDistortion::undoing(double square) const {
   if (std::isfinite(edge) && seen >= evenFrom * factor(edge)) return 1 / factor(edge);
   // Newton's method; within the limit the distorted distance grows with the true one.
   double r = std::min(seen, evenFrom);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const double x = r * r, slope = 1 + x * (3 * k2 + 5 * x * k4);
     const double step = (r * factor(x) - seen) / std::max(slope, 0.01);
     r = std::clamp(r - step, 0.0, evenFrom);
