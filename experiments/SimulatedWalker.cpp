@@ -87,7 +87,7 @@ Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(std::uint64_t see
   scene->noise.motion = world.motion;
   scene->flags = world.flags;
   scene->game.referee = false;
-  scene->robots.resize(1);
+  scene->robots.resize(1 + std::min(world.others, scene->robots.size() - 1));
   scene->balls.clear();
   auto simulation = Simulation::make(*scene, seed);
   if (!simulation) return simulation.error();
@@ -97,6 +97,7 @@ Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(std::uint64_t see
   auto body = std::make_unique<Body>(*std::move(colors), walk);
   walker->body_ = body.get();
   walker->simulation_->attach(0, std::move(body));
+  walker->placeFlags();
   walker->kidnap();
   return walker;
 }
@@ -116,14 +117,75 @@ void SimulatedWalker::kidnap() {
   // In its own team's coordinates; the world's are those of the red team.
   const Pose2D place = placeOnField();
   simulation_->world().placeRobot(0, place);
-  goal_ = placeOnField().translation;
+  goal_ = chooseGoal();
+}
+
+Vector2d SimulatedWalker::chooseGoal() {
+  Vector2d goal = placeOnField().translation;
+  if (!world_.leansOnWalls || random_.chance(0.5)) return goal;
+  constexpr double beyond = 600;  // mm
+  if (random_.chance(0.5))
+    goal.x() = std::copysign(field.xGroundline + beyond, goal.x());
+  else
+    goal.y() = std::copysign(field.ySideline + beyond, goal.y());
+  return goal;
+}
+
+void SimulatedWalker::placeFlags() {
+  if (!world_.flags) return;
+  World& simulated = simulation_->world();
+  for (std::size_t i = 0; i < enumCount<FlagType>; ++i) {
+    const Vector2d aside = world_.misplacedFlags * direction(pi * random_.symmetric());
+    constexpr double outOfSight = 1e6;  // mm
+    for (const char* part : {"Base", "Lower", "Upper"}) {
+      const std::string name = std::string{enumName(static_cast<FlagType>(i))} + part;
+      const int geom = mj_name2id(&simulated.model(), mjOBJ_GEOM, name.c_str());
+      if (geom < 0) continue;
+      Vector3d place = fromMuJoCo(simulated.data().geom_xpos + 3 * geom);
+      place.head<2>() += i < world_.missingFlags ? Vector2d{outOfSight, 0} : aside;
+      if (i < world_.missingFlags || world_.misplacedFlags > 0) simulated.moveGeom(geom, place);
+    }
+  }
+}
+
+/// Others stand here and there, but not on the robot itself.
+void SimulatedWalker::placeOthers() {
+  if (simulation_->world().robotCount() < 2 || simulation_->time() < othersMoveAt_) return;
+  othersMoveAt_ = simulation_->time() + static_cast<std::int64_t>(random_.uniform(1000, 3000));
+  const std::size_t other = 1 + random_.index(simulation_->world().robotCount() - 1);
+  Pose2D place = placeOnField();
+  for (int i = 0; i < 20 && (place.translation - pose.translation).norm() < 400; ++i)
+    place = placeOnField();
+  simulation_->world().placeRobot(other, place);
+}
+
+/// Mixes in what is wrong: other names, other directions.
+void SimulatedWalker::spoilPercepts() {
+  if (random_.chance(world_.lostPictures)) {
+    percept.numberOfFlags = percept.numberOfGoals = 0;
+    for (auto& points : lines.points) points.clear();
+  }
+  if (world_.wrong == 0) return;
+  constexpr double farOff = 0.3;  // rad
+  for (int i = 0; i < percept.numberOfFlags; ++i) {
+    FlagPercept& flag = percept.flags[static_cast<std::size_t>(i)];
+    if (random_.chance(world_.wrong))
+      flag.type = static_cast<FlagType>(random_.index(enumCount<FlagType>));
+  }
+  for (int i = 0; i < percept.numberOfGoals; ++i)
+    if (random_.chance(world_.wrong))
+      percept.goals[static_cast<std::size_t>(i)].boundary.left += farOff * random_.symmetric();
+  for (auto& points : lines.points)
+    for (Vector2d& point : points)
+      if (random_.chance(world_.wrong)) point = rotated(point, farOff * random_.symmetric());
 }
 
 void SimulatedWalker::step() {
   Pose2D speed;
   if (world_.walks) {
     const Vector2d toGoal = relative(pose, goal_);
-    if (toGoal.norm() < 100 || random_.chance(0.002)) goal_ = placeOnField().translation;
+    if (toGoal.norm() < 100 || random_.chance(world_.leansOnWalls ? 0.005 : 0.002))
+      goal_ = chooseGoal();
     speed = {std::clamp(angleOf(toGoal), -0.8, 0.8), toGoal.normalized() * world_.walkingSpeed};
   }
   step(speed);
@@ -131,6 +193,7 @@ void SimulatedWalker::step() {
 
 void SimulatedWalker::step(const Pose2D& speed) {
   body_->order(speed);
+  placeOthers();
   const Time before = percept.time;
   for (int i = 0; i < 2 * Simulation::ticksPerPicture && body_->landmarks.time == before; ++i)
     simulation_->step();
@@ -140,6 +203,7 @@ void SimulatedWalker::step(const Pose2D& speed) {
   percept = body_->landmarks;
   lines = body_->lines;
   camera = body_->matrix;
+  spoilPercepts();
 }
 
 }  // namespace gt

@@ -20,6 +20,12 @@ struct WalkerWorld {
   bool flags = true;
   double walkingSpeed = 150;  ///< mm/s
   bool walks = true;
+  std::uint64_t missingFlags = 0;  ///< As many of the six beacons were taken away.
+  double misplacedFlags = 0;       ///< mm, by which each stands elsewhere.
+  double wrong = 0;                ///< Share of what is seen that is made something else.
+  double lostPictures = 0;         ///< Share in which nothing is found.
+  std::size_t others = 0;          ///< Robots that stand in the way, now here, now there.
+  bool leansOnWalls = false;       ///< Walks against them for half of the time; its feet slip.
 };
 
 /// A robot alone on the simulated field that walks about and turns its head from left to right and
@@ -52,12 +58,17 @@ class SimulatedWalker {
 
   SimulatedWalker(std::uint64_t seed, const WalkerWorld& world);
   Pose2D placeOnField();
+  Vector2d chooseGoal();
+  void placeFlags();
+  void placeOthers();
+  void spoilPercepts();
 
   WalkerWorld world_;
   Random random_;
   std::unique_ptr<Simulation> simulation_;
   Body* body_ = nullptr;  ///< Owned by the simulation.
   Vector2d goal_;
+  Time othersMoveAt_ = never();
 };
 
 }  // namespace gt

@@ -1,6 +1,6 @@
 // Measures the self-locators against the truth: the report's experiments (3.3.3.4, figure 3.8) in
-// the simulator, with its pictures and the robot's own vision; and how robust they are on a test
-// bench without pictures, where everything goes wrong that can.
+// the simulator, with its pictures and the robot's own vision; and how robust they are, there and
+// on a test bench without pictures, where everything goes wrong that can.
 #include <cmath>
 #include <map>
 #include <optional>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "Experiments.h"
-#include "Parallel.h"
+#include "InParallel.h"
 #include "SimulatedWalker.h"
 #include "base/Statistics.h"
 #include "modules/behavior/BasicBehaviors.h"
@@ -270,44 +270,64 @@ Result<Run> relocalizing(std::uint64_t seed, bool beacons) {
   return run;
 }
 
-/// What goes wrong in a row of the robustness table.
+/// What goes wrong in a row of the robustness table: on the test bench, and on simulated pictures.
 struct Trouble {
   std::string name;
-  SyntheticWorld world;
+  SyntheticWorld bench;
+  WalkerWorld pictures;
 };
 
 std::vector<Trouble> troubles() {
-  std::vector<Trouble> rows{{"", {}}};
-  const auto row = [&](const std::string& name) -> SyntheticWorld& {
-    return rows.emplace_back(Trouble{"." + name, {}}).world;
+  std::vector<Trouble> rows{{"", {}, {}}};
+  const auto row = [&](const std::string& name) -> Trouble& {
+    return rows.emplace_back(Trouble{"." + name, {}, {}});
   };
-  for (int missing = 1; missing <= 6; ++missing)
-    row("missing" + std::to_string(missing)).missingFlags = missing;
-  row("misplaced10cm").misplacedFlags = 100;
-  row("wrong10percent").outliers = 0.1;
-  row("halfDropped").lostPictures = 0.5;
-  row("robotsInTheWay").hidden = 0.4;
-  SyntheticWorld& walls = row("leaningOnWalls");
-  walls.secondsBetweenBlocks = 8;
-  row("slip30percent").slip = 0.3;
+  for (std::uint64_t missing = 1; missing <= 6; ++missing) {
+    Trouble& trouble = row("missing" + std::to_string(missing));
+    trouble.bench.missingFlags = trouble.pictures.missingFlags = missing;
+  }
+  Trouble& misplaced = row("misplaced10cm");
+  misplaced.bench.misplacedFlags = misplaced.pictures.misplacedFlags = 100;
+  Trouble& wrong = row("wrong10percent");
+  wrong.bench.outliers = wrong.pictures.wrong = 0.1;
+  Trouble& dropped = row("halfDropped");
+  dropped.bench.lostPictures = dropped.pictures.lostPictures = 0.5;
+  Trouble& hidden = row("robotsInTheWay");
+  hidden.bench.hidden = 0.4;
+  hidden.pictures.others = 7;
+  Trouble& walls = row("leaningOnWalls");
+  walls.bench.secondsBetweenBlocks = 8;
+  walls.pictures.leansOnWalls = true;
+  Trouble& slipping = row("slip30percent");
+  slipping.bench.slip = slipping.pictures.slip = 0.3;
   return rows;
 }
 
-/// The errors while everything goes wrong, in a world like a match.
+/// The errors of all locators while a robot walks for some minutes.
+template <typename Robot>
+void followThrough(Robot& robot, const std::string& suffix, int minutes, std::uint64_t seed,
+                   Run& run) {
+  std::vector<Follower> all = followers(suffix, true, seed);
+  for (int i = 0; i < picturesPerMinute * minutes; ++i) {
+    robot.step();
+    for (Follower& follower : all) {
+      const double error = follower.look(robot);
+      if (i >= picturesPerMinute / 6) follower.errors.push_back(error);
+    }
+  }
+  for (const Follower& follower : all) follower.tell(run);
+}
+
+/// The errors while everything goes wrong: in a world like a match without pictures, and in the
+/// simulator with its pictures.
 Result<Run> robustness(std::uint64_t seed) {
-  constexpr int minutes = 6;
   Run run;
   for (const Trouble& trouble : troubles()) {
-    SyntheticRobot robot{seed, trouble.world};
-    std::vector<Follower> all = followers(trouble.name, true, seed);
-    for (int i = 0; i < picturesPerMinute * minutes; ++i) {
-      robot.step();
-      for (Follower& follower : all) {
-        const double error = follower.look(robot);
-        if (i >= picturesPerMinute / 6) follower.errors.push_back(error);
-      }
-    }
-    for (const Follower& follower : all) follower.tell(run);
+    SyntheticRobot robot{seed, trouble.bench};
+    followThrough(robot, trouble.name, 6, seed, run);
+    auto walker = SimulatedWalker::make(seed, trouble.pictures);
+    if (!walker) return walker.error();
+    followThrough(**walker, ".pictures" + trouble.name, 3, seed, run);
   }
   return run;
 }
