@@ -20,8 +20,14 @@ struct ExperimentOptions {
 
 /// Whole matches: goals, own goals, localization against the truth.
 Result<void> measureMatches(Figures& figures, const ExperimentOptions& options);
-/// The Monte-Carlo self-locator on its test bench (report 3.3.2.5, 3.3.3.4).
-Result<void> measureLocalization(Figures& figures, const ExperimentOptions& options);
+/// All self-locators while a robot walks about for 18 minutes (report 3.3.3.4, experiment 1).
+Result<void> measureWalks(Figures& figures, const ExperimentOptions& options);
+/// From nothing, and after the robot was put somewhere else (report 3.3.2.5).
+Result<void> measureSearch(Figures& figures, const ExperimentOptions& options);
+/// While beacons are missing, percepts are wrong, others are in the way.
+Result<void> measureRobustness(Figures& figures, const ExperimentOptions& options);
+/// How precisely points are reached (report 3.3.3.4, experiment 2).
+Result<void> measureGoToPoint(Figures& figures, const ExperimentOptions& options);
 /// The image processor on random views of the simulated field.
 Result<void> measureVision(Figures& figures, const ExperimentOptions& options);
 /// The image processor that adapts its colours while robots play (report 6.2.1).
@@ -35,6 +41,9 @@ Result<void> measureSoak(Figures& figures, const ExperimentOptions& options);
 Result<void> measureWorldModel(Figures& figures, const ExperimentOptions& options);
 /// Whether and how soon legs feel that the robot runs into something (report 3.6).
 Result<void> measureCollisions(Figures& figures, const ExperimentOptions& options);
+/// Writes the thresholds of the collision detector into its configuration, for the gaits as they
+/// are now, from walks in which nothing is touched.
+Result<void> calibrateCollisions(const ExperimentOptions& options);
 /// The same walks in the kinematic and in the dynamic fidelity. Nothing in it is left to chance.
 Result<void> measureFidelity(Figures& figures, const ExperimentOptions& options);
 

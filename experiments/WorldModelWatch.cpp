@@ -50,7 +50,9 @@ void BallWatch::update(const SimulatedRobot& robot, const OracledWorldState& tru
     const double error = (model.position - ball).norm();
     tally.measure(name + ".position", "mm", error);
     tally.measure(name + '.' + bandOf(ball.norm()) + ".position", "mm", error);
-    tally.measure(name + ".speed", "mm/s", (model.speed - speed).norm());
+    const double wrongSpeed = (model.speed - speed).norm();
+    tally.measure(name + ".speed", "mm/s", wrongSpeed);
+    tally.measure(name + '.' + bandOf(ball.norm()) + ".speed", "mm/s", wrongSpeed);
   }
 }
 

@@ -3,6 +3,7 @@
 // contacts.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "Experiments.h"
 #include "InParallel.h"
@@ -17,19 +18,21 @@ namespace gt {
 namespace {
 
 constexpr int ticksPerSecond = 1000 / static_cast<int>(tickMs);
-constexpr double soon = 0.5;  // s
+constexpr double soon = 0.5;       // s
+constexpr double mostMinutes = 3;  // Of a walk.
+constexpr const char* calibrationFile = "config/modules/CollisionDetector.Default.cfg";
 
 /// What happened in one run.
 struct Run {
   int collisions = 0, found = 0, falseAlarms = 0;
   double freeMinutes = 0;
-  std::vector<double> strengthFree, strengthBlocked;
 };
 
 /// A robot that walks about among others, as it is told.
 class Walker {
  public:
-  static Result<std::unique_ptr<Walker>> make(std::uint64_t seed) {
+  static Result<std::unique_ptr<Walker>> make(std::uint64_t seed,
+                                              const DefaultCollisionDetector::Parameters& how) {
     auto scene = loadScene("scenes/obstacle-challenge.scene");
     if (!scene) return scene.error();
     scene->fidelity = Fidelity::dynamic;
@@ -40,6 +43,7 @@ class Walker {
             readConfig("config/modules/WalkingEngine.InvKin.cfg", walker->engine_.parameters);
         !read)
       return read.error();
+    walker->detector_.parameters = how;
     return walker;
   }
 
@@ -60,6 +64,7 @@ class Walker {
     if (robot().posture != Posture::standing) world_->placeRobot(0, {});
   }
   const RobotBody& robot() const { return world_->robot(0); }
+  const MotionRequest& motion() const { return info_.executed; }
   Time time() const { return world_->time(); }
 
   CollisionPercept percept;
@@ -91,62 +96,146 @@ class Walker {
   Time changeAt_ = Time{1000};
 };
 
-/// A collision lasts while something blocks the robot for most of a while; what is found soon after
-/// it began counts, and what is found while nothing was there for long is a false alarm.
+/// A touch that holds the robot up: while it lasts, less than half of the way is made. Brushing
+/// past something is no collision.
+class HoldUp {
+ public:
+  /// Tells of a tick.
+  void add(const RobotBody& robot, const MotionRequest& motion) {
+    constexpr int apart = ticksPerSecond / 4;
+    if (robot.blocked) {
+      if (touching_ == 0) start_ = robot.pose, wanted_ = {};
+      free_ = 0;
+    } else if (++free_ > apart) {
+      touching_ = 0;
+    }
+    if (touching_ == 0 && !robot.blocked) return;
+    ++touching_;
+    const Pose2D& walk = motion.walk;
+    wanted_ = wanted_ * Pose2D{walk.rotation * tickSeconds, walk.translation * tickSeconds};
+    pose_ = robot.pose;
+  }
+  /// Whether something has been touched, for so many ticks (with short gaps).
+  int ticks() const { return touching_; }
+  int freeTicks() const { return free_; }
+  bool holds() const {
+    constexpr double arm = 150;  // mm: a turn moves the feet
+    const auto length = [](const Pose2D& way) {
+      return way.translation.norm() + arm * std::abs(way.rotation);
+    };
+    return length(pose_.relativeTo(start_)) < 0.5 * length(wanted_);
+  }
+
+ private:
+  int touching_ = 0, free_ = 0;
+  Pose2D start_, pose_, wanted_;
+};
+
+/// What is found within half a second after a collision began counts, and what is found while
+/// nothing was there for long is a false alarm.
 Result<Run> walk(std::uint64_t seed, double minutes) {
-  auto walker = Walker::make(seed);
+  DefaultCollisionDetector::Parameters calibrated;
+  if (auto read = readConfig(calibrationFile, calibrated); !read) return read.error();
+  auto walker = Walker::make(seed, calibrated);
   if (!walker) return walker.error();
   Run run;
-  int blocked = 0, free = 0;
-  bool counted = false, found = false, alarm = false;
+  HoldUp touch;
+  bool found = false, alarm = false;
   const int ticks = static_cast<int>(minutes * 60) * ticksPerSecond;
   for (int i = 0; i < ticks; ++i) {
     (*walker)->step();
     if (i < 2 * ticksPerSecond) continue;
     const bool collision = (*walker)->percept.collision();
-    if ((*walker)->robot().blocked) {
-      ++blocked;
-      free = 0;
-    } else if (++free > ticksPerSecond / 4) {
-      blocked = 0;
-      counted = found = false;
-    }
-    found = found || (collision && blocked > 0);
-    // Brushing past something is no collision: it has to hold the robot up for half a second.
-    if (!counted && blocked >= static_cast<int>(soon * ticksPerSecond)) {
-      counted = true;
+    touch.add((*walker)->robot(), (*walker)->motion());
+    found = touch.ticks() > 0 && (found || collision);
+    if (touch.ticks() == static_cast<int>(soon * ticksPerSecond) && touch.holds()) {
       ++run.collisions;
       run.found += found;
     }
-    if (free > ticksPerSecond) {
+    if (touch.freeTicks() > ticksPerSecond) {
       run.freeMinutes += tickSeconds / 60;
       run.falseAlarms += collision && !alarm;
-      run.strengthFree.push_back((*walker)->percept.strength);
-    } else if (blocked > 10) {
-      run.strengthBlocked.push_back((*walker)->percept.strength);
     }
     alarm = collision;
   }
   return run;
 }
 
+/// The sums of squared differences while a robot walks freely, by gait and speed.
+using FreeSums = EnumArray<Gait, std::array<std::vector<double>, DefaultCollisionDetector::speeds>>;
+
+Result<FreeSums> walkFreely(std::uint64_t seed, double minutes) {
+  // With a threshold of 1 the strength is the sum itself.
+  DefaultCollisionDetector::Parameters bare;
+  for (auto& table : bare.thresholds) table.fill(1);
+  auto walker = Walker::make(seed, bare);
+  if (!walker) return walker.error();
+  FreeSums sums;
+  HoldUp touch;
+  const int ticks = static_cast<int>(minutes * 60) * ticksPerSecond;
+  for (int i = 0; i < ticks; ++i) {
+    (*walker)->step();
+    touch.add((*walker)->robot(), (*walker)->motion());
+    const auto place = DefaultCollisionDetector::placeOf((*walker)->motion());
+    if (touch.freeTicks() > ticksPerSecond && (*walker)->percept.strength > 0)
+      sums[place.gait][place.speed].push_back((*walker)->percept.strength);
+  }
+  return sums;
+}
+
+/// Each threshold a little above what nearly all sums of a free walk stay below; where there was no
+/// such walk, that of the next slower one.
+DefaultCollisionDetector::Parameters thresholdsAbove(const FreeSums& sums) {
+  constexpr double nearlyAll = 0.999, margin = 1.1;
+  constexpr std::size_t enough = 500;
+  DefaultCollisionDetector::Parameters calibrated;
+  for (std::size_t g = 0; g < enumCount<Gait>; ++g)
+    for (std::size_t speed = 0; speed < DefaultCollisionDetector::speeds; ++speed) {
+      auto& table = calibrated.thresholds.values[g];
+      const std::vector<double>& seen = sums.values[g][speed];
+      if (seen.size() >= enough)
+        table[speed] = margin * quantile(seen, nearlyAll);
+      else if (speed > 0)
+        table[speed] = std::max(table[speed], table[speed - 1]);
+    }
+  return calibrated;
+}
+
 }  // namespace
+
+Result<void> calibrateCollisions(const ExperimentOptions& options) {
+  std::vector<Result<FreeSums>> results(options.seeds.size(), FreeSums{});
+  inParallel(results.size(), [&](std::size_t i) {
+    results[i] = walkFreely(options.seeds[i], std::min(options.minutes, mostMinutes));
+  });
+  FreeSums all;
+  for (const Result<FreeSums>& result : results) {
+    if (!result) return result.error();
+    for (std::size_t g = 0; g < enumCount<Gait>; ++g)
+      for (std::size_t speed = 0; speed < DefaultCollisionDetector::speeds; ++speed) {
+        const std::vector<double>& seen = result->values[g][speed];
+        all.values[g][speed].insert(all.values[g][speed].end(), seen.begin(), seen.end());
+      }
+  }
+  std::ofstream file{calibrationFile};
+  file << "// Written by `experiment --calibrate-collisions`: above what legs lag in free walks.\n"
+       << writeConfig(thresholdsAbove(all));
+  return file.good() ? Result<void>{} : Error{calibrationFile, 0, "", "cannot be written"};
+}
 
 Result<void> measureCollisions(Figures& figures, const ExperimentOptions& options) {
   std::vector<Result<Run>> results(options.seeds.size(), Run{});
-  inParallel(results.size(), [&](std::size_t i) { results[i] = walk(options.seeds[i], 3); });
-  std::vector<double> found, alarms, free, blocked;
+  inParallel(results.size(), [&](std::size_t i) {
+    results[i] = walk(options.seeds[i], std::min(options.minutes, mostMinutes));
+  });
+  std::vector<double> found, alarms;
   for (const Result<Run>& result : results) {
     if (!result) return result.error();
     if (result->collisions > 0) found.push_back(100. * result->found / result->collisions);
     alarms.push_back(result->falseAlarms / std::max(result->freeMinutes, 1e-9));
-    free.push_back(quantile(result->strengthFree, 0.99));
-    blocked.push_back(quantile(result->strengthBlocked, 0.5));
   }
   figures.add("worldmodel.collisions.foundSoon", "%", found);
   figures.add("worldmodel.collisions.falseAlarms", "1/min", alarms);
-  figures.add("worldmodel.collisions.strength.free.p99", "", free);
-  figures.add("worldmodel.collisions.strength.blocked.median", "", blocked);
   return {};
 }
 

@@ -345,22 +345,32 @@ Result<Run> goingToPoints(std::uint64_t seed) {
   return run;
 }
 
+Result<void> measureWithAndWithoutBeacons(Figures& figures, const ExperimentOptions& options,
+                                          Result<Run> (*experiment)(std::uint64_t, bool)) {
+  for (const bool beacons : {true, false})
+    if (auto done = measureOnSeeds(figures, options.seeds,
+                                   [=](std::uint64_t seed) { return experiment(seed, beacons); });
+        !done)
+      return done;
+  return {};
+}
+
 }  // namespace
 
-Result<void> measureLocalization(Figures& figures, const ExperimentOptions& options) {
-  const std::vector<std::uint64_t>& seeds = options.seeds;
-  for (const bool beacons : {true, false}) {
-    if (auto done = measureOnSeeds(figures, seeds,
-                                   [=](std::uint64_t seed) { return experiment1(seed, beacons); });
-        !done)
-      return done;
-    if (auto done = measureOnSeeds(figures, seeds,
-                                   [=](std::uint64_t seed) { return relocalizing(seed, beacons); });
-        !done)
-      return done;
-  }
-  if (auto done = measureOnSeeds(figures, seeds, robustness); !done) return done;
-  return measureOnSeeds(figures, seeds, goingToPoints);
+Result<void> measureWalks(Figures& figures, const ExperimentOptions& options) {
+  return measureWithAndWithoutBeacons(figures, options, experiment1);
+}
+
+Result<void> measureSearch(Figures& figures, const ExperimentOptions& options) {
+  return measureWithAndWithoutBeacons(figures, options, relocalizing);
+}
+
+Result<void> measureRobustness(Figures& figures, const ExperimentOptions& options) {
+  return measureOnSeeds(figures, options.seeds, robustness);
+}
+
+Result<void> measureGoToPoint(Figures& figures, const ExperimentOptions& options) {
+  return measureOnSeeds(figures, options.seeds, goingToPoints);
 }
 
 }  // namespace gt

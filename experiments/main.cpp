@@ -25,12 +25,35 @@ std::optional<std::vector<std::uint64_t>> parseSeeds(const std::string& text) {
 }
 
 using Experiment = Result<void> (*)(Figures&, const ExperimentOptions&);
-const std::map<std::string, Experiment> experiments{
-    {"calibration", measureCalibration}, {"collisions", measureCollisions},
-    {"fidelity", measureFidelity},       {"localization", measureLocalization},
-    {"matches", measureMatches},         {"soak", measureSoak},
-    {"vision", measureVision},           {"visionplay", measureVisionPlay},
-    {"worldmodel", measureWorldModel}};
+const std::map<std::string, Experiment> experiments{{"calibration", measureCalibration},
+                                                    {"collisions", measureCollisions},
+                                                    {"fidelity", measureFidelity},
+                                                    {"localization.goToPoint", measureGoToPoint},
+                                                    {"localization.robustness", measureRobustness},
+                                                    {"localization.search", measureSearch},
+                                                    {"localization.walk", measureWalks},
+                                                    {"matches", measureMatches},
+                                                    {"soak", measureSoak},
+                                                    {"vision", measureVision},
+                                                    {"visionplay", measureVisionPlay},
+                                                    {"worldmodel", measureWorldModel}};
+
+/// Whether an experiment was asked for, by its name or by that of its group before the point.
+bool isWanted(const std::string& name, const std::vector<std::string>& only) {
+  return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& wanted) {
+           return name == wanted || name.starts_with(wanted + '.');
+         });
+}
+
+/// Tells what is wrong with a name that was asked for; nothing if there is such an experiment.
+std::string checkName(const std::string& wanted) {
+  std::string names;
+  for (const auto& [name, measure] : experiments) {
+    if (isWanted(name, {wanted})) return {};
+    names += ' ' + name;
+  }
+  return "'" + wanted + "' is none of:" + names;
+}
 
 /// Writes the page of the self-locators beside the figures' file, if they were measured.
 Result<void> writePages(const Figures& figures, const std::filesystem::path& json) {
@@ -50,8 +73,11 @@ int main(int argc, char** argv) {
   gt::ExperimentOptions options;
   app.add_option("--seeds", seeds, "A range like 101..110, or one")->capture_default_str();
   app.add_option("--minutes", options.minutes, "Length of a match")->capture_default_str();
-  app.add_option("--only", only, "Which experiments; all if not given")
-      ->check(CLI::IsMember(gt::experiments));
+  app.add_option("--only", only,
+                 "Which experiments, like localization.walk, or groups of them, like "
+                 "localization; all if not given")
+      ->delimiter(',')
+      ->check(gt::checkName);
   app.add_option("--moments", options.moments, "For vision: moments of matches per seed")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
@@ -59,6 +85,9 @@ int main(int argc, char** argv) {
                "For the world model: the truth from a camera at the ceiling, not the oracle");
   app.add_option("--ceiling-logs", options.ceilingLogs, "Folder for the logs of that camera");
   app.add_flag("--true-camera", options.trueCamera, "For vision: the true camera pose");
+  bool calibrate = false;
+  app.add_flag("--calibrate-collisions", calibrate,
+               "Only writes the collision detector's thresholds, from walks on these seeds");
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {
     app.parse(argc, argv);
@@ -72,9 +101,14 @@ int main(int argc, char** argv) {
   }
   options.seeds = *parsed;
 
+  if (calibrate) {
+    const auto done = gt::calibrateCollisions(options);
+    if (!done) fmt::print(stderr, "experiment: {}\n", done.error().text());
+    return done ? 0 : 2;
+  }
   gt::Figures figures;
   for (const auto& [name, measure] : gt::experiments)
-    if (only.empty() || std::find(only.begin(), only.end(), name) != only.end())
+    if (gt::isWanted(name, only))
       if (const auto done = measure(figures, options); !done) {
         fmt::print(stderr, "experiment: {}\n", done.error().text());
         return 2;

@@ -9,15 +9,6 @@ namespace {
 
 const DebugKey plotStrength{"CollisionDetector/strength"};
 
-Gait gaitOf(const MotionRequest& motion) {
-  if (motion.type != MotionType::walk) return Gait::standing;
-  const Vector2d& v = motion.walk.translation;
-  constexpr double arm = 150;  // mm: from the robot's middle to its feet
-  if (std::abs(motion.walk.rotation) * arm > v.norm()) return Gait::turning;
-  if (std::abs(v.y()) > std::abs(v.x())) return Gait::sideways;
-  return v.x() < 0 ? Gait::backward : Gait::forward;
-}
-
 template <typename Array, typename T>
 void pushFront(Array& values, const T& value) {
   std::rotate(values.begin(), values.end() - 1, values.end());
@@ -44,7 +35,8 @@ void DefaultCollisionDetector::update(const SensorDataBuffer& sensors, const Joi
   const bool settled =
       frames_ == window + mostFrames && percept.time - changed_ >= parameters.settleTime &&
       (motion.executed.type == MotionType::walk || motion.executed.type == MotionType::stand);
-  const double limit = threshold(motion.executed);
+  const auto [gait, speed] = placeOf(motion.executed);
+  const double limit = std::max(1e-9, parameters.thresholds[gait][speed]);
   percept.strength = 0;
   for (std::size_t i = 0; i < enumCount<Leg>; ++i) {
     const Leg leg = static_cast<Leg>(i);
@@ -73,10 +65,16 @@ double DefaultCollisionDetector::leastSum(Leg leg, std::size_t joint) const {
   return least;
 }
 
-double DefaultCollisionDetector::threshold(const MotionRequest& motion) const {
-  const double speed = motion.type == MotionType::walk ? motion.walk.translation.norm() : 0;
-  return std::max(
-      1e-9, parameters.thresholds[gaitOf(motion)] * (1 + parameters.thresholdBySpeed * speed));
+DefaultCollisionDetector::Place DefaultCollisionDetector::placeOf(const MotionRequest& motion) {
+  if (motion.type != MotionType::walk) return {Gait::standing, 0};
+  const Vector2d& v = motion.walk.translation;
+  constexpr double arm = 150;  // mm: from the robot's middle to its feet
+  const double turn = std::abs(motion.walk.rotation) * arm, speed = std::max(turn, v.norm());
+  const auto band =
+      static_cast<std::size_t>(std::clamp(speed / speedBand, 0., static_cast<double>(speeds - 1)));
+  if (turn > v.norm()) return {Gait::turning, band};
+  if (std::abs(v.y()) > std::abs(v.x())) return {Gait::sideways, band};
+  return {v.x() < 0 ? Gait::backward : Gait::forward, band};
 }
 
 // Abrupt changes of the commands look like collisions.

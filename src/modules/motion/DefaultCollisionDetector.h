@@ -20,9 +20,17 @@ class DefaultCollisionDetector {
   static constexpr int window = 12;      ///< Squared differences that are summed.
   static constexpr int mostFrames = 16;  ///< By which commands may be ahead of the sensors.
 
+  /// The thresholds of a gait by its speed: bands of 40 mm/s, the last one for all that is faster.
+  static constexpr std::size_t speeds = 6;
+  static constexpr double speedBand = 40;  ///< mm/s
+  using SpeedTable = std::array<double, speeds>;
+
   struct Parameters {
-    EnumArray<Gait, double> thresholds{{0.02, 0.05, 0.05, 0.05, 0.05}};
-    double thresholdBySpeed = 0;
+    EnumArray<Gait, SpeedTable> thresholds{{{0.02, 0.02, 0.02, 0.02, 0.02, 0.02},
+                                            {0.03, 0.04, 0.052, 0.1, 0.145, 0.145},
+                                            {0.03, 0.04, 0.052, 0.1, 0.145, 0.145},
+                                            {0.017, 0.019, 0.03, 0.03, 0.03, 0.03},
+                                            {0.02, 0.03, 0.039, 0.039, 0.039, 0.039}}};
     int leastShift = 1, mostShift = 8;
     double suddenSpeed = 40;
     double suddenTurn = 0.3;
@@ -34,9 +42,7 @@ class DefaultCollisionDetector {
       constexpr Range frames{0, mostFrames};
       return Fields{
           field("thresholds", &P::thresholds, "rad^2",
-                "of the sum of squared differences of a leg, for each gait", {0, 1000}),
-          field("thresholdBySpeed", &P::thresholdBySpeed, "1/(mm/s)",
-                "by which share of itself the threshold grows with speed", {0, 1}),
+                "of the sum of squared differences of a leg, for each gait and speed", {0, 1000}),
           field("leastShift", &P::leastShift, "frames", "of 8 ms: phase shift of the sensors",
                 frames),
           field("mostShift", &P::mostShift, "frames", "", frames),
@@ -51,6 +57,13 @@ class DefaultCollisionDetector {
   };
   Parameters parameters;
 
+  /// Where the threshold of a motion stands in the table. What turns is as fast as its feet.
+  struct Place {
+    Gait gait;
+    std::size_t speed;
+  };
+  static Place placeOf(const MotionRequest& motion);
+
   void update(const SensorDataBuffer& sensors, const JointData& joints, const MotionInfo& motion,
               CollisionPercept& percept, Debug& debug);
 
@@ -58,7 +71,6 @@ class DefaultCollisionDetector {
   using LegAngles = EnumArray<Leg, std::array<double, 2>>;  ///< Rotator and elevator, rad.
 
   double leastSum(Leg leg, std::size_t joint) const;
-  double threshold(const MotionRequest& motion) const;
   bool changedSuddenly(const MotionRequest& motion);
 
   std::array<LegAngles, window + mostFrames> commands_;  ///< Newest first.

@@ -84,6 +84,24 @@ TEST(DefaultCollisionDetector, SuddenChangesOfTheCommandsDoNotCount) {
   EXPECT_GT(walker.collisions, 0) << "after they have settled";
 }
 
+TEST(DefaultCollisionDetector, FindsItsThresholdByGaitAndSpeed) {
+  using Detector = DefaultCollisionDetector;
+  const auto place = [](const Pose2D& walk) {
+    MotionRequest motion;
+    motion.type = MotionType::walk;
+    motion.walk = walk;
+    return Detector::placeOf(motion);
+  };
+  EXPECT_EQ(place({0, 150, 20}).gait, Gait::forward);
+  EXPECT_EQ(place({0, 150, 20}).speed, 3u);
+  EXPECT_EQ(place({0, -50, 20}).gait, Gait::backward);
+  EXPECT_EQ(place({0.1, 0, -1000}).gait, Gait::sideways);
+  EXPECT_EQ(place({0.1, 0, -1000}).speed, Detector::speeds - 1);
+  EXPECT_EQ(place({-0.6, 40, 0}).gait, Gait::turning);
+  EXPECT_EQ(place({-0.6, 40, 0}).speed, 2u);
+  EXPECT_EQ(Detector::placeOf({}).gait, Gait::standing);
+}
+
 TEST(DefaultCollisionDetector, SpecialActionsAreNotWatched) {
   Walker walker{3};
   walker.motion.executed.type = MotionType::specialAction;
