@@ -26,11 +26,11 @@ class DefaultCollisionDetector {
   using SpeedTable = std::array<double, speeds>;
 
   struct Parameters {
-    EnumArray<Gait, SpeedTable> thresholds{{{0.02, 0.02, 0.02, 0.02, 0.02, 0.02},
-                                            {0.03, 0.04, 0.052, 0.1, 0.145, 0.145},
-                                            {0.03, 0.04, 0.052, 0.1, 0.145, 0.145},
-                                            {0.017, 0.019, 0.03, 0.03, 0.03, 0.03},
-                                            {0.02, 0.03, 0.039, 0.039, 0.039, 0.039}}};
+    EnumArray<Gait, SpeedTable> thresholds{{{{0.02, 0.02, 0.02, 0.02, 0.02, 0.02},
+                                             {0.03, 0.04, 0.052, 0.1, 0.145, 0.145},
+                                             {0.03, 0.04, 0.052, 0.1, 0.145, 0.145},
+                                             {0.017, 0.019, 0.03, 0.03, 0.03, 0.03},
+                                             {0.02, 0.03, 0.039, 0.039, 0.039, 0.039}}}};
     int leastShift = 1, mostShift = 8;
     double suddenSpeed = 40;
     double suddenTurn = 0.3;
