@@ -19,10 +19,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   std::string only;
   app.add_option("--only", only,
-                 "Measures but one part: matches, logs, streams, parts, of these localization or "
-                 "vision, or programs")
+                 "Measures but one part: matches, logs, streams, programs, parts, or of these "
+                 "camera, localization or vision")
       ->check(CLI::IsMember(
-          {"matches", "logs", "streams", "parts", "localization", "programs", "vision"}));
+          {"matches", "logs", "streams", "programs", "parts", "camera", "localization", "vision"}));
   app.add_option("--json", json, "File for the figures")->capture_default_str();
   try {
     app.parse(argc, argv);
@@ -45,10 +45,10 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  if (only == "vision") gt::measureParts(figures, "^speed\\.vision");
+  if (only == "camera" || only == "localization" || only == "vision")
+    gt::measureParts(figures, "^speed\\." + only);
   figures.addRatio("speed.vision.blackWhiteBall.ofOpenCv", "speed.vision.blackWhiteBall",
                    "speed.vision.blackWhiteBall.opencv", gt::Aim::atMost(0.1));
-  if (only == "localization") gt::measureParts(figures, "^speed\\.localization");
   figures.print();
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path{json}.parent_path(), ignored);

@@ -128,6 +128,11 @@ void measureParts(Figures& figures, const std::string& only) {
                                           {"ipc.wire", "ipc.bareUnixSocket", 1.0}})
     figures.addRatio(process + figure + ".ratio", process + figure, process + bare,
                      Aim::atMost(aim));
+  // The grid is there so that not all pixels have to be looked at.
+  figures.addRatio("speed.vision.classifyAll.ratio", "speed.vision.gt2003",
+                   "speed.vision.classifyAll", Aim::atMost(1));
+  figures.addRatio("speed.vision.opencv.ratio", "speed.vision.opencv", "speed.vision.gt2003",
+                   Aim::atLeast(30));
 }
 
 }  // namespace gt
