@@ -151,13 +151,15 @@ TEST_F(ConfigurationTest, FilesOfTheLocationWin) {
   write("config/Padua/field.cfg", "ballRadius 50\n");
   write("config/Padua/modules.cfg", "SelfLocator disabled\n");
   write("config/Padua/modules/SelfLocator.MonteCarlo.cfg", "");
-  EXPECT_EQ((*loadConfiguration(paths))->field->ballRadius, 43) << "no location yet";
+  const auto common = *loadConfiguration(paths);
+  EXPECT_EQ(common->field->ballRadius, 43) << "no location yet";
   write("config/location.cfg", "Padua\n");
   const auto padua = *loadConfiguration(paths);
   EXPECT_EQ(padua->field->ballRadius, 50);
   ASSERT_EQ(padua->solutions.size(), 1u);
   EXPECT_EQ(padua->solutions[0].solution, "disabled");
-  EXPECT_EQ(padua->parameters.size(), 2u) << "the common one of the walk, and the location's";
+  EXPECT_EQ(padua->parameters.size(), common->parameters.size() + 1)
+      << "all common ones, and its own";
   EXPECT_FALSE(padua->log.representations.empty()) << "what it has not is the common one";
   write("config/location.cfg", " // nothing chosen\n");
   EXPECT_EQ((*loadConfiguration(paths))->field->ballRadius, 43);

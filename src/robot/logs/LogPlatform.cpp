@@ -3,16 +3,17 @@
 #include <utility>
 
 #include "representations/infrastructure/OracledWorldState.h"
+#include "representations/infrastructure/SensorData.h"
 #include "representations/motion/OdometryData.h"
 
 namespace gt {
 
 const std::vector<const RepresentationType*>& LogPlatform::representations() {
-  // Nobody knows the truth about a real robot: it is never sent, but solutions that want it may be
-  // in the table.
+  // Nobody knows the truth about a real robot, and not all logs hold its joints: these are never
+  // sent, but solutions that want them may be in the table.
   static const std::vector<const RepresentationType*> list{
       &representation<Image>(), &representation<CameraMatrix>(), &representation<OdometryData>(),
-      &representation<OracledWorldState>()};
+      &representation<SensorDataBuffer>(), &representation<OracledWorldState>()};
   return list;
 }
 
