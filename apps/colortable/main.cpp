@@ -205,7 +205,9 @@ int main(int argc, char** argv) {
   addTable(segmenting);
   segmenting.add_option("out", a.out, "PNG or SVG")->required();
   addSource(segmenting, a.source);
-  segmenting.add_option("--picture", a.picture, "Its number or name; otherwise the first one");
+  segmenting.add_option(
+      "--picture", a.picture,
+      "Its number, of a scene MOMENT.ROBOT, or its name; otherwise the first one");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
