@@ -40,9 +40,9 @@ inline void set(const CameraInfo& value, rival::CameraInfo& message) {
   message.set_distortion4(value.distortion4);
 }
 inline void get(const rival::CameraInfo& message, CameraInfo& value) {
-  value = {message.width(),    message.height(),   message.focal_x(), message.focal_y(),
-           message.center_x(), message.center_y(), message.row_time(),
-           message.distortion2(), message.distortion4()};
+  value = {message.width(),    message.height(),      message.focal_x(),
+           message.focal_y(),  message.center_x(),    message.center_y(),
+           message.row_time(), message.distortion2(), message.distortion4()};
 }
 
 inline void set(const Image& value, rival::Image& message) {

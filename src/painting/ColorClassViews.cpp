@@ -3,22 +3,11 @@
 #include <array>
 #include <cmath>
 
+#include "colors/ClassColors.h"
 #include "colors/Rgb.h"
 
 namespace gt {
 namespace {
-
-constexpr std::array<Color, enumCount<ColorClass>> classColors{{{128, 128, 128},
-                                                                colors::orange,
-                                                                colors::yellow,
-                                                                colors::skyblue,
-                                                                colors::pink,
-                                                                colors::red,
-                                                                colors::blue,
-                                                                colors::green,
-                                                                {170, 170, 170},
-                                                                colors::white,
-                                                                colors::black}};
 
 void append(RgbPicture& picture, const Color& color) {
   picture.pixels.insert(picture.pixels.end(), {color.r, color.g, color.b});
@@ -48,17 +37,13 @@ void legend(Sheet& sheet, const ColorTable64& table, double top) {
     const Vector2d at{10.0 + 182.0 * static_cast<double>(i % 6),
                       top + 20.0 * static_cast<double>(i / 6)};
     sheet.box(at, {14, 14}, colors::gray);
-    sheet.box(at + Vector2d{1, 1}, {12, 12}, classColors[i]);
+    sheet.box(at + Vector2d{1, 1}, {12, 12}, displayColor(static_cast<ColorClass>(i)));
     sheet.text(at + Vector2d{20, 11},
                std::string{enumNames<ColorClass>[i]} + " " + std::to_string(counts[i]));
   }
 }
 
 }  // namespace
-
-Color displayColor(ColorClass colorClass) {
-  return classColors[static_cast<std::size_t>(colorClass)];
-}
 
 RgbPicture classesOf(const Image& image, const ColorTable64& table) {
   RgbPicture classes{image.info.width, image.info.height, {}};

@@ -4,9 +4,6 @@
 
 namespace gt {
 
-/// How a colour class is shown.
-Color displayColor(ColorClass colorClass);
-
 /// A picture's colour classes instead of its colours.
 RgbPicture classesOf(const Image& image, const ColorTable64& table);
 

@@ -6,10 +6,9 @@
 namespace gt {
 namespace {
 
-/// No part of a robot lies further from the body's centre on the ground than this (mm).
-constexpr double robotReach = 330;
-/// Balls that are further away from a robot than this do not touch it in the next tick (mm).
-constexpr double mayTouchWithin = 1000;
+/// Balls that are further away from all that a robot can reach do not touch it in the next tick
+/// (mm).
+constexpr double mayTouchWithin = 600;
 /// Robots push a ball out of themselves by at most this in a tick, so that it never gets so deep
 /// into a wall that it would leave it on the far side (mm).
 constexpr double longestPush = 25;
@@ -30,9 +29,9 @@ void BallPhysics::rememberGeoms(const mjData& data, std::span<const RobotParts> 
                                 std::span<const RobotBody> robots,
                                 std::span<const BallState> balls) {
   for (std::size_t i = 0; i < robots.size(); ++i) {
+    const double within = parts[i].reach + mayTouchWithin;
     const auto mayTouch = [&](const BallState& ball) {
-      return (robots[i].pose.translation - ball.position).squaredNorm() <
-             mayTouchWithin * mayTouchWithin;
+      return (robots[i].pose.translation - ball.position).squaredNorm() < within * within;
     };
     if (std::none_of(balls.begin(), balls.end(), mayTouch)) continue;
     const int first = parts[i].firstGeom, count = parts[i].lastGeom - first;
@@ -79,7 +78,7 @@ bool BallPhysics::touchRobots(BallState& ball, const BallParts& parts, mjData& d
   bool touched = false;
   for (std::size_t i = 0; i < around.robots.size(); ++i) {
     const Vector2d& center = around.robots[i].pose.translation;
-    const double reach = robotReach + parts.radius;
+    const double reach = around.parts[i].reach + parts.radius;
     if ((center - ball.position).squaredNorm() > reach * reach) continue;
     bool byThis = false;
     for (int geom = around.parts[i].firstGeom; geom < around.parts[i].lastGeom; ++geom)

@@ -18,9 +18,6 @@ constexpr std::int64_t heldMs = 1500;  // how long robots are held at most when 
 constexpr double fastest = 20, widestTurn = 100;  // m/s, rad/s: no body moves faster
 constexpr double fallen = 0.5;  // cosine of the angle between the body's z and the vertical
 
-/// No part of a robot gets further from its body's centre within a tick (mm).
-constexpr double robotReach = 360;
-
 // What a geom is, as bits of its contype: one for each robot, since all meet all others.
 constexpr int floorBit = 1, wallBit = 2, ballBit = 4, firstRobotBit = 8;
 static_assert(maxSceneRobots <= 28);
@@ -116,13 +113,14 @@ void DynamicWorld::lookAround() {
   // MuJoCo tests each geom against each other that its bits allow, so they allow only what is near.
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Vector2d& center = robots_[i].pose.translation;
+    const double reach = parts_[i].reach;
     int bits = floorBit;
     Vector2d pushed = center;
-    obstacles_.pushOut(pushed, robotReach, [&](const Vector2d&) { bits |= wallBit; });
+    obstacles_.pushOut(pushed, reach, [&](const Vector2d&) { bits |= wallBit; });
     for (std::size_t b = 0; b < balls_.size(); ++b)
-      if ((balls_[b].position - center).norm() < robotReach + ballParts_[b].radius) bits |= ballBit;
+      if ((balls_[b].position - center).norm() < reach + ballParts_[b].radius) bits |= ballBit;
     for (std::size_t other = 0; other < i; ++other)
-      if ((robots_[other].pose.translation - center).norm() < 2 * robotReach)
+      if ((robots_[other].pose.translation - center).norm() < reach + parts_[other].reach)
         bits |= firstRobotBit << other;
     for (const int geom : motors_[i].solidGeoms) model_->geom_conaffinity[geom] = bits;
   }

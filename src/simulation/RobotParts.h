@@ -20,6 +20,7 @@ struct RobotParts {
   int psdSite = 0;
   int firstGeom = 0;
   int lastGeom = 0;  ///< Behind the last one.
+  double reach = 0;  ///< mm; no part gets further from the body's origin, whatever the joints do.
 };
 
 /// Looks up the parts of a robot. Fails if the model lacks one.

@@ -188,8 +188,7 @@ void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
   if (name == "rules") return readAttributes(node, scene.rules);
   return error(node, name,
                "expected <noise>, <camera>, <optics>, <physics>, <radio>, <game>, <rules>, "
-               "<robots>, <extras> "
-               "or <balls>");
+               "<robots>, <extras> or <balls>");
 }
 
 void SceneReader::checkRobots(const SceneDescription& scene) {

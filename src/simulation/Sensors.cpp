@@ -6,8 +6,6 @@ namespace gt {
 namespace {
 
 constexpr double psdNearest = 100, psdFurthest = 900;
-/// No part of a robot lies further from the origin of its body than this (m).
-constexpr double robotReach = 0.5;
 
 }  // namespace
 
@@ -87,7 +85,7 @@ double distanceAlong(const World& world, const Vector3d& start, const Vector3d& 
     const RobotParts& parts = world.parts(robot);
     meetAll(next, parts.firstGeom);
     next = parts.lastGeom;
-    if (ray.mayMeet(world.data().xpos + 3 * parts.body, robotReach))
+    if (ray.mayMeet(world.data().xpos + 3 * parts.body, parts.reach / 1000))
       meetAll(parts.firstGeom, parts.lastGeom);
   }
   meetAll(next, world.model().ngeom);

@@ -33,13 +33,7 @@ void CheckerboardDetector::update(const Image& image, const CameraMatrix& matrix
                                   LandmarksPercept& landmarks, LinesPercept& lines,
                                   PlayersPercept& players, ObstaclesPercept& obstacles,
                                   Debug& debug) {
-  ball = {};
-  landmarks.numberOfFlags = landmarks.numberOfGoals = 0;
-  for (auto& list : lines.points) list.clear();
-  for (auto& list : players.players) list.clear();
-  obstacles.lines.clear();
-  ball.time = landmarks.time = lines.time = players.time = obstacles.time = image.time;
-
+  findNothing(image.time, ball, landmarks, lines, players, obstacles);
   if (!isSame(parameters.board, known_)) {
     known_ = parameters.board;
     calibrator_ = CameraCalibrator{known_};

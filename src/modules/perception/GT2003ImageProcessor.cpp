@@ -3,24 +3,17 @@
 #include <algorithm>
 
 #include "modules/perception/FieldView.h"
+#include "modules/perception/ScanDrawing.h"
 
 namespace gt {
 namespace {
 
 const DebugKey drawHorizon{"ImageProcessor/horizon"};
-const DebugKey drawGrid{"ImageProcessor/grid"};
 const DebugKey drawIndications{"ImageProcessor/indications"};
-const DebugKey drawEdges{"ImageProcessor/edges"};
 const DebugKey drawSpecialistsWays{"ImageProcessor/specialists"};
 const DebugKey drawOnGround{"ImageProcessor/ground"};
 const DebugKey drawFreeGround{"ImageProcessor/freeGround"};
 const DebugKey drawFound{"ImageProcessor/percepts"};
-
-Color colorOf(EdgeType type) {
-  constexpr EnumArray<EdgeType, Color> edgeColors{
-      {colors::white, colors::red, colors::yellow, colors::skyblue}};
-  return edgeColors[type];
-}
 
 Color colorOf(TeamColor team) {
   return team == TeamColor::red ? colors::red : colors::blue;
@@ -92,10 +85,7 @@ void GT2003ImageProcessor::drawScan(const Picture& picture, Debug& debug) const 
   if (auto canvas = debug.onImage(drawHorizon))
     canvas.line(picture.horizon.toPicture(-wide, 0), picture.horizon.toPicture(wide, 0),
                 colors::white);
-  if (auto canvas = debug.onImage(drawGrid))
-    for (const auto* lines : {&grid_.lines(), &grid_.rows()})
-      for (const ScanLine& line : *lines)
-        canvas.line(line.start, line.at(line.length - 1), colors::gray);
+  drawGrid(grid_, debug);
   if (auto canvas = debug.onImage(drawIndications)) {
     for (const BallSegment& s : scanner_.balls) canvas.line(s.upper, s.lower, colors::red);
     for (const FlagIndication& f : scanner_.flags) canvas.point(f.position, colors::pink, 2);
@@ -103,10 +93,7 @@ void GT2003ImageProcessor::drawScan(const Picture& picture, Debug& debug) const 
     for (const PlayerIndication& p : scanner_.players)
       canvas.line(p.upper, p.lower, colorOf(p.team));
   }
-  if (auto canvas = debug.onImage(drawEdges)) {
-    for (const EdgeScanner::EdgePoint& p : edgeScanner_.points())
-      canvas.point(p.inPicture, colorOf(p.type), 1.5);
-  }
+  drawEdges(edgeScanner_, debug);
   if (auto canvas = debug.onImage(drawFreeGround))
     for (const GreenSection& green : scanner_.greens)
       canvas.line(green.end, green.begin, colors::green);

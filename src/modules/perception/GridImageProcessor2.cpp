@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "colors/ClassColors.h"
+
 namespace gt {
 namespace {
 
@@ -9,13 +11,6 @@ const DebugKey drawClasses{"ImageProcessor/adaptation/classes"};
 const DebugKey drawLearned{"ImageProcessor/adaptation/learned"};
 const DebugKey plotGreen{"ImageProcessor/adaptation/greenY"};
 const DebugKey plotWhite{"ImageProcessor/adaptation/whiteY"};
-
-Color colorOf(ColorClass c) {
-  constexpr EnumArray<ColorClass, Color> shown{
-      {Color{0, 0, 0, 0}, colors::orange, colors::yellow, colors::skyblue, colors::pink,
-       colors::red, colors::blue, colors::green, colors::gray, colors::white, colors::black}};
-  return shown[c];
-}
 
 /// The colours of a flag, the upper one first; noColor for green, which on flags is not the
 /// carpet's.
@@ -128,10 +123,10 @@ void GridImageProcessor2::draw(const Image& image, Debug& debug) const {
     for (int y = 1; y < image.info.height; y += 3)
       for (int x = 1; x < image.info.width; x += 3) {
         const ColorClass c = colors_.table()[image.at(x, y)];
-        if (c != ColorClass::noColor) canvas.point({x + 0.5, y + 0.5}, colorOf(c), 1.2);
+        if (c != ColorClass::noColor) canvas.point({x + 0.5, y + 0.5}, displayColor(c), 1.2);
       }
   if (auto canvas = debug.onImage(drawLearned))
-    for (const auto& [point, color] : learned_) canvas.point(point, colorOf(color), 1);
+    for (const auto& [point, color] : learned_) canvas.point(point, displayColor(color), 1);
 }
 
 }  // namespace gt

@@ -23,6 +23,17 @@ struct ImageProcessor {
       std::tuple<BallPercept, LandmarksPercept, LinesPercept, PlayersPercept, ObstaclesPercept>;
 };
 
+/// Makes the percepts those of a picture, taken at a time, in which there is nothing.
+inline void findNothing(Time time, BallPercept& ball, LandmarksPercept& landmarks,
+                        LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles) {
+  ball = {};
+  landmarks.numberOfFlags = landmarks.numberOfGoals = 0;
+  for (auto& points : lines.points) points.clear();
+  for (auto& places : players.players) places.clear();
+  obstacles.lines.clear();
+  ball.time = landmarks.time = lines.time = players.time = obstacles.time = time;
+}
+
 using PerceptionTasks = std::tuple<SensorDataProcessor, ImageProcessor>;
 
 }  // namespace gt
