@@ -43,12 +43,13 @@ if(NOT GT_DEBUGGING)
   add_compile_definitions(GT_NO_DEBUGGING)
 endif()
 
-# What runs but once (tests, the reading of options and files) is rather built fast than built for speed.
+# What runs but once (the reading of options and files) is rather built fast than built for speed, and tests as fast as can be.
 set(coldCode $<$<CONFIG:Release>:-O1>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   list(APPEND coldCode $<$<CONFIG:Release>:-Wno-maybe-uninitialized>)  # with -O1, gcc 12 warns of its std::optional
 endif()
 set(hotCode $<$<CONFIG:Release>:-O3>)
+set(testCode $<$<CONFIG:Release>:-O0>)
 
 find_package(Threads REQUIRED)
 find_package(GTest REQUIRED)
@@ -69,34 +70,47 @@ function(gt_precompile target)
       target_precompile_headers(${target} PRIVATE ${ARGN})
     endif()
     # With them gcc 12 warns of what it inlines from its own std::string (GCC bug 105329).
-    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
 endfunction()
 
-# Of all tests, and of all libraries that are not cold.
+# One for each way to compile. What is in all is included by so many files that a change in it builds most of them anyway.
 if(GT_PRECOMPILE)
   find_package(Eigen3 REQUIRED)
-  add_library(gt_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/Precompiled.cpp)
-  target_compile_options(gt_precompiled PRIVATE ${coldCode})
-  target_link_libraries(gt_precompiled PRIVATE Eigen3::Eigen GTest::gmock)
-  gt_precompile(gt_precompiled <gmock/gmock.h> <Eigen/Geometry> <filesystem>)
-  add_library(gt_precompiled_hot OBJECT ${PROJECT_SOURCE_DIR}/cmake/Precompiled.cpp)
-  target_link_libraries(gt_precompiled_hot PRIVATE Eigen3::Eigen)
-  gt_precompile(gt_precompiled_hot <Eigen/Geometry> <algorithm> <filesystem> <functional> <map> <memory> <optional> <string> <vector>)
+  function(gt_precompiled name)
+    cmake_parse_arguments(ARG "" "CODE" "DEPS;HEADERS" ${ARGN})
+    add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/Precompiled.cpp)
+    target_compile_options(${name} PRIVATE ${ARG_CODE})
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(${name} PRIVATE Eigen3::Eigen ${ARG_DEPS})
+    gt_precompile(${name}
+      <algorithm> <filesystem> <functional> <map> <memory> <optional> <sstream> <string> <unordered_map> <vector>
+      <Eigen/Geometry> <base/Geometry.h> <base/Random.h> <base/Result.h> <streams/Binary.h> <streams/MessageQueue.h>
+      <debug/Debug.h> ${ARG_HEADERS})
+  endfunction()
+  gt_precompiled(gt_precompiled_hot)
+  gt_precompiled(gt_precompiled_cold CODE ${coldCode})
+  gt_precompiled(gt_precompiled_programs CODE ${coldCode} HEADERS <CLI/CLI.hpp> <fstream> <iostream>)
+  gt_precompiled(gt_precompiled_tests CODE ${testCode} DEPS GTest::gmock HEADERS <gmock/gmock.h>)
 endif()
 
-# gt_library(name [COLD] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [HOT b.cpp ...])
+# gt_library(name [COLD] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [HOT b.cpp ...] [PRECOMPILED <header>...])
 # One folder is one library. Without sources it is a library of headers. Its tests become the program <name>_test. What is
-# cold runs but once, besides the sources that are hot.
+# cold runs but once, besides the sources (and tests) that are hot.
 function(gt_library name)
-  cmake_parse_arguments(ARG "COLD" "" "SOURCES;TESTS;DEPS;HOT" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "SOURCES;TESTS;DEPS;HOT;PRECOMPILED" ${ARGN})
   if(ARG_SOURCES)
     add_library(${name} STATIC ${ARG_SOURCES})
+    set(precompiled gt_precompiled_hot)
     if(ARG_COLD)
+      set(precompiled gt_precompiled_cold)
       target_compile_options(${name} PRIVATE ${coldCode})
-      set_source_files_properties(${ARG_HOT} PROPERTIES COMPILE_OPTIONS "${hotCode}")
+    endif()
+    set_source_files_properties(${ARG_HOT} PROPERTIES COMPILE_OPTIONS "${hotCode}" SKIP_PRECOMPILE_HEADERS ON)
+    if(ARG_PRECOMPILED)
+      gt_precompile(${name} ${ARG_PRECOMPILED})
     else()
-      gt_precompile(${name} REUSE_FROM gt_precompiled_hot)
+      gt_precompile(${name} REUSE_FROM ${precompiled})
     endif()
     target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
     target_link_libraries(${name} PUBLIC ${ARG_DEPS})
@@ -114,19 +128,23 @@ endfunction()
 function(gt_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  target_compile_options(${name} PRIVATE ${coldCode})
+  target_compile_options(${name} PRIVATE ${testCode})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
-  gt_precompile(${name} REUSE_FROM gt_precompiled)
+  gt_precompile(${name} REUSE_FROM gt_precompiled_tests)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()
 
-# gt_program(name [HOT] SOURCES main.cpp ... DEPS ...): a program under bin/. What it has of its own reads options and
-# prints, unless it is hot.
+# gt_program(name [HOT] SOURCES main.cpp ... DEPS ... [PRECOMPILED library]): a program under bin/. What it has of its own
+# reads options and prints, unless it is hot. It uses precompiled headers of its own kind or of a library.
 function(gt_program name)
-  cmake_parse_arguments(ARG "HOT" "" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "HOT" "PRECOMPILED" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   if(NOT ARG_HOT)
     target_compile_options(${name} PRIVATE ${coldCode})
+    if(NOT ARG_PRECOMPILED)
+      set(ARG_PRECOMPILED gt_precompiled_programs)
+    endif()
+    gt_precompile(${name} REUSE_FROM ${ARG_PRECOMPILED})
   endif()
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
 endfunction()

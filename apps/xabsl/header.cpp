@@ -1,9 +1,10 @@
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <regex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "Commands.h"
@@ -27,8 +28,17 @@ struct Options {
   throw Failure{};
 }
 
-bool isCppName(const std::string& name) {
-  return std::regex_match(name, std::regex("(::)?[A-Za-z_]\\w*(::[A-Za-z_]\\w*)*"));
+bool isCppName(std::string_view name) {
+  const auto mayBeIn = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  if (name.starts_with("::")) name.remove_prefix(2);
+  for (;;) {
+    const auto end = std::find_if_not(name.begin(), name.end(), mayBeIn);
+    if (end == name.begin() || std::isdigit(static_cast<unsigned char>(name.front()))) return false;
+    name.remove_prefix(static_cast<std::size_t>(end - name.begin()));
+    if (name.empty()) return true;
+    if (!name.starts_with("::")) return false;
+    name.remove_prefix(2);
+  }
 }
 
 /// `name=Type` of the command line; the behavior must have the enumeration.

@@ -15,10 +15,6 @@ constexpr std::size_t maximalParameters = 100;
 // What the reader of public XABSL engines has room for.
 constexpr std::size_t longestPortableName = 99;
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 std::string describe(SymbolKind kind) {
   return kind == SymbolKind::input ? "input" : kind == SymbolKind::output ? "output" : "internal";
 }
@@ -54,7 +50,7 @@ void Analyzer::describeProgram() {
   for (const syntax::Namespace& source : program_.namespaces) {
     if (!known.insert(source.name.text).second)
       reporter_.warning(source.name.location,
-                        "namespace " + quoted(source.name.text) + " is declared twice");
+                        "namespace " + inQuotes(source.name.text) + " is declared twice");
     model_.namespaces.push_back({std::string(source.name.text), std::string(source.title),
                                  source.name.location, std::string(source.doc)});
   }
@@ -63,9 +59,9 @@ void Analyzer::describeProgram() {
 void Analyzer::declare(Names::Table& table, const syntax::Name& name, int index,
                        const std::string& what) {
   if (!table.emplace(name.text, index).second)
-    reporter_.error(name.location, what + " " + quoted(name.text) + " is declared twice");
+    reporter_.error(name.location, what + " " + inQuotes(name.text) + " is declared twice");
   if (name.text.size() > longestPortableName)
-    reporter_.warning(name.location, what + " " + quoted(name.text.substr(0, 20)) + "... has " +
+    reporter_.warning(name.location, what + " " + inQuotes(name.text.substr(0, 20)) + "... has " +
                                          std::to_string(name.text.size()) +
                                          " letters; other engines read at most " +
                                          std::to_string(longestPortableName));
@@ -83,7 +79,7 @@ void Analyzer::declareEnumerations() {
         std::string(source.name.text), {}, source.name.location, source.internal, source.space,
         std::string(source.doc)};
     if (source.elements.size() > maximalElements)
-      reporter_.error(source.name.location, "enumeration " + quoted(source.name.text) +
+      reporter_.error(source.name.location, "enumeration " + inQuotes(source.name.text) +
                                                 " has more than " +
                                                 std::to_string(maximalElements) + " elements");
     const std::string prefix = enumeration.name + ".";
@@ -93,7 +89,7 @@ void Analyzer::declareEnumerations() {
       if (name.size() > prefix.size() && name.substr(0, prefix.size()) == prefix)
         name.remove_prefix(prefix.size());
       if (!known.insert(name).second)
-        reporter_.error(element.location, "element " + quoted(name) + " is declared twice");
+        reporter_.error(element.location, "element " + inQuotes(name) + " is declared twice");
       enumeration.elements.push_back({std::string(name), element.location});
     }
     model_.enumerations.push_back(std::move(enumeration));
@@ -161,7 +157,7 @@ void Analyzer::declareStates(const syntax::Option& source, Option& option) {
   std::set<std::string_view> known;
   for (const syntax::State& state : source.states) {
     if (!known.insert(state.name.text).second)
-      reporter_.error(state.name.location, "state " + quoted(state.name.text) +
+      reporter_.error(state.name.location, "state " + inQuotes(state.name.text) +
                                                " is declared twice in option " + option.name);
     if (state.initial && option.initialState >= 0)
       reporter_.error(state.name.location, "option " + option.name +
@@ -225,7 +221,7 @@ std::vector<Parameter> Analyzer::resolve(const std::vector<syntax::Parameter>& s
   for (const syntax::Parameter& source : sources) {
     if (!known.insert(source.name.text).second)
       reporter_.error(source.name.location,
-                      "parameter " + quoted(source.name.text) + " is declared twice");
+                      "parameter " + inQuotes(source.name.text) + " is declared twice");
     Parameter parameter{std::string(source.name.text), {},
                         source.name.location,          std::string(source.range),
                         std::string(source.unit),      std::string(source.doc)};
@@ -240,7 +236,7 @@ void Analyzer::unknown(const Names::Table& table, const syntax::Name& name,
   if (reporter_.full()) return;
   Suggestion suggestion(name.text);
   for (const auto& [candidate, index] : table) suggestion.offer(candidate);
-  reporter_.error(name.location, "unknown " + what + " " + quoted(name.text) + suggestion.text());
+  reporter_.error(name.location, "unknown " + what + " " + inQuotes(name.text) + suggestion.text());
 }
 
 void Analyzer::resolveOption(const syntax::Option& source, int index) {
@@ -307,7 +303,7 @@ Branch Analyzer::transition(const syntax::Name& target, ExpressionAnalyzer& expr
   for (const auto& [candidate, index] : states_) suggestion.offer(candidate);
   const bool option = names_.options.count(target.text) > 0;
   expressions.error(target.location,
-                    "unknown state " + quoted(target.text) +
+                    "unknown state " + inQuotes(target.text) +
                         (option ? "; options are called by actions" : suggestion.text()));
   return {Branch::Kind::stay, -1};
 }
@@ -334,21 +330,21 @@ bool Analyzer::assignment(const syntax::Action& source, int option, ExpressionAn
   action.target = Names::find(names_.outputs, source.name.text);
   if (action.target < 0 && names_.inputs.count(source.name.text) > 0) {
     expressions.error(source.name.location,
-                      "input symbol " + quoted(source.name.text) + " cannot be set");
+                      "input symbol " + inQuotes(source.name.text) + " cannot be set");
     return false;
   }
   if (action.target < 0) {
     Suggestion suggestion(source.name.text);
     for (const auto& [candidate, index] : names_.outputs) suggestion.offer(candidate);
     expressions.error(source.name.location,
-                      "unknown output symbol " + quoted(source.name.text) + suggestion.text());
+                      "unknown output symbol " + inQuotes(source.name.text) + suggestion.text());
     return false;
   }
   refer({Entity::Kind::symbol, action.target}, source.name);
   Symbol& symbol = model_.symbols[static_cast<std::size_t>(action.target)];
   if (symbol.firstUse.option < 0) symbol.firstUse = {option, source.name.location};
   action.operand =
-      expressions.expression(*source.value, symbol.type, "value of " + quoted(source.name.text));
+      expressions.expression(*source.value, symbol.type, "value of " + inQuotes(source.name.text));
   return action.operand >= 0;
 }
 
@@ -359,12 +355,12 @@ bool Analyzer::call(const syntax::Action& source, int option, ExpressionAnalyzer
   const int behavior = Names::find(names_.behaviors, source.name.text);
   if (source.kind == Kind::call && called >= 0 && behavior >= 0) {
     expressions.error(source.name.location,
-                      quoted(source.name.text) +
+                      inQuotes(source.name.text) +
                           " is an option and a basic behavior, expected 'option' or 'behavior' "
                           "before '('");
     return false;
   }
-  const std::string name = quoted(source.name.text);
+  const std::string name = inQuotes(source.name.text);
   if (called >= 0 && source.kind != Kind::callBehavior) {
     action.kind = Action::Kind::option;
     action.target = called;
@@ -402,7 +398,7 @@ void Analyzer::unknownCallee(const syntax::Action& source, ExpressionAnalyzer& e
                                : "unknown option or basic behavior ";
   const bool state = states_.count(source.name.text) > 0;
   expressions.error(source.name.location,
-                    what + quoted(source.name.text) +
+                    what + inQuotes(source.name.text) +
                         (state ? "; a state is entered by a decision" : suggestion.text()));
 }
 

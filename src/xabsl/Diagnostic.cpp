@@ -28,6 +28,11 @@ std::string toStringWithSource(const Diagnostic& diagnostic) {
   return text + "\n " + number + " | " + diagnostic.source + "\n" + margin + pad + "^";
 }
 
+std::string inQuotes(std::string_view text) {
+  constexpr std::size_t longest = 80;
+  return "'" + std::string(text.substr(0, longest)) + (text.size() > longest ? "..." : "") + "'";
+}
+
 bool hasErrors(const std::vector<Diagnostic>& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
     return diagnostic.severity == Diagnostic::Severity::error;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace xabsl {
@@ -30,6 +31,9 @@ std::string toString(const Diagnostic& diagnostic);
 
 /// The same, and below it the line itself with a caret under the place.
 std::string toStringWithSource(const Diagnostic& diagnostic);
+
+/// A name or a piece of source as messages tell it: in quotes, and cut where it gets long.
+std::string inQuotes(std::string_view text);
 
 bool hasErrors(const std::vector<Diagnostic>& diagnostics);
 

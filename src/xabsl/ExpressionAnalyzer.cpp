@@ -9,10 +9,6 @@ namespace {
 constexpr Type number{ValueKind::number, -1};
 constexpr Type boolean{ValueKind::boolean, -1};
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 std::string_view spelling(Operator operation) {
   switch (operation) {
     case Operator::negate:
@@ -119,7 +115,7 @@ int ExpressionAnalyzer::arguments(const std::vector<syntax::Argument>& sources,
       Suggestion suggestion(source.name.text);
       for (const Parameter& parameter : parameters) suggestion.offer(parameter.name);
       error(source.name.location,
-            callee + " has no parameter " + quoted(source.name.text) + suggestion.text());
+            callee + " has no parameter " + inQuotes(source.name.text) + suggestion.text());
       continue;
     }
     const std::size_t i = static_cast<std::size_t>(index);
@@ -128,12 +124,12 @@ int ExpressionAnalyzer::arguments(const std::vector<syntax::Argument>& sources,
                                 source.name.text, source.name.location,
                                 source.name.text == parameters[i].name ? 0 : owner.size());
     if (given[i])
-      error(source.name.location, "parameter " + quoted(source.name.text) + " is set twice");
+      error(source.name.location, "parameter " + inQuotes(source.name.text) + " is set twice");
     else
       order.push_back(index);
     given[i] = true;
     operands[i] = expression(*source.value, parameters[i].type,
-                             "parameter " + quoted(source.name.text) + " of " + callee);
+                             "parameter " + inQuotes(source.name.text) + " of " + callee);
   }
   for (std::size_t i = 0; i < parameters.size(); ++i)
     if (!given[i]) operands[i] = Model::defaultExpression(parameters[i].type);
@@ -213,8 +209,8 @@ void ExpressionAnalyzer::ambiguous(const syntax::Expression& source, bool consta
   add(input, "an input symbol");
   add(output, "an output symbol");
   error(source.location,
-        quoted(source.name) + " is " + kinds +
-            (input ? ", expected " + quoted(std::string(source.name) + "()") + " for the input"
+        inQuotes(source.name) + " is " + kinds +
+            (input ? ", expected " + inQuotes(std::string(source.name) + "()") + " for the input"
                    : ""));
 }
 
@@ -224,8 +220,9 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& s
   if (symbol.firstUse.option < 0) symbol.firstUse = {option_, source.location};
   if (symbol.kind != SymbolKind::input)
     return add(source, {.operation = Operator::variable, .a = index}, symbol.type);
-  const int first = arguments(source.arguments, symbol.parameters, symbol.name,
-                              "input symbol " + quoted(symbol.name), {Entity::Kind::symbol, index});
+  const int first =
+      arguments(source.arguments, symbol.parameters, symbol.name,
+                "input symbol " + inQuotes(symbol.name), {Entity::Kind::symbol, index});
   return add(source, {.operation = Operator::input, .a = index, .b = first}, symbol.type);
 }
 
@@ -268,7 +265,8 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::call(const syntax::Expression& sou
   const int index = Names::find(names_.inputs, source.name);
   if (index >= 0) return symbol(source, index);
   if (names_.outputs.count(source.name) > 0 || names_.constants.count(source.name) > 0)
-    error(source.location, quoted(source.name) + " is no input symbol and cannot have parameters");
+    error(source.location,
+          inQuotes(source.name) + " is no input symbol and cannot have parameters");
   else
     unknownName(source, -1);
   return {};
@@ -378,12 +376,12 @@ int ExpressionAnalyzer::appendOperands(const std::vector<int>& operands,
 void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enumeration) {
   if (reporter_.full()) return;
   Suggestion suggestion(source.name);
-  std::string message = "unknown input symbol " + quoted(source.name);
+  std::string message = "unknown input symbol " + inQuotes(source.name);
   if (enumeration >= 0) {
     const Enumeration& expected = model_.enumerations[static_cast<std::size_t>(enumeration)];
     for (const EnumerationElement& element : expected.elements) suggestion.offer(element.name);
-    message = "enumeration " + quoted(expected.name) + " has no element " + quoted(source.name) +
-              ", nor is there a symbol of that name";
+    message = "enumeration " + inQuotes(expected.name) + " has no element " +
+              inQuotes(source.name) + ", nor is there a symbol of that name";
   }
   if (source.name == "conflict" && model_.dialect == Dialect::xabsl30)
     return error(source.location, "'conflict' is of XABSL 3.1");

@@ -16,10 +16,6 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text.substr(0, 80)) + (text.size() > 80 ? "..." : "") + "'";
-}
-
 bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
 }
@@ -67,7 +63,7 @@ void IntermediateCodeReader::fail(const Token& token, const std::string& message
 
 void IntermediateCodeReader::failExpected(const std::string& what) {
   fail(token_, "expected " + what + ", found " +
-                   (token_.text.empty() ? "the end of the file" : quoted(token_.text)));
+                   (token_.text.empty() ? "the end of the file" : inQuotes(token_.text)));
 }
 
 IntermediateCodeReader::Token IntermediateCodeReader::take() {
@@ -162,7 +158,8 @@ void IntermediateCodeReader::internalSymbols() {
     symbol.location = token_.location;
     symbol.name = name("the name of a symbol");
     if (!variables_.emplace(symbol.name, static_cast<int>(model_.symbols.size())).second)
-      fail({symbol.name, symbol.location}, "symbol " + quoted(symbol.name) + " is declared twice");
+      fail({symbol.name, symbol.location},
+           "symbol " + inQuotes(symbol.name) + " is declared twice");
     model_.symbols.push_back(std::move(symbol));
   }
 }
@@ -174,7 +171,7 @@ void IntermediateCodeReader::declareOptions() {
     option.location = token.location;
     option.name = name("the name of an option");
     if (!options_.emplace(option.name, static_cast<int>(model_.options.size())).second)
-      fail(token, "option " + quoted(option.name) + " is declared twice");
+      fail(token, "option " + inQuotes(option.name) + " is declared twice");
     for (std::size_t open = count("parameters"); open > 0; --open) {
       Parameter parameter;
       parameter.type = typed();
@@ -182,7 +179,7 @@ void IntermediateCodeReader::declareOptions() {
       parameter.name = withoutOwner(name("the name of a parameter"), option.name);
       if (findParameter(option.parameters, parameter.name) >= 0)
         fail({parameter.name, parameter.location},
-             "parameter " + quoted(parameter.name) + " is declared twice");
+             "parameter " + inQuotes(parameter.name) + " is declared twice");
       option.parameters.push_back(std::move(parameter));
     }
     model_.options.push_back(std::move(option));
@@ -200,7 +197,7 @@ void IntermediateCodeReader::listStates(Option& option) {
   states_.clear();
   option.states.first = static_cast<int>(model_.states.size());
   const std::size_t states = count("states");
-  if (states == 0) fail(token_, "option " + quoted(option.name) + " has no states");
+  if (states == 0) fail(token_, "option " + inQuotes(option.name) + " has no states");
   for (std::size_t i = 0; i < states; ++i) {
     State state;
     const Token token = token_;
@@ -208,7 +205,7 @@ void IntermediateCodeReader::listStates(Option& option) {
     state.name = name("the name of a state");
     if (dialect_ == Dialect::xabsl31) state.cooperation = cooperation();
     if (!states_.emplace(state.name, static_cast<int>(model_.states.size())).second)
-      fail(token, "state " + quoted(state.name) + " is declared twice");
+      fail(token, "state " + inQuotes(state.name) + " is declared twice");
     model_.states.push_back(std::move(state));
   }
   option.states.count = static_cast<int>(states);
@@ -227,7 +224,7 @@ int IntermediateCodeReader::state(const Token& token) {
   const auto found = states_.find(token.text);
   if (found == states_.end())
     fail(token, token.text.empty() ? "expected a state, found the end of the file"
-                                   : "unknown state " + quoted(token.text));
+                                   : "unknown state " + inQuotes(token.text));
   return found->second;
 }
 
@@ -282,9 +279,9 @@ void IntermediateCodeReader::agents() {
     agent.location = token.location;
     agent.name = name("the name of an agent");
     if (!known.emplace(agent.name, true).second)
-      fail(token, "agent " + quoted(agent.name) + " is declared twice");
+      fail(token, "agent " + inQuotes(agent.name) + " is declared twice");
     const auto root = options_.find(token_.text);
-    if (root == options_.end()) failExpected("the root option of agent " + quoted(agent.name));
+    if (root == options_.end()) failExpected("the root option of agent " + inQuotes(agent.name));
     take();
     agent.rootOption = root->second;
     model_.agents.push_back(std::move(agent));
@@ -308,7 +305,7 @@ void IntermediateCodeReader::action() {
   name("the name of what is called");
   if (letter.text == "o") {
     const auto found = options_.find(token.text);
-    if (found == options_.end()) fail(token, "unknown option " + quoted(token.text));
+    if (found == options_.end()) fail(token, "unknown option " + inQuotes(token.text));
     action.target = found->second;
   } else {
     action.kind = Action::Kind::behavior;
@@ -341,7 +338,7 @@ int IntermediateCodeReader::symbol(std::map<std::string, int, std::less<>>& tabl
   const auto found = table.find(token.text);
   if (found != table.end()) {
     if (model_.symbols[at(found->second)].type.kind != kind)
-      fail(token, "symbol " + quoted(token.text) + " is used with two types");
+      fail(token, "symbol " + inQuotes(token.text) + " is used with two types");
     return found->second;
   }
   Symbol symbol;
@@ -418,7 +415,7 @@ void IntermediateCodeReader::arguments(Call call, int depth) {
     name("the name of a parameter");
     const int index = parameter(call, type, token);
     for (const auto& [other, value] : call.arguments)
-      if (other == index) fail(token, "parameter " + quoted(token.text) + " is set twice");
+      if (other == index) fail(token, "parameter " + inQuotes(token.text) + " is set twice");
     int value = -1;
     if (type.kind == ValueKind::enumeration) {
       const Element given = element(depth + 1);
@@ -439,20 +436,20 @@ int IntermediateCodeReader::parameter(const Call& call, Type type, const Token& 
   const int index = findParameter(parameters, name);
   if (index < 0) {
     if (call.kind == Action::Kind::option || parameters.size() >= mostParameters)
-      fail(token, quoted(nameOf(call)) + " has no parameter " + quoted(name));
+      fail(token, inQuotes(nameOf(call)) + " has no parameter " + inQuotes(name));
     parameters.push_back({std::string(name), type, token.location});
     return static_cast<int>(parameters.size()) - 1;
   }
   const Type known = parameters[at(index)].type;
   if (known.kind != type.kind)
-    fail(token, "parameter " + quoted(token.text) + " is used with two types");
+    fail(token, "parameter " + inQuotes(token.text) + " is used with two types");
   if (type.kind == ValueKind::enumeration) unite(known.enumeration, type.enumeration, token);
   return index;
 }
 
 void IntermediateCodeReader::unite(int a, int b, const Token& token) {
   if (!enumerations_.unite(a, b))
-    fail(token, "different enumerations where " + quoted(token.text) + " is used");
+    fail(token, "different enumerations where " + inQuotes(token.text) + " is used");
 }
 
 void IntermediateCodeReader::checkDepth(int depth) {

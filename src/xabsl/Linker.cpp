@@ -11,10 +11,6 @@ namespace xabsl {
 
 namespace {
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 class Linker {
  public:
   Linker(const Model& model, const Symbols& symbols) : model_(model), symbols_(symbols) {
@@ -66,15 +62,15 @@ class Linker {
                       const RegisteredEnumeration& registered) {
     Suggestion suggestion(element.name);
     for (const std::string& candidate : registered.elements) suggestion.offer(candidate);
-    reporter_.error(element.location, "element " + quoted(element.name) + " of enumeration " +
-                                          quoted(enumeration.name) + " is not registered" +
+    reporter_.error(element.location, "element " + inQuotes(element.name) + " of enumeration " +
+                                          inQuotes(enumeration.name) + " is not registered" +
                                           suggestion.text());
   }
 
   Bindings::Bound bind(const Symbol& symbol) {
     if (symbol.kind == SymbolKind::internal) return {};
     const bool input = symbol.kind == SymbolKind::input;
-    const std::string what = (input ? "input symbol " : "output symbol ") + quoted(symbol.name);
+    const std::string what = (input ? "input symbol " : "output symbol ") + inQuotes(symbol.name);
     const RegisteredFunction* registered =
         input ? symbols_.findInput(symbol.name) : symbols_.findOutput(symbol.name);
     if (!registered) {
@@ -87,7 +83,7 @@ class Linker {
   }
 
   Bindings::Bound bind(const BasicBehavior& behavior) {
-    const std::string what = "basic behavior " + quoted(behavior.name);
+    const std::string what = "basic behavior " + inQuotes(behavior.name);
     const RegisteredFunction* registered = symbols_.findBehavior(behavior.name);
     if (!registered) {
       missing(behavior.location, behavior.firstUse, what, behavior.name, symbols_.behaviors());
@@ -104,7 +100,7 @@ class Linker {
       const auto found = std::find_if(
           registered.parameters.begin(), registered.parameters.end(),
           [&](const RegisteredParameter& candidate) { return candidate.name == parameter.name; });
-      const std::string name = "parameter " + quoted(parameter.name) + " of " + what;
+      const std::string name = "parameter " + inQuotes(parameter.name) + " of " + what;
       bound.order.push_back(static_cast<int>(found - registered.parameters.begin()));
       if (found == registered.parameters.end())
         error(parameter.location, use, name + " is not registered");
@@ -114,7 +110,7 @@ class Linker {
     for (const RegisteredParameter& parameter : registered.parameters)
       if (findParameter(parameters, parameter.name) < 0)
         error(location, use,
-              "parameter " + quoted(parameter.name) + " of " + what +
+              "parameter " + inQuotes(parameter.name) + " of " + what +
                   " is registered, but not declared");
     return bound;
   }

@@ -14,10 +14,6 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-std::string quoted(const std::string& name) {
-  return "'" + name + "'";
-}
-
 /// The states of one option and where their decisions lead.
 class StateGraph {
  public:
@@ -77,8 +73,8 @@ class StateGraph {
     for (std::size_t i = 0; i < reached.size(); ++i)
       if (!reached[i])
         reporter_.warning(state(static_cast<int>(i)).location,
-                          "state " + quoted(state(static_cast<int>(i)).name) + " of option " +
-                              quoted(option_.name) + " is never entered");
+                          "state " + inQuotes(state(static_cast<int>(i)).name) + " of option " +
+                              inQuotes(option_.name) + " is never entered");
   }
 
   /// The only state that follows, or -1 if the state may be kept or left in several ways.
@@ -109,8 +105,8 @@ class StateGraph {
       if (++shown < mostShown) path += " -> " + state(next).name;
     } while (next != first);
     if (shown >= mostShown) path += " -> ...";
-    reporter_.warning(state(first).location,
-                      "states of option " + quoted(option_.name) + " can only oscillate: " + path);
+    reporter_.warning(state(first).location, "states of option " + inQuotes(option_.name) +
+                                                 " can only oscillate: " + path);
   }
 
   const Model& model_;
@@ -133,13 +129,13 @@ class ParameterUse {
   void warn() {
     count();
     for (std::size_t i = 0; i < options_.size(); ++i)
-      warn(model_.options[i].parameters, options_[i], "option " + quoted(model_.options[i].name));
+      warn(model_.options[i].parameters, options_[i], "option " + inQuotes(model_.options[i].name));
     for (std::size_t i = 0; i < behaviors_.size(); ++i)
       warn(model_.behaviors[i].parameters, behaviors_[i],
-           "basic behavior " + quoted(model_.behaviors[i].name));
+           "basic behavior " + inQuotes(model_.behaviors[i].name));
     for (std::size_t i = 0; i < inputs_.size(); ++i)
       warn(model_.symbols[i].parameters, inputs_[i],
-           "input symbol " + quoted(model_.symbols[i].name));
+           "input symbol " + inQuotes(model_.symbols[i].name));
   }
 
  private:
@@ -180,7 +176,7 @@ class ParameterUse {
             const std::string& callee) {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       if (counts[i].missing == 0) continue;
-      const std::string name = "parameter " + quoted(parameters[i].name) + " of " + callee;
+      const std::string name = "parameter " + inQuotes(parameters[i].name) + " of " + callee;
       const std::string value = ", it is " + initial(parameters[i].type);
       const int others = counts[i].missing - 1;
       if (counts[i].set == 0)
@@ -197,7 +193,7 @@ class ParameterUse {
   std::string initial(Type type) const {
     if (type.kind == ValueKind::number) return "0";
     if (type.kind == ValueKind::boolean) return "false";
-    return quoted(model_.enumerations[at(type.enumeration)].elements.front().name);
+    return inQuotes(model_.enumerations[at(type.enumeration)].elements.front().name);
   }
 
   const Model& model_;
@@ -239,7 +235,7 @@ class Unused {
     std::string text;
     for (std::size_t i = 0; i < shown; ++i) {
       const bool last = i > 0 && i + 1 == names.size();
-      text += (last ? " and " : i > 0 ? ", " : "") + quoted(names[i]);
+      text += (last ? " and " : i > 0 ? ", " : "") + inQuotes(names[i]);
     }
     return shown < names.size() ? text + " and " + std::to_string(names.size() - shown) + " others"
                                 : text;

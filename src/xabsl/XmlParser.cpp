@@ -12,10 +12,6 @@ using namespace syntax;
 
 namespace {
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 bool isCollection(const Element& element) {
   return element.is("symbols") || element.is("basic-behaviors") || element.is("option-definitions");
 }
@@ -95,7 +91,7 @@ void Parser::parse() {
   if (!root) return reporter_.fileError(files_.front().path, "there is no element");
   if (root->is("agent-collection")) return agentCollection(*root);
   reporter_.error(root->location, "expected the file with the agents ('agent-collection'), found " +
-                                      quoted(root->name));
+                                      inQuotes(root->name));
 }
 
 /// Comments are kept for those that write the program anew, as comments of XABSL text.
@@ -151,7 +147,7 @@ bool Parser::isNew(const Element& collection, const std::string& key) {
   const auto [known, added] = collections_.emplace(key, &collection);
   if (added || known->second == &collection || same(*known->second, collection)) return added;
   const Location& other = known->second->location;
-  reporter_.error(collection.location, quoted(key) + " is declared otherwise in " +
+  reporter_.error(collection.location, inQuotes(key) + " is declared otherwise in " +
                                            files_[static_cast<std::size_t>(other.file)].path + ":" +
                                            std::to_string(other.line));
   return false;
@@ -162,7 +158,7 @@ void Parser::declare(const Element& collection) {
     const Element* last = nullptr;
     for (const auto& [name, prototype] : entriesOf(collection)) {
       if (last && last->attribute("name") == name)
-        error(*prototype, "name", "option " + quoted(name) + " has two prototypes");
+        error(*prototype, "name", "option " + inQuotes(name) + " has two prototypes");
       else if (isNew(*prototype, "option-definition " + std::string(name)))
         prototypes_.emplace(name, prototype);
       last = prototype;
@@ -187,8 +183,8 @@ void Parser::checkFileName(const Element& element, std::string_view name,
   stem = stem.substr(0, stem.rfind('.'));
   if (stem == name) return;
   reporter_.warning(element.find(attribute)->location,
-                    quoted(name) + " stands in a file of another name, expected " +
-                        quoted(std::string(name) + ".xml"));
+                    inQuotes(name) + " stands in a file of another name, expected " +
+                        inQuotes(std::string(name) + ".xml"));
 }
 
 int Parser::enterNamespace(const Element& element, Namespace::Kind kind) {
@@ -339,7 +335,7 @@ ExpressionPtr Parser::number(const Element& element) {
   literal->name = program_.keep(std::move(whole));
   const char* end = literal->name.data() + literal->name.size();
   if (std::from_chars(literal->name.data(), end, literal->number).ec != std::errc())
-    reporter_.error(value->location, "number " + quoted(value->value) + " is out of range");
+    reporter_.error(value->location, "number " + inQuotes(value->value) + " is out of range");
   if (!negative) return literal;
   auto sign = std::make_unique<Expression>();
   sign->kind = Expression::Kind::operation;

@@ -13,10 +13,6 @@ using namespace syntax;
 
 namespace {
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 ExpressionPtr leaf(const Element& element, Expression::Kind kind, std::string_view name = {}) {
   auto expression = std::make_unique<Expression>();
   const Attribute* reference = element.find("ref");
@@ -47,7 +43,7 @@ void Parser::option(const Element& element) {
       visible_.push_back(child);
   const auto prototype = prototypes_.find(option_);
   if (prototype == prototypes_.end()) {
-    error(element, "name", "option " + quoted(option_) + " has no prototype (option-definition)");
+    error(element, "name", "option " + inQuotes(option_) + " has no prototype (option-definition)");
   } else {
     option.parameters = parameters(*prototype->second);
     option.doc = prototype->second->attribute("description");
@@ -76,7 +72,7 @@ void Parser::markInitialState(const Element& element, Option& option) {
   }
   Suggestion suggestion(initial);
   for (const State& state : option.states) suggestion.offer(state.name.text);
-  error(element, "initial-state", "unknown state " + quoted(initial) + suggestion.text());
+  error(element, "initial-state", "unknown state " + inQuotes(initial) + suggestion.text());
 }
 
 State Parser::state(const Element& element) {
@@ -243,7 +239,7 @@ ExpressionPtr Parser::reference(const Element& element) {
 ExpressionPtr Parser::enumElement(const Element& element) {
   const std::string_view name = element.attribute("ref");
   if (notInputs_.count(name) == 0)
-    error(element, "ref", "unknown element " + quoted(name) + " of an enumeration");
+    error(element, "ref", "unknown element " + inQuotes(name) + " of an enumeration");
   return leaf(element, Expression::Kind::name, name);
 }
 
@@ -302,7 +298,8 @@ void Parser::checkElement(const Element& element, const Element& symbol) {
     if (withoutOwner(name, owner) == withoutOwner(value, owner)) return;
     suggestion.offer(name);
   }
-  error(element, "value", quoted(owner) + " has no element " + quoted(value) + suggestion.text());
+  error(element, "value",
+        inQuotes(owner) + " has no element " + inQuotes(value) + suggestion.text());
 }
 
 /// What an element refers to, if the file of the option includes it.
@@ -321,7 +318,7 @@ const Element* Parser::refer(const Element& element, std::string_view kind) {
   }
   if (other)
     error(element, "ref",
-          quoted(name) + " is no " + std::string(kind) + ", but of the kind " +
+          inQuotes(name) + " is no " + std::string(kind) + ", but of the kind " +
               std::string(other->name));
   else
     unknown(element, kind);
@@ -341,11 +338,11 @@ void Parser::unknown(const Element& element, std::string_view kind) {
         std::any_of(first, last, [&](const auto& entry) { return entry.second->is(kind); });
     if (declared || (collection->is(kind) && collection->attribute("name") == name))
       return error(element, "ref",
-                   quoted(name) + " is not included by option " + std::string(option_) +
+                   inQuotes(name) + " is not included by option " + std::string(option_) +
                        ", but declared in " +
                        files_[static_cast<std::size_t>(collection->location.file)].path);
   }
-  error(element, "ref", "unknown " + std::string(kind) + " " + quoted(name) + suggestion.text());
+  error(element, "ref", "unknown " + std::string(kind) + " " + inQuotes(name) + suggestion.text());
 }
 
 }  // namespace xabsl::xml

@@ -17,10 +17,6 @@ using xml::XmlOutput;
 
 namespace {
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 class XmlWriter {
  public:
   XmlWriter(const Program& program, Reporter& reporter)
@@ -115,7 +111,7 @@ class XmlWriter {
     Attributes attributes = named(symbol);
     if (!symbol.range.empty())
       reporter_.warning(symbol.name.location, "XABSL 2.1 has no ranges of symbols; that of " +
-                                                  quoted(symbol.name.text) + " is left out");
+                                                  inQuotes(symbol.name.text) + " is left out");
     const bool input = symbol.kind == SymbolKind::input;
     if (symbol.kind == SymbolKind::internal)
       return expressions_.cannot(symbol.name.location, "an internal symbol");

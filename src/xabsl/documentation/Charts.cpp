@@ -15,7 +15,7 @@ std::size_t at(int index) {
 }
 
 /// A string of Graphviz's language, in which labels know entities, and lines end with `\l`.
-std::string quoted(std::string_view text) {
+std::string inGraph(std::string_view text) {
   std::string result = "\"";
   for (const char c : escaped(text)) {
     if (c == '\\')
@@ -39,7 +39,7 @@ class Graph {
 
   void node(const std::string& id, const std::string& kind, const std::string& label,
             const std::string& attributes = {}) {
-    text_ += "  " + id + " [class=\"" + kind + "\", label=" + quoted(label) + attributes + "];\n";
+    text_ += "  " + id + " [class=\"" + kind + "\", label=" + inGraph(label) + attributes + "];\n";
     ++size_;
   }
 
@@ -70,7 +70,7 @@ class Graph {
 
 /// Attributes of what leads to a page: the address and what is shown under the mouse.
 std::string linked(const std::string& address, const std::string& tooltip) {
-  return ", URL=" + quoted(address) + ", tooltip=" + quoted(tooltip.empty() ? " " : tooltip);
+  return ", URL=" + inGraph(address) + ", tooltip=" + inGraph(tooltip.empty() ? " " : tooltip);
 }
 
 std::string id(const char* kind, int index) {
