@@ -60,7 +60,7 @@ play-remote: build
 	@scripts/play-remote $(BUILD) 1 red1 red2 red3 red4
 
 bench: TARGETS = --target bench layout-cmd
-bench: PACKAGES += libprotobuf-dev protobuf-compiler libmrpt-slam-dev libopencv-imgproc-dev libosmesa6-dev
+bench: PACKAGES += libprotobuf-dev protobuf-compiler libmrpt-slam-dev libopencv-imgproc-dev libegl-dev libgl1-mesa-dri
 bench: build
 	@$(BUILD)/bin/bench --json out/bench.json
 

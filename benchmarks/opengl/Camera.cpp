@@ -1,5 +1,6 @@
 // The same pictures by MuJoCo's own renderer, which is OpenGL: in software, by Mesa's llvmpipe.
-#include <GL/osmesa.h>
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
 
 #include <cstdlib>
 #include <stdexcept>
@@ -19,11 +20,12 @@ class OpenGlCamera {
  public:
   explicit OpenGlCamera(const CameraField& field)
       : field_{field}, model_{mj_copyModel(nullptr, &field.model())} {
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     setenv("LP_NUM_THREADS", "0", 1);  // all work in the thread that draws
-    context_ = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
-    buffer_.resize(4 * pixels());
-    if (!context_ ||
-        !OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, info_.width, info_.height))
+    display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (!eglInitialize(display_, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API) ||
+        !(context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr)) ||
+        !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
       throw std::runtime_error("OpenGL cannot draw without a window");
     model_->vis.global.offwidth = info_.width;
     model_->vis.global.offheight = info_.height;
@@ -41,7 +43,8 @@ class OpenGlCamera {
   ~OpenGlCamera() {
     mjv_freeScene(&scene_);
     mjr_freeContext(&renderer_);
-    OSMesaDestroyContext(context_);
+    eglDestroyContext(display_, context_);
+    eglTerminate(display_);
   }
   OpenGlCamera(const OpenGlCamera&) = delete;
   OpenGlCamera& operator=(const OpenGlCamera&) = delete;
@@ -109,8 +112,9 @@ class OpenGlCamera {
   const CameraField& field_;
   Model model_;  ///< Its settings of the picture are the renderer's.
   CameraInfo info_;
-  OSMesaContext context_;
-  std::vector<unsigned char> buffer_, rgb_ = std::vector<unsigned char>(3 * pixels());
+  EGLDisplay display_;
+  EGLContext context_;
+  std::vector<unsigned char> rgb_ = std::vector<unsigned char>(3 * pixels());
   mjrContext renderer_;
   mjvScene scene_;
   mjvOption options_;
