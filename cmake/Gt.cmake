@@ -48,8 +48,8 @@ set(coldCode $<$<CONFIG:Release>:-O1>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   list(APPEND coldCode $<$<CONFIG:Release>:-Wno-maybe-uninitialized>)  # with -O1, gcc 12 warns of its std::optional
 endif()
-set(hotCode $<$<CONFIG:Release>:-O3>)
-set(testCode $<$<CONFIG:Release>:-O0>)
+set(hotCode $<$<CONFIG:Release>:-O3> $<$<CONFIG:RelWithDebInfo>:-O2>)
+set(testCode $<$<NOT:$<CONFIG:Debug>>:-O0>)
 
 find_package(Threads REQUIRED)
 find_package(GTest REQUIRED)

@@ -19,6 +19,8 @@ using ::testing::HasSubstr;
 
 constexpr const char *program = GT_PROGRAMS "/simgt", *scene = "scenes/one-robot.scene";
 constexpr const char *upKey = "\033[A", *clearKey = "\025", *prompt = "simgt> ";
+/// How long the program may take for anything; under a sanitizer it takes long.
+constexpr std::chrono::minutes patience{2};
 
 /// The program with its console in a terminal of 24 lines.
 class Terminal {
@@ -47,7 +49,7 @@ class Terminal {
   }
   /// What the program writes up to a text, which it removes; all there was if that does not come.
   std::string until(const std::string& text) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{30};
+    const auto end = std::chrono::steady_clock::now() + patience;
     std::size_t found;
     while ((found = written_.find(text)) == written_.npos &&
            std::chrono::steady_clock::now() < end && read()) {
@@ -61,7 +63,7 @@ class Terminal {
   /// Ends the program by a command, and returns its exit status; -1 if it goes on.
   int exit() {
     type(std::string{clearKey} + "exit\n");
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{30};
+    const auto end = std::chrono::steady_clock::now() + patience;
     while (read())
       if (std::chrono::steady_clock::now() > end) return -1;
     int status = 0;
