@@ -172,6 +172,7 @@ TEST(AllRepresentations, ListsWhatIsInTheFolder) {
     for (auto at = text->find(declared); at != text->npos; at = text->find(declared, at)) {
       at += declared.size();
       const std::string name = text->substr(at, text->find('>', at) - at);
+      if (name.find("::") != name.npos) continue;  // a part of another one
       EXPECT_TRUE(AllRepresentations<AnyContains>::ask(name)) << name;
       ++found;
     }
