@@ -40,7 +40,7 @@ class WorkerPool {
   /// who comes too late for one job never takes an index of the next without its work.
   std::atomic<std::uint64_t> open_{0};
   std::atomic<std::uint32_t> unfinished_{0};
-  bool stop_ = false;
+  std::atomic<bool> stop_{false};
 };
 
 }  // namespace gt
