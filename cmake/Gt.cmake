@@ -74,7 +74,8 @@ function(gt_precompile target)
   endif()
 endfunction()
 
-# One for each way to compile. What is in all is included by so many files that a change in it builds most of them anyway.
+# One for each way to compile. A change in a header that is in all of them builds everything: so these are such as seldom
+# change, and none of a module.
 if(GT_PRECOMPILE)
   find_package(Eigen3 REQUIRED)
   function(gt_precompiled name)

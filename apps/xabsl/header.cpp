@@ -47,10 +47,10 @@ void bindEnumerations(const Model& model, Options& options) {
     const std::size_t sign = entry.find('=');
     const std::string name = entry.substr(0, sign);
     const std::string type = sign == std::string::npos ? "" : entry.substr(sign + 1);
-    if (!isCppName(type)) fail("'" + entry + "' is not NAME=TYPE");
+    if (!isCppName(type)) fail(inQuotes(entry) + " is not NAME=TYPE");
     if (std::none_of(model.enumerations.begin(), model.enumerations.end(),
                      [&](const Enumeration& known) { return known.name == name; }))
-      fail("the behavior has no enumeration '" + name + "'");
+      fail("the behavior has no enumeration " + inQuotes(name));
     options.settings.enumerations[name] = type;
   }
 }
@@ -70,7 +70,7 @@ std::string dependencies(const Options& options, const Model& model) {
 
 void writeHeader(Options& options) {
   if (!isCppName(options.settings.space))
-    fail("'" + options.settings.space + "' is no namespace of C++");
+    fail(inQuotes(options.settings.space) + " is no namespace of C++");
   const Compilation compilation = load(options.agents);
   print(compilation.diagnostics);
   if (!compilation.behavior) throw Failure{};

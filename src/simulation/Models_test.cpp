@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 #include <string>
@@ -241,6 +242,27 @@ TEST(RobotParts, aLegAloneIsWhereMuJoCoHasIt) {
       EXPECT_LT((pose.knee - toBody * (knee - origin)).norm(), 1e-9);
     }
   }
+}
+
+TEST(RobotParts, nothingOfARobotGetsBeyondItsReach) {
+  const auto world = worldOf(duelScene({0.7, 300, -200}, {1000, 0}));
+  const mjModel& model = world->model();
+  const RobotParts& parts = world->parts(0);
+  const ModelData data = makeData(model);
+  Random random{4};
+  double furthest = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const JointAngles angles = randomAngles(random);
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+      data->qpos[parts.jointAddress.values[j]] = angles.values[j];
+    mj_kinematics(&model, data.get());
+    const Vector3d origin = fromMuJoCo(data->xpos + 3 * parts.body);
+    for (int geom = parts.firstGeom; geom < parts.lastGeom; ++geom)
+      furthest = std::max(furthest, (fromMuJoCo(data->geom_xpos + 3 * geom) - origin).norm() +
+                                        1000 * model.geom_rbound[geom]);
+  }
+  EXPECT_LT(furthest, parts.reach);
+  EXPECT_GT(furthest, 0.7 * parts.reach) << "it is not so far that nothing is ever out of reach";
 }
 
 }  // namespace

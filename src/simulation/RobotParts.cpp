@@ -1,7 +1,8 @@
 #include "simulation/RobotParts.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "simulation/camera/CameraScene.h"
 
 namespace gt {
 namespace {
@@ -40,20 +41,6 @@ class Lookup {
   std::string prefix_;
   std::string missing_;
 };
-
-/// How far a geom can be from the origin of the body at the root of its chain, in mm: all links
-/// stretched out.
-double reachOf(const mjModel& model, int geom) {
-  const auto length = [](const mjtNum* v) { return std::hypot(v[0], v[1], v[2]); };
-  int body = model.geom_bodyid[geom];
-  double reach = length(model.geom_pos + 3 * geom) + model.geom_rbound[geom];
-  for (; body != model.body_rootid[body]; body = model.body_parentid[body]) {
-    reach += length(model.body_pos + 3 * body);
-    for (int i = 0; i < model.body_jntnum[body]; ++i)  // what turns round an anchor beside it
-      reach += 2 * length(model.jnt_pos + 3 * (model.body_jntadr[body] + i));
-  }
-  return 1000 * reach;
-}
 
 }  // namespace
 
@@ -118,7 +105,7 @@ Result<RobotParts> findRobotParts(const mjModel& model, const std::string& robot
   if (model.nsite) parts.headBody = model.site_bodyid[parts.cameraSite];
   std::tie(parts.firstGeom, parts.lastGeom) = geomsBelow(model, parts.body);
   for (int geom = parts.firstGeom; geom < parts.lastGeom; ++geom)
-    parts.reach = std::max(parts.reach, reachOf(model, geom));
+    parts.reach = std::max(parts.reach, 1000 * reachFromRoot(model, geom));
   if (!find.missing().empty())
     return Error{file, 0, robot, "the robot's model has no " + find.missing()};
   return parts;

@@ -307,6 +307,8 @@ TEST(IntermediateCode, TellsWhatIsWrong) {
             "a.dat:1:35: error: options call one another in a cycle: main -> main\n");
   EXPECT_EQ(errorsInCode("999999999 t s"),
             "a.dat:1:33: error: expected the number of actions, found '999999999'\n");
+  EXPECT_EQ(errorsInCode("0 " + std::string(1000, 'y')),
+            "a.dat:1:35: error: expected 't' or 'i', found '" + std::string(80, 'y') + "...'\n");
   EXPECT_EQ(errorsInCode("0 t s 7"),
             "a.dat:1:43: error: expected the root option of agent '1', found 'agent'\n");
   EXPECT_EQ(test::errors(readIntermediateCode("a.dat", "").diagnostics),

@@ -57,7 +57,6 @@ bool isKeyword(std::string_view text, Dialect dialect) {
 }  // namespace
 
 std::string describe(const Token& token) {
-  constexpr std::size_t longestShown = 80;
   switch (token.kind) {
     case TokenKind::end:
       return "the end of the file";
@@ -68,8 +67,7 @@ std::string describe(const Token& token) {
     case TokenKind::parameter:
       return "'@" + std::string(token.text) + "'";
     default:
-      if (token.text.size() <= longestShown) return "'" + std::string(token.text) + "'";
-      return "'" + std::string(token.text.substr(0, longestShown)) + "...'";
+      return inQuotes(token.text);
   }
 }
 

@@ -111,7 +111,7 @@ bool Parser::accept(std::string_view text) {
 }
 
 void Parser::expect(std::string_view text) {
-  if (!accept(text)) failExpected("'" + std::string(text) + "'");
+  if (!accept(text)) failExpected(inQuotes(text));
 }
 
 Name Parser::expectName(const std::string& what) {

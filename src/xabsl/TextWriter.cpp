@@ -354,8 +354,8 @@ class TextWriter {
       const auto [owner, added] = owners.emplace(written, original);
       if (!added)
         reporter_.error(places_.at(original),
-                        "'" + std::string(original) + "' and '" + std::string(owner->second) +
-                            "' become the same name in text, '" + written + "'");
+                        inQuotes(original) + " and " + inQuotes(owner->second) +
+                            " become the same name in text, " + inQuotes(written));
     }
     if (renamed_.line > 0)
       reporter_.warning(renamed_,

@@ -228,7 +228,7 @@ class Reader {
     for (const Attribute& attribute : element.attributes)
       if (attribute.name != "href" && !(attribute.name == "parse" && attribute.value == "xml"))
         fail(attribute.location,
-             "'" + std::string(attribute.name) + "' is not supported; whole files are included");
+             inQuotes(attribute.name) + " is not supported; whole files are included");
   }
 
   void addAttribute(const xmlNode& node, const xmlAttr& attribute, Element& element) {

@@ -211,7 +211,7 @@ class Loader {
       file = at(next->place->file);
       if (seen[file])
         return reporter_.error(next->place->location,
-                               "'" + files_[file].path + "' includes itself");
+                               inQuotes(files_[file].path) + " includes itself");
     }
   }
 

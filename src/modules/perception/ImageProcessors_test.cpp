@@ -301,7 +301,7 @@ struct Percepts {
   LinesPercept lines;
   PlayersPercept players;
   ObstaclesPercept obstacles;
-  Debug debug{1024};
+  Debug debug{1 << 16};
 };
 
 TEST(LinesImageProcessor, FindsTheSameEdgesAsGT2003AndNothingElse) {
@@ -324,6 +324,32 @@ TEST(LinesImageProcessor, FindsTheSameEdgesAsGT2003AndNothingElse) {
   EXPECT_FALSE(own.ball.seen);
   EXPECT_EQ(own.landmarks.numberOfFlags + own.landmarks.numberOfGoals, 0);
   EXPECT_TRUE(own.obstacles.lines.empty());
+}
+
+TEST(LinesImageProcessor, DrawsItsGridAndTheEdgesOnIt) {
+  Random random{5};
+  Scene scene{-0.2, 0.1};
+  scene.draw(fieldAt, 1, 2, random);
+  Percepts found;
+  LinesImageProcessor lines;
+  const auto drawn = [&](std::string_view key, bool on) {
+    found.debug.keys().set(*DebugKey::find(key),
+                           {on ? DebugKeyMode::always : DebugKeyMode::disabled});
+    found.debug.out().clear();
+    lines.update(scene.image, scene.matrix, blackWhiteTable(), {}, found.ball, found.landmarks,
+                 found.lines, found.players, found.obstacles, found.debug);
+    Drawing drawing;
+    found.debug.out().handleAllMessages(
+        [&](const Message& message) { EXPECT_TRUE(message.read(drawing)); });
+    return drawing.elements;
+  };
+  const auto grid = drawn("ImageProcessor/grid", true);
+  EXPECT_TRUE(drawn("ImageProcessor/grid", false).empty());
+  const auto edges = drawn("ImageProcessor/edges", true);
+  ASSERT_GT(grid.size(), 10u);
+  for (const DrawingElement& element : grid) EXPECT_EQ(element.type, ElementType::line);
+  EXPECT_GT(edges.size(), 10u);
+  for (const DrawingElement& element : edges) EXPECT_EQ(element.type, ElementType::point);
 }
 
 TEST(GridImageProcessorTSL, FollowsItsThresholds) {

@@ -56,22 +56,6 @@ bool standsStill(const mjModel& model, int body) {
   return model.body_weldid[body] == 0;
 }
 
-/// How far a geom can get from the root of its robot, whatever its joints do.
-float reachFromRoot(const mjModel& model, const CameraShape& shape) {
-  const int root = model.body_rootid[shape.body];
-  float reach = vectorAt(model.geom_pos, shape.geom).norm() + shape.reach;
-  for (int body = shape.body; body != root; body = model.body_parentid[body]) {
-    reach += vectorAt(model.body_pos, body).norm();
-    for (int i = 0; i < model.body_jntnum[body]; ++i) {
-      const int joint = model.body_jntadr[body] + i;
-      if (model.jnt_type[joint] == mjJNT_SLIDE || model.jnt_type[joint] == mjJNT_FREE)
-        return std::numeric_limits<float>::infinity();
-      reach += 2 * vectorAt(model.jnt_pos, joint).norm();
-    }
-  }
-  return reach;
-}
-
 /// The place in the order of drawing: floors, what lies on them, what stands, then the robots.
 int orderOf(const mjModel& model, const CameraShape& shape) {
   if (!standsStill(model, shape.body)) return 3 + model.body_rootid[shape.body];
@@ -80,6 +64,24 @@ int orderOf(const mjModel& model, const CameraShape& shape) {
 }
 
 }  // namespace
+
+double reachFromRoot(const mjModel& model, int geom) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto length = [](const mjtNum* v) { return std::hypot(v[0], v[1], v[2]); };
+  if (model.geom_type[geom] == mjGEOM_PLANE) return infinity;
+  int body = model.geom_bodyid[geom];
+  double reach = length(model.geom_pos + 3 * geom) + model.geom_rbound[geom];
+  for (; body != model.body_rootid[body]; body = model.body_parentid[body]) {
+    reach += length(model.body_pos + 3 * body);
+    for (int i = 0; i < model.body_jntnum[body]; ++i) {
+      const int joint = model.body_jntadr[body] + i;
+      if (model.jnt_type[joint] == mjJNT_SLIDE || model.jnt_type[joint] == mjJNT_FREE)
+        return infinity;
+      reach += 2 * length(model.jnt_pos + 3 * joint);  // it turns round an anchor beside it
+    }
+  }
+  return reach;
+}
 
 PackedColor packColor(const Eigen::Vector3f& rgb, ColorClass colorClass) {
   const Eigen::Vector3f c = 255 * rgb;
@@ -177,8 +179,9 @@ void CameraScene::addClusters(const mjModel& model) {
     current = root;
     CameraCluster& cluster = clusters_.back();
     ++cluster.count;
-    cluster.reach = still ? std::numeric_limits<float>::infinity()
-                          : std::max(cluster.reach, reachFromRoot(model, shape));
+    cluster.reach =
+        still ? std::numeric_limits<float>::infinity()
+              : std::max(cluster.reach, static_cast<float>(reachFromRoot(model, shape.geom)));
   }
 }
 

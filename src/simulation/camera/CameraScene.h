@@ -19,6 +19,10 @@ PackedColor packColor(const Eigen::Vector3f& rgb, ColorClass colorClass);
 /// The colour class that a person would give a colour, red, green and blue in 0..1.
 ColorClass classOfRgb(const Eigen::Vector3f& rgb);
 
+/// How far any point of a geom can get from the origin of the body at the root of its chain, in
+/// metres, whatever the joints between do; infinite for planes and where something slides.
+double reachFromRoot(const mjModel& model, int geom);
+
 /// The forms that the cameras draw; a sphere is an ellipsoid.
 enum class CameraForm : std::uint8_t { plane, box, ellipsoid, cylinder, capsule, mesh };
 

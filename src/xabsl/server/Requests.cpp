@@ -168,7 +168,7 @@ Json Server::rename(const Json& parameters) {
   const Token token = lexer.next();
   if (token.kind != TokenKind::identifier || token.text != name ||
       lexer.next().kind != TokenKind::end || reporter.failed())
-    throw Refusal{requestFailed, "'" + name + "' is no name"};
+    throw Refusal{requestFailed, inQuotes(name) + " is no name"};
 
   std::map<std::string, std::string> texts;
   Json changes = Json::object();

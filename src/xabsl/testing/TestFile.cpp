@@ -52,7 +52,7 @@ class TestParser {
     return true;
   }
   void expect(std::string_view text) {
-    if (!accept(text)) failExpected("'" + std::string(text) + "'");
+    if (!accept(text)) failExpected(inQuotes(text));
   }
   TestText name(const char* what) {
     if (token_.kind != TokenKind::identifier) failExpected(what);

@@ -151,8 +151,8 @@ class TestRun {
     for (const TestText& name : statement.arguments) {
       const int index = findParameter(parameters, name.text, statement.name.text);
       if (index < 0)
-        return error(name.location, "'" + std::string(statement.name.text) +
-                                        "' has no parameter '" + std::string(name.text) + "'");
+        return error(name.location,
+                     inQuotes(statement.name.text) + " has no parameter " + inQuotes(name.text));
       const auto place = static_cast<std::size_t>(index);
       variables.push_back(
           {std::string(name.text), parameters[place].type, prepared.arguments->data() + place});

@@ -61,7 +61,7 @@ class TraceReader {
     Number number{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size())
-      fail("'" + std::string(text) + "' is not a number");
+      fail(inQuotes(text) + " is not a number");
     return number;
   }
 
@@ -98,7 +98,7 @@ class TraceReader {
     if (text == "stay") return {Branch::Kind::stay, -1};
     if (text == "none") return {Branch::Kind::none, -1};
     if (text.empty() || (text[0] != 'd' && text[0] != 's'))
-      fail("'" + std::string(text) + "' is no decision tree");
+      fail(inQuotes(text) + " is no decision tree");
     return {text[0] == 'd' ? Branch::Kind::decision : Branch::Kind::state,
             number<int>(text.substr(1))};
   }
@@ -162,7 +162,7 @@ class TraceReader {
     } else if (what == "none") {
       subject().reads.emplace_back();
     } else {
-      fail("'" + std::string(what) + "' is no part of a behavior");
+      fail(inQuotes(what) + " is no part of a behavior");
     }
   }
 
@@ -174,7 +174,7 @@ class TraceReader {
     else if (kind == "internal")
       symbol.kind = SymbolKind::internal;
     else if (kind != "input")
-      fail("'" + std::string(kind) + "' is no kind of symbol");
+      fail(inQuotes(kind) + " is no kind of symbol");
     symbol.type = type();
     symbol.name = name();
     parameters_ = &symbol.parameters;
@@ -199,7 +199,7 @@ class TraceReader {
     if (kind == "initial" || kind == "both")
       option.initialState = option.states.first + option.states.count;
     else if (!state.target && kind != "normal")
-      fail("'" + std::string(kind) + "' is no kind of state");
+      fail(inQuotes(kind) + " is no kind of state");
     state.decision = tree();
     state.name = name();
     ++option.states.count;
@@ -228,7 +228,7 @@ class TraceReader {
       const std::string_view letter = word();
       const std::size_t kind =
           letter.size() == 1 ? traceLetters.find(letter[0]) : std::string_view::npos;
-      if (kind == std::string_view::npos) fail("'" + std::string(letter) + "' is no event");
+      if (kind == std::string_view::npos) fail(inQuotes(letter) + " is no event");
       trace_->events.push_back(event(static_cast<TraceEvent::Kind>(kind)));
       if (trace_->events.front().kind != TraceEvent::Kind::cycle) fail("expected a cycle");
     }
@@ -238,7 +238,7 @@ class TraceReader {
     TraceEvent event{kind, 0, 0};
     if (kind != TraceEvent::Kind::cycle) event.index = eventIndex(kind);
     event.value = number<double>(word());
-    if (!rest_.empty()) fail("'" + std::string(rest_) + "' is too much");
+    if (!rest_.empty()) fail(inQuotes(rest_) + " is too much");
     if (kind == TraceEvent::Kind::change) {
       if (!(event.value >= 0 && event.value < static_cast<double>(model().states.size())) ||
           event.value != std::floor(event.value))
