@@ -30,6 +30,20 @@ std::string printable(std::string text) {
   return text;
 }
 
+Surface surfaceOf(const RgbPicture& picture) {
+  Surface image{cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height),
+                cairo_surface_destroy};
+  cairo_surface_flush(image.get());
+  const int stride = cairo_image_surface_get_stride(image.get()) / 4;
+  auto* to = reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(image.get()));
+  const std::uint8_t* from = picture.pixels.data();
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x, from += 3)
+      to[y * stride + x] = static_cast<std::uint32_t>(from[0] << 16 | from[1] << 8 | from[2]);
+  cairo_surface_mark_dirty(image.get());
+  return image;
+}
+
 cairo_status_t append(void* text, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
@@ -53,46 +67,41 @@ RgbPicture rgbOf(const Image& image) {
 
 Sheet::Sheet(int width, int height, Color background)
     : width_{std::clamp(width, 1, largest)}, height_{std::clamp(height, 1, largest)} {
-  const cairo_rectangle_t extents{0, 0, static_cast<double>(width_), static_cast<double>(height_)};
-  record_.reset(cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &extents));
   box({0, 0}, {width_, height_}, background);
 }
 
 void Sheet::paint(const Drawing& drawing, const Placement& placement) {
   for (const DrawingElement& element : drawing.elements)
-    gt::paint(contextOf(record_.get()).get(), {{}, {}, {element}}, placement);
+    strokes_.emplace_back([element, placement](cairo_surface_t* surface) {
+      gt::paint(contextOf(surface).get(), {{}, {}, {element}}, placement);
+    });
 }
 
 void Sheet::paint(const RgbPicture& picture, const Vector2d& at, double scale) {
   if (picture.width <= 0 || picture.height <= 0) return;
-  const Surface image{cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height),
-                      cairo_surface_destroy};
-  cairo_surface_flush(image.get());
-  const int stride = cairo_image_surface_get_stride(image.get()) / 4;
-  auto* to = reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(image.get()));
-  const std::uint8_t* from = picture.pixels.data();
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x, from += 3)
-      to[y * stride + x] = static_cast<std::uint32_t>(from[0] << 16 | from[1] << 8 | from[2]);
-  cairo_surface_mark_dirty(image.get());
-  const Context context = contextOf(record_.get());
-  cairo_translate(context.get(), at.x(), at.y());
-  cairo_scale(context.get(), scale, scale);
-  cairo_set_source_surface(context.get(), image.get(), 0, 0);
-  cairo_pattern_set_filter(cairo_get_source(context.get()), CAIRO_FILTER_NEAREST);
-  cairo_paint(context.get());
+  strokes_.emplace_back([picture, at, scale](cairo_surface_t* surface) {
+    const Surface image = surfaceOf(picture);
+    const Context context = contextOf(surface);
+    cairo_translate(context.get(), at.x(), at.y());
+    cairo_scale(context.get(), scale, scale);
+    cairo_set_source_surface(context.get(), image.get(), 0, 0);
+    cairo_pattern_set_filter(cairo_get_source(context.get()), CAIRO_FILTER_NEAREST);
+    cairo_paint(context.get());
+  });
 }
 
 void Sheet::text(const Vector2d& at, const std::string& text, Color color, double height) {
-  const Context context = contextOf(record_.get());
-  // Cairo's own font: no fonts have to be installed, and text looks the same everywhere.
-  cairo_select_font_face(context.get(), "@cairo:sans", CAIRO_FONT_SLANT_NORMAL,
-                         CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context.get(), height);
-  cairo_set_source_rgb(context.get(), color.r / 255.0, color.g / 255.0, color.b / 255.0);
-  cairo_move_to(context.get(), at.x(), at.y());
-  cairo_text_path(context.get(), printable(text).c_str());
-  cairo_fill(context.get());
+  strokes_.emplace_back([at, text = printable(text), color, height](cairo_surface_t* surface) {
+    const Context context = contextOf(surface);
+    // Cairo's own font: no fonts have to be installed, and text looks the same everywhere.
+    cairo_select_font_face(context.get(), "@cairo:sans", CAIRO_FONT_SLANT_NORMAL,
+                           CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context.get(), height);
+    cairo_set_source_rgb(context.get(), color.r / 255.0, color.g / 255.0, color.b / 255.0);
+    cairo_move_to(context.get(), at.x(), at.y());
+    cairo_text_path(context.get(), text.c_str());
+    cairo_fill(context.get());
+  });
 }
 
 void Sheet::box(const Vector2d& corner, const Vector2d& size, Color color) {
@@ -114,9 +123,7 @@ void Sheet::line(const Vector2d& from, const Vector2d& to, Color color, double p
 RgbPicture Sheet::pixels() const {
   const Surface image{cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_, height_),
                       cairo_surface_destroy};
-  const Context context = contextOf(image.get());
-  cairo_set_source_surface(context.get(), record_.get(), 0, 0);
-  cairo_paint(context.get());
+  paintOn(image.get());
   cairo_surface_flush(image.get());
   const int stride = cairo_image_surface_get_stride(image.get()) / 4;
   const auto* from =
@@ -140,15 +147,13 @@ Result<void> Sheet::write(const std::string& file) const {
   {
     const Surface svg{cairo_svg_surface_create_for_stream(append, &text, width_, height_),
                       cairo_surface_destroy};
-    const Context context = contextOf(svg.get());
-    cairo_set_source_surface(context.get(), record_.get(), 0, 0);
-    cairo_paint(context.get());
+    paintOn(svg.get());
   }
   return writeFile(file, text);
 }
 
-void Sheet::Release::operator()(_cairo_surface* surface) const {
-  cairo_surface_destroy(surface);
+void Sheet::paintOn(cairo_surface_t* surface) const {
+  for (const auto& stroke : strokes_) stroke(surface);
 }
 
 }  // namespace gt

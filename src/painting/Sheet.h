@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,12 +44,12 @@ class Sheet {
   Result<void> write(const std::string& file) const;
 
  private:
-  struct Release {
-    void operator()(_cairo_surface* surface) const;
-  };
+  void paintOn(_cairo_surface* surface) const;
 
   int width_, height_;
-  std::unique_ptr<_cairo_surface, Release> record_;  ///< What was painted, in any resolution.
+  /// What was painted, to be painted again in any resolution. Not Cairo's own recording: one that
+  /// was written as SVG is never released (Cairo 1.16).
+  std::vector<std::function<void(_cairo_surface*)>> strokes_;
 };
 
 }  // namespace gt
