@@ -54,6 +54,12 @@ class RouterProgramsTest : public ::testing::Test {
         },
         10'000);
   }
+  /// Lets tools come to a robot and go.
+  void look(std::size_t robot) {
+    network.wait(0);
+    MessageQueue ignored;
+    robots[robot]->update(ignored);
+  }
   void tell(std::size_t robot) {
     TeamMessage message;
     message.playerNumber = static_cast<int>(robot) + 1;
@@ -82,6 +88,7 @@ class RouterProgramsTest : public ::testing::Test {
 TEST_F(RouterProgramsTest, TheRobotsOfTwoRoutersPlayAsATeam) {
   // One finds its robots, the other is told them.
   ChildProgram first{command({"127.0.0", "auto", "--routers"}, firstPort)};
+  ASSERT_TRUE(eventually([&] { return robots[0]->tools() > 0; }, [&] { look(0); }));
   const std::string routers = "tcp://127.0.0.1:" + std::to_string(firstPort + 299);
   ChildProgram second{command({"127.0.0", "21", "22", "--join", routers}, secondPort)};
   ASSERT_TRUE(playAsATeam());
@@ -90,11 +97,7 @@ TEST_F(RouterProgramsTest, TheRobotsOfTwoRoutersPlayAsATeam) {
   // Started without arguments it does what it did the last time.
   second.kill(SIGTERM);
   EXPECT_TRUE(WIFEXITED(second.status()) && WEXITSTATUS(second.status()) == 0);
-  ASSERT_TRUE(eventually([&] { return robots[2]->tools() == 0; },
-                         [&] {
-                           MessageQueue ignored;
-                           robots[2]->update(ignored);
-                         }));
+  ASSERT_TRUE(eventually([&] { return robots[2]->tools() == 0; }, [&] { look(2); }));
   ChildProgram again{{GT_PROGRAMS "/router"}};
   EXPECT_TRUE(playAsATeam());
   first.kill();

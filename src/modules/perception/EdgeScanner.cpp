@@ -1,8 +1,9 @@
 #include "modules/perception/EdgeScanner.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "modules/perception/FieldView.h"
 #include "modules/perception/LineScanner.h"
@@ -30,13 +31,26 @@ double EdgeScanner::sharpest(int at) const {
 }
 
 void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
-  y_.resize(static_cast<std::size_t>(line.length));
+  const int length = line.length;
+  y_.resize(static_cast<std::size_t>(length));
   std::uint8_t* const y = y_.data();
   PixelWalk walk{picture.image, line};
-  for (int i = 0; i < line.length; ++i, walk.step()) y[i] = walk.pixel().y;
+  for (int i = 0; i < length; ++i, walk.step()) y[i] = walk.pixel().y;
   const auto difference = [y](int i) { return y[i] - y[i - reach]; };
+  // All at once, and then only where it is steep.
+  steep_.resize(y_.size() + sizeof(std::uint64_t));
+  std::uint8_t* const steep = steep_.data();
+  for (int i = reach; i < length; ++i) steep[i] = std::abs(difference(i)) > contrast ? 1 : 0;
+  const auto nextSteep = [&](int i) {
+    for (; i < length; i += 8) {
+      std::uint64_t eight;
+      std::memcpy(&eight, steep + i, sizeof eight);
+      if (eight != 0) return i + std::countr_zero(eight) / 8;
+    }
+    return length;
+  };
   const auto isAt = [&](int k, ColorClass color) {
-    return k >= 0 && k < line.length && picture.classAt(line.at(k)) == color;
+    return k >= 0 && k < length && picture.classAt(line.at(k)) == color;
   };
   const auto is = [&](double from, int by, ColorClass color) {
     // One of two pixels beyond the edge's blur.
@@ -46,12 +60,11 @@ void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
   bright_.clear();
   Bright bright;
   bool inside = true;  // perhaps: a wall that reaches beyond the picture is bright from the start
-  for (int i = reach; i < line.length; ++i) {
-    if (std::abs(difference(i)) <= contrast) continue;
+  for (int i = nextSteep(reach); i < length; i = nextSteep(i + 1)) {
     const bool rising = difference(i) > 0;
     // The steepest place of this edge.
     int best = i;
-    while (i + 1 < line.length &&
+    while (i + 1 < length &&
            (rising ? difference(i + 1) > contrast : difference(i + 1) < -contrast)) {
       ++i;
       if (std::abs(difference(i)) > std::abs(difference(best))) best = i;

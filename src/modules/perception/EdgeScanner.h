@@ -50,7 +50,7 @@ class EdgeScanner {
                 double longestLine);
   void add(const Picture& picture, EdgeType type, const Vector2d& inPicture);
 
-  std::vector<std::uint8_t> y_;
+  std::vector<std::uint8_t> y_, steep_;
   std::vector<Bright> bright_;
   std::vector<EdgePoint> points_;
 };

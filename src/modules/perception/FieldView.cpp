@@ -13,14 +13,17 @@ std::optional<Vector2d> onPlane(const Picture& picture, const Vector2d& inPictur
 
 double expectedLineWidth(const Picture& picture, double distance, const FieldDimensions& field) {
   const double height = picture.matrix.pose.translation.z();
+  // The difference of the angles down to both of its sides.
   return picture.matrix.info.focalX *
-         (std::atan2(height, distance) - std::atan2(height, distance + field.lineWidth));
+         std::atan2(height * field.lineWidth,
+                    distance * (distance + field.lineWidth) + height * height);
 }
 
 double expectedBorderHeight(const Picture& picture, double distance, const FieldDimensions& field) {
   const double height = picture.matrix.pose.translation.z();
   return picture.matrix.info.focalX *
-         (std::atan2(height, distance) - std::atan2(height - field.wallHeight, distance));
+         std::atan2(field.wallHeight * distance,
+                    distance * distance + height * (height - field.wallHeight));
 }
 
 }  // namespace gt

@@ -39,6 +39,7 @@ void GT2003ImageProcessor::update(const Image& image, const CameraMatrix& matrix
                                   BallPercept& ball, LandmarksPercept& landmarks,
                                   LinesPercept& lines, PlayersPercept& players,
                                   ObstaclesPercept& obstacles, Debug& debug) {
+  fetch(image);
   const Horizon horizon = horizonOf(matrix);
   ways_.clear();
   const bool watched = debug.isActive(drawSpecialistsWays);
@@ -73,10 +74,11 @@ void GT2003ImageProcessor::findFreeGround(const Picture& picture, ObstaclesPerce
     const auto nearPoint = onGround(picture, green.end);
     if (!nearPoint) continue;
     // Green up to the horizon is as far as a field can reach.
-    const auto farPoint = onGround(picture, green.begin);
-    const Vector2d horizon = picture.matrix.pose.translation.head<2>() +
-                             farthestOnGround * direction(azimuth(picture.ray(green.begin)));
-    percept.lines.push_back({*nearPoint, farPoint.value_or(horizon), green.beginOnBorder});
+    auto farPoint = onGround(picture, green.begin);
+    if (!farPoint)
+      farPoint = picture.matrix.pose.translation.head<2>() +
+                 farthestOnGround * picture.ray(green.begin).head<2>().normalized();
+    percept.lines.push_back({*nearPoint, *farPoint, green.beginOnBorder});
   }
 }
 

@@ -9,6 +9,7 @@ void LinesImageProcessor::update(const Image& image, const CameraMatrix& matrix,
                                  BallPercept& ball, LandmarksPercept& landmarks,
                                  LinesPercept& lines, PlayersPercept& players,
                                  ObstaclesPercept& obstacles, Debug& debug) {
+  fetch(image);
   findNothing(image.time, ball, landmarks, lines, players, obstacles);
   landmarks.cameraOffset = matrix.pose.translation;
   const Horizon horizon = horizonOf(matrix);

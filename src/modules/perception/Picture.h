@@ -35,6 +35,15 @@ struct ScanWay {
   ColorEdge end;
 };
 
+/// Has the whole picture fetched into the cache in the order of memory. Scan lines lead across its
+/// rows, which alone would wait for memory at each pixel.
+inline void fetch(const Image& image) {
+  constexpr std::size_t cacheLine = 64;
+  const auto* const bytes = reinterpret_cast<const char*>(image.pixels.data());
+  for (std::size_t i = 0; i < image.pixels.size() * sizeof(Pixel); i += cacheLine)
+    __builtin_prefetch(bytes + i);
+}
+
 /// Where a camera sees a direction in the robot's system, as the row there saw it; the ray must
 /// point forward.
 Vector2d pointIn(const CameraMatrix& matrix, const Vector3d& ray);
