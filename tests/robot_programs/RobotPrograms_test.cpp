@@ -255,7 +255,7 @@ TEST_F(RobotProgramsTest, ItsLogHoldsPicturesAndWhatThePlatformTold) {
   const fs::path log = logs().at(0);
   EXPECT_GE(countIn(log, "/camera"), 2u);
   EXPECT_LE(countIn(log, "/camera"),
-            static_cast<std::size_t>(match->simulation().time().ms / 2000 + 3));
+            static_cast<std::size_t>(match->simulation().time().ms / 2000 + 1));
   EXPECT_GT(countIn(log, "/GameControlData"), 20u);
   EXPECT_GT(countIn(log, "/RobotPose"), 20u);
 }

@@ -71,14 +71,17 @@ void Recorder::write(const Wire& wire, const MessageQueue& messages, std::int64_
   nextFlush_ = now + 1000;
 }
 
-/// The platform is asked for the next picture only when it is due.
+/// The platform is asked for the next picture only when it is due; its clock, which begins anew
+/// when it is started again, may be slower than that of this process.
 void Recorder::writePicture(std::int64_t now) {
   pictures_.receive();
-  if (pictures_.receivedNew()) {
+  const bool isDue = picture_.time < lastPicture_ || picture_.time - lastPicture_ >= picturePeriod_;
+  if (pictures_.receivedNew() && isDue) {
     log_.write(picture_);
-    nextPicture_ = now + picturePeriod_;
+    lastPicture_ = picture_.time;
+    nextRequest_ = now + picturePeriod_;
   }
-  if (now >= nextPicture_) pictures_.request();
+  if (now >= nextRequest_) pictures_.request();
 }
 
 }  // namespace gt

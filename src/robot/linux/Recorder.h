@@ -49,7 +49,8 @@ class Recorder {
   MessageQueue fromPlatform_;
   Image picture_;
   PackageReceiver pictures_{representation<Image>(), &picture_};
-  std::int64_t picturePeriod_ = 0, nextPicture_ = 0;
+  std::int64_t picturePeriod_ = 0, nextRequest_ = 0;
+  Time lastPicture_ = never();
 };
 
 }  // namespace gt
