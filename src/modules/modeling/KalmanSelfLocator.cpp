@@ -111,13 +111,22 @@ void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
   addMirrored();
   view_.add(bearings, offset);
   // What errs alike does not become better known by being measured often.
-  const double variance = squared(p.commonAngle) * bearings.count + squared(p.bearingError);
+  const double ofCamera = squared(p.commonAngle) * bearings.count + squared(p.bearingError);
+  // A landmark that stands beside its place is seen beside its bearing, the more the nearer it is.
+  const auto variance = [&](const Bearing& bearing, const Pose2D& pose) {
+    constexpr double nearest = 300;
+    const double distance = (bearing.landmark - pose.translation).norm();
+    const double error = bearing.radius == 0 ? p.postError : p.flagError;
+    return ofCamera + squared(error / std::max(distance, nearest));
+  };
   for (Hypothesis& h : hypotheses_) {
     double sum = 0;
-    for (const Bearing& bearing : bearings)
+    for (const Bearing& bearing : bearings) {
+      const Pose2D& pose = h.filter.pose();
       sum += std::log(
-          p.surprise +
-          h.filter.correct(measurementOf(bearing, offset, h.filter.pose(), variance), p.gate));
+          p.landmarkSurprise +
+          h.filter.correct(measurementOf(bearing, offset, pose, variance(bearing, pose)), p.gate));
+    }
     for (int i = 0; i < percept.numberOfFlags; ++i) {
       const FlagPercept& flag = percept.flags[static_cast<std::size_t>(i)];
       if (flag.distance > 0)
@@ -125,7 +134,7 @@ void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
                                     p.flagDistanceError),
                          p.gate);
     }
-    judge(h, sum, bearings.count, 2);
+    judge(h, sum, bearings.count, 1.5);
   }
 }
 

@@ -30,11 +30,14 @@ class KalmanSelfLocator {
     double commonAngle = 0.02;
     double bearingError = 0.008;
     double flagDistanceError = 0.08;
+    double flagError = 100;
+    double postError = 30;
     double tiltError = 0.012;
     double pointError = 0.006;
     double edgeError = 8;
     double gate = 3;
     double surprise = 0.03;
+    double landmarkSurprise = 0.2;
     double memory = 10;
     double newWeight = 3;
 
@@ -52,6 +55,8 @@ class KalmanSelfLocator {
                 "deviation of the camera's pan, the same for all of a picture", {1e-6, 1}),
           field("bearingError", &P::bearingError, "rad", "deviation of each bearing", {1e-6, 1}),
           field("flagDistanceError", &P::flagDistanceError, "", "of its distance", {1e-6, 1}),
+          field("flagError", &P::flagError, "mm", "deviation of where flags stand", {0, 1e4}),
+          field("postError", &P::postError, "mm", "deviation of where goal posts stand", {0, 1e4}),
           field("tiltError", &P::tiltError, "rad",
                 "deviation of the camera's tilt, the same for all of a picture", {1e-6, 1}),
           field("pointError", &P::pointError, "rad", "deviation of each point", {1e-6, 1}),
@@ -59,6 +64,7 @@ class KalmanSelfLocator {
           field("gate", &P::gate, "", "deviations beyond which nothing is believed", {0.1, 100}),
           field("surprise", &P::surprise, "", "how likely anything is to be seen wrongly",
                 {1e-6, 1}),
+          field("landmarkSurprise", &P::landmarkSurprise, "", "the same of a landmark", {1e-6, 1}),
           field("memory", &P::memory, "", "most by which a hypothesis can be ahead of others, ln",
                 {0.1, 1000}),
           field("newWeight", &P::newWeight, "", "by how much a new one begins behind the best, ln",
