@@ -221,6 +221,13 @@ TEST(SceneModel, teamsWearTheirColors) {
   }
 }
 
+/// Bends a robot's joints, and nothing else.
+void pose(const mjModel& model, mjData& data, const RobotParts& parts, const JointAngles& angles) {
+  for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+    data.qpos[parts.jointAddress.values[j]] = angles.values[j];
+  mj_kinematics(&model, &data);
+}
+
 TEST(RobotParts, aLegAloneIsWhereMuJoCoHasIt) {
   const auto world = worldOf(duelScene({0.7, 300, -200}, {1000, 0}));
   const mjModel& model = world->model();
@@ -229,17 +236,15 @@ TEST(RobotParts, aLegAloneIsWhereMuJoCoHasIt) {
   Random random{3};
   for (int i = 0; i < 100; ++i) {
     const JointAngles angles = randomAngles(random);
-    for (std::size_t j = 0; j < enumCount<Joint>; ++j)
-      data->qpos[parts.jointAddress.values[j]] = angles.values[j];
-    mj_kinematics(&model, data.get());
+    pose(model, *data, parts, angles);
     const Vector3d origin = fromMuJoCo(data->xpos + 3 * parts.body);
     const Matrix3d toBody = rotationFromMuJoCo(data->xmat + 9 * parts.body).transpose();
     for (std::size_t leg = 0; leg < 4; ++leg) {
-      const LegPose pose = legPose(model, parts, angles, leg);
+      const LegPose alone = legPose(model, parts, angles, leg);
       const Vector3d foot = fromMuJoCo(data->site_xpos + 3 * parts.footSites[leg]),
                      knee = fromMuJoCo(data->xpos + 3 * parts.kneeBodies[leg]);
-      EXPECT_LT((pose.foot - toBody * (foot - origin)).norm(), 1e-9);
-      EXPECT_LT((pose.knee - toBody * (knee - origin)).norm(), 1e-9);
+      EXPECT_LT((alone.foot - toBody * (foot - origin)).norm(), 1e-9);
+      EXPECT_LT((alone.knee - toBody * (knee - origin)).norm(), 1e-9);
     }
   }
 }
@@ -252,10 +257,7 @@ TEST(RobotParts, nothingOfARobotGetsBeyondItsReach) {
   Random random{4};
   double furthest = 0;
   for (int i = 0; i < 1000; ++i) {
-    const JointAngles angles = randomAngles(random);
-    for (std::size_t j = 0; j < enumCount<Joint>; ++j)
-      data->qpos[parts.jointAddress.values[j]] = angles.values[j];
-    mj_kinematics(&model, data.get());
+    pose(model, *data, parts, randomAngles(random));
     const Vector3d origin = fromMuJoCo(data->xpos + 3 * parts.body);
     for (int geom = parts.firstGeom; geom < parts.lastGeom; ++geom)
       furthest = std::max(furthest, (fromMuJoCo(data->geom_xpos + 3 * geom) - origin).norm() +
