@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/Random.h"
-#include "simulation/SceneModel.h"
+#include "simulation/scene/SceneModel.h"
 
 namespace gt {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "simulation/MuJoCo.h"
-#include "simulation/Scene.h"
 #include "simulation/camera/CameraView.h"
+#include "simulation/scene/Scene.h"
+#include "simulation/world/MuJoCo.h"
 
 namespace gt {
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "framework/Module.h"
-#include "modules/behavior/GT2003BehaviorControl.h"
+#include "modules/behavior/control/GT2003BehaviorControl.h"
 #include "representations/modeling/BallModel.h"
 #include "representations/perception/BallPercept.h"
 #include "robot/Configuration.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace gt {
 namespace {

@@ -8,7 +8,7 @@
 #include "Parts.h"
 #include "colors/ColorTableFile.h"
 #include "colortable/GameViews.h"
-#include "modules/perception/GT2003ImageProcessor.h"
+#include "modules/perception/processors/GT2003ImageProcessor.h"
 
 namespace gt {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "colors/ColorTableFile.h"
-#include "modules/motion/InvKinWalkingEngine.h"
-#include "modules/perception/DefaultSensorDataProcessor.h"
-#include "modules/perception/GT2003ImageProcessor.h"
+#include "modules/motion/walking/InvKinWalkingEngine.h"
+#include "modules/perception/processors/DefaultSensorDataProcessor.h"
+#include "modules/perception/processors/GT2003ImageProcessor.h"
 #include "streams/Config.h"
 
 namespace gt {

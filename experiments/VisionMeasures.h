@@ -1,7 +1,7 @@
 #pragma once
 #include "Tally.h"
 #include "VisionTruth.h"
-#include "modules/modeling/FieldEdges.h"
+#include "modules/modeling/selflocator/FieldEdges.h"
 #include "representations/perception/BallPercept.h"
 #include "representations/perception/BodyPercept.h"
 #include "representations/perception/LinesPercept.h"

@@ -7,7 +7,7 @@
 #include "InParallel.h"
 #include "VisionMeasures.h"
 #include "match/Match.h"
-#include "modules/perception/GridImageProcessor2.h"
+#include "modules/perception/processors/GridImageProcessor2.h"
 
 namespace gt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "modules/perception/Picture.h"
+#include "modules/perception/scanning/Picture.h"
 
 namespace gt {
 

@@ -4,14 +4,14 @@
 #include "Tally.h"
 #include "base/Random.h"
 #include "match/Match.h"
-#include "modules/modeling/BallChallengeBallLocator.h"
-#include "modules/modeling/DefaultObstaclesLocator.h"
-#include "modules/modeling/DefaultTeamBallLocator.h"
-#include "modules/modeling/FusedTeamBallLocator.h"
-#include "modules/modeling/GO2003PlayersLocator.h"
 #include "modules/modeling/OracledLocators.h"
-#include "modules/modeling/PidSmoothedBallLocator.h"
-#include "modules/modeling/ProbabilisticBallLocator.h"
+#include "modules/modeling/ball/BallChallengeBallLocator.h"
+#include "modules/modeling/ball/PidSmoothedBallLocator.h"
+#include "modules/modeling/ball/ProbabilisticBallLocator.h"
+#include "modules/modeling/obstacles/DefaultObstaclesLocator.h"
+#include "modules/modeling/players/GO2003PlayersLocator.h"
+#include "modules/modeling/team/DefaultTeamBallLocator.h"
+#include "modules/modeling/team/FusedTeamBallLocator.h"
 
 namespace gt {
 

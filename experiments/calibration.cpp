@@ -7,8 +7,8 @@
 #include "Experiments.h"
 #include "InParallel.h"
 #include "Tally.h"
-#include "modules/perception/CheckerboardDetector.h"
-#include "modules/perception/DefaultSensorDataProcessor.h"
+#include "modules/perception/calibration/CheckerboardDetector.h"
+#include "modules/perception/processors/DefaultSensorDataProcessor.h"
 #include "simulation/Simulation.h"
 
 namespace gt {

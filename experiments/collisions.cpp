@@ -8,10 +8,10 @@
 #include "Experiments.h"
 #include "InParallel.h"
 #include "base/Random.h"
-#include "modules/motion/DefaultCollisionDetector.h"
-#include "modules/motion/InvKinWalkingEngine.h"
-#include "simulation/Sensors.h"
-#include "simulation/World.h"
+#include "modules/motion/control/DefaultCollisionDetector.h"
+#include "modules/motion/walking/InvKinWalkingEngine.h"
+#include "simulation/sensors/Sensors.h"
+#include "simulation/world/World.h"
 #include "streams/Config.h"
 
 namespace gt {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "Experiments.h"
-#include "modules/motion/InvKinWalkingEngine.h"
-#include "simulation/World.h"
+#include "modules/motion/walking/InvKinWalkingEngine.h"
+#include "simulation/world/World.h"
 #include "streams/Config.h"
 
 namespace gt {

@@ -11,7 +11,7 @@
 #include "InParallel.h"
 #include "SimulatedWalker.h"
 #include "base/Statistics.h"
-#include "modules/behavior/BasicBehaviors.h"
+#include "modules/behavior/skills/BasicBehaviors.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
 #include "modules/modeling/testing/Locators.h"
 

@@ -5,12 +5,12 @@
 #include "VisionMeasures.h"
 #include "colors/ColorStatistics.h"
 #include "colors/ColorTableFile.h"
-#include "modules/perception/DefaultSensorDataProcessor.h"
-#include "modules/perception/GT2003ImageProcessor.h"
-#include "modules/perception/GridImageProcessor2.h"
-#include "modules/perception/GridImageProcessor3.h"
-#include "modules/perception/GridImageProcessorTSL.h"
-#include "modules/perception/LinesImageProcessor.h"
+#include "modules/perception/processors/DefaultSensorDataProcessor.h"
+#include "modules/perception/processors/GT2003ImageProcessor.h"
+#include "modules/perception/processors/GridImageProcessor2.h"
+#include "modules/perception/processors/GridImageProcessor3.h"
+#include "modules/perception/processors/GridImageProcessorTSL.h"
+#include "modules/perception/processors/LinesImageProcessor.h"
 
 namespace gt {
 namespace {

@@ -6,8 +6,8 @@
 #include "Experiments.h"
 #include "InParallel.h"
 #include "WorldModelWatch.h"
-#include "simulation/CeilingCamera.h"
-#include "simulation/CeilingTracker.h"
+#include "simulation/sensors/CeilingCamera.h"
+#include "simulation/sensors/CeilingTracker.h"
 #include "streams/Mcap.h"
 
 namespace gt {

@@ -4,11 +4,11 @@
 
 #include "representations/infrastructure/SensorData.h"
 #include "representations/perception/CameraMatrix.h"
-#include "simulation/Scene.h"
-#include "simulation/Sensors.h"
 #include "simulation/Simulation.h"
-#include "simulation/World.h"
 #include "simulation/camera/CameraRenderer.h"
+#include "simulation/scene/Scene.h"
+#include "simulation/sensors/Sensors.h"
+#include "simulation/world/World.h"
 
 namespace gt {
 

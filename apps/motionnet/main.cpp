@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "modules/motion/MotionNetLoader.h"
+#include "modules/motion/specialactions/MotionNetLoader.h"
 #include "motionnet/Compiler.h"
 #include "motionnet/Listing.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/Statistics.h"
-#include "modules/perception/Picture.h"
+#include "modules/perception/scanning/Picture.h"
 
 namespace gt {
 namespace {

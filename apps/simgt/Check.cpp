@@ -14,7 +14,7 @@
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
 #include "robot/logs/LogPlatform.h"
-#include "simulation/SceneModel.h"
+#include "simulation/scene/SceneModel.h"
 #include "streams/File.h"
 
 namespace gt {

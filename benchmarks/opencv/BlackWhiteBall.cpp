@@ -8,7 +8,7 @@
 #include "benchmarks/Parts.h"
 #include "colors/ColorTableFile.h"
 #include "colortable/GameViews.h"
-#include "modules/perception/BlackWhiteBallSpecialist.h"
+#include "modules/perception/specialists/BlackWhiteBallSpecialist.h"
 
 namespace gt {
 namespace {

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "console/Commands.h"
-#include "modules/behavior/BehaviorRequest.h"
+#include "modules/behavior/control/BehaviorRequest.h"
 #include "streams/File.h"
 
 namespace gt {

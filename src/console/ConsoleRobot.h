@@ -4,7 +4,7 @@
 #include <string>
 
 #include "console/RobotMemory.h"
-#include "modules/behavior/BehaviorControlRequest.h"
+#include "modules/behavior/control/BehaviorControlRequest.h"
 #include "representations/behavior/MotionRequest.h"
 #include "robot/Robot.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "painting/Sheet.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace gt {
 

@@ -9,7 +9,7 @@
 #include "console/ConsoleRobot.h"
 #include "console/RobotConnection.h"
 #include "match/Match.h"
-#include "simulation/SceneTree.h"
+#include "simulation/scene/SceneTree.h"
 
 namespace gt {
 

@@ -4,7 +4,7 @@
 
 #include "console/Commands.h"
 #include "console/Condition.h"
-#include "modules/behavior/BehaviorRequest.h"
+#include "modules/behavior/control/BehaviorRequest.h"
 #include "robot/Solutions.h"
 
 namespace gt {

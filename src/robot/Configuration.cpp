@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "modules/behavior/GT2003BehaviorControl.h"
+#include "modules/behavior/control/GT2003BehaviorControl.h"
 #include "robot/Processes.h"
 #include "streams/Config.h"
 #include "streams/File.h"

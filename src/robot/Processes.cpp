@@ -1,6 +1,6 @@
 #include "robot/Processes.h"
 
-#include "modules/behavior/BehaviorControlRequest.h"
+#include "modules/behavior/control/BehaviorControlRequest.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/FrameInfo.h"

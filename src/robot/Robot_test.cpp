@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "modules/behavior/BehaviorControlRequest.h"
+#include "modules/behavior/control/BehaviorControlRequest.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"

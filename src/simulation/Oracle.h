@@ -3,7 +3,7 @@
 
 #include "representations/infrastructure/OracledWorldState.h"
 #include "representations/infrastructure/Player.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace gt {
 

@@ -4,7 +4,7 @@
 #include "base/Random.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/Player.h"
-#include "simulation/Scene.h"
+#include "simulation/scene/Scene.h"
 
 namespace gt {
 

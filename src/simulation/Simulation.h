@@ -12,15 +12,15 @@
 #include "representations/infrastructure/OracledWorldState.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/motion/OdometryData.h"
-#include "simulation/Actuators.h"
-#include "simulation/FieldSensors.h"
 #include "simulation/Radio.h"
-#include "simulation/Referee.h"
-#include "simulation/Scene.h"
-#include "simulation/Sensors.h"
 #include "simulation/WorkerPool.h"
-#include "simulation/World.h"
 #include "simulation/camera/CameraRenderer.h"
+#include "simulation/rules/Referee.h"
+#include "simulation/scene/Scene.h"
+#include "simulation/sensors/FieldSensors.h"
+#include "simulation/sensors/Sensors.h"
+#include "simulation/world/Actuators.h"
+#include "simulation/world/World.h"
 
 namespace gt {
 

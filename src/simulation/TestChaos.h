@@ -5,8 +5,8 @@
 #include <string>
 
 #include "representations/infrastructure/RobotDimensions.h"
-#include "simulation/SceneTree.h"
 #include "simulation/Simulation.h"
+#include "simulation/scene/SceneTree.h"
 
 namespace gt {
 

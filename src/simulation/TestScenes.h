@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "representations/infrastructure/RobotDimensions.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace gt {
 

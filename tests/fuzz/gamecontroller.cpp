@@ -1,4 +1,4 @@
-#include "simulation/GameController.h"
+#include "simulation/rules/GameController.h"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #include <string>
 
 #include "Fuzz.h"
-#include "modules/motion/MotionNetLoader.h"
+#include "modules/motion/specialactions/MotionNetLoader.h"
 #include "motionnet/Compiler.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "simulation/Scene.h"
+#include "simulation/scene/Scene.h"
 
 #include "Fuzz.h"
 #include "MemoryFile.h"

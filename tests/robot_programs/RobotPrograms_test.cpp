@@ -16,7 +16,7 @@
 #include "base/ChildProgram.h"
 #include "framework/Requests.h"
 #include "match/Match.h"
-#include "modules/behavior/BehaviorRequest.h"
+#include "modules/behavior/control/BehaviorRequest.h"
 #include "network/TestWire.h"
 #include "network/ToolPort.h"
 #include "representations/behavior/BehaviorState.h"

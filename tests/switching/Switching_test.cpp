@@ -6,7 +6,7 @@
 #include "console/Console.h"
 #include "debug/Drawing.h"
 #include "match/Match.h"
-#include "modules/behavior/BehaviorRequest.h"
+#include "modules/behavior/control/BehaviorRequest.h"
 #include "representations/behavior/BehaviorState.h"
 #include "robot/Solutions.h"
 #include "streams/Binary.h"

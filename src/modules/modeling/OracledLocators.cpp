@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "modules/modeling/FieldEdges.h"
+#include "modules/modeling/selflocator/FieldEdges.h"
 
 namespace gt {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "modules/motion/DefaultMotionControl.h"
-#include "modules/motion/InvKinWalkingEngine.h"
-#include "modules/motion/MotionNetLoader.h"
-#include "modules/motion/MotionNetSpecialActions.h"
+#include "modules/motion/control/DefaultMotionControl.h"
+#include "modules/motion/specialactions/MotionNetLoader.h"
+#include "modules/motion/specialactions/MotionNetSpecialActions.h"
+#include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "streams/Config.h"
 
 namespace gt {

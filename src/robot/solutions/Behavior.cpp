@@ -1,4 +1,4 @@
-#include "modules/behavior/GT2003BehaviorControl.h"
+#include "modules/behavior/control/GT2003BehaviorControl.h"
 #include "robot/Solutions.h"
 
 namespace gt {

@@ -1,10 +1,10 @@
-#include "modules/motion/DefaultCollisionDetector.h"
-#include "modules/motion/DefaultLedControl.h"
-#include "modules/motion/DefaultMotionControl.h"
-#include "modules/motion/GT2003HeadControl.h"
-#include "modules/motion/InvKinWalkingEngine.h"
-#include "modules/motion/MotionNetSpecialActions.h"
 #include "modules/motion/Tasks.h"
+#include "modules/motion/control/DefaultCollisionDetector.h"
+#include "modules/motion/control/DefaultLedControl.h"
+#include "modules/motion/control/DefaultMotionControl.h"
+#include "modules/motion/head/GT2003HeadControl.h"
+#include "modules/motion/specialactions/MotionNetSpecialActions.h"
+#include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "robot/Solutions.h"
 
 namespace gt {

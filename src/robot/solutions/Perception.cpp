@@ -1,11 +1,11 @@
-#include "modules/perception/CheckerboardDetector.h"
-#include "modules/perception/DefaultSensorDataProcessor.h"
-#include "modules/perception/GT2003ImageProcessor.h"
-#include "modules/perception/GridImageProcessor2.h"
-#include "modules/perception/GridImageProcessor3.h"
-#include "modules/perception/GridImageProcessorTSL.h"
-#include "modules/perception/LinesImageProcessor.h"
 #include "modules/perception/Tasks.h"
+#include "modules/perception/calibration/CheckerboardDetector.h"
+#include "modules/perception/processors/DefaultSensorDataProcessor.h"
+#include "modules/perception/processors/GT2003ImageProcessor.h"
+#include "modules/perception/processors/GridImageProcessor2.h"
+#include "modules/perception/processors/GridImageProcessor3.h"
+#include "modules/perception/processors/GridImageProcessorTSL.h"
+#include "modules/perception/processors/LinesImageProcessor.h"
 #include "robot/Solutions.h"
 
 namespace gt {

@@ -1,9 +1,9 @@
 #include "modules/modeling/testing/Locators.h"
 
-#include "modules/modeling/Fusion2003SelfLocator.h"
-#include "modules/modeling/FusionSelfLocator.h"
-#include "modules/modeling/KalmanSelfLocator.h"
-#include "modules/modeling/LinesSelfLocator.h"
+#include "modules/modeling/selflocator/Fusion2003SelfLocator.h"
+#include "modules/modeling/selflocator/FusionSelfLocator.h"
+#include "modules/modeling/selflocator/KalmanSelfLocator.h"
+#include "modules/modeling/selflocator/LinesSelfLocator.h"
 
 namespace gt {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/modeling/Bearings.h"
+#include "modules/modeling/selflocator/Bearings.h"
 
 namespace gt {
 namespace {

@@ -6,7 +6,7 @@
 #include "base/Geometry.h"
 #include "base/Random.h"
 #include "base/Time.h"
-#include "modules/modeling/FieldEdges.h"
+#include "modules/modeling/selflocator/FieldEdges.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/motion/OdometryData.h"

@@ -1,0 +1,144 @@
+#include "modules/behavior/control/GT2003BehaviorControl.h"
+
+#include <charconv>
+
+#include "representations/behavior/BehaviorState.h"
+#include "representations/behavior/BehaviorTrace.h"
+#include "xabsl/trace/TraceFile.h"
+
+namespace gt {
+namespace {
+
+const DebugKey sendActivations{"BehaviorControl/activations"};
+const DebugKey sendTrace{"BehaviorControl/trace"};
+
+/// A number as the engine reads it, for a parameter of any type: 0 or 1 for one that is true or
+/// false.
+bool setParameter(xabsl::Engine& engine, const xabsl::Parameter& parameter, double value) {
+  if (parameter.type.kind == xabsl::ValueKind::boolean)
+    return engine.setParameter(parameter.name, value != 0 ? "true" : "false");
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return engine.setParameter(parameter.name, {text, end});
+}
+
+/// The parameters of an option or a basic behavior; null if there is none of that name.
+template <typename T>
+const std::vector<xabsl::Parameter>* parametersOf(const std::vector<T>& list,
+                                                  const std::string& name) {
+  for (const T& element : list)
+    if (element.name == name) return &element.parameters;
+  return nullptr;
+}
+
+BehaviorState stateOf(const xabsl::Engine& engine, const std::vector<std::string>& shown) {
+  BehaviorState state;
+  state.agent = engine.selectedAgent();
+  for (const xabsl::Activation& a : engine.activations()) {
+    state.activations.push_back({a.name, a.state, a.depth, a.optionTime, a.stateTime, {}});
+    for (const xabsl::NamedValue& value : a.parameters)
+      state.activations.back().parameters.push_back({value.name, value.text});
+  }
+  for (const std::string& name : shown)
+    if (const auto value = engine.symbol(name)) state.symbols.push_back({name, value->text});
+  return state;
+}
+
+}  // namespace
+
+const xabsl::Symbols& GT2003BehaviorControl::symbols() {
+  if (symbols_.inputs().empty())
+    soccer::registerSymbols(symbols_, inputs_, outputs_, basicBehaviors_.all());
+  return symbols_;
+}
+
+void GT2003BehaviorControl::load(const Behavior& behavior, Debug& debug) {
+  loaded_ = behavior.compiled->shared();
+  auto creation = xabsl::Engine::create(*behavior.compiled, symbols());
+  for (const xabsl::Diagnostic& diagnostic : creation.diagnostics) debug.text(toString(diagnostic));
+  if (!creation.engine) return;
+  if (engine_) creation.engine->goOnFrom(*engine_);
+  engine_ = std::move(creation.engine);
+  recording_ = false;
+  obeyed_ = {};
+}
+
+/// Tells the engine what a person wants it to execute, once.
+void GT2003BehaviorControl::obey(const BehaviorControlRequest& control, Debug& debug) {
+  if (control == obeyed_) return;
+  const bool otherRoot = control.root != obeyed_.root ||
+                         control.basicBehavior != obeyed_.basicBehavior ||
+                         control.parameters != obeyed_.parameters;
+  obeyed_ = control;
+  if (!otherRoot) return;
+  if (control.root.empty()) {
+    engine_->selectAgent(engine_->selectedAgent());
+    return;
+  }
+  const xabsl::Model& model = engine_->model();
+  const auto* declared = control.basicBehavior ? parametersOf(model.behaviors, control.root)
+                                               : parametersOf(model.options, control.root);
+  bool done = declared && declared->size() >= control.parameters.size() &&
+              (control.basicBehavior ? engine_->selectBehavior(control.root)
+                                     : engine_->selectRootOption(control.root));
+  for (std::size_t i = 0; done && i < control.parameters.size(); ++i)
+    done = setParameter(*engine_, (*declared)[i], control.parameters[i]);
+  if (!done) debug.text("the behavior has no " + control.root + " with these parameters");
+}
+
+/// What the trace is about comes first, once; then each cycle by itself.
+void GT2003BehaviorControl::execute(Time now, const BehaviorControlRequest& control, Debug& debug) {
+  obey(control, debug);
+  const bool record = debug.isActive(sendTrace);
+  engine_->record(record ? &recorder_ : nullptr);
+  engine_->execute(now.ms);
+  for (const auto& [symbol, value] : control.outputs) engine_->setOutput(symbol, value);
+  if (record) {
+    std::string text;
+    if (!recording_) text = toText(xabsl::TraceSubject::of(*engine_));
+    text += toText(recorder_.events());
+    recorder_.clear();
+    debug.out().write(now, BehaviorTrace{std::move(text)});
+  }
+  recording_ = record;
+  if (debug.isActive(sendActivations)) debug.out().write(now, stateOf(*engine_, control.shown));
+}
+
+void GT2003BehaviorControl::update(const FrameInfo& frame, const Behavior& behavior,
+                                   const BehaviorControlRequest& control, const Player& player,
+                                   const FieldDimensions& field, const GameControlData& game,
+                                   const RobotPose& self, const BallModel& ball,
+                                   const TeamBallModel& teamBall, const ObstaclesModel& obstacles,
+                                   const PlayersCollection& players, const RobotState& body,
+                                   const TeamMessages& team, const MotionInfo& motion,
+                                   MotionRequest& motionRequest, HeadControlMode& headControlMode,
+                                   LedRequest& ledRequest, BehaviorTeamMessage& message,
+                                   Debug& debug) {
+  if (behavior.compiled && behavior.compiled->shared() != loaded_) load(behavior, debug);
+  world_.now = frame.time;
+  world_.player = player;
+  world_.field = field;
+  world_.game = game;
+  world_.self = self;
+  world_.ball = ball;
+  world_.teamBall = teamBall;
+  world_.obstacles = obstacles;
+  world_.players = players;
+  world_.body = body;
+  world_.team = team;
+  world_.motion = motion;
+  world_.addMatesToObstacles();
+  role_ = negotiateRole(world_, role_);
+
+  movement_.stand();
+  outputs_ = {};
+  if (engine_) execute(frame.time, control, debug);
+
+  motionRequest = motionRequest_;
+  motionRequest.time = frame.time;
+  headControlMode = outputs_.head;
+  ledRequest = outputs_.leds;
+  message = {role_, estimatedTimeToReachBall(world_)};
+}
+
+}  // namespace gt

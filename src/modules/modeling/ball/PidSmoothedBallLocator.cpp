@@ -1,0 +1,88 @@
+#include "modules/modeling/ball/PidSmoothedBallLocator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modules/modeling/ball/BallDrawing.h"
+
+namespace gt {
+
+void PidSmoothedBallLocator::update(const BallPercept& percept, const OdometryData& odometry,
+                                    const FrameInfo& frame, BallModel& model, Debug& debug) {
+  const bool first = lastUpdate_ == never();
+  const Pose2D step = first ? Pose2D{} : odometry.pose.relativeTo(lastOdometry_.pose);
+  const double seconds = first ? 0 : static_cast<double>(frame.time - lastUpdate_) / 1000;
+  lastOdometry_ = odometry;
+  lastUpdate_ = frame.time;
+
+  const bool seen = percept.seen && percept.time != lastPercept_;
+  predict(step, seconds, seen);
+  if (seen) {
+    const bool forgotten = frame.time - lastSeen_ > parameters.forgetPosition;
+    if (forgotten && percept.offset.norm() < parameters.believedAtOnce) {
+      restart(percept.offset);
+    } else if (forgotten || isFar(percept.offset, position_)) {
+      doubt(percept);
+    } else {
+      follow(percept.offset, static_cast<double>(percept.time - lastPercept_) / 1000);
+    }
+    if (outliers_ == 0) {
+      lastPercept_ = percept.time;
+      if (percept.time - lastSeen_ > parameters.longestGap) seenSince_ = percept.time;
+      lastSeen_ = percept.time;
+    }
+  }
+  model.position = position_;
+  model.speed = speed_;
+  model.lastSeen = lastSeen_;
+  model.consecutiveTimeSeen =
+      frame.time - lastSeen_ > parameters.longestGap ? 0 : lastSeen_ - seenSince_;
+  draw(model, debug);
+}
+
+void PidSmoothedBallLocator::predict(const Pose2D& step, double seconds, bool seen) {
+  position_ = relative(step, position_);
+  doubted_ = relative(step, doubted_);
+  speed_ = rotated(speed_, -step.rotation);
+  position_ += speed_ * seconds;
+  speed_ *= std::exp(-(seen ? parameters.slowDown : parameters.slowDownUnseen) * seconds);
+}
+
+bool PidSmoothedBallLocator::isFar(const Vector2d& offset, const Vector2d& expected) const {
+  const double allowed = parameters.outlierDistance + parameters.outlierShare * expected.norm();
+  return (offset - expected).norm() > allowed;
+}
+
+void PidSmoothedBallLocator::doubt(const BallPercept& percept) {
+  // Wrong percepts lie here and there; a ball that was moved is seen again where it is now.
+  const bool agrees =
+      percept.time - lastDoubted_ <= parameters.longestGap && !isFar(percept.offset, doubted_);
+  outliers_ = outliers_ > 0 && agrees ? outliers_ + 1 : 1;
+  doubted_ = percept.offset;
+  lastDoubted_ = percept.time;
+  if (outliers_ >= parameters.outliersBelieved) restart(percept.offset);
+}
+
+void PidSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
+  outliers_ = 0;
+  // A small error of the camera's tilt is a large one of the distance, the more the farther the
+  // ball lies; its direction is always measured well.
+  const double distance = std::max(offset.norm(), 1.0);
+  const double far = distance / parameters.trustedDistance;
+  const double trust = 1 / (1 + far * far);
+  const Vector2d away = offset / distance, deviation = offset - position_;
+  const Vector2d along = away * away.dot(deviation), across = deviation - along;
+  position_ += parameters.proportional * (across + trust * along);
+  if (seconds <= 0) return;
+  speed_ += parameters.integral / seconds * (across + trust * trust * along);
+  const double length = speed_.norm();
+  if (length > parameters.fastestBall) speed_ *= parameters.fastestBall / length;
+}
+
+void PidSmoothedBallLocator::restart(const Vector2d& offset) {
+  outliers_ = 0;
+  position_ = offset;
+  speed_ = Vector2d::Zero();
+}
+
+}  // namespace gt

@@ -1,0 +1,153 @@
+#include "modules/modeling/ball/PidSmoothedBallLocator.h"
+
+#include <gtest/gtest.h>
+
+#include "base/Random.h"
+
+namespace gt {
+namespace {
+
+/// A ball and a robot on the field, and the locator between them.
+struct Scene {
+  void step(const Pose2D& walk, const Vector2d& noise = Vector2d::Zero(), bool seen = true) {
+    frame.time = frame.time + 40;
+    ball += ballSpeed * 0.04;
+    odometry.pose = odometry.pose * walk;
+    percept.time = frame.time;
+    percept.seen = seen;
+    percept.offset = relative(odometry.pose, ball) + noise;
+    locator.update(percept, odometry, frame, model, debug);
+  }
+  Vector2d truth() const { return relative(odometry.pose, ball); }
+  Vector2d trueSpeed() const { return rotated(ballSpeed, -odometry.pose.rotation); }
+
+  PidSmoothedBallLocator locator;
+  Vector2d ball{800, 100}, ballSpeed{0, 0};
+  OdometryData odometry;
+  BallPercept percept;
+  FrameInfo frame;
+  BallModel model;
+  Debug debug{1024};
+};
+
+const Pose2D standing{}, walking{0.02, 6, 2};
+
+TEST(PidSmoothedBallLocator, ABallNeverSeenWasNeverSeen) {
+  Scene scene;
+  scene.step(standing, {0, 0}, false);
+  EXPECT_EQ(scene.model.lastSeen, never());
+  EXPECT_EQ(scene.model.consecutiveTimeSeen, 0);
+}
+
+TEST(PidSmoothedBallLocator, TheFirstPerceptIsTakenAsItIs) {
+  Scene scene;
+  scene.step(standing);
+  EXPECT_EQ(scene.model.position, scene.truth());
+  EXPECT_EQ(scene.model.lastSeen, scene.frame.time);
+}
+
+TEST(PidSmoothedBallLocator, OdometryMovesAnUnseenBallExactly) {
+  Scene scene;
+  scene.step(standing);
+  for (int i = 0; i < 200; ++i) scene.step(walking, {0, 0}, false);
+  EXPECT_LT((scene.model.position - scene.truth()).norm(), 1e-6);
+  EXPECT_EQ(scene.model.lastSeen, scene.frame.time - 200 * 40);
+}
+
+TEST(PidSmoothedBallLocator, SpeedConvergesWhileTheRobotWalksAndTurns) {
+  Scene scene;
+  scene.locator.parameters.slowDown = 0;
+  scene.ballSpeed = {150, -120};
+  for (int i = 0; i < 75; ++i) scene.step(walking);
+  EXPECT_LT((scene.model.speed - scene.trueSpeed()).norm(), 5);
+  EXPECT_LT((scene.model.position - scene.truth()).norm(), 5);
+}
+
+TEST(PidSmoothedBallLocator, SpeedOfARestingBallIsZeroHoweverTheRobotMoves) {
+  Scene scene;
+  for (int i = 0; i < 100; ++i) scene.step(walking);
+  EXPECT_LT(scene.model.speed.norm(), 1e-6);
+}
+
+TEST(PidSmoothedBallLocator, SmoothsNoise) {
+  double raw = 0, smoothed = 0, speed = 0;
+  int n = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Random random{seed};
+    Scene scene;
+    for (int i = 0; i < 500; ++i) {
+      const double away = 30 * random.gaussian(), aside = 15 * random.gaussian();
+      scene.step(standing, {away, aside});
+      if (i < 50) continue;
+      raw += std::hypot(away, aside);
+      smoothed += (scene.model.position - scene.truth()).norm();
+      speed += scene.model.speed.norm();
+      ++n;
+    }
+  }
+  EXPECT_LT(smoothed, 0.7 * raw);
+  EXPECT_LT(speed / n, 120);  // From picture to picture the noise alone makes 1200 mm/s.
+}
+
+TEST(PidSmoothedBallLocator, NoticesAKick) {
+  Scene scene;
+  scene.ball = {200, 0};
+  for (int i = 0; i < 25; ++i) scene.step(standing);
+  scene.ballSpeed = {1000, 0};
+  for (int i = 0; i < 12; ++i) scene.step(standing);
+  EXPECT_GT(scene.model.speed.x(), 500);
+  EXPECT_LT((scene.model.position - scene.truth()).norm(), 200);
+}
+
+TEST(PidSmoothedBallLocator, OneWrongPerceptChangesNothing) {
+  Scene scene;
+  for (int i = 0; i < 25; ++i) scene.step(standing);
+  const Time before = scene.frame.time;
+  scene.step(standing, {-100, 1500});
+  EXPECT_LT((scene.model.position - scene.truth()).norm(), 1);
+  EXPECT_EQ(scene.model.lastSeen, before);
+  scene.step(standing);
+  EXPECT_LT((scene.model.position - scene.truth()).norm(), 1);
+}
+
+TEST(PidSmoothedBallLocator, SeveralPerceptsElsewhereAreBelieved) {
+  Scene scene;
+  for (int i = 0; i < 25; ++i) scene.step(standing);
+  scene.ball = {300, -1200};
+  for (int i = 0; i < scene.locator.parameters.outliersBelieved; ++i) scene.step(standing);
+  EXPECT_LT((scene.model.position - scene.truth()).norm(), 1);
+  EXPECT_EQ(scene.model.lastSeen, scene.frame.time);
+}
+
+TEST(PidSmoothedBallLocator, WrongPerceptsAtDifferentPlacesAreNotBelieved) {
+  Scene scene;
+  for (int i = 0; i < 25; ++i) scene.step(standing);
+  for (int i = 0; i < 6; ++i) scene.step(standing, {0, i % 2 == 0 ? 1500.0 : -1500.0});
+  EXPECT_LT((scene.model.position - scene.truth()).norm(), 1);
+}
+
+TEST(PidSmoothedBallLocator, AfterALongTimeThePerceptIsBelievedAtOnce) {
+  Scene scene;
+  for (int i = 0; i < 25; ++i) scene.step(standing);
+  for (int i = 0; i < 100; ++i) scene.step(standing, {0, 0}, false);
+  scene.ball = {300, -1200};
+  scene.step(standing);
+  EXPECT_EQ(scene.model.position, scene.truth());
+}
+
+TEST(PidSmoothedBallLocator, ConsecutiveTimeSeenForgivesShortGaps) {
+  Scene scene;
+  for (int i = 0; i < 26; ++i) scene.step(standing);
+  EXPECT_EQ(scene.model.consecutiveTimeSeen, 1000);
+  for (int i = 0; i < 3; ++i) scene.step(standing, {0, 0}, false);
+  scene.step(standing);
+  EXPECT_EQ(scene.model.consecutiveTimeSeen, 1160);
+  for (int i = 0; i < 10; ++i) scene.step(standing, {0, 0}, false);
+  EXPECT_EQ(scene.model.consecutiveTimeSeen, 0);
+  scene.step(standing);
+  scene.step(standing);
+  EXPECT_EQ(scene.model.consecutiveTimeSeen, 40);
+}
+
+}  // namespace
+}  // namespace gt

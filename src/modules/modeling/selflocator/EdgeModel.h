@@ -1,0 +1,112 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "base/Random.h"
+#include "base/Time.h"
+#include "modules/modeling/selflocator/EdgeTables.h"
+#include "modules/modeling/selflocator/SampleSet.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/motion/OdometryData.h"
+#include "representations/perception/CameraMatrix.h"
+#include "representations/perception/LinesPercept.h"
+
+namespace gt {
+
+/// A point on an edge that was chosen from a picture's, relative to the robot.
+struct ChosenPoint {
+  EdgeType type;
+  Vector2d point;
+};
+
+/// Judges samples by points on edges, corrects them, and draws new ones from what was seen (report
+/// 3.3.3). Shared by all self-locators that use edges. The constants are the report's but for the
+/// number of points, which was 1 for want of time, and the correction, of which its text tells
+/// none.
+class EdgeModel {
+ public:
+  struct Parameters {
+    int points = 5;
+    double verticalWeight = 10;
+    double verticalWeightLoss = 9;
+    double fastest = 200;
+    double horizontalWeight = 100;
+    double rise = 0.01;
+    double fall = 0.005;
+    double correction = 0.25;
+    double correctionRange = 600;
+    double correctionLimit = 300;
+    double farthest = 3000;
+    double newEvidence = 0.95;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("points", &P::points, "", "used of each type in a picture", {1, 100}),
+          field("verticalWeight", &P::verticalWeight, "", "of vertical angles, standing, (3.18)",
+                {0, 1e5}),
+          field("verticalWeightLoss", &P::verticalWeightLoss, "",
+                "of that weight at full speed, (3.18)", {0, 1e5}),
+          field("fastest", &P::fastest, "mm/s", "full speed, (3.18)", {1, 1e4}),
+          field("horizontalWeight", &P::horizontalWeight, "", "of horizontal angles, (3.18)",
+                {0, 1e5}),
+          field("rise", &P::rise, "", "of evidence by one point at most, (3.19)", {0, 1}),
+          field("fall", &P::fall, "", "of evidence by one point at most, (3.19)", {0, 1}),
+          field("correction", &P::correction, "", "towards the edge, of a near point, standing",
+                {0, 1}),
+          field("correctionRange", &P::correctionRange, "mm", "at which a point corrects half",
+                {1, 1e5}),
+          field("correctionLimit", &P::correctionLimit, "mm",
+                "farther from the edge a point corrects nothing", {0, 1e5}),
+          field("farthest", &P::farthest, "mm", "points farther away are not used", {0, 1e5}),
+          field("newEvidence", &P::newEvidence, "", "of a candidate, in relation to the average",
+                {0, 1})};
+    }
+  };
+
+  /// Looks up the tables of a field; computes them if it is another one than before.
+  void prepare(const FieldDimensions& field, TeamColor team);
+  /// Chooses so many points of each type in a picture by chance, none of them `farthest` (mm) away
+  /// or more.
+  void choose(const LinesPercept& percept, int points, double farthest, Random& random);
+  /// Filters the evidence of lines, border and goals of all samples by the chosen points, and draws
+  /// the samples towards the edges (report (3.17) to (3.19), 3.3.3.3). The speed in mm/s.
+  void observe(const Parameters& parameters, const Vector3d& camera, double speed,
+               SampleSet& samples);
+  /// Replaces samples that are improbable in relation to the others by poses from which one of the
+  /// chosen points might have been seen (3.21).
+  void replaceImprobable(const Parameters& parameters, SampleSet& samples, Random& random) const;
+
+  const std::vector<ChosenPoint>& chosen() const { return chosen_; }
+  const EdgeTables& tables() const { return *tables_; }
+
+ private:
+  void observe(const Parameters& parameters, const ChosenPoint& chosen, const Vector3d& camera,
+               double speed, SampleSet& samples);
+
+  std::unique_ptr<EdgeTables> tables_;
+  FieldDimensions field_;
+  TeamColor team_ = TeamColor::red;
+  std::vector<ChosenPoint> chosen_;
+  std::vector<float> modelX_, modelY_;  ///< The closest model point of each sample.
+};
+static_assert(complete<EdgeModel::Parameters>);
+
+/// Which evidence an edge is.
+constexpr Evidence evidenceOf(EdgeType type) {
+  return type == EdgeType::line     ? Evidence::lines
+         : type == EdgeType::border ? Evidence::border
+                                    : Evidence::goals;
+}
+
+/// The speed of a robot from picture to picture, in mm/s, by its odometry.
+class SpeedBetweenPictures {
+ public:
+  double operator()(const OdometryData& odometry, Time now);
+
+ private:
+  OdometryData last_;
+  Time time_ = never();
+};
+
+}  // namespace gt

@@ -1,0 +1,116 @@
+#pragma once
+#include <vector>
+
+#include "base/Random.h"
+#include "base/Time.h"
+#include "debug/Debug.h"
+#include "modules/modeling/selflocator/EdgeModel.h"
+#include "modules/modeling/selflocator/PoseHypothesis.h"
+#include "modules/modeling/selflocator/PoseTemplates.h"
+#include "modules/modeling/selflocator/RecentView.h"
+#include "representations/modeling/RobotPose.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Finds the robot's pose by a few hypotheses, each of which is a Kalman filter that takes in all
+/// that is seen: bearings, distances of flags, points on edges, each with its own error. What fits
+/// none of them gives birth to new ones; the one that explains best what was seen of late is the
+/// robot's pose. A solution of SelfLocator that is none of the report's.
+class KalmanSelfLocator {
+ public:
+  struct Parameters {
+    int hypotheses = 12;
+    int points = 8;
+    double farthest = 3000;
+    double slip = 0.6;
+    double turnSlip = 0.3;
+    double drift = 15;
+    double turnDrift = 0.05;
+    double commonAngle = 0.02;
+    double bearingError = 0.008;
+    double flagDistanceError = 0.08;
+    double flagError = 100;
+    double postError = 30;
+    double tiltError = 0.012;
+    double pointError = 0.006;
+    double edgeError = 8;
+    double gate = 3;
+    double surprise = 0.03;
+    double landmarkSurprise = 0.2;
+    double memory = 10;
+    double newWeight = 3;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("hypotheses", &P::hypotheses, "", "at most", {1, 100}),
+          field("points", &P::points, "", "used of each type of edge in a picture", {1, 100}),
+          field("farthest", &P::farthest, "mm", "points farther away are not used", {1, 1e5}),
+          field("slip", &P::slip, "", "deviation of a step, of its length", {0, 10}),
+          field("turnSlip", &P::turnSlip, "", "deviation of a turn, of its angle", {0, 10}),
+          field("drift", &P::drift, "mm", "deviation that a second adds", {0, 1e4}),
+          field("turnDrift", &P::turnDrift, "rad", "deviation that a second adds", {0, 3}),
+          field("commonAngle", &P::commonAngle, "rad",
+                "deviation of the camera's pan, the same for all of a picture", {1e-6, 1}),
+          field("bearingError", &P::bearingError, "rad", "deviation of each bearing", {1e-6, 1}),
+          field("flagDistanceError", &P::flagDistanceError, "", "of its distance", {1e-6, 1}),
+          field("flagError", &P::flagError, "mm", "deviation of where flags stand", {0, 1e4}),
+          field("postError", &P::postError, "mm", "deviation of where goal posts stand", {0, 1e4}),
+          field("tiltError", &P::tiltError, "rad",
+                "deviation of the camera's tilt, the same for all of a picture", {1e-6, 1}),
+          field("pointError", &P::pointError, "rad", "deviation of each point", {1e-6, 1}),
+          field("edgeError", &P::edgeError, "mm", "deviation of edges from the model", {1e-3, 1e3}),
+          field("gate", &P::gate, "", "deviations beyond which nothing is believed", {0.1, 100}),
+          field("surprise", &P::surprise, "", "how likely anything is to be seen wrongly",
+                {1e-6, 1}),
+          field("landmarkSurprise", &P::landmarkSurprise, "", "the same of a landmark", {1e-6, 1}),
+          field("memory", &P::memory, "", "most by which a hypothesis can be ahead of others, ln",
+                {0.1, 1000}),
+          field("newWeight", &P::newWeight, "", "by how much a new one begins behind the best, ln",
+                {0, 1000})};
+    }
+  };
+  Parameters parameters;
+
+  /// `hypotheses` is the only parameter whose change allocates.
+  void update(const LandmarksPercept& landmarks, const LinesPercept& lines,
+              const CameraMatrix& camera, const OdometryData& odometry,
+              const FieldDimensions& field, const Player& player, RobotPose& robotPose,
+              Random& random, Debug& debug);
+
+  /// A pose that might be, with how well it explains what was seen against others.
+  struct Hypothesis {
+    PoseHypothesis filter;
+    double weight = 0;  ///< The logarithm of a probability; the best one has 0.
+    double fit = 0.5;   ///< How well the last pictures fitted, in [0, 1].
+    int surprises = 0;  ///< Pictures in a row that did not fit at all.
+  };
+  const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
+
+ private:
+  void move(const OdometryData& odometry, Time now);
+  void observeLandmarks(const LandmarksPercept& percept, const FieldDimensions& field,
+                        TeamColor team);
+  void observeEdges(const Vector3d& camera);
+  void judge(Hypothesis& hypothesis, double likelihoods, int count, double importance) const;
+  void addFromLandmarks(Random& random);
+  bool isElsewhere() const;
+  void addMirrored();
+  void addFromView(const FieldDimensions& field, Random& random);
+  void add(const Pose2D& pose, double behind);
+  void add(const Hypothesis& fresh);
+  void sortOut(const FieldDimensions& field);
+  void draw(const RobotPose& robotPose, Debug& debug) const;
+
+  std::vector<Hypothesis> hypotheses_;  ///< The best one comes first after each picture.
+  EdgeModel edges_;
+  PoseTemplates templates_;
+  RecentView view_;
+  OdometryData lastOdometry_;
+  Time last_ = never(), lastLandmarks_ = never(), lastLines_ = never();
+  bool started_ = false;
+};
+static_assert(complete<KalmanSelfLocator::Parameters>);
+
+}  // namespace gt

@@ -1,0 +1,36 @@
+#pragma once
+#include <vector>
+
+#include "modules/modeling/selflocator/Bearings.h"
+#include "modules/modeling/selflocator/SampleSet.h"
+
+namespace gt {
+
+/// Judges samples by bearings on the edges of flags and goals (report 3.3.2.2).
+class LandmarkModel {
+ public:
+  struct Parameters {
+    double steepness = 50;
+    double rise = 0.1;
+    double fall = 0.05;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("steepness", &P::steepness, "", "of the similarity of bearings, (3.11)", {0, 1e5}),
+          field("rise", &P::rise, "", "of a probability in one picture at most, (3.13)", {0, 1}),
+          field("fall", &P::fall, "", "of a probability in one picture at most, (3.13)", {0, 1})};
+    }
+  };
+
+  /// Filters `Evidence::landmarks` of all samples by the similarity of a picture (3.11) to (3.13).
+  /// The offset is the camera's from the robot's origin, in mm.
+  void observe(const Parameters& parameters, const Bearings& bearings, const Vector2d& cameraOffset,
+               SampleSet& samples);
+
+ private:
+  std::vector<float> sum_;  ///< Of squared deviations, for each sample.
+};
+static_assert(complete<LandmarkModel::Parameters>);
+
+}  // namespace gt

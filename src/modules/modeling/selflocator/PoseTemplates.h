@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "base/Geometry.h"
+#include "base/Random.h"
+#include "modules/modeling/selflocator/Bearings.h"
+#include "modules/modeling/selflocator/SampleSet.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/perception/LandmarksPercept.h"
+
+namespace gt {
+
+/// A point on the field and the direction in which it is seen, in the system of who sees it.
+struct Sighting {
+  Vector2d landmark;
+  Vector2d direction;  ///< Need not be normalized.
+};
+
+/// The pose from which three landmarks are seen in three directions; none where the three and the
+/// observer lie on one circle, or where a landmark would lie behind (report 3.3.2.3).
+std::optional<Pose2D> triangulate(const Sighting& a, const Sighting& b, const Sighting& c);
+
+/// The one or two poses from which one landmark is seen in a direction and at a distance (the
+/// length of `located.direction` in mm), and another one in a direction (report 3.3.2.3). Returns
+/// how many.
+int posesFrom(const Sighting& located, const Sighting& second, std::array<Pose2D, 2>& poses);
+
+/// Candidate poses for sensor resetting, calculated from the landmarks of this picture and the last
+/// three flags seen (report 3.3.2.3). Each is handed out once.
+class PoseTemplates {
+ public:
+  /// Moves the memorized flags with the robot, in mm and rad.
+  void move(const Pose2D& odometry);
+  /// Memorizes the picture's flags, and fills the buffer anew.
+  void update(const LandmarksPercept& percept, TeamColor team, const FieldDimensions& field);
+  /// One of the poses that have not been handed out yet.
+  std::optional<Pose2D> take(Random& random);
+  int size() const { return count_; }
+
+ private:
+  struct MemorizedFlag {
+    FlagType type = FlagType::pinkAboveYellow;
+    Vector2d position = Vector2d::Zero();  ///< Relative to the robot.
+  };
+
+  void memorize(const FlagPercept& flag);
+  void triangulateAll(const LandmarksPercept& percept, TeamColor team);
+  void locateByFlags(const LandmarksPercept& percept, TeamColor team);
+  void add(const Pose2D& camera);
+
+  FieldDimensions field_;
+  Vector2d cameraOffset_ = Vector2d::Zero();
+  std::array<MemorizedFlag, 3> flags_;  ///< The one seen last comes first.
+  int numberOfFlags_ = 0;
+  std::array<Pose2D, 96> poses_;
+  int count_ = 0;
+};
+
+/// How templates replace improbable samples (report 3.3.2.3).
+struct TemplateReplacement {
+  double replacement = 1;
+  double randomReplacement = 0.02;
+  double newProbability = 0.9;
+
+  static constexpr auto fields() {
+    using T = TemplateReplacement;
+    return Fields{
+        field("replacement", &T::replacement, "",
+              "how often an improbable sample makes room for a template", {0, 1}),
+        field("randomReplacement", &T::randomReplacement, "",
+              "how often a sample that no template replaces becomes a random one", {0, 1}),
+        field("newProbability", &T::newProbability, "", "of a template or random sample", {0, 1})};
+  }
+};
+static_assert(complete<TemplateReplacement>);
+
+/// Replaces each sample, with the probability that the landmarks speak against it, by the candidate
+/// if there is one (as often as that is valid), by a template, or by a random pose. Other evidence
+/// than the landmarks' is the average's then.
+void replaceByTemplates(const TemplateReplacement& parameters, PoseTemplates& templates,
+                        const RobotPose* candidate, const FieldDimensions& field,
+                        SampleSet& samples, Random& random);
+
+}  // namespace gt

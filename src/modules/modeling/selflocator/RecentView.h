@@ -1,0 +1,47 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "base/Random.h"
+#include "modules/modeling/selflocator/Bearings.h"
+#include "modules/modeling/selflocator/EdgeModel.h"
+
+namespace gt {
+
+/// What a robot has seen within the last pictures, moved along with it: one picture shows little of
+/// the field, some of them tell poses apart that look alike in one. Judges poses by that, and draws
+/// some that fit to it.
+class RecentView {
+ public:
+  /// Moves what was seen with the robot, in mm and rad.
+  void move(const Pose2D& odometry);
+  /// Adds some of the points of a picture, and forgets as many old ones.
+  void add(const std::vector<ChosenPoint>& points, Random& random);
+  /// Adds the bearings of a picture. The offset is the camera's from the robot's origin, in mm.
+  void add(const Bearings& bearings, const Vector2d& cameraOffset);
+  /// Forgets all: the robot was put somewhere else.
+  void clear() { numberOfPoints_ = numberOfBearings_ = 0; }
+
+  /// How much of it a pose explains, in [0, 1].
+  double agreement(const Pose2D& pose, const EdgeTables& tables) const;
+  /// A pose from which one of the things seen would be seen where it was; none if there are none.
+  std::optional<Pose2D> drawPose(const EdgeTables& tables, const FieldDimensions& field,
+                                 Random& random) const;
+
+ private:
+  std::optional<Pose2D> drawFromBearings(const FieldDimensions& field, Random& random) const;
+
+  struct SeenBearing {
+    Vector2d landmark;
+    Vector2d camera, direction;  ///< From where and whereto, in the robot's system now.
+    int age;                     ///< In pictures.
+  };
+
+  std::array<ChosenPoint, 64> points_;
+  std::size_t numberOfPoints_ = 0, nextPoint_ = 0;
+  std::array<SeenBearing, 8> bearings_;
+  std::size_t numberOfBearings_ = 0, nextBearing_ = 0;
+};
+
+}  // namespace gt

@@ -1,0 +1,100 @@
+#include "modules/modeling/team/DefaultTeamBallLocator.h"
+
+#include <gtest/gtest.h>
+
+namespace gt {
+namespace {
+
+struct Team {
+  Team() {
+    frame.time = {100000};
+    player.role = PlayerRole::striker1;
+    robotPose = {{pi / 2, 500, 0}, 0.9};
+  }
+  /// Player n says that it saw the ball `age` ms before its message, which came in `ago` ms ago.
+  void tell(int n, const Vector2d& where, std::int64_t age, std::int64_t ago, double validity) {
+    TeamMessages::Received& received = messages.byPlayer[static_cast<std::size_t>(n - 1)];
+    received.timeReceived = frame.time - ago;
+    received.message.playerNumber = n;
+    received.message.timeSent = {777777 * n};  // Each robot's clock is its own.
+    received.message.ballLastSeen = received.message.timeSent - age;
+    received.message.ballPosition = where;
+    received.message.robotPoseValidity = validity;
+  }
+  void seeBall(std::int64_t ago) {
+    ball.position = {300, 0};
+    ball.lastSeen = frame.time - ago;
+  }
+  TeamBallModel locate() {
+    TeamBallModel result;
+    locator.update(ball, robotPose, messages, frame, player, result, debug);
+    return result;
+  }
+
+  DefaultTeamBallLocator locator;
+  BallModel ball;
+  RobotPose robotPose;
+  TeamMessages messages;
+  FrameInfo frame;
+  Player player;
+  Debug debug{1024};
+};
+
+TEST(DefaultTeamBallLocator, NobodyKnowsTheBall) {
+  Team team;
+  EXPECT_EQ(team.locate().seenBy, 0);
+  EXPECT_EQ(team.locate().lastSeen, never());
+}
+
+TEST(DefaultTeamBallLocator, OwnBallCountsWhileFresh) {
+  Team team;
+  team.tell(1, {-1000, 0}, 0, 0, 1);
+  for (const std::int64_t ago : {0, 2500}) {  // Seen, and not perceived for a short time.
+    team.seeBall(ago);
+    const TeamBallModel ball = team.locate();
+    EXPECT_EQ(ball.seenBy, 3);
+    EXPECT_LT((ball.position - Vector2d{500, 300}).norm(), 1e-9);
+    EXPECT_EQ(ball.lastSeen, team.frame.time - ago);
+  }
+}
+
+TEST(DefaultTeamBallLocator, ATeamMatesBallCountsWhenTheOwnIsOld) {
+  Team team;
+  team.seeBall(8000);
+  team.tell(1, {-1000, 0}, 500, 100, 0.9);
+  const TeamBallModel ball = team.locate();
+  EXPECT_EQ(ball.seenBy, 1);
+  EXPECT_EQ(ball.position, (Vector2d{-1000, 0}));
+  EXPECT_EQ(ball.lastSeen, team.frame.time - 600);
+}
+
+TEST(DefaultTeamBallLocator, AgeAndValidityDecideBetweenTeamMates) {
+  Team team;
+  team.tell(1, {1, 0}, 2000, 0, 0.9);
+  team.tell(2, {2, 0}, 1000, 0, 0.9);
+  EXPECT_EQ(team.locate().seenBy, 2);
+  team.tell(2, {2, 0}, 1000, 0, 0.3);  // Does not know where it is.
+  EXPECT_EQ(team.locate().seenBy, 1);
+}
+
+TEST(DefaultTeamBallLocator, OldBallsAndSilentMatesDoNotCount) {
+  Team team;
+  team.tell(1, {1, 0}, 6000, 0, 1);
+  team.tell(2, {2, 0}, 0, 3500, 1);
+  EXPECT_EQ(team.locate().seenBy, 0);
+}
+
+TEST(DefaultTeamBallLocator, OnesOwnMessageIsNotATeamMates) {
+  Team team;
+  team.tell(3, {1, 0}, 0, 0, 1);
+  EXPECT_EQ(team.locate().seenBy, 0);
+}
+
+TEST(DefaultTeamBallLocator, AnOldOwnBallIsBetterThanNone) {
+  Team team;
+  team.seeBall(60000);
+  EXPECT_EQ(team.locate().seenBy, 3);
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,141 @@
+#include "modules/motion/control/DefaultMotionControl.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/Random.h"
+#include "modules/kinematics/LegKinematics.h"
+#include "modules/motion/MotionHarness.h"
+
+namespace gt {
+namespace {
+
+constexpr std::array legs{Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft};
+
+TEST(DefaultMotionControl, StandsWithoutARequest) {
+  MotionHarness motion;
+  motion.steps(200);
+  EXPECT_EQ(motion.info.executed.type, MotionType::stand);
+  EXPECT_TRUE(motion.info.stable);
+  for (const auto leg : legs)
+    EXPECT_NEAR(motion.joints.angles[legJoint(leg, 3)],
+                motion.walking.joints.angles[legJoint(leg, 3)], 1e-9);
+  EXPECT_EQ(motion.odometry.pose.translation, Vector2d::Zero());
+}
+
+TEST(DefaultMotionControl, WalksAsFarAsRequested) {
+  MotionHarness motion;
+  motion.steps(100);
+  motion.walk(150, 0, 0);
+  motion.steps(625);  // 5 s
+  EXPECT_EQ(motion.info.executed.type, MotionType::walk);
+  EXPECT_NEAR(motion.odometry.pose.translation.x(), 750, 40);  // less while it accelerates
+  EXPECT_NEAR(motion.odometry.pose.rotation, 0, 1e-9);
+}
+
+TEST(DefaultMotionControl, StandsWhenTheBehaviourHasStopped) {
+  MotionHarness motion;
+  motion.walk(150, 0, 0);
+  for (int i = 0; i < 250; ++i) {
+    motion.request.time = motion.frame.time;
+    motion.step();
+  }
+  EXPECT_EQ(motion.info.executed.type, MotionType::walk);
+  motion.steps(62);  // not yet
+  EXPECT_EQ(motion.info.executed.type, MotionType::walk);
+  motion.steps(300);
+  EXPECT_EQ(motion.info.executed.type, MotionType::stand);
+}
+
+TEST(DefaultMotionControl, EndsTheStepBeforeASpecialActionAndTheActionBeforeAWalk) {
+  for (const int lead : {120, 137, 151}) {
+    MotionHarness motion;
+    motion.walk(200, 0, 0);
+    motion.steps(lead);
+    motion.perform(SpecialAction::chestKick);
+    int waited = 0;
+    while (!motion.performs(SpecialAction::chestKick) && waited < 200) {
+      motion.step();
+      ++waited;
+      if (motion.info.executed.type == MotionType::specialAction) continue;
+      EXPECT_EQ(motion.info.executed.type, MotionType::walk);
+    }
+    EXPECT_LE(waited, motion.walkingEngine.parameters.stepLen / 2 + 2);
+    motion.walk(100, 0, 0);
+    int performed = 0;
+    bool unstable = true;
+    while (motion.performs(SpecialAction::chestKick) && performed < 1000) {
+      unstable = unstable && !motion.info.stable;
+      motion.step();
+      ++performed;
+    }
+    EXPECT_TRUE(unstable);
+    EXPECT_GT(performed, 100);  // the whole kick, once
+    EXPECT_LT(performed, 250);
+    EXPECT_EQ(motion.info.executed.type, MotionType::walk);
+  }
+}
+
+TEST(DefaultMotionControl, GetsUpAndTellsSo) {
+  MotionHarness motion;
+  motion.request.type = MotionType::getup;
+  motion.steps(20);
+  EXPECT_EQ(motion.info.executed.type, MotionType::getup);
+  EXPECT_FALSE(motion.info.stable);
+  motion.request = {};
+  motion.steps(500);
+  EXPECT_EQ(motion.info.executed.type, MotionType::stand);
+}
+
+TEST(DefaultMotionControl, JointsStayWithinLimitsWhateverIsRequested) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    Random random{seed};
+    MotionHarness motion;
+    motion.step();
+    for (int i = 0; i < 4000; ++i) {
+      if (i % 40 == 0) {
+        motion.request.type = static_cast<MotionType>(random.index(enumCount<MotionType>));
+        motion.request.walk = {random.uniform(-9, 9), random.uniform(-900, 900),
+                               random.uniform(-900, 900)};
+        motion.request.specialAction =
+            static_cast<SpecialAction>(random.index(enumCount<SpecialAction>));
+        motion.head = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3),
+                       random.uniform(-3, 3)};
+      }
+      const auto before = motion.joints.angles;
+      motion.step();
+      for (std::size_t j = 0; j < before.size(); ++j) {
+        const auto limits = limitsOf(static_cast<Joint>(j));
+        const double angle = motion.joints.angles.values[j];
+        ASSERT_TRUE(angle >= limits.low && angle <= limits.high) << enumName(static_cast<Joint>(j));
+        const double factor = j < 3 ? 1.01 : 3.2;  // head; walks and kicks hurry the legs
+        if (static_cast<Joint>(j) != Joint::mouth) {
+          ASSERT_LE(std::abs(angle - before.values[j]), factor * limits.speed * 0.008)
+              << enumName(static_cast<Joint>(j)) << " in frame " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(DefaultMotionControl, TheHeadIsFreeUnlessAnActionNeedsIt) {
+  MotionHarness motion;
+  motion.head = {-0.3, 0.8, 0, -0.1};
+  motion.steps(150);
+  EXPECT_NEAR(motion.joints.angles[Joint::headPan], 0.8, 1e-9);
+  motion.perform(SpecialAction::chestKick);
+  motion.steps(60);
+  ASSERT_TRUE(motion.performs(SpecialAction::chestKick));
+  EXPECT_NEAR(motion.joints.angles[Joint::headPan], 0.8, 1e-9);
+  motion.request = {};
+  motion.steps(300);
+  motion.perform(SpecialAction::headLeft);
+  motion.steps(80);
+  ASSERT_TRUE(motion.performs(SpecialAction::headLeft));
+  EXPECT_LT(motion.joints.angles[Joint::headPan], -0.4);
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,158 @@
+#include "modules/motion/head/GT2003HeadControl.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modules/kinematics/BodyPosture.h"
+
+namespace gt {
+namespace {
+
+constexpr double ballRadius = 43;
+constexpr double widestPan = 1.45;
+
+/// Straight through the middle of the picture.
+HeadAngles lookAtPoint(const RobotDimensions& robot, const Pose3D& body, const Vector3d& point) {
+  const CameraInfo camera;
+  return lookAt(robot, body, point, camera, {camera.centerX, camera.centerY});
+}
+
+}  // namespace
+
+void GT2003HeadControl::update(const HeadControlMode& mode, const BallModel& ball,
+                               const SensorDataBuffer& sensors, const RobotDimensions& robot,
+                               const RobotCalibration& calibration, const FrameInfo& frame,
+                               HeadMotionRequest& request) {
+  const auto& joints = sensors.newest().joints;
+  const auto posture = bodyPosture(robot, calibration, joints);
+  const auto body = bodyPose(posture);
+  const Vector3d ballPoint{ball.position.x(), ball.position.y(), ballRadius};
+  const Situation situation{
+      ball,
+      frame.time,
+      body,
+      posture.tilt,
+      lookAtPoint(robot, body, ballPoint),
+      {joints[Joint::headTilt], joints[Joint::headPan], joints[Joint::headRoll]}};
+  const double ahead = parameters.aheadTilt - posture.tilt;
+  switch (mode.mode) {
+    case HeadMode::none:  // as it is, or as a person wants it (report I.5.3: hmr)
+      enter(State::idle, frame.time);
+      head_ = {request.tilt, request.pan, request.roll};
+      return;
+    case HeadMode::lookAtPoint:
+      enter(State::idle, frame.time);
+      head_ = lookAtPoint(robot, body, mode.point);
+      break;
+    case HeadMode::lookStraightAhead:
+    case HeadMode::lookLeft:
+    case HeadMode::lookRight:
+      enter(State::idle, frame.time);
+      head_ = {ahead, 0, 0};
+      if (mode.mode == HeadMode::lookLeft) head_.pan = widestPan;
+      if (mode.mode == HeadMode::lookRight) head_.pan = -widestPan;
+      break;
+    case HeadMode::searchForLandmarks:
+      head_ = searchForLandmarks(situation);
+      break;
+    case HeadMode::searchForBall:
+    case HeadMode::searchAuto:
+      head_ = lookForBall(situation, mode.mode == HeadMode::searchAuto);
+      break;
+  }
+  request = {head_.tilt, head_.pan, head_.roll, 0};
+}
+
+void GT2003HeadControl::enter(State state, Time now) {
+  if (state == state_) return;
+  state_ = state;
+  entered_ = now;
+}
+
+bool GT2003HeadControl::ballSeen(const Situation& s) const {
+  return s.now - s.ball.lastSeen < parameters.ballLostAfter;
+}
+
+HeadAngles GT2003HeadControl::lookForBall(const Situation& s, bool scanBesides) {
+  switch (state_) {
+    case State::lookAtBall:
+      return lookAtBall(s, scanBesides);
+    case State::scanBesideBall:
+      // Out and back within the scan's time; then the ball must be there again.
+      if (!path_.finished() && scanBesides) return path_.next();
+      enter(State::lookAtBall, s.now);
+      return s.ballAngles;
+    case State::searchForBall:
+      return searchForBall(s);
+    default:
+      if (!ballSeen(s)) return searchForBall(s);
+      enter(State::lookAtBall, s.now);
+      return s.ballAngles;
+  }
+}
+
+HeadAngles GT2003HeadControl::lookAtBall(const Situation& s, bool scanBesides) {
+  // A scan has kept the eyes off the ball: it gets the time to be seen again.
+  const bool lookedLongEnough = s.now - entered_ >= parameters.ballLostAfter;
+  if (!ballSeen(s) && lookedLongEnough) return searchForBall(s);
+  const bool sure = ballSeen(s) && s.now - entered_ >= parameters.ballSeenBeforeScan &&
+                    s.ball.consecutiveTimeSeen >= parameters.ballSeenBeforeScan;
+  if (!scanBesides || !sure) return s.ballAngles;
+  enter(State::scanBesideBall, s.now);
+  planScanBesideBall(s);
+  return path_.next();
+}
+
+HeadAngles GT2003HeadControl::searchForBall(const Situation& s) {
+  if (state_ == State::searchForBall && ballSeen(s)) {
+    enter(State::lookAtBall, s.now);
+    return s.ballAngles;
+  }
+  if (state_ != State::searchForBall || path_.finished()) planBallSearch(s);
+  enter(State::searchForBall, s.now);
+  return path_.next();
+}
+
+HeadAngles GT2003HeadControl::searchForLandmarks(const Situation& s) {
+  if (state_ != State::searchForLandmarks || path_.finished()) planLandmarkSearch(s);
+  enter(State::searchForLandmarks, s.now);
+  return path_.next();
+}
+
+void GT2003HeadControl::planScanBesideBall(const Situation& s) {
+  const double side = scanLeft_ ? 1 : -1;
+  scanLeft_ = !scanLeft_;
+  const double pan =
+      std::clamp(s.ballAngles.pan + side * parameters.scanWidth, -widestPan, widestPan);
+  const double tilt = parameters.horizonTilt - s.bodyTilt;
+  const HeadAngles corner{(tilt + s.ballAngles.tilt) / 2,
+                          s.ballAngles.pan + 0.3 * (pan - s.ballAngles.pan), 0};
+  path_.plan(s.measured, {corner, {tilt, pan, 0}, s.ballAngles}, parameters.scanTime);
+}
+
+void GT2003HeadControl::planBallSearch(const Situation& s) {
+  // First where the ball was last, far balls in the upper row, near ones in the lower row.
+  const double side = s.ball.position.y() < 0 ? -1 : 1;
+  const double far = -0.2 - s.bodyTilt, near = -0.85 - s.bodyTilt;
+  path_.plan(s.measured,
+             {{far, 0.4 * side, 0},
+              {far, widestPan * side, 0},
+              {near, 1.0 * side, 0},
+              {near, -1.0 * side, 0},
+              {far, -widestPan * side, 0},
+              {far, 0, 0}},
+             parameters.ballSearchTime);
+}
+
+void GT2003HeadControl::planLandmarkSearch(const Situation& s) {
+  const double side = s.measured.pan < 0 ? -1 : 1;
+  const double tilt = parameters.horizonTilt - s.bodyTilt;
+  path_.plan(s.measured,
+             {{tilt, widestPan * side, 0},
+              {tilt, -widestPan * side, 0},
+              {tilt - 0.2, -0.9 * side, 0},
+              {tilt - 0.2, 0.9 * side, 0}},
+             parameters.landmarkSearchTime);
+}
+
+}  // namespace gt

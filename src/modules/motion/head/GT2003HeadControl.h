@@ -1,0 +1,84 @@
+#pragma once
+#include "framework/Module.h"
+#include "modules/kinematics/HeadKinematics.h"
+#include "modules/motion/head/HeadPathPlanner.h"
+#include "representations/behavior/HeadControlMode.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/RobotCalibration.h"
+#include "representations/infrastructure/RobotDimensions.h"
+#include "representations/infrastructure/SensorData.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/motion/HeadMotionRequest.h"
+
+namespace gt {
+
+/// Solution *GT2003* of HeadControl: a state machine that carries out the head control modes
+/// (report 3.9.3). Only balls that the robot itself has seen are looked at.
+class GT2003HeadControl {
+ public:
+  struct Parameters {
+    int ballSeenBeforeScan = 300;
+    int scanTime = 880;
+    double scanWidth = 0.75;
+    int ballLostAfter = 400;
+    int ballSearchTime = 3000;
+    int landmarkSearchTime = 4000;
+    double horizonTilt = -0.05;
+    double aheadTilt = -0.2;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("ballSeenBeforeScan", &P::ballSeenBeforeScan, "ms",
+                "search-auto: the ball is seen this long before a scan", {0, 5000}),
+          field("scanTime", &P::scanTime, "ms", "search-auto: away from the ball and back",
+                {100, 880}),
+          field("scanWidth", &P::scanWidth, "rad", "search-auto: to one side of the ball",
+                {0.1, 2}),
+          field("ballLostAfter", &P::ballLostAfter, "ms", "not seen where it is looked for",
+                {100, 5000}),
+          field("ballSearchTime", &P::ballSearchTime, "ms", "for one round", {1000, 10000}),
+          field("landmarkSearchTime", &P::landmarkSearchTime, "ms", "for one round", {1000, 10000}),
+          field("horizonTilt", &P::horizonTilt, "rad",
+                "of the camera over ground when landmarks are looked for", {-0.5, 0.5}),
+          field("aheadTilt", &P::aheadTilt, "rad",
+                "likewise when looking straight ahead: balls from 300 mm on are seen", {-1, 0.5})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const HeadControlMode&, const BallModel&, const SensorDataBuffer&,
+              const RobotDimensions&, const RobotCalibration&, const FrameInfo&,
+              HeadMotionRequest&);
+
+ private:
+  enum class State { idle, lookAtBall, scanBesideBall, searchForBall, searchForLandmarks };
+
+  /// What the states need to know in a frame.
+  struct Situation {
+    const BallModel& ball;
+    Time now;
+    Pose3D body;
+    double bodyTilt;
+    HeadAngles ballAngles;
+    HeadAngles measured;
+  };
+
+  HeadAngles lookForBall(const Situation&, bool scanBesides);
+  HeadAngles searchForBall(const Situation&);
+  HeadAngles searchForLandmarks(const Situation&);
+  HeadAngles lookAtBall(const Situation&, bool scanBesides);
+  void enter(State, Time now);
+  void planScanBesideBall(const Situation&);
+  void planBallSearch(const Situation&);
+  void planLandmarkSearch(const Situation&);
+  bool ballSeen(const Situation&) const;
+
+  State state_ = State::idle;
+  Time entered_;
+  bool scanLeft_ = true;  ///< The side of the ball that is scanned next.
+  HeadAngles head_;
+  HeadPathPlanner path_;
+};
+
+}  // namespace gt

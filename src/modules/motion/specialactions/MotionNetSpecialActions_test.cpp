@@ -1,0 +1,167 @@
+#include "modules/motion/specialactions/MotionNetSpecialActions.h"
+
+#include <gtest/gtest.h>
+
+#include "modules/motion/specialactions/MotionNetLoader.h"
+
+namespace gt {
+namespace {
+
+/// A data line that moves the head's tilt only.
+std::string data(int tilt, int interpolate, int frames) {
+  std::string line = std::to_string(tilt);
+  for (int i = 1; i < MotionNet::jointCount; ++i) line += " ~";
+  return line + " " + std::to_string(interpolate) + " " + std::to_string(frames) + "\n";
+}
+
+/// Special actions on a small net, with what they read.
+struct Actions {
+  MotionNetSpecialActions module;
+  MotionNet net;
+  MotionRequest request;
+  MotionInfo info;
+  JointData joints;
+  SpecialActionsOutput output;
+
+  Actions() {
+    const std::string begin = "\nlabel start\n", end = "transition allMotions extern start\n";
+    std::string entry = "motion_id = extern" + begin;
+    std::vector<motionnet::Source> sources;
+    for (const auto name : enumNames<SpecialAction>) {
+      const std::string id{name};
+      if (id == "none") continue;
+      entry += "transition " + id + " " + id + " start\n";
+      std::string body = data(100, 1, 2) + end;
+      if (id == "stand")
+        body = data(-500, 1, 5) + "label hold\n" + data(-400, 0, 1) +
+               "transition stand stand hold\n" + end;
+      if (id == "chestKick")
+        body = "pid headTilt 1 2 3\nodometry 500 0 0\n" + data(200, 1, 10) + "odometry 0 0 1000\n" +
+               data(0, 0, 3) + "transition allMotions stand start\n";
+      sources.push_back({id + ".mof", "motion_id = " + id + begin + body});
+    }
+    sources.push_back({"extern.mof", entry});
+    const auto compilation = motionnet::compile(sources, motionRules());
+    EXPECT_TRUE(compilation) << compilation.errors.front().text();
+    net = *motionNetOf(compilation.net, "test");
+  }
+  void perform(SpecialAction action) {
+    request.type = MotionType::specialAction;
+    request.specialAction = action;
+    info.executed.type = MotionType::specialAction;
+  }
+  void step() {
+    const auto before = joints;
+    module.update({}, request, net, {info}, {before}, output);
+    joints = output.joints;
+  }
+  double tilt() const { return output.joints.angles[Joint::headTilt]; }
+};
+
+TEST(MotionNetSpecialActions, InterpolatesAndRepeats) {
+  Actions actions;
+  actions.joints.angles[Joint::headTilt] = 0.1;
+  actions.perform(SpecialAction::chestKick);
+  for (int i = 1; i <= 10; ++i) {
+    actions.step();
+    EXPECT_NEAR(actions.tilt(), 0.1 + 0.01 * i, 1e-9);
+    EXPECT_FALSE(actions.output.mayLeave);
+    EXPECT_EQ(actions.output.action, SpecialAction::chestKick);
+    EXPECT_NEAR(actions.output.odometryStep.translation.x(), 4, 1e-9);
+    EXPECT_TRUE(actions.output.dontCare[Joint::headPan]);
+    EXPECT_FALSE(actions.output.dontCare[Joint::headTilt]);
+  }
+  for (int i = 0; i < 3; ++i) {
+    actions.step();
+    EXPECT_EQ(actions.tilt(), 0);
+    EXPECT_NEAR(actions.output.odometryStep.rotation, 0.008, 1e-9);
+    EXPECT_EQ(actions.output.odometryStep.translation.x(), 0);
+  }
+}
+
+TEST(MotionNetSpecialActions, GoesOnByTheTransitionsToWhereItMayBeLeft) {
+  Actions actions;
+  actions.perform(SpecialAction::chestKick);
+  actions.step();
+  actions.request.type = MotionType::walk;  // too late: the kick is ended first, then stand
+  for (int i = 1; i < 13; ++i) actions.step();
+  EXPECT_EQ(actions.output.action, SpecialAction::chestKick);
+  for (int i = 0; i < 6; ++i) {
+    actions.step();
+    EXPECT_EQ(actions.output.action, SpecialAction::stand);
+    EXPECT_FALSE(actions.output.mayLeave);
+    EXPECT_EQ(actions.output.odometryStep.rotation, 0);  // a speed ends with its motion
+  }
+  EXPECT_NEAR(actions.tilt(), -0.4, 1e-9);
+  actions.step();
+  EXPECT_TRUE(actions.output.mayLeave);
+  EXPECT_EQ(actions.output.action, SpecialAction::none);
+}
+
+TEST(MotionNetSpecialActions, StaysWhileItIsRequested) {
+  Actions actions;
+  actions.perform(SpecialAction::stand);
+  for (int i = 0; i < 50; ++i) {
+    actions.step();
+    EXPECT_FALSE(actions.output.mayLeave);
+  }
+  actions.perform(SpecialAction::chestKick);
+  actions.step();
+  EXPECT_EQ(actions.output.action, SpecialAction::chestKick);
+}
+
+TEST(MotionNetSpecialActions, DoesNothingWhileAnotherModuleMoves) {
+  Actions actions;
+  actions.perform(SpecialAction::chestKick);
+  actions.step();
+  actions.info.executed.type = MotionType::walk;
+  actions.step();
+  EXPECT_TRUE(actions.output.mayLeave);
+  EXPECT_EQ(actions.output.action, SpecialAction::none);
+}
+
+TEST(MotionNetSpecialActions, AWrongNetDoesNotHangTheRobot) {
+  Actions actions;
+  actions.perform(SpecialAction::chestKick);
+  actions.net.nodes.assign(3, {});
+  for (auto& node : actions.net.nodes) {
+    node.kind = MotionNodeKind::transition;
+    node.always = true;
+    node.target = 1;
+  }
+  actions.net.entry = 0;
+  actions.step();
+  EXPECT_TRUE(actions.output.mayLeave);
+  actions.net.nodes[1].target = 4711;
+  actions.step();
+  actions.net.nodes.clear();
+  actions.step();
+  EXPECT_TRUE(actions.output.mayLeave);
+}
+
+TEST(MotionNetLoader, TheMotionsInTheRepositoryAreRight) {
+  const auto net = loadMotionNet("motions");
+  ASSERT_TRUE(net) << net.error().text();
+  EXPECT_GT(net->nodes.size(), 50u);
+}
+
+TEST(MotionNetLoader, TellsOfUnknownAndMissingActions) {
+  const auto compile = [](const std::string& name) {
+    return motionnet::compile(
+        {{"extern.mof",
+          "motion_id = extern\nlabel start\ntransition " + name + " " + name + " start\n"},
+         {name + ".mof", "motion_id = " + name + "\nlabel start\n" + data(0, 1, 1) +
+                             "transition allMotions extern start\n"}},
+        motionRules());
+  };
+  const auto unknown = motionNetOf(compile("moonwalk").net, "motions");
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().field, "moonwalk");
+  const auto missing = motionNetOf(compile("stand").net, "motions");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().field, "chestKick");
+  EXPECT_EQ(loadMotionNet("no/such/folder").error().file, "no/such/folder");
+}
+
+}  // namespace
+}  // namespace gt

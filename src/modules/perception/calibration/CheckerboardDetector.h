@@ -1,0 +1,49 @@
+#pragma once
+#include "debug/Debug.h"
+#include "modules/perception/Tasks.h"
+#include "modules/perception/calibration/CameraCalibrator.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/SensorData.h"
+
+namespace gt {
+
+/// Finds a checkerboard and nothing else, and calibrates camera and body by it while the robot
+/// stands before it and looks around; tells what it found under the debug key
+/// `ImageProcessor/calibration`, a CameraCalibration. The solution CheckerboardDetector of the
+/// ImageProcessor.
+class CheckerboardDetector {
+ public:
+  struct Parameters {
+    Checkerboard board;
+    int pictures = 40;
+
+    static constexpr auto fields() {
+      return Fields{field("board", &Parameters::board),
+                    field("pictures", &Parameters::pictures, "",
+                          "after which it calibrates and begins anew", {3, 1000})};
+    }
+  };
+  Parameters parameters;
+
+  void update(const Image& image, const CameraMatrix& matrix, const SensorDataBuffer& sensors,
+              const RobotDimensions& robot, const RobotCalibration& calibration, BallPercept& ball,
+              LandmarksPercept& landmarks, LinesPercept& lines, PlayersPercept& players,
+              ObstaclesPercept& obstacles, Debug& debug);
+
+  /// The last calibration; its pictures are 0 if there was none yet.
+  const CameraCalibration& calibration() const { return result_; }
+  const std::vector<Vector2d>& corners() const { return corners_; }
+
+ private:
+  void take(const CameraMatrix& matrix, const JointAngles& joints);
+  void draw(bool found, Debug& debug) const;
+
+  CheckerboardFinder finder_;
+  std::vector<Vector2d> corners_;
+  CameraCalibrator calibrator_{Checkerboard{}};
+  Checkerboard known_;  ///< What the calibrator was made for.
+  Vector3d lastAxis_ = Vector3d::Zero();
+  CameraCalibration result_;
+};
+
+}  // namespace gt

@@ -1,0 +1,62 @@
+#pragma once
+#include <vector>
+
+#include "modules/perception/scanning/Horizon.h"
+#include "representations/infrastructure/Image.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// A checkerboard that stands upright on the ground.
+struct Checkerboard {
+  int columns = 6;
+  int rows = 4;
+  double square = 50;
+  double height = 75;
+
+  static constexpr auto fields() {
+    return Fields{field("columns", &Checkerboard::columns, "",
+                        "corners beside each other that are inside of "
+                        "it",
+                        {2, 30}),
+                  field("rows", &Checkerboard::rows, "", "likewise above each other", {2, 30}),
+                  field("square", &Checkerboard::square, "mm", "a square's edge", {1, 1000}),
+                  field("height", &Checkerboard::height, "mm",
+                        "of the lowest corners above the ground", {0, 2000})};
+  }
+};
+static_assert(complete<Checkerboard>);
+
+/// Finds the inner corners of a checkerboard, to a fraction of a pixel. A corner is where two
+/// squares of each colour meet: around it brightness changes four times (after Bennett and Lasenby,
+/// ChESS: Quick and Robust Detection of Chess-board Features, 2014).
+class CheckerboardFinder {
+ public:
+  /// All corners row by row, as the picture shows them from top left; false if any is missing.
+  bool find(const Image& image, const Horizon& horizon, const Checkerboard& board,
+            std::vector<Vector2d>& corners);
+  /// All places of the last picture that look like a corner.
+  const std::vector<Vector2d>& candidates() const { return candidates_; }
+
+ private:
+  /// A candidate's place in the board, counted from the one that was looked at first.
+  struct Place {
+    std::size_t candidate;
+    int column, row;
+    Vector2d right, down;  ///< To the next corners, about.
+  };
+
+  void measure(const Image& image);
+  void collect(const Image& image);
+  static Vector2d refine(const Image& image, Vector2d corner);
+  const Vector2d* nearest(const Vector2d& from, const Vector2d& way) const;
+  bool grow(const Horizon& horizon);
+  void step(const Place& from, int columns, int rows);
+
+  std::vector<int> response_;  ///< How much each pixel looks like a corner.
+  std::vector<Vector2d> candidates_;
+  std::vector<bool> used_;
+  std::vector<Place> places_;
+};
+
+}  // namespace gt

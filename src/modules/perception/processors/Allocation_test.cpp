@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/Random.h"
+#include "base/TestAllocations.h"
+#include "modules/perception/processors/GT2003ImageProcessor.h"
+#include "modules/perception/processors/GridImageProcessor2.h"
+#include "modules/perception/processors/GridImageProcessor3.h"
+#include "modules/perception/processors/LinesImageProcessor.h"
+
+namespace gt {
+namespace {
+
+/// Pictures full of colours make the lists of an image processor as long as they get; then they
+/// keep their memory.
+class ColorfulPictures : public testing::Test {
+ protected:
+  ColorfulPictures() {
+    for (ColorClass& c : colors_.classes)
+      c = static_cast<ColorClass>(random_.index(enumCount<ColorClass>));
+    image_.allocate();
+    for (Pixel& p : patches_)
+      p = {static_cast<std::uint8_t>(random_()), static_cast<std::uint8_t>(random_()),
+           static_cast<std::uint8_t>(random_()), 0};
+    matrix_.pose.translation.z() = 170;
+    matrix_.valid = true;
+  }
+
+  /// Has processor.update(image, matrix, colors..., percepts, rest...) look at them.
+  template <typename Processor, typename... Colors>
+  void expectNoAllocations(Processor& processor, const std::tuple<const Colors&...>& colors,
+                           auto&... rest) {
+    const auto look = [&](std::uint64_t seed) {
+      draw(seed);
+      std::apply(
+          [&](const auto&... c) {
+            processor.update(image_, matrix_, c..., FieldDimensions{}, ball_, landmarks_, lines_,
+                             players_, obstacles_, rest..., debug_);
+          },
+          colors);
+    };
+    for (int round = 0; round < 3; ++round)
+      for (std::uint64_t seed = 0; seed < 50; ++seed) look(seed);
+    const long before = allocations();
+    for (std::uint64_t seed = 0; seed < 50; ++seed) look(seed);
+    EXPECT_EQ(allocations(), before);
+    patches_.push_back({});
+    EXPECT_GT(allocations(), before) << "the counter does not count";
+  }
+
+  Random random_{1};
+  ColorTable64 colors_;
+
+ private:
+  void draw(std::uint64_t seed) {
+    Random own{seed};
+    Pixel pixel;
+    for (Pixel& p : image_.pixels) {
+      if (own.chance(0.2)) pixel = patches_[own.index(patches_.size())];
+      p = pixel;
+    }
+    matrix_.pose.rotation = rotationY(own.uniform(-0.5, 0.5)) * rotationX(own.uniform(-0.3, 0.3));
+  }
+
+  std::vector<Pixel> patches_ = std::vector<Pixel>(16);
+  Image image_;
+  CameraMatrix matrix_;
+  BallPercept ball_;
+  LandmarksPercept landmarks_;
+  LinesPercept lines_;
+  PlayersPercept players_;
+  ObstaclesPercept obstacles_;
+  Debug debug_;
+};
+
+TEST_F(ColorfulPictures, NeedNoMemoryOfGT2003) {
+  GT2003ImageProcessor processor;
+  expectNoAllocations(processor, std::tie(std::as_const(colors_)));
+}
+
+TEST_F(ColorfulPictures, NeedNoMemoryOfGridImageProcessor2) {
+  GridImageProcessor2 processor;
+  expectNoAllocations(processor, std::tuple<>{});
+}
+
+TEST_F(ColorfulPictures, NeedNoMemoryOfGridImageProcessor3) {
+  GridImageProcessor3 processor;
+  expectNoAllocations(processor, std::tie(std::as_const(colors_)), random_);
+}
+
+TEST_F(ColorfulPictures, NeedNoMemoryOfLines) {
+  LinesImageProcessor processor;
+  expectNoAllocations(processor, std::tie(std::as_const(colors_)));
+}
+
+}  // namespace
+}  // namespace gt

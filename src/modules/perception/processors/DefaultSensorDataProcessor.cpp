@@ -1,0 +1,161 @@
+#include "modules/perception/processors/DefaultSensorDataProcessor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modules/kinematics/BodyPosture.h"
+#include "modules/kinematics/HeadKinematics.h"
+
+namespace gt {
+namespace {
+
+// The distance sensor from the centre of pan rotation: forward, and up where the neck is upright
+// (facts, 1.1: 61.4 above the tilt axis, from which the pan centre is 48 away).
+constexpr double psdForward = 26.5, psdUp = 13.4;
+constexpr double psdRange = 900;
+
+Pose3D cameraPoseFor(const RobotDimensions& robot, const RobotCalibration& calibration,
+                     const JointAngles& joints) {
+  return cameraPose(robot, bodyPose(bodyPosture(robot, calibration, joints)),
+                    {joints[Joint::headTilt], joints[Joint::headPan], joints[Joint::headRoll]});
+}
+
+/// The rotation vector of a rotation matrix.
+Vector3d rotationVector(const Matrix3d& rotation) {
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.axis() * turn.angle();
+}
+
+/// Whether the time of a frame lies in a picture's exposure, half a tick early or late included.
+bool isDuring(const SensorData& frame, Time end, double duration) {
+  constexpr double halfTick = 4;
+  const double age = static_cast<double>(end - frame.time);
+  return age >= -halfTick && age <= duration + halfTick;
+}
+
+/// The camera's pose when a picture's middle row was exposed, and how it turned meanwhile; `speed`
+/// is that of the robot (mm/s, rad/s), whose system is that of the picture's end.
+CameraMatrix cameraMatrix(const SensorDataBuffer& sensors, const Image& image,
+                          const RobotDimensions& robot, const RobotCalibration& calibration,
+                          const Pose2D& speed) {
+  const CameraInfo& info = image.info;
+  const double duration = (info.height - 1) * info.rowTime;
+  const JointMotion joints = jointMotion(sensors, image.time, duration);
+  const auto poseAt = [&](double milliseconds) {
+    return cameraPoseFor(robot, calibration, joints.at(milliseconds));
+  };
+  CameraMatrix matrix;
+  matrix.time = image.time;
+  matrix.info = info;
+  const double back = -duration / 2000;
+  const Vector2d way = speed.translation * back;
+  matrix.pose = Pose3D{rotationZ(speed.rotation * back), {way.x(), way.y(), 0}} * poseAt(0);
+  matrix.turning = {0, 0, speed.rotation};
+  if (duration > 0)
+    matrix.turning +=
+        rotationVector(poseAt(duration / 2).rotation * poseAt(-duration / 2).rotation.transpose()) /
+        (duration / 1000);
+  return matrix;
+}
+
+}  // namespace
+
+JointAngles JointMotion::at(double milliseconds) const {
+  JointAngles joints;
+  for (std::size_t i = 0; i < joints.values.size(); ++i)
+    joints.values[i] = angles.values[i] + milliseconds * perMillisecond.values[i];
+  return joints;
+}
+
+JointMotion jointMotion(const SensorDataBuffer& sensors, Time end, double duration) {
+  double n = 0, squares = 0, sum = 0;
+  const auto since = [&](const SensorData& frame) {
+    return static_cast<double>(frame.time - end) + duration / 2;
+  };
+  for (const SensorData& frame : sensors.frames) {
+    if (!isDuring(frame, end, duration)) continue;
+    n += 1;
+    sum += since(frame);
+  }
+  JointMotion motion;
+  if (n == 0) {
+    motion.angles = sensors.at(end).joints;
+    return motion;
+  }
+  const double middle = sum / n;
+  for (const SensorData& frame : sensors.frames)
+    if (isDuring(frame, end, duration)) squares += std::pow(since(frame) - middle, 2);
+  for (std::size_t i = 0; i < motion.angles.values.size(); ++i) {
+    double angle = 0, slope = 0;
+    for (const SensorData& frame : sensors.frames) {
+      if (!isDuring(frame, end, duration)) continue;
+      angle += frame.joints.values[i] / n;
+      slope += frame.joints.values[i] * (since(frame) - middle);
+    }
+    motion.perMillisecond.values[i] = squares > 0 ? slope / squares : 0;
+    motion.angles.values[i] = angle - middle * motion.perMillisecond.values[i];
+  }
+  return motion;
+}
+
+Vector3d averageAcceleration(const SensorDataBuffer& sensors, int ticks) {
+  const int n = std::clamp(ticks, 1, SensorDataBuffer::capacity);
+  Vector3d sum = Vector3d::Zero();
+  for (int i = SensorDataBuffer::capacity - n; i < SensorDataBuffer::capacity; ++i)
+    sum += sensors.frames[static_cast<std::size_t>(i)].acceleration;
+  return sum / n;
+}
+
+void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorDataBuffer& sensors,
+                                        const Image& image, const RobotDimensions& robot,
+                                        const RobotCalibration& calibration,
+                                        const MotionInfo& motion, const OdometryData& odometry,
+                                        CameraMatrix& matrix, BodyPercept& body, PsdPercept& psd) {
+  const SensorData& newest = sensors.newest();
+  const Vector3d shortAverage = averageAcceleration(sensors, parameters.shortAverage);
+  const double elapsed = static_cast<double>(frame.time - lastUpdate_);
+  const double gain = 1 - std::exp(-elapsed / parameters.longAverage);
+  longAverage_ += std::clamp(gain, 0.0, 1.0) * (shortAverage - longAverage_);
+  lastUpdate_ = frame.time;
+  const Pose2D walked = odometry.pose.relativeTo(odometry_);
+  odometry_ = odometry.pose;
+  Pose2D speed;
+  // After a longer time it tells nothing of this picture.
+  if (elapsed > 0 && elapsed <= 200)
+    speed = {walked.rotation * 1000 / elapsed, walked.translation * 1000 / elapsed};
+
+  const BodyPosture posture = bodyPosture(robot, newest.joints);
+  body.time = newest.time;
+  body.state = stateOf(shortAverage, newest);
+  body.tilt = std::atan2(shortAverage.x(), std::hypot(shortAverage.y(), shortAverage.z()));
+  body.roll = std::atan2(shortAverage.y(), shortAverage.z());
+  body.height = posture.height;
+  body.switches = newest.switches;
+
+  matrix = cameraMatrix(sensors, image, robot, calibration, speed);
+  matrix.valid = motion.stable && body.state == BodyState::standing;
+
+  const Pose3D camera = cameraPoseFor(robot, calibration, newest.joints);
+  psd.time = newest.time;
+  psd.tooFarAway = newest.psd >= psdRange;
+  psd.offset = camera * Vector3d{psdForward - robot.panToCamera + newest.psd, 0, psdUp};
+}
+
+// Fallen: the body leans for long, and still does. Lifted: gravity's direction or strength is no
+// longer what it has been for long, or the feet hang in the air (report 3.1).
+BodyState DefaultSensorDataProcessor::stateOf(const Vector3d& shortAverage,
+                                              const SensorData& newest) {
+  const auto leans = [&](const Vector3d& acceleration) {
+    return acceleration.z() < std::cos(parameters.fallenAngle) * acceleration.norm();
+  };
+  bool anyPaw = false;
+  for (const Switch paw : {Switch::pawFR, Switch::pawFL, Switch::pawHR, Switch::pawHL})
+    anyPaw = anyPaw || newest.switches[paw];
+  if (anyPaw) lastOnGround_ = newest.time;
+  if (leans(shortAverage) && leans(longAverage_)) return BodyState::fallen;
+  const bool changed = (shortAverage - longAverage_).norm() > parameters.liftedChange;
+  const bool hangs = static_cast<double>(newest.time - lastOnGround_) > parameters.offGround;
+  return !anyPaw && (changed || hangs) ? BodyState::liftedUp : BodyState::standing;
+}
+
+}  // namespace gt

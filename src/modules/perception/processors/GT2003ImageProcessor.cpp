@@ -1,0 +1,159 @@
+#include "modules/perception/processors/GT2003ImageProcessor.h"
+
+#include <algorithm>
+
+#include "modules/perception/scanning/FieldView.h"
+#include "modules/perception/scanning/ScanDrawing.h"
+
+namespace gt {
+namespace {
+
+const DebugKey drawHorizon{"ImageProcessor/horizon"};
+const DebugKey drawIndications{"ImageProcessor/indications"};
+const DebugKey drawSpecialistsWays{"ImageProcessor/specialists"};
+const DebugKey drawOnGround{"ImageProcessor/ground"};
+const DebugKey drawFreeGround{"ImageProcessor/freeGround"};
+const DebugKey drawFound{"ImageProcessor/percepts"};
+
+Color colorOf(TeamColor team) {
+  return team == TeamColor::red ? colors::red : colors::blue;
+}
+
+}  // namespace
+
+// Objects that are small in the picture are far away and so close to the horizon. Lines of one
+// spacing have to reach as far as the largest object that only they would meet twice, which the
+// next coarser lines, twice as far apart, do not.
+GridSpacing GT2003ImageProcessor::spacing(const CameraMatrix& matrix,
+                                          const FieldDimensions& field) const {
+  const double height = std::max(matrix.pose.translation.z(), field.ballRadius);
+  GridSpacing spacing;
+  spacing.dense = parameters.denseSpacing;
+  spacing.reachDown = 2 * height / field.ballRadius;
+  spacing.reachUp = std::clamp(4 * (field.flagTop - height) / (2 * field.flagRadius), 2.0, 12.0);
+  return spacing;
+}
+
+void GT2003ImageProcessor::update(const Image& image, const CameraMatrix& matrix,
+                                  const ColorTable64& colors, const FieldDimensions& field,
+                                  BallPercept& ball, LandmarksPercept& landmarks,
+                                  LinesPercept& lines, PlayersPercept& players,
+                                  ObstaclesPercept& obstacles, Debug& debug) {
+  fetch(image);
+  const Horizon horizon = horizonOf(matrix);
+  ways_.clear();
+  const bool watched = debug.isActive(drawSpecialistsWays);
+  const Picture picture{image, colors, matrix, horizon, watched ? &ways_ : nullptr};
+  grid_.build(image.info, horizon, spacing(matrix, field));
+  scanner_.clear();
+  edgeScanner_.clear();
+  for (const ScanLine& line : grid_.lines()) {
+    scanner_.scan(picture, line, field);
+    if (line.whole) edgeScanner_.scanDown(picture, line, field);
+  }
+  for (const ScanLine& row : grid_.rows()) edgeScanner_.scanAcross(picture, row, field);
+  for (const GoalIndication& goal : scanner_.goals) edgeScanner_.addGoal(picture, goal);
+
+  ballSpecialist_.find(picture, scanner_.balls, field.ballRadius, ball);
+  landmarks.cameraOffset = matrix.pose.translation;
+  flagSpecialist_.find(picture, scanner_.flags, field, landmarks);
+  goalSpecialist_.find(picture, scanner_.goals, field, landmarks);
+  edgeScanner_.finish(lines);
+  playerSpecialist_.find(picture, scanner_.players, players);
+  findFreeGround(picture, obstacles);
+  ball.time = landmarks.time = lines.time = players.time = obstacles.time = image.time;
+  drawScan(picture, debug);
+  drawSpecialists(debug);
+  drawPercepts(picture, ball, landmarks, players, debug);
+  drawGround(ball, lines, players, obstacles, debug);
+}
+
+void GT2003ImageProcessor::findFreeGround(const Picture& picture, ObstaclesPercept& percept) const {
+  percept.lines.clear();
+  for (const GreenSection& green : scanner_.greens) {
+    const auto nearPoint = onGround(picture, green.end);
+    if (!nearPoint) continue;
+    // Green up to the horizon is as far as a field can reach.
+    auto farPoint = onGround(picture, green.begin);
+    if (!farPoint)
+      farPoint = picture.matrix.pose.translation.head<2>() +
+                 farthestOnGround * picture.ray(green.begin).head<2>().normalized();
+    percept.lines.push_back({*nearPoint, *farPoint, green.beginOnBorder});
+  }
+}
+
+void GT2003ImageProcessor::drawScan(const Picture& picture, Debug& debug) const {
+  const double wide = picture.image.info.width;
+  if (auto canvas = debug.onImage(drawHorizon))
+    canvas.line(picture.horizon.toPicture(-wide, 0), picture.horizon.toPicture(wide, 0),
+                colors::white);
+  drawGrid(grid_, debug);
+  if (auto canvas = debug.onImage(drawIndications)) {
+    for (const BallSegment& s : scanner_.balls) canvas.line(s.upper, s.lower, colors::red);
+    for (const FlagIndication& f : scanner_.flags) canvas.point(f.position, colors::pink, 2);
+    for (const GoalIndication& g : scanner_.goals) canvas.line(g.top, g.bottom, colors::blue);
+    for (const PlayerIndication& p : scanner_.players)
+      canvas.line(p.upper, p.lower, colorOf(p.team));
+  }
+  drawEdges(edgeScanner_, debug);
+  if (auto canvas = debug.onImage(drawFreeGround))
+    for (const GreenSection& green : scanner_.greens)
+      canvas.line(green.end, green.begin, colors::green);
+}
+
+void GT2003ImageProcessor::drawPercepts(const Picture& picture, const BallPercept& ball,
+                                        const LandmarksPercept& landmarks,
+                                        const PlayersPercept& players, Debug& debug) const {
+  auto canvas = debug.onImage(drawFound);
+  if (!canvas) return;
+  if (ball.seen) canvas.circle(ball.centerInImage, ball.radiusInImage, colors::red, 2);
+  const auto outline = [&](const ConditionalBoundary& b, Color color) {
+    const auto corner = [&](double azimuth, double elevation) {
+      return picture.pointOf({std::cos(azimuth), std::sin(azimuth), std::tan(elevation)});
+    };
+    canvas.polygon({corner(b.left, b.top), corner(b.right, b.top), corner(b.right, b.bottom),
+                    corner(b.left, b.bottom)},
+                   color, 2);
+  };
+  for (int i = 0; i < landmarks.numberOfFlags; ++i)
+    outline(landmarks.flags[static_cast<std::size_t>(i)].boundary, colors::pink);
+  for (int i = 0; i < landmarks.numberOfGoals; ++i)
+    outline(landmarks.goals[static_cast<std::size_t>(i)].boundary, colors::blue);
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
+    for (const Vector2d& p : players.players[team]) {
+      const Vector3d ray = Vector3d{p.x(), p.y(), 0} - picture.matrix.pose.translation;
+      if (picture.matrix.pose.rotation.col(0).dot(ray) > 0)
+        canvas.point(picture.pointOf(ray), colorOf(team), 4);
+    }
+}
+
+// The pixels that the specialists have touched, and the edges that they have found there
+// (report, figure 3.3c).
+void GT2003ImageProcessor::drawSpecialists(Debug& debug) const {
+  auto canvas = debug.onImage(drawSpecialistsWays);
+  if (!canvas) return;
+  for (const ScanWay& way : ways_) canvas.line(way.start, way.end.point, colors::gray);
+  for (const ScanWay& way : ways_)
+    if (!way.end.onBorder) canvas.point(way.end.point, colors::green, 0.7);
+  for (const Vector2d& foot : playerSpecialist_.feet()) canvas.point(foot, colors::pink, 0.7);
+}
+
+// What was found as it lies on the ground around the robot (report, figure 3.1b).
+void GT2003ImageProcessor::drawGround(const BallPercept& ball, const LinesPercept& lines,
+                                      const PlayersPercept& players,
+                                      const ObstaclesPercept& obstacles, Debug& debug) const {
+  auto canvas = debug.onRobot(drawOnGround);
+  if (!canvas) return;
+  for (const FreeGround& line : obstacles.lines) {
+    canvas.line(line.nearPoint, line.farPoint, colors::green);
+    if (!line.farOnBorder) canvas.point(line.farPoint, colors::black, 15);
+  }
+  for (std::size_t t = 0; t < enumCount<EdgeType>; ++t)
+    for (const Vector2d& p : lines.points[static_cast<EdgeType>(t)])
+      canvas.point(p, colorOf(static_cast<EdgeType>(t)), 20);
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
+    for (const Vector2d& p : players.players[team]) canvas.circle(p, 120, colorOf(team), 2);
+  if (ball.seen) canvas.disk(ball.offset, 43, colors::orange);
+}
+
+}  // namespace gt

@@ -1,0 +1,22 @@
+#pragma once
+#include "colors/TslColors.h"
+#include "modules/perception/processors/GT2003ImageProcessor.h"
+
+namespace gt {
+
+/// Finds what GT2003 finds with colour classes in the TSL space (report J.6.3), which suffer less
+/// from other light; the solution GridImageProcessorTSL of the ImageProcessor.
+class GridImageProcessorTSL {
+ public:
+  void update(const Image& image, const CameraMatrix& matrix, const TslColors& colors,
+              const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
+              LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,
+              Debug& debug);
+
+ private:
+  TslColors known_;  ///< What the table was made from.
+  ColorTable64 table_;
+  GT2003ImageProcessor vision_;
+};
+
+}  // namespace gt

@@ -1,0 +1,89 @@
+#pragma once
+#include <vector>
+
+#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/ScanGrid.h"
+#include "representations/perception/LandmarksPercept.h"
+
+namespace gt {
+
+/// A piece of ball on a scan line (report 3.2.3).
+struct BallSegment {
+  double u = 0;  ///< Of its scan line.
+  Vector2d upper = Vector2d::Zero(), lower = Vector2d::Zero();
+  bool upperKnown = false, lowerKnown = false;  ///< Whether these lie on the ball's boundary.
+  ColorClass above = ColorClass::noColor, below = ColorClass::noColor;
+  int orange = 0;  ///< Pixels.
+};
+
+/// A place on a scan line that looks like the middle of a flag (report 3.2.1).
+struct FlagIndication {
+  FlagType type = FlagType::pinkAboveYellow;
+  Vector2d position = Vector2d::Zero();  ///< Between the two colours.
+};
+
+/// A piece of goal on a scan line that ends on the field (report 3.2.1).
+struct GoalIndication {
+  GoalColor color = GoalColor::yellow;
+  Vector2d top = Vector2d::Zero(), bottom = Vector2d::Zero();
+  bool meetsField = false;  ///< Green begins right below it, at `foot`.
+  Vector2d foot = Vector2d::Zero();
+};
+
+/// A piece of tricot on a scan line (report 3.2.6).
+struct PlayerIndication {
+  TeamColor team = TeamColor::red;
+  double u = 0;  ///< Of its scan line.
+  Vector2d upper = Vector2d::Zero(), lower = Vector2d::Zero();
+  bool upperKnown = false;  ///< Whether it begins within the picture.
+  int pixels = 0;
+};
+
+/// The green that reaches down to the end of a scan line (report 3.2.7).
+struct GreenSection {
+  Vector2d begin = Vector2d::Zero(), end = Vector2d::Zero();
+  bool beginOnBorder = false;
+};
+
+/// Scans lines of a grid pixel by pixel and collects what looks like something (report 3.2.1).
+class LineScanner {
+ public:
+  std::vector<BallSegment> balls;
+  std::vector<FlagIndication> flags;
+  std::vector<GoalIndication> goals;
+  std::vector<PlayerIndication> players;
+  std::vector<GreenSection> greens;  ///< One for each line that reaches over the whole picture.
+
+  /// Forgets what was found.
+  void clear();
+  void scan(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
+
+ private:
+  /// Neighbouring pixels of one class.
+  struct Run {
+    ColorClass color;
+    int begin, end;  ///< The first pixel and the one after the last.
+
+    int length() const { return end - begin; }
+  };
+  /// Neighbouring runs of a class with small gaps.
+  struct Stretch {
+    std::size_t first, last;  ///< Runs.
+    int pixels;               ///< Without the gaps.
+  };
+
+  void findRuns(const Picture& picture, const ScanLine& line);
+  Stretch stretchFrom(std::size_t first, ColorSet classes, int maxGap) const;
+  Stretch ballFrom(std::size_t first) const;
+  std::size_t findBall(const ScanLine& line, std::size_t first);
+  void findFlag(const ScanLine& line, std::size_t first);
+  void findPlayer(const ScanLine& line, const Stretch& tricot, TeamColor team);
+  void findGreen(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
+  bool isHidden(const Stretch& goal) const;
+  std::size_t findGoal(const Picture& picture, const ScanLine& line, std::size_t first);
+
+  std::vector<ColorClass> classes_;  ///< Of the pixels.
+  std::vector<Run> runs_;
+};
+
+}  // namespace gt

@@ -1,0 +1,119 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "modules/perception/scanning/Horizon.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/perception/CameraMatrix.h"
+#include "representations/perception/ColorTable64.h"
+
+namespace gt {
+
+/// A set of colour classes.
+class ColorSet {
+ public:
+  constexpr ColorSet() = default;
+  template <typename... C>
+  constexpr explicit ColorSet(C... classes) : bits_((... | bit(classes))) {}
+  constexpr bool contains(ColorClass c) const { return (bits_ & bit(c)) != 0; }
+
+ private:
+  static constexpr std::uint32_t bit(ColorClass c) { return 1u << static_cast<int>(c); }
+  std::uint32_t bits_ = 0;
+};
+
+/// Where a colour ends on a way through the picture.
+struct ColorEdge {
+  Vector2d point = Vector2d::Zero();  ///< To a fraction of a pixel; pixels are squares of size 1.
+  bool onBorder = false;              ///< The colour reaches to the picture's border.
+};
+
+/// A way that was followed through the picture, for drawings.
+struct ScanWay {
+  Vector2d start;
+  ColorEdge end;
+};
+
+/// Has the whole picture fetched into the cache in the order of memory. Scan lines lead across its
+/// rows, which alone would wait for memory at each pixel.
+inline void fetch(const Image& image) {
+  constexpr std::size_t cacheLine = 64;
+  const auto* const bytes = reinterpret_cast<const char*>(image.pixels.data());
+  for (std::size_t i = 0; i < image.pixels.size() * sizeof(Pixel); i += cacheLine)
+    __builtin_prefetch(bytes + i);
+}
+
+/// Where a camera sees a direction in the robot's system, as the row there saw it; the ray must
+/// point forward.
+Vector2d pointIn(const CameraMatrix& matrix, const Vector3d& ray);
+
+/// A camera picture with all that it takes to look at it: its colours, its camera, its horizon.
+struct Picture {
+  const Image& image;
+  const ColorTable64& colors;
+  const CameraMatrix& matrix;
+  const Horizon& horizon;
+  std::vector<ScanWay>* ways = nullptr;  ///< Takes down all ways, where somebody wants to see them.
+
+  bool contains(const Vector2d& p) const { return image.info.contains(p.x(), p.y()); }
+  ColorClass classAt(const Vector2d& p) const {
+    return colors[image.at(static_cast<int>(p.x()), static_cast<int>(p.y()))];
+  }
+  /// The direction of a point in the robot's system, as its own row saw it; of length 1.
+  Vector3d ray(const Vector2d& p) const { return matrix.ray(p.x(), p.y()).normalized(); }
+  /// Where a direction in the robot's system is seen; its ray must point forward.
+  Vector2d pointOf(const Vector3d& ray) const { return pointIn(matrix, ray); }
+
+  /// Follows a way from a point in a colour to where the colour ends (report 3.2.4, 3.2.5): the
+  /// last pixel of one of the classes, gaps of up to maxGap pixels accepted; then to a fraction of
+  /// a pixel where the picture is halfway between the colours of both sides.
+  ColorEdge findEdge(const Vector2d& start, const Vector2d& direction, ColorSet classes,
+                     int maxGap) const {
+    return findEdgeOf(start, direction, maxGap,
+                      [&](const Pixel&, ColorClass c) { return classes.contains(c); });
+  }
+  /// The same for whatever belongs(pixel, class) accepts.
+  template <typename Belongs>
+  ColorEdge findEdgeOf(const Vector2d& start, const Vector2d& direction, int maxGap,
+                       Belongs belongs) const {
+    ColorEdge edge;
+    Vector2d p = start;
+    int last = 0;
+    for (int i = 0;; ++i, p += direction) {
+      if (!contains(p)) {
+        // The border cuts the colour off where the colour was seen next to it.
+        edge.onBorder = i - last <= 2;
+        break;
+      }
+      const Pixel& pixel = image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
+      const ColorClass c = colors[pixel];
+      if (belongs(pixel, c)) {
+        last = i;
+      } else if (i > last + maxGap) {
+        break;
+      }
+    }
+    edge.point =
+        edge.onBorder ? Vector2d{start + direction * last} : refineEdge(start, direction, last);
+    if (ways) ways->push_back({start, edge});
+    return edge;
+  }
+
+  /// The colour (Y, Cb, Cr) between pixel centres, interpolated.
+  Vector3d colorAt(const Vector2d& p) const;
+
+ private:
+  Vector2d refineEdge(const Vector2d& start, const Vector2d& direction, int last) const;
+};
+
+/// The angle of a direction to the left.
+inline double azimuth(const Vector3d& ray) {
+  return std::atan2(ray.y(), ray.x());
+}
+/// The angle of a direction above the horizon.
+inline double elevation(const Vector3d& ray) {
+  return std::atan2(ray.z(), std::hypot(ray.x(), ray.y()));
+}
+
+}  // namespace gt

@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "modules/perception/scanning/LineScanner.h"
+#include "representations/perception/BallPercept.h"
+
+namespace gt {
+
+/// Finds the ball from what the scan lines saw of it (report 3.2.3).
+class BallSpecialist {
+ public:
+  /// Fills in the percept; `segments` must be in the order of their scan lines. All but `time`.
+  void find(const Picture& picture, std::span<const BallSegment> segments, double ballRadius,
+            BallPercept& percept);
+
+ private:
+  /// A point of the ball's boundary.
+  struct BoundaryPoint {
+    Vector2d position = Vector2d::Zero();
+    ColorClass beyond = ColorClass::noColor;
+    bool upper = false;
+  };
+  /// Segments that may belong to one ball.
+  struct Cluster {
+    Vector2d low, high;  ///< Corners of the rectangle around it.
+    int orange = 0;
+    std::vector<std::size_t> segments;
+  };
+  /// Where a ball is seen: the cone of rays that touch it.
+  struct Cone {
+    Vector3d axis = Vector3d::UnitX();
+    double angle = 0;  ///< Between axis and surface, rad; 0 where it is not known.
+  };
+
+  void cluster(std::span<const BallSegment> segments);
+  bool look(const Picture& picture, std::span<const BallSegment> segments, const Cluster& cluster,
+            double ballRadius, BallPercept& percept);
+  void collectPoints(std::span<const BallSegment> segments, const Cluster& cluster);
+  void learnColor(const Picture& picture, const Cluster& cluster);
+  bool isBall(const Pixel& pixel, ColorClass color) const;
+  static bool isBoundary(const Picture& picture, const Vector2d& edge, const Vector2d& way);
+  void traceBoundary(const Picture& picture, const Vector2d& inside);
+  bool locate(const Picture& picture, std::span<const BallSegment> segments, const Cluster& cluster,
+              double ballRadius, Cone& cone);
+  bool circleCone(const Picture& picture, Cone& cone) const;
+  bool pointCone(const Picture& picture, double ballRadius, Cone& cone) const;
+  bool fitCone(const Picture& picture, Cone& cone) const;
+  bool isOrange(const Picture& picture, const BallPercept& percept) const;
+
+  std::vector<Cluster> clusters_;
+  std::size_t used_ = 0;
+  std::vector<BoundaryPoint> points_;
+  int traced_ = 0;          ///< Ways from within the ball that ended within the picture.
+  double cb_ = 0, cr_ = 0;  ///< Of the orange pixels of the cluster looked at.
+};
+
+}  // namespace gt

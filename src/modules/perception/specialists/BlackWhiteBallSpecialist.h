@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/Random.h"
+#include "modules/perception/scanning/Picture.h"
+#include "representations/perception/BallPercept.h"
+
+namespace gt {
+
+/// Finds a black and white ball by its edges: Sobel filter, Hough transform with eleven radii, and
+/// whether the circle is full of black and white (report 4.1.1).
+class BlackWhiteBallSpecialist {
+ public:
+  /// A point where the picture changes much from left to right, and whether it may be the ball's
+  /// boundary.
+  struct Edge {
+    Vector2d point;
+    Vector2d inward = Vector2d::Zero();  ///< Along the gradient into the ball, of length 1.
+    bool onBall = false;
+  };
+
+  /// Fills in the percept, all but `time`.
+  void find(const Picture& picture, double ballRadius, Random& random, BallPercept& percept);
+
+  const std::vector<Edge>& edges() const { return edges_; }
+
+ private:
+  static constexpr std::size_t radii = 11;
+
+  void findEdges(const Picture& picture, double ballRadius);
+  void scanRow(const Picture& picture, int y, int from, int to);
+  void testEdge(const Picture& picture, int x, int y, const Vector2d& gradient);
+  void vote(const Picture& picture, double ballRadius);
+  void voteFor(const Edge& edge, std::size_t radius, double pixels);
+  bool look(const Picture& picture, std::size_t cell, double ballRadius, Random& random,
+            BallPercept& percept);
+  static bool traceCircle(const Picture& picture, Vector2d& center, double& radius);
+  static bool isFull(const Picture& picture, const Vector2d& center, double radius, Random& random);
+  Vector2d cellCenter(std::size_t cell) const;
+
+  std::vector<Edge> edges_;
+  std::array<double, radii> radius_{};  ///< Pixels.
+  int cellsX_ = 0, cellsY_ = 0;
+  std::vector<std::uint16_t> votes_;     ///< For each radius, row by row.
+  std::vector<std::size_t> candidates_;  ///< Cells with votes enough.
+};
+
+}  // namespace gt

@@ -1,0 +1,248 @@
+#include "modules/perception/specialists/FlagSpecialist.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gt {
+namespace {
+
+constexpr int maxGap = 2;
+// Where rows and columns are scanned, as parts of a colour's height and the flag's width.
+constexpr std::array parts{0.25, 0.5, 0.75};
+// Scans whose edges differ by less than this many pixels met the same edge.
+constexpr double sameEdge = 1.2;
+constexpr double farthestFlag = 5500;  // mm: nothing on a field is further away
+constexpr double straight = 0.5;       // The part of the scans that has to meet an edge.
+
+bool pinkIsAbove(FlagType type) {
+  return type == FlagType::pinkAboveYellow || type == FlagType::pinkAboveGreen ||
+         type == FlagType::pinkAboveSkyblue;
+}
+
+ColorClass otherColor(FlagType type) {
+  switch (type) {
+    case FlagType::pinkAboveYellow:
+    case FlagType::yellowAbovePink:
+      return ColorClass::yellow;
+    case FlagType::pinkAboveSkyblue:
+    case FlagType::skyblueAbovePink:
+      return ColorClass::skyblue;
+    default:
+      return ColorClass::green;
+  }
+}
+
+}  // namespace
+
+void FlagSpecialist::find(const Picture& picture, std::span<const FlagIndication> indications,
+                          const FieldDimensions& field, LandmarksPercept& percept) {
+  percept.numberOfFlags = 0;
+  cluster(picture, indications);
+  std::array<int, 6> found{};  // Votes of the flags found, to keep the better one of two.
+  for (std::size_t i = 0; i < used_; ++i) {
+    const Cluster& c = clusters_[i];
+    const auto best = std::max_element(c.votes.begin(), c.votes.end());
+    if (std::count(c.votes.begin(), c.votes.end(), *best) > 1) continue;
+    const auto type = static_cast<std::size_t>(best - c.votes.begin());
+    if (*best <= found[type]) continue;
+    FlagPercept flag;
+    flag.type = static_cast<FlagType>(type);
+    if (!measure(picture, c.sums[type] / *best, field, flag)) continue;
+    FlagPercept* place = nullptr;
+    for (int k = 0; k < percept.numberOfFlags; ++k)
+      if (percept.flags[static_cast<std::size_t>(k)].type == flag.type)
+        place = &percept.flags[static_cast<std::size_t>(k)];
+    if (!place) place = &percept.flags[static_cast<std::size_t>(percept.numberOfFlags++)];
+    *place = flag;
+    found[type] = *best;
+  }
+}
+
+void FlagSpecialist::cluster(const Picture& picture, std::span<const FlagIndication> indications) {
+  constexpr double widestGap = 12, highestGap = 8;
+  used_ = 0;
+  for (const FlagIndication& indication : indications) {
+    const Vector2d p = picture.horizon.fromPicture(indication.position);
+    Cluster* home = nullptr;
+    for (std::size_t i = 0; i < used_ && !home; ++i) {
+      const Vector2d gap = p - clusters_[i].newest;
+      if (std::abs(gap.x()) <= widestGap && std::abs(gap.y()) <= highestGap) home = &clusters_[i];
+    }
+    if (!home) {
+      if (used_ == clusters_.size()) continue;
+      home = &clusters_[used_++];
+      home->votes.fill(0);
+      home->sums.fill(Vector2d::Zero());
+    }
+    const auto type = static_cast<std::size_t>(indication.type);
+    home->newest = p;
+    ++home->votes[type];
+    home->sums[type] += indication.position;
+  }
+}
+
+bool FlagSpecialist::measure(const Picture& picture, const Vector2d& start,
+                             const FieldDimensions& field, FlagPercept& flag) {
+  Measurement m;
+  m.pinkAbove = pinkIsAbove(flag.type);
+  m.pink = ColorSet{ColorClass::pink};
+  m.other = ColorSet{otherColor(flag.type)};
+  m.otherIsGreen = otherColor(flag.type) == ColorClass::green;
+  m.upper = m.pinkAbove ? m.pink : m.other;
+  m.lower = m.pinkAbove ? m.other : m.pink;
+  if (!picture.contains(start) || !measureHeights(picture, start, m)) return false;
+  if (!scanWidth(picture, start, m)) return false;
+  if (!isSolid(picture, start, m)) return false;
+  scanColumns(picture, start, m);
+  const double tolerance = sameEdge / picture.matrix.info.focalX;
+  const auto left = left_.merge(1, tolerance, straight),
+             right = right_.merge(-1, tolerance, straight);
+  const auto top = top_.merge(1, tolerance, straight),
+             bottom = bottom_.merge(-1, tolerance, straight);
+  flag.boundary = {left.angle,    right.angle,    top.angle,    bottom.angle,
+                   left.onBorder, right.onBorder, top.onBorder, bottom.onBorder};
+  return locateFlag(picture.matrix, field, elevation(picture.ray(start)), flag);
+}
+
+bool FlagSpecialist::measureHeights(const Picture& picture, const Vector2d& start,
+                                    Measurement& m) const {
+  const Vector2d down = picture.horizon.down;
+  const ColorEdge above = picture.findEdge(start, -down, m.upper, maxGap);
+  const ColorEdge below = picture.findEdge(start, down, m.lower, maxGap);
+  m.heightAbove = (above.point - start).norm();
+  m.heightBelow = (below.point - start).norm();
+  m.aboveOnBorder = above.onBorder;
+  m.belowOnBorder = below.onBorder;
+  if (std::min(m.heightAbove, m.heightBelow) < 1) return false;
+  // Both colours are equally high, as far as they are in the picture.
+  constexpr double mostUneven = 2.5;
+  if (m.heightAbove > mostUneven * m.heightBelow && !m.belowOnBorder) return false;
+  return m.heightBelow <= mostUneven * m.heightAbove || m.aboveOnBorder;
+}
+
+// Rows of one colour; `offset` is where its far end lies from the start along the horizon's down.
+void FlagSpecialist::scanRows(const Picture& picture, const Vector2d& start, double offset,
+                              ColorSet colors, double& widest) {
+  const Vector2d along = picture.horizon.along;
+  for (const double part : parts) {
+    const Vector2d p = start + picture.horizon.down * (offset * part);
+    if (!picture.contains(p) || !colors.contains(picture.classAt(p))) continue;
+    const ColorEdge left = picture.findEdge(p, -along, colors, maxGap);
+    const ColorEdge right = picture.findEdge(p, along, colors, maxGap);
+    const double l = along.dot(left.point - start), r = along.dot(right.point - start);
+    // Behind a part of the flag there may be more of its colour: pink, scanned first, is rare.
+    constexpr double margin = 2;
+    const bool first = widest == 0;
+    if (!first && (l < leftmost_ - margin || r > rightmost_ + margin)) continue;
+    leftmost_ = first ? l : std::min(leftmost_, l);
+    rightmost_ = first ? r : std::max(rightmost_, r);
+    widest = rightmost_ - leftmost_;
+    left_.add(azimuth(picture.ray(left.point)), left.onBorder);
+    right_.add(azimuth(picture.ray(right.point)), right.onBorder);
+  }
+}
+
+bool FlagSpecialist::scanWidth(const Picture& picture, const Vector2d& start,
+                               const Measurement& m) {
+  left_.clear();
+  right_.clear();
+  double widest = 0;
+  scanRows(picture, start, m.pinkAbove ? -m.heightAbove : m.heightBelow, m.pink, widest);
+  // Green is not always to be told from the background (report 3.2.4).
+  if (!m.otherIsGreen)
+    scanRows(picture, start, m.pinkAbove ? m.heightBelow : -m.heightAbove, m.other, widest);
+  return !left_.empty() && widest >= 1.5;
+}
+
+// Blurred edges between other colours look like a flag's, but not like both of its fields.
+bool FlagSpecialist::isSolid(const Picture& picture, const Vector2d& start,
+                             const Measurement& m) const {
+  for (const bool upper : {true, false}) {
+    const double end = upper ? -m.heightAbove : m.heightBelow;
+    const ColorSet& colors = upper ? m.upper : m.lower;
+    int inside = 0, right = 0;
+    for (const double down : parts)
+      for (const double across : parts) {
+        const Vector2d p = start + picture.horizon.down * (end * down) +
+                           picture.horizon.along * (leftmost_ + (rightmost_ - leftmost_) * across);
+        if (!picture.contains(p)) continue;
+        ++inside;
+        right += colors.contains(picture.classAt(p)) ? 1 : 0;
+      }
+    if (2 * right <= inside) return false;
+  }
+  return true;
+}
+
+void FlagSpecialist::scanColumns(const Picture& picture, const Vector2d& start,
+                                 const Measurement& m) {
+  top_.clear();
+  bottom_.clear();
+  const Vector2d along = picture.horizon.along, down = picture.horizon.down;
+  for (const double part : parts) {
+    const Vector2d p = start + along * (leftmost_ + (rightmost_ - leftmost_) * part);
+    const Vector2d above = p - down * (m.heightAbove * 0.5);
+    const Vector2d below = p + down * (m.heightBelow * 0.5);
+    if (picture.contains(above) && m.upper.contains(picture.classAt(above))) {
+      const ColorEdge top = picture.findEdge(above, -down, m.upper, maxGap);
+      top_.add(elevation(picture.ray(top.point)), top.onBorder);
+    }
+    if (picture.contains(below) && m.lower.contains(picture.classAt(below))) {
+      const ColorEdge bottom = picture.findEdge(below, down, m.lower, maxGap);
+      bottom_.add(elevation(picture.ray(bottom.point)), bottom.onBorder);
+    }
+  }
+}
+
+bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double middle,
+                FlagPercept& flag) {
+  const ConditionalBoundary& b = flag.boundary;
+  const double width = b.left - b.right;
+  const double height = std::tan(b.top) - std::tan(b.bottom);
+  if (width <= 0 || height <= 0) return false;
+  const bool wide = !b.leftOnBorder && !b.rightOnBorder;
+  const bool high = !b.topOnBorder && !b.bottomOnBorder;
+  const double flagHeight = field.flagTop - field.flagBottom;
+  const double proportion = flagHeight / (2 * field.flagRadius);
+  if (high && height < 0.55 * proportion * width) return false;
+  if (wide && height > 1.6 * proportion * width) return false;
+
+  // The edges at top and bottom are seen on the side that faces the camera; of what the picture
+  // cuts off one of the two colours may still be whole.
+  const double half = !b.topOnBorder      ? std::tan(b.top) - std::tan(middle)
+                      : !b.bottomOnBorder ? std::tan(middle) - std::tan(b.bottom)
+                                          : 0;
+  const double byWidth = wide ? field.flagRadius / std::sin(width / 2) : 0;
+  const double byHeight = high       ? field.flagRadius + flagHeight / height
+                          : half > 0 ? field.flagRadius + flagHeight / 2 / half
+                                     : 0;
+  // The height is twice the width and so twice as exact.
+  const double distance = high && wide   ? (4 * byHeight + byWidth) / 5
+                          : byHeight > 0 ? byHeight
+                                         : byWidth;
+  if (distance > farthestFlag) return false;
+  const Vector3d camera = matrix.pose.translation;
+  if (distance > 0 && matrix.valid) {
+    // What is not where a flag's edges must be is no flag.
+    const double tolerance = 70 + 0.12 * distance;
+    const auto isAt = [&](double elevation, double z) {
+      const double side = distance - field.flagRadius;
+      return std::abs(camera.z() + side * std::tan(elevation) - z) <= tolerance;
+    };
+    if (!b.topOnBorder && !isAt(b.top, field.flagTop)) return false;
+    if (!b.bottomOnBorder && !isAt(b.bottom, field.flagBottom)) return false;
+    if (!isAt(middle, (field.flagTop + field.flagBottom) / 2)) return false;
+  }
+  double bearing = (b.left + b.right) / 2;
+  if (distance > field.flagRadius && !wide) {
+    const double side = std::asin(field.flagRadius / distance);
+    if (!b.leftOnBorder) bearing = b.left - side;
+    if (!b.rightOnBorder) bearing = b.right + side;
+  }
+  const Vector2d axis = camera.head<2>() + direction(bearing) * distance;
+  flag.distance = distance > 0 ? axis.norm() : 0;
+  flag.angle = distance > 0 ? angleOf(axis) : bearing;
+  return true;
+}
+
+}  // namespace gt

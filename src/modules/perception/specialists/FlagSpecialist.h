@@ -1,0 +1,53 @@
+#pragma once
+#include <array>
+#include <span>
+
+#include "modules/perception/scanning/LineScanner.h"
+#include "modules/perception/specialists/EdgeAngles.h"
+
+namespace gt {
+
+/// Measures the flags that the scan lines met (report 3.2.4).
+class FlagSpecialist {
+ public:
+  /// Fills in the percept's flags.
+  void find(const Picture& picture, std::span<const FlagIndication> indications,
+            const FieldDimensions& field, LandmarksPercept& percept);
+
+ private:
+  /// Indications close to each other, perhaps of different flags.
+  struct Cluster {
+    Vector2d newest = Vector2d::Zero();  ///< In the horizon's system.
+    std::array<int, 6> votes{};
+    std::array<Vector2d, 6> sums;
+  };
+  /// One flag being measured.
+  struct Measurement {
+    ColorSet upper, lower, pink, other;
+    bool pinkAbove = false, otherIsGreen = false;
+    double heightAbove = 0, heightBelow = 0;  ///< Of the two colours from where they meet, pixels.
+    bool aboveOnBorder = false, belowOnBorder = false;
+  };
+
+  void cluster(const Picture& picture, std::span<const FlagIndication> indications);
+  bool measure(const Picture& picture, const Vector2d& start, const FieldDimensions& field,
+               FlagPercept& flag);
+  bool measureHeights(const Picture& picture, const Vector2d& start, Measurement& m) const;
+  void scanRows(const Picture& picture, const Vector2d& start, double offset, ColorSet colors,
+                double& widest);
+  bool scanWidth(const Picture& picture, const Vector2d& start, const Measurement& m);
+  bool isSolid(const Picture& picture, const Vector2d& start, const Measurement& m) const;
+  void scanColumns(const Picture& picture, const Vector2d& start, const Measurement& m);
+
+  std::array<Cluster, 16> clusters_;
+  std::size_t used_ = 0;
+  EdgeAngles left_, right_, top_, bottom_;
+  double leftmost_ = 0, rightmost_ = 0;  ///< Pixels along the horizon from the start.
+};
+
+/// Where a flag stands as its boundary and the elevation at which its colours meet tell: fills in
+/// distance and angle (report 3.2.4); false if no flag can look like that.
+bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double middle,
+                FlagPercept& flag);
+
+}  // namespace gt

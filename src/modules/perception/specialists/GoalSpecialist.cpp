@@ -1,0 +1,153 @@
+#include "modules/perception/specialists/GoalSpecialist.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gt {
+namespace {
+
+constexpr int maxGap = 3;
+constexpr double sameEdge = 1.2;  // Pixels, as for flags.
+constexpr double straight = 0.5;  // The part of the rows that has to meet a post.
+constexpr ColorSet robotColors{ColorClass::red, ColorClass::blue, ColorClass::black,
+                               ColorClass::gray};
+// What is never seen where a goal meets the ground.
+constexpr ColorSet notBelow{ColorClass::red, ColorClass::blue, ColorClass::black, ColorClass::gray,
+                            ColorClass::noColor};
+constexpr std::size_t minLines = 2;
+
+// Where a robot begins the goal does not end.
+bool isHidden(const Picture& picture, const Vector2d& edge, const Vector2d& way, ColorSet robot) {
+  const Vector2d beyond = edge + way * 2.5;
+  return picture.contains(beyond) && robot.contains(picture.classAt(beyond));
+}
+
+// Rows, as parts of the goal's height. Robots hide the lower ones.
+constexpr std::array rows{0.15, 0.3, 0.5, 0.7, 0.85};
+
+}  // namespace
+
+void GoalSpecialist::find(const Picture& picture, std::span<const GoalIndication> indications,
+                          const FieldDimensions& field, LandmarksPercept& percept) {
+  percept.numberOfGoals = 0;
+  for (const GoalColor color : {GoalColor::yellow, GoalColor::skyblue}) {
+    selectGroup(picture, indications, color);
+    GoalPercept goal;
+    goal.color = color;
+    if (group_.size() >= minLines && measure(picture, field, goal))
+      percept.goals[static_cast<std::size_t>(percept.numberOfGoals++)] = goal;
+  }
+}
+
+// Robots divide a goal, but gaps wider than the goal is high have another reason.
+void GoalSpecialist::selectGroup(const Picture& picture,
+                                 std::span<const GoalIndication> indications, GoalColor color) {
+  group_.clear();
+  members_.clear();
+  double newest = 0, highest = 0;
+  const auto close = [&] {
+    if (members_.size() > group_.size()) std::swap(members_, group_);
+    members_.clear();
+    highest = 0;
+  };
+  for (const GoalIndication& indication : indications) {
+    if (indication.color != color) continue;
+    const double u = picture.horizon.fromPicture(indication.bottom).x();
+    if (!members_.empty() && u - newest > 8 + 1.3 * highest) close();
+    newest = u;
+    highest = std::max(highest, (indication.bottom - indication.top).norm());
+    members_.push_back(indication);
+  }
+  close();
+}
+
+void GoalSpecialist::scanRows(const Picture& picture, const GoalIndication& from, ColorSet colors,
+                              double sign, EdgeAngles& edge) const {
+  for (const double part : rows) {
+    const Vector2d p = from.top + (from.bottom - from.top) * part;
+    if (!colors.contains(picture.classAt(p))) continue;
+    const ColorEdge end = picture.findEdge(p, picture.horizon.along * -sign, colors, maxGap);
+    edge.add(
+        azimuth(picture.ray(end.point)),
+        end.onBorder || isHidden(picture, end.point, picture.horizon.along * -sign, robotColors));
+  }
+}
+
+// The outermost line that shows most of the goal's height: beyond it robots may hide the goal.
+const GoalIndication& GoalSpecialist::outermost(bool left) const {
+  const auto height = [](const GoalIndication& g) { return (g.bottom - g.top).norm(); };
+  double highest = 0;
+  for (const GoalIndication& g : group_) highest = std::max(highest, height(g));
+  const std::size_t n = group_.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const GoalIndication& g = group_[left ? i : n - 1 - i];
+    if (height(g) >= 0.6 * highest) return g;
+  }
+  return group_.front();
+}
+
+void GoalSpecialist::scanColumn(const Picture& picture, const GoalIndication& at, ColorSet colors) {
+  const Vector2d middle = (at.top + at.bottom) / 2;
+  if (!picture.contains(middle) || !colors.contains(picture.classAt(middle))) return;
+  const ColorEdge top = picture.findEdge(middle, -picture.horizon.down, colors, maxGap);
+  const ColorEdge bottom = picture.findEdge(middle, picture.horizon.down, colors, maxGap);
+  top_.add(elevation(picture.ray(top.point)), top.onBorder);
+  bottom_.add(elevation(picture.ray(bottom.point)),
+              bottom.onBorder || isHidden(picture, bottom.point, picture.horizon.down, notBelow));
+}
+
+bool GoalSpecialist::measure(const Picture& picture, const FieldDimensions& field,
+                             GoalPercept& goal) {
+  const ColorSet colors{goal.color == GoalColor::yellow ? ColorClass::yellow : ColorClass::skyblue};
+  for (EdgeAngles* edge : {&left_, &right_, &top_, &bottom_}) edge->clear();
+  // Rows from the outermost lines: what lies between them may be hidden.
+  scanRows(picture, outermost(true), colors, 1, left_);
+  scanRows(picture, outermost(false), colors, -1, right_);
+  constexpr std::size_t columns = 8;
+  for (std::size_t i = 0; i < columns; ++i)
+    scanColumn(picture, group_[i * (group_.size() - 1) / (columns - 1)], colors);
+  if (left_.empty() || right_.empty() || top_.empty()) return false;
+  const double tolerance = sameEdge / picture.matrix.info.focalX;
+  const auto left = left_.merge(1, tolerance, straight),
+             right = right_.merge(-1, tolerance, straight);
+  const auto top = top_.merge(1, tolerance, 0), bottom = bottom_.merge(-1, tolerance, 0);
+  goal.boundary = {left.angle,    right.angle,    top.angle,    bottom.angle,
+                   left.onBorder, right.onBorder, top.onBorder, bottom.onBorder};
+  return locateGoal(picture.matrix, field, goal);
+}
+
+bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPercept& goal) {
+  const ConditionalBoundary& b = goal.boundary;
+  const double width = b.left - b.right;
+  const double height = std::tan(b.top) - std::tan(b.bottom);
+  if (width <= 0 || height <= 0) return false;
+  const Vector3d camera = matrix.pose.translation;
+  const bool high = !b.topOnBorder && !b.bottomOnBorder;
+  const double distance = high ? field.goalHeight / height : 0;
+  if (matrix.valid && high) {
+    // The goal's lower edge lies on the ground; robots may hide some of it.
+    const double bottom = camera.z() + distance * std::tan(b.bottom);
+    if (std::abs(bottom) > 80 + 0.12 * distance) return false;
+  }
+  const double widest = 2.0 * field.yGoal;
+  if (distance > 0 && width * distance > 1.6 * widest) return false;
+  // It stands on the ground, below the horizon.
+  if (matrix.valid && !b.bottomOnBorder && b.bottom > fromDegrees(1)) return false;
+  // Of a goal whose foot is hidden the upper edge tells the distance: flags are narrower.
+  constexpr double narrowest = 180;
+  const double above = field.goalHeight - camera.z();
+  if (matrix.valid && b.bottomOnBorder && !b.topOnBorder && !b.leftOnBorder && !b.rightOnBorder &&
+      above > 0 && width * above < narrowest * std::tan(b.top))
+    return false;
+  const double bearing = (b.left + b.right) / 2;
+  // The height is that of all walls of the goal: on average it is seen halfway to its back.
+  const double depth = field.xGoalBack - field.xGroundline;
+  const Vector2d middle =
+      camera.head<2>() + direction(bearing) * std::max(distance - depth / 2, 0.0);
+  goal.distance = distance > 0 ? middle.norm() : 0;
+  goal.angle = distance > 0 ? angleOf(middle) : bearing;
+  return true;
+}
+
+}  // namespace gt

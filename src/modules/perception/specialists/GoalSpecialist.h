@@ -1,0 +1,34 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "modules/perception/scanning/LineScanner.h"
+#include "modules/perception/specialists/EdgeAngles.h"
+
+namespace gt {
+
+/// Measures the goals that the scan lines met (report 3.2.5).
+class GoalSpecialist {
+ public:
+  /// Fills in the percept's goals; the indications must be in the order of their scan lines.
+  void find(const Picture& picture, std::span<const GoalIndication> indications,
+            const FieldDimensions& field, LandmarksPercept& percept);
+
+ private:
+  void selectGroup(const Picture& picture, std::span<const GoalIndication> indications,
+                   GoalColor color);
+  bool measure(const Picture& picture, const FieldDimensions& field, GoalPercept& goal);
+  void scanRows(const Picture& picture, const GoalIndication& from, ColorSet colors, double sign,
+                EdgeAngles& edge) const;
+  const GoalIndication& outermost(bool left) const;
+  void scanColumn(const Picture& picture, const GoalIndication& at, ColorSet colors);
+
+  std::vector<GoalIndication> members_, group_;
+  EdgeAngles left_, right_, top_, bottom_;
+};
+
+/// Where a goal stands as its boundary tells: fills in distance and angle (report 3.2.5); false if
+/// no goal can look like that.
+bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPercept& goal);
+
+}  // namespace gt

@@ -1,0 +1,57 @@
+#pragma once
+#include <vector>
+
+#include "base/Enum.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/GameControlData.h"
+#include "representations/infrastructure/Player.h"
+#include "simulation/world/World.h"
+
+namespace gt {
+
+/// A robot that does what the rules forbid.
+struct Foul {
+  std::size_t robot;
+  Penalty penalty;
+};
+
+/// Watches for all that the rules of 2003 penalize (facts, 2.2). A foul is one that lasts: what
+/// ends before its time is forgotten twice as fast as it was counted.
+class FoulWatch {
+ public:
+  FoulWatch(const RuleParameters& rules, const FieldDimensions& field,
+            const std::vector<Player>& players);
+
+  /// The fouls that became ripe in this tick of play. `away` tells which robots are not on the
+  /// field; `kickOff` the team that has to play the ball first, if it has not yet.
+  const std::vector<Foul>& update(const World& world, const std::vector<bool>& away,
+                                  const TeamColor* kickOff);
+  /// Forgets all that was seen: play begins anew.
+  void reset();
+
+  const RuleParameters& rules() const { return rules_; }
+  void change(const RuleParameters& rules) { rules_ = rules; }
+
+ private:
+  /// What is known of one robot.
+  struct Record {
+    EnumArray<Penalty, double> seconds;
+    Vector2d heldAt = Vector2d::Zero();  ///< Where it began to hold the ball, as it sees it.
+  };
+
+  double limit(std::size_t robot, Penalty penalty, const World& world) const;
+  void look(const World& world, std::size_t robot, const TeamColor* kickOff,
+            EnumArray<Penalty, bool>& offends);
+  bool holdsBall(const World& world, std::size_t robot);
+  bool inOwnArea(const World& world, std::size_t robot) const;
+  bool obstructs(const World& world, std::size_t robot, std::size_t pushed) const;
+
+  RuleParameters rules_;
+  FieldDimensions field_;
+  std::vector<Player> players_;
+  std::vector<Record> records_;
+  std::vector<EnumArray<Penalty, bool>> offends_;
+  std::vector<Foul> fouls_;
+};
+
+}  // namespace gt

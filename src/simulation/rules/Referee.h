@@ -1,0 +1,171 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "base/Enum.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/GameControlData.h"
+#include "representations/infrastructure/Player.h"
+#include "simulation/rules/Fouls.h"
+#include "simulation/rules/GameController.h"
+#include "simulation/rules/ShootOut.h"
+#include "simulation/world/World.h"
+
+namespace gt {
+
+enum class GameEventType {
+  kickOff,
+  goal,
+  halfTime,
+  stuckBall,
+  ballOut,
+  placedRobot,
+  penalty,
+  returnedRobot,
+  shotGoal,
+  shotMissed,
+  gameOver
+};
+
+/// Something that the referee saw or did.
+struct GameEvent {
+  GameEventType type = GameEventType::kickOff;
+  Time time;
+  TeamColor team = TeamColor::red;
+  int number = 0;
+  bool ownGoal = false;
+  Penalty penalty = Penalty::none;
+  Vector2d ballPosition = Vector2d::Zero();
+  int scoreRed = 0;
+  int scoreBlue = 0;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("type", &GameEvent::type),
+        field("time", &GameEvent::time, "ms"),
+        field("team", &GameEvent::team, "",
+              "that kicks off, scores or shoots, or whose robot was put by hand"),
+        field(
+            "number", &GameEvent::number, "",
+            "goal: the player that touched the ball last, of the other team if it is an own goal; "
+            "otherwise the player concerned; 0 nobody"),
+        field("ownGoal", &GameEvent::ownGoal),
+        field("penalty", &GameEvent::penalty, "", "of a robot that is taken off the field"),
+        field("ballPosition", &GameEvent::ballPosition, "mm", "on the field"),
+        field("scoreRed", &GameEvent::scoreRed, "", "shots: of the shoot-out"),
+        field("scoreBlue", &GameEvent::scoreBlue)};
+  }
+};
+static_assert(complete<GameEvent>);
+
+/// Leads the game by the rules of 2003 (facts, 2.2): initial, ready, set, playing; goals,
+/// kick-offs, halves, balls that are stuck, penalties, and the penalty shoot-out. The clock runs
+/// from the first whistle on and does not stop; the teams keep their goals for both halves. The
+/// other team than in the first half kicks off in the second. A goal is an own goal if the defender
+/// who touched the ball last gave it its way in; one that deflects a shot on goal does not.
+///
+/// A penalized robot stands beside the field, and comes back at the halfway line, on the side away
+/// from the ball; for a kick-off all come back. Once a game controller has sent something, it
+/// leads: the referee only does what it says, until `leadByItself`.
+class Referee {
+ public:
+  Referee(const GameParameters& parameters, const RuleParameters& rules,
+          const FieldDimensions& field, const std::vector<Player>& players);
+
+  /// Looks at the world after a tick, and puts the ball and badly placed robots by hand.
+  void update(World& world);
+  /// Does what a game controller says.
+  void follow(const GameControllerMessage& message, World& world);
+  void leadByItself(Time now);
+  bool led() const { return led_; }
+
+  const GameControlData& dataFor(std::size_t robot) const { return data_[robot]; }
+  GameState state() const { return state_; }
+  int half() const { return half_; }
+  int score(TeamColor team) const { return score_[team]; }
+  TeamColor kickOff() const { return kickOff_; }
+  Penalty penalty(std::size_t robot) const { return penalties_[robot]; }
+  /// The shoot-out, once it has begun.
+  const std::optional<ShootOut>& shootOut() const { return shootOut_; }
+  /// Time left in this half, or for this shot (ms).
+  std::int64_t timeLeft(Time now) const;
+  const std::vector<GameEvent>& events() const { return events_; }
+
+  const GameParameters& parameters() const { return parameters_; }
+  const RuleParameters& rules() const { return fouls_.rules(); }
+  /// From now on.
+  void change(const GameParameters& parameters) { parameters_ = parameters; }
+  void change(const RuleParameters& rules) { fouls_.change(rules); }
+
+  /// A person's decisions.
+  void changeState(GameState state, Time now);
+  void setKickOff(TeamColor team) { kickOff_ = team; }
+  void setScore(TeamColor team, int goals, Time now);
+  /// Tells a robot of a penalty, or of its end, and leaves it where it is.
+  void setPenalty(std::size_t robot, Penalty penalty, Time now);
+  /// Takes a robot off the field for as long as the rules say.
+  void penalize(World& world, std::size_t robot, Penalty penalty);
+  /// Ends a robot's penalty and puts it back on the field.
+  void giveBack(World& world, std::size_t robot);
+  void startShootOut(World& world);
+
+ private:
+  static constexpr std::size_t nobody = ~std::size_t{0};
+
+  void beginReady(World& world);
+  void updateReady(World& world);
+  void updatePlaying(World& world);
+  void updateShot(World& world);
+  void beginShot(World& world);
+  void endShot(World& world, bool goal);
+  void penalizeFouls(World& world);
+  void giveBackWhoseTimeIsOver(World& world);
+  bool standing(const World& world);
+  void placeForKickOff(World& world);
+  bool wellPlaced(const World& world, std::size_t robot, bool inCircle) const;
+  Pose2D kickOffPose(std::size_t robot) const;
+  bool free(const World& world, const Vector2d& position, std::size_t except) const;
+  bool placeRobot(World& world, std::size_t robot, const Pose2D& wanted);
+  void putAway(World& world, std::size_t robot);
+  void countGoal(World& world);
+  void watchShots(const World& world);
+  void watchStuckBall(World& world);
+  void endHalf(World& world);
+  void finish(World& world);
+  GameEvent& record(const World& world, GameEventType type, TeamColor team, int number = 0);
+  void tellRobots(Time now);
+
+  GameParameters parameters_;
+  FieldDimensions field_;
+  std::vector<Player> players_;
+  FoulWatch fouls_;
+  std::vector<GameControlData> data_;
+  std::vector<Penalty> penalties_;
+  std::vector<bool> away_;    ///< Beside the field.
+  std::vector<Time> backAt_;  ///< When the penalty is over; never() if somebody else decides.
+  GameState state_ = GameState::initial;
+  Time stateSince_;
+  Time halfStarted_;
+  bool clockRuns_ = false;
+  bool kickedOff_ = false;  ///< The ball was played since the kick-off.
+  int half_ = 1;
+  TeamColor kickOff_;
+  EnumArray<TeamColor, int> score_;
+  std::optional<ShootOut> shootOut_;
+  std::size_t shooter_ = nobody, keeper_ = nobody;
+  bool led_ = false;
+  std::int64_t ledTimeLeft_ = 0;  ///< When it was told.
+  Time ledAt_;
+  std::vector<GameEvent> events_;
+  struct Shot {
+    int robot = -1;
+    Time time = never();
+  } shot_;  ///< The last ball on its way into the other team's goal, and whose it was.
+  std::vector<Pose2D> lastPoses_;
+  Time movedAt_;
+  Vector2d ballReference_ = Vector2d::Zero();
+  Time ballMovedAt_;
+};
+
+}  // namespace gt

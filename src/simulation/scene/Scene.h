@@ -1,0 +1,256 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/Geometry.h"
+#include "base/Result.h"
+#include "representations/infrastructure/CameraInfo.h"
+#include "representations/infrastructure/Player.h"
+#include "simulation/camera/CameraEffects.h"
+#include "simulation/scene/FilePlace.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// How truly the bodies move (design: the simulator's two fidelities). Kinematic: robots move by
+/// their own motion model. Dynamic: motors, contacts and friction move everything.
+enum class Fidelity { kinematic, dynamic };
+
+/// How much chance there is in the sensors and motions of all robots. Element `noise`.
+struct NoiseParameters {
+  double joints = 0.2;
+  double acceleration = 200;
+  double psd = 10;
+  double slip = 0.06;
+  double motion = 1;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("joints", &NoiseParameters::joints, "deg", "deviation of a measured angle", {0, 90}),
+        field("acceleration", &NoiseParameters::acceleration, "mm/s^2", "deviation", {0, 1e5}),
+        field("psd", &NoiseParameters::psd, "mm", "deviation at 900 mm, less when nearer",
+              {0, 1000}),
+        field("slip", &NoiseParameters::slip, "",
+              "a robot's steps are that share longer or shorter at most, each direction its own",
+              {0, 0.9}),
+        field("motion", &NoiseParameters::motion, "",
+              "white noise of steps; 1: 20 mm and 2 degrees over 1 m, 5 degrees over a turn",
+              {0, 100})};
+  }
+};
+static_assert(complete<NoiseParameters>);
+
+/// How balls roll and bounce. Element `physics`.
+struct BallParameters {
+  double deceleration = 250;
+  double bounceWall = 0.5;
+  double bounceRobot = 0.3;
+  double friction = 0.1;
+  double maxSpeed = 3000;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("deceleration", &BallParameters::deceleration, "mm/s^2", "rolling on the carpet",
+              {0, 1e5}),
+        field("bounceWall", &BallParameters::bounceWall, "", "coefficient of restitution", {0, 1}),
+        field("bounceRobot", &BallParameters::bounceRobot, "", "coefficient of restitution",
+              {0, 1}),
+        field("friction", &BallParameters::friction, "",
+              "share of the sliding speed that a touch takes", {0, 1}),
+        field("maxSpeed", &BallParameters::maxSpeed, "mm/s", "", {1, 4000})};
+  }
+};
+static_assert(complete<BallParameters>);
+
+/// The wireless network between the robots of a team. Element `radio`.
+struct RadioParameters {
+  double delayMin = 40;
+  double delayMax = 120;
+  double loss = 0.05;
+  bool out = false;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("delayMin", &RadioParameters::delayMin, "ms", "", {0, 10'000}),
+        field("delayMax", &RadioParameters::delayMax, "ms", "", {0, 10'000}),
+        field("loss", &RadioParameters::loss, "", "share of messages that never arrive", {0, 1}),
+        field("out", &RadioParameters::out, "", "nothing gets through")};
+  }
+};
+static_assert(complete<RadioParameters>);
+
+/// When there is a penalty shoot-out.
+enum class ShootOutMode { none, afterDraw, only };
+
+/// The game that the referee leads. Element `game`.
+struct GameParameters {
+  bool referee = true;
+  double minutes = 20;
+  TeamColor kickOff = TeamColor::red;
+  double readyTime = 20;
+  double setTime = 3;
+  double stuckTime = 20;
+  bool penalties = false;
+  ShootOutMode shootOut = ShootOutMode::none;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("referee", &GameParameters::referee, "", "false: all robots play, nobody counts"),
+        field("minutes", &GameParameters::minutes, "min", "both halves together", {0.01, 1e4}),
+        field("kickOff", &GameParameters::kickOff, "", "the team that begins"),
+        field("readyTime", &GameParameters::readyTime, "s",
+              "at most, for walking to the kick-off positions", {0, 600}),
+        field("setTime", &GameParameters::setTime, "s", "standing before the whistle", {0, 600}),
+        field("stuckTime", &GameParameters::stuckTime, "s",
+              "after which a ball that does not move is put elsewhere", {1, 600}),
+        field("penalties", &GameParameters::penalties, "",
+              "whether the referee penalizes robots, by the element rules"),
+        field("shootOut", &GameParameters::shootOut, "",
+              "a penalty shoot-out: none, after a draw, or as the whole game")};
+  }
+};
+static_assert(complete<GameParameters>);
+
+/// What the referee penalizes, after how many seconds of it; 0: never (facts, 2.2). How long robots
+/// are removed, and the penalty shoot-out. Element `rules`.
+struct RuleParameters {
+  double ballHolding = 3;
+  double keeperBallHolding = 5;
+  double keeperCharge = 3;
+  double fieldPlayerCharge = 3;
+  double illegalDefender = 3;
+  double illegalDefense = 3;
+  double obstruction = 3;
+  double requestForPickup = 15;
+  double removal = 30;
+  double obstructionRemoval = 0;
+  int shots = 5;
+  double shotTime = 60;
+
+  static constexpr auto fields() {
+    constexpr Range seconds{0, 600};
+    return Fields{
+        field("ballHolding", &RuleParameters::ballHolding, "s",
+              "a field player's, or the keeper's outside of its penalty area", seconds),
+        field("keeperBallHolding", &RuleParameters::keeperBallHolding, "s",
+              "the keeper's in its penalty area", seconds),
+        field("keeperCharge", &RuleParameters::keeperCharge, "s",
+              "walking into the other keeper in its penalty area", seconds),
+        field("fieldPlayerCharge", &RuleParameters::fieldPlayerCharge, "s",
+              "walking into any other robot of the other team", seconds),
+        field("illegalDefender", &RuleParameters::illegalDefender, "s",
+              "a field player in the own penalty area", seconds),
+        field("illegalDefense", &RuleParameters::illegalDefense, "s",
+              "in the centre circle at the other team's kick-off", seconds),
+        field("obstruction", &RuleParameters::obstruction, "s",
+              "standing in an opponent's way, far from the ball", seconds),
+        field("requestForPickup", &RuleParameters::requestForPickup, "s",
+              "lying on the side without getting up", seconds),
+        field("removal", &RuleParameters::removal, "s", "for all penalties but obstruction",
+              seconds),
+        field("obstructionRemoval", &RuleParameters::obstructionRemoval, "s", "", seconds),
+        field("shots", &RuleParameters::shots, "", "of each team in a shoot-out", {1, 100}),
+        field("shotTime", &RuleParameters::shotTime, "s", "for one shot", {1, 600})};
+  }
+};
+static_assert(complete<RuleParameters>);
+
+/// A robot of the groups `robots` (active) and `extras` (passive). Element `robot`.
+struct SceneRobot {
+  std::string name;
+  TeamColor team = TeamColor::red;
+  PlayerRole role = PlayerRole::goalie;
+  double x = 0, y = 0, rotation = 0;
+  std::string model = "../models/ers210.xml";
+  std::string layout = "../layouts/cmd.layout";
+  std::string address;
+  double bodyTilt = 0, bodyRoll = 0;
+  FilePlace place;
+
+  Player player() const { return {team, role}; }
+  Pose2D pose() const { return {normalize(fromDegrees(rotation)), x, y}; }
+
+  static constexpr auto fields() {
+    return Fields{
+        field("name", &SceneRobot::name, "", "unique; by default team and number: red1"),
+        field("team", &SceneRobot::team),
+        field("role", &SceneRobot::role),
+        field("x", &SceneRobot::x, "mm", "in the field's coordinates", {-1e4, 1e4}),
+        field("y", &SceneRobot::y, "mm", "", {-1e4, 1e4}),
+        field("rotation", &SceneRobot::rotation, "deg", "", {-360, 360}),
+        field("model", &SceneRobot::model, "", "MJCF file, from the scene's folder"),
+        field("layout", &SceneRobot::layout, "", "process layout, from the scene's folder"),
+        field("address", &SceneRobot::address, "", "hardware address, for robot.cfg"),
+        field("bodyTilt", &SceneRobot::bodyTilt, "deg",
+              "the body leans back so much more than its joints tell (report B.4.5)", {-20, 20}),
+        field("bodyRoll", &SceneRobot::bodyRoll, "deg", "likewise to the right", {-20, 20})};
+  }
+};
+
+/// A ball. Element `ball`.
+struct SceneBall {
+  double x = 0, y = 0;
+  std::string model = "../models/ball.xml";
+  FilePlace place;
+
+  Vector2d position() const { return {x, y}; }
+
+  static constexpr auto fields() {
+    return Fields{field("x", &SceneBall::x, "mm", "in the field's coordinates", {-1e4, 1e4}),
+                  field("y", &SceneBall::y, "mm", "", {-1e4, 1e4}),
+                  field("model", &SceneBall::model, "", "MJCF file, from the scene's folder")};
+  }
+};
+
+/// A simulation scene: who stands where, and how the world is (report I.4). Read from a `.scene`
+/// file. Its coordinates are the field's: origin at the centre, x to the sky-blue goal, as the red
+/// team sees it.
+struct SceneDescription {
+  std::string file;
+  std::string field = "../models/field2003.xml";
+  std::string config = "../config";
+  std::string script;
+  Fidelity fidelity = Fidelity::kinematic;
+  bool flags = true;
+  int audience = 0;
+  int referees = 0;
+  NoiseParameters noise;
+  CameraEffects camera;
+  CameraInfo optics;
+  BallParameters physics;
+  RadioParameters radio;
+  GameParameters game;
+  RuleParameters rules;
+  std::vector<SceneRobot> robots;
+  std::vector<SceneRobot> extras;
+  std::vector<SceneBall> balls;
+
+  /// A path of the scene as a path from where the program runs.
+  std::string resolve(const std::string& path) const;
+
+  static constexpr auto fields() {
+    return Fields{
+        gt::field("field", &SceneDescription::field, "", "MJCF file, from the scene's folder"),
+        gt::field("config", &SceneDescription::config, "", "folder of the configuration files"),
+        gt::field("script", &SceneDescription::script, "", "console script to begin with"),
+        gt::field("fidelity", &SceneDescription::fidelity),
+        gt::field("flags", &SceneDescription::flags, "",
+                  "whether the field has its flags: what is of the model's class flag"),
+        gt::field("audience", &SceneDescription::audience, "",
+                  "people in strong colours behind the outer wall", {0, 200}),
+        gt::field("referees", &SceneDescription::referees, "",
+                  "whose legs stand on the field, beside the walls", {0, 200})};
+  }
+};
+
+/// Most robots of a scene, active and passive together.
+constexpr std::size_t maxSceneRobots = 22;
+constexpr std::size_t maxSceneBalls = 100;
+
+/// Reads a scene file; the schema is scenes/scene.xsd. Errors name file, line and element or
+/// attribute. The models that the scene names are read by `composeModel`.
+Result<SceneDescription> loadScene(const std::string& path);
+/// The same, but all errors are added to a list; what was right is returned.
+SceneDescription loadScene(const std::string& path, std::vector<Error>& errors);
+
+}  // namespace gt

@@ -1,0 +1,93 @@
+#include "simulation/sensors/CeilingTracker.h"
+
+#include <cmath>
+
+#include "simulation/Oracle.h"
+#include "streams/Mcap.h"
+#include "streams/RecordedMessage.h"
+
+namespace gt {
+namespace {
+
+constexpr std::int64_t lost = 500;  // ms: what was not seen for so long begins anew
+
+}  // namespace
+
+void CeilingTracker::Track::follow(const Vector2d& place, Time time) {
+  // Gains for pictures 40 ms apart: a kick is followed within three of them.
+  constexpr double alpha = 0.5, beta = 0.25;
+  const double seconds = static_cast<double>(time - seen) / 1000;
+  if (time - seen > lost) {
+    *this = {place, Vector2d::Zero(), time};
+    return;
+  }
+  if (seconds <= 0) return;
+  const Vector2d expected = at(time), deviation = place - expected;
+  position = expected + alpha * deviation;
+  speed += beta / seconds * deviation;
+  seen = time;
+}
+
+Vector2d CeilingTracker::Track::at(Time time) const {
+  return position + speed * (static_cast<double>(time - seen) / 1000);
+}
+
+void CeilingTracker::update(const CeilingCameraPercept& percept) {
+  for (const MarkedRobot& robot : percept.robots) {
+    if (robot.number < 1 || robot.number > 4 || robot.teamColor > TeamColor::blue ||
+        !robot.pose.translation.allFinite() || !std::isfinite(robot.pose.rotation))
+      continue;
+    RobotTrack& track = robots_[robot.teamColor][static_cast<std::size_t>(robot.number - 1)];
+    const double turned = normalize(robot.pose.rotation - track.rotation);
+    const bool fresh = percept.time - track.place.seen > lost;
+    track.rotation = normalize(track.rotation + (fresh ? 1 : 0.5) * turned);
+    track.place.follow(robot.pose.translation, percept.time);
+  }
+  if (percept.ballSeen && percept.ball.allFinite()) ball_.follow(percept.ball, percept.time);
+}
+
+bool CeilingTracker::tell(TeamColor team, int number, Time now, OracledWorldState& state) const {
+  const RobotTrack& self = robots_[team][static_cast<std::size_t>(number - 1)];
+  if (now - self.place.seen > lost) return false;
+  state.time = now;
+  state.robotPose = toTeam(team, Pose2D{self.rotation, self.place.at(now)});
+  const bool ballSeen = now - ball_.seen <= lost;
+  state.ballPosition = toTeam(team, ballSeen ? ball_.at(now) : ball_.position);
+  state.ballSpeed = ballSeen ? toTeam(team, ball_.speed) : Vector2d::Zero();
+  state.others.clear();
+  for (const TeamColor color : {TeamColor::red, TeamColor::blue})
+    for (int i = 1; i <= 4; ++i) {
+      const RobotTrack& other = robots_[color][static_cast<std::size_t>(i - 1)];
+      if ((color == team && i == number) || now - other.place.seen > lost) continue;
+      state.others.push_back({color, i, toTeam(team, Pose2D{other.rotation, other.place.at(now)})});
+    }
+  return true;
+}
+
+Result<std::vector<CeilingCameraPercept>> readCeilingLog(const std::string& path) {
+  auto reader = McapReader::open(path);
+  if (!reader) return reader.error();
+  std::optional<MessageDefinition> definition;
+  std::uint16_t channel = 0;
+  for (const McapChannel& c : reader->channels())
+    if (c.topic == "/CeilingCameraPercept") {
+      auto parsed = MessageDefinition::parse(c.schemaName, c.schemaText);
+      if (!parsed) return Error{path, 0, c.topic, parsed.error().what};
+      definition = *std::move(parsed);
+      channel = c.id;
+    }
+  if (!definition) return Error{path, 0, "/CeilingCameraPercept", "there is no such topic"};
+  std::vector<CeilingCameraPercept> percepts;
+  for (;;) {
+    auto message = reader->next();
+    if (!message) return message.error();
+    if (!*message) return percepts;
+    if ((*message)->channel != channel) continue;
+    CeilingCameraPercept percept;
+    if (auto done = readRecorded(*definition, (*message)->data, percept); !done)
+      return Error{path, 0, "/CeilingCameraPercept", done.error().what};
+    percepts.push_back(std::move(percept));
+  }
+}
+
+}  // namespace gt

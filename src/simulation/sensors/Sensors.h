@@ -1,0 +1,41 @@
+#pragma once
+#include <functional>
+
+#include "base/Random.h"
+#include "representations/infrastructure/SensorData.h"
+#include "simulation/world/World.h"
+
+namespace gt {
+
+/// Measures for one robot what its body's sensors would tell, with noise of its own (report 5.1.1).
+class Sensors {
+ public:
+  Sensors(const NoiseParameters& noise, const Random& random);
+
+  /// The readings of this tick. May run for several robots at once: the world is only read.
+  void read(const World& world, std::size_t robot, SensorData& readings);
+
+  /// Presses or releases a switch by hand (report I.3); paws are also pressed by the ground.
+  void press(Switch which, bool pressed) { pressed_[which] = pressed; }
+  bool isPressed(Switch which) const { return pressed_[which]; }
+
+  /// How noisy they are from now on.
+  const NoiseParameters& noise() const { return noise_; }
+  void change(const NoiseParameters& noise) { noise_ = noise; }
+
+ private:
+  NoiseParameters noise_;
+  Random random_;
+  EnumArray<Switch, bool> pressed_;
+};
+
+/// How far it is from a point on the field along a direction to the first thing, at most `range`
+/// (mm). `passes` tells of a geom whether it is transparent.
+double rayDistance(const World& world, const Vector3d& from, const Vector3d& direction,
+                   double range, const std::function<bool(int geom)>& passes);
+
+/// How far it is from a robot's distance sensor to the first thing ahead, at most `range` (mm).
+/// The robot's own body is transparent.
+double rayDistance(const World& world, std::size_t robot, double range);
+
+}  // namespace gt

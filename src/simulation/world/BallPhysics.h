@@ -1,0 +1,50 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "simulation/world/Obstacles.h"
+#include "simulation/world/World.h"
+
+namespace gt {
+
+/// Moves a ball on the ground: it rolls, slows down, bounces off walls, and is pushed and kicked by
+/// whatever part of a robot touches it. MuJoCo tells where sphere and geoms touch; pairs are chosen
+/// here, by distance.
+class BallPhysics {
+ public:
+  /// What a ball can meet in this tick.
+  struct Surroundings {
+    const std::vector<RobotParts>& parts;
+    const std::vector<RobotBody>& robots;
+    const std::vector<bool>& placed;
+    const Obstacles& obstacles;
+    Time time;
+  };
+
+  BallPhysics(const BallParameters& parameters, const mjModel& model);
+
+  /// Keeps, at the end of a tick, the poses of the parts that a ball may meet in the next one;
+  /// their speeds follow from them.
+  void rememberGeoms(const mjData& data, std::span<const RobotParts> parts,
+                     std::span<const RobotBody> robots, std::span<const BallState> balls);
+
+  /// Moves the ball by one tick. `data` holds the robots' poses after their own motion; the ball's
+  /// own place in it is used for the tests.
+  void step(BallState& ball, const BallParts& parts, mjData& data, const Surroundings& around);
+
+ private:
+  bool touchRobots(BallState& ball, const BallParts& parts, mjData& data,
+                   const Surroundings& around, double& pushLeft);
+  bool touchGeom(BallState& ball, const BallParts& parts, mjData& data, int geom, bool still,
+                 const Vector2d& robotCenter, double& pushLeft);
+  void bounceOffWalls(BallState& ball, double radius, const Obstacles& obstacles) const;
+  void bounce(BallState& ball, const Vector2d& normal, const Vector2d& surfaceSpeed,
+              double restitution) const;
+  Vector2d speedOfGeom(const mjData& data, int geom, const mjtNum* point) const;
+
+  BallParameters parameters_;
+  const mjModel& model_;
+  std::vector<mjtNum> positions_, rotations_;
+};
+
+}  // namespace gt

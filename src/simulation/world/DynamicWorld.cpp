@@ -1,0 +1,330 @@
+#include "simulation/world/DynamicWorld.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "representations/infrastructure/RobotDimensions.h"
+
+namespace gt {
+namespace {
+
+constexpr int stepsPerTick = 2;
+constexpr double stepSeconds = tickSeconds / stepsPerTick;
+constexpr double gravity = 9.81;       // m/s^2
+constexpr double gearInertia = 6e-4;   // kg m^2, of a motor as seen from behind its gear; ESTIMATE
+constexpr double groundGap = 0.0005;   // m: the floor lies that far below the carpet's surface
+constexpr std::int64_t heldMs = 1500;  // how long robots are held at most when they are switched on
+constexpr double fastest = 20, widestTurn = 100;  // m/s, rad/s: no body moves faster
+constexpr double fallen = 0.5;  // cosine of the angle between the body's z and the vertical
+
+// What a geom is, as bits of its contype: one for each robot, since all meet all others.
+constexpr int floorBit = 1, wallBit = 2, ballBit = 4, firstRobotBit = 8;
+static_assert(maxSceneRobots <= 28);
+
+Vector3d threeOf(const mjtNum* numbers) {
+  return Eigen::Map<const Vector3d>(numbers);
+}
+
+/// How far the lowest point of a geom lies below its centre (m).
+double reachDown(const mjModel& model, const mjData& data, int geom) {
+  const mjtNum* size = model.geom_size + 3 * geom;
+  const mjtNum* toWorld = data.geom_xmat + 9 * geom;
+  const double x = std::abs(toWorld[6]), y = std::abs(toWorld[7]), z = std::abs(toWorld[8]);
+  switch (model.geom_type[geom]) {
+    case mjGEOM_SPHERE:
+      return size[0];
+    case mjGEOM_CAPSULE:
+      return size[0] + z * size[1];
+    case mjGEOM_CYLINDER:
+      return std::hypot(x, y) * size[0] + z * size[1];
+    case mjGEOM_BOX:
+      return x * size[0] + y * size[1] + z * size[2];
+    default:
+      return model.geom_rbound[geom];
+  }
+}
+
+}  // namespace
+
+DynamicWorld::DynamicWorld(const SceneDescription& scene, Model model)
+    : World(scene, std::move(model)), ballParameters_(scene.physics), obstacles_(*model_) {}
+
+Result<std::unique_ptr<World>> DynamicWorld::make(const SceneDescription& scene, Model model) {
+  std::unique_ptr<DynamicWorld> world{new DynamicWorld{scene, std::move(model)}};
+  if (auto found = world->findParts(scene); !found) return found.error();
+  world->prepareModel();
+  world->prepareContacts();
+  // As they stand up from the power-on pose: on straight legs.
+  world->putByHand();
+  for (std::size_t i = 0; i < world->robots_.size(); ++i) world->readRobot(i);
+  return std::unique_ptr<World>{std::move(world)};
+}
+
+void DynamicWorld::prepareModel() {
+  mjModel& model = *model_;
+  model.opt.timestep = stepSeconds;
+  model.opt.solver = mjSOL_NEWTON;  // three rounds on average, where the others need ten to twenty
+  model.opt.gravity[2] = -gravity;
+  for (const RobotParts& parts : parts_) {
+    Motors motors;
+    motors.firstDof = model.body_dofadr[parts.body];
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+      motors.servos.emplace_back(static_cast<Joint>(j));
+    motors_.push_back(std::move(motors));
+  }
+  for (std::size_t i = 0; i < motors_.size(); ++i)
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
+      const int dof = jointDof(i, j);
+      model.dof_damping[dof] = motors_[i].servos[j].gains().d;
+      model.dof_armature[dof] = gearInertia;
+    }
+  // A force of rolling friction m g c / r on the ball slows it down by 5/7 g c / r.
+  for (const BallParts& ball : ballParts_)
+    model.geom_friction[3 * ball.geom + 2] =
+        ballParameters_.deceleration / 1000 * 1.4 * ball.radius / 1000 / gravity;
+}
+
+void DynamicWorld::prepareContacts() {
+  mjModel& model = *model_;
+  robotOfBody_.assign(static_cast<std::size_t>(model.nbody), -1);
+  ballOfBody_ = robotOfBody_;
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    robotOfBody_[static_cast<std::size_t>(parts_[i].body)] = static_cast<int>(i);
+  for (std::size_t i = 0; i < ballParts_.size(); ++i)
+    ballOfBody_[static_cast<std::size_t>(ballParts_[i].body)] = static_cast<int>(i);
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    if (model.geom_contype[geom] == 0) continue;
+    const auto root = static_cast<std::size_t>(model.body_rootid[model.geom_bodyid[geom]]);
+    model.geom_conaffinity[geom] = 0;
+    if (const int robot = robotOfBody_[root]; robot >= 0) {
+      model.geom_contype[geom] = firstRobotBit << robot;
+      motors_[static_cast<std::size_t>(robot)].solidGeoms.push_back(geom);
+    } else if (ballOfBody_[root] >= 0) {
+      model.geom_contype[geom] = ballBit;
+      model.geom_conaffinity[geom] = floorBit | wallBit | ballBit;
+    } else {
+      model.geom_contype[geom] = model.geom_type[geom] == mjGEOM_PLANE ? floorBit : wallBit;
+    }
+  }
+}
+
+void DynamicWorld::lookAround() {
+  // MuJoCo tests each geom against each other that its bits allow, so they allow only what is near.
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const Vector2d& center = robots_[i].pose.translation;
+    const double reach = parts_[i].reach;
+    int bits = floorBit;
+    Vector2d pushed = center;
+    obstacles_.pushOut(pushed, reach, [&](const Vector2d&) { bits |= wallBit; });
+    for (std::size_t b = 0; b < balls_.size(); ++b)
+      if ((balls_[b].position - center).norm() < reach + ballParts_[b].radius) bits |= ballBit;
+    for (std::size_t other = 0; other < i; ++other)
+      if ((robots_[other].pose.translation - center).norm() < reach + parts_[other].reach)
+        bits |= firstRobotBit << other;
+    for (const int geom : motors_[i].solidGeoms) model_->geom_conaffinity[geom] = bits;
+  }
+}
+
+int DynamicWorld::jointDof(std::size_t robot, std::size_t joint) const {
+  // Behind the 7 coordinates and 6 degrees of freedom of the body each joint has one of both.
+  const RobotParts& parts = parts_[robot];
+  return motors_[robot].firstDof + parts.jointAddress.values[joint] - parts.poseAddress - 1;
+}
+
+void DynamicWorld::step(std::span<const RobotCommand> commands) {
+  for (std::size_t i = 0; i < std::min(activeRobots(), commands.size()); ++i)
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+      motors_[i].servos[j].setTarget(commands[i].joints.values[j]);
+  holdRobots();
+  putByHand();
+  lookAround();
+  for (int n = 0; n < stepsPerTick; ++n) {
+    drive();
+    mj_step(model_.get(), data_.get());
+  }
+  undoIfBroken();
+  updateKinematics();
+  for (std::size_t i = 0; i < robots_.size(); ++i) readRobot(i);
+  for (std::size_t i = 0; i < balls_.size(); ++i) readBall(i);
+  readContacts();
+  advanceTime();
+}
+
+void DynamicWorld::drive() {
+  for (std::size_t i = 0; i < motors_.size(); ++i)
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
+      const double angle = data_->qpos[parts_[i].jointAddress.values[j]];
+      data_->qfrc_applied[jointDof(i, j)] = motors_[i].servos[j].torque(angle, stepSeconds);
+    }
+}
+
+void DynamicWorld::holdRobots() {
+  // Nobody lets go of a robot that was switched on before its legs are where they shall be.
+  if (time().ms >= heldMs) return;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (!motors_[i].held) continue;
+    motors_[i].held = false;
+    for (Servo& servo : motors_[i].servos) {
+      const auto j = static_cast<std::size_t>(&servo - motors_[i].servos.data());
+      robots_[i].joints.values[j] = servo.turnFreely(tickSeconds);
+      motors_[i].held |= !servo.atTarget();
+    }
+    placed_[i] = true;
+  }
+}
+
+void DynamicWorld::putByHand() {
+  bool any = false;
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    if (placed_[i]) {
+      putRobot(i);
+      any = true;
+    }
+  for (std::size_t i = 0; i < balls_.size(); ++i)
+    if (placedBalls_[i]) {
+      writeBall(i);
+      mjtNum* speed = data_->qvel + model_->body_dofadr[ballParts_[i].body];
+      std::fill_n(speed, 6, 0);
+      const double radius = ballParts_[i].radius;
+      for (int k = 0; k < 2; ++k) speed[k] = balls_[i].speed[k] / 1000;
+      speed[3] = -balls_[i].speed.y() / radius;  // it rolls
+      speed[4] = balls_[i].speed.x() / radius;
+      placedBalls_[i] = false;
+      any = true;
+    }
+  if (any) updateKinematics();
+}
+
+void DynamicWorld::putRobot(std::size_t i) {
+  RobotBody& robot = robots_[i];
+  robot.tilt = 0;
+  robot.roll = robot.posture == Posture::standing      ? 0
+               : robot.posture == Posture::onRightSide ? pi / 2
+                                                       : -pi / 2;
+  writeRobot(i);
+  updateKinematics();
+  robot.height -= 1000 * (lowestPoint(i) + groundGap);
+  writeRobot(i);
+  std::fill_n(data_->qvel + motors_[i].firstDof, 6 + enumCount<Joint>, 0);
+  for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+    motors_[i].servos[j].rest(robot.joints.values[j]);
+}
+
+double DynamicWorld::lowestPoint(std::size_t i) const {
+  double lowest = std::numeric_limits<double>::max();
+  for (int geom = parts_[i].firstGeom; geom < parts_[i].lastGeom; ++geom)
+    if (model_->geom_contype[geom] != 0)
+      lowest = std::min(lowest, data_->geom_xpos[3 * geom + 2] - reachDown(*model_, *data_, geom));
+  return lowest;
+}
+
+Vector3d DynamicWorld::speedOf(std::size_t robot) const {
+  return threeOf(data_->qvel + motors_[robot].firstDof);
+}
+
+void DynamicWorld::readRobot(std::size_t i) {
+  RobotBody& robot = robots_[i];
+  const RobotParts& parts = parts_[i];
+  const Matrix3d rotation = rotationFromMuJoCo(data_->xmat + 9 * parts.body);
+  const Vector3d origin = fromMuJoCo(data_->xpos + 3 * parts.body);
+  const Vector2d before = robot.pose.translation;
+  robot.pose = {std::atan2(rotation(1, 0), rotation(0, 0)), origin.head<2>()};
+  robot.height = origin.z();
+  robot.tilt = std::asin(std::clamp(rotation(2, 0), -1., 1.));
+  robot.roll = std::atan2(rotation(2, 1), rotation(2, 2));
+  if (!placed_[i]) robot.walked += (robot.pose.translation - before).norm();
+  for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+    robot.joints.values[j] = data_->qpos[parts.jointAddress.values[j]];
+  robot.posture = rotation(2, 2) > fallen ? Posture::standing
+                  : rotation(2, 1) > 0    ? Posture::onRightSide
+                                          : Posture::onLeftSide;
+  const Vector3d speed = speedOf(i);
+  const Vector3d change = placed_[i] ? Vector3d{0, 0, 0} : Vector3d{speed - motors_[i].speed};
+  motors_[i].speed = speed;
+  const Vector3d felt = 1000 * (change / tickSeconds + Vector3d{0, 0, gravity});
+  robot.specificForce = rotation.transpose() * felt;
+}
+
+void DynamicWorld::readBall(std::size_t i) {
+  const mjtNum* position = data_->qpos + ballParts_[i].poseAddress;
+  const mjtNum* speed = data_->qvel + model_->body_dofadr[ballParts_[i].body];
+  balls_[i].position = {1000 * position[0], 1000 * position[1]};
+  balls_[i].speed = {1000 * speed[0], 1000 * speed[1]};
+}
+
+void DynamicWorld::readContacts() {
+  for (RobotBody& robot : robots_) {
+    robot.footOnGround.fill(false);
+    robot.pushes = -1;
+    robot.blocked = false;
+  }
+  for (int n = 0; n < data_->ncon; ++n) {
+    const mjContact& contact = data_->contact[n];
+    touch(contact.geom1, contact.geom2);
+    touch(contact.geom2, contact.geom1);
+  }
+}
+
+void DynamicWorld::touch(int geom, int other) {
+  const auto rootOf = [&](int g) {
+    return static_cast<std::size_t>(model_->body_rootid[model_->geom_bodyid[g]]);
+  };
+  const int robot = robotOfBody_[rootOf(geom)];
+  if (robot < 0) return;
+  const auto i = static_cast<std::size_t>(robot);
+  if (const int ball = ballOfBody_[rootOf(other)]; ball >= 0) {
+    balls_[static_cast<std::size_t>(ball)].lastToucher = robot;
+    balls_[static_cast<std::size_t>(ball)].lastTouched = time();
+  } else if (model_->geom_type[other] != mjGEOM_PLANE)
+    meet(i, robotOfBody_[rootOf(other)]);
+  if (model_->geom_type[other] != mjGEOM_PLANE || model_->geom_type[geom] != mjGEOM_SPHERE) return;
+  for (std::size_t leg = 0; leg < parts_[i].footSites.size(); ++leg)
+    if (model_->geom_bodyid[geom] == model_->site_bodyid[parts_[i].footSites[leg]])
+      robots_[i].footOnGround[leg] = true;
+}
+
+void DynamicWorld::meet(std::size_t robot, int other) {
+  robots_[robot].blocked = true;
+  if (other < 0) return;
+  constexpr double walking = 0.02;  // m/s
+  const Vector2d way =
+      robots_[static_cast<std::size_t>(other)].pose.translation - robots_[robot].pose.translation;
+  if (motors_[robot].speed.head<2>().dot(way) > walking * way.norm()) robots_[robot].pushes = other;
+}
+
+void DynamicWorld::undoIfBroken() {
+  // MuJoCo starts anew from the model's pose when numbers get out of hand; then all goes on from
+  // where it last was, at rest.
+  const auto coordinates = static_cast<std::size_t>(model_->nq);
+  bool broken = false;
+  for (const mjtWarning warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
+    broken |= data_->warning[warning].number > 0;
+    data_->warning[warning].number = 0;
+  }
+  if (broken && goodPositions_.size() == coordinates) {
+    std::copy_n(goodPositions_.begin(), coordinates, data_->qpos);
+    std::fill_n(data_->qvel, model_->nv, 0);
+    std::fill_n(data_->qacc_warmstart, model_->nv, 0);
+  }
+  for (const RobotParts& parts : parts_) slowDown(parts.poseAddress, parts.body);
+  for (const BallParts& ball : ballParts_) slowDown(ball.poseAddress, ball.body);
+  goodPositions_.assign(data_->qpos, data_->qpos + coordinates);
+}
+
+void DynamicWorld::slowDown(int poseAddress, int body) {
+  // Whoever was put into something else is pushed out of it, and may be shot across the field.
+  mjtNum* speed = data_->qvel + model_->body_dofadr[body];
+  const double tooFast =
+      std::max(threeOf(speed).norm() / fastest, threeOf(speed + 3).norm() / widestTurn);
+  if (tooFast <= 1) return;
+  int dofs = 6;  // of the body, then one of each joint
+  while (model_->body_dofadr[body] + dofs < model_->nv &&
+         model_->body_rootid[model_->dof_bodyid[model_->body_dofadr[body] + dofs]] == body)
+    ++dofs;
+  std::fill_n(speed, dofs, 0);
+  if (!goodPositions_.empty())
+    std::copy_n(goodPositions_.begin() + poseAddress, dofs + 1, data_->qpos + poseAddress);
+}
+
+}  // namespace gt

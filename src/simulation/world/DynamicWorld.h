@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "simulation/world/Obstacles.h"
+#include "simulation/world/Servo.h"
+#include "simulation/world/World.h"
+
+namespace gt {
+
+/// The dynamic fidelity: servo motors, masses, contacts and friction move everything, by MuJoCo.
+/// Robots walk with their legs, kick with their bodies, can fall over and get up; what a robot
+/// believes to walk moves nothing. Geoms that touch others are those that the models mark by
+/// `contype`; the parts of one robot do not touch each other.
+class DynamicWorld : public World {
+ public:
+  static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model);
+
+  void step(std::span<const RobotCommand> commands) override;
+  void moveGeom(int geom, const Vector3d& position) override {
+    World::moveGeom(geom, position);
+    obstacles_ = Obstacles{*model_};
+  }
+
+ private:
+  /// A robot's motors, and what is to be known of it for measuring.
+  struct Motors {
+    std::vector<Servo> servos;  ///< In the order of Joint.
+    std::vector<int> solidGeoms;
+    int firstDof = 0;  ///< Of the body; those of the joints follow it.
+    Vector3d speed = Vector3d::Zero();
+    bool held = true;  ///< In somebody's hand, since it was switched on.
+  };
+
+  DynamicWorld(const SceneDescription& scene, Model model);
+
+  void prepareModel();
+  void prepareContacts();
+  void lookAround();
+  int jointDof(std::size_t robot, std::size_t joint) const;
+  void drive();
+  void holdRobots();
+  void putByHand();
+  void putRobot(std::size_t i);
+  double lowestPoint(std::size_t i) const;
+  void readRobot(std::size_t i);
+  void readBall(std::size_t i);
+  void readContacts();
+  /// Notes for the robot that the first geom is part of what it touches.
+  void touch(int geom, int other);
+  /// A robot touches another one, or a wall (-1).
+  void meet(std::size_t robot, int other);
+  void undoIfBroken();
+  /// Puts a body that moves as nothing can back to where it was before the tick, at rest.
+  void slowDown(int poseAddress, int body);
+  Vector3d speedOf(std::size_t robot) const;
+
+  BallParameters ballParameters_;
+  Obstacles obstacles_;
+  std::vector<Motors> motors_;
+  std::vector<int> robotOfBody_;       ///< By root body; -1: none.
+  std::vector<int> ballOfBody_;        ///< By root body; -1: none.
+  std::vector<mjtNum> goodPositions_;  ///< qpos after the last tick.
+};
+
+}  // namespace gt

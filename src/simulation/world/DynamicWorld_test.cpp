@@ -1,0 +1,153 @@
+#include "simulation/world/DynamicWorld.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/TestScenes.h"
+
+namespace gt {
+namespace {
+
+SceneDescription dynamicDuel(const Pose2D& robot, const Vector2d& ball) {
+  SceneDescription scene = duelScene(robot, ball);
+  scene.fidelity = Fidelity::dynamic;
+  return scene;
+}
+
+/// Legs under the body's centre of mass, which lies ahead of its middle.
+JointAngles firmStand() {
+  JointAngles angles = standing();
+  for (const Leg leg : {Leg::hindRight, Leg::hindLeft}) {
+    angles[legJoint(leg, 1)] = fromDegrees(-30);
+    angles[legJoint(leg, 3)] = fromDegrees(60);
+  }
+  for (const Leg leg : {Leg::foreRight, Leg::foreLeft}) {
+    angles[legJoint(leg, 1)] = fromDegrees(-10);
+    angles[legJoint(leg, 3)] = fromDegrees(60);
+  }
+  return angles;
+}
+
+void run(World& world, const JointAngles& angles, int ticks) {
+  const std::vector<RobotCommand> commands(world.activeRobots(), {angles, {}});
+  for (int i = 0; i < ticks; ++i) world.step(commands);
+}
+
+TEST(DynamicWorld, standsOnItsMotors) {
+  const auto world = worldOf(dynamicDuel({0.5, -300, 200}, {1000, 0}));
+  run(*world, firmStand(), 500);
+  const RobotBody& robot = world->robot(0);
+  EXPECT_EQ(robot.posture, Posture::standing);
+  EXPECT_LT((robot.pose.translation - Vector2d{-300, 200}).norm(), 40);
+  EXPECT_NEAR(robot.specificForce.norm(), 9810, 100);
+  EXPECT_GE(std::count(robot.footOnGround.begin(), robot.footOnGround.end(), true), 3);
+  // A motor gives way by some degrees under its load, and not by more.
+  for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+    EXPECT_NEAR(robot.joints.values[j], firmStand().values[j], fromDegrees(4)) << j;
+}
+
+TEST(DynamicWorld, whatARobotBelievesToWalkMovesNothing) {
+  const auto world = worldOf(dynamicDuel({}, {1000, 0}));
+  run(*world, firmStand(), 250);
+  const Vector2d before = world->robot(0).pose.translation;
+  const RobotCommand command{firmStand(), Pose2D{0, 2, 0}};
+  for (int i = 0; i < 125; ++i) world->step({&command, 1});
+  EXPECT_LT((world->robot(0).pose.translation - before).norm(), 3);
+}
+
+TEST(DynamicWorld, aThrownRobotFeelsItsSide) {
+  const auto world = worldOf(dynamicDuel({}, {1000, 0}));
+  run(*world, firmStand(), 250);
+  world->throwOver(0, Posture::onLeftSide);
+  run(*world, firmStand(), 250);
+  EXPECT_EQ(world->robot(0).posture, Posture::onLeftSide);
+  EXPECT_LT(world->robot(0).specificForce.y(), -8500);  // the ground pushes from the left
+  EXPECT_LT(world->robot(0).height, 90);
+  world->standUp(0);
+  run(*world, firmStand(), 250);
+  EXPECT_EQ(world->robot(0).posture, Posture::standing);
+  EXPECT_GT(world->robot(0).specificForce.z(), 9500);
+}
+
+TEST(DynamicWorld, aRobotPushedOverItsFeetFalls) {
+  const auto world = worldOf(dynamicDuel({}, {1000, 0}));
+  run(*world, firmStand(), 250);
+  JointAngles leaning = firmStand();
+  for (const Leg leg : {Leg::foreRight, Leg::hindRight}) leaning[legJoint(leg, 3)] = 2.5;
+  for (const Leg leg : {Leg::foreLeft, Leg::hindLeft}) leaning[legJoint(leg, 2)] = -0.19;
+  double most = 0;
+  for (int i = 0; i < 250; ++i) {
+    run(*world, leaning, 1);
+    most = std::max(most, world->robot(0).roll);
+  }
+  EXPECT_GT(most, fromDegrees(15));  // to its right side
+}
+
+TEST(DynamicWorld, aBallRollsOutAndBounces) {
+  const auto world = worldOf(dynamicDuel({0, -1500, -800}, {0, 0}));
+  const double deceleration = matchScene().physics.deceleration;
+  world->placeBall(0, {-1000, 500}, {800, 0});
+  run(*world, firmStand(), 125);
+  EXPECT_NEAR(world->ball(0).speed.x(), 800 - deceleration, 0.12 * deceleration);
+  EXPECT_NEAR(world->ball(0).position.x(), -1000 + 800 - deceleration / 2, 30);
+  world->placeBall(0, {0, 1000}, {0, 1200});
+  run(*world, firmStand(), 60);
+  EXPECT_LT(world->ball(0).speed.y(), -50);
+  run(*world, firmStand(), 1000);
+  EXPECT_LT(world->ball(0).speed.norm(), 20);
+  EXPECT_LT(std::abs(world->ball(0).position.y()), 1310);
+}
+
+TEST(DynamicWorld, legsMoveTheBallAndAreRemembered) {
+  const auto world = worldOf(dynamicDuel({}, {180, -60}));
+  run(*world, firmStand(), 250);
+  world->placeBall(0, {150, -60});
+  JointAngles kick = firmStand();
+  kick[Joint::legFR1] = fromDegrees(60);
+  kick[Joint::legFR3] = 0;
+  run(*world, kick, 60);
+  EXPECT_GT(world->ball(0).position.x(), 160);
+  EXPECT_EQ(world->ball(0).lastToucher, 0);
+}
+
+TEST(DynamicWorld, survivesAnything) {
+  SceneDescription scene = matchScene();
+  scene.fidelity = Fidelity::dynamic;
+  const auto world = worldOf(scene);
+  Random random{5};
+  std::vector<RobotCommand> commands(world->activeRobots());
+  for (int i = 0; i < 1500; ++i) {
+    if (i % 40 == 0)
+      for (RobotCommand& command : commands) {
+        command.joints = randomAngles(random);
+        if (random.uniform() < 0.1) command.joints.values.fill(std::nan(""));
+      }
+    if (i % 100 == 0) world->placeRobot(i / 100 % 8, {random.uniform(-3, 3), 0, 0});
+    if (i % 250 == 0) world->throwOver(i / 250 % 8, Posture::onRightSide);
+    world->step(commands);
+    for (std::size_t r = 0; r < world->robotCount(); ++r) {
+      const RobotBody& robot = world->robot(r);
+      ASSERT_TRUE(robot.pose.translation.allFinite()) << i;
+      ASSERT_GT(robot.height, 10) << i;
+      ASSERT_LT(robot.height, 450) << i;
+      ASSERT_LT(std::abs(robot.pose.translation.x()), 2500) << i;
+      ASSERT_LT(std::abs(robot.pose.translation.y()), 1500) << i;
+    }
+    ASSERT_TRUE(world->ball(0).position.allFinite());
+  }
+}
+
+TEST(DynamicWorld, theSameCommandsGiveTheSameBits) {
+  const auto one = worldOf(dynamicDuel({}, {200, 0}), 1);
+  const auto other = worldOf(dynamicDuel({}, {200, 0}), 2);  // nothing in it is left to chance
+  Random random{6};
+  for (int i = 0; i < 20; ++i) {
+    const JointAngles angles = randomAngles(random);
+    run(*one, angles, 25);
+    run(*other, angles, 25);
+    ASSERT_EQ(one->robot(0).joints.values, other->robot(0).joints.values);
+    ASSERT_EQ(one->ball(0).position, other->ball(0).position);
+  }
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,218 @@
+#include "simulation/world/KinematicWorld.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "representations/infrastructure/RobotDimensions.h"
+#include "simulation/world/Stance.h"
+
+namespace gt {
+namespace {
+
+/// A robot seen from above: two discs.
+constexpr double footprintRadius = 78;
+constexpr std::array<double, 2> footprintX{62, -55};
+
+/// How fast a servo closes in on its target below its top speed.
+constexpr double servoTime = 0.012;
+
+/// Points of the trunk that rest on the ground when the legs do not reach it, and the radius of a
+/// knee.
+const GroundPoint chest{{66, 0, -12}, 28}, rump{{-82, 0, -38}, 0};
+constexpr double kneeRadius = 14;
+
+Vector2d disc(const Pose2D& pose, double x) {
+  return pose.translation + x * direction(pose.rotation);
+}
+
+bool finite(const Pose2D& pose) {
+  return std::isfinite(pose.rotation) && pose.translation.allFinite();
+}
+
+/// A step of one tick, at most as long as a robot could ever make it.
+Pose2D limited(const Pose2D& step) {
+  constexpr double longest = 8, widestTurn = 0.1;
+  if (!finite(step)) return {};
+  Pose2D result{std::clamp(step.rotation, -widestTurn, widestTurn), step.translation};
+  if (const double length = step.translation.norm(); length > longest)
+    result.translation *= longest / length;
+  return result;
+}
+
+}  // namespace
+
+KinematicWorld::KinematicWorld(const SceneDescription& scene, Model model, const Random& random)
+    : World(scene, std::move(model)),
+      noise_(scene.noise),
+      obstacles_(*model_),
+      ballPhysics_(scene.physics, *model_) {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Walking walking;
+    walking.random = random.fork("walking " + std::to_string(i));
+    for (double* factor : {&walking.forward, &walking.sideways, &walking.turn})
+      *factor = 1 + noise_.slip * walking.random.symmetric();
+    walking_.push_back(walking);
+  }
+  clear_.resize(robots_.size());
+  from_.resize(robots_.size());
+  ways_.resize(robots_.size());
+}
+
+Result<std::unique_ptr<World>> KinematicWorld::make(const SceneDescription& scene, Model model,
+                                                    const Random& random) {
+  std::unique_ptr<KinematicWorld> world{new KinematicWorld{scene, std::move(model), random}};
+  if (auto found = world->findParts(scene); !found) return found.error();
+  // The robots begin as they would stand up from the power-on pose: on straight legs.
+  for (std::size_t i = 0; i < world->balls_.size(); ++i) world->writeBall(i);
+  for (std::size_t i = 0; i < world->robots_.size(); ++i) world->setStance(i);
+  world->updateKinematics();
+  return std::unique_ptr<World>{std::move(world)};
+}
+
+void KinematicWorld::step(std::span<const RobotCommand> commands) {
+  ballPhysics_.rememberGeoms(*data_, parts_, robots_, balls_);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    from_[i] = robots_[i].pose.translation;
+    ways_[i].setZero();
+    robots_[i].pushes = -1;
+  }
+  for (std::size_t i = 0; i < std::min(activeRobots(), commands.size()); ++i) {
+    moveJoints(robots_[i], commands[i].joints);
+    walk(i, limited(commands[i].step));
+  }
+  partRobots();
+  for (std::size_t i = 0; i < robots_.size(); ++i) noteBlocked(i);
+  for (std::size_t i = 0; i < robots_.size(); ++i) setStance(i);
+  updateKinematics();
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const BallPhysics::Surroundings around{parts_, robots_, placed_, obstacles_, time()};
+    ballPhysics_.step(balls_[i], ballParts_[i], *data_, around);
+    writeBall(i);
+  }
+  advanceTime();
+}
+
+void KinematicWorld::moveJoints(RobotBody& robot, const JointAngles& targets) const {
+  const double share = 1 - std::exp(-tickSeconds / servoTime);
+  for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
+    const JointLimits limits = limitsOf(static_cast<Joint>(j));
+    if (!std::isfinite(targets.values[j])) continue;
+    const double target = std::clamp(targets.values[j], limits.low, limits.high);
+    const double fastest = limits.speed * tickSeconds;
+    double& angle = robot.joints.values[j];
+    angle += std::clamp(share * (target - angle), -fastest, fastest);
+  }
+}
+
+void KinematicWorld::walk(std::size_t i, const Pose2D& step) {
+  RobotBody& robot = robots_[i];
+  const double length = step.translation.norm();
+  if (robot.posture != Posture::standing || (length == 0 && step.rotation == 0)) return;
+  Walking& walking = walking_[i];
+  // White noise: the deviation grows with the root of the way.
+  const double translationNoise = noise_.motion * 20 * std::sqrt(length / 1000);
+  const double rotationNoise =
+      noise_.motion * (fromDegrees(2) * std::sqrt(length / 1000) +
+                       fromDegrees(5) * std::sqrt(std::abs(step.rotation) / (2 * pi)));
+  Pose2D real;
+  real.translation = {walking.forward * step.translation.x(),
+                      walking.sideways * step.translation.y()};
+  real.translation.x() += translationNoise * walking.random.gaussian();
+  real.translation.y() += translationNoise * walking.random.gaussian();
+  real.rotation = walking.turn * step.rotation + rotationNoise * walking.random.gaussian();
+  robot.pose = robot.pose * real;
+  ways_[i] = robot.pose.translation - from_[i];
+  robot.walked += real.translation.norm();
+}
+
+bool KinematicWorld::partPair(std::size_t a, std::size_t b) {
+  constexpr double reach = 2 * (footprintRadius + footprintX[0]);
+  RobotBody &first = robots_[a], &second = robots_[b];
+  if ((first.pose.translation - second.pose.translation).squaredNorm() > reach * reach)
+    return false;
+  bool touched = false;
+  for (const double x1 : footprintX)
+    for (const double x2 : footprintX) {
+      Overlap overlap;
+      if (!discsOverlap(disc(first.pose, x1), disc(second.pose, x2), 2 * footprintRadius, overlap))
+        continue;
+      if (ways_[a].dot(overlap.normal) < 0) first.pushes = static_cast<int>(b);
+      if (ways_[b].dot(overlap.normal) > 0) second.pushes = static_cast<int>(a);
+      first.pose.translation += overlap.depth / 2 * overlap.normal;
+      second.pose.translation -= overlap.depth / 2 * overlap.normal;
+      touched = true;
+    }
+  return touched;
+}
+
+bool KinematicWorld::mayMeetObstacle(std::size_t i) {
+  constexpr double reach = footprintRadius + footprintX[0];
+  const Vector2d& at = robots_[i].pose.translation;
+  Clearance& clear = clear_[i];
+  constexpr double worthLooking = 25;  // mm: beside a wall it is not measured anew all the time
+  const double gone = (at - clear.from).norm();
+  if (gone + reach < clear.distance) return false;
+  if (gone > worthLooking || clear.distance == 0) clear = {at, obstacles_.distanceTo(at)};
+  return (at - clear.from).norm() + reach >= clear.distance;
+}
+
+void KinematicWorld::noteBlocked(std::size_t i) {
+  constexpr double slip = 0.1;  // mm
+  const Vector2d missing = from_[i] + ways_[i] - robots_[i].pose.translation;
+  robots_[i].blocked = ways_[i].dot(missing) > slip * ways_[i].norm();
+}
+
+void KinematicWorld::partRobots() {
+  constexpr int rounds = 10;
+  for (int round = 0; round < rounds; ++round) {
+    bool touched = false;
+    for (std::size_t a = 0; a < robots_.size(); ++a)
+      for (std::size_t b = a + 1; b < robots_.size(); ++b) touched |= partPair(a, b);
+    // Walls come last: whatever robots do to each other, none is pushed through.
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (!mayMeetObstacle(i)) continue;
+      RobotBody& robot = robots_[i];
+      for (const double x : footprintX) {
+        const Vector2d before = disc(robot.pose, x);
+        Vector2d center = before;
+        obstacles_.pushOut(center, footprintRadius, [&](const Vector2d&) { touched = true; });
+        robot.pose.translation += center - before;
+      }
+    }
+    if (!touched) return;
+  }
+}
+
+void KinematicWorld::setStance(std::size_t i) {
+  RobotBody& robot = robots_[i];
+  const RobotParts& parts = parts_[i];
+  if (robot.posture != Posture::standing) {
+    robot.height = 62;  // the trunk lies on the legs of one side
+    robot.tilt = 0;
+    robot.roll = robot.posture == Posture::onRightSide ? pi / 2 : -pi / 2;
+    robot.footOnGround.fill(false);
+  } else {
+    robot.roll = 0;
+    std::array<GroundPoint, 5> fore, hind;
+    const auto point = [&](std::size_t leg, std::size_t n) -> GroundPoint& {
+      return leg < 2 ? fore[2 * leg + n] : hind[2 * (leg - 2) + n];
+    };
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      const LegPose pose = legPose(*model_, parts, robot.joints, leg);
+      point(leg, 0) = {pose.foot, 1000 * model_->site_size[3 * parts.footSites[leg]]};
+      point(leg, 1) = {pose.knee, kneeRadius};
+    }
+    fore[4] = chest;
+    hind[4] = rump;
+    const Stance stance = stand(fore, hind, robot.tilt);
+    robot.height = stance.height;
+    robot.tilt = stance.tilt;
+    for (std::size_t leg = 0; leg < 4; ++leg)
+      robot.footOnGround[leg] = clearance(point(leg, 0), stance) < 1;
+  }
+  // The body's own motion is not felt: it follows no forces.
+  robot.specificForce = robot.origin().rotation.transpose() * Vector3d{0, 0, 9810};
+  writeRobot(i);
+}
+
+}  // namespace gt

@@ -1,0 +1,58 @@
+#pragma once
+#include <algorithm>
+
+#include "simulation/world/BallPhysics.h"
+#include "simulation/world/Obstacles.h"
+#include "simulation/world/World.h"
+
+namespace gt {
+
+/// The kinematic fidelity (report 5.1.1): robots move by their own motion model, with slip and
+/// noise, and are blocked by robots, walls and goals; their feet set height and tilt of the body.
+/// Only the balls have physics.
+class KinematicWorld : public World {
+ public:
+  static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model,
+                                             const Random& random);
+
+  void step(std::span<const RobotCommand> commands) override;
+  void change(const NoiseParameters& noise) override { noise_ = noise; }
+  void moveGeom(int geom, const Vector3d& position) override {
+    World::moveGeom(geom, position);
+    obstacles_ = Obstacles{*model_};
+    std::fill(clear_.begin(), clear_.end(), Clearance{});
+  }
+
+ private:
+  /// How a robot's steps differ from what it believes.
+  struct Walking {
+    double forward = 1, sideways = 1, turn = 1;
+    Random random;
+  };
+
+  KinematicWorld(const SceneDescription& scene, Model model, const Random& random);
+
+  /// A place, and how far it is from there to the nearest obstacle (mm): until a robot has gone
+  /// that far, it can meet none.
+  struct Clearance {
+    Vector2d from = Vector2d::Zero();
+    double distance = 0;
+  };
+
+  bool mayMeetObstacle(std::size_t i);
+  void moveJoints(RobotBody& robot, const JointAngles& targets) const;
+  void walk(std::size_t i, const Pose2D& step);
+  void noteBlocked(std::size_t i);
+  void partRobots();
+  bool partPair(std::size_t a, std::size_t b);
+  void setStance(std::size_t i);
+
+  NoiseParameters noise_;
+  Obstacles obstacles_;
+  BallPhysics ballPhysics_;
+  std::vector<Walking> walking_;
+  std::vector<Clearance> clear_;
+  std::vector<Vector2d> from_, ways_;  ///< Of each robot in this tick, on the field (mm).
+};
+
+}  // namespace gt

@@ -1,0 +1,65 @@
+#include "simulation/world/MuJoCo.h"
+
+#include <csetjmp>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+
+namespace gt {
+namespace {
+
+/// Where to go on after an error of MuJoCo, and its message. MuJoCo ends the process unless its
+/// handler never returns.
+struct ErrorTrap {
+  std::jmp_buf back;
+  char message[1000] = "";
+};
+thread_local ErrorTrap* trap = nullptr;
+
+void onError(const char* message) {
+  if (!trap) std::abort();  // outside a guarded call only a bug of ours gets here
+  std::strncpy(trap->message, message, sizeof trap->message - 1);
+  std::longjmp(trap->back, 1);
+}
+
+mjModel* compileGuarded(const mjVFS* files, ErrorTrap& guard) {
+  trap = &guard;
+  if (setjmp(guard.back) != 0) {
+    trap = nullptr;
+    return nullptr;
+  }
+  mjModel* model = mj_loadXML("scene.xml", files, guard.message, sizeof guard.message);
+  trap = nullptr;
+  return model;
+}
+
+}  // namespace
+
+Result<Model> compileModel(const std::string& mjcf, const std::string& file) {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    mju_user_error = onError;
+    mju_user_warning = [](const char*) {};
+  });
+  const auto files = std::make_unique<mjVFS>();
+  mj_defaultVFS(files.get());
+  if (mj_makeEmptyFileVFS(files.get(), "scene.xml", static_cast<int>(mjcf.size())) != 0)
+    return Error{file, 0, "", "the model is too large"};
+  std::memcpy(files->filedata[mj_findFileVFS(files.get(), "scene.xml")], mjcf.data(), mjcf.size());
+  ErrorTrap guard;
+  Model model{compileGuarded(files.get(), guard)};
+  mj_deleteVFS(files.get());
+  if (model) return model;
+  std::string what = guard.message;
+  for (char& c : what)
+    if (c == '\n') c = ' ';
+  const auto line = what.find("line ");
+  return Error{file, line == what.npos ? 0 : std::atoi(what.c_str() + line + 5), "",
+               "MuJoCo: " + what};
+}
+
+ModelData makeData(const mjModel& model) {
+  return ModelData{mj_makeData(&model)};
+}
+
+}  // namespace gt

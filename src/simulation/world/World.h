@@ -1,0 +1,148 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/Geometry.h"
+#include "base/Random.h"
+#include "base/Result.h"
+#include "base/Time.h"
+#include "representations/infrastructure/Joints.h"
+#include "simulation/scene/Scene.h"
+#include "simulation/world/MuJoCo.h"
+#include "simulation/world/RobotParts.h"
+
+namespace gt {
+
+/// The length of a tick: sensors and joints work at this pace (facts, 1.3).
+constexpr std::int64_t tickMs = 8;
+constexpr double tickSeconds = tickMs / 1000.0;
+
+/// What one robot's motors shall do in a tick, and how far it believes to walk in it.
+struct RobotCommand {
+  JointAngles joints{};
+  Pose2D step;
+};
+
+/// How a robot lies or stands.
+enum class Posture { standing, onLeftSide, onRightSide };
+
+/// Where a robot truly is, in the field's coordinates.
+struct RobotBody {
+  Pose2D pose;           ///< mm, rad: the body's centre on the ground
+  double height = 150;   ///< mm: the body's origin above the ground
+  double tilt = 0;       ///< rad, + nose up
+  double roll = 0;       ///< rad, + right side down
+  JointAngles joints{};  ///< rad
+  double walked = 0;     ///< mm since the start, over ground
+  Posture posture = Posture::standing;
+  std::array<bool, 4> footOnGround{};  ///< in the order of Leg
+  /// The other robot that it walks into; -1: none.
+  int pushes = -1;
+  /// Whether something kept it from doing all that it was told in the last tick (report 5.1.1).
+  bool blocked = false;
+  Vector3d specificForce{0, 0, 9810};  ///< mm/s^2, in the body's axes: what is felt
+
+  /// The body's origin in space.
+  Pose3D origin() const;
+};
+
+/// Where a ball truly is, in the field's coordinates.
+struct BallState {
+  Vector2d position = Vector2d::Zero();  ///< mm
+  Vector2d speed = Vector2d::Zero();     ///< mm/s
+  int lastToucher = -1;  ///< Index of the robot that touched it last; -1 nobody yet.
+  Time lastTouched = never();
+};
+
+/// The simulated world: field, robots and balls. The robots of the scene's group `robots` come
+/// first, those of `extras` behind them. How bodies move is up to the fidelity (`makeWorld`).
+class World {
+ public:
+  /// Ticks back that the camera's pose can be asked for: more than a picture's exposure.
+  static constexpr std::size_t cameraHistory = 6;
+
+  virtual ~World() = default;
+
+  /// One tick of 8 ms. One command for each active robot. Commands that are no numbers are ignored.
+  virtual void step(std::span<const RobotCommand> commands) = 0;
+
+  const mjModel& model() const { return *model_; }
+  /// The poses of all geoms at the end of the last tick. Only `step` and the `place` functions
+  /// change it, so it may be read by many threads between them.
+  const mjData& data() const { return *data_; }
+  Time time() const { return time_; }
+
+  std::size_t activeRobots() const { return active_; }
+  std::size_t robotCount() const { return robots_.size(); }
+  const RobotBody& robot(std::size_t i) const { return robots_[i]; }
+  const RobotParts& parts(std::size_t i) const { return parts_[i]; }
+  std::size_t ballCount() const { return balls_.size(); }
+  const BallState& ball(std::size_t i) const { return balls_[i]; }
+  double ballRadius(std::size_t i) const { return ballParts_[i].radius; }
+  int ballBody(std::size_t i) const { return ballParts_[i].body; }
+
+  /// The pose of a robot's camera on the field (mm; x along the optical axis, y left, z up), now or
+  /// up to `cameraHistory` - 1 ticks ago.
+  const Pose3D& camera(std::size_t robot, std::size_t ticksAgo = 0) const;
+
+  /// Puts a robot by hand; it stands on its feet.
+  void placeRobot(std::size_t robot, const Pose2D& pose);
+  /// Puts a ball; it rests, and nobody has touched it, if `forget`.
+  void placeBall(std::size_t ball, const Vector2d& position, const Vector2d& speed = {0, 0},
+                 bool forget = true);
+  /// Lays a robot on its side; `placeRobot` or `standUp` puts it back on its feet.
+  void throwOver(std::size_t robot, Posture side);
+  void standUp(std::size_t robot);
+  /// Puts a joint that belongs to no robot and no ball at coordinates of MuJoCo, at rest.
+  void moveJoint(int joint, std::span<const double> coordinates);
+  /// Puts a geom that stands still somewhere else (mm); robots and balls meet it there.
+  virtual void moveGeom(int geom, const Vector3d& position);
+  /// Sets how strongly a light of the model shines: 0 to 1 times what the model says.
+  void emit(int light, double share);
+  double emission(int light) const { return shares_[static_cast<std::size_t>(light)]; }
+  /// The intensity that reaches all surfaces: red, green, blue in 0 to 1.
+  void setAmbient(const Vector3d& rgb);
+  /// Turns a robot's joint by hand (rad), within its limits.
+  void turnJoint(std::size_t robot, Joint joint, double angle);
+  /// How much chance there is in the robots' motions from now on; not all fidelities have any.
+  virtual void change(const NoiseParameters&) {}
+  /// Takes over how all stands and lies, and the time, from another world of the same scene.
+  void continueFrom(const World& other);
+
+ protected:
+  World(const SceneDescription& scene, Model model);
+  Result<void> findParts(const SceneDescription& scene);
+
+  void writeRobot(std::size_t i);
+  void writeBall(std::size_t i);
+  /// Poses of all geoms from the state.
+  void updateKinematics();
+  void advanceTime();
+
+  Model model_;
+  ModelData data_;
+  std::vector<RobotParts> parts_;
+  std::vector<BallParts> ballParts_;
+  std::vector<RobotBody> robots_;
+  std::vector<BallState> balls_;
+  std::vector<bool> placed_;  ///< By hand since the last tick: no speed follows from that.
+  std::vector<bool> placedBalls_;
+
+ private:
+  std::size_t active_;
+  Time time_;
+  std::vector<float> emission_;  ///< Of the model's lights: diffuse red, green, blue.
+  std::vector<double> shares_;   ///< How strongly they shine now.
+  std::vector<std::array<Pose3D, cameraHistory>> cameras_;  ///< Newest first.
+};
+
+/// Whether two geoms come nearer to each other than `gap` (m; negative: overlap by more).
+bool geomsTouch(const World& world, int a, int b, double gap);
+
+/// The world of a scene, with the fidelity that it asks for.
+Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, const Random& random);
+
+}  // namespace gt
