@@ -8,7 +8,7 @@
 #include "colors/ColorTableEditor.h"
 #include "colortable/ColorFiles.h"
 #include "colortable/Pictures.h"
-#include "painting/ColorClassViews.h"
+#include "views/painting/ColorClassViews.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "painting/Sheet.h"
+#include "views/painting/Sheet.h"
 
 namespace gt {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "painting/PicturePainter.h"
+#include "views/painting/PicturePainter.h"
 #include "replay/FieldComparison.h"
 #include "replay/Replay.h"
 #include "replay/Track.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "console/Console.h"
-#include "painting/Sheet.h"
+#include "views/painting/Sheet.h"
 
 namespace gt {
 

@@ -4,7 +4,7 @@
 
 #include "console/ScenePicture.h"
 #include "console/Views.h"
-#include "painting/ColorClassViews.h"
+#include "views/painting/ColorClassViews.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/perception/ColorTable64.h"
 #include "simulation/camera/Lighting.h"

@@ -1,6 +1,6 @@
 #pragma once
-#include "painting/Sheet.h"
 #include "simulation/world/World.h"
+#include "views/painting/Sheet.h"
 
 namespace gt {
 

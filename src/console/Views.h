@@ -1,6 +1,6 @@
 #pragma once
 #include "console/Console.h"
-#include "painting/Sheet.h"
+#include "views/painting/Sheet.h"
 
 namespace gt {
 

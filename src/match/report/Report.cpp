@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "match/report/PageFiles.h"
-#include "painting/PicturePainter.h"
+#include "views/painting/PicturePainter.h"
 #include "streams/File.h"
 #include "streams/Jpeg.h"
 #include "streams/Json.h"

@@ -9,7 +9,7 @@
 
 #include "match/report/PageFiles.h"
 #include "match/report/SampleMatch.h"
-#include "painting/PicturePainter.h"
+#include "views/painting/PicturePainter.h"
 #include "streams/File.h"
 #include "streams/Json.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/Result.h"
-#include "painting/DrawingPainter.h"
+#include "views/painting/DrawingPainter.h"
 #include "representations/infrastructure/Image.h"
 
 struct _cairo_surface;

@@ -1,4 +1,4 @@
-#include "painting/Sheet.h"
+#include "views/painting/Sheet.h"
 
 #include <gtest/gtest.h>
 #include <malloc.h>

@@ -1,4 +1,4 @@
-#include "painting/ColorClassViews.h"
+#include "views/painting/ColorClassViews.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "painting/DrawingPainter.h"
+#include "views/painting/DrawingPainter.h"
 
 #include <cairo.h>
 

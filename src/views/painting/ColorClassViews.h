@@ -1,5 +1,5 @@
 #pragma once
-#include "painting/Sheet.h"
+#include "views/painting/Sheet.h"
 #include "representations/perception/ColorTable64.h"
 
 namespace gt {

@@ -1,4 +1,4 @@
-#include "painting/Sheet.h"
+#include "views/painting/Sheet.h"
 
 #include <cairo-svg.h>
 #include <cairo.h>

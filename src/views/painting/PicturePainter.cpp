@@ -1,4 +1,4 @@
-#include "painting/PicturePainter.h"
+#include "views/painting/PicturePainter.h"
 
 #include <cairo.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "colors/Rgb.h"
-#include "painting/DrawingPainter.h"
+#include "views/painting/DrawingPainter.h"
 
 namespace gt {
 namespace {

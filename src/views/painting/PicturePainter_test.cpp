@@ -1,4 +1,4 @@
-#include "painting/PicturePainter.h"
+#include "views/painting/PicturePainter.h"
 
 #include <gtest/gtest.h>
 
