@@ -9,7 +9,7 @@ OUT     ?= out/match
 SECONDS ?= 60
 JOBS    ?= $(shell nproc)
 
-.PHONY: help play film play-remote kill-test test replay bench experiments docs build packages format sanitize fuzz clean
+.PHONY: help play film play-remote kill-test test replay bench experiments docs build packages format check-format lint sanitize sanitize-layers fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -22,8 +22,10 @@ help:
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html'
 	@echo 'make docs          writes pages with charts about the soccer behavior: out/docs/index.html'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
+	@echo 'make sanitize-layers runs the tests of the layers below match/ under the address and undefined-behavior sanitizers'
 	@echo 'make fuzz          feeds broken files to all that reads files, SECONDS=$(SECONDS) each'
-	@echo 'make format        formats the sources'
+	@echo 'make format        formats the sources; make check-format reports those that are not formatted'
+	@echo 'make lint          checks all sources with clang-tidy; SINCE=COMMIT those changed since, MINUTES_OF_LINT=N for N minutes'
 	@echo 'make build         only builds, into $(BUILD); make packages only installs what is missing'
 	@echo 'make clean         removes build/ and out/'
 	@echo 'Settings: MINUTES, SEED, SEEDS, SECONDS, OUT, PRESET (release, debug, asan, tsan, clang), JOBS'
@@ -78,6 +80,11 @@ sanitize: packages
 	  TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=$(CURDIR)/cmake/tsan.supp ctest --test-dir build/$$preset --output-on-failure --parallel $(JOBS) || exit 1; \
 	done
 
+sanitize-layers: packages
+	@cmake --preset asan >/dev/null
+	@cmake --build --preset asan --parallel $(JOBS) --target layers_tests
+	@ctest --test-dir build/asan --label-regex layers --output-on-failure --parallel $(JOBS)
+
 # What is found stays in out/fuzz as a file that reproduces it.
 fuzz:
 	@scripts/install-packages clang-14 libclang-rt-14-dev
@@ -94,6 +101,17 @@ format:
 	@scripts/install-packages clang-format-14
 	@git ls-files '*.h' '*.cpp' | xargs clang-format-14 -i
 	@if [ -x $(BUILD)/bin/xabsl ]; then git ls-files 'behavior/*.xabsl' | xargs $(BUILD)/bin/xabsl format -i; fi
+
+check-format:
+	@scripts/install-packages clang-format-14
+	@git ls-files '*.h' '*.cpp' | xargs clang-format-14 --dry-run -Werror
+
+# The headers that the build generates have to be there; the preset "clang" has no precompiled headers.
+lint:
+	@scripts/install-packages clang-14 clang-tidy-14 python3
+	@cmake --preset clang >/dev/null
+	@cmake --build --preset clang --parallel $(JOBS) --target commit gt_behavior_symbols
+	@scripts/lint build/clang $(if $(SINCE),--since $(SINCE)) $(if $(MINUTES_OF_LINT),--minutes $(MINUTES_OF_LINT))
 
 clean:
 	@rm -rf build out

@@ -125,7 +125,8 @@ function(gt_library name)
   endif()
 endfunction()
 
-# gt_test(name SOURCES a_test.cpp ... DEPS ...): a program of GoogleTest, run in the root of the sources.
+# gt_test(name SOURCES a_test.cpp ... DEPS ...): a program of GoogleTest, run in the root of the sources. If gt_test_label is
+# set, the test has that label, and a target <label>_tests builds all tests with it.
 function(gt_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -133,6 +134,13 @@ function(gt_test name)
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   gt_precompile(${name} REUSE_FROM gt_precompiled_tests)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  if(gt_test_label)
+    set_tests_properties(${name} PROPERTIES LABELS ${gt_test_label})
+    if(NOT TARGET ${gt_test_label}_tests)
+      add_custom_target(${gt_test_label}_tests)
+    endif()
+    add_dependencies(${gt_test_label}_tests ${name})
+  endif()
 endfunction()
 
 # gt_program(name [HOT] SOURCES main.cpp ... DEPS ... [PRECOMPILED library]): a program under bin/. What it has of its own

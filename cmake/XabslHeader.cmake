@@ -1,7 +1,8 @@
 # xabsl_header(target agents.xabsl HEADER path/Name.h [NAMESPACE robot::behavior]
 #              [ENUMERATIONS name=Type ...] [INCLUDES header.h ...])
 # Generates a C++ header with the symbols of a behavior (`xabsl header`) whenever they change, and lets the target include
-# it by its path. ENUMERATIONS names C++ types that stand for enumerations of the behavior, INCLUDES where they are declared.
+# it by its path; the target <target>_symbols does only that. ENUMERATIONS names C++ types that stand for enumerations of
+# the behavior, INCLUDES where they are declared.
 function(xabsl_header target agents)
   cmake_parse_arguments(ARG "" "HEADER;NAMESPACE" "ENUMERATIONS;INCLUDES" ${ARGN})
   get_filename_component(agents ${agents} ABSOLUTE)
@@ -23,6 +24,7 @@ function(xabsl_header target agents)
     DEPFILE ${header}.d
     COMMENT "Generating ${ARG_HEADER}"
     VERBATIM)
+  add_custom_target(${target}_symbols DEPENDS ${header})
   target_sources(${target} PRIVATE ${header})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
 endfunction()
