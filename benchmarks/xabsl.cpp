@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "Parts.h"
-#include "xabsl/Engine.h"
+#include "xabsl/engine/Engine.h"
 
 namespace gt {
 namespace {

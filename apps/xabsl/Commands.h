@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "xabsl/Behavior.h"
-#include "xabsl/Diagnostic.h"
+#include "xabsl/language/Behavior.h"
+#include "xabsl/language/Diagnostic.h"
 
 /// The subcommands of the program xabsl. Each adds itself to the program, says what it does with
 /// `--help`, and runs when it is called; it throws a Failure where it cannot go on.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "Commands.h"
-#include "xabsl/Behavior.h"
+#include "xabsl/language/Behavior.h"
 
 namespace xabsl::app {
 

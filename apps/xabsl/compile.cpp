@@ -2,8 +2,8 @@
 #include <string>
 
 #include "Commands.h"
-#include "xabsl/Behavior.h"
-#include "xabsl/IntermediateCode.h"
+#include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/language/Behavior.h"
 
 namespace xabsl::app {
 

@@ -1,4 +1,4 @@
-#include "xabsl/Convert.h"
+#include "xabsl/formats/Convert.h"
 
 #include <filesystem>
 #include <iostream>

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "Commands.h"
-#include "xabsl/Behavior.h"
-#include "xabsl/documentation/Documentation.h"
+#include "xabsl/language/Behavior.h"
+#include "xabsl/tools/documentation/Documentation.h"
 
 namespace xabsl::app {
 

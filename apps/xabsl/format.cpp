@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "Commands.h"
-#include "xabsl/Formatter.h"
+#include "xabsl/formats/Formatter.h"
 
 namespace xabsl::app {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "Commands.h"
-#include "xabsl/Behavior.h"
-#include "xabsl/SymbolsHeader.h"
+#include "xabsl/formats/SymbolsHeader.h"
+#include "xabsl/language/Behavior.h"
 
 namespace xabsl::app {
 

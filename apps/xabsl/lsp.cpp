@@ -8,8 +8,8 @@
 #include <string>
 
 #include "Commands.h"
-#include "xabsl/server/MessageReader.h"
-#include "xabsl/server/Server.h"
+#include "xabsl/tools/server/MessageReader.h"
+#include "xabsl/tools/server/Server.h"
 
 namespace xabsl::app {
 

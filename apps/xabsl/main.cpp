@@ -5,7 +5,7 @@
 #include <map>
 
 #include "Commands.h"
-#include "xabsl/IntermediateCode.h"
+#include "xabsl/formats/IntermediateCode.h"
 
 int main(int argc, char** argv) {
   CLI::App program("Works on behaviors written in XABSL");

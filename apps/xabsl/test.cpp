@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "Commands.h"
-#include "xabsl/Sources.h"
-#include "xabsl/testing/TestFile.h"
-#include "xabsl/testing/TestRunner.h"
-#include "xabsl/trace/Coverage.h"
-#include "xabsl/trace/TraceFile.h"
+#include "xabsl/formats/Sources.h"
+#include "xabsl/tools/testing/TestFile.h"
+#include "xabsl/tools/testing/TestRunner.h"
+#include "xabsl/tools/trace/Coverage.h"
+#include "xabsl/tools/trace/TraceFile.h"
 
 namespace xabsl::app {
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "Commands.h"
-#include "xabsl/trace/Coverage.h"
-#include "xabsl/trace/Moment.h"
-#include "xabsl/trace/Question.h"
-#include "xabsl/trace/TraceFile.h"
-#include "xabsl/trace/TracePrinter.h"
+#include "xabsl/tools/trace/Coverage.h"
+#include "xabsl/tools/trace/Moment.h"
+#include "xabsl/tools/trace/Question.h"
+#include "xabsl/tools/trace/TraceFile.h"
+#include "xabsl/tools/trace/TracePrinter.h"
 
 namespace xabsl::app {
 

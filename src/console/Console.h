@@ -10,7 +10,7 @@
 
 #include "console/Joystick.h"
 #include "console/Session.h"
-#include "xabsl/Behavior.h"
+#include "xabsl/language/Behavior.h"
 
 namespace gt {
 

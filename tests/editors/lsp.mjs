@@ -79,7 +79,7 @@ assert.equal(await signature(text, "option kick {"), null);
 change(text);
 
 // Files of XABSL 2.1 in XML, with what includes them; other XML is none of our business.
-const moveAround = uriOf("src/xabsl/testdata/report/Options/move-around.xml");
+const moveAround = uriOf("src/xabsl/tests/data/report/Options/move-around.xml");
 const moveAroundText = readFileSync(new URL(moveAround), "utf8");
 open(moveAround, moveAroundText.replace("<decision-tree", "<decision-bush"));
 const [wrong] = await until(moveAround, (list) => list.length > 0);

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "xabsl/Convert.h"
-#include "xabsl/IntermediateCode.h"
+#include "xabsl/formats/Convert.h"
+#include "xabsl/formats/IntermediateCode.h"
 
 namespace gt {
 

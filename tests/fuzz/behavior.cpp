@@ -3,8 +3,8 @@
 
 #include "AllForms.h"
 #include "Fuzz.h"
-#include "xabsl/Formatter.h"
-#include "xabsl/Reporter.h"
+#include "xabsl/formats/Formatter.h"
+#include "xabsl/language/Reporter.h"
 
 /// Whatever is text is formatted once and for all; what compiles means the same then.
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,11 +1,11 @@
-#include "xabsl/IntermediateCode.h"
+#include "xabsl/formats/IntermediateCode.h"
 
 #include <cstdlib>
 #include <string>
 
 #include "Fuzz.h"
-#include "xabsl/Engine.h"
-#include "xabsl/VirtualSymbols.h"
+#include "xabsl/engine/Engine.h"
+#include "xabsl/engine/VirtualSymbols.h"
 
 namespace {
 

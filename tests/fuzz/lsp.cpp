@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "Fuzz.h"
-#include "xabsl/server/MessageReader.h"
-#include "xabsl/server/Server.h"
+#include "xabsl/tools/server/MessageReader.h"
+#include "xabsl/tools/server/Server.h"
 
 /// The first byte chooses: a stream of messages as it is, or the text of a file that an editor has
 /// open, about which everything is asked at a place in it.

@@ -2,11 +2,11 @@
 #include <string>
 
 #include "Fuzz.h"
-#include "xabsl/trace/Coverage.h"
-#include "xabsl/trace/Moment.h"
-#include "xabsl/trace/Question.h"
-#include "xabsl/trace/TraceFile.h"
-#include "xabsl/trace/TracePrinter.h"
+#include "xabsl/tools/trace/Coverage.h"
+#include "xabsl/tools/trace/Moment.h"
+#include "xabsl/tools/trace/Question.h"
+#include "xabsl/tools/trace/TraceFile.h"
+#include "xabsl/tools/trace/TracePrinter.h"
 
 /// A trace that was read can be printed and asked, and is the same when it was written and read
 /// again.

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "Fuzz.h"
-#include "xabsl/testing/TestRunner.h"
+#include "xabsl/tools/testing/TestRunner.h"
 
 /// The behavior that the tests in the corpus are about, without its surroundings.
 const char* const behavior = R"(

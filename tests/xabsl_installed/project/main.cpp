@@ -1,4 +1,4 @@
-#include <xabsl/Engine.h>
+#include <xabsl/engine/Engine.h>
 
 #include <iostream>
 

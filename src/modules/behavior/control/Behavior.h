@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "xabsl/Behavior.h"
+#include "xabsl/language/Behavior.h"
 
 namespace gt {
 

@@ -4,7 +4,7 @@
 
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
-#include "xabsl/trace/TraceFile.h"
+#include "xabsl/tools/trace/TraceFile.h"
 
 namespace gt {
 namespace {

@@ -11,7 +11,7 @@
 #include "modules/behavior/skills/BasicBehaviors.h"
 #include "modules/behavior/tactics/WorldState.h"
 #include "representations/infrastructure/FrameInfo.h"
-#include "xabsl/Engine.h"
+#include "xabsl/engine/Engine.h"
 
 namespace gt {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "representations/behavior/BehaviorTrace.h"
-#include "xabsl/trace/TraceFile.h"
-#include "xabsl/trace/TracePrinter.h"
+#include "xabsl/tools/trace/TraceFile.h"
+#include "xabsl/tools/trace/TracePrinter.h"
 
 namespace gt {
 namespace {

@@ -1,0 +1,222 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xabsl/engine/Activation.h"
+#include "xabsl/engine/Linker.h"
+#include "xabsl/engine/Program.h"
+#include "xabsl/engine/Symbols.h"
+#include "xabsl/engine/TeamCooperation.h"
+#include "xabsl/engine/TraceRecorder.h"
+#include "xabsl/language/Behavior.h"
+#include "xabsl/language/Diagnostic.h"
+#include "xabsl/language/Model.h"
+
+namespace xabsl {
+
+/// Executes a behavior (report 3.8.1.1, H.7). Depends on nothing but its inputs and the time it is
+/// given; a cycle neither allocates nor looks anything up by name. An engine belongs to one thread
+/// at a time.
+class Engine {
+ public:
+  struct Creation;
+
+  /// Joins a behavior with what is registered. Without an engine the diagnostics say what is
+  /// missing.
+  static Creation create(const Behavior& behavior, const Symbols& symbols);
+
+  Engine(Engine&&) = default;
+  Engine& operator=(Engine&&) = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// One cycle: the options from the root option of the selected agent down, each with at most one
+  /// transition. `now` in ms.
+  void execute(std::int64_t now);
+
+  /// Selects the agent, from the next cycle on; false: there is none of that name.
+  bool selectAgent(std::string_view name);
+  const std::string& selectedAgent() const;
+
+  /// Selects what cycles execute instead of the agent's root option, until the next selection: an
+  /// option with all that it calls, or a basic behavior alone (report H.8). Parameters start with
+  /// 0, false or the first element; false: there is none of that name.
+  bool selectRootOption(std::string_view name);
+  bool selectBehavior(std::string_view name);
+  /// What cycles execute first: the name of an option or a basic behavior.
+  const std::string& root() const;
+
+  /// Sets a parameter of what is executed first. Values are written as NamedValue::text shows them;
+  /// false: no such parameter, or no value of its type.
+  bool setParameter(std::string_view name, std::string_view value);
+
+  /// Sets an output or internal symbol by hand, at once, until the behavior sets it again; false as
+  /// above.
+  bool setOutput(std::string_view name, std::string_view value);
+
+  /// Goes on where another engine is, with its behavior as it was edited: what has the same name
+  /// stays as it is. That are active options in states that are still there, with their times;
+  /// parameters and the values of output and internal symbols of the same type; the selected agent
+  /// and what is executed instead of its root option; how the team cooperates. All else begins
+  /// anew. To be called before the first cycle.
+  void goOnFrom(const Engine& other);
+
+  /// Where the host sets priorities and carries messages between the engines of a team. Without
+  /// messages an engine acts as if it were alone.
+  TeamCooperation& cooperation() { return cooperation_; }
+  const TeamCooperation& cooperation() const { return cooperation_; }
+
+  /// Has all later cycles recorded, or none (null). The recorder must outlive that. The first time,
+  /// the behavior is compiled once more, with all that a recorder wants to know; so it costs
+  /// nothing where nobody records.
+  void record(TraceRecorder* recorder);
+
+  const Model& model() const { return *model_; }
+
+  /// The registered value of each element of an enumeration.
+  const std::vector<double>& elementValues(int enumeration) const {
+    return bindings_.elements[static_cast<std::size_t>(enumeration)];
+  }
+
+  /// What the last cycle executed, in its order.
+  std::vector<Activation> activations() const;
+
+  /// The value of a symbol now; nothing for functions with parameters and unknown names. Of an
+  /// output and an input symbol with the same name, that of the output.
+  std::optional<NamedValue> symbol(std::string_view name) const;
+
+  /// An argument for a symbol with parameters, written as NamedValue::text shows it.
+  struct Argument {
+    std::string_view parameter;
+    std::string_view value;
+  };
+  /// The value of a symbol with parameters now; those not given are 0, false or the first element.
+  /// Nothing if there is no such symbol, parameter or value.
+  std::optional<NamedValue> symbol(std::string_view name,
+                                   const std::vector<Argument>& arguments) const;
+
+  /// What went wrong while running, each once: division by zero and what was executed twice in a
+  /// cycle.
+  std::vector<Diagnostic> warnings() const;
+
+ private:
+  /// What the engine remembers of an option.
+  struct OptionState {
+    int option = -1;
+    int state = -1;  // the one that is active, or was last
+    std::int64_t activation = 0;
+    std::int64_t stateActivation = 0;
+    std::uint64_t cycle = 0;     // in which it was active last
+    std::uint64_t previous = 0;  // and the one before that
+  };
+
+  /// An option, or without a state a basic behavior.
+  struct Executed {
+    int index;
+    int state;
+    int depth;
+    std::int64_t stateActivation;
+  };
+
+  struct ParameterPlace {
+    Type type;
+    int index = 0;  // in the memory
+  };
+
+  /// Where an option's caller goes on.
+  struct Frame {
+    const Instruction* next;
+    OptionState* caller;
+  };
+
+  struct Warning {
+    const char* text;
+    Location location;
+  };
+
+  Engine(const Behavior& behavior, Bindings bindings);
+  void prepareMemory();
+  double& variable(std::size_t symbol) {
+    return memory_[static_cast<std::size_t>(layout_.variables) + symbol];
+  }
+  double variable(std::size_t symbol) const {
+    return memory_[static_cast<std::size_t>(layout_.variables) + symbol];
+  }
+  double firstValue(Type type) const;
+
+  bool select(Activation::Kind kind, int index);
+  const std::vector<Parameter>& rootParameters() const;
+  double& rootSlot(std::size_t parameter);
+  std::optional<double> read(Type type, std::string_view text) const;
+  void goOnFrom(const Engine& other, OptionState& option);
+  void take(const Engine& other, Type oldType, double oldValue, Type type, double& value);
+  std::map<std::string, ParameterPlace> parameterPlaces() const;
+
+  void runBehavior(int index);
+  void run(const Program& program);
+  void compute(const Instruction& instruction, const OptionState& option, int depth);
+  void recordEvent(const Instruction& instruction, const OptionState& option, int depth);
+  void recordState(const OptionState& option);
+  void recordBehavior(int index, int depth);
+
+  bool wasActive(const OptionState& option) const;
+  void enter(OptionState& option);
+  void enterAnew(OptionState& option);
+  void note(const OptionState& option, int depth);
+  void keepParameters(const double* first, std::size_t count);
+  void change(OptionState& option, int state);
+  void tellChanges(std::size_t behavior) const;
+  void callBehavior(int index, int depth);
+  void set(std::size_t symbol);
+  void apply(std::size_t symbol);
+  bool actionDone(const OptionState& option) const;
+  bool subOptionDone(Span actions) const;
+  double divide(const Instruction& instruction);
+  double modulo(const Instruction& instruction);
+  void warnOnce(char& warned, const char* text, Location location);
+
+  static std::int64_t since(std::int64_t then, std::int64_t now);
+  double callInput(std::size_t symbol, const double* arguments) const;
+  NamedValue named(const std::string& name, Type type, double number) const;
+
+  std::shared_ptr<const Model> model_;
+  Bindings bindings_;
+  MemoryLayout layout_;
+  std::vector<double> memory_;
+  Program program_;
+  Program recordedProgram_;  // empty until somebody records
+  std::vector<Frame> frames_;
+  std::vector<OptionState> options_;
+  std::vector<std::uint64_t> behaviorCycles_;
+  std::uint64_t cycle_ = 1;
+  std::int64_t now_ = 0;
+  std::size_t agent_ = 0;
+  Activation::Kind rootKind_ = Activation::Kind::option;
+  int root_ = 0;
+  TeamCooperation cooperation_;
+  TraceRecorder* recorder_ = nullptr;
+  bool cooperates_ = false;         // whether any state is cooperative
+  bool parametersChanged_ = false;  // of the basic behavior that is about to be called
+  std::vector<char> pending_;       // of XABSL 2.1: the outputs to set after the graph
+
+  std::vector<Executed> executed_;
+  std::vector<double> executedValues_;
+  std::vector<Warning> warnings_;
+  std::vector<char> warnedExpressions_;
+  std::vector<char> warnedOptions_;
+  std::vector<char> warnedBehaviors_;
+};
+
+/// What creating an engine yields: an engine if there is no error, and what there is to say.
+struct Engine::Creation {
+  std::optional<Engine> engine;
+  std::vector<Diagnostic> diagnostics;
+};
+
+}  // namespace xabsl

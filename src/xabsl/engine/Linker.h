@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "xabsl/engine/Symbols.h"
+#include "xabsl/language/Diagnostic.h"
+#include "xabsl/language/Model.h"
+
+namespace xabsl {
+
+/// What a model's symbols and basic behaviors are in C++, by the model's indices.
+struct Bindings {
+  struct Bound {
+    Function function;
+    std::vector<int> order;  // the argument of the function that each parameter becomes
+    std::function<void(const double* arguments)> parametersChanged;  // may be empty
+  };
+
+  std::vector<Bound> symbols;  // internal symbols are bound to nothing
+  std::vector<Bound> behaviors;
+  std::vector<std::vector<double>>
+      elements;  // per enumeration: the registered value of each element
+  /// Per enumeration: what symbols and parameters begin with. As in the engines of others it is the
+  /// first element that was registered, wherever that stands in XABSL.
+  std::vector<double> firstElements;
+};
+
+/// Looks up all that a model declares among what is registered. What is missing or of another type
+/// is an error at the place of its declaration, with the option that needs it. The bindings are of
+/// use only without errors.
+Bindings link(const Model& model, const Symbols& symbols, std::vector<Diagnostic>& diagnostics);
+
+}  // namespace xabsl

@@ -1,0 +1,323 @@
+#include "xabsl/engine/Linker.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "xabsl/engine/Engine.h"
+#include "xabsl/formats/SymbolsHeader.h"
+#include "xabsl/tests/TestBehavior.h"
+
+namespace xabsl {
+namespace {
+
+enum class Mode { slow, fast };
+enum class Other { a };
+
+const std::string behavior = R"(namespace main("M") {
+enum mode { fast, slow };
+float input ball.distance;
+enum mode input how;
+float input scaled(float value; bool twice;);
+float output speed;
+enum step { one, two };
+enum step internal current;
+behavior walk { float x; enum mode style; }
+}
+option main { initial state s { decision {
+if (ball.distance > 1 && how == fast) stay; else stay; } action {
+speed = scaled(value = 1); current = two; walk(); } } }
+agent main("Main", main);)";
+
+/// Registers all that the behavior needs; a test then takes something away or makes it wrong.
+Symbols complete() {
+  Symbols symbols;
+  symbols.enumeration<Mode>("mode", {"slow", "fast"});
+  symbols.input("ball.distance", [] { return 1.0; });
+  symbols.input("how", [] { return Mode::slow; });
+  symbols.input("scaled", {"value", "twice"}, [](double value, bool) { return value; });
+  symbols.output("speed", [](double) {});
+  symbols.behavior("walk", {"x", "style"}, [](double, Mode) {});
+  return symbols;
+}
+
+std::string linkErrors(const Symbols& symbols) {
+  const Engine::Creation creation = Engine::create(test::compiled(behavior), symbols);
+  EXPECT_EQ(creation.engine.has_value(), creation.diagnostics.empty());
+  return test::errors(creation.diagnostics);
+}
+
+TEST(Linker, AcceptsWhatIsComplete) {
+  Symbols symbols = complete();
+  EXPECT_EQ(linkErrors(symbols), "");
+  symbols.input("never.used", [] { return 1; });
+  EXPECT_EQ(linkErrors(symbols), "");
+}
+
+TEST(Linker, TellsAllThatIsMissing) {
+  EXPECT_EQ(linkErrors(Symbols()),
+            "main.xabsl:3:13: error: input symbol 'ball.distance' is not registered, needed by "
+            "option main (main.xabsl:12)\n"
+            "main.xabsl:4:17: error: input symbol 'how' is not registered, needed by option main "
+            "(main.xabsl:12)\n"
+            "main.xabsl:5:13: error: input symbol 'scaled' is not registered, needed by option "
+            "main (main.xabsl:13)\n"
+            "main.xabsl:6:14: error: output symbol 'speed' is not registered, needed by option "
+            "main (main.xabsl:13)\n"
+            "main.xabsl:9:10: error: basic behavior 'walk' is not registered, needed by option "
+            "main (main.xabsl:13)\n");
+}
+
+TEST(Linker, TellsWhatMayHaveBeenMeant) {
+  Symbols symbols;
+  symbols.input("ball.distanc", [] { return 1.0; });
+  EXPECT_NE(linkErrors(symbols).find("did you mean 'ball.distanc'?"), std::string::npos);
+}
+
+TEST(Linker, TellsWrongTypes) {
+  Symbols symbols = complete();
+  symbols.input("ball.distance", [] { return true; });
+  symbols.input("how", [] { return 1.0; });
+  symbols.output("speed", [](Mode) {});
+  EXPECT_EQ(linkErrors(symbols),
+            "main.xabsl:3:13: error: input symbol 'ball.distance' is declared as float, but "
+            "registered as bool, needed by option main (main.xabsl:12)\n"
+            "main.xabsl:4:17: error: input symbol 'how' is declared as enum mode, but registered "
+            "as float, needed by option main (main.xabsl:12)\n"
+            "main.xabsl:6:14: error: output symbol 'speed' is declared as float, but registered "
+            "as enum mode, needed by option main (main.xabsl:13)\n");
+}
+
+TEST(Linker, TellsWrongEnumerations) {
+  Symbols symbols = complete();
+  symbols.input("how", [] { return Other::a; });
+  EXPECT_EQ(linkErrors(symbols),
+            "main.xabsl:4:17: error: input symbol 'how' is registered with an enumeration that is "
+            "not, needed by option main (main.xabsl:12)\n");
+  symbols.enumeration<Other>("other", {"a"});
+  EXPECT_EQ(linkErrors(symbols),
+            "main.xabsl:4:17: error: input symbol 'how' is declared as enum mode, but registered "
+            "as enum other, needed by option main (main.xabsl:12)\n");
+  symbols = complete();
+  symbols.enumeration<Mode>("mode", {"slow", "fats"});
+  EXPECT_EQ(linkErrors(symbols),
+            "main.xabsl:2:13: error: element 'fast' of enumeration 'mode' is not registered; did "
+            "you mean 'fats'?\n");
+}
+
+TEST(Linker, TellsWrongParameters) {
+  Symbols symbols = complete();
+  symbols.input("scaled", {"value", "often"}, [](bool, bool) { return 1.0; });
+  symbols.behavior("walk", {"x"}, [](double) {});
+  EXPECT_EQ(linkErrors(symbols),
+            "main.xabsl:5:13: error: parameter 'often' of input symbol 'scaled' is registered, but "
+            "not declared, needed by option main (main.xabsl:13)\n"
+            "main.xabsl:5:26: error: parameter 'value' of input symbol 'scaled' is declared as "
+            "float, but registered as bool, needed by option main (main.xabsl:13)\n"
+            "main.xabsl:5:38: error: parameter 'twice' of input symbol 'scaled' is not "
+            "registered, needed by option main (main.xabsl:13)\n"
+            "main.xabsl:9:36: error: parameter 'style' of basic behavior 'walk' is not registered, "
+            "needed by option main (main.xabsl:13)\n");
+}
+
+/// The surroundings as a class with members, and all ways to register them.
+class Robot {
+ public:
+  double distance() const { return 42; }
+  void walk(float x, int steps) { walked = x * static_cast<float>(steps); }
+  float walked = 0;
+};
+double half(double value) {
+  return value / 2;
+}
+
+TEST(Symbols, TakeVariablesMembersLambdasAndFunctions) {
+  const std::string text = R"(namespace main("M") {
+    float input distance; float input count; float input big; float input half(float value;);
+    float output steps; bool output led;
+    behavior walk { float x; float steps; }
+  }
+  option main { initial state s { action {
+    walk(x = distance, steps = half(value = count)); steps = 1 / 0; led = big > 1; } } }
+  agent main("Main", main);)";
+  Robot robot;
+  int count = 6;
+  const float big = 2.5f;
+  unsigned char steps = 0;
+  bool led = false;
+  Symbols symbols;
+  symbols.input("distance", member(&robot, &Robot::distance));
+  symbols.input("count", &count);
+  symbols.input("big", &big);
+  symbols.input("half", {"value"}, &half);
+  symbols.output("steps", &steps);
+  symbols.output("led", &led);
+  symbols.behavior("walk", {"x", "steps"}, member(&robot, &Robot::walk));
+  Engine::Creation creation = Engine::create(test::compiled(text), symbols);
+  ASSERT_EQ(test::errors(creation.diagnostics), "");
+  creation.engine->execute(0);
+  EXPECT_EQ(robot.walked, 126);
+  EXPECT_EQ(steps, 255);  // cut to what the variable can hold
+  EXPECT_TRUE(led);
+}
+
+/// A basic behavior as in report H.5, which remembers something.
+class Walk {
+ public:
+  double x = 0;
+  Mode style = Mode::slow;
+  int changes = 0;
+  double way = 0;
+
+  static constexpr const char* name = "walk";
+  static constexpr auto parameters() {
+    return std::tuple{parameter("style", &Walk::style), parameter("x", &Walk::x)};
+  }
+  void parametersChanged() { changes += style == Mode::fast ? 10 : 1; }
+  void execute() { way += x; }
+};
+
+TEST(Symbols, TakeClassesAsBasicBehaviors) {
+  Symbols symbols = complete();
+  Walk walk;
+  symbols.behavior(walk);
+  EXPECT_EQ(linkErrors(symbols), "");
+  double distance = 1;
+  symbols.input("ball.distance", &distance);
+  Engine::Creation creation = Engine::create(test::compiled(R"(namespace main("M") {
+      enum mode { fast, slow };
+      float input ball.distance;
+      behavior walk { float x; enum mode style; }
+    }
+    option main { initial state s { action { walk(x = ball.distance, style = fast); } } }
+    agent main("Main", main);)"),
+                                             symbols);
+  ASSERT_EQ(test::errors(creation.diagnostics), "");
+  creation.engine->execute(0);
+  creation.engine->execute(1);
+  EXPECT_EQ(walk.style, Mode::fast);
+  EXPECT_EQ(walk.way, 2);
+  EXPECT_EQ(walk.changes, 10);  // told once, with the parameters in place
+  ASSERT_TRUE(creation.engine->selectBehavior("walk"));
+  EXPECT_TRUE(creation.engine->setParameter("x", "40"));
+  creation.engine->execute(2);
+  EXPECT_EQ(walk.way, 42);
+  EXPECT_EQ(walk.style, Mode::slow);
+  EXPECT_EQ(walk.changes, 11);
+}
+
+/// Its parameters are not those that the behavior declares.
+struct WrongWalk {
+  bool x = false;
+  double speed = 0;
+
+  static constexpr const char* name = "walk";
+  static constexpr auto parameters() {
+    return std::tuple{parameter("x", &WrongWalk::x), parameter("speed", &WrongWalk::speed)};
+  }
+  void execute() {}
+};
+
+TEST(Linker, TellsWrongParametersOfClasses) {
+  Symbols symbols = complete();
+  WrongWalk walk;
+  symbols.behavior(walk);
+  EXPECT_EQ(linkErrors(symbols),
+            "main.xabsl:9:10: error: parameter 'speed' of basic behavior 'walk' is registered, but "
+            "not declared, needed by option main (main.xabsl:13)\n"
+            "main.xabsl:9:23: error: parameter 'x' of basic behavior 'walk' is declared as float, "
+            "but registered as bool, needed by option main (main.xabsl:13)\n"
+            "main.xabsl:9:36: error: parameter 'style' of basic behavior 'walk' is not registered, "
+            "needed by option main (main.xabsl:13)\n");
+}
+
+TEST(Symbols, TakeEnumerationsKnownAsData) {
+  const std::string text = R"(namespace main("M") {
+    enum action_id { kick, stand };
+    enum action_id input last; enum action_id output next;
+    behavior perform { enum action_id what; float speed; }
+  }
+  option main { initial state s { action {
+    next = last == stand ? kick : stand; perform(what = kick, speed = 2); } } }
+  agent main("Main", main);)";
+  const std::vector<std::string> names = {"stand", "getUp", "kick"};
+  int next = -1;
+  int performed = -1;
+  Symbols symbols;
+  symbols.enumeration("action_id", names);
+  symbols.inputIndex("last", "action_id", [] { return 0; });
+  symbols.outputIndex("next", "action_id", [&](int index) { next = index; });
+  symbols.behavior("perform", {{"what", "action_id"}, "speed"},
+                   [&](int index, double) { performed = index; });
+  Engine::Creation creation = Engine::create(test::compiled(text), symbols);
+  ASSERT_EQ(test::errors(creation.diagnostics), "");
+  creation.engine->execute(0);
+  EXPECT_EQ(next, 2);
+  EXPECT_EQ(performed, 2);
+  EXPECT_EQ(creation.engine->symbol("last")->text, "stand");
+  EXPECT_EQ(creation.engine->activations()[1].parameters[0].text, "kick");
+}
+
+TEST(Symbols, CutNumbersToTheRangeOfIntegers) {
+  EXPECT_EQ(fromNumber<int>(1e300), std::numeric_limits<int>::max());
+  EXPECT_EQ(fromNumber<int>(-1e300), std::numeric_limits<int>::min());
+  EXPECT_EQ(fromNumber<int>(std::numeric_limits<double>::quiet_NaN()), 0);
+  EXPECT_EQ(fromNumber<long>(-3.9), -3);
+  EXPECT_EQ(fromNumber<unsigned>(-1), 0u);
+}
+
+enum class Gait { fast = 5, slow = 2 };
+
+TEST(Linker, TakesEnumerationsWhoseValuesHaveGaps) {
+  Symbols symbols;
+  Gait gait{};
+  symbols.enumerationValues<Gait>("gait", {{Gait::fast, "fast"}, {Gait::slow, "slow"}});
+  symbols.output("gait", &gait);
+  for (const auto& [element, value] :
+       std::vector<std::pair<std::string, Gait>>{{"slow", Gait::slow}, {"fast", Gait::fast}}) {
+    auto creation = Engine::create(
+        test::compiled(
+            "namespace s(\"S\") { enum gait output { slow, fast }; enum gait output gait; }"
+            "option o { initial state s { action { gait = " +
+            element +
+            "; } } }"
+            "agent a(\"A\", o);"),
+        symbols);
+    ASSERT_TRUE(creation.engine);
+    creation.engine->execute(0);
+    EXPECT_EQ(gait, value);
+  }
+}
+
+TEST(SymbolsHeader, MakesNamesOfCppThatDoNotMeet) {
+  const Behavior named = test::compiled(
+      "namespace s(\"S\") { enum do_it output { switch_, a.b, a_b, x2 }; enum inputs output { k };"
+      "enum do_it output do_it; float input ball.seen_x [0..1] \"mm\"; float input ball.seen.x;"
+      "/** how\n * it is\\ */ float input new(float new \"deg\"; bool class;); }"
+      "namespace b(\"B\") { behavior go_to { enum do_it what; bool execute; } }"
+      "option o { initial state s { action { } } } agent a(\"A\", o);");
+  const std::string header =
+      writeSymbolsHeader(named.model(), {"robot", {{"inputs", "our::Inputs"}}, {"our/Inputs.h"}});
+  for (const std::string expected :
+       {"#include \"our/Inputs.h\"", "namespace robot {",
+        "enum class DoIt { switch_, aB, aB_2, x2 };", "using Inputs_ = our::Inputs;",
+        "  /// In [0..1] mm\n  virtual double ballSeenX() const = 0;",
+        "virtual double ballSeenX_2() const = 0;",
+        "  /// how\n  /// it is\n  /// `new`: In deg\n  virtual double new_(double new_, bool "
+        "class_) "
+        "const = 0;",
+        "virtual void setDoIt(DoIt value) = 0;",
+        "class GoTo {\n public:\n  DoIt what{};\n  bool execute_2{};",
+        "xabsl::parameter(\"execute\", &GoTo::execute_2)",
+        "struct BasicBehaviors {\n  GoTo& goTo;\n};", "{DoIt::aB_2, \"a_b\"}",
+        "symbols.input(\"new\", {\"new\", \"class\"}, "
+        "[&inputs](double p0, bool p1) { return inputs.new_(p0, p1); });"})
+    EXPECT_NE(header.find(expected), std::string::npos) << expected << "\n" << header;
+}
+
+}  // namespace
+}  // namespace xabsl

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "xabsl/language/Model.h"
+
+namespace xabsl {
+
+/// What an engine tells the engines of its team mates after each cycle. All must run the same
+/// behavior: the marks stand in the order of its cooperative states.
+struct CooperationMessage {
+  enum Mark : std::uint8_t {
+    optionExecuted = 1,  // the option that the state belongs to was active
+    executing = 2,       // the state was active
+    entering = 4         // the decisions chose the state, but the team has yet to agree
+  };
+
+  double priority = 0;
+  std::vector<std::uint8_t> marks;
+};
+
+/// Agrees with team mates about who enters a cooperative state. The engine asks it, the host
+/// carries the messages. Nothing is allocated after construction.
+class TeamCooperation {
+ public:
+  explicit TeamCooperation(const Model& model);
+
+  /// Where several want the last places of a state, the largest priority comes first; of equal ones
+  /// none does, so let them differ. A state with a capacity is entered after it was announced for
+  /// `synchronizationTicks` cycles, a synchronized one after more than half of them.
+  void configure(double priority, int synchronizationTicks);
+  int synchronizationTicks() const { return synchronizationTicks_; }
+
+  /// The latest message of each team mate, replacing those given before. Missing marks are clear.
+  void receive(const std::vector<CooperationMessage>& messages);
+
+  const CooperationMessage& message() const { return message_; }
+
+  void beginCycle();
+  void markOption(int option, int state);
+
+  /// Whether a state may be entered in this cycle; if not, announces that it is wanted.
+  bool mayEnter(int state);
+
+  /// Whether so many others are in a state with a capacity that it is full without us.
+  bool conflict(int state) const;
+
+ private:
+  struct Member {
+    int option = -1;
+    int state = -1;
+    Cooperation cooperation;
+    bool entering = false;  // in this cycle
+    int announced = 0;      // cycles in a row before this one
+    int othersInOption = 0;
+    int othersExecuting = 0;
+    int othersEntering = 0;
+    double largestPriority = 0;  // of those entering
+  };
+
+  bool hasPlace(Member& member) const;
+  bool isTogether(Member& member) const;
+
+  std::vector<Member> members_;
+  std::vector<int> memberOfState_;  // -1: not cooperative
+  CooperationMessage message_;
+  int synchronizationTicks_ = 0;
+};
+
+}  // namespace xabsl

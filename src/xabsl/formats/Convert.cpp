@@ -1,0 +1,47 @@
+#include "xabsl/formats/Convert.h"
+
+#include <utility>
+
+#include "xabsl/formats/SourceWriter.h"
+#include "xabsl/formats/Sources.h"
+#include "xabsl/language/Analyzer.h"
+
+namespace xabsl {
+
+namespace {
+
+Conversion convert(const std::string& path, const FileReader& read, Form form,
+                   const std::string& root) {
+  Reporter reporter;
+  syntax::Program program;
+  readSources(path, read, program, reporter);
+  // Only what is sound is converted: a writer need not ask what names stand for.
+  Model model;
+  if (!reporter.failed()) model = Analyzer(program, reporter).analyze();
+  Conversion conversion;
+  if (form != Form::text31 && root == "options.xml")
+    reporter.fileError(root, "the file with the agents has the name of another file");
+  if (!reporter.failed()) {
+    VirtualFiles files = form == Form::xml21   ? writeXml(program, root, reporter)
+                         : form == Form::xml31 ? writeXml31(program, model, root)
+                                               : writeText(program, root, reporter);
+    if (!reporter.failed()) conversion.files = std::move(files);
+  }
+  conversion.diagnostics = reporter.take();
+  return conversion;
+}
+
+}  // namespace
+
+Conversion convert(const std::string& path, Form form, const std::string& root) {
+  return convert(
+      path, [](const std::string& name, std::string& text) { return readFile(name, text); }, form,
+      root);
+}
+
+Conversion convert(const std::string& path, const VirtualFiles& files, Form form,
+                   const std::string& root) {
+  return convert(path, readerOf(files), form, root);
+}
+
+}  // namespace xabsl

@@ -1,0 +1,118 @@
+#include "xabsl/formats/Formatter.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/language/Lexer.h"
+#include "xabsl/language/ModelText.h"
+#include "xabsl/tests/RandomBehavior.h"
+#include "xabsl/tests/TestBehavior.h"
+
+namespace xabsl {
+namespace {
+
+std::string formatted(const std::string& text) {
+  Reporter reporter;
+  return format(reporter.addFile("a.xabsl", text), text, reporter).value_or("nothing");
+}
+
+TEST(Formatter, IndentsAndKeepsCommentsAndGroups) {
+  const std::string expected =
+      "// what\n\n/** Plays. */\noption play {\n  initial state a {\n    decision {\n"
+      "      if (x > 1) // far\n        goto a;\n      else stay;\n    }\n  }\n}\n";
+  EXPECT_EQ(formatted("  // what\r\n\n\n\n/** Plays. */\noption  play {\ninitial\tstate a {\n"
+                      "decision {  \nif (x > 1)  // far\ngoto a;\nelse stay;\n}\n}\n      }"),
+            expected);
+  EXPECT_EQ(formatted(expected), expected);
+}
+
+TEST(Formatter, KeepsStringsRangesAndParameters) {
+  const std::string text = "float input a [0 ..  1] \"m  m\";\nx = @a;\n";
+  EXPECT_EQ(formatted(text), text);
+}
+
+TEST(Formatter, AlignsWhatStandsInParentheses) {
+  const std::string text =
+      "option play {\n  initial state a {\n    decision {\n      if (x > 1 &&\n          y < max(a "
+      "= 1,\n"
+      "                  b = 2)) goto a;\n      else stay;\n    }\n    action {\n      walk(\n     "
+      "   x = 1,\n"
+      "        y = 2\n      );\n    }\n  }\n}\n";
+  EXPECT_EQ(formatted(text), text);
+}
+
+std::vector<std::string> tokensOf(const std::string& text) {
+  Reporter reporter;
+  std::vector<syntax::Comment> comments;
+  std::vector<std::string> tokens;
+  Lexer lexer(reporter.addFile("a.xabsl", text), text, reporter, &comments);
+  for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
+    tokens.emplace_back(token.text);
+  for (const syntax::Comment& comment : comments) tokens.emplace_back(comment.text);
+  return tokens;
+}
+
+TEST(Formatter, NeverChangesWhatTextMeansAndIsDoneAtOnce) {
+  const std::vector<std::string> words{
+      "option",   "play",   "{",           "}",        "(",    ")",    ";",
+      ",",        "x",      "@y",          "=",        "==",   "12.5", "\"m s\"",
+      "[0 .. 1]", "// c\n", "/* d\n e */", "/** f */", "goto", "&&",   "-"};
+  const std::vector<std::string> gaps{" ", "  ", "\n", "\r\n", "\n\n\n", "\t"};
+  std::mt19937 random{1};
+  for (int i = 0; i < 500; ++i) {
+    std::string text;
+    for (int n = 0; n < 60; ++n)
+      text += words[random() % words.size()] + gaps[random() % gaps.size()];
+    const std::string once = formatted(text);
+    ASSERT_EQ(tokensOf(once), tokensOf(text)) << text;
+    ASSERT_EQ(formatted(once), once) << text;
+  }
+}
+
+TEST(Formatter, LeavesBehaviorsAtRandomWhatTheyAre) {
+  const auto code = [](const std::string& text) {
+    return *writeIntermediateCode(test::compiled(text).model()).text;
+  };
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const std::string text = test::RandomBehavior(seed).write();
+    const std::string once = formatted(text);
+    EXPECT_EQ(code(once), code(text));
+    EXPECT_EQ(formatted(once), once);
+  }
+}
+
+TEST(Formatter, RefusesWhatIsNoToken) {
+  EXPECT_EQ(formatted("option $"), "nothing");
+  EXPECT_EQ(formatted("a /* b"), "nothing");
+  EXPECT_EQ(formatted(""), "");
+}
+
+/// The condition of the first decision and the actions of the only state, written from the model.
+std::string writtenAgain(const std::string& condition, const std::string& actions) {
+  const Behavior behavior = test::compiled(
+      "namespace symbols(\"Symbols\") { enum mode { off, on }; bool input b; bool input c; "
+      "float input x; float input f(float p; float q;); enum mode input m; enum mode output o; "
+      "float output y; float const limit = 5; }"
+      "namespace behaviors(\"Behaviors\") { behavior go { float v; enum mode k; } }"
+      "option main { float @p; initial state s { decision { if (" +
+      condition + ") goto s; else stay; } action { " + actions + " } } } agent a(\"A\", main);");
+  const Model& model = behavior.model();
+  std::string text = expressionText(model, model.decisions[0].condition);
+  for (const Action& action : model.actions) text += "; " + actionText(model, action);
+  return text;
+}
+
+TEST(ModelText, KeepsExpressionsAndActions) {
+  for (const std::string condition :
+       {"b && (c || b) && !(b && c)", "x - (x - 1) - 2 < -x * 3 % 4", "(x < 1 ? 2 : x) > limit",
+        "m == off || mode.on != m", "f(q = 1, p = -(-x)) >= state_time / 0.25", "!b && (b && c)",
+        "f(p = 1, q = (x + 1) * @p) <= 1e+30", "action_done || option_time > 1000 || true"})
+    EXPECT_EQ(writtenAgain(condition, "o = b ? on : off; y = x; go(k = m, v = @p); go();"),
+              condition + "; o = b ? on : off; y = x; go(k = m, v = @p); go()");
+}
+
+}  // namespace
+}  // namespace xabsl

@@ -1,0 +1,335 @@
+#include <algorithm>
+#include <utility>
+
+#include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/formats/Lowering.h"
+
+namespace xabsl {
+
+namespace {
+
+constexpr std::string_view lineEnd = "\r\n";
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// The indices of those elements that are wanted, in the order of their names without regard to
+/// case.
+template <typename Element, typename Wanted>
+std::vector<int> sorted(const std::vector<Element>& elements, Wanted wanted) {
+  std::vector<std::pair<std::string, int>> names;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (wanted(elements[i])) names.emplace_back(lower(elements[i].name), static_cast<int>(i));
+  std::sort(names.begin(), names.end());
+  std::vector<int> indices;
+  for (const auto& [name, index] : names) indices.push_back(index);
+  return indices;
+}
+
+class Writer {
+ public:
+  Writer(const Model& model, Dialect dialect) : model_(model), dialect_(dialect) {}
+
+  IntermediateCode run() {
+    text_ = "// Intermediate code for the agents of " + model_.title;
+    endLine();
+    endLine();
+    internals();
+    const std::vector<int> options = sorted(model_.options, [](const Option&) { return true; });
+    line(std::to_string(options.size()));
+    for (const int option : options) declare(model_.options[at(option)]);
+    endLine();
+    for (const int option : options) define(model_.options[at(option)]);
+    agents();
+    IntermediateCode code;
+    code.diagnostics = std::move(diagnostics_);
+    if (code.diagnostics.empty()) code.text = std::move(text_);
+    return code;
+  }
+
+ private:
+  void endLine() { text_ += lineEnd; }
+  void line(std::string_view text) {
+    text_ += text;
+    endLine();
+  }
+
+  void refuse(Location location, const std::string& what) {
+    diagnostics_.push_back({Diagnostic::Severity::error, model_.files[at(location.file)],
+                            location.line, location.column,
+                            what + " cannot be said in intermediate code of XABSL 3.0"});
+  }
+
+  const std::string& enumeration(Type type) const {
+    return model_.enumerations[at(type.enumeration)].name;
+  }
+
+  std::string typed(Type type, const std::string& name) const {
+    if (type.kind == ValueKind::number) return "d " + name;
+    if (type.kind == ValueKind::boolean) return "b " + name;
+    return "e " + enumeration(type) + " " + name;
+  }
+
+  std::string element(int index, int element) const {
+    const Enumeration& of = model_.enumerations[at(index)];
+    const std::string& name = of.elements[at(element)].name;
+    return of.name.empty() ? name : of.name + "." + name;
+  }
+
+  void internals() {
+    const std::vector<int> enumerations =
+        sorted(model_.enumerations, [](const Enumeration& one) { return one.internal; });
+    line(std::to_string(enumerations.size()));
+    for (const int index : enumerations) {
+      const Enumeration& one = model_.enumerations[at(index)];
+      text_ += one.name + " " + std::to_string(one.elements.size());
+      for (std::size_t i = 0; i < one.elements.size(); ++i)
+        text_ += " " + element(index, static_cast<int>(i));
+      endLine();
+    }
+    const std::vector<int> symbols = sorted(
+        model_.symbols, [](const Symbol& symbol) { return symbol.kind == SymbolKind::internal; });
+    line(std::to_string(symbols.size()));
+    for (const int index : symbols)
+      line(typed(model_.symbols[at(index)].type, model_.symbols[at(index)].name));
+    endLine();
+  }
+
+  void declare(const Option& option) {
+    text_ += option.name + " " + std::to_string(option.parameters.size());
+    for (const Parameter& parameter : option.parameters)
+      text_ += " " + typed(parameter.type, option.name + "." + parameter.name);
+    endLine();
+  }
+
+  void define(const Option& option) {
+    line(std::to_string(option.states.count));
+    const int end = option.states.first + option.states.count;
+    for (int i = option.states.first; i < end; ++i) listState(model_.states[at(i)]);
+    if (dialect_ == Dialect::xabsl30) endLine();
+    endLine();
+    line(model_.states[at(option.initialState)].name);
+    for (int i = option.states.first; i < end; ++i) define(option, i);
+    for (int i = 0; i < 3; ++i) endLine();
+  }
+
+  void listState(const State& state) {
+    using Kind = Cooperation::Kind;
+    const Cooperation::Kind kind = state.cooperation.kind;
+    text_ += state.name + " ";
+    if (dialect_ == Dialect::xabsl30) {
+      if (kind != Kind::none) refuse(state.location, "cooperative state '" + state.name + "'");
+    } else if (kind == Kind::none) {
+      line("n");
+    } else {
+      line((kind == Kind::capacity ? "c " : "s ") + std::to_string(state.cooperation.agents));
+    }
+  }
+
+  void define(const Option& option, int index) {
+    const State& state = model_.states[at(index)];
+    line(state.target ? "1" : "0");
+    line(std::to_string(option.commonActions.count + state.actions.count));
+    actions(option.commonActions);
+    actions(state.actions);
+    state_ = index;
+    if (option.commonDecision.kind != Branch::Kind::none)
+      decision(option.commonDecision, &state.decision);
+    else
+      decision(state.decision, nullptr);
+  }
+
+  void actions(Span span) {
+    for (int i = span.first; i < span.first + span.count; ++i) action(model_.actions[at(i)]);
+  }
+
+  void action(const Action& action) {
+    if (action.kind == Action::Kind::assignment) {
+      const Symbol& symbol = model_.symbols[at(action.target)];
+      const char* type = symbol.type.kind == ValueKind::number    ? "d "
+                         : symbol.type.kind == ValueKind::boolean ? "b "
+                                                                  : "e ";
+      line(type + symbol.name);
+      expression(action.operand);
+    } else if (action.kind == Action::Kind::option) {
+      const Option& option = model_.options[at(action.target)];
+      line("o " + option.name);
+      arguments(option.name, option.parameters, action.operand);
+    } else {
+      const BasicBehavior& behavior = model_.behaviors[at(action.target)];
+      line("a " + behavior.name);
+      arguments(behavior.name, behavior.parameters, action.operand);
+    }
+  }
+
+  /// Only what was set, in the order in which it was.
+  void arguments(const std::string& owner, const std::vector<Parameter>& parameters, int first) {
+    std::vector<int> order;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const int parameter = model_.argumentOrder[at(first) + i];
+      if (parameter < 0) break;
+      order.push_back(parameter);
+    }
+    line(std::to_string(order.size()));
+    for (const int index : order) {
+      const Parameter& parameter = parameters[at(index)];
+      line(typed(parameter.type, owner + "." + parameter.name));
+      expression(model_.operands[at(first + index)]);
+    }
+  }
+
+  /// What decides nothing goes on with `rest`; without that one the state stays.
+  void decision(Branch branch, const Branch* rest) {
+    // A chain of `else if` may be long: it is written in a loop.
+    while (branch.kind == Branch::Kind::decision || (branch.kind == Branch::Kind::none && rest)) {
+      if (branch.kind == Branch::Kind::none) {
+        branch = *std::exchange(rest, nullptr);
+        continue;
+      }
+      const Decision& decision = model_.decisions[at(branch.index)];
+      line("i");
+      expression(decision.condition);
+      this->decision(decision.then, nullptr);
+      branch = decision.otherwise;
+    }
+    const int target = branch.kind == Branch::Kind::state ? branch.index : state_;
+    line("t " + model_.states[at(target)].name);
+  }
+
+  void expression(int index) {
+    const Expression& expression = model_.expressions[at(index)];
+    switch (expression.operation) {
+      case Operator::constant:
+        return constant(index);
+      case Operator::element:
+        return line("v " + element(expression.a, expression.b) + " ");
+      case Operator::parameter: {
+        const Option& option = model_.options[at(expression.a)];
+        return line("p " + option.name + "." + option.parameters[at(expression.b)].name);
+      }
+      case Operator::input: {
+        const Symbol& symbol = model_.symbols[at(expression.a)];
+        line("i " + symbol.name);
+        return arguments(symbol.name, symbol.parameters, expression.b);
+      }
+      case Operator::variable:
+        return line("o " + model_.symbols[at(expression.a)].name);
+      case Operator::conflict:
+        if (dialect_ == Dialect::xabsl30)
+          refuse(model_.expressionLocations[at(index)], "'conflict'");
+        return line("x");
+      case Operator::negate:
+        return negation(expression);
+      case Operator::logicalAnd:
+      case Operator::logicalOr:
+        return connection(index);
+      case Operator::equal:
+      case Operator::notEqual:
+        return equality(expression);
+      default:
+        line(sign(expression.operation));
+        for (const int operand : {expression.a, expression.b, expression.c})
+          if (operand >= 0) this->expression(operand);
+    }
+  }
+
+  static std::string_view sign(Operator operation) {
+    switch (operation) {
+      case Operator::stateTime:
+        return "s";
+      case Operator::optionTime:
+      case Operator::actionDone:
+        return "t";
+      case Operator::logicalNot:
+        return "!";
+      case Operator::add:
+        return "+";
+      case Operator::subtract:
+        return "-";
+      case Operator::multiply:
+        return "*";
+      case Operator::divide:
+        return "d";
+      case Operator::modulo:
+        return "%";
+      case Operator::less:
+        return "<";
+      case Operator::lessEqual:
+        return "l";
+      case Operator::greater:
+        return ">";
+      case Operator::greaterEqual:
+        return "g";
+      default:
+        return "q";
+    }
+  }
+
+  void constant(int index) {
+    const Expression& expression = model_.expressions[at(index)];
+    if (expression.a >= 0) return line("c " + model_.constants[at(expression.a)].digits);
+    if (expression.b >= 0) return line(expression.number != 0 ? "v true" : "v false");
+    line("v " + decimalText(expression.number));
+  }
+
+  /// A number gets the sign itself, anything else is taken from 0.
+  void negation(const Expression& expression) {
+    if (const std::optional<double> number = signedNumber(model_, expression))
+      return line("v " + decimalText(*number));
+    line("-");
+    line("v 0");
+    this->expression(expression.a);
+  }
+
+  /// `&&` below `&&` is one, and so is `||` below `||`.
+  void connection(int index) {
+    const bool both = model_.expressions[at(index)].operation == Operator::logicalAnd;
+    const std::vector<int> operands = flattened(model_, index);
+    line((both ? "& " : "| ") + std::to_string(operands.size()));
+    for (const int operand : operands) expression(operand);
+  }
+
+  /// Enumerations are compared by `c` alone.
+  void equality(const Expression& expression) {
+    const bool equal = expression.operation == Operator::equal;
+    if (isEnumerated(model_, expression.a)) {
+      if (!equal) line("!");
+      line("c");
+    } else {
+      line(equal ? "=" : "n");
+    }
+    this->expression(expression.a);
+    this->expression(expression.b);
+  }
+
+  void agents() {
+    line(std::to_string(model_.agents.size()));
+    for (std::size_t i = 0; i < model_.agents.size(); ++i) {
+      const Agent& agent = model_.agents[i];
+      if (i > 0) text_ += " ";
+      text_ += agent.name + " " + model_.options[at(agent.rootOption)].name;
+    }
+    endLine();
+  }
+
+  const Model& model_;
+  Dialect dialect_;
+  std::string text_;
+  std::vector<Diagnostic> diagnostics_;
+  int state_ = -1;  // whose decision tree is being written
+};
+
+}  // namespace
+
+IntermediateCode writeIntermediateCode(const Model& model, Dialect dialect) {
+  return Writer(model, dialect).run();
+}
+
+}  // namespace xabsl

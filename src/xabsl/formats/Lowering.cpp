@@ -1,0 +1,78 @@
+#include "xabsl/formats/Lowering.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace xabsl {
+
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+std::string decimalText(double number) {
+  constexpr double largestWritten = 1e22;  // above that, a whole number is not exact anyway
+  constexpr double smallestFixed = 1e-4;
+  if (number == 0) return "0";  // also the negative zero
+  char buffer[64];
+  const bool whole = number == std::trunc(number) && std::fabs(number) < largestWritten;
+  const bool fixed = whole || (std::fabs(number) >= smallestFixed && std::fabs(number) < 1e16);
+  const auto format = fixed ? std::chars_format::fixed : std::chars_format::scientific;
+  std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, number, format).ptr);
+  const std::size_t exponent = text.find('e');
+  if (exponent != std::string::npos && text.find('.') == std::string::npos)
+    text.insert(exponent, ".0");
+  return text;
+}
+
+std::optional<double> signedNumber(const Model& model, const Expression& negation) {
+  bool negative = true;
+  const Expression* operand = &model.expressions[at(negation.a)];
+  while (operand->operation == Operator::negate) {
+    negative = !negative;
+    operand = &model.expressions[at(operand->a)];
+  }
+  if (operand->operation != Operator::constant || operand->a >= 0) return std::nullopt;
+  return negative ? -operand->number : operand->number;
+}
+
+std::vector<int> flattened(const Model& model, int connection) {
+  const Operator operation = model.expressions[at(connection)].operation;
+  std::vector<int> operands;
+  std::vector<int> open = {connection};
+  while (!open.empty()) {
+    const int index = open.back();
+    open.pop_back();
+    const Expression& expression = model.expressions[at(index)];
+    if (expression.operation != operation) {
+      operands.push_back(index);
+      continue;
+    }
+    for (int i = expression.c - 1; i >= 0; --i)
+      open.push_back(model.operands[at(expression.b + i)]);
+  }
+  return operands;
+}
+
+bool isEnumerated(const Model& model, int index) {
+  const Expression& expression = model.expressions[at(index)];
+  switch (expression.operation) {
+    case Operator::element:
+      return true;
+    case Operator::parameter:
+      return model.options[at(expression.a)].parameters[at(expression.b)].type.kind ==
+             ValueKind::enumeration;
+    case Operator::input:
+    case Operator::variable:
+      return model.symbols[at(expression.a)].type.kind == ValueKind::enumeration;
+    case Operator::conditional:
+      return isEnumerated(model, expression.b);
+    default:
+      return false;
+  }
+}
+
+}  // namespace xabsl

@@ -1,0 +1,146 @@
+#include "xabsl/formats/SourceWriter.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace xabsl {
+
+using namespace syntax;
+
+namespace {
+
+/// Where the documentation of everything in a program stands.
+class Documented {
+ public:
+  explicit Documented(const Program& program) {
+    add(program.namespaces);
+    add(program.enumerations);
+    add(program.symbols);
+    add(program.constants);
+    add(program.behaviors);
+    add(program.options);
+    add(program.agents);
+    for (const Symbol& symbol : program.symbols) add(symbol.parameters);
+    for (const Behavior& behavior : program.behaviors) add(behavior.parameters);
+    for (const Option& option : program.options) {
+      add(option.parameters);
+      add(option.states);
+      if (option.commonDecision) decision(*option.commonDecision);
+      for (const State& state : option.states)
+        if (state.decision) decision(*state.decision);
+    }
+  }
+
+  bool holds(const Comment& comment) const {
+    const auto found = places_.lower_bound(comment.text.data());
+    return found != places_.end() && *found < comment.text.data() + comment.text.size();
+  }
+
+ private:
+  template <typename Declarations>
+  void add(const Declarations& declarations) {
+    for (const Declaration& declaration : declarations) places_.insert(declaration.doc.data());
+  }
+
+  void decision(const Decision& decision) {
+    for (const Arm& arm : decision.arms) {
+      places_.insert(arm.doc.data());
+      this->decision(*arm.decision);
+    }
+    if (decision.otherwise) this->decision(*decision.otherwise);
+  }
+
+  std::set<const char*> places_;
+};
+
+bool isBefore(Location a, Location b) {
+  return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+}
+
+std::string withoutMarks(const Comment& comment) {
+  std::string_view text = comment.text;
+  if (comment.kind == Comment::Kind::line) return std::string(text.substr(2));
+  text = text.substr(2, text.size() - 4);
+  while (!text.empty() && text.front() == '*') text.remove_prefix(1);
+  while (!text.empty() && text.back() == '*') text.remove_suffix(1);
+  return std::string(text);
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+}  // namespace
+
+LooseComments::LooseComments(const Program& program) : taken_(program.files.size(), 0) {
+  const Documented documented(program);
+  for (const File& file : program.files) {
+    files_.emplace_back();
+    for (const Comment& comment : file.comments)
+      if (comment.kind != Comment::Kind::header && !documented.holds(comment))
+        files_.back().push_back(&comment);
+  }
+}
+
+std::vector<std::string> LooseComments::before(Location place) {
+  const std::size_t file = static_cast<std::size_t>(place.file);
+  std::vector<std::string> texts;
+  std::size_t& next = taken_[file];
+  for (; next < files_[file].size() && isBefore(files_[file][next]->extent.begin, place); ++next)
+    texts.push_back(trimmed(withoutMarks(*files_[file][next])));
+  return texts;
+}
+
+std::vector<std::string> LooseComments::rest() {
+  std::vector<std::string> texts;
+  for (std::size_t file = 0; file < files_.size(); ++file)
+    for (; taken_[file] < files_[file].size(); ++taken_[file])
+      texts.push_back(trimmed(withoutMarks(*files_[file][taken_[file]])));
+  return texts;
+}
+
+std::string folderOf(const Program& program, Location location) {
+  const std::filesystem::path root =
+      std::filesystem::path(program.files.front().path).parent_path();
+  const std::filesystem::path folder =
+      std::filesystem::path(program.files[static_cast<std::size_t>(location.file)].path)
+          .parent_path();
+  const std::filesystem::path inside =
+      folder.lexically_relative(root.empty() ? std::filesystem::path(".") : root);
+  if (inside.empty() || inside == "." || *inside.begin() == "..") return {};
+  return inside.generic_string() + "/";
+}
+
+std::vector<Collection> collectionsOf(const Program& program) {
+  std::vector<Collection> collections;
+  std::map<std::pair<std::string_view, bool>, std::size_t> known;
+  const auto add = [&](const Declaration& member, bool behaviors) {
+    const Namespace& space = program.namespaces[static_cast<std::size_t>(member.space)];
+    const auto [found, added] =
+        known.emplace(std::pair(space.name.text, behaviors), collections.size());
+    if (added) collections.push_back({&space, behaviors, {}});
+    collections[found->second].members.push_back(&member);
+  };
+  for (const Enumeration& enumeration : program.enumerations) add(enumeration, false);
+  for (const Symbol& symbol : program.symbols) add(symbol, false);
+  for (const Constant& constant : program.constants) add(constant, false);
+  for (const Behavior& behavior : program.behaviors) add(behavior, true);
+  // In the order of the sources; an enumeration that a symbol brings along stands before it.
+  const auto order = [](const Declaration* a, const Declaration* b) {
+    return std::tie(a->extent.begin.file, a->extent.begin.line, a->extent.begin.column) <
+           std::tie(b->extent.begin.file, b->extent.begin.line, b->extent.begin.column);
+  };
+  for (Collection& collection : collections)
+    std::stable_sort(collection.members.begin(), collection.members.end(), order);
+  std::stable_sort(collections.begin(), collections.end(),
+                   [](const Collection& a, const Collection& b) { return a.space < b.space; });
+  return collections;
+}
+
+}  // namespace xabsl

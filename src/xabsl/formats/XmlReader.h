@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "xabsl/formats/XmlTree.h"
+#include "xabsl/language/Reporter.h"
+#include "xabsl/language/Syntax.h"
+
+namespace xabsl::xml {
+
+/// True for the text of an XML file, false for XABSL text.
+bool isXml(std::string_view text);
+
+/// Converts the text of an XML file from the encoding that it declares to UTF-8; false: it cannot
+/// be done.
+bool toUtf8(std::string& text);
+
+/// Reads one file, whose text is UTF-8 and known to the reporter by the index `index`. Nothing else
+/// is read: inclusions stay what they are. What is wrong is reported.
+void readElements(int index, std::string_view text, Reporter& reporter, syntax::Program& program,
+                  File& file);
+
+/// The files that a document type definition names: `<!ENTITY name SYSTEM "path">`.
+std::map<std::string, std::string, std::less<>> readEntities(std::string_view text);
+
+}  // namespace xabsl::xml

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "xabsl/formats/XmlTree.h"
+#include "xabsl/language/Reporter.h"
+
+namespace xabsl::xml {
+
+/// Validates files against the XML Schemas of their version of XABSL (report F.1): each by itself,
+/// then all as a whole. What is wrong is reported.
+void validate(const Files& files, Reporter& reporter);
+
+}  // namespace xabsl::xml

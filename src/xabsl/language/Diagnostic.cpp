@@ -1,0 +1,42 @@
+#include "xabsl/language/Diagnostic.h"
+
+#include <algorithm>
+
+namespace xabsl {
+
+std::string toString(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.file;
+  if (diagnostic.line > 0)
+    text += ":" + std::to_string(diagnostic.line) + ":" + std::to_string(diagnostic.column);
+  text += diagnostic.severity == Diagnostic::Severity::error ? ": error: " : ": warning: ";
+  return text + diagnostic.message;
+}
+
+std::string toStringWithSource(const Diagnostic& diagnostic) {
+  std::string text = toString(diagnostic);
+  if (diagnostic.source.empty() || diagnostic.column < 1) return text;
+  const std::string number = std::to_string(diagnostic.line);
+  const std::string margin = std::string(number.size() + 2, ' ') + "| ";
+  std::string pad;
+  int column = 1;
+  for (const char c : diagnostic.source) {
+    if (column >= diagnostic.column) break;
+    if ((static_cast<unsigned char>(c) & 0xC0u) == 0x80u) continue;  // columns count letters
+    pad += c == '\t' ? '\t' : ' ';
+    ++column;
+  }
+  return text + "\n " + number + " | " + diagnostic.source + "\n" + margin + pad + "^";
+}
+
+std::string inQuotes(std::string_view text) {
+  constexpr std::size_t longest = 80;
+  return "'" + std::string(text.substr(0, longest)) + (text.size() > longest ? "..." : "") + "'";
+}
+
+bool hasErrors(const std::vector<Diagnostic>& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+    return diagnostic.severity == Diagnostic::Severity::error;
+  });
+}
+
+}  // namespace xabsl

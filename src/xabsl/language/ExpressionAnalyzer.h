@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xabsl/language/Model.h"
+#include "xabsl/language/Names.h"
+#include "xabsl/language/References.h"
+#include "xabsl/language/Reporter.h"
+#include "xabsl/language/Syntax.h"
+
+namespace xabsl {
+
+/// How messages name a type: `float`, `bool` or `enum E`.
+std::string describe(const Model& model, Type type);
+
+/// Finds a parameter by name, with or without `owner.` before it; -1: there is none.
+int findParameter(const std::vector<Parameter>& parameters, std::string_view name,
+                  std::string_view owner = {});
+
+/// Resolves names and checks types of the expressions of one option and appends them to the model.
+class ExpressionAnalyzer {
+ public:
+  ExpressionAnalyzer(Model& model, const Names& names, int option, Reporter& reporter,
+                     References* references = nullptr);
+
+  /// The index of the resolved expression, or -1 after an error. `purpose` begins the message when
+  /// the type is another one.
+  int expression(const syntax::Expression& source, Type wanted, const std::string& purpose);
+
+  /// Resolves `name = value, ...`; what is not given becomes 0, false or the first element (report
+  /// F.6). `entity` is what has the parameters. Returns the index of the first operand.
+  int arguments(const std::vector<syntax::Argument>& sources,
+                const std::vector<Parameter>& parameters, std::string_view owner,
+                const std::string& callee, const Entity& entity);
+
+  void error(Location location, const std::string& message);
+
+ private:
+  struct Typed {
+    int index = -1;  // -1: an error, already reported
+    Type type;
+  };
+
+  Typed analyze(const syntax::Expression& source, int enumeration);
+  Typed name(const syntax::Expression& source, int enumeration);
+  void ambiguous(const syntax::Expression& source, bool constant, bool input, bool output);
+  Typed symbol(const syntax::Expression& source, int index);
+  Typed element(const syntax::Expression& source, int enumeration);
+  Typed parameter(const syntax::Expression& source);
+  Typed call(const syntax::Expression& source);
+  Typed operation(const syntax::Expression& source, int enumeration);
+  Typed equality(const syntax::Expression& source);
+  Typed conditional(const syntax::Expression& source, int enumeration);
+  Typed uniform(const syntax::Expression& source, Type operandType, Type resultType);
+  void refer(const Entity& entity, const syntax::Expression& source);
+  Typed add(const syntax::Expression& source, const Expression& expression, Type type);
+  int appendOperands(const std::vector<int>& operands, const std::vector<int>& order = {});
+  void unknownName(const syntax::Expression& source, int enumeration);
+
+  Model& model_;
+  const Names& names_;
+  int option_;
+  Reporter& reporter_;
+  References* references_;
+};
+
+}  // namespace xabsl

@@ -1,0 +1,278 @@
+#include "xabsl/language/Lexer.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace xabsl {
+
+namespace {
+
+constexpr std::array<std::string_view, 28> keywords = {
+    "true",        "false",    "option", "action",  "initial",  "target",      "state",
+    "common",      "decision", "goto",   "if",      "else",     "option_time", "state_time",
+    "action_done", "agent",    "enum",   "input",   "function", "output",      "bool",
+    "float",       "const",    "stay",   "include", "behavior", "namespace",   "internal"};
+constexpr std::array<std::string_view, 3> keywordsSince31 = {"capacity", "conflict",
+                                                             "synchronized"};
+
+constexpr std::size_t longestName = 500;
+
+constexpr std::array<std::string_view, 6> longPunctuation = {"==", "!=", "<=", ">=", "&&", "||"};
+constexpr std::string_view shortPunctuation = "{}();,=!-+*/%<>?:";
+
+// Not <cctype>: these do not depend on the locale and take any char.
+bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool isNamePart(char c) {
+  return isLetter(c) || isDigit(c) || c == '.';
+}
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
+}
+bool continuesUtf8(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+template <typename Words>
+bool contains(const Words& words, std::string_view text) {
+  return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+bool isKeyword(std::string_view text, Dialect dialect) {
+  return contains(keywords, text) ||
+         (dialect != Dialect::xabsl30 && contains(keywordsSince31, text));
+}
+
+}  // namespace
+
+std::string describe(const Token& token) {
+  switch (token.kind) {
+    case TokenKind::end:
+      return "the end of the file";
+    case TokenKind::string:
+      return "a string";
+    case TokenKind::range:
+      return "a range";
+    case TokenKind::parameter:
+      return "'@" + std::string(token.text) + "'";
+    default:
+      return inQuotes(token.text);
+  }
+}
+
+Lexer::Lexer(int file, std::string_view text, Reporter& reporter,
+             std::vector<syntax::Comment>* comments, Dialect dialect)
+    : text_(text), reporter_(reporter), comments_(comments), dialect_(dialect) {
+  location_.file = file;
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text_.substr(0, byteOrderMark.size()) == byteOrderMark)
+    text_.remove_prefix(byteOrderMark.size());
+}
+
+Token Lexer::next() {
+  doc_ = {};
+  Token token = read();
+  token.doc = doc_;
+  token.end = location_;
+  return token;
+}
+
+Token Lexer::read() {
+  for (;;) {
+    skipBlanks();
+    Token token;
+    token.location = location_;
+    if (atEnd()) return token;
+    const char c = peek();
+    if (isLetter(c)) {
+      token.text = takeName();
+      token.kind = isKeyword(token.text, dialect_) ? TokenKind::keyword : TokenKind::identifier;
+      return token;
+    }
+    if (c == '@' && isLetter(peek(1))) {
+      advance();
+      token.text = takeName();
+      token.kind = TokenKind::parameter;
+      return token;
+    }
+    if (isDigit(c) || (c == '.' && isDigit(peek(1)))) return number(token);
+    if (c == '"') return enclosed(token, TokenKind::string, '"', "string");
+    if (c == '[') return enclosed(token, TokenKind::range, ']', "range");
+    if (punctuation(token)) return token;
+    skipUnexpected();
+  }
+}
+
+void Lexer::advance() {
+  if (peek() == '\n') {
+    ++location_.line;
+    location_.column = 0;
+  }
+  ++position_;
+  // Columns count letters, not bytes.
+  if (!continuesUtf8(peek())) ++location_.column;
+}
+
+void Lexer::skipBlanks() {
+  while (!atEnd()) {
+    if (isBlank(peek())) {
+      advance();
+    } else if (peek() == '/' && peek(1) == '/') {
+      skipLineComment();
+    } else if (peek() == '/' && peek(1) == '*') {
+      skipBlockComment();
+    } else {
+      return;
+    }
+  }
+}
+
+void Lexer::skipLineComment() {
+  const std::size_t start = position_;
+  const Location begin = location_;
+  // A file of old editors may end its lines with a carriage return alone.
+  while (!atEnd() && peek() != '\n' && peek() != '\r') advance();
+  keep(syntax::Comment::Kind::line, start, begin);
+}
+
+void Lexer::skipBlockComment() {
+  using Kind = syntax::Comment::Kind;
+  const Location start = location_;
+  const std::size_t first = position_;
+  advance();
+  advance();
+  while (!atEnd() && !(peek() == '*' && peek(1) == '/')) advance();
+  if (atEnd()) {
+    reporter_.error(start, "comment is not closed, expected '*/'");
+    return;
+  }
+  advance();
+  advance();
+  std::string_view inner = text_.substr(first, position_ - first);
+  Kind kind = Kind::block;
+  if (inner.size() >= 7 && inner.substr(0, 4) == "/***") {
+    kind = Kind::header;
+  } else if (inner.size() >= 5 && inner.substr(0, 3) == "/**") {
+    kind = Kind::documentation;
+    doc_ = trimmed(inner.substr(3, inner.size() - 5));
+  }
+  keep(kind, first, start);
+}
+
+void Lexer::keep(syntax::Comment::Kind kind, std::size_t start, Location begin) {
+  if (comments_)
+    comments_->push_back({kind, text_.substr(start, position_ - start), {begin, location_}});
+}
+
+std::string_view Lexer::takeName() {
+  const std::size_t start = position_;
+  const Location location = location_;
+  while (isNamePart(peek())) advance();
+  const std::size_t length = position_ - start;
+  if (length > longestName)
+    reporter_.error(location, "name is longer than " + std::to_string(longestName) + " characters");
+  return text_.substr(start, std::min(length, longestName));
+}
+
+Token Lexer::enclosed(Token token, TokenKind kind, char close, const char* name) {
+  advance();
+  const std::size_t start = position_;
+  const std::size_t end = endOfEnclosed(close);
+  while (position_ < end) advance();
+  token.kind = kind;
+  token.text = text_.substr(start, position_ - start);
+  if (peek() == close) {
+    advance();
+  } else {
+    reporter_.error(token.location,
+                    std::string(name) + " is not closed, expected '" + std::string(1, close) + "'");
+  }
+  return token;
+}
+
+/// The place of `close`, or the end of the line. A string may go over lines, but not into the next
+/// statement: so a missing quote spoils one line only.
+std::size_t Lexer::endOfEnclosed(char close) const {
+  constexpr std::size_t farthest = 500;
+  const std::size_t line = std::min(text_.find('\n', position_), text_.size());
+  const std::string_view ahead = text_.substr(position_, line - position_ + farthest);
+  const std::size_t end = ahead.find(close);
+  if (end == std::string_view::npos) return line;
+  const bool closed =
+      position_ + end < line || ahead.substr(0, end).find_first_of(";{}") == std::string_view::npos;
+  return closed ? position_ + end : line;
+}
+
+Token Lexer::number(Token token) {
+  const std::size_t start = position_;
+  if (peek() == '.') reporter_.error(location_, "a number begins with a digit, expected '0.'");
+  while (isDigit(peek())) advance();
+  if (peek() == '.' && !isLetter(peek(1))) {
+    advance();
+    while (isDigit(peek())) advance();
+  }
+  const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
+  if ((peek() == 'e' || peek() == 'E') && isDigit(peek(1 + sign))) {
+    advance();
+    if (sign == 1) advance();
+    while (isDigit(peek())) advance();
+  }
+  token.kind = TokenKind::number;
+  token.text = text_.substr(start, position_ - start);
+  const char* end = token.text.data() + token.text.size();
+  if (std::from_chars(token.text.data(), end, token.number).ec != std::errc())
+    reporter_.error(token.location, "number " + describe(token) + " is out of range");
+  if (isNamePart(peek())) {
+    takeName();
+    token.text = text_.substr(start, position_ - start);
+    reporter_.error(token.location, describe(token) + " is not a number");
+  }
+  return token;
+}
+
+bool Lexer::punctuation(Token& token) {
+  const std::string_view pair = text_.substr(position_, 2);
+  const bool isLong = contains(longPunctuation, pair);
+  if (!isLong && (peek() == '&' || peek() == '|')) {
+    // Whoever writes it means the other one.
+    const bool both = peek() == '&';
+    reporter_.error(location_, std::string("unexpected character '") + peek() +
+                                   "'; did you mean '" + (both ? "&&" : "||") + "'?");
+    token.kind = TokenKind::punctuation;
+    token.text = both ? "&&" : "||";
+    advance();
+    return true;
+  }
+  if (!isLong && shortPunctuation.find(peek()) == std::string_view::npos) return false;
+  token.kind = TokenKind::punctuation;
+  token.text = text_.substr(position_, isLong ? 2 : 1);
+  for (std::size_t i = 0; i < token.text.size(); ++i) advance();
+  return true;
+}
+
+void Lexer::skipUnexpected() {
+  if (peek() == '#') {
+    reporter_.error(location_, "unexpected character '#'; comments begin with '//'");
+    while (!atEnd() && peek() != '\n') advance();
+    return;
+  }
+  const unsigned char c = static_cast<unsigned char>(peek());
+  const bool printable = c > ' ' && c < 0x7F;
+  reporter_.error(location_, printable ? "unexpected character '" + std::string(1, peek()) + "'"
+                                       : "unexpected character with code " + std::to_string(c));
+  do advance();
+  while (!atEnd() && static_cast<unsigned char>(peek()) >= 0x7F);
+}
+
+}  // namespace xabsl

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xabsl/language/Reporter.h"
+#include "xabsl/language/Syntax.h"
+
+namespace xabsl {
+
+enum class TokenKind {
+  identifier,   // ball.distance
+  parameter,    // @speed; the text is without the @
+  keyword,      // option
+  number,       // 12.5
+  string,       // "mm"; the text is without the quotes
+  range,        // [0..1]; opaque
+  punctuation,  // == { ;
+  end           // of the file
+};
+
+/// One word of XABSL text. Its text is a view into the source.
+struct Token {
+  TokenKind kind = TokenKind::end;
+  std::string_view text;
+  Location location;
+  Location end;          // behind its last letter
+  std::string_view doc;  // of the documentation comment before it, without the marks
+  double number = 0;
+
+  bool is(std::string_view expected) const {
+    return (kind == TokenKind::keyword || kind == TokenKind::punctuation) && text == expected;
+  }
+};
+
+/// How a message names a token: 'text', or what stands for it.
+std::string describe(const Token& token);
+
+/// Turns XABSL text into tokens, one at a time. Comments are put aside; what is no token is
+/// reported and skipped.
+class Lexer {
+ public:
+  /// Comments are appended to `comments`, if that is given. In XABSL 3.0 the words of cooperation
+  /// are names.
+  Lexer(int file, std::string_view text, Reporter& reporter,
+        std::vector<syntax::Comment>* comments = nullptr, Dialect dialect = Dialect::xabsl31);
+
+  Token next();
+
+ private:
+  bool atEnd(std::size_t ahead = 0) const { return position_ + ahead >= text_.size(); }
+  char peek(std::size_t ahead = 0) const { return atEnd(ahead) ? '\0' : text_[position_ + ahead]; }
+  Token read();
+  void advance();
+  void skipBlanks();
+  void skipLineComment();
+  void skipBlockComment();
+  void keep(syntax::Comment::Kind kind, std::size_t start, Location begin);
+  std::string_view takeName();
+  Token enclosed(Token token, TokenKind kind, char close, const char* name);
+  std::size_t endOfEnclosed(char close) const;
+  Token number(Token token);
+  bool punctuation(Token& token);
+  void skipUnexpected();
+
+  std::string_view text_;
+  Reporter& reporter_;
+  std::vector<syntax::Comment>* comments_;
+  Dialect dialect_;
+  std::string_view doc_;
+  std::size_t position_ = 0;
+  Location location_;
+};
+
+}  // namespace xabsl

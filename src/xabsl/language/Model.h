@@ -1,0 +1,215 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xabsl/language/Diagnostic.h"
+#include "xabsl/language/Language.h"
+
+namespace xabsl {
+
+/// A type of the language.
+struct Type {
+  ValueKind kind = ValueKind::number;
+  int enumeration = -1;  // index into Model::enumerations
+
+  bool operator==(const Type&) const = default;
+};
+
+struct EnumerationElement {
+  std::string name;  // without the name of the enumeration
+  Location location;
+};
+
+struct Enumeration {
+  std::string name;
+  std::vector<EnumerationElement> elements;
+  Location location;
+  bool internal = false;
+  int space = -1;  // index into Model::namespaces; -1: in none
+  std::string doc = {};
+};
+
+struct Parameter {
+  std::string name;
+  Type type;
+  Location location;
+  std::string range = {};
+  std::string unit = {};
+  std::string doc = {};
+};
+
+/// A group of symbols or of basic behaviors, for documentation.
+struct Namespace {
+  std::string name;
+  std::string title;
+  Location location;
+  std::string doc = {};
+};
+
+/// A named number. Expressions hold its value; this is for those that write and document.
+struct Constant {
+  std::string name;
+  std::string digits;  // of the value, as written
+  double value = 0;
+  Location location;
+  int space = -1;
+  std::string unit = {};
+  std::string doc = {};
+};
+
+/// Where something declared is used first.
+struct Use {
+  int option = -1;  // -1: nowhere
+  Location location;
+};
+
+/// A value that behavior and surroundings share; inputs with parameters are functions.
+struct Symbol {
+  SymbolKind kind = SymbolKind::input;
+  std::string name;
+  Type type;
+  std::vector<Parameter> parameters;
+  Location location;
+  Use firstUse;
+  int space = -1;
+  std::string range = {};
+  std::string unit = {};
+  std::string doc = {};
+};
+
+/// The prototype of a basic behavior, which is written in C++.
+struct BasicBehavior {
+  std::string name;
+  std::vector<Parameter> parameters;
+  Location location;
+  Use firstUse;
+  int space = -1;
+  std::string doc = {};
+};
+
+/// One operation; a, b and c are indices, what into is said at Operator. A constant's a is its
+/// index in Model::constants, or -1 for a number that was written out.
+struct Expression {
+  Operator operation = Operator::constant;
+  int a = -1;
+  int b = -1;
+  int c = -1;
+  double number = 0;
+};
+
+/// Where a decision leads: to a further decision, or to its end.
+struct Branch {
+  enum class Kind {
+    decision,
+    state,
+    stay,
+    none
+  };  // none: a common decision tree that decided nothing
+
+  Kind kind = Kind::none;
+  int index = -1;  // of the decision or the state
+};
+
+struct Decision {
+  int condition = -1;  // index into Model::expressions
+  Branch then;
+  Branch otherwise;
+  std::string doc = {};
+};
+
+struct Action {
+  enum class Kind { option, behavior, assignment };
+
+  Kind kind = Kind::option;
+  int target = -1;   // index of the option, the basic behavior or the symbol
+  int operand = -1;  // first of one operand per parameter, or the expression assigned
+  Location location;
+};
+
+/// A part of a list that several owners share.
+struct Span {
+  int first = 0;
+  int count = 0;
+};
+
+struct State {
+  std::string name;
+  bool target = false;
+  Branch decision;
+  Span actions;
+  Location location;
+  Cooperation cooperation = {};
+  std::string doc = {};
+};
+
+/// A state machine that calls other options and basic behaviors (report 3.8.1.1).
+struct Option {
+  std::string name;
+  std::vector<Parameter> parameters;
+  int initialState = -1;
+  Span states;
+  Branch commonDecision;
+  Span commonActions;
+  Location location;
+  std::string doc = {};
+};
+
+struct Agent {
+  std::string name;
+  int rootOption = -1;
+  Location location;
+  std::string title = {};
+  std::string doc = {};
+};
+
+/// A whole behavior with all names and types resolved. Built by the compiler, never changed after
+/// that; engines and tools read it.
+struct Model {
+  Dialect dialect = Dialect::xabsl31;
+  std::string title;
+  std::string platform;
+  std::string softwareEnvironment;
+  std::vector<std::string> files;
+  std::vector<Namespace> namespaces;
+  std::vector<Constant> constants;
+  std::vector<Enumeration> enumerations;
+  std::vector<Symbol> symbols;
+  std::vector<BasicBehavior> behaviors;
+  std::vector<Option> options;
+  std::vector<State> states;
+  std::vector<Action> actions;
+  std::vector<Decision> decisions;
+  std::vector<Expression> expressions;  // begins with the default of each type
+  std::vector<Location> expressionLocations;
+  std::vector<int> operands;
+  /// Beside the operands of each call: which parameter was set as the first, the second, and so on;
+  /// -1 behind the last one. The others have their default.
+  std::vector<int> argumentOrder;
+  std::vector<Agent> agents;  // the first is selected when an engine starts
+
+  /// The largest number of options and basic behaviors, together with their parameters, in one
+  /// cycle.
+  std::size_t largestActivation = 0;
+
+  /// The expression that stands for a parameter not given: 0, false or the first element.
+  static int defaultExpression(Type type) { return type.enumeration + 1; }
+
+  /// The index of an input symbol by its name, or -1. An output symbol may have the same name.
+  int findInput(std::string_view name) const { return findSymbol(name, true); }
+
+  /// The index of an output or internal symbol by its name, or -1.
+  int findOutput(std::string_view name) const { return findSymbol(name, false); }
+
+ private:
+  int findSymbol(std::string_view name, bool input) const {
+    for (std::size_t i = 0; i < symbols.size(); ++i)
+      if (symbols[i].name == name && (symbols[i].kind == SymbolKind::input) == input)
+        return static_cast<int>(i);
+    return -1;
+  }
+};
+
+}  // namespace xabsl

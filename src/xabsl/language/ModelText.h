@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "xabsl/language/Model.h"
+
+namespace xabsl {
+
+/// An expression of a model as XABSL text on one line, with the parentheses that it needs and no
+/// others. Elements stand without their enumeration where the other side names it.
+std::string expressionText(const Model& model, int expression);
+
+/// An action as XABSL text without the semicolon: `walk(x = @speed)`, `head.mode = look_at_ball`.
+/// Parameters stand in the order in which they were set; those not set are left out.
+std::string actionText(const Model& model, const Action& action);
+
+/// The parameters of what an action calls; those of an assignment are none.
+const std::vector<Parameter>& parametersOf(const Model& model, const Action& action);
+
+}  // namespace xabsl

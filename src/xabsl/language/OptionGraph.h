@@ -1,0 +1,16 @@
+#pragma once
+
+#include "xabsl/language/Model.h"
+#include "xabsl/language/Reporter.h"
+
+namespace xabsl {
+
+/// The largest Model::largestActivation and the longest path of options that are accepted.
+constexpr std::size_t maximalActivation = 100'000;
+constexpr int maximalPath = 200;
+
+/// Options must form a directed graph without cycles (report 3.8.1.1). Also bounds what one cycle
+/// of the engine executes: options that call one another several times multiply.
+void checkOptionGraph(Model& model, Reporter& reporter);
+
+}  // namespace xabsl

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xabsl/language/Lexer.h"
+#include "xabsl/language/Reporter.h"
+#include "xabsl/language/Syntax.h"
+
+namespace xabsl {
+
+/// Reads one file of XABSL text into the syntax tree. A syntax error is reported, and reading
+/// goes on with the next action, state or declaration.
+class Parser {
+ public:
+  /// Deeper nested expressions and decisions are refused.
+  static constexpr int maximalNesting = 200;
+
+  /// The program says whether it is of XABSL 3.0 or 3.1.
+  Parser(int file, std::string_view text, Reporter& reporter, syntax::Program& program);
+
+  /// Appends to the program; what the file includes and its comments go into its
+  /// syntax::File, which must be there.
+  void parse();
+
+ private:
+  struct SyntaxError {};
+  class Nesting;
+
+  [[noreturn]] void fail(const std::string& message);
+  [[noreturn]] void failExpected(const std::string& what);
+  Token take();
+  bool accept(std::string_view text);
+  void expect(std::string_view text);
+  syntax::Name expectName(const std::string& what);
+  void warnFileName(const std::string& what, const syntax::Name& name);
+  syntax::Declaration begin() const;
+  void skipToDeclaration();
+  void skipToMember();
+  void skipToState();
+  void skipToNextAction();
+
+  void declaration();
+  void include();
+  void agent();
+  void namespaceBlock();
+  void namespaceMembers();
+  void namespaceMember();
+  void enumeration();
+  void enumerationElements(const syntax::Declaration& declaration, const syntax::Name& name,
+                           bool internal);
+  void constant(const syntax::Declaration& declaration);
+  void symbol(const syntax::Declaration& declaration, const syntax::TypeName& type);
+  void enterNamespace(syntax::Namespace::Kind kind, Location location);
+  void header();
+  void behavior();
+  bool typeName(syntax::TypeName& type);
+  std::vector<syntax::Parameter> parameters(std::string_view close);
+  syntax::Parameter parameter(bool ofOption);
+  void unitAndRange(std::string_view& range, std::string_view& unit);
+
+  void option();
+  void states(syntax::Option& option);
+  bool atState() const;
+  syntax::State state();
+  Cooperation cooperation();
+  void stateBody(syntax::State& state);
+  std::vector<syntax::Action> actions();
+  syntax::Action action();
+  std::vector<syntax::Argument> arguments();
+  syntax::DecisionPtr commonDecision();
+  syntax::DecisionPtr commonChoice();
+  syntax::DecisionPtr decision();
+  syntax::DecisionPtr choice();
+  syntax::Arm arm(std::string_view doc);
+  syntax::DecisionPtr transition();
+
+  syntax::ExpressionPtr condition();
+  syntax::ExpressionPtr expression();
+  syntax::ExpressionPtr disjunction();
+  syntax::ExpressionPtr conjunction();
+  syntax::ExpressionPtr comparison();
+  syntax::ExpressionPtr sum();
+  syntax::ExpressionPtr product();
+  syntax::ExpressionPtr unary();
+  syntax::ExpressionPtr primary();
+  syntax::ExpressionPtr operation(Operator op, Location location,
+                                  std::vector<syntax::ExpressionPtr> operands);
+  syntax::ExpressionPtr binary(Operator op, Location location, syntax::ExpressionPtr left,
+                               syntax::ExpressionPtr right);
+
+  Reporter& reporter_;
+  syntax::Program& program_;
+  Lexer lexer_;
+  Token token_;
+  Location end_;  // of the last token taken
+  int file_;
+  int space_ = -1;  // the namespace that is being read
+  int nesting_ = 0;
+};
+
+}  // namespace xabsl

@@ -1,0 +1,293 @@
+#include <algorithm>
+#include <utility>
+
+#include "xabsl/language/Parser.h"
+
+/// The part of the parser for what nests: decision trees and expressions.
+namespace xabsl {
+
+using namespace syntax;
+
+/// Counts how deep the parser is; fails where a file nests deeper than anybody writes.
+class Parser::Nesting {
+ public:
+  explicit Nesting(Parser& parser) : parser_(parser) {
+    if (parser_.nesting_ >= maximalNesting)
+      parser_.fail("nested too deeply, at most " + std::to_string(maximalNesting) + " levels");
+    ++parser_.nesting_;
+  }
+  ~Nesting() { --parser_.nesting_; }
+  Nesting(const Nesting&) = delete;
+  Nesting& operator=(const Nesting&) = delete;
+
+ private:
+  Parser& parser_;
+};
+
+DecisionPtr Parser::commonDecision() {
+  expect("{");
+  DecisionPtr decision = commonChoice();
+  expect("}");
+  return decision;
+}
+
+/// `if ... else if ...` without an end: the decision tree of the state follows. What stands in
+/// braces behind `else` goes on with the same chain.
+DecisionPtr Parser::commonChoice() {
+  const Nesting nesting(*this);
+  if (accept("{")) {
+    DecisionPtr inner = commonChoice();
+    expect("}");
+    return inner;
+  }
+  if (!token_.is("if")) failExpected("'if'");
+  auto choice = std::make_unique<Decision>();
+  choice->kind = Decision::Kind::choose;
+  choice->extent.begin = token_.location;
+  std::string_view doc = token_.doc;
+  while (token_.is("if")) {
+    choice->arms.push_back(arm(doc));
+    if (!token_.is("else")) break;
+    const Token sign = take();
+    doc = token_.doc.empty() ? sign.doc : token_.doc;
+    if (token_.is("{")) {
+      DecisionPtr rest = commonChoice();
+      for (Arm& next : rest->arms) choice->arms.push_back(std::move(next));
+      break;
+    }
+    if (!token_.is("if")) {
+      decision();
+      reporter_.error(token_.location, "a common decision ends without an 'else'");
+    }
+  }
+  choice->extent.end = end_;
+  return choice;
+}
+
+Arm Parser::arm(std::string_view doc) {
+  Arm arm;
+  take();
+  arm.doc = doc;
+  arm.condition = condition();
+  arm.decision = decision();
+  return arm;
+}
+
+DecisionPtr Parser::decision() {
+  const Nesting nesting(*this);
+  if (accept("{")) {
+    DecisionPtr inner = decision();
+    expect("}");
+    return inner;
+  }
+  if (!token_.is("if")) return transition();
+  DecisionPtr chosen = choice();
+  if (!chosen->otherwise) failExpected("'else', since each decision has an end ('else stay;')");
+  return chosen;
+}
+
+DecisionPtr Parser::choice() {
+  auto choice = std::make_unique<Decision>();
+  choice->kind = Decision::Kind::choose;
+  choice->extent.begin = token_.location;
+  std::string_view doc = token_.doc;
+  // A chain of `else if` may be long: it is read in a loop, never by recursion.
+  while (token_.is("if")) {
+    choice->arms.push_back(arm(doc));
+    choice->extent.end = end_;
+    if (!token_.is("else")) return choice;
+    const Token sign = take();
+    doc = token_.doc.empty() ? sign.doc : token_.doc;
+  }
+  choice->otherwise = decision();
+  choice->extent.end = end_;
+  return choice;
+}
+
+DecisionPtr Parser::transition() {
+  auto transition = std::make_unique<Decision>();
+  transition->extent.begin = token_.location;
+  if (accept("goto")) {
+    transition->kind = Decision::Kind::go;
+    transition->target = expectName("the name of a state");
+  } else if (!accept("stay")) {
+    failExpected("'if', 'goto', 'stay' or '{'");
+  }
+  expect(";");
+  transition->extent.end = end_;
+  return transition;
+}
+
+ExpressionPtr Parser::condition() {
+  expect("(");
+  ExpressionPtr condition = expression();
+  expect(")");
+  return condition;
+}
+
+ExpressionPtr Parser::expression() {
+  const Nesting nesting(*this);
+  ExpressionPtr condition = disjunction();
+  if (!token_.is("?")) return condition;
+  const Location location = take().location;
+  std::vector<ExpressionPtr> operands;
+  operands.push_back(std::move(condition));
+  operands.push_back(expression());
+  expect(":");
+  operands.push_back(disjunction());
+  if (token_.is("?")) fail("a '?:' inside another one needs parentheses");
+  return operation(Operator::conditional, location, std::move(operands));
+}
+
+ExpressionPtr Parser::disjunction() {
+  ExpressionPtr first = conjunction();
+  if (!token_.is("||")) return first;
+  const Location location = token_.location;
+  std::vector<ExpressionPtr> operands;
+  operands.push_back(std::move(first));
+  while (accept("||")) operands.push_back(conjunction());
+  return operation(Operator::logicalOr, location, std::move(operands));
+}
+
+ExpressionPtr Parser::conjunction() {
+  ExpressionPtr first = comparison();
+  if (!token_.is("&&")) return first;
+  const Location location = token_.location;
+  std::vector<ExpressionPtr> operands;
+  operands.push_back(std::move(first));
+  while (accept("&&")) operands.push_back(comparison());
+  return operation(Operator::logicalAnd, location, std::move(operands));
+}
+
+namespace {
+
+struct Spelling {
+  std::string_view text;
+  Operator operation;
+};
+
+constexpr Spelling comparisons[] = {{"==", Operator::equal},     {"!=", Operator::notEqual},
+                                    {"<", Operator::less},       {">", Operator::greater},
+                                    {"<=", Operator::lessEqual}, {">=", Operator::greaterEqual}};
+constexpr Spelling sums[] = {{"+", Operator::add}, {"-", Operator::subtract}};
+constexpr Spelling products[] = {
+    {"*", Operator::multiply}, {"/", Operator::divide}, {"%", Operator::modulo}};
+
+template <std::size_t size>
+const Spelling* find(const Spelling (&spellings)[size], const Token& token) {
+  for (const Spelling& spelling : spellings)
+    if (token.is(spelling.text)) return &spelling;
+  return nullptr;
+}
+
+}  // namespace
+
+ExpressionPtr Parser::comparison() {
+  ExpressionPtr left = sum();
+  const Spelling* spelling = find(comparisons, token_);
+  if (!spelling) return left;
+  const Location location = take().location;
+  ExpressionPtr right = sum();
+  if (find(comparisons, token_)) fail("comparisons cannot be chained, use '&&'");
+  return binary(spelling->operation, location, std::move(left), std::move(right));
+}
+
+ExpressionPtr Parser::sum() {
+  ExpressionPtr left = product();
+  while (const Spelling* spelling = find(sums, token_)) {
+    const Location location = take().location;
+    left = binary(spelling->operation, location, std::move(left), product());
+  }
+  return left;
+}
+
+ExpressionPtr Parser::product() {
+  ExpressionPtr left = unary();
+  while (const Spelling* spelling = find(products, token_)) {
+    const Location location = take().location;
+    left = binary(spelling->operation, location, std::move(left), unary());
+  }
+  return left;
+}
+
+ExpressionPtr Parser::unary() {
+  const Nesting nesting(*this);
+  if (!token_.is("!") && !token_.is("-")) return primary();
+  const Token sign = take();
+  std::vector<ExpressionPtr> operands;
+  operands.push_back(unary());
+  return operation(sign.is("!") ? Operator::logicalNot : Operator::negate, sign.location,
+                   std::move(operands));
+}
+
+ExpressionPtr Parser::primary() {
+  if (accept("(")) {
+    ExpressionPtr inner = expression();
+    expect(")");
+    return inner;
+  }
+
+  using Kind = Expression::Kind;
+  auto primary = std::make_unique<Expression>();
+  primary->location = token_.location;
+  primary->name = token_.text;
+  primary->number = token_.number;
+  if (token_.kind == TokenKind::number) {
+    primary->kind = Kind::number;
+  } else if (token_.kind == TokenKind::identifier) {
+    primary->kind = Kind::name;
+  } else if (token_.kind == TokenKind::parameter) {
+    primary->kind = Kind::parameter;
+  } else if (token_.is("true") || token_.is("false")) {
+    primary->kind = Kind::boolean;
+    primary->number = token_.is("true") ? 1 : 0;
+  } else if (token_.is("state_time")) {
+    primary->kind = Kind::stateTime;
+  } else if (token_.is("option_time")) {
+    primary->kind = Kind::optionTime;
+  } else if (token_.is("action_done")) {
+    primary->kind = Kind::actionDone;
+  } else if (token_.is("conflict")) {
+    primary->kind = Kind::conflict;
+  } else {
+    failExpected("an expression");
+  }
+  take();
+  if (primary->kind == Kind::name && token_.is("(")) {
+    primary->kind = Kind::call;
+    primary->arguments = arguments();
+    for (const Argument& argument : primary->arguments)
+      primary->depth = std::max(primary->depth, argument.value->depth + 1);
+  }
+  primary->extent = {primary->location, end_};
+  return primary;
+}
+
+ExpressionPtr Parser::operation(Operator op, Location location,
+                                std::vector<ExpressionPtr> operands) {
+  auto node = std::make_unique<Expression>();
+  node->kind = Expression::Kind::operation;
+  node->operation = op;
+  node->location = location;
+  node->operands = std::move(operands);
+  const Location first = node->operands.front()->extent.begin;
+  // A sign stands before its operand, all other operators behind their first one.
+  const bool prefix = op == Operator::negate || op == Operator::logicalNot;
+  node->extent = {prefix ? location : first, end_};
+  for (const ExpressionPtr& operand : node->operands)
+    node->depth = std::max(node->depth, operand->depth + 1);
+  // A long sum nests as deep as it is long, without any parentheses.
+  if (node->depth > maximalNesting)
+    fail("expression is too long, at most " + std::to_string(maximalNesting) + " levels");
+  return node;
+}
+
+ExpressionPtr Parser::binary(Operator op, Location location, ExpressionPtr left,
+                             ExpressionPtr right) {
+  std::vector<ExpressionPtr> operands;
+  operands.push_back(std::move(left));
+  operands.push_back(std::move(right));
+  return operation(op, location, std::move(operands));
+}
+
+}  // namespace xabsl

@@ -1,0 +1,214 @@
+#include <utility>
+
+#include "xabsl/language/Parser.h"
+
+/// The part of the parser for what namespaces declare: symbols, constants, enumerations and basic
+/// behaviors.
+namespace xabsl {
+
+using namespace syntax;
+
+void Parser::namespaceBlock() {
+  Namespace space;
+  static_cast<Declaration&>(space) = begin();
+  take();
+  space.name = expectName("the name of a namespace");
+  warnFileName("namespace", space.name);
+  expect("(");
+  if (token_.kind != TokenKind::string) failExpected("the title of the namespace in quotes");
+  space.title = take().text;
+  expect(")");
+  expect("{");
+  space_ = static_cast<int>(program_.namespaces.size());
+  program_.namespaces.push_back(space);
+  namespaceMembers();
+  accept("}");
+  program_.namespaces.back().extent.end = end_;
+  space_ = -1;
+  accept(";");
+}
+
+void Parser::namespaceMembers() {
+  while (!token_.is("}") && token_.kind != TokenKind::end && !reporter_.full()) {
+    try {
+      namespaceMember();
+    } catch (const SyntaxError&) {
+      skipToMember();
+      if (token_.is("namespace") || token_.is("option") || token_.is("agent")) return;
+    }
+  }
+  if (!token_.is("}") && !reporter_.full()) {
+    space_ = -1;
+    failExpected("'}'");
+  }
+}
+
+/// A namespace holds symbols or basic behaviors, never both (they are files of different kinds in
+/// XML).
+void Parser::enterNamespace(Namespace::Kind kind, Location location) {
+  Namespace& space = program_.namespaces[static_cast<std::size_t>(space_)];
+  if (space.kind != Namespace::Kind::empty && space.kind != kind)
+    reporter_.warning(location, "namespace '" + std::string(space.name.text) +
+                                    "' has symbols and basic behaviors, expected one kind only");
+  if (space.kind == Namespace::Kind::empty) space.kind = kind;
+}
+
+void Parser::namespaceMember() {
+  const Declaration declaration = begin();
+  const bool behaviors = token_.is("behavior");
+  if (behaviors || token_.kind == TokenKind::keyword)
+    enterNamespace(behaviors ? Namespace::Kind::behaviors : Namespace::Kind::symbols,
+                   token_.location);
+  if (behaviors) return behavior();
+  if (token_.is("enum")) return enumeration();
+  if (token_.is("const")) return constant(declaration);
+  TypeName type;
+  const bool typed = typeName(type);
+  if (token_.is("const")) {
+    if (type.kind != ValueKind::number) fail("constants are of type float");
+    return constant(declaration);
+  }
+  if (token_.is("input") || token_.is("output") || token_.is("internal"))
+    return symbol(declaration, type);
+  failExpected(typed ? "'input', 'output' or 'internal'"
+                     : "a declaration of a symbol, a constant, an enumeration or a behavior");
+}
+
+/// `enum` starts a declaration of an enumeration, or of a symbol of that type.
+void Parser::enumeration() {
+  const Declaration declaration = begin();
+  take();
+  const Name name = expectName("the name of an enumeration");
+  if (accept("{")) return enumerationElements(declaration, name, false);
+  if (!token_.is("input") && !token_.is("output") && !token_.is("internal"))
+    failExpected("'{', 'input', 'output' or 'internal'");
+  symbol(declaration, {ValueKind::enumeration, name});
+}
+
+void Parser::enumerationElements(const Declaration& declaration, const Name& name, bool internal) {
+  Enumeration enumeration;
+  static_cast<Declaration&>(enumeration) = declaration;
+  enumeration.name = name;
+  enumeration.internal = internal;
+  try {
+    do enumeration.elements.push_back(expectName("the name of an element"));
+    while (accept(","));
+    if (!token_.is("}")) failExpected("',' or '}'");
+  } catch (const SyntaxError&) {
+    while (token_.kind != TokenKind::end && !token_.is("}") && !token_.is(";")) take();
+  }
+  accept("}");
+  accept(";");
+  enumeration.extent.end = end_;
+  program_.enumerations.push_back(std::move(enumeration));
+}
+
+void Parser::constant(const Declaration& declaration) {
+  take();
+  Constant constant;
+  static_cast<Declaration&>(constant) = declaration;
+  constant.name = expectName("the name of a constant");
+  expect("=");
+  constant.negative = accept("-");
+  if (token_.kind != TokenKind::number) failExpected("a number");
+  constant.digits = token_.text;
+  constant.value = constant.negative ? -token_.number : token_.number;
+  take();
+  unitAndRange(constant.range, constant.unit);
+  expect(";");
+  constant.extent.end = end_;
+  program_.constants.push_back(constant);
+}
+
+void Parser::symbol(const Declaration& declaration, const TypeName& type) {
+  Symbol symbol;
+  static_cast<Declaration&>(symbol) = declaration;
+  symbol.type = type;
+  symbol.kind = token_.is("input")    ? SymbolKind::input
+                : token_.is("output") ? SymbolKind::output
+                                      : SymbolKind::internal;
+  take();
+  if (symbol.kind == SymbolKind::internal) accept("output");  // as some tools write it
+  // `enum E input { a, b }` declares the enumeration: what it is used for is seen from its use.
+  if (type.kind == ValueKind::enumeration && accept("{"))
+    return enumerationElements(declaration, type.enumeration, symbol.kind == SymbolKind::internal);
+  symbol.name = expectName("the name of a symbol");
+  unitAndRange(symbol.range, symbol.unit);
+  if (token_.is("(")) {
+    if (symbol.kind != SymbolKind::input)
+      reporter_.error(token_.location, "only input symbols have parameters");
+    take();
+    symbol.parameters = parameters(")");
+  }
+  expect(";");
+  symbol.extent.end = end_;
+  program_.symbols.push_back(std::move(symbol));
+}
+
+void Parser::behavior() {
+  Behavior behavior;
+  static_cast<Declaration&>(behavior) = begin();
+  take();
+  behavior.name = expectName("the name of a basic behavior");
+  expect("{");
+  behavior.parameters = parameters("}");
+  behavior.extent.end = end_;
+  accept(";");
+  program_.behaviors.push_back(std::move(behavior));
+}
+
+bool Parser::typeName(TypeName& type) {
+  if (accept("float")) return true;
+  if (accept("bool")) {
+    type.kind = ValueKind::boolean;
+    return true;
+  }
+  if (!accept("enum")) return false;
+  type.kind = ValueKind::enumeration;
+  type.enumeration = expectName("the name of an enumeration");
+  return true;
+}
+
+std::vector<Parameter> Parser::parameters(std::string_view close) {
+  std::vector<Parameter> parameters;
+  while (!token_.is(close)) {
+    try {
+      parameters.push_back(parameter(false));
+    } catch (const SyntaxError&) {
+      skipToMember();
+      if (token_.kind == TokenKind::end || reporter_.full()) throw;
+      if (!token_.is(close) && (token_.kind == TokenKind::punctuation || token_.is("option") ||
+                                token_.is("agent") || token_.is("namespace")))
+        throw;
+    }
+  }
+  take();
+  return parameters;
+}
+
+Parameter Parser::parameter(bool ofOption) {
+  Parameter parameter;
+  static_cast<Declaration&>(parameter) = begin();
+  typeName(parameter.type);
+  if (ofOption) {
+    if (token_.kind != TokenKind::parameter)
+      failExpected("the name of a parameter, as in '@speed'");
+    const Token name = take();
+    parameter.name = {name.text, name.location};
+  } else {
+    parameter.name = expectName("the name of a parameter");
+  }
+  unitAndRange(parameter.range, parameter.unit);
+  expect(";");
+  parameter.extent.end = end_;
+  return parameter;
+}
+
+/// Both are for people; the unit comes after the range or before it.
+void Parser::unitAndRange(std::string_view& range, std::string_view& unit) {
+  if (token_.kind == TokenKind::range) range = take().text;
+  if (token_.kind == TokenKind::string) unit = take().text;
+  if (token_.kind == TokenKind::range) range = take().text;
+}
+
+}  // namespace xabsl

@@ -1,0 +1,174 @@
+#include "xabsl/language/Parser.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "xabsl/formats/Sources.h"
+#include "xabsl/tests/TestBehavior.h"
+
+namespace xabsl {
+namespace {
+
+/// Reads files from memory, beginning with `main.xabsl`, which must be sound.
+class Parsed {
+ public:
+  explicit Parsed(const std::map<std::string, std::string>& files) {
+    const FileReader read = [&](const std::string& path,
+                                std::string& text) -> std::optional<std::string> {
+      const auto found = files.find(path);
+      if (found == files.end()) return "there is no such file";
+      text = found->second;
+      return std::nullopt;
+    };
+    Reporter reporter;
+    readSources("main.xabsl", read, program, reporter);
+    EXPECT_EQ(test::errors(reporter.take()), "");
+  }
+  explicit Parsed(const std::string& text)
+      : Parsed(std::map<std::string, std::string>{{"main.xabsl", text}}) {}
+
+  syntax::Program program;
+};
+
+/// `line:column-line:column`
+std::string text(const syntax::Extent& extent) {
+  const auto place = [](Location location) {
+    return std::to_string(location.line) + ":" + std::to_string(location.column);
+  };
+  return place(extent.begin) + "-" + place(extent.end);
+}
+
+TEST(Parser, KeepsTheHeader) {
+  const Parsed parsed(
+      "/*** Title:\tPlayers\n * Platform: ERS-210  \n * Software-Environment: any*/\n"
+      "agent a(\"The agent\", main);");
+  EXPECT_EQ(parsed.program.header.title, "Players");
+  EXPECT_EQ(parsed.program.header.platform, "ERS-210");
+  EXPECT_EQ(parsed.program.header.softwareEnvironment, "any");
+  EXPECT_EQ(parsed.program.agents.front().title, "The agent");
+  EXPECT_EQ(Parsed("/*** nothing */").program.header.title, "");
+}
+
+TEST(Parser, KeepsDocumentationWithWhatFollows) {
+  const syntax::Program program = std::move(
+      Parsed("/** space */ namespace n(\"N\") {\n"
+             "/** symbol */ float input x [0..1] \"mm\" (/** p */ float a \"s\" [1..2];);\n"
+             "/** number */ const c = -1.50 \"kg\"; /** kinds */ enum e internal { a, b }; }\n"
+             "/** option */ option o { /** par */ bool @p;\n"
+             "/** state */ initial state s { decision { /** first */ if (@p) stay;\n"
+             "else /** second */ if (!@p) stay; /** third */ else if (true) stay; else stay; }\n"
+             "action { } } } /* no doc */ agent a(\"A\", o);")
+          .program);
+  EXPECT_EQ(program.namespaces.front().doc, "space");
+  EXPECT_EQ(program.namespaces.front().kind, syntax::Namespace::Kind::symbols);
+  const syntax::Symbol& symbol = program.symbols.front();
+  EXPECT_EQ(symbol.doc, "symbol");
+  EXPECT_EQ(symbol.range, "0..1");
+  EXPECT_EQ(symbol.unit, "mm");
+  EXPECT_EQ(symbol.space, 0);
+  EXPECT_EQ(symbol.parameters.front().doc, "p");
+  EXPECT_EQ(symbol.parameters.front().range, "1..2");
+  EXPECT_EQ(symbol.parameters.front().unit, "s");
+  EXPECT_EQ(program.constants.front().doc, "number");
+  EXPECT_EQ(program.constants.front().digits, "1.50");
+  EXPECT_EQ(program.constants.front().value, -1.5);
+  EXPECT_EQ(program.constants.front().unit, "kg");
+  EXPECT_EQ(program.enumerations.front().doc, "kinds");
+  EXPECT_TRUE(program.enumerations.front().internal);
+  const syntax::Option& option = program.options.front();
+  EXPECT_EQ(option.doc, "option");
+  EXPECT_EQ(option.space, -1);
+  EXPECT_EQ(option.parameters.front().doc, "par");
+  EXPECT_EQ(option.states.front().doc, "state");
+  EXPECT_EQ(option.states.front().decision->arms[0].doc, "first");
+  EXPECT_EQ(option.states.front().decision->arms[1].doc, "second");
+  EXPECT_EQ(option.states.front().decision->arms[2].doc, "third");
+  EXPECT_EQ(program.agents.front().doc, "");
+}
+
+TEST(Parser, KnowsWhereElementsBeginAndEnd) {
+  const Parsed parsed(
+      "namespace n(\"N\") {\n float input x;\n}\n"
+      "option o {\n initial state s {\n  decision { if (x + 1 > 2) goto s; else stay; }\n"
+      "  action { o(); }\n }\n}");
+  const syntax::Program& program = parsed.program;
+  EXPECT_EQ(text(program.namespaces.front().extent), "1:1-3:2");
+  EXPECT_EQ(text(program.symbols.front().extent), "2:2-2:16");
+  EXPECT_EQ(text(program.options.front().extent), "4:1-9:2");
+  const syntax::State& state = program.options.front().states.front();
+  EXPECT_EQ(text(state.extent), "5:2-8:3");
+  EXPECT_EQ(text(state.actions.front().extent), "7:12-7:16");
+  EXPECT_EQ(text(state.decision->extent), "6:14-6:47");
+  EXPECT_EQ(text(state.decision->arms.front().decision->extent), "6:29-6:36");
+  EXPECT_EQ(text(state.decision->arms.front().condition->extent), "6:18-6:27");
+}
+
+TEST(Parser, KeepsFilesWithIncludesAndComments) {
+  const Parsed parsed(
+      {{"main.xabsl", "// one\ninclude \"b.xabsl\"; /* two */ include \"a.xabsl\";"},
+       {"a.xabsl", "/** three */ include \"main.xabsl\";"},
+       {"b.xabsl", ""}});
+  ASSERT_EQ(parsed.program.files.size(), 3u);
+  const syntax::File& main = parsed.program.files.front();
+  ASSERT_EQ(main.includes.size(), 2u);
+  EXPECT_EQ(main.includes[0].path, "b.xabsl");
+  EXPECT_EQ(parsed.program.files[static_cast<std::size_t>(main.includes[0].file)].path, "b.xabsl");
+  EXPECT_EQ(parsed.program.files[static_cast<std::size_t>(main.includes[1].file)].path, "a.xabsl");
+  ASSERT_EQ(main.comments.size(), 2u);
+  EXPECT_EQ(main.comments[0].kind, syntax::Comment::Kind::line);
+  EXPECT_EQ(main.comments[0].text, "// one");
+  EXPECT_EQ(main.comments[1].text, "/* two */");
+  EXPECT_EQ(text(main.comments[1].extent), "2:20-2:29");
+  EXPECT_EQ(parsed.program.files[2].comments.front().kind, syntax::Comment::Kind::documentation);
+  EXPECT_EQ(parsed.program.files[2].includes.front().file, 0);
+}
+
+TEST(Parser, TakesWhatOtherCompilersTook) {
+  test::compiled(
+      "namespace n(\"N\") { float internal output old; input plain; float input f (a; bool b;);\n"
+      "enum a.b { c, a.b.d }; enum a.b output a.b; float input x [px]; const k = 5.; };\n"
+      "option main { common decision { { if (x > 1.) stay; else { { if (x > 2) { goto s; } } } } "
+      "}\n"
+      "initial target state s { decision { else { stay; } } action { } } }\n"
+      "agent m(\"M\", main);");
+  // Texts over several lines, in Latin-1; a '?:' in another one; functions without parentheses.
+  const Behavior behavior = test::compiled(
+      "/*** TITLE: T\xE4st */ namespace n(\"two\nlines\") { float input f [0\n..1] \"m\nm\" (a;);\n"
+      "float output y; bool input b; } agent m(\"M\", main);\n"
+      "option main { initial state s { action { y = b ? b ? 1 : f : 3; } } }");
+  EXPECT_EQ(behavior.model().namespaces.front().title, "two\nlines");
+  EXPECT_EQ(behavior.model().title, "T\xC3\xA4st");
+}
+
+TEST(Parser, KnowsThe30ThatHasNoCooperation) {
+  const auto told = [](const std::string& text) {
+    return test::errors(
+        compile("main.xabsl", {{"main.xabsl", "agent a(\"A\", main);\n" + text}}, Dialect::xabsl30)
+            .diagnostics);
+  };
+  const std::string state =
+      "namespace n(\"N\") { bool output conflict; float input capacity; }\n"
+      "option main { initial state synchronized { action { ";
+  EXPECT_EQ(told(state + "conflict = capacity > 1; } } }"), "");
+  EXPECT_EQ(told("option main { initial state s capacity 2 { action { } } }"),
+            "main.xabsl:2:31: error: 'capacity' is of XABSL 3.1, in 3.0 robots do not agree about "
+            "states\n");
+  EXPECT_EQ(told("option main { initial state s { decision { if (conflict) stay; else stay; }\n"
+                 "action { } } }"),
+            "main.xabsl:2:48: error: 'conflict' is of XABSL 3.1 in option main\n");
+}
+
+TEST(Diagnostic, ShowsTheLineWithACaret) {
+  const Compilation compilation =
+      compile("main.xabsl", {{"main.xabsl", "option main {\n\tinitial ställe s { } }"}});
+  ASSERT_GE(compilation.diagnostics.size(), 2u);
+  EXPECT_EQ(toStringWithSource(compilation.diagnostics[1]),
+            "main.xabsl:2:12: error: unexpected character with code 195\n"
+            " 2 | \tinitial ställe s { } }\n"
+            "   | \t          ^");
+}
+
+}  // namespace
+}  // namespace xabsl

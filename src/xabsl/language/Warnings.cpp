@@ -1,0 +1,298 @@
+#include "xabsl/language/Warnings.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace xabsl {
+
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+/// The states of one option and where their decisions lead.
+class StateGraph {
+ public:
+  StateGraph(const Model& model, const Option& option, Reporter& reporter)
+      : model_(model), option_(option), reporter_(reporter), targets_(at(option.states.count)) {
+    for (int i = 0; i < option.states.count; ++i) {
+      const Branch own = model.states[at(option.states.first + i)].decision;
+      if (collect(option.commonDecision, i)) collect(own, i);
+      std::vector<int>& targets = targets_[at(i)];
+      std::sort(targets.begin(), targets.end());
+      targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+    }
+  }
+
+  void warn() {
+    warnOfUnreachable();
+    warnOfOscillation();
+  }
+
+ private:
+  /// Adds where a decision may lead from a state; true if it may decide nothing.
+  bool collect(Branch branch, int state) {
+    bool open = false;
+    // In a loop, since chains of `else if` may be long.
+    std::vector<Branch> pending = {branch};
+    while (!pending.empty()) {
+      branch = pending.back();
+      pending.pop_back();
+      if (branch.kind == Branch::Kind::decision) {
+        pending.push_back(model_.decisions[at(branch.index)].then);
+        pending.push_back(model_.decisions[at(branch.index)].otherwise);
+      } else if (branch.kind == Branch::Kind::none) {
+        open = true;
+      } else {
+        const bool stays = branch.kind == Branch::Kind::stay;
+        targets_[at(state)].push_back(stays ? state : branch.index - option_.states.first);
+      }
+    }
+    return open;
+  }
+
+  const State& state(int index) const { return model_.states[at(option_.states.first + index)]; }
+
+  void warnOfUnreachable() {
+    std::vector<bool> reached(targets_.size(), false);
+    std::vector<int> open = {option_.initialState - option_.states.first};
+    reached[at(open.back())] = true;
+    while (!open.empty()) {
+      const int from = open.back();
+      open.pop_back();
+      for (const int to : targets_[at(from)]) {
+        if (reached[at(to)]) continue;
+        reached[at(to)] = true;
+        open.push_back(to);
+      }
+    }
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      if (!reached[i])
+        reporter_.warning(state(static_cast<int>(i)).location,
+                          "state " + inQuotes(state(static_cast<int>(i)).name) + " of option " +
+                              inQuotes(option_.name) + " is never entered");
+  }
+
+  /// The only state that follows, or -1 if the state may be kept or left in several ways.
+  int onlySuccessor(int state) const {
+    const std::vector<int>& targets = targets_[at(state)];
+    return targets.size() == 1 && targets.front() != state ? targets.front() : -1;
+  }
+
+  void warnOfOscillation() {
+    std::vector<int> walk(targets_.size(), -1);  // in which a state was visited
+    for (int start = 0; start < option_.states.count; ++start) {
+      int next = start;
+      while (next >= 0 && walk[at(next)] < 0) {
+        walk[at(next)] = start;
+        next = onlySuccessor(next);
+      }
+      if (next >= 0 && walk[at(next)] == start) describeOscillation(next);
+    }
+  }
+
+  void describeOscillation(int first) {
+    constexpr int mostShown = 10;
+    std::string path = state(first).name;
+    int shown = 0;
+    int next = first;
+    do {
+      next = onlySuccessor(next);
+      if (++shown < mostShown) path += " -> " + state(next).name;
+    } while (next != first);
+    if (shown >= mostShown) path += " -> ...";
+    reporter_.warning(state(first).location, "states of option " + inQuotes(option_.name) +
+                                                 " can only oscillate: " + path);
+  }
+
+  const Model& model_;
+  const Option& option_;
+  Reporter& reporter_;
+  std::vector<std::vector<int>> targets_;  // per state, counted from the first of the option
+};
+
+/// What calls set and what they leave out. A team leaves much out on purpose: of each parameter it
+/// is told once.
+class ParameterUse {
+ public:
+  ParameterUse(const Model& model, Reporter& reporter) : model_(model), reporter_(reporter) {
+    for (const Option& option : model.options) options_.emplace_back(option.parameters.size());
+    for (const BasicBehavior& behavior : model.behaviors)
+      behaviors_.emplace_back(behavior.parameters.size());
+    for (const Symbol& symbol : model.symbols) inputs_.emplace_back(symbol.parameters.size());
+  }
+
+  void warn() {
+    count();
+    for (std::size_t i = 0; i < options_.size(); ++i)
+      warn(model_.options[i].parameters, options_[i], "option " + inQuotes(model_.options[i].name));
+    for (std::size_t i = 0; i < behaviors_.size(); ++i)
+      warn(model_.behaviors[i].parameters, behaviors_[i],
+           "basic behavior " + inQuotes(model_.behaviors[i].name));
+    for (std::size_t i = 0; i < inputs_.size(); ++i)
+      warn(model_.symbols[i].parameters, inputs_[i],
+           "input symbol " + inQuotes(model_.symbols[i].name));
+  }
+
+ private:
+  /// How often a parameter was set and left out.
+  struct Count {
+    int set = 0;
+    int missing = 0;
+    Location firstMissing;
+  };
+  using Counts = std::vector<Count>;
+
+  void count() {
+    for (const Action& action : model_.actions)
+      if (action.kind != Action::Kind::assignment)
+        count(action.operand, action.location,
+              (action.kind == Action::Kind::option ? options_ : behaviors_)[at(action.target)]);
+    for (std::size_t i = 0; i < model_.expressions.size(); ++i) {
+      const Expression& expression = model_.expressions[i];
+      if (expression.operation == Operator::input)
+        count(expression.b, model_.expressionLocations[i], inputs_[at(expression.a)]);
+    }
+  }
+
+  void count(int first, Location location, Counts& counts) {
+    std::vector<bool> given(counts.size(), false);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      const int parameter = model_.argumentOrder[at(first) + i];
+      if (parameter < 0) break;
+      given[at(parameter)] = true;
+    }
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (!given[i] && counts[i].missing == 0) counts[i].firstMissing = location;
+      ++(given[i] ? counts[i].set : counts[i].missing);
+    }
+  }
+
+  void warn(const std::vector<Parameter>& parameters, const Counts& counts,
+            const std::string& callee) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (counts[i].missing == 0) continue;
+      const std::string name = "parameter " + inQuotes(parameters[i].name) + " of " + callee;
+      const std::string value = ", it is " + initial(parameters[i].type);
+      const int others = counts[i].missing - 1;
+      if (counts[i].set == 0)
+        reporter_.warning(parameters[i].location, name + " is never set" + value);
+      else
+        reporter_.warning(counts[i].firstMissing,
+                          name + " is not set" + value +
+                              (others > 0 ? ", as in " + std::to_string(others) + " other " +
+                                                (others == 1 ? "call" : "calls")
+                                          : ""));
+    }
+  }
+
+  std::string initial(Type type) const {
+    if (type.kind == ValueKind::number) return "0";
+    if (type.kind == ValueKind::boolean) return "false";
+    return inQuotes(model_.enumerations[at(type.enumeration)].elements.front().name);
+  }
+
+  const Model& model_;
+  Reporter& reporter_;
+  std::vector<Counts> options_;
+  std::vector<Counts> behaviors_;
+  std::vector<Counts> inputs_;  // per symbol
+};
+
+/// Tells of all that is unused in one place and of one kind at once: libraries of symbols are made
+/// for more than one behavior.
+class Unused {
+ public:
+  explicit Unused(Reporter& reporter) : reporter_(reporter) {}
+
+  void add(int space, const std::string& kind, const std::string& name, Location location) {
+    Group& group = groups_[{space, kind}];
+    if (group.names.empty()) group.location = location;
+    group.names.push_back(name);
+  }
+
+  void warn(const std::string& problem) const {
+    for (const auto& [key, group] : groups_) {
+      const bool several = group.names.size() > 1;
+      reporter_.warning(group.location, key.second + (several ? "s " : " ") + list(group.names) +
+                                            (several ? " are " : " is ") + problem);
+    }
+  }
+
+ private:
+  struct Group {
+    std::vector<std::string> names;
+    Location location;
+  };
+
+  static std::string list(const std::vector<std::string>& names) {
+    constexpr std::size_t mostShown = 6;
+    const std::size_t shown = names.size() <= mostShown ? names.size() : mostShown - 1;
+    std::string text;
+    for (std::size_t i = 0; i < shown; ++i) {
+      const bool last = i > 0 && i + 1 == names.size();
+      text += (last ? " and " : i > 0 ? ", " : "") + inQuotes(names[i]);
+    }
+    return shown < names.size() ? text + " and " + std::to_string(names.size() - shown) + " others"
+                                : text;
+  }
+
+  Reporter& reporter_;
+  std::map<std::pair<int, std::string>, Group> groups_;  // by namespace and kind
+};
+
+void warnOfUnusedOptions(const Model& model, Reporter& reporter) {
+  std::vector<bool> used(model.options.size(), false);
+  std::vector<int> open;
+  const auto use = [&](int option) {
+    if (used[at(option)]) return;
+    used[at(option)] = true;
+    open.push_back(option);
+  };
+  const auto useCallees = [&](Span span) {
+    for (int i = span.first; i < span.first + span.count; ++i)
+      if (model.actions[at(i)].kind == Action::Kind::option) use(model.actions[at(i)].target);
+  };
+  for (const Agent& agent : model.agents) use(agent.rootOption);
+  while (!open.empty()) {
+    const Option& option = model.options[at(open.back())];
+    open.pop_back();
+    useCallees(option.commonActions);
+    for (int i = 0; i < option.states.count; ++i)
+      useCallees(model.states[at(option.states.first + i)].actions);
+  }
+  Unused unused(reporter);
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (!used[i]) unused.add(-1, "option", model.options[i].name, model.options[i].location);
+  unused.warn("not reached by any agent");
+}
+
+void warnOfUnusedDeclarations(const Model& model, Reporter& reporter) {
+  Unused unused(reporter);
+  for (const Symbol& symbol : model.symbols) {
+    const std::string kind = symbol.kind == SymbolKind::input    ? "input"
+                             : symbol.kind == SymbolKind::output ? "output"
+                                                                 : "internal";
+    if (symbol.firstUse.option < 0)
+      unused.add(symbol.space, kind + " symbol", symbol.name, symbol.location);
+  }
+  for (const BasicBehavior& behavior : model.behaviors)
+    if (behavior.firstUse.option < 0)
+      unused.add(behavior.space, "basic behavior", behavior.name, behavior.location);
+  unused.warn("never used");
+}
+
+}  // namespace
+
+void warnAbout(const Model& model, Reporter& reporter) {
+  for (const Option& option : model.options) StateGraph(model, option, reporter).warn();
+  ParameterUse(model, reporter).warn();
+  warnOfUnusedOptions(model, reporter);
+  warnOfUnusedDeclarations(model, reporter);
+}
+
+}  // namespace xabsl

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xabsl/language/Model.h"
+#include "xabsl/tools/documentation/Usage.h"
+
+namespace xabsl::documentation {
+
+/// Where in the documentation everything has its place: the names of the pages, and within them the
+/// fragments behind `#`.
+class Links {
+ public:
+  explicit Links(const Model& model);
+
+  std::string agent(int agent) const;
+  std::string option(int option) const;
+  std::string state(int state) const;
+  std::string commonDecision(int option) const;
+  /// Namespace -1 holds what is declared in none.
+  std::string space(int space) const;
+  std::string symbol(int symbol) const;
+  std::string constant(int constant) const;
+  std::string enumeration(int enumeration) const;
+  std::string behavior(int behavior) const;
+  std::string target(const Thing& thing) const;
+
+  /// The option that a state belongs to.
+  int optionOf(int state) const { return optionOfState_[static_cast<std::size_t>(state)]; }
+
+  /// What the fragment of a symbol begins with: an input and an output may have the same name.
+  static std::string_view kindOf(const Symbol& symbol);
+
+  /// `#kind-name`, without the `#`; an identifier of HTML as well.
+  static std::string fragment(std::string_view kind, std::string_view name);
+
+ private:
+  const Model& model_;
+  std::vector<std::string> spaces_;
+  std::vector<int> optionOfState_;
+};
+
+}  // namespace xabsl::documentation

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <compare>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "xabsl/language/Model.h"
+
+namespace xabsl::documentation {
+
+/// Something that options use: an index into a list of the model, of what kind says which.
+struct Thing {
+  enum class Kind { read, written, option, behavior, constant, element };  // the first two: symbols
+
+  Kind kind = Kind::read;
+  int index = -1;
+  int element = -1;  // of the enumeration `index`
+
+  auto operator<=>(const Thing&) const = default;
+};
+
+/// A state that uses something; -1: all states of the option do, by its common decision tree or
+/// actions.
+struct Place {
+  int option = -1;
+  int state = -1;
+
+  auto operator<=>(const Place&) const = default;
+};
+
+/// Who uses what in a behavior.
+class Usage {
+ public:
+  explicit Usage(const Model& model);
+
+  /// What an option itself uses, with the states that do.
+  const std::map<Thing, std::vector<int>>& direct(int option) const;
+
+  /// All that an option uses, itself or through the options that it calls.
+  const std::set<Thing>& all(int option) const;
+
+  /// The places that use something, in the order of the model.
+  const std::vector<Place>& places(const Thing& thing) const;
+
+ private:
+  void add(const Thing& thing, Place place);
+  void collect(const Option& option, int index);
+  void collect(Branch branch, Place place);
+  void collect(Span actions, Place place);
+  void collectExpression(int expression, Place place);
+  void collectOperands(int first, std::size_t count, Place place);
+  const std::set<Thing>& close(int option);
+
+  const Model& model_;
+  std::vector<std::map<Thing, std::vector<int>>> direct_;
+  std::vector<std::set<Thing>> all_;
+  std::map<Thing, std::vector<Place>> places_;
+};
+
+}  // namespace xabsl::documentation

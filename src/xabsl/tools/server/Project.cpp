@@ -1,0 +1,118 @@
+#include "xabsl/tools/server/Project.h"
+
+#include <algorithm>
+
+#include "xabsl/language/Analyzer.h"
+#include "xabsl/language/Warnings.h"
+
+namespace xabsl::server {
+
+namespace {
+
+bool continuesLetter(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
+}
+
+/// Units of UTF-16 of the letter that begins with a byte.
+int unitsOf(char c) {
+  return static_cast<unsigned char>(c) >= 0xF0u ? 2 : 1;
+}
+
+}  // namespace
+
+Lines::Lines(std::string_view text) : text_(text), begins_{0} {
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') begins_.push_back(i + 1);
+}
+
+std::string_view Lines::line(int line) const {
+  if (line < 0 || static_cast<std::size_t>(line) >= begins_.size()) return {};
+  const std::string_view rest = text_.substr(begins_[static_cast<std::size_t>(line)]);
+  return rest.substr(0, rest.find('\n'));
+}
+
+Position Lines::position(Location location) const {
+  Position position{std::max(location.line - 1, 0), 0};
+  int column = 1;
+  for (const char c : line(position.line)) {
+    if (continuesLetter(c)) continue;
+    if (column++ >= location.column) break;
+    position.character += unitsOf(c);
+  }
+  return position;
+}
+
+Location Lines::location(Position position, int file) const {
+  Location location{file, std::max(position.line, 0) + 1, 1};
+  int units = 0;
+  for (const char c : line(position.line)) {
+    if (continuesLetter(c)) continue;
+    if (units >= position.character) break;
+    units += unitsOf(c);
+    ++location.column;
+  }
+  return location;
+}
+
+std::size_t Lines::offset(Position position) const {
+  if (position.line < 0) return 0;
+  if (static_cast<std::size_t>(position.line) >= begins_.size()) return text_.size();
+  std::size_t offset = begins_[static_cast<std::size_t>(position.line)];
+  int units = 0;
+  for (const char c : line(position.line)) {
+    if (!continuesLetter(c)) {
+      if (units >= position.character) break;
+      units += unitsOf(c);
+    }
+    ++offset;
+  }
+  return offset;
+}
+
+Position Lines::end() const {
+  const int last = static_cast<int>(begins_.size()) - 1;
+  return position({0, last + 1, static_cast<int>(line(last).size()) + 1});
+}
+
+Project::Project(const std::string& root, const FileReader& read) : root_(root) {
+  Reporter reporter;
+  readSources(root, read, program_, reporter);
+  failed_ = reporter.failed();
+  // After an error of syntax what is sound is still of use, but errors that follow from it are not;
+  // neither is it an error that a file alone has no agent.
+  Reporter quiet;
+  for (const syntax::File& file : program_.files) quiet.addFile(file.path, file.text);
+  const bool whole = !failed_ && !program_.agents.empty();
+  if (!program_.files.empty()) {
+    Reporter& told = whole ? reporter : quiet;
+    model_ = Analyzer(program_, told, &references_).analyze();
+    failed_ = failed_ || told.failed();
+    if (whole && !failed_) warnAbout(model_, reporter);
+  }
+  diagnostics_ = reporter.take();
+  for (const syntax::File& file : program_.files) lines_.emplace_back(file.text);
+}
+
+int Project::file(const std::string& path) const {
+  for (std::size_t i = 0; i < program_.files.size(); ++i)
+    if (program_.files[i].path == path) return static_cast<int>(i);
+  return -1;
+}
+
+const Reference* Project::at(Location location) const {
+  for (const Reference& reference : references()) {
+    const int column = location.column - reference.location.column;
+    if (reference.location.file == location.file && reference.location.line == location.line &&
+        column >= 0 && column <= static_cast<int>(reference.text.size()))
+      return &reference;
+  }
+  return nullptr;
+}
+
+const Reference* Project::declaration(const Entity& entity) const {
+  for (const Reference& reference : references())
+    if (reference.declares && reference.entity == entity) return &reference;
+  return nullptr;
+}
+
+}  // namespace xabsl::server

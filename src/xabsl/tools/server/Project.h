@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xabsl/formats/Sources.h"
+#include "xabsl/language/Diagnostic.h"
+#include "xabsl/language/Model.h"
+#include "xabsl/language/References.h"
+#include "xabsl/language/Syntax.h"
+
+namespace xabsl::server {
+
+/// A place as editors count: lines and units of UTF-16 from 0.
+struct Position {
+  int line = 0;
+  int character = 0;
+};
+
+/// Finds lines in a text, and turns columns of letters into those of editors and back.
+class Lines {
+ public:
+  explicit Lines(std::string_view text);
+
+  std::string_view line(int line) const;
+  Position position(Location location) const;
+  Location location(Position position, int file) const;
+  /// The byte of the text at a position.
+  std::size_t offset(Position position) const;
+  Position end() const;
+
+ private:
+  std::string_view text_;
+  std::vector<std::size_t> begins_;
+};
+
+/// A behavior, analyzed as far as it is sound, with all that editors ask about it.
+class Project {
+ public:
+  /// Reads the file with the agents and all that it includes.
+  Project(const std::string& root, const FileReader& read);
+
+  const std::string& root() const { return root_; }
+  const syntax::Program& program() const { return program_; }
+  const Model& model() const { return model_; }
+  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  bool failed() const { return failed_; }
+  const std::vector<Reference>& references() const { return references_.all(); }
+  const Lines& lines(int file) const { return lines_[static_cast<std::size_t>(file)]; }
+
+  /// The index of a file, or -1.
+  int file(const std::string& path) const;
+
+  /// What stands at a place; null: nothing that has a name.
+  const Reference* at(Location location) const;
+
+  /// Where something is declared, or null.
+  const Reference* declaration(const Entity& entity) const;
+
+ private:
+  std::string root_;
+  syntax::Program program_;
+  Model model_;
+  References references_;
+  std::vector<Diagnostic> diagnostics_;
+  std::vector<Lines> lines_;
+  bool failed_ = false;
+};
+
+/// What hovering over something shows, as Markdown.
+std::string describeEntity(const Project& project, const Entity& entity);
+
+/// `float input ball.x [0..1] "mm"`, on one line.
+std::string signatureOf(const Project& project, const Entity& entity);
+
+/// One thing that may be written at a place.
+struct Completion {
+  enum class Kind {
+    keyword,
+    option,
+    behavior,
+    symbol,
+    constant,
+    element,
+    enumeration,
+    state,
+    parameter
+  };
+
+  Kind kind;
+  std::string name;
+  std::string insert;
+  std::string detail;
+  std::string doc;
+};
+
+/// What may be written at a byte of a text, which may be broken there. The project knows what is
+/// declared elsewhere.
+std::vector<Completion> complete(const Project& project, std::string_view text, std::size_t offset);
+
+/// How something is called, with the parameter that is being set.
+struct Signature {
+  struct Parameter {
+    std::string label;  // a part of that of the whole: `float speed`
+    std::string doc;
+  };
+
+  std::string label;  // walk(float speed, bool careful)
+  std::string doc;
+  std::vector<Parameter> parameters;
+  int active = 0;
+};
+
+/// What is called around a byte of a text; nothing outside of the parentheses of calls.
+std::optional<Signature> signatureAt(const Project& project, std::string_view text,
+                                     std::size_t offset);
+
+}  // namespace xabsl::server

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "xabsl/tools/server/Project.h"
+
+namespace xabsl::server {
+
+/// The errors of JSON-RPC and LSP with which a request is refused.
+inline constexpr int invalidRequest = -32600, methodNotFound = -32601, invalidParameters = -32602,
+                     parseError = -32700, notInitialized = -32002, requestFailed = -32803;
+
+/// An answer that tells why there is no other.
+struct Refusal {
+  int code;
+  std::string message;
+};
+
+/// A range of LSP.
+inline nlohmann::json range(Position begin, Position end) {
+  const auto json = [](Position position) -> nlohmann::json {
+    return {{"line", position.line}, {"character", position.character}};
+  };
+  return {{"start", json(begin)}, {"end", json(end)}};
+}
+
+}  // namespace xabsl::server

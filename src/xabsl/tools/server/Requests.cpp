@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "xabsl/formats/Formatter.h"
+#include "xabsl/language/Lexer.h"
+#include "xabsl/tools/server/Protocol.h"
+#include "xabsl/tools/server/Server.h"
+#include "xabsl/tools/server/Uri.h"
+
+namespace xabsl::server {
+
+using Json = nlohmann::json;
+
+namespace {
+
+Position positionOf(const Json& parameters) {
+  const Json& position = parameters.at("position");
+  return {position.at("line").get<int>(), position.at("character").get<int>()};
+}
+
+int kindOf(Completion::Kind kind) {  // CompletionItemKind
+  switch (kind) {
+    case Completion::Kind::keyword:
+      return 14;
+    case Completion::Kind::option:
+      return 7;
+    case Completion::Kind::behavior:
+      return 3;
+    case Completion::Kind::symbol:
+      return 6;
+    case Completion::Kind::constant:
+      return 21;
+    case Completion::Kind::element:
+      return 20;
+    case Completion::Kind::enumeration:
+      return 13;
+    case Completion::Kind::state:
+      return 12;
+    default:
+      return 10;
+  }
+}
+
+bool isBefore(Location a, Location b) {
+  return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+}
+}  // namespace
+
+/// Where a request points: the project, and what is named there, if anything is.
+struct Server::Place {
+  Project& project;
+  const Reference* reference;
+
+  const Entity& entity() const {
+    if (!reference) throw Refusal{requestFailed, "there is no name here"};
+    return reference->entity;
+  }
+};
+
+Server::Place Server::placeOf(const Json& parameters) {
+  const std::string path = pathOf(parameters.at("textDocument").at("uri").get<std::string>());
+  Project& project = projectOf(path);
+  const int file = project.file(path);
+  if (file < 0) return {project, nullptr};
+  return {project, project.at(project.lines(file).location(positionOf(parameters), file))};
+}
+
+Json Server::rangeOf(const Project& project, const Reference& reference) const {
+  const Lines& lines = project.lines(reference.location.file);
+  Location end = reference.location;
+  end.column += static_cast<int>(reference.text.size());
+  return range(lines.position(reference.location), lines.position(end));
+}
+
+Json Server::locationOf(const Project& project, const Reference& reference) const {
+  const std::string& path =
+      project.program().files[static_cast<std::size_t>(reference.location.file)].path;
+  return {{"uri", uriOf(path)}, {"range", rangeOf(project, reference)}};
+}
+
+Json Server::completion(const Json& parameters) {
+  const std::string path = pathOf(parameters.at("textDocument").at("uri").get<std::string>());
+  std::string text;
+  if (reader()(path, text)) return Json::array();
+  Json items = Json::array();
+  for (const Completion& completion :
+       complete(projectOf(path), text, Lines(text).offset(positionOf(parameters)))) {
+    Json item = {{"label", completion.name},
+                 {"kind", kindOf(completion.kind)},
+                 {"insertText", completion.insert}};
+    if (!completion.detail.empty()) item["detail"] = completion.detail;
+    if (!completion.doc.empty()) item["documentation"] = completion.doc;
+    items.push_back(std::move(item));
+  }
+  return items;
+}
+
+Json Server::signatureHelp(const Json& parameters) {
+  const std::string path = pathOf(parameters.at("textDocument").at("uri").get<std::string>());
+  std::string text;
+  if (reader()(path, text)) return nullptr;
+  const std::optional<Signature> signature =
+      signatureAt(projectOf(path), text, Lines(text).offset(positionOf(parameters)));
+  if (!signature) return nullptr;
+  Json labels = Json::array();
+  for (const Signature::Parameter& parameter : signature->parameters)
+    labels.push_back({{"label", parameter.label}, {"documentation", parameter.doc}});
+  return {
+      {"signatures",
+       {{{"label", signature->label}, {"documentation", signature->doc}, {"parameters", labels}}}},
+      {"activeSignature", 0},
+      {"activeParameter", signature->active}};
+}
+
+Json Server::definition(const Json& parameters) {
+  const Place place = placeOf(parameters);
+  if (!place.reference) return nullptr;
+  const Reference* declaration = place.project.declaration(place.entity());
+  return declaration ? locationOf(place.project, *declaration) : Json();
+}
+
+Json Server::referencesOf(const Json& parameters) {
+  const Place place = placeOf(parameters);
+  const bool declarations = parameters.at("context").at("includeDeclaration").get<bool>();
+  Json result = Json::array();
+  if (!place.reference) return result;
+  for (const Reference& reference : place.project.references())
+    if (reference.entity == place.entity() && (declarations || !reference.declares))
+      result.push_back(locationOf(place.project, reference));
+  return result;
+}
+
+Json Server::highlights(const Json& parameters) {
+  const Place place = placeOf(parameters);
+  Json result = Json::array();
+  if (!place.reference) return result;
+  for (const Reference& reference : place.project.references())
+    if (reference.entity == place.entity() &&
+        reference.location.file == place.reference->location.file)
+      result.push_back({{"range", rangeOf(place.project, reference)}});
+  return result;
+}
+
+Json Server::hover(const Json& parameters) {
+  const Place place = placeOf(parameters);
+  const std::string text = place.reference ? describeEntity(place.project, place.entity()) : "";
+  if (text.empty()) return nullptr;
+  return {{"contents", {{"kind", "markdown"}, {"value", text}}},
+          {"range", rangeOf(place.project, *place.reference)}};
+}
+
+Json Server::prepareRename(const Json& parameters) {
+  const Place place = placeOf(parameters);
+  return place.reference ? rangeOf(place.project, *place.reference) : Json();
+}
+
+/// All places at once, and only where all of them are known: in a behavior without errors that has
+/// none after it either.
+Json Server::rename(const Json& parameters) {
+  const Place place = placeOf(parameters);
+  const std::string name = parameters.at("newName").get<std::string>();
+  if (place.project.failed())
+    throw Refusal{requestFailed, "the behavior has errors, mend them first"};
+  const Entity entity = place.entity();
+  Reporter reporter;
+  Lexer lexer(reporter.addFile(""), name, reporter);
+  const Token token = lexer.next();
+  if (token.kind != TokenKind::identifier || token.text != name ||
+      lexer.next().kind != TokenKind::end || reporter.failed())
+    throw Refusal{requestFailed, inQuotes(name) + " is no name"};
+
+  std::map<std::string, std::string> texts;
+  Json changes = Json::object();
+  std::vector<const Reference*> places;
+  for (const Reference& reference : place.project.references())
+    if (reference.entity == entity) places.push_back(&reference);
+  std::sort(places.begin(), places.end(),
+            [](const Reference* a, const Reference* b) { return a->text.data() > b->text.data(); });
+  for (const Reference* reference :
+       places) {  // the last first, so that the others stay where they are
+    const syntax::File& file =
+        place.project.program().files[static_cast<std::size_t>(reference->location.file)];
+    std::string& text = texts.emplace(file.path, file.text).first->second;
+    text.replace(static_cast<std::size_t>(reference->text.data() - file.text.data()),
+                 reference->text.size(), name);
+    changes[uriOf(file.path)].push_back(
+        {{"range", rangeOf(place.project, *reference)}, {"newText", name}});
+  }
+  const Project renamed(
+      place.project.root(),
+      [&](const std::string& path, std::string& text) -> std::optional<std::string> {
+        const auto changed = texts.find(path);
+        if (changed == texts.end()) return reader()(path, text);
+        text = changed->second;
+        return std::nullopt;
+      });
+  for (const Diagnostic& diagnostic : renamed.diagnostics())
+    if (diagnostic.severity == Diagnostic::Severity::error)
+      throw Refusal{requestFailed, diagnostic.message};
+  return {{"changes", changes}};
+}
+
+Json Server::documentSymbols(const Json& parameters) {
+  const std::string path = pathOf(parameters.at("textDocument").at("uri").get<std::string>());
+  const Project& project = projectOf(path);
+  const int file = project.file(path);
+  Json result = Json::array();
+  if (file < 0) return result;
+  const Lines& lines = project.lines(file);
+  const auto symbol = [&](const syntax::Declaration& declaration, int kind) {
+    Location end = declaration.name.location;
+    end.column += static_cast<int>(declaration.name.text.size());
+    const Position begin = lines.position(declaration.name.location);
+    // In XML only the begin of an element is known.
+    const Location last = isBefore(declaration.extent.end, end) ? end : declaration.extent.end;
+    return Json{{"name", std::string(declaration.name.text)},
+                {"kind", kind},
+                {"range", range(lines.position(declaration.extent.begin), lines.position(last))},
+                {"selectionRange", range(begin, lines.position(end))},
+                {"children", Json::array()}};
+  };
+  const auto addAll = [&](const auto& list, int kind, int space, Json& to) {
+    for (const auto& declaration : list)
+      if (declaration.name.location.file == file && declaration.space == space)
+        to.push_back(symbol(declaration, kind));
+  };
+  const syntax::Program& program = project.program();
+  for (std::size_t i = 0; i < program.namespaces.size(); ++i) {
+    if (program.namespaces[i].name.location.file != file) continue;
+    Json space = symbol(program.namespaces[i], 3);
+    const int index = static_cast<int>(i);
+    addAll(program.enumerations, 10, index, space["children"]);
+    addAll(program.symbols, 13, index, space["children"]);
+    addAll(program.constants, 14, index, space["children"]);
+    addAll(program.behaviors, 12, index, space["children"]);
+    result.push_back(std::move(space));
+  }
+  for (const syntax::Option& option : program.options) {
+    if (option.name.location.file != file) continue;
+    Json entry = symbol(option, 5);
+    for (const syntax::State& state : option.states) entry["children"].push_back(symbol(state, 24));
+    result.push_back(std::move(entry));
+  }
+  addAll(program.agents, 19, -1, result);
+  return result;
+}
+
+Json Server::formatting(const Json& parameters) {
+  const std::string path = pathOf(parameters.at("textDocument").at("uri").get<std::string>());
+  std::string text;
+  if (const auto problem = reader()(path, text)) throw Refusal{requestFailed, *problem};
+  Reporter reporter;
+  const std::optional<std::string> formatted = format(reporter.addFile(path, text), text, reporter);
+  if (!formatted) throw Refusal{requestFailed, "the file holds what is no word of XABSL"};
+  if (*formatted == text) return Json::array();
+  return Json::array({{{"range", range({}, Lines(text).end())}, {"newText", *formatted}}});
+}
+
+}  // namespace xabsl::server

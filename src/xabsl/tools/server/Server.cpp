@@ -1,0 +1,267 @@
+#include "xabsl/tools/server/Server.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "xabsl/formats/XmlReader.h"
+#include "xabsl/tools/server/Protocol.h"
+#include "xabsl/tools/server/Uri.h"
+
+namespace xabsl::server {
+
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr std::size_t mostDocuments = 1000;
+
+/// Whether a text is XML of another language, of which nothing is told.
+bool isForeign(const std::string& text) {
+  return xml::isXml(text) && text.find(xml::namespace21) == std::string::npos &&
+         text.find(xml::namespace31) == std::string::npos;
+}
+
+/// Whether a file may be that with the agents of another one.
+bool mayBeRootOf(const std::string& candidate, const std::string& text, const std::string& path) {
+  const std::filesystem::path extension = std::filesystem::path(candidate).extension();
+  return extension == std::filesystem::path(path).extension() &&
+         text.find(extension == ".xml" ? "<agent-collection" : "agent") != std::string::npos;
+}
+
+/// The end of the word at a place, for what is underlined.
+Location wordEnd(std::string_view line, Location location) {
+  const auto inWord = [](char c) {
+    return c == '_' || c == '.' || (c >= '0' && c <= '9') ||
+           ((c | 0x20) >= 'a' && (c | 0x20) <= 'z');
+  };
+  std::size_t i = 0;
+  int column = 1;
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; };
+  for (; i < line.size() && column < location.column; ++i)
+    if (i + 1 >= line.size() || !continues(line[i + 1])) ++column;
+  const int first = location.column;
+  for (; i < line.size() && inWord(line[i]); ++i) ++location.column;
+  if (location.column == first) ++location.column;
+  return location;
+}
+
+}  // namespace
+
+Server::Server(Disk disk, Send send) : disk_(std::move(disk)), send_(std::move(send)) {}
+Server::~Server() = default;
+
+void Server::send(const Json& message) {
+  // Files may hold bytes that are no UTF-8.
+  send_(message.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void Server::handle(std::string_view text) {
+  const Json message = Json::parse(text, nullptr, false);
+  if (message.is_object()) return dispatch(message);
+  const int code = message.is_discarded() ? parseError : invalidRequest;
+  send({{"jsonrpc", "2.0"},
+        {"id", nullptr},
+        {"error", {{"code", code}, {"message", "no message of JSON-RPC"}}}});
+}
+
+void Server::dispatch(const Json& message) {
+  const auto method = message.find("method");
+  const auto id = message.find("id");
+  const bool named = method != message.end() && method->is_string();
+  const Json parameters = message.value("params", Json::object());
+  if (id == message.end()) {
+    try {
+      if (named) notify(method->get<std::string>(), parameters);
+    } catch (const Json::exception&) {
+      // A notification has no answer, so a broken one is put aside.
+    }
+    return;
+  }
+  if (!named) return;  // an answer; this server asks nothing
+  Json answer = {{"jsonrpc", "2.0"}, {"id", id->is_string() || id->is_number() ? *id : Json()}};
+  try {
+    answer["result"] = request(method->get<std::string>(), parameters);
+  } catch (const Json::exception& error) {
+    answer["error"] = {{"code", invalidParameters}, {"message", error.what()}};
+  } catch (const Refusal& refusal) {
+    answer["error"] = {{"code", refusal.code}, {"message", refusal.message}};
+  }
+  send(answer);
+}
+
+void Server::notify(const std::string& method, const Json& parameters) {
+  if (method == "exit") ended_ = true;
+  if (!initialized_ || shutDown_) return;
+  if (method == "textDocument/didOpen") {
+    const Json& document = parameters.at("textDocument");
+    open(document.at("uri").get<std::string>(), document.at("text").get<std::string>());
+  } else if (method == "textDocument/didChange") {
+    const Json& changes = parameters.at("contentChanges");
+    if (!changes.empty())
+      open(parameters.at("textDocument").at("uri").get<std::string>(),
+           changes.back().at("text").get<std::string>());
+  } else if (method == "textDocument/didClose") {
+    close(parameters.at("textDocument").at("uri").get<std::string>());
+  } else if (method == "workspace/didChangeWatchedFiles" || method == "textDocument/didSave") {
+    projects_.clear();
+    roots_.clear();
+    changed_ = true;
+  }
+}
+
+Json Server::request(const std::string& method, const Json& parameters) {
+  using Handler = Json (Server::*)(const Json&);
+  static const std::map<std::string, Handler> handlers = {
+      {"textDocument/completion", &Server::completion},
+      {"textDocument/signatureHelp", &Server::signatureHelp},
+      {"textDocument/definition", &Server::definition},
+      {"textDocument/references", &Server::referencesOf},
+      {"textDocument/documentHighlight", &Server::highlights},
+      {"textDocument/hover", &Server::hover},
+      {"textDocument/prepareRename", &Server::prepareRename},
+      {"textDocument/rename", &Server::rename},
+      {"textDocument/documentSymbol", &Server::documentSymbols},
+      {"textDocument/formatting", &Server::formatting}};
+  if (shutDown_) throw Refusal{invalidRequest, "the server is shut down"};
+  if (method == "initialize") return initialize(parameters);
+  if (!initialized_) throw Refusal{notInitialized, "the server is not initialized"};
+  if (method == "shutdown") {
+    shutDown_ = true;
+    return nullptr;
+  }
+  const auto handler = handlers.find(method);
+  if (handler == handlers.end()) throw Refusal{methodNotFound, "unknown method " + method};
+  return (this->*handler->second)(parameters);
+}
+
+Json Server::initialize(const Json& parameters) {
+  if (initialized_) throw Refusal{invalidRequest, "the server is initialized already"};
+  if (const auto root = parameters.find("rootUri"); root != parameters.end() && root->is_string())
+    workspace_ = pathOf(root->get<std::string>());
+  initialized_ = true;
+  return {{"capabilities",
+           {{"positionEncoding", "utf-16"},
+            {"textDocumentSync", {{"openClose", true}, {"change", 1}, {"save", true}}},
+            {"completionProvider", {{"triggerCharacters", {"@", "(", "=", " "}}}},
+            {"signatureHelpProvider", {{"triggerCharacters", {"(", ","}}}},
+            {"definitionProvider", true},
+            {"referencesProvider", true},
+            {"documentHighlightProvider", true},
+            {"hoverProvider", true},
+            {"renameProvider", {{"prepareProvider", true}}},
+            {"documentSymbolProvider", true},
+            {"documentFormattingProvider", true}}},
+          {"serverInfo", {{"name", "xabsl"}}}};
+}
+
+void Server::open(const std::string& uri, const std::string& text) {
+  const std::string path = pathOf(uri);
+  if (documents_.size() >= mostDocuments && documents_.count(path) == 0) return;
+  if (documents_.count(path) == 0) roots_.erase(path);
+  documents_[path] = text;
+  uris_[path] = uri;
+  projects_.clear();
+  changed_ = true;
+}
+
+void Server::close(const std::string& uri) {
+  const std::string path = pathOf(uri);
+  documents_.erase(path);
+  uris_.erase(path);
+  roots_.clear();
+  projects_.clear();
+  changed_ = true;
+}
+
+FileReader Server::reader() const {
+  return [this](const std::string& path, std::string& text) -> std::optional<std::string> {
+    const auto document = documents_.find(path);
+    if (document == documents_.end()) return disk_.read(path, text);
+    if (document->second.size() > largestFile) return "the file is larger than 2 MiB";
+    text = document->second;
+    return std::nullopt;
+  };
+}
+
+/// The file with the agents that a file belongs to: beside it or in a folder above, within the
+/// workspace. A file that belongs to none stands for itself.
+std::string Server::rootOf(const std::string& path) {
+  const auto known = roots_.find(path);
+  if (known != roots_.end()) return known->second;
+  constexpr int farthest = 6, mostCandidates = 200;
+  std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  int candidates = 0;
+  for (int i = 0; i < farthest; ++i, folder = folder.parent_path()) {
+    for (const std::string& candidate : disk_.sources(folder.generic_string())) {
+      std::string text;
+      if (++candidates > mostCandidates || reader()(candidate, text)) continue;
+      if (!mayBeRootOf(candidate, text, path)) continue;
+      Reporter ignored;
+      syntax::Program program;
+      readSources(candidate, reader(), program, ignored);
+      const bool includes =
+          std::any_of(program.files.begin(), program.files.end(),
+                      [&](const syntax::File& file) { return file.path == path; });
+      const bool xml = xml::isXml(text);  // which has no agents as long as it is not valid
+      if (includes && (xml || !program.agents.empty())) return roots_[path] = candidate;
+    }
+    if (folder.generic_string() == workspace_ || folder == folder.parent_path()) break;
+  }
+  return roots_[path] = path;
+}
+
+Project& Server::projectOf(const std::string& path) {
+  const std::string root = rootOf(path);
+  std::unique_ptr<Project>& project = projects_[root];
+  if (!project) project = std::make_unique<Project>(root, reader());
+  return *project;
+}
+
+std::string Server::uriOf(const std::string& path) const {
+  const auto known = uris_.find(path);
+  if (known != uris_.end()) return known->second;
+  return fileUri(path);
+}
+
+void Server::publish() {
+  if (!changed_) return;
+  changed_ = false;
+  std::map<std::string, Json> perFile;
+  for (const std::string& path : published_) perFile[path] = Json::array();
+  published_.clear();
+  std::set<std::string> roots;
+  for (const auto& [path, text] : documents_) {
+    perFile.emplace(path, Json::array());
+    if (isForeign(text)) continue;
+    const Project& project = projectOf(path);
+    if (roots.insert(project.root()).second) publishFor(project, perFile);
+  }
+  for (const auto& [path, diagnostics] : perFile) {
+    if (!diagnostics.empty()) published_.insert(path);
+    send({{"jsonrpc", "2.0"},
+          {"method", "textDocument/publishDiagnostics"},
+          {"params", {{"uri", uriOf(path)}, {"diagnostics", diagnostics}}}});
+  }
+}
+
+void Server::publishFor(const Project& project, std::map<std::string, Json>& perFile) const {
+  for (const Diagnostic& diagnostic : project.diagnostics()) {
+    const int file = project.file(diagnostic.file);
+    Position begin, end;
+    if (file >= 0 && diagnostic.line > 0) {
+      const Lines& lines = project.lines(file);
+      const Location location{file, diagnostic.line, diagnostic.column};
+      begin = lines.position(location);
+      end = lines.position(wordEnd(lines.line(diagnostic.line - 1), location));
+    }
+    Json& list = perFile[diagnostic.file];
+    if (list.is_null()) list = Json::array();
+    list.push_back({{"range", range(begin, end)},
+                    {"severity", diagnostic.severity == Diagnostic::Severity::error ? 1 : 2},
+                    {"source", "xabsl"},
+                    {"message", diagnostic.message}});
+  }
+}
+
+}  // namespace xabsl::server

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xabsl/tools/server/Project.h"
+
+namespace xabsl::server {
+
+/// What a server sees of the disk.
+struct Disk {
+  FileReader read;
+  std::function<std::vector<std::string>(const std::string& folder)> sources;  // .xabsl and .xml
+};
+
+/// A language server for XABSL (LSP 3.17): takes the messages of an editor one after another, and
+/// sends its own. Files that are open in the editor count as they are there.
+class Server {
+ public:
+  using Send = std::function<void(const std::string& message)>;
+
+  Server(Disk disk, Send send);
+  ~Server();
+
+  /// Takes a message. Whatever is in it, it is answered, or put aside.
+  void handle(std::string_view message);
+
+  /// Publishes the diagnostics of what has changed; called when no message waits.
+  void publish();
+
+  bool ended() const { return ended_; }
+  /// What the program should end with: 0 after an orderly shutdown.
+  int status() const { return shutDown_ ? 0 : 1; }
+
+ private:
+  using Json = nlohmann::json;
+  struct Place;
+
+  void dispatch(const Json& message);
+  void notify(const std::string& method, const Json& parameters);
+  Json request(const std::string& method, const Json& parameters);
+  Json initialize(const Json& parameters);
+  void open(const std::string& uri, const std::string& text);
+  void close(const std::string& uri);
+
+  Json completion(const Json& parameters);
+  Json signatureHelp(const Json& parameters);
+  Json definition(const Json& parameters);
+  Json referencesOf(const Json& parameters);
+  Json highlights(const Json& parameters);
+  Json hover(const Json& parameters);
+  Json prepareRename(const Json& parameters);
+  Json rename(const Json& parameters);
+  Json documentSymbols(const Json& parameters);
+  Json formatting(const Json& parameters);
+
+  Place placeOf(const Json& parameters);
+  Json rangeOf(const Project& project, const Reference& reference) const;
+  Json locationOf(const Project& project, const Reference& reference) const;
+  std::string uriOf(const std::string& path) const;
+  Project& projectOf(const std::string& path);
+  std::string rootOf(const std::string& path);
+  FileReader reader() const;
+  void publishFor(const Project& project, std::map<std::string, Json>& perFile) const;
+  void send(const Json& message);
+
+  Disk disk_;
+  Send send_;
+  std::string workspace_;
+  std::map<std::string, std::string> documents_;  // text by path
+  std::map<std::string, std::string> uris_;       // as the editor writes them, by path
+  std::map<std::string, std::unique_ptr<Project>> projects_;
+  std::map<std::string, std::string> roots_;  // by path
+  std::set<std::string> published_;
+  bool changed_ = false;
+  bool initialized_ = false;
+  bool shutDown_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace xabsl::server

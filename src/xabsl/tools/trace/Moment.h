@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "xabsl/tools/trace/Trace.h"
+
+namespace xabsl {
+
+/// What is known at the end of one cycle of a trace: what was active, and the values that symbols
+/// had when they were read or set last.
+class Moment {
+ public:
+  struct OptionMoment {
+    int state = -1;     // -1: not active
+    int previous = -1;  // in the cycle before
+    double optionTime = 0;
+    double stateTime = 0;
+    std::vector<double> parameters;
+  };
+  struct BehaviorMoment {
+    bool active = false;
+    std::vector<double> parameters;
+  };
+
+  explicit Moment(const TraceSubject& subject);
+
+  /// Goes on to the next cycle.
+  void take(const TraceEvent* first, const TraceEvent* last);
+  /// The value of a symbol, as it would be after reading it.
+  void set(int symbol, double value) { symbols_[static_cast<std::size_t>(symbol)] = value; }
+
+  double now() const { return now_; }
+  /// Nothing: it was neither read nor set yet.
+  std::optional<double> symbol(int index) const {
+    return symbols_[static_cast<std::size_t>(index)];
+  }
+  const OptionMoment& option(int index) const { return options_[static_cast<std::size_t>(index)]; }
+  const BehaviorMoment& behavior(int index) const {
+    return behaviors_[static_cast<std::size_t>(index)];
+  }
+  const TraceSubject& subject() const { return subject_; }
+
+ private:
+  const TraceSubject& subject_;
+  double now_ = 0;
+  std::vector<std::optional<double>> symbols_;
+  std::vector<OptionMoment> options_;
+  std::vector<BehaviorMoment> behaviors_;
+};
+
+}  // namespace xabsl
