@@ -10,7 +10,7 @@
 #include "xabsl/engine/Engine.h"
 #include "xabsl/tests/TestBehavior.h"
 
-/// XABSL 2.1 in XML: the report's own examples, in the folder `testdata`, and what may be wrong
+/// XABSL 2.1 in XML: the report's own examples, in the folder `tests/data`, and what may be wrong
 /// with them.
 namespace xabsl {
 namespace {
