@@ -1,0 +1,67 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "base/DataRoot.h"
+#include "base/Result.h"
+
+namespace gt {
+
+/// The command line of a program. All programs share that an error is reported in one line that
+/// begins with the program's name, and ends the program with exit status 2.
+class CommandLine {
+ public:
+  /// Returns the exit status, or the error that ends the program.
+  using Action = std::function<Result<int>()>;
+
+  CommandLine(int argc, char** argv, const std::string& description);
+
+  /// Takes the program's options.
+  CLI::App& app() { return app_; }
+  /// Adds the option --root. The root is found at once, so that other options may default to files
+  /// in it; if there is none, `run` reports that.
+  const DataRoot& root();
+
+  /// Adds a command, one of which must be given. Its action may return a Result<void>, a
+  /// Result<int> or an int.
+  template <typename F>
+  CLI::App& command(const char* name, const char* description, F action) {
+    return addCommand(name, description, actionOf(std::move(action)));
+  }
+  /// Parses the command line and performs an action. Returns the exit status.
+  template <typename F>
+  int run(F action) {
+    return perform(actionOf(std::move(action)));
+  }
+  /// The same, with the action of the command that is given.
+  int run() { return perform(nullptr); }
+
+ private:
+  template <typename F>
+  static Action actionOf(F action) {
+    return [action = std::move(action)]() mutable -> Result<int> {
+      if constexpr (std::is_same_v<decltype(action()), Result<void>>) {
+        if (const auto done = action(); !done) return done.error();
+        return 0;
+      } else {
+        return action();
+      }
+    };
+  }
+  CLI::App& addCommand(const char* name, const char* description, Action action);
+  int perform(const Action& action);
+  int fail(const std::string& what) const;
+
+  int argc_;
+  char** argv_;
+  std::string name_;
+  CLI::App app_;
+  Action command_;  ///< Of the command that is given.
+  std::string rootOption_;
+  std::optional<Result<DataRoot>> root_;
+};
+
+}  // namespace gt

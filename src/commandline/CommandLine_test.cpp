@@ -1,0 +1,89 @@
+#include "commandline/CommandLine.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
+
+namespace gt {
+namespace {
+
+using testing::HasSubstr;
+
+/// The arguments of a program, as main() gets them.
+class Arguments {
+ public:
+  explicit Arguments(std::vector<std::string> words) : words_{std::move(words)} {
+    words_.insert(words_.begin(), "/usr/bin/program");
+    for (std::string& word : words_) pointers_.push_back(word.data());
+  }
+  int count() const { return static_cast<int>(pointers_.size()); }
+  char** values() { return pointers_.data(); }
+
+ private:
+  std::vector<std::string> words_;
+  std::vector<char*> pointers_;
+};
+
+/// Runs a program that has an option and returns what an action returns.
+template <typename F>
+int run(std::vector<std::string> words, F action) {
+  Arguments arguments{std::move(words)};
+  CommandLine line{arguments.count(), arguments.values(), "A program"};
+  int number = 0;
+  line.app().add_option("--number", number);
+  return line.run(action);
+}
+
+TEST(CommandLine, TheActionsStatusIsThePrograms) {
+  EXPECT_EQ(run({}, [] { return 1; }), 1);
+  EXPECT_EQ(run({}, [] { return Result<int>{1}; }), 1);
+  EXPECT_EQ(run({}, [] { return Result<void>{}; }), 0);
+}
+
+TEST(CommandLine, AnErrorIsOneLineAndStatus2) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({}, [] { return Result<void>{Error{"file", 3, "field", "is wrong"}}; }), 2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "program: file:3: field: is wrong\n");
+}
+
+TEST(CommandLine, AWrongOptionIsStatus2AndRunsNothing) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({"--number", "many"},
+                []() -> int {
+                  ADD_FAILURE() << "ran";
+                  return 0;
+                }),
+            2);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("--number"));
+}
+
+TEST(CommandLine, RunsTheCommandThatIsGivenWithOptionsOfTheProgramBehindIt) {
+  Arguments arguments{{"second", "--number", "7"}};
+  CommandLine line{arguments.count(), arguments.values(), "A program"};
+  int number = 0;
+  line.app().add_option("--number", number);
+  line.command("first", "", [] { return 10; });
+  line.command("second", "", [&] { return number; });
+  EXPECT_EQ(line.run(), 7);
+}
+
+TEST(CommandLine, TheRootIsKnownBeforeTheOptionsAreParsed) {
+  Arguments arguments{{"--root", "."}};
+  CommandLine line{arguments.count(), arguments.values(), "A program"};
+  EXPECT_EQ(line.root().path("config"), "config");
+  EXPECT_EQ(line.run([] { return 0; }), 0);
+}
+
+TEST(CommandLine, ARootThatIsNoneIsAnErrorOfTheRun) {
+  Arguments arguments{{"--root=/nowhere"}};
+  CommandLine line{arguments.count(), arguments.values(), "A program"};
+  (void)line.root();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(line.run([] { return 0; }), 2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "program: /nowhere: --root: is no data root: it has no folder 'behavior'\n");
+}
+
+}  // namespace
+}  // namespace gt
