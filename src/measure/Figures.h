@@ -1,0 +1,63 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/Result.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// What a figure should be at most or at least.
+struct Aim {
+  enum class Kind { none, atMost, atLeast };
+  Kind kind = Kind::none;
+  double value = 0;
+
+  static Aim atMost(double value) { return {Kind::atMost, value}; }
+  static Aim atLeast(double value) { return {Kind::atLeast, value}; }
+  bool met(double figure) const { return kind == Kind::atMost ? figure <= value : figure >= value; }
+  bool operator==(const Aim&) const = default;
+
+  static constexpr auto fields() {
+    return Fields{field("kind", &Aim::kind), field("value", &Aim::value)};
+  }
+};
+static_assert(complete<Aim>);
+
+/// A measured figure: the mean over its runs (seeds or repetitions), and how these spread.
+struct Figure {
+  std::string name, unit;
+  double value = 0;
+  std::size_t n = 0;
+  double low = 0, high = 0, median = 0, p95 = 0;
+  Aim aim;
+  std::vector<double> runs;  ///< The raw values; empty for a ratio of two figures.
+};
+
+/// Measured figures, each with one stable name whose first word is its group.
+class Figures {
+ public:
+  /// Adds a figure of which each run gave one value. Without runs nothing is added.
+  void add(std::string name, std::string unit, const std::vector<double>& runs, Aim aim = {});
+  /// Adds the ratio of a figure to another one, if both were added before.
+  void addRatio(std::string name, std::string_view figure, std::string_view to, Aim aim = {});
+
+  const std::vector<Figure>& all() const { return figures_; }
+  /// Null if there is no figure of that name.
+  const Figure* find(std::string_view name) const;
+
+  /// Prints a table.
+  void print() const;
+  /// An array of objects: name, value, unit, n, low, high, median, p95, runs; where there is an
+  /// aim, also aim and met.
+  std::string json() const;
+  /// Writes `json` to a file, whose folder is made if it is missing.
+  Result<void> write(const std::string& path) const;
+
+ private:
+  std::vector<Figure> figures_;
+};
+
+}  // namespace gt

@@ -1,0 +1,40 @@
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "base/Result.h"
+
+namespace gt {
+
+/// What work() returns; an exception that leaves it becomes an error.
+template <typename Work>
+auto guarded(Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::exception& exception) {
+    return Error{"", 0, "exception", exception.what()};
+  }
+}
+
+/// The results of work(i) for i = 0 .. count-1, in this order, computed by some threads, the caller
+/// among them. `work` returns a Result<T>; an exception that leaves it becomes its error.
+template <typename Work>
+auto inParallel(std::size_t count, unsigned threads, Work&& work) {
+  using Outcome = decltype(work(std::size_t{}));
+  std::vector<Outcome> results(count, Outcome{Error{"", 0, "", "was not done"}});
+  std::atomic<std::size_t> next{0};
+  const auto run = [&] {
+    for (std::size_t i; (i = next++) < count;) results[i] = guarded([&] { return work(i); });
+  };
+  std::vector<std::jthread> others;
+  for (unsigned i = 1; i < threads && i < count; ++i) others.emplace_back(run);
+  run();
+  others.clear();  // joins them
+  return results;
+}
+
+}  // namespace gt

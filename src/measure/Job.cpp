@@ -1,0 +1,91 @@
+#include "measure/Job.h"
+
+#include <charconv>
+#include <sstream>
+
+#include "streams/Json.h"
+
+namespace gt {
+namespace {
+
+/// The line of JSON of a JobResult.
+struct ResultLine {
+  std::string job;
+  std::vector<Measurement::Value> values;
+
+  static constexpr auto fields() {
+    return Fields{field("job", &ResultLine::job), field("values", &ResultLine::values)};
+  }
+};
+static_assert(complete<ResultLine>);
+
+template <typename T>
+bool readNumber(std::string_view text, T& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+}  // namespace
+
+std::string Job::text() const {
+  std::string text = experiment;
+  for (const auto& [name, value] : parameters) text.append(" ").append(name + "=" + value);
+  text += " seed=" + std::to_string(seed);
+  return commit.empty() ? text : text + " commit=" + commit;
+}
+
+double Job::number(const std::string& name) const {
+  double number = 0;
+  readNumber(parameter(name), number);  // `completed` has looked at it
+  return number;
+}
+
+Result<Job> parseJob(std::string_view line) {
+  std::istringstream words{std::string{line}};
+  Job job;
+  if (!(words >> job.experiment)) return Error{"", 0, "", "expected an experiment"};
+  for (std::string word; words >> word;) {
+    const auto equals = word.find('=');
+    if (equals == word.npos || equals == 0 || equals + 1 == word.size())
+      return Error{"", 0, word, "expected NAME=VALUE"};
+    const std::string name = word.substr(0, equals), value = word.substr(equals + 1);
+    if (name == "commit")
+      job.commit = value;
+    else if (name == "seed" && !readNumber(value, job.seed))
+      return Error{"", 0, word, "expected a whole number"};
+    else if (name != "seed" && !job.parameters.emplace(name, value).second)
+      return Error{"", 0, word, "is given twice"};
+  }
+  return job;
+}
+
+Result<std::vector<Job>> parseJobs(std::string_view text, const std::string& sourceName) {
+  std::istringstream lines{std::string{text}};
+  std::vector<Job> jobs;
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const auto begin = line.find_first_not_of(" \t\r");
+    if (begin == line.npos || line[begin] == '#') continue;
+    auto job = parseJob(line);
+    if (!job) return Error{sourceName, number, job.error().field, job.error().what};
+    jobs.push_back(*std::move(job));
+  }
+  return jobs;
+}
+
+std::string JobResult::text() const {
+  return toJson(ResultLine{job.text(), measurement.values}).dump();
+}
+
+Result<JobResult> parseJobResult(std::string_view line) {
+  const auto json = parseJson(line, "");
+  if (!json) return json.error();
+  ResultLine read;
+  if (const auto done = fromJson(*json, read); !done) return done.error();
+  auto job = parseJob(read.job);
+  if (!job) return job.error();
+  return JobResult{*std::move(job), {std::move(read.values)}};
+}
+
+}  // namespace gt

@@ -1,0 +1,22 @@
+#pragma once
+#include <functional>
+
+#include "measure/Experiment.h"
+#include "measure/JobResults.h"
+
+namespace gt {
+
+/// How jobs are done.
+struct RunOptions {
+  unsigned threads = 1;
+  /// Is called, by one thread at a time, when a job was done or failed.
+  std::function<void(const Job&, const Result<void>&)> report;
+};
+
+/// Does jobs that are `completed`, several at once; those that must be alone come last. Each result
+/// is written as soon as its job is done. A job that fails does not keep the others from being
+/// done. Returns how many failed, or the error that kept results from being written.
+Result<int> runJobs(const std::vector<Job>& jobs, const Experiments& experiments,
+                    const DataRoot& root, JobResultWriter& writer, const RunOptions& options);
+
+}  // namespace gt
