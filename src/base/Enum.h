@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,24 +12,72 @@
 namespace gt {
 namespace detail {
 
-/// The name of an enumerator as the compiler spells it; empty for a value that has none.
-template <auto value>
-constexpr std::string_view enumeratorName() {
-  std::string_view s = __PRETTY_FUNCTION__;
-  const auto begin = s.find("value = ") + 8;
-  s = s.substr(begin, s.find_first_of(";]", begin) - begin);
-  if (s.empty() || s.front() == '(' || s.front() == '-' || (s.front() >= '0' && s.front() <= '9'))
-    return {};
-  const auto colon = s.rfind("::");
-  return colon == s.npos ? s : s.substr(colon + 2);
+/// Some values of an enumeration as the compiler spells them: enumerators by name, others as casts.
+template <typename E, E... values>
+constexpr std::string_view spelledValues() {
+  return __PRETTY_FUNCTION__;
 }
 
-template <typename E, std::size_t n = 0>
-constexpr std::size_t enumeratorCount() {
-  if constexpr (n >= 128 || enumeratorName<static_cast<E>(n)>().empty())
-    return n;
-  else
-    return enumeratorCount<E, n + 1>();
+/// Where one value of such a list ends, which begins at a place in it.
+constexpr std::size_t spelledEnd(std::string_view list, std::size_t at) {
+  for (int depth = 0; at < list.size(); ++at) {
+    const char c = list[at];
+    if (depth == 0 && (c == ',' || c == '}' || c == '>')) return at;
+    depth += c == '<' || c == '(' ? 1 : c == '>' || c == ')' ? -1 : 0;
+  }
+  return at;
+}
+
+/// What is found among the values 0 to 256, and -1, of an enumeration.
+struct Enumerators {
+  std::size_t count = 0;
+  bool countable = true;  ///< They are 0, 1, 2, ...
+};
+
+template <std::size_t most>
+constexpr Enumerators findEnumerators(std::string_view list) {
+  constexpr std::string_view begin = "values = ";
+  Enumerators found;
+  std::size_t at = list.find(begin) + begin.size() + 1;
+  const auto isNamed = [&] { return list[at] != '(' || list.substr(at, 4) == "(ano"; };
+  std::size_t cast = 0;
+  for (std::size_t i = 0; i <= most; ++i) {
+    const std::size_t digits = i < 10 ? 1 : i < 100 ? 2 : 3;
+    if (isNamed()) {
+      if (found.count++ != i) found.countable = false;
+      at = spelledEnd(list, at) + 2;
+    } else {
+      // All casts are of one length but for their digits, so most of the list is skipped.
+      if (cast == 0) cast = spelledEnd(list, at) - at - digits;
+      at += cast + digits + 2;
+    }
+  }
+  if (isNamed() || found.count > 256) found.countable = false;
+  return found;
+}
+
+template <typename E>
+struct EnumFacts {
+  static constexpr std::size_t most = std::min<std::size_t>(
+      256, static_cast<std::size_t>(std::numeric_limits<std::underlying_type_t<E>>::max()));
+  static constexpr auto make = []<std::size_t... i>(std::index_sequence<i...>) {
+    return findEnumerators<most>(
+        spelledValues<E, static_cast<E>(i)...,
+                      static_cast<E>(std::is_signed_v<std::underlying_type_t<E>> ? -1 : most)>());
+  };
+  static constexpr Enumerators all = make(std::make_index_sequence<most + 1>{});
+  static_assert(all.countable,
+                "the enumerators of a streamed enumeration count from 0 without gaps, and are not "
+                "more than 256");
+};
+
+template <auto value>
+constexpr std::string_view enumeratorName() {
+  constexpr std::string_view begin = "value = ";
+  std::string_view s = __PRETTY_FUNCTION__;
+  s.remove_prefix(s.find(begin) + begin.size());
+  s = s.substr(0, s.find_first_of(";]"));
+  return s.substr(s.rfind(':') + 1);
 }
 
 template <typename E, std::size_t... i>
@@ -37,11 +87,12 @@ constexpr auto enumeratorNames(std::index_sequence<i...>) {
 
 }  // namespace detail
 
-/// How many enumerators an enumeration has that counts from 0 without gaps.
+/// How many enumerators an enumeration has. They count from 0 without gaps; it does not compile
+/// otherwise.
 template <typename E>
-constexpr std::size_t enumCount = detail::enumeratorCount<E>();
+constexpr std::size_t enumCount = detail::EnumFacts<E>::all.count;
 
-/// The names of an enumeration's values, in order; the enumeration counts from 0 without gaps.
+/// The names of an enumeration's values, in order.
 template <typename E>
 constexpr auto enumNames = detail::enumeratorNames<E>(std::make_index_sequence<enumCount<E>>{});
 

@@ -6,6 +6,7 @@ std::string Error::text() const {
   std::string s = file;
   if (line > 0) s += ":" + std::to_string(line);
   if (!s.empty()) s += ": ";
+  if (severity == Severity::warning) s += "warning: ";
   if (!field.empty()) s += field + ": ";
   return s + what;
 }

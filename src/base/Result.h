@@ -7,14 +7,21 @@
 
 namespace gt {
 
-/// What was wrong with data from outside, and where.
-struct Error {
-  std::string file;   ///< Path as the user gave it, or a name of the source ("console", "network").
-  int line = 0;       ///< From 1; 0 where there are no lines.
-  std::string field;  ///< The field, element or name concerned; may be empty.
-  std::string what;   ///< What is wrong, and what was expected.
+/// How bad something is that is reported: an error keeps data from being used or work from being
+/// done, a warning does not.
+enum class Severity { note, warning, error };
 
-  /// One line: file:line: field: what.
+/// What is wrong with data from outside, and where. Made by naming what is known:
+/// `Error{.file = path, .line = 3, .field = "gain", .what = "expected a number"}`.
+struct Error {
+  std::string
+      file{};    ///< Path as the user gave it, or a name of the source ("console", "network").
+  int line = 0;  ///< From 1; 0 where there are no lines.
+  std::string field{};  ///< The field, element or name concerned; may be empty.
+  std::string what{};   ///< What is wrong, and what was expected.
+  Severity severity = Severity::error;
+
+  /// One line: `file:line: field: what`, with `warning: ` before the field of a warning.
   std::string text() const;
 };
 

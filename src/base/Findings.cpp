@@ -1,0 +1,29 @@
+#include "base/Findings.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace gt {
+
+void Findings::add(Findings other) {
+  std::move(other.list_.begin(), other.list_.end(), std::back_inserter(list_));
+}
+
+Result<void> Findings::firstError() const {
+  for (const Error& finding : list_)
+    if (finding.severity == Severity::error) return finding;
+  return {};
+}
+
+std::string Findings::text() const {
+  std::string text;
+  for (const Error& finding : list_) text += finding.text() + '\n';
+  return text;
+}
+
+std::size_t Findings::count(Severity severity) const {
+  return static_cast<std::size_t>(std::count_if(
+      list_.begin(), list_.end(), [&](const Error& e) { return e.severity == severity; }));
+}
+
+}  // namespace gt
