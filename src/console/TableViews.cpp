@@ -194,7 +194,7 @@ Result<Sheet> timeView(Console& console, const std::vector<double>&) {
     for (const Stopwatch& watch : process->times()) watches.push_back(&watch);
   double longest = 1e-9;
   const auto mean = [](const Stopwatch& watch) {
-    return watch.count() > 0 ? watch.totalMs() / static_cast<double>(watch.count()) : 0;
+    return watch.count > 0 ? watch.totalMs / static_cast<double>(watch.count) : 0;
   };
   for (const Stopwatch* watch : watches) longest = std::max(longest, mean(*watch));
   Sheet sheet{720, heightOf(watches.size() + 1)};
@@ -204,9 +204,9 @@ Result<Sheet> timeView(Console& console, const std::vector<double>&) {
   double y = 37;
   for (const Stopwatch* watch : watches) {
     sheet.box({190, y}, {std::max(1.0, 260 * mean(*watch) / longest), 11}, bar);
-    lines.add({{0, watch->name()},
+    lines.add({{0, watch->name},
                {450, decimal(mean(*watch), 3) + " ms"},
-               {560, decimal(static_cast<double>(watch->count()) / seconds) + " /s"}});
+               {560, decimal(static_cast<double>(watch->count) / seconds) + " /s"}});
     y += 18;
   }
   return sheet;

@@ -19,7 +19,11 @@ class Debug {
  public:
   explicit Debug(std::size_t queueCapacity = 1 << 20) : out_{queueCapacity} {}
 
-  void begin(Time now) { now_ = now; }
+  /// Begins a frame: what is drawn and asked for until the next one belongs together.
+  void begin(Time now) {
+    now_ = now;
+    keys_.begin(now);
+  }
   Time now() const { return now_; }
 
   Canvas onField(const DebugKey& key) { return draw(key, DrawingSpace::field); }
@@ -37,6 +41,8 @@ class Debug {
   }
   /// Sends a text in any case.
   void text(std::string text) { send(Text{std::move(text)}); }
+  /// Sends a text about something that should not happen; a run that is strict fails by it.
+  void warn(std::string text) { send(Text{std::move(text), Severity::warning}); }
   void plot(const DebugKey& key, double value) {
     if (isActive(key)) send(Plot{std::string{key.name()}, value});
   }
@@ -48,7 +54,7 @@ class Debug {
       const Stopwatch::Lap lap{watch};
       std::forward<Work>(work)();
     }
-    send(StopwatchTime{watch.name(), 1000 * watch.totalMs()});
+    send(StopwatchTime{watch.name, 1000 * watch.totalMs});
   }
   template <typename Work>
   void stopTime(const DebugKey& key, Work&& work) {
@@ -56,16 +62,7 @@ class Debug {
     stopTime(key.name(), std::forward<Work>(work));
   }
 
-  /// The numbers that a tool has sent under a key since the last cycle (report E.2); null if it has
-  /// not.
-  const std::vector<double>* received(const DebugKey& key) const;
-  /// Hands numbers in, for the modules of this cycle.
-  void receive(GenericDebugData data) {
-    if constexpr (debugging) received_.push_back(std::move(data));
-  }
-  void forgetReceived() { received_.clear(); }
-
-  bool isActive(const DebugKey& key) { return debugging && keys_.isActive(key, now_); }
+  bool isActive(const DebugKey& key) { return debugging && keys_.isActive(key); }
   DebugKeyTable& keys() { return keys_; }
   MessageQueue& out() { return out_; }
 
@@ -77,7 +74,6 @@ class Debug {
   DebugKeyTable keys_;
   MessageQueue out_;
   Time now_;
-  std::vector<GenericDebugData> received_;
 };
 
 }  // namespace gt

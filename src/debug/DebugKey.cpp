@@ -1,34 +1,50 @@
 #include "debug/DebugKey.h"
 
 #include <algorithm>
+#include <string>
+
+#include "base/Contract.h"
 
 namespace gt {
 namespace {
 
-std::vector<const DebugKey*>& registry() {
-  static std::vector<const DebugKey*> keys;
-  return keys;
+struct Registry {
+  std::vector<DebugKey> keys;
+  bool closed = false;  ///< Since a table exists, which has an entry for each key.
+};
+
+Registry& registry() {
+  static Registry registry;
+  return registry;
 }
 
 }  // namespace
 
-void DebugKey::enlist() {
-  if (const DebugKey* same = find(name_)) {
-    index_ = same->index_;
-    return;
+DebugKey::DebugKey(std::string_view name) : name_{name} {
+  if constexpr (debugging) {
+    if (const DebugKey* same = find(name)) {
+      index_ = same->index_;
+      return;
+    }
+    if (registry().closed)
+      violate("The debug key '" + std::string{name} +
+              "' is made while the program runs. A key is a constant at namespace scope.");
+    index_ = registry().keys.size();
+    registry().keys.push_back(*this);
   }
-  index_ = registry().size();
-  registry().push_back(this);
 }
 
-const std::vector<const DebugKey*>& DebugKey::all() {
-  return registry();
+const std::vector<DebugKey>& DebugKey::all() {
+  return registry().keys;
 }
 
 const DebugKey* DebugKey::find(std::string_view name) {
-  const auto found =
-      std::find_if(all().begin(), all().end(), [&](auto* key) { return key->name() == name; });
-  return found == all().end() ? nullptr : *found;
+  const auto found = std::ranges::find(all(), name, &DebugKey::name);
+  return found == all().end() ? nullptr : &*found;
+}
+
+DebugKeyTable::DebugKeyTable() : asked_(DebugKey::all().size()), entries_(DebugKey::all().size()) {
+  registry().closed = true;
 }
 
 bool DebugKeyState::isDue(Time now) {

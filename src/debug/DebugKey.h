@@ -21,23 +21,19 @@ constexpr bool debugging = true;
 /// to add a key. Constants of one name are one key: several modules may draw under it.
 class DebugKey {
  public:
-  explicit DebugKey(std::string_view name) : name_{name} {
-    if constexpr (debugging) enlist();
-  }
-  DebugKey(const DebugKey&) = delete;
-  DebugKey& operator=(const DebugKey&) = delete;
+  /// Registers the key. Keys of a program are known before its first robot exists, so a key that is
+  /// a member or a local variable ends the program with a sentence.
+  explicit DebugKey(std::string_view name);
 
   std::string_view name() const { return name_; }
   std::size_t index() const { return index_; }
 
   /// All keys of the program, each name once, in the order of their indices.
-  static const std::vector<const DebugKey*>& all();
+  static const std::vector<DebugKey>& all();
   /// The key with a name; null if there is none.
   static const DebugKey* find(std::string_view name);
 
  private:
-  void enlist();
-
   std::string_view name_;
   std::size_t index_ = 0;
 };
@@ -58,7 +54,7 @@ class DebugKeyState {
   explicit DebugKeyState(DebugKeyRequest request) : request_{request} {}
 
   const DebugKeyRequest& request() const { return request_; }
-  /// Counts, so to be called once for each output.
+  /// Has a side effect: call once per output.
   bool isDue(Time now);
 
  private:
@@ -67,26 +63,46 @@ class DebugKeyState {
   Time last_ = never();
 };
 
-/// The states of all keys in one process (report E.3).
+/// The states of all keys in one process (report E.3). A key that is due in a frame is due for all
+/// who use it in that frame.
 class DebugKeyTable {
  public:
-  DebugKeyTable() : asked_(DebugKey::all().size(), false), states_(DebugKey::all().size()) {}
+  DebugKeyTable();
 
   void set(const DebugKey& key, DebugKeyRequest request) {
-    states_[key.index()] = DebugKeyState{request};
+    entries_[key.index()] = Entry{DebugKeyState{request}};
     asked_[key.index()] = request.mode != DebugKeyMode::disabled;
   }
-  DebugKeyRequest get(const DebugKey& key) const { return states_[key.index()].request(); }
+  DebugKeyRequest get(const DebugKey& key) const { return entries_[key.index()].state.request(); }
 
-  /// True if the key's output is to be sent this time. Counts, so to be called once for each
-  /// output.
-  bool isActive(const DebugKey& key, Time now) {
-    return debugging && asked_[key.index()] && states_[key.index()].isDue(now);
+  /// Begins the next frame.
+  void begin(Time now) {
+    now_ = now;
+    ++frame_;
+  }
+  /// True if the key's output is to be sent in this frame.
+  bool isActive(const DebugKey& key) {
+    return debugging && asked_[key.index()] && isDue(entries_[key.index()]);
   }
 
  private:
+  struct Entry {
+    DebugKeyState state;
+    std::uint64_t frame = 0;  ///< In which it was asked last whether the key is due.
+    bool due = false;         ///< In that frame.
+  };
+  bool isDue(Entry& entry) {
+    if (entry.frame != frame_) {
+      entry.frame = frame_;
+      entry.due = entry.state.isDue(now_);
+    }
+    return entry.due;
+  }
+
+  Time now_;
+  std::uint64_t frame_ = 1;
   std::vector<char> asked_;  ///< Whether a key is on; next to each other, for speed.
-  std::vector<DebugKeyState> states_;
+  std::vector<Entry> entries_;
 };
 
 }  // namespace gt

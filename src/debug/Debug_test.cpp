@@ -14,8 +14,8 @@ int sentIn100Frames(DebugKeyRequest request) {
   int sent = 0;
   for (int i = 0; i < 100; ++i) {
     debug.begin({8 * i});
-    sent += debug.keys().isActive(samples, debug.now());
-    EXPECT_FALSE(debug.keys().isActive(other, debug.now()));
+    sent += debug.isActive(samples);
+    EXPECT_FALSE(debug.isActive(other));
   }
   return sent;
 }
@@ -27,6 +27,45 @@ TEST(DebugKey, HasTheStatesOfTheReport) {
   EXPECT_EQ(sentIn100Frames({DebugKeyMode::everyTimes, 10}), 10);
   EXPECT_EQ(sentIn100Frames({DebugKeyMode::everyMs, 80}), 10);
   EXPECT_EQ(sentIn100Frames({DebugKeyMode::everyTimes, 0}), 100);
+}
+
+// Several modules use one key: what one of them sends in a frame belongs to what the others send.
+TEST(DebugKey, IsDueForAllWhoUseItInAFrame) {
+  const DebugKey second{"Test/samples"};
+  const DebugKeyRequest requests[] = {{DebugKeyMode::always},
+                                      {DebugKeyMode::times, 3},
+                                      {DebugKeyMode::everyTimes, 2},
+                                      {DebugKeyMode::everyMs, 80}};
+  for (const DebugKeyRequest& request : requests) {
+    Debug debug;
+    debug.keys().set(samples, request);
+    int frames = 0;
+    for (int i = 0; i < 100; ++i) {
+      debug.begin({8 * i});
+      const bool active = debug.isActive(samples);
+      EXPECT_EQ(debug.isActive(second), active) << i;
+      EXPECT_EQ(debug.isActive(samples), active) << i;
+      frames += active;
+    }
+    EXPECT_EQ(frames, sentIn100Frames(request));
+  }
+}
+
+// Frames in which nobody uses a key do not count.
+TEST(DebugKey, CountsFramesInWhichItIsUsed) {
+  Debug debug;
+  debug.keys().set(samples, {DebugKeyMode::times, 2});
+  for (int i = 0; i < 10; ++i) debug.begin({8 * i});
+  EXPECT_TRUE(debug.isActive(samples));
+  debug.begin({80});
+  EXPECT_TRUE(debug.isActive(samples));
+  debug.begin({88});
+  EXPECT_FALSE(debug.isActive(samples));
+}
+
+TEST(DebugKeyDeathTest, IsNotMadeWhileTheProgramRuns) {
+  const Debug debug;
+  EXPECT_DEATH(DebugKey{"Test/late"}, "The debug key 'Test/late' is made while the program runs");
 }
 
 TEST(Debug, HasShapesForAllThatViewersShow) {
@@ -86,7 +125,8 @@ TEST(Debug, SendsInAnyCaseOrOnRequest) {
     debug.out().handleAllMessages([&](const Message& message) {
       Text text;
       Plot plot;
-      if (message.is<Text>() && message.read(text)) all += text.text + ' ';
+      if (message.is<Text>() && message.read(text))
+        all += (text.severity == Severity::warning ? "warning: " : "") + text.text + ' ';
       if (message.is<Plot>() && message.read(plot)) all += plot.key + ' ';
     });
     debug.out().clear();
@@ -96,23 +136,13 @@ TEST(Debug, SendsInAnyCaseOrOnRequest) {
   debug.send(Plot{"sensors", 1});
   debug.send(samples, Text{"nobody asked"});
   debug.plot(samples, 2);
-  EXPECT_EQ(sent(), "Found 3 balls. sensors ");
+  debug.warn("no ball at all");
+  EXPECT_EQ(sent(), "Found 3 balls. sensors warning: no ball at all ");
   debug.keys().set(samples, {DebugKeyMode::times, 1});
   debug.send(samples, Text{"asked"});
+  debug.begin({8});
   debug.send(samples, Text{"once only"});
   EXPECT_EQ(sent(), "asked ");
-}
-
-TEST(Debug, HandsGenericDebugDataToWhoKnowsItsName) {
-  Debug debug;
-  EXPECT_EQ(debug.received(samples), nullptr);
-  debug.receive({"Test/samples", {1, 2, 3}});
-  debug.receive({"Test/samples", {4}});
-  ASSERT_NE(debug.received(samples), nullptr);
-  EXPECT_EQ(*debug.received(samples), std::vector<double>{4});
-  EXPECT_EQ(debug.received(other), nullptr);
-  debug.forgetReceived();
-  EXPECT_EQ(debug.received(samples), nullptr);
 }
 
 TEST(DebugKey, IsSentAgainWhenTimeGoesBack) {
@@ -120,7 +150,7 @@ TEST(DebugKey, IsSentAgainWhenTimeGoesBack) {
   debug.keys().set(samples, {DebugKeyMode::everyMs, 100});
   for (const int ms : {5000, 5050, 5100, 0, 50, 100}) {
     debug.begin({ms});
-    EXPECT_EQ(debug.keys().isActive(samples, debug.now()), ms % 100 == 0) << ms;
+    EXPECT_EQ(debug.isActive(samples), ms % 100 == 0) << ms;
   }
 }
 
@@ -154,7 +184,8 @@ TEST(DebugKey, IsOneWhereverItsNameStands) {
 }
 
 TEST(DebugKey, IsFoundByName) {
-  EXPECT_EQ(DebugKey::find("Test/samples"), &samples);
+  ASSERT_TRUE(DebugKey::find("Test/samples"));
+  EXPECT_EQ(DebugKey::find("Test/samples")->index(), samples.index());
   EXPECT_EQ(DebugKey::find("Test/nothing"), nullptr);
 }
 

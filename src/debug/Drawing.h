@@ -5,6 +5,7 @@
 
 #include "base/Enum.h"
 #include "base/Geometry.h"
+#include "base/Result.h"
 #include "streams/Reflection.h"
 
 namespace gt {
@@ -18,7 +19,6 @@ struct Color {
                   field("a", &Color::a, "", "255 is opaque")};
   }
 };
-static_assert(complete<Color>);
 
 namespace colors {
 constexpr Color black{0, 0, 0}, white{255, 255, 255}, gray{128, 128, 128}, red{220, 30, 30},
@@ -65,7 +65,6 @@ struct DrawingElement {
                   field("penStyle", &DrawingElement::penStyle, "", "of lines")};
   }
 };
-static_assert(complete<DrawingElement>);
 
 /// A debug drawing (report E.5): what a key's code drew in one cycle.
 struct Drawing {
@@ -78,7 +77,6 @@ struct Drawing {
                   field("elements", &Drawing::elements)};
   }
 };
-static_assert(complete<Drawing>);
 
 /// A number over time (report's value history).
 struct Plot {
@@ -89,20 +87,19 @@ struct Plot {
     return Fields{field("key", &Plot::key), field("value", &Plot::value)};
   }
 };
-static_assert(complete<Plot>);
 
-/// Numbers for a module or from it, by a name that both sides know (report E.2): to try things out
-/// without a message of their own.
+/// Numbers for a module (report E.2): to try things out quickly. They become its parameters, in the
+/// order in which these are declared; the others keep their values.
 struct GenericDebugData {
   std::string id;
   std::vector<double> data;
 
   static constexpr auto fields() {
-    return Fields{field("id", &GenericDebugData::id, "", "of a debug key"),
+    return Fields{field("id", &GenericDebugData::id, "",
+                        "TASK or TASK.SOLUTION; without the latter, the solution that runs"),
                   field("data", &GenericDebugData::data)};
   }
 };
-static_assert(complete<GenericDebugData>);
 
 /// How long something took (report E.7).
 struct StopwatchTime {
@@ -114,14 +111,15 @@ struct StopwatchTime {
                   field("microseconds", &StopwatchTime::microseconds, "us")};
   }
 };
-static_assert(complete<StopwatchTime>);
 
 /// A text that a module wrote (report's idText).
 struct Text {
   std::string text;
+  Severity severity = Severity::note;
 
-  static constexpr auto fields() { return Fields{field("text", &Text::text)}; }
+  static constexpr auto fields() {
+    return Fields{field("text", &Text::text), field("severity", &Text::severity)};
+  }
 };
-static_assert(complete<Text>);
 
 }  // namespace gt

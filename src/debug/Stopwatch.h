@@ -1,42 +1,51 @@
 #pragma once
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <string>
+
+#include "streams/Reflection.h"
 
 namespace gt {
 
 /// Measures how long a piece of work takes by the machine's own clock, over many times (report
 /// E.7). For people and benchmarks only: nothing that a robot does may depend on it.
-class Stopwatch {
- public:
-  explicit Stopwatch(std::string name) : name_{std::move(name)} {}
+struct Stopwatch {
+  std::string name;
+  std::int64_t count = 0;
+  double totalMs = 0;
+  double lastMs = 0;
+  double longestMs = 0;
+
+  double meanMs() const { return count == 0 ? 0 : totalMs / static_cast<double>(count); }
 
   /// Measures from its construction to its destruction.
   class Lap {
    public:
     explicit Lap(Stopwatch& watch) : watch_{watch}, begin_{Clock::now()} {}
     ~Lap() {
-      watch_.total_ += Clock::now() - begin_;
-      ++watch_.count_;
+      watch_.lastMs = std::chrono::duration<double, std::milli>(Clock::now() - begin_).count();
+      watch_.totalMs += watch_.lastMs;
+      watch_.longestMs = std::max(watch_.longestMs, watch_.lastMs);
+      ++watch_.count;
     }
     Lap(const Lap&) = delete;
     Lap& operator=(const Lap&) = delete;
 
    private:
+    using Clock = std::chrono::steady_clock;
+
     Stopwatch& watch_;
-    std::chrono::steady_clock::time_point begin_;
+    Clock::time_point begin_;
   };
 
-  const std::string& name() const { return name_; }
-  std::int64_t count() const { return count_; }
-  double totalMs() const { return std::chrono::duration<double, std::milli>(total_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  std::string name_;
-  std::int64_t count_ = 0;
-  Clock::duration total_{};
+  static constexpr auto fields() {
+    return Fields{field("name", &Stopwatch::name, "", "the task or piece of work"),
+                  field("count", &Stopwatch::count, "", "how many times it was done"),
+                  field("totalMs", &Stopwatch::totalMs, "ms"),
+                  field("lastMs", &Stopwatch::lastMs, "ms"),
+                  field("longestMs", &Stopwatch::longestMs, "ms")};
+  }
 };
 
 }  // namespace gt

@@ -230,12 +230,12 @@ MatchSummary Match::summary() const {
 std::vector<PartTime> Match::times() const {
   std::vector<PartTime> parts;
   const auto add = [&](const Stopwatch& watch) {
-    if (watch.count() == 0) return;
+    if (watch.count == 0) return;
     auto part = std::find_if(parts.begin(), parts.end(),
-                             [&](const PartTime& p) { return p.part == watch.name(); });
-    if (part == parts.end()) part = parts.insert(parts.end(), PartTime{watch.name(), 0, 0});
-    part->count += watch.count();
-    part->totalMs += watch.totalMs();
+                             [&](const PartTime& p) { return p.part == watch.name; });
+    if (part == parts.end()) part = parts.insert(parts.end(), PartTime{watch.name, 0, 0});
+    part->count += watch.count;
+    part->totalMs += watch.totalMs;
   };
   for (const SimulatedRobot* robot : robots_)
     for (const auto& process : robot->robot().processes())

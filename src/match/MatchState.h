@@ -26,7 +26,6 @@ struct Intervention {
             "console: a command line; gameController: the message's bytes as hexadecimal digits")};
   }
 };
-static_assert(complete<Intervention>);
 
 /// A whole simulation at a moment, with all that the robots' programs remember: saved by
 /// `Match::save`, continued by `Match::load`.
@@ -58,6 +57,5 @@ struct MatchState {
         field("fingerprint", &MatchState::fingerprint, "", "of world and robots")};
   }
 };
-static_assert(complete<MatchState>);
 
 }  // namespace gt

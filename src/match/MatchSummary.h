@@ -23,7 +23,6 @@ struct ErrorStatistics {
                   field("maximum", &ErrorStatistics::maximum)};
   }
 };
-static_assert(complete<ErrorStatistics>);
 
 /// Something that happened in a match, as the referee saw it.
 struct MatchEvent {
@@ -47,7 +46,6 @@ struct MatchEvent {
         field("blueScore", &MatchEvent::blueScore)};
   }
 };
-static_assert(complete<MatchEvent>);
 
 /// One moment of a robot, sampled once a second.
 struct RobotSample {
@@ -60,7 +58,6 @@ struct RobotSample {
         field("localizationError", &RobotSample::localizationError, "mm")};
   }
 };
-static_assert(complete<RobotSample>);
 
 /// How often a robot performed a kick.
 struct KickCount {
@@ -71,7 +68,6 @@ struct KickCount {
     return Fields{field("kick", &KickCount::kick), field("count", &KickCount::count)};
   }
 };
-static_assert(complete<KickCount>);
 
 /// What a match says about one robot.
 struct RobotSummary {
@@ -109,7 +105,6 @@ struct RobotSummary {
         field("samples", &RobotSummary::samples, "", "one a second")};
   }
 };
-static_assert(complete<RobotSummary>);
 
 /// What is to be known about a match when it is over: match.json. The same scene and seed give the
 /// same bytes; what was measured by the machine's clock therefore stands elsewhere (MatchTimes).
@@ -133,7 +128,6 @@ struct MatchSummary {
                   field("ball", &MatchSummary::ball, "mm", "true position, one a second")};
   }
 };
-static_assert(complete<MatchSummary>);
 
 /// The time that a part of the system took, by the machine's clock.
 struct PartTime {
@@ -146,7 +140,6 @@ struct PartTime {
                   field("count", &PartTime::count), field("totalMs", &PartTime::totalMs, "ms")};
   }
 };
-static_assert(complete<PartTime>);
 
 /// How long a match took: times.json.
 struct MatchTimes {
@@ -163,7 +156,6 @@ struct MatchTimes {
         field("parts", &MatchTimes::parts, "", "over all robots")};
   }
 };
-static_assert(complete<MatchTimes>);
 
 /// A camera picture with what the robot saw in it, for the report page.
 struct ReportPicture {

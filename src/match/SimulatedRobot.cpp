@@ -111,7 +111,7 @@ void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
       const Stopwatch::Lap lap{watch};
       live(input, picture);
     }
-    busyUntil_ = static_cast<double>(input.now.ms) + slowness_ * watch.totalMs();
+    busyUntil_ = static_cast<double>(input.now.ms) + slowness_ * watch.totalMs;
   } else {
     live(input, picture);
   }
