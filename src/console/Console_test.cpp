@@ -336,8 +336,10 @@ TEST_F(ConsoleTest, CompletesWhatIsTyped) {
 }
 
 TEST_F(ConsoleTest, SendsGenericDebugData) {
-  expectFine("sg ImageProcessor/percepts 1 2.5");
-  expectError("sg ImageProcessor/percepts one", "one", "is no number");
+  expectFine("sg defaultObstaclesLocator 1 0 2000");
+  expectFine("sg BallLocator 0.25");
+  expectError("sg BallLocator one", "one", "is no number");
+  expectError("sg numberOfFourierCoefficients 1", "numberOfFourierCoefficients", "no such id");
 }
 
 TEST_F(ConsoleTest, ScriptsTellFileAndLineOfTheirErrors) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -74,7 +75,7 @@ std::vector<std::string> debugKeyNames(Console&, const Words& before) {
   std::vector<std::string> names;
   if (before.size() != 1 && before.size() != 2) return names;
   if (before.size() == 2) return {"off", "on", "every"};
-  for (const DebugKey* key : DebugKey::all()) names.emplace_back(key->name());
+  for (const DebugKey& key : DebugKey::all()) names.emplace_back(key.name());
   for (const ReportKey& key : reportKeys()) names.emplace_back(key.name);
   for (const auto& [task, entry] : solutions().tasks())
     for (const RepresentationType* output : entry.outputs)
@@ -248,30 +249,46 @@ Result<void> sr(Console& console, const Words& words) {
       [&](ConsoleRobot& robot) { return switchSolution(console, robot, words[1], solution); });
 }
 
+/// Where generic debug data can go: each task, and each of its solutions.
+std::vector<std::string> idNames(Console&, const Words& before) {
+  if (before.size() > 1) return {};
+  std::vector<std::string> names{"?"};
+  for (const auto& [name, task] : solutions().tasks()) {
+    names.push_back(name);
+    for (const Solution& solution : task.solutions) names.push_back(name + "." + solution.name);
+  }
+  return names;
+}
+
+/// The report's ids name a solution and its task: defaultObstaclesLocator.
+std::string idOf(std::string word) {
+  for (const auto& [name, task] : solutions().tasks())
+    for (const Solution& solution : task.solutions) {
+      std::string id = solution.name + name;
+      id.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(id.front())));
+      if (id == word) return name + "." + solution.name;
+    }
+  return word;
+}
+
 Result<void> sg(Console& console, const Words& words) {
   if (words.size() == 2 && words[1] == "?") {
-    std::set<std::string_view> names;
-    for (const DebugKey* key : DebugKey::all()) names.insert(key->name());
-    for (const std::string_view name : names) console.print(name);
+    auto names = idNames(console, {"sg"});
+    std::erase(names, "?");
+    list(console, names);
     return {};
   }
   constexpr std::size_t mostNumbers = 10;  // report I.5.3
   if (words.size() < 2 || words.size() > 2 + mostNumbers) return wrongArguments(words);
-  if (!DebugKey::find(words[1])) return Error{"", 0, words[1], "there is no such id; try sg ?"};
-  GenericDebugData data{words[1], {}};
+  GenericDebugData data{idOf(words[1]), {}};
+  if (const auto names = idNames(console, {"sg"}); std::ranges::find(names, data.id) == names.end())
+    return Error{.field = words[1], .what = "there is no such id; try sg ?"};
   for (std::size_t i = 2; i < words.size(); ++i) {
     const auto number = numberOf(words[i]);
     if (!number) return number.error();
     data.data.push_back(*number);
   }
   return console.forEachRobot([&](ConsoleRobot& robot) { return robot.request(data); });
-}
-
-std::vector<std::string> idNames(Console&, const Words& before) {
-  std::vector<std::string> names{"?"};
-  if (before.size() > 1) return {};
-  for (const DebugKey* key : DebugKey::all()) names.emplace_back(key->name());
-  return names;
 }
 
 Result<void> qfr(Console& console, const Words& words) {

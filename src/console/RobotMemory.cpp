@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "framework/Requests.h"
 #include "representations/All.h"
 #include "robot/RobotLog.h"
 #include "robot/Solutions.h"
@@ -64,6 +65,7 @@ void RobotMemory::take(const MessageQueue& messages, const Image* picture) {
     Text text;
     StopwatchTime time;
     DroppedMessages dropped;
+    RequestAnswer answer;
     Image image;
     if (message.is<Drawing>() && message.read(drawing)) {
       keep(message.time, std::move(drawing));
@@ -73,6 +75,8 @@ void RobotMemory::take(const MessageQueue& messages, const Image* picture) {
       keep(time.event, {message.time, time.microseconds});
     } else if (message.is<Text>() && message.read(text)) {
       keep(std::move(text.text));
+    } else if (message.is<RequestAnswer>() && message.read(answer)) {
+      if (answer.outcome == RequestOutcome::refused) keep(answer.process + ": " + answer.what);
     } else if (message.is<DroppedMessages>() && message.read(dropped)) {
       for (const DroppedMessage& type : dropped.types)
         keep("dropped " + std::to_string(type.count) + " messages " + type.type);

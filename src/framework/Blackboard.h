@@ -2,7 +2,9 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "base/Contract.h"
 #include "framework/Representation.h"
 
 namespace gt {
@@ -11,17 +13,30 @@ namespace gt {
 /// never in a cycle.
 class Blackboard {
  public:
+  /// The place of one representation; it stays where it is, its value may be exchanged.
+  struct Slot {
+    const RepresentationType* type = nullptr;
+    std::shared_ptr<void> value;
+    bool shared = false;
+  };
+
   template <typename T>
   T& get() {
     return *static_cast<T*>(get(representation<T>()));
   }
-  void* get(const RepresentationType& type) {
-    auto& slot = slots_[type.name];
-    if (!slot.value) slot = {&type, type.make(), false};
+  void* get(const RepresentationType& type) { return slot(type).value.get(); }
+  const Slot& slot(const RepresentationType& type) { return place(type); }
+  /// A value that is this blackboard's alone, to be written: one that was shared is copied.
+  void* own(const RepresentationType& type) {
+    Slot& slot = place(type);
+    if (slot.shared) {
+      std::shared_ptr<void> value = type.make();
+      type.copy(slot.value.get(), value.get());
+      slot = {&type, std::move(value), false};
+    }
     return slot.value.get();
   }
-  /// Lays in a value that several blackboards share, such as a colour table; only before modules
-  /// are bound.
+  /// Registers a value that several blackboards share, such as a color table.
   template <typename T>
   void share(std::shared_ptr<T> value) {
     slots_[representation<T>().name] = {&representation<T>(), std::move(value), true};
@@ -29,29 +44,37 @@ class Blackboard {
 
   /// Takes over the values that another blackboard holds too; both keep those that are shared.
   void copyFrom(const Blackboard& other) {
-    for (auto& [name, slot] : slots_)
-      if (const auto found = other.slots_.find(name);
-          found != other.slots_.end() && found->second.value != slot.value)
-        slot.type->copy(found->second.value.get(), slot.value.get());
+    for (const auto& [name, slot] : other.slots_)
+      if (const auto here = slots_.find(name);
+          here != slots_.end() && here->second.value != slot.value)
+        slot.type->copy(slot.value.get(), own(*slot.type));
   }
-  /// The type of a slot, by name; null if there is none.
+  /// The type of a slot, by name or message id; null if there is none.
   const RepresentationType* find(std::string_view name) const {
     const auto slot = slots_.find(name);
     return slot == slots_.end() ? nullptr : slot->second.type;
   }
-  /// The type of a slot that is not shared, by its message id; null if there is none.
-  const RepresentationType* findOwn(std::uint32_t id) const {
+  const RepresentationType* find(std::uint32_t id) const {
     for (const auto& [name, slot] : slots_)
-      if (slot.type->id == id && !slot.shared) return slot.type;
+      if (slot.type->id == id) return slot.type;
     return nullptr;
+  }
+  std::vector<const RepresentationType*> types() const {
+    std::vector<const RepresentationType*> types;
+    for (const auto& [name, slot] : slots_) types.push_back(slot.type);
+    return types;
   }
 
  private:
-  struct Slot {
-    const RepresentationType* type = nullptr;
-    std::shared_ptr<void> value;
-    bool shared = false;
-  };
+  Slot& place(const RepresentationType& type) {
+    Slot& slot = slots_[type.name];
+    if (!slot.value) slot = {&type, type.make(), false};
+    if (slot.type != &type)
+      violate(std::string{type.qualifiedName} + " and " + std::string{slot.type->qualifiedName} +
+              " cannot be told apart: a representation's name is its own in all namespaces.");
+    return slot;
+  }
+
   std::map<std::string_view, Slot> slots_;
 };
 

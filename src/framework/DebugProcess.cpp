@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "debug/Drawing.h"
+#include "framework/Requests.h"
 
 namespace gt {
 
@@ -19,7 +19,7 @@ PackageReceiver& DebugProcess::addReceiver() {
 
 Result<void> DebugProcess::request(const QueueFillRequest& request) {
   if (fill_.request(request, now())) return {};
-  return Error{"", 0, "seconds", "collect and save need a time above 0 and up to a day"};
+  return Error{.field = "seconds", .what = "collect and save need a time above 0 and up to a day"};
 }
 
 void DebugProcess::adopt(DebugProcess& other) {
@@ -34,7 +34,7 @@ void DebugProcess::handleRequests() {
     QueueFillRequest wanted;
     auto done = message.read(wanted);
     if (done) done = request(wanted);
-    if (!done) toTools_.write(now(), Text{name() + ": " + done.error().text()});
+    toTools_.write(now(), answerTo(message, name(), done));
     return true;
   });
 }

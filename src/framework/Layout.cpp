@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "framework/LayoutCheck.h"
 #include "streams/File.h"
@@ -55,55 +56,114 @@ Providers findProviders(const Layout& layout, const SolutionTable& table, Errors
         const int line = group.taskLines[i];
         const Task* task = table.find(name);
         if (!task || !seen.insert(name).second) {
-          errors.push_back(
-              {layout.file, line, name, task ? "is listed twice" : "there is no such task"});
+          errors.push_back({.file = layout.file,
+                            .line = line,
+                            .field = name,
+                            .what = task ? "is listed twice" : "there is no such task"});
           continue;
         }
         for (const RepresentationType* output : task->outputs) {
           const auto [other, added] = providers.insert({output, {process.name, &group, name}});
           if (!added)
-            errors.push_back(
-                {layout.file, line, name,
-                 std::string{output->name} + " is already provided by " + other->second.task});
+            errors.push_back({.file = layout.file,
+                              .line = line,
+                              .field = name,
+                              .what = std::string{output->name} + " is already provided by " +
+                                      other->second.task});
         }
       }
   return providers;
 }
 
+/// Representations are told apart by their names, and their messages by ids made of these.
+void checkNames(const Layout& layout, const SolutionTable& table, const Types& platform,
+                const Types& given, Errors& errors) {
+  std::map<std::string_view, const RepresentationType*> names;
+  std::map<std::uint32_t, const RepresentationType*> ids;
+  const auto check = [&](const RepresentationType* type) {
+    const RepresentationType* named = names.try_emplace(type->name, type).first->second;
+    const RepresentationType* numbered = ids.try_emplace(type->id, type).first->second;
+    for (const RepresentationType* other : {named, numbered})
+      if (other != type)
+        return errors.push_back(
+            {.file = layout.file,
+             .field = std::string{type->name},
+             .what = "cannot be told apart: " + std::string{other->qualifiedName} + " and " +
+                     std::string{type->qualifiedName} + "; rename one"});
+  };
+  std::set<const RepresentationType*> all{platform.begin(), platform.end()};
+  all.insert(given.begin(), given.end());
+  for (const auto& [name, task] : table.tasks()) {
+    all.insert(task.outputs.begin(), task.outputs.end());
+    for (const Solution& solution : task.solutions)
+      for (const Port& port : solution.ports) all.insert(port.type);
+  }
+  for (const RepresentationType* type : all) check(type);
+}
+
 /// Sorts a group's tasks so that each runs after those whose outputs it reads; otherwise the
 /// file's order holds.
-std::vector<const Task*> sort(const ProcessLayout::Group& group, const std::string& process,
-                              const Layout& layout, const SolutionTable& table,
-                              const Providers& providers, Errors& errors) {
-  std::vector<const Task*> waiting, order;
-  for (const std::string& name : group.tasks)
-    if (const Task* task = table.find(name)) waiting.push_back(task);
-  const auto isFree = [&](const Task* task) {
-    for (const RepresentationType* input : inputsOf(*task, PortKind::input)) {
-      const auto provider = providers.find(input);
-      if (provider == providers.end() || provider->second.group != &group ||
-          provider->second.task == task->name)
-        continue;
-      if (std::none_of(order.begin(), order.end(),
-                       [&](auto* done) { return done->name == provider->second.task; }))
-        return false;
-    }
-    return true;
-  };
-  while (!waiting.empty()) {
-    const auto next = std::find_if(waiting.begin(), waiting.end(), isFree);
-    if (next == waiting.end()) {
-      std::string names;
-      for (const Task* task : waiting) names += " " + task->name;
-      errors.push_back({layout.file, group.line, process,
-                        "a circle of modules that wait for each other, among:" + names});
-      return order;
-    }
-    order.push_back(*next);
-    waiting.erase(next);
+class Sorter {
+ public:
+  Sorter(const ProcessLayout::Group& group, const SolutionTable& table, const Providers& providers)
+      : group_{group}, providers_{providers} {
+    for (const std::string& name : group.tasks)
+      if (const Task* task = table.find(name)) waiting_.push_back(task);
   }
-  return order;
-}
+
+  /// The tasks in their order, up to a circle of tasks that wait for each other.
+  std::vector<const Task*> sort() {
+    std::vector<const Task*> order;
+    while (!waiting_.empty()) {
+      const auto next = std::ranges::find_if(
+          waiting_, [&](const Task* task) { return !firstMissing(*task).type; });
+      if (next == waiting_.end()) break;
+      order.push_back(*next);
+      waiting_.erase(next);
+    }
+    return order;
+  }
+
+  /// The circle that was found, as a sentence; empty if there is none.
+  std::string circle() const {
+    if (waiting_.empty()) return {};
+    // Each waiting task waits for another one: following them leads into the circle.
+    const Task* task = waiting_.front();
+    for (std::size_t i = 0; i < waiting_.size(); ++i) task = firstMissing(*task).provider;
+    std::string text = "a circle of tasks that wait for each other:";
+    const Task* const begin = task;
+    do {
+      const Missing missing = firstMissing(*task);
+      text += (task == begin ? " " : ", ") + task->name + " reads " +
+              std::string{missing.type->name} + " of " + missing.provider->name;
+      task = missing.provider;
+    } while (task != begin);
+    return text + "; Previous<> breaks it";
+  }
+
+ private:
+  struct Missing {
+    const RepresentationType* type = nullptr;
+    const Task* provider = nullptr;
+  };
+
+  /// The first input that a task of the group still has to provide.
+  Missing firstMissing(const Task& task) const {
+    for (const RepresentationType* input : inputsOf(task, PortKind::input)) {
+      const auto provider = providers_.find(input);
+      if (provider == providers_.end() || provider->second.group != &group_ ||
+          provider->second.task == task.name)
+        continue;
+      for (const Task* other : waiting_)
+        if (other->name == provider->second.task) return {input, other};
+    }
+    return {};
+  }
+
+  const ProcessLayout::Group& group_;
+  const Providers& providers_;
+  std::vector<const Task*> waiting_;
+};
 
 /// Works out what one process receives.
 class Connector {
@@ -118,8 +178,10 @@ class Connector {
       if (type->name == name && provider.process != process_.name) return add(type, blocking);
     for (const RepresentationType* type : platform_)
       if (type->name == name && !providers_.contains(type)) return add(type, blocking);
-    return Error{layout_.file, line, process_.name,
-                 "'" + name + "' is sent neither by the platform nor by another process"};
+    return Error{.file = layout_.file,
+                 .line = line,
+                 .field = process_.name,
+                 .what = "'" + name + "' is sent neither by the platform nor by another process"};
   }
   /// What a task reads; false if nobody provides it.
   bool input(const RepresentationType* type) {
@@ -153,7 +215,7 @@ Plan::Process planProcess(const ProcessLayout& process, const Layout& layout,
                           const SolutionTable& table, const Providers& providers,
                           const Types& platform, const Types& given,
                           std::vector<Connection>& connections, Errors& errors) {
-  Plan::Process plan{process, {}};
+  Plan::Process plan{process, {}, {}, {}};
   Connector connector{layout, process, providers, platform};
   const auto trigger = [&](const std::string& name, int line,
                            bool blocking) -> const RepresentationType* {
@@ -166,15 +228,33 @@ Plan::Process planProcess(const ProcessLayout& process, const Layout& layout,
   for (const ProcessLayout::Group& group : process.groups) {
     const RepresentationType* type =
         group.trigger.empty() ? nullptr : trigger(group.trigger, group.line, false);
-    for (const Task* task : sort(group, process.name, layout, table, providers, errors))
-      plan.order.push_back({task, type});
+    Sorter sorter{group, table, providers};
+    for (const Task* task : sorter.sort()) plan.order.push_back({task, type});
+    if (std::string circle = sorter.circle(); !circle.empty())
+      errors.push_back({.file = layout.file,
+                        .line = group.line,
+                        .field = process.name,
+                        .what = std::move(circle)});
     for (std::size_t i = 0; i < group.tasks.size(); ++i)
       for (const PortKind kind : {PortKind::input, PortKind::previous})
         if (const Task* task = table.find(group.tasks[i]))
           for (const RepresentationType* input : inputsOf(*task, kind))
             if (!contains(given, input) && !connector.input(input))
-              errors.push_back({layout.file, group.taskLines[i], group.tasks[i],
-                                "nobody provides its " + std::string{input->name}});
+              errors.push_back({.file = layout.file,
+                                .line = group.taskLines[i],
+                                .field = group.tasks[i],
+                                .what = "nobody provides its " + std::string{input->name}});
+  }
+  for (const Connection& connection : connector.connections()) {
+    if (connection.from.empty()) plan.platform.push_back(connection.type);
+    if (!connection.type->decode)
+      errors.push_back(
+          {.file = layout.file,
+           .line = process.line,
+           .field = process.name,
+           .what = std::string{connection.type->name} + " comes from " +
+                   (connection.from.empty() ? "the platform" : "process " + connection.from) +
+                   ", but cannot be sent: it has no fields()"});
   }
   connections.insert(connections.end(), connector.connections().begin(),
                      connector.connections().end());
@@ -184,14 +264,18 @@ Plan::Process planProcess(const ProcessLayout& process, const Layout& layout,
 /// One line of a layout file, without its comment.
 Result<void> parseLine(const std::vector<std::string>& list, int number, Layout& layout) {
   const auto wrong = [&](std::string field, std::string what) {
-    return Error{layout.file, number, std::move(field), std::move(what)};
+    return Error{
+        .file = layout.file, .line = number, .field = std::move(field), .what = std::move(what)};
   };
   if (list[0] == "process") {
     if (list.size() != 4 || list[2] != "on")
       return wrong("process",
                    "expected: process NAME on REPRESENTATION, or: process NAME on messages");
     for (const ProcessLayout& other : layout.processes)
-      if (other.name == list[1]) return wrong(list[1], "there are two processes of this name");
+      if (other.name == list[1])
+        return wrong(list[1], "there are two processes of this name");
+      else if (other.collectsMessages && list[3] == "messages")
+        return wrong(list[1], "process " + other.name + " collects messages already");
     layout.processes.push_back({list[1], list[3], list[3] == "messages", {}, number});
     layout.processes.back().groups.push_back({"", {}, {}, number});
     return {};
@@ -221,17 +305,44 @@ Layout parseAll(std::string_view text, const std::string& file, Errors& errors) 
     if (list.empty()) continue;
     if (const auto done = parseLine(list, number, layout); !done) errors.push_back(done.error());
   }
-  if (layout.processes.empty()) errors.push_back({file, number, "process", "there is none"});
+  if (layout.processes.empty())
+    errors.push_back({.file = file, .line = number, .field = "process", .what = "there is none"});
   return layout;
+}
+
+/// Decides which process answers tools about a representation that no module provides.
+void assignAnswers(Plan& plan, const Types& given) {
+  const auto answersFor = [&](const RepresentationType* type) -> const Plan::Process& {
+    const auto begins = std::ranges::find_if(
+        plan.processes, [&](const auto& process) { return process.layout.trigger == type->name; });
+    return begins != plan.processes.end()
+               ? *begins
+               : *std::ranges::find_if(plan.processes, [&](const auto& process) {
+                   return contains(process.platform, type);
+                 });
+  };
+  bool first = true;
+  for (Plan::Process& process : plan.processes) {
+    if (process.layout.collectsMessages) continue;
+    for (const Plan::Step& step : process.order)
+      process.answersFor.insert(process.answersFor.end(), step.task->outputs.begin(),
+                                step.task->outputs.end());
+    for (const RepresentationType* type : process.platform)
+      if (&answersFor(type) == &process) process.answersFor.push_back(type);
+    if (std::exchange(first, false))
+      process.answersFor.insert(process.answersFor.end(), given.begin(), given.end());
+  }
 }
 
 Plan planAll(const Layout& layout, const SolutionTable& table, const Types& platform,
              const Types& given, Errors& errors) {
+  checkNames(layout, table, platform, given, errors);
   const Providers providers = findProviders(layout, table, errors);
   Plan plan;
   for (const ProcessLayout& process : layout.processes)
     plan.processes.push_back(
         planProcess(process, layout, table, providers, platform, given, plan.connections, errors));
+  assignAnswers(plan, given);
   return plan;
 }
 

@@ -64,6 +64,9 @@ struct Plan {
   struct Process {
     ProcessLayout layout;
     std::vector<Step> order;
+    std::vector<const RepresentationType*> platform;  ///< What the platform sends to it.
+    /// What it sends to a tool that names no process; see WatchRequest.
+    std::vector<const RepresentationType*> answersFor;
   };
   std::vector<Process> processes;
   std::vector<Connection> connections;
@@ -73,7 +76,8 @@ struct Plan {
 /// Inside a group the signatures give the order; what an earlier group reads of a later one is of
 /// the last cycle, as between processes. `platform` names what the platform sends, `given` what
 /// lies on every blackboard from the start. Errors: unknown tasks or triggers, a task listed twice,
-/// a missing provider, two providers, a circle.
+/// a missing provider, two providers, a circle, something that crosses but cannot be streamed, two
+/// representations of one name.
 Result<Plan> makePlan(const Layout& layout, const SolutionTable& table,
                       const std::vector<const RepresentationType*>& platform,
                       const std::vector<const RepresentationType*>& given);

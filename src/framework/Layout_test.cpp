@@ -117,7 +117,9 @@ TEST(Layout, RejectsCirclesAndTwoProviders) {
   ASSERT_TRUE(layout);
   const auto circle = makePlan(*layout, table, {&representation<Reading>()}, {});
   ASSERT_FALSE(circle);
-  EXPECT_EQ(circle.error().what, "a circle of modules that wait for each other, among: Left Right");
+  EXPECT_EQ(circle.error().what,
+            "a circle of tasks that wait for each other: Left reads Command of Right, Right reads "
+            "Estimate of Left; Previous<> breaks it");
 
   SolutionTable two = testing::table();
   two.add<Left, LeftModule>("A");
@@ -140,6 +142,71 @@ TEST(Layout, AllErrorsAreTold) {
   EXPECT_TRUE(checkLayoutText("process A on Reading\nFilter\nController\n", "test.layout", table,
                               {&representation<Reading>()}, {})
                   .empty());
+}
+
+struct Unstreamed {
+  int value = 0;
+};
+struct Sense {
+  using Outputs = std::tuple<Unstreamed>;
+};
+class SenseModule {
+ public:
+  void update(const Reading&, Unstreamed&) const {}
+};
+struct Act {
+  using Outputs = std::tuple<Command>;
+};
+class ActModule {
+ public:
+  void update(const Unstreamed&, Command&) {}
+};
+
+// Without fields() it would work in one program and never arrive in another one.
+TEST(Layout, LetsCrossOnlyWhatCanBeStreamed) {
+  SolutionTable table;
+  table.add<Sense, SenseModule>("A");
+  table.add<Act, ActModule>("A");
+  const auto plan = [&](const char* text) {
+    return makePlan(*parseLayout(text, "test.layout"), table, {&representation<Reading>()}, {});
+  };
+  EXPECT_TRUE(plan("process P on Reading\nSense\nAct\n"));
+  const auto crossing = plan("process P on Reading\nSense\nprocess Q on Unstreamed\nAct\n");
+  ASSERT_FALSE(crossing);
+  EXPECT_EQ(crossing.error().text(),
+            "test.layout:3: Q: Unstreamed comes from process P, but cannot be sent: it has no "
+            "fields()");
+}
+
+namespace other {
+struct Reading {
+  int value = 0;
+  static constexpr auto fields() { return Fields{field("value", &Reading::value)}; }
+};
+}  // namespace other
+class OtherSense {
+ public:
+  void update(const other::Reading&, Unstreamed&) {}
+};
+
+TEST(Layout, RefusesTwoRepresentationsOfOneName) {
+  SolutionTable table;
+  table.add<Sense, SenseModule>("A");
+  table.add<Sense, OtherSense>("B");
+  const auto plan = makePlan(*parseLayout("process P on Reading\nSense\n", "test.layout"), table,
+                             {&representation<Reading>()}, {});
+  ASSERT_FALSE(plan);
+  EXPECT_NE(plan.error().what.find("cannot be told apart"), std::string::npos);
+  EXPECT_NE(plan.error().what.find("other::Reading"), std::string::npos);
+  Blackboard blackboard;
+  blackboard.get<Reading>();
+  EXPECT_DEATH(blackboard.get<other::Reading>(), "cannot be told apart");
+}
+
+TEST(Layout, HasOneProcessThatCollectsMessages) {
+  const auto layout = parseLayout("process A on messages\nprocess B on messages\n", "test.layout");
+  ASSERT_FALSE(layout);
+  EXPECT_EQ(layout.error().text(), "test.layout:2: B: process A collects messages already");
 }
 
 }  // namespace

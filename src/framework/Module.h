@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "base/Random.h"
@@ -42,21 +43,29 @@ namespace detail {
 /// How a parameter of update() is filled: what is bound once, and what is handed over in each
 /// cycle.
 template <typename A>
-struct Binding;
+struct Binding {
+  static_assert(!std::is_same_v<A, A>,
+                "update() of a module takes inputs as const T&, outputs as T&, values of the last "
+                "cycle as Previous<T>, and Random& or Debug&; nothing else, and nothing by value");
+  explicit Binding(ModuleContext&);
+  A use();
+  static void list(std::vector<Port>&);
+};
 
 template <typename T>
 struct Binding<const T&> {
-  explicit Binding(ModuleContext& context) : value{context.blackboard.get<T>()} {}
-  const T& use() { return value; }
+  explicit Binding(ModuleContext& context) : slot{context.blackboard.slot(representation<T>())} {}
+  const T& use() { return *static_cast<const T*>(slot.value.get()); }
   static void list(std::vector<Port>& ports) {
     ports.push_back({PortKind::input, &representation<T>()});
   }
-  const T& value;
+  const Blackboard::Slot& slot;  ///< Shared configuration may be exchanged for other values.
 };
 
 template <typename T>
 struct Binding<T&> {
-  explicit Binding(ModuleContext& context) : value{context.blackboard.get<T>()} {}
+  explicit Binding(ModuleContext& context)
+      : value{*static_cast<T*>(context.blackboard.own(representation<T>()))} {}
   T& use() { return value; }
   static void list(std::vector<Port>& ports) {
     ports.push_back({PortKind::output, &representation<T>()});
@@ -66,7 +75,8 @@ struct Binding<T&> {
 
 template <typename T>
 struct Binding<Previous<T>> {
-  explicit Binding(ModuleContext& context) : now{context.blackboard.get<T>()}, before{now} {}
+  explicit Binding(ModuleContext& context)
+      : now{*static_cast<const T*>(context.blackboard.own(representation<T>()))}, before{now} {}
   Previous<T> use() {
     before = now;  // a copy, since update() may overwrite it while it reads
     return {before};
@@ -98,6 +108,36 @@ template <typename M>
 concept HasParameters = requires(M m) {
   m.parameters;
 };
+template <typename M>
+concept HasOneUpdate = requires {
+  &M::update;
+};
+
+/// The parameters of a module's update().
+template <typename Update>
+struct Signature {
+  static_assert(!std::is_same_v<Update, Update>,
+                "update() of a module returns void, and is neither static nor noexcept");
+  using Arguments = std::tuple<>;
+};
+template <typename M, typename... A>
+struct Signature<void (M::*)(A...)> {
+  using Arguments = std::tuple<A...>;
+};
+template <typename M, typename... A>
+struct Signature<void (M::*)(A...) const> {
+  using Arguments = std::tuple<A...>;
+};
+
+template <typename M>
+struct Ports {
+  static_assert(HasOneUpdate<M>,
+                "a module has one member function update(), which is neither overloaded nor a "
+                "template");
+  using Arguments = std::tuple<>;
+};
+template <HasOneUpdate M>
+struct Ports<M> : Signature<decltype(&M::update)> {};
 
 }  // namespace detail
 
@@ -113,17 +153,17 @@ class AnyModule {
   virtual Result<void> set(std::string_view path, std::string_view value) = 0;
   virtual Result<std::string> get(std::string_view path) = 0;
   virtual std::vector<PathInfo> parameters() = 0;
-  /// Goes on where another module of the same class was, with its parameters and all that it
-  /// remembers; false if it is of another class.
+  /// Resumes from another module of the same class, with its parameters and all that it remembers;
+  /// false if it is of another class.
   virtual bool adopt(AnyModule& other) = 0;
 };
 
 /// Makes a module of a plain class: its ports are the parameters of its update().
-template <typename M, typename Signature = decltype(&M::update)>
+template <typename M, typename Arguments = typename detail::Ports<M>::Arguments>
 class ModuleAdapter;
 
 template <typename M, typename... A>
-class ModuleAdapter<M, void (M::*)(A...)> final : public AnyModule {
+class ModuleAdapter<M, std::tuple<A...>> final : public AnyModule {
  public:
   explicit ModuleAdapter(ModuleContext context)
       : context_{std::move(context)}, bindings_{detail::Binding<A>{context_}...} {}
@@ -132,25 +172,22 @@ class ModuleAdapter<M, void (M::*)(A...)> final : public AnyModule {
     std::apply([this](auto&... binding) { module_->update(binding.use()...); }, bindings_);
   }
   Result<void> configure(std::string_view text, std::string_view file) override {
-    if constexpr (detail::HasParameters<M>) {
+    if constexpr (detail::HasParameters<M>)
       return parseConfig(text, std::string{file}, module_->parameters);
-    } else {
-      return Error{std::string{file}, 0, "", "this module has no parameters"};
-    }
+    else
+      return Error{.file = std::string{file}, .what = "this module has no parameters"};
   }
   Result<void> set(std::string_view path, std::string_view value) override {
-    if constexpr (detail::HasParameters<M>) {
+    if constexpr (detail::HasParameters<M>)
       return setByPath(module_->parameters, path, value);
-    } else {
-      return Error{"", 0, std::string{path}, "this module has no parameters"};
-    }
+    else
+      return Error{.field = std::string{path}, .what = "this module has no parameters"};
   }
   Result<std::string> get(std::string_view path) override {
-    if constexpr (detail::HasParameters<M>) {
+    if constexpr (detail::HasParameters<M>)
       return getByPath(module_->parameters, path);
-    } else {
-      return Error{"", 0, std::string{path}, "this module has no parameters"};
-    }
+    else
+      return Error{.field = std::string{path}, .what = "this module has no parameters"};
   }
   bool adopt(AnyModule& other) override {
     auto* same = dynamic_cast<ModuleAdapter*>(&other);
@@ -160,11 +197,10 @@ class ModuleAdapter<M, void (M::*)(A...)> final : public AnyModule {
     return true;
   }
   std::vector<PathInfo> parameters() override {
-    if constexpr (detail::HasParameters<M>) {
+    if constexpr (detail::HasParameters<M>)
       return paths(module_->parameters);
-    } else {
+    else
       return {};
-    }
   }
   static std::vector<Port> ports() {
     std::vector<Port> list;

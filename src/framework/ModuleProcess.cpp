@@ -1,6 +1,8 @@
 #include "framework/ModuleProcess.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace gt {
 
@@ -9,6 +11,8 @@ ModuleProcess::ModuleProcess(const Plan::Process& plan, Blackboard blackboard, T
     : Process{plan.layout.name},
       blackboard_{std::move(blackboard)},
       frameTime_{frameTime},
+      platform_{plan.platform},
+      answersFor_{plan.answersFor},
       debugSender_{representation<MessageQueue>(), &debugOut_},
       debugReceiver_{representation<MessageQueue>(), &debugIn_} {
   for (const auto& [task, trigger] : plan.order) {
@@ -16,8 +20,9 @@ ModuleProcess::ModuleProcess(const Plan::Process& plan, Blackboard blackboard, T
     for (const Solution& solution : task->solutions)
       slot.solutions.push_back(solution.make({blackboard_, debug_, random.fork(task->name)}));
     slot.active = slot.solutions.front().get();
-    times_.emplace_back(task->name);
+    times_.modules.push_back({.name = task->name});
   }
+  times_.process = name();
   enlist(debugSender_);
   enlist(debugReceiver_);
 }
@@ -36,51 +41,128 @@ PackageReceiver& ModuleProcess::receiver(const RepresentationType& type, bool bl
   return *ownReceivers_.back();
 }
 
-ModuleProcess::Slot* ModuleProcess::find(std::string_view task) {
-  const auto slot = std::find_if(slots_.begin(), slots_.end(),
-                                 [&](const Slot& s) { return s.task->name == task; });
+const ModuleProcess::Slot* ModuleProcess::find(std::string_view task) const {
+  const auto slot =
+      std::ranges::find_if(slots_, [&](const Slot& s) { return s.task->name == task; });
   return slot == slots_.end() ? nullptr : &*slot;
 }
 
+ModuleProcess::Slot* ModuleProcess::find(std::string_view task) {
+  return const_cast<Slot*>(std::as_const(*this).find(task));
+}
+
 bool ModuleProcess::solves(std::string_view task) const {
-  return std::any_of(slots_.begin(), slots_.end(),
-                     [&](const Slot& s) { return s.task->name == task; });
+  return find(task);
 }
 
 Result<AnyModule*> ModuleProcess::find(std::string_view task, std::string_view solution) {
   Slot* slot = find(task);
-  if (!slot) return Error{"", 0, std::string{task}, "process " + name() + " has no such task"};
+  if (!slot)
+    return Error{.field = std::string{task}, .what = "process " + name() + " has no such task"};
+  if (solution.empty() && slot->active) return slot->active;
   for (std::size_t i = 0; i < slot->solutions.size(); ++i)
     if (slot->task->solutions[i].name == solution) return slot->solutions[i].get();
-  return Error{"", 0, std::string{task}, "there is no solution '" + std::string{solution} + "'"};
+  return Error{.field = std::string{task},
+               .what = solution.empty() ? "is disabled; name the solution"
+                                        : "there is no solution '" + std::string{solution} + "'"};
+}
+
+bool ModuleProcess::concerns(const WatchRequest& request) const {
+  if (!request.process.empty()) return request.process == name();
+  return request.representation == typeName<ModuleTimes>() ||
+         std::ranges::find(answersFor_, request.representation, &RepresentationType::name) !=
+             answersFor_.end();
+}
+
+bool ModuleProcess::concerns(const ValueRequest& request) const {
+  const RepresentationType* type = blackboard_.find(request.representation);
+  return type && originOf(*type) != RepresentationOrigin::received;
+}
+
+bool ModuleProcess::concerns(const DescriptionRequest& request) const {
+  return request.about.empty() || request.about == name() || solves(request.about);
+}
+
+/// Splits TASK.SOLUTION at its dot; the second part is empty if there is none.
+static std::pair<std::string, std::string> taskAndSolution(const std::string& id) {
+  const std::size_t dot = std::min(id.find('.'), id.size());
+  return {id.substr(0, dot), id.substr(std::min(dot + 1, id.size()))};
+}
+
+bool ModuleProcess::concerns(const GenericDebugData& data) const {
+  return solves(taskAndSolution(data.id).first);
 }
 
 Result<void> ModuleProcess::request(const SolutionRequest& request) {
-  if (request.solution == SolutionTable::disabled) {
-    Slot* slot = find(request.task);
-    if (!slot) return Error{"", 0, request.task, "process " + name() + " has no such task"};
+  Slot* slot = find(request.task);
+  if (slot && request.solution == SolutionTable::disabled) {
     slot->active = nullptr;
     return {};
   }
   const auto module = find(request.task, request.solution);
   if (!module) return module.error();
-  find(request.task)->active = *module;
+  slot->active = *module;
   return {};
 }
 
 Result<void> ModuleProcess::request(const DebugRequest& request) {
   const DebugKey* key = DebugKey::find(request.key);
-  if (!key) return Error{"", 0, request.key, "there is no such debug key"};
+  if (!key) return concernsNobody(request);
   debug_.keys().set(*key, {request.mode, request.n});
   return {};
 }
 
 Result<void> ModuleProcess::request(const WatchRequest& request) {
-  const RepresentationType* type = blackboard_.find(request.representation);
-  if (!type) return Error{"", 0, request.representation, "process " + name() + " does not have it"};
+  const RepresentationType* type = &representation<ModuleTimes>();
+  const Blackboard::Slot* slot = nullptr;
+  if (request.representation != type->name) {
+    type = blackboard_.find(request.representation);
+    if (!type)
+      return Error{.field = request.representation,
+                   .what = "process " + name() + " does not have it"};
+    if (!type->type())
+      return Error{.field = request.representation,
+                   .what = "it cannot be sent, since it has no fields()"};
+    slot = &blackboard_.slot(*type);
+  }
   std::erase_if(watched_, [&](const Watched& watched) { return watched.type == type; });
   if (request.mode != DebugKeyMode::disabled)
-    watched_.push_back({type, blackboard_.get(*type), DebugKeyState{{request.mode, request.n}}});
+    watched_.push_back({type, slot, DebugKeyState{{request.mode, request.n}}});
+  return {};
+}
+
+Result<void> ModuleProcess::setField(const RepresentationType& type, const std::string& path,
+                                     const std::string& value) {
+  const auto failed = [&](const Error& error) {
+    return Error{.field = std::string{type.name} + "." + path, .what = error.what};
+  };
+  const std::shared_ptr<void> copy = type.make();
+  type.copy(blackboard_.get(type), copy.get());
+  const Value changed{type.type(), copy.get()};
+  if (const auto done = detail::setByPath(changed, path, value); !done) return failed(done.error());
+  if (const auto done = checked(ConstValue{changed}); !done) return failed(done.error());
+  type.swap(copy.get(), blackboard_.own(type));
+  return {};
+}
+
+void ModuleProcess::setHeld(const RepresentationType& type) {
+  for (const Held& held : held_)
+    if (held.type == &type) static_cast<void>(setField(type, held.path, held.value));
+}
+
+Result<void> ModuleProcess::request(const ValueRequest& request) {
+  const RepresentationType* type = blackboard_.find(request.representation);
+  if (!type || !type->type())
+    return Error{.field = request.representation,
+                 .what = type ? "it cannot be set, since it has no fields()"
+                              : "process " + name() + " does not have it"};
+  if (request.mode != ValueMode::release)
+    if (auto done = setField(*type, request.path, request.value); !done) return done;
+  if (request.mode != ValueMode::set)
+    std::erase_if(held_, [&](const Held& held) {
+      return held.type == type && (held.path == request.path || request.path.empty());
+    });
+  if (request.mode == ValueMode::hold) held_.push_back({type, request.path, request.value});
   return {};
 }
 
@@ -91,23 +173,37 @@ Result<void> ModuleProcess::request(const ParameterRequest& request) {
 }
 
 Result<void> ModuleProcess::request(const DescriptionRequest& request) {
-  if (request.about.empty() || request.about == name()) debug_.out().write(now(), describe());
+  debug_.out().write(now(), describe(solves(request.about) ? request.about : std::string{}));
   return {};
 }
 
 Result<void> ModuleProcess::request(const GenericDebugData& data) {
-  debug_.receive(data);
-  return {};
+  const auto [task, solution] = taskAndSolution(data.id);
+  const auto module = find(task, solution);
+  if (!module) return module.error();
+  // As a config file, which is taken as a whole or not at all.
+  std::string text;
+  auto number = data.data.begin();
+  for (const PathInfo& parameter : (*module)->parameters()) {
+    const auto count = static_cast<std::ptrdiff_t>(width(*parameter.value.type));
+    if (parameter.value.type->kind == Kind::text || count > data.data.end() - number) break;
+    text += parameter.path;
+    const bool isSwitch = parameter.value.type->kind == Kind::boolean;
+    for (const auto end = number + count; number != end; ++number)
+      text += isSwitch ? *number != 0 ? " true" : " false" : ' ' + scalarText(valueOf(*number));
+    text += '\n';
+  }
+  if (number != data.data.end())
+    return Error{.field = data.id, .what = "these are more numbers than it has parameters"};
+  return (*module)->configure(text, data.id);
 }
 
 std::string ModuleProcess::activeSolution(std::string_view task) const {
-  for (const Slot& slot : slots_) {
-    if (slot.task->name != task) continue;
-    for (std::size_t i = 0; i < slot.solutions.size(); ++i)
-      if (slot.solutions[i].get() == slot.active) return slot.task->solutions[i].name;
-    return std::string{SolutionTable::disabled};
-  }
-  return {};
+  const Slot* slot = find(task);
+  if (!slot) return {};
+  for (std::size_t i = 0; i < slot->solutions.size(); ++i)
+    if (slot->solutions[i].get() == slot->active) return slot->task->solutions[i].name;
+  return std::string{SolutionTable::disabled};
 }
 
 Result<std::string> ModuleProcess::parameter(std::string_view task, std::string_view solution,
@@ -117,10 +213,25 @@ Result<std::string> ModuleProcess::parameter(std::string_view task, std::string_
   return (*module)->get(path);
 }
 
-ProcessDescription ModuleProcess::describe() {
+bool ModuleProcess::provides(const RepresentationType& type) const {
+  return std::ranges::any_of(slots_, [&](const Slot& slot) {
+    return std::ranges::find(slot.task->outputs, &type) != slot.task->outputs.end();
+  });
+}
+
+RepresentationOrigin ModuleProcess::originOf(const RepresentationType& type) const {
+  if (provides(type)) return RepresentationOrigin::provided;
+  if (std::ranges::find(platform_, &type) != platform_.end()) return RepresentationOrigin::platform;
+  const bool received = std::ranges::any_of(
+      ownReceivers_, [&](const auto& receiver) { return &receiver->type() == &type; });
+  return received ? RepresentationOrigin::received : RepresentationOrigin::configuration;
+}
+
+ProcessDescription ModuleProcess::describe(std::string_view only) {
   ProcessDescription description;
   description.process = name();
   for (const Slot& slot : slots_) {
+    if (!only.empty() && slot.task->name != only) continue;
     TaskDescription& task = description.tasks.emplace_back();
     task.name = slot.task->name;
     task.active = activeSolution(task.name);
@@ -136,7 +247,12 @@ ProcessDescription ModuleProcess::describe() {
                                        p.info.range.low, p.info.range.high});
     }
   }
-  for (const DebugKey* key : DebugKey::all()) description.debugKeys.emplace_back(key->name());
+  if (!only.empty()) return description;
+  for (const RepresentationType* type : blackboard_.types())
+    description.representations.push_back({std::string{type->name}, originOf(*type),
+                                           type->type() != nullptr,
+                                           type->type() ? type->schema().id() : 0});
+  for (const DebugKey& key : DebugKey::all()) description.debugKeys.emplace_back(key.name());
   return description;
 }
 
@@ -150,20 +266,23 @@ void ModuleProcess::adopt(ModuleProcess& other) {
   for (Slot& slot : slots_) {
     const Slot* before = other.find(slot.task->name);
     if (!before) continue;
-    times_[static_cast<std::size_t>(&slot - slots_.data())] =
-        other.times_[static_cast<std::size_t>(before - other.slots_.data())];
+    times_.modules[static_cast<std::size_t>(&slot - slots_.data())] =
+        other.times_.modules[static_cast<std::size_t>(before - other.slots_.data())];
     for (std::size_t i = 0; i < slot.solutions.size(); ++i) {
       slot.solutions[i]->adopt(*before->solutions[i]);
       if (before->solutions[i].get() == before->active) slot.active = slot.solutions[i].get();
     }
     if (!before->active) slot.active = nullptr;
   }
+  for (const Held& held : other.held_)
+    if (concerns(ValueRequest{std::string{held.type->name}, held.path, held.value}))
+      held_.push_back(held);
   debug_.keys() = other.debug_.keys();
 }
 
 std::vector<WatchRequest> ModuleProcess::watched() const {
   std::vector<WatchRequest> requests;
-  for (const auto& [type, value, state] : watched_)
+  for (const auto& [type, slot, state] : watched_)
     requests.push_back({std::string{type->name}, name(), state.request().mode, state.request().n});
   return requests;
 }
@@ -171,7 +290,8 @@ std::vector<WatchRequest> ModuleProcess::watched() const {
 Result<void> ModuleProcess::configure(std::string_view task, std::string_view solution,
                                       std::string_view text, const std::string& file) {
   const auto module = find(task, solution);
-  if (!module) return Error{file, 0, module.error().field, module.error().what};
+  if (!module)
+    return Error{.file = file, .field = module.error().field, .what = module.error().what};
   return (*module)->configure(text, file);
 }
 
@@ -179,47 +299,41 @@ template <typename Request>
 bool ModuleProcess::handleAs(const Message& message) {
   if (!message.is<Request>()) return false;
   Request wanted;
-  auto done = message.read(wanted);
-  if (done) {
-    // Requests go to all processes; each carries out what concerns it.
-    if constexpr (requires { wanted.task; })
-      if (!solves(wanted.task)) return true;
-    if constexpr (requires { wanted.process; }) {
-      const bool here =
-          wanted.process.empty() ? provides(wanted.representation) : wanted.process == name();
-      if (!here) return true;
-    }
-    done = request(wanted);
-  }
-  if (!done) debug_.text(name() + ": " + done.error().text());
+  if (const auto done = message.read(wanted); !done)
+    answer(message, done);
+  else if (!concerns(wanted))
+    answerNotConcerned(message);
+  else
+    answer(message, request(wanted));
   return true;
 }
 
 void ModuleProcess::handle(const Message& message) {
   handleAs<SolutionRequest>(message) || handleAs<DebugRequest>(message) ||
-      handleAs<WatchRequest>(message) || handleAs<ParameterRequest>(message) ||
-      handleAs<DescriptionRequest>(message) || handleAs<GenericDebugData>(message) ||
-      (handler_ && handler_(message)) || handlePackage(message);
+      handleAs<WatchRequest>(message) || handleAs<ValueRequest>(message) ||
+      handleAs<ParameterRequest>(message) || handleAs<DescriptionRequest>(message) ||
+      handleAs<GenericDebugData>(message) || (handler_ && handler_(message)) ||
+      handlePackage(message);
 }
 
 /// What the process receives as a package may also come as a message: a motion request of a tool, a
-/// message of a team mate that the router brings (report 2.2.2). What its own modules provide is
-/// laid down for them: it lasts as long as none of them says otherwise, for instance while no
-/// BehaviorControl is active (report I.5.3: mr).
+/// message of a teammate that the router brings (report 2.2.2). What its own modules provide lasts
+/// as long as none of them provides it anew, for instance while no BehaviorControl is active
+/// (report I.5.3: mr). Configuration lasts.
 bool ModuleProcess::handlePackage(const Message& message) {
-  const RepresentationType* type = blackboard_.findOwn(message.id);
+  const RepresentationType* type = blackboard_.find(message.id);
   if (!type || !type->decode) return false;
-  const auto tell = [this](const Result<void>& done) {
-    if (!done) debug_.text(name() + ": " + done.error().text());
+  const auto report = [&](const Result<void>& done) {
+    if (!done) answer(message, done);
     return true;
   };
   for (const auto& receiver : ownReceivers_)
     if (&receiver->type() == type)
-      return !receiver->blocking() && tell(receiver->deliverBytes(message.bytes));
+      return !receiver->blocking() && report(receiver->deliverBytes(message.bytes));
   const std::shared_ptr<void> package = type->make();
   const auto done = type->decode(message.bytes, package.get());
-  if (done) type->swap(package.get(), blackboard_.get(*type));
-  return tell(done);
+  if (done) type->swap(package.get(), blackboard_.own(*type));
+  return report(done);
 }
 
 bool ModuleProcess::layIfDisabled(const RepresentationType& type, const void* value) {
@@ -230,13 +344,6 @@ bool ModuleProcess::layIfDisabled(const RepresentationType& type, const void* va
       return true;
     }
   return false;
-}
-
-bool ModuleProcess::provides(std::string_view representation) const {
-  return std::any_of(slots_.begin(), slots_.end(), [&](const Slot& slot) {
-    return std::any_of(slot.task->outputs.begin(), slot.task->outputs.end(),
-                       [&](auto* output) { return output->name == representation; });
-  });
 }
 
 bool ModuleProcess::isDue(const Slot& slot) const {
@@ -251,17 +358,22 @@ int ModuleProcess::main() {
   if (debugReceiver_.receivedNew())
     debugIn_.handleAllMessages([this](const Message& message) { handle(message); });
   frameTime_ = now();
+  for (const Held& held : held_) static_cast<void>(setField(*held.type, held.path, held.value));
 
   for (std::size_t i = 0; i < slots_.size(); ++i)
     if (slots_[i].active && isDue(slots_[i])) {
-      const Stopwatch::Lap lap{times_[i]};
-      slots_[i].active->run();
+      {
+        const Stopwatch::Lap lap{times_.modules[i]};
+        slots_[i].active->run();
+      }
+      if (!held_.empty())
+        for (const RepresentationType* output : slots_[i].task->outputs) setHeld(*output);
     }
 
-  debug_.forgetReceived();
   for (const auto& sender : ownSenders_) sender->send();
   for (Watched& watched : watched_)
-    if (watched.state.isDue(now())) watched.type->write(watched.value, now(), debug_.out());
+    if (watched.state.isDue(now()))
+      watched.type->write(watched.slot ? watched.slot->value.get() : &times_, now(), debug_.out());
   if (!debug_.out().empty() && debugSender_.requestedNew()) {
     debugOut_.clear();
     debug_.out().moveAllMessages(debugOut_);

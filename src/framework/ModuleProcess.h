@@ -27,10 +27,19 @@ class ModuleProcess : public Process {
   PackageSender& debugSender() { return debugSender_; }
   PackageReceiver& debugReceiver() { return debugReceiver_; }
 
-  /// Requests, as they also come in by message queue; errors name what is unknown.
+  /// Whether a request concerns this process; see Requests.h.
+  bool concerns(const SolutionRequest& request) const { return solves(request.task); }
+  bool concerns(const DebugRequest& request) const { return DebugKey::find(request.key); }
+  bool concerns(const WatchRequest& request) const;
+  bool concerns(const ValueRequest& request) const;
+  bool concerns(const ParameterRequest& request) const { return solves(request.task); }
+  bool concerns(const DescriptionRequest& request) const;
+  bool concerns(const GenericDebugData& data) const;
+  /// Carries out a request that concerns this process, as it also comes in by message queue.
   Result<void> request(const SolutionRequest& request);
   Result<void> request(const DebugRequest& request);
   Result<void> request(const WatchRequest& request);
+  Result<void> request(const ValueRequest& request);
   Result<void> request(const ParameterRequest& request);
   Result<void> request(const DescriptionRequest& request);
   Result<void> request(const GenericDebugData& data);
@@ -44,24 +53,32 @@ class ModuleProcess : public Process {
   /// A parameter as text.
   Result<std::string> parameter(std::string_view task, std::string_view solution,
                                 std::string_view path);
-  ProcessDescription describe();
-  /// Who carries out messages of the tools that the framework does not know; false for those that
-  /// he does not know either.
+  /// Of all tasks, or of one.
+  ProcessDescription describe(std::string_view task = {});
+  /// Carries out messages of the tools that the framework does not know; returns false for those
+  /// that it does not know either.
   using Handler = std::function<bool(const Message&)>;
   void onMessage(Handler handler) { handler_ = std::move(handler); }
   /// The representations that are sent after cycles, and how often.
   std::vector<WatchRequest> watched() const;
-  /// Lays a value down in place of the task that would provide it, if that is disabled.
+  /// Sets a representation whose task is disabled.
   bool layIfDisabled(const RepresentationType& type, const void* value);
   /// Copies what its modules provide to another blackboard, as far as that has it.
   void copyProvided(Blackboard& to);
-  /// Goes on where a process was that had some of the same tasks: their modules as they were, the
-  /// values that it provided, and its debug keys.
+  /// Resumes from a process that had some of the same tasks: their modules as they were, what is
+  /// held, and its debug keys.
   void adopt(ModuleProcess& other);
   Blackboard& blackboard() { return blackboard_; }
   Debug& debug() { return debug_; }
   /// The time that each module has taken, by task, in the order in which they run.
-  const std::vector<Stopwatch>& times() const { return times_; }
+  const std::vector<Stopwatch>& times() const { return times_.modules; }
+  /// Answers a message of the tools, for a handler of its own.
+  void answer(const Message& message, const Result<void>& done) {
+    debug_.send(answerTo(message, name(), done));
+  }
+  void answerNotConcerned(const Message& message) {
+    debug_.send(RequestAnswer{message.id, message.time, name(), RequestOutcome::notConcerned, {}});
+  }
 
  protected:
   int main() override;
@@ -75,16 +92,25 @@ class ModuleProcess : public Process {
   };
   struct Watched {
     const RepresentationType* type;
-    const void* value;
+    const Blackboard::Slot* slot;  ///< Null: its ModuleTimes.
     DebugKeyState state;
   };
+  struct Held {
+    const RepresentationType* type;
+    std::string path, value;
+  };
 
+  const Slot* find(std::string_view task) const;
   Slot* find(std::string_view task);
   Result<AnyModule*> find(std::string_view task, std::string_view solution);
   bool isDue(const Slot& slot) const;
   void handle(const Message& message);
   bool handlePackage(const Message& message);
-  bool provides(std::string_view representation) const;
+  bool provides(const RepresentationType& type) const;
+  RepresentationOrigin originOf(const RepresentationType& type) const;
+  Result<void> setField(const RepresentationType& type, const std::string& path,
+                        const std::string& value);
+  void setHeld(const RepresentationType& type);
   template <typename Request>
   bool handleAs(const Message& message);
 
@@ -92,8 +118,10 @@ class ModuleProcess : public Process {
   Debug debug_;
   Time& frameTime_;
   std::vector<Slot> slots_;
-  std::vector<Stopwatch> times_;
+  std::vector<const RepresentationType*> platform_, answersFor_;
+  ModuleTimes times_;
   std::vector<Watched> watched_;
+  std::vector<Held> held_;
   std::vector<std::unique_ptr<PackageSender>> ownSenders_;
   std::vector<std::unique_ptr<PackageReceiver>> ownReceivers_;
   Handler handler_;

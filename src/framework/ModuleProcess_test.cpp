@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "framework/DebugProcess.h"
 #include "framework/TestModules.h"
 
@@ -22,7 +24,7 @@ class ModuleProcessTest : public ::testing::Test {
  protected:
   ModuleProcessTest() {
     const auto layout = parseLayout("process Main on Reading\nFilter\nController\n", "test.layout");
-    plan = *makePlan(*layout, table, {&representation<Reading>()}, {});
+    plan = *makePlan(*layout, table, {&representation<Reading>()}, {&representation<FrameTime>()});
     Blackboard blackboard;
     Time& time = blackboard.get<FrameTime>().time;
     process =
@@ -37,9 +39,9 @@ class ModuleProcessTest : public ::testing::Test {
     EXPECT_TRUE(process->step(now));
     debug.step(now);
   }
-  template <typename Request>
-  void ask(const Request& request) {
-    debug.fromTools().write(now, request);
+  template <typename... Request>
+  void ask(const Request&... request) {
+    (debug.fromTools().write(now, request), ...);
     now = now + 8;
     debug.step(now);
   }
@@ -70,8 +72,8 @@ TEST_F(ModuleProcessTest, RunsItsModulesInOrder) {
   EXPECT_DOUBLE_EQ(command(), -0.75);
   EXPECT_EQ(process->blackboard().get<FrameTime>().time, now);
   EXPECT_FALSE(process->step(now + 8)) << "without a new reading";
-  EXPECT_EQ(process->times()[0].name(), "Filter");
-  EXPECT_EQ(process->times()[0].count(), 2);
+  EXPECT_EQ(process->times()[0].name, "Filter");
+  EXPECT_EQ(process->times()[0].count, 2);
 }
 
 TEST_F(ModuleProcessTest, SwitchesSolutionsAtRunTime) {
@@ -83,9 +85,13 @@ TEST_F(ModuleProcessTest, SwitchesSolutionsAtRunTime) {
   EXPECT_DOUBLE_EQ(command(), -4) << "disabled: the estimate stays as it was";
   ask(SolutionRequest{"Filter", "Unheard"});
   cycle(8);
-  const auto texts = taken<Text>();
-  ASSERT_EQ(texts.size(), 1u);
-  EXPECT_EQ(texts[0].text, "Main: Filter: there is no solution 'Unheard'");
+  const auto answers = taken<RequestAnswer>();
+  ASSERT_EQ(answers.size(), 3u);
+  EXPECT_EQ(answers[0].outcome, RequestOutcome::done);
+  EXPECT_EQ(answers[0].request, messageId<SolutionRequest>());
+  EXPECT_EQ(answers[2].outcome, RequestOutcome::refused);
+  EXPECT_EQ(answers[2].process, "Main");
+  EXPECT_EQ(answers[2].what, "Filter: there is no solution 'Unheard'");
 }
 
 TEST_F(ModuleProcessTest, SetsParametersAtRunTime) {
@@ -95,7 +101,9 @@ TEST_F(ModuleProcessTest, SetsParametersAtRunTime) {
   ask(ParameterRequest{"Filter", "Smooth", "gain", "7"});
   cycle(5);
   EXPECT_DOUBLE_EQ(command(), -5) << "out of range: the last good value stands";
-  EXPECT_EQ(taken<Text>().size(), 1u);
+  const auto answers = taken<RequestAnswer>();
+  ASSERT_EQ(answers.size(), 2u);
+  EXPECT_EQ(answers[1].what, "gain: must be from 0 to 1 instead of 7");
   EXPECT_TRUE(process->configure("Filter", "Smooth", "gain 0\n", "Filter.cfg"));
   cycle(100);
   EXPECT_DOUBLE_EQ(command(), -5);
@@ -116,6 +124,127 @@ TEST_F(ModuleProcessTest, SendsWhatIsWatchedAndDrawn) {
   });
   EXPECT_EQ(estimates, 2);
   EXPECT_EQ(drawings, 1);
+}
+
+TEST_F(ModuleProcessTest, SaysWhatDoesNotConcernIt) {
+  ask(SolutionRequest{"Unheard", "Direct"}, DebugRequest{"Unheard", DebugKeyMode::always},
+      WatchRequest{"Unheard", ""}, WatchRequest{"Estimate", "Elsewhere"},
+      ValueRequest{"Unheard", "value", "1"}, DescriptionRequest{"Elsewhere"});
+  cycle(1);
+  const auto answers = taken<RequestAnswer>();
+  ASSERT_EQ(answers.size(), 6u);
+  for (const RequestAnswer& answer : answers)
+    EXPECT_EQ(answer.outcome, RequestOutcome::notConcerned);
+}
+
+// Image comes from the process that receives it, configuration from the first one.
+TEST_F(ModuleProcessTest, AnswersForWhatItReceives) {
+  ask(WatchRequest{"Reading", "", DebugKeyMode::times, 1});
+  cycle(3);
+  const auto readings = taken<Reading>();
+  ASSERT_EQ(readings.size(), 1u);
+  EXPECT_EQ(readings[0].value, 3);
+  ask(WatchRequest{"FrameTime", "", DebugKeyMode::times, 1});
+  cycle(3);
+  const auto times = taken<FrameTime>();
+  ASSERT_EQ(times.size(), 1u);
+  EXPECT_EQ(times[0].time, now);
+}
+
+TEST_F(ModuleProcessTest, SendsItsModulesTimes) {
+  ask(WatchRequest{"ModuleTimes", "", DebugKeyMode::everyTimes, 2});
+  for (int i = 0; i < 4; ++i) cycle(1);
+  const auto times = taken<ModuleTimes>();
+  ASSERT_EQ(times.size(), 2u);
+  EXPECT_EQ(times[1].process, "Main");
+  ASSERT_EQ(times[1].modules.size(), 2u);
+  EXPECT_EQ(times[1].modules[0].name, "Filter");
+  EXPECT_EQ(times[1].modules[0].count - times[0].modules[0].count, 2);
+  EXPECT_GE(times[1].modules[0].totalMs, times[0].modules[0].totalMs);
+  EXPECT_GE(times[1].modules[0].longestMs, times[1].modules[0].lastMs);
+}
+
+TEST_F(ModuleProcessTest, SetsAndHoldsValues) {
+  ask(ValueRequest{"Reading", "value", "8", ValueMode::hold}, SolutionRequest{"Filter", "Direct"});
+  cycle(4);
+  EXPECT_EQ(command(), -8) << "before its readers run";
+  ask(ValueRequest{"Estimate", "value", "2", ValueMode::hold});
+  cycle(4);
+  EXPECT_EQ(command(), -2) << "after its provider ran";
+  ask(ValueRequest{"Estimate", "", "", ValueMode::release},
+      ValueRequest{"Reading", "value", "", ValueMode::release});
+  cycle(4);
+  EXPECT_EQ(command(), -4);
+  ask(SolutionRequest{"Filter", "disabled"}, ValueRequest{"Estimate", "value", "5"});
+  cycle(4);
+  cycle(4);
+  EXPECT_EQ(command(), -5) << "nobody provides it anew";
+  taken<RequestAnswer>();
+  ask(ValueRequest{"Estimate", "valeu", "5"});
+  cycle(4);
+  const auto answers = taken<RequestAnswer>();
+  ASSERT_EQ(answers.size(), 1u);
+  EXPECT_EQ(answers[0].what, "Estimate.valeu: unknown name; Estimate has value");
+}
+
+// Numbers by a name become the parameters of a solution (report E.2).
+TEST_F(ModuleProcessTest, TakesGenericDebugData) {
+  ask(GenericDebugData{"Filter", {1}});
+  cycle(3);
+  EXPECT_EQ(command(), -3);
+  ask(GenericDebugData{"Filter.Smooth", {0.5}});
+  cycle(5);
+  EXPECT_EQ(command(), -4);
+  ask(GenericDebugData{"Filter.Smooth", {0.5, 1}}, GenericDebugData{"Filter.Direct", {0.5}},
+      GenericDebugData{"Filter", {7}});
+  cycle(4);
+  const auto answers = taken<RequestAnswer>();
+  ASSERT_EQ(answers.size(), 5u);
+  for (std::size_t i = 2; i < 5; ++i) EXPECT_EQ(answers[i].outcome, RequestOutcome::refused);
+  EXPECT_EQ(answers[2].what, "Filter.Smooth: these are more numbers than it has parameters");
+}
+
+TEST_F(ModuleProcessTest, DescribesItself) {
+  ask(DescriptionRequest{}, DescriptionRequest{"Filter"});
+  cycle(1);
+  const auto descriptions = taken<ProcessDescription>();
+  ASSERT_EQ(descriptions.size(), 2u);
+  EXPECT_EQ(descriptions[0].tasks.size(), 2u);
+  std::map<std::string, RepresentationOrigin> origins;
+  for (const auto& r : descriptions[0].representations) origins[r.name] = r.origin;
+  EXPECT_EQ(origins.at("Reading"), RepresentationOrigin::platform);
+  EXPECT_EQ(origins.at("Command"), RepresentationOrigin::provided);
+  EXPECT_EQ(origins.at("FrameTime"), RepresentationOrigin::configuration);
+  ASSERT_EQ(descriptions[1].tasks.size(), 1u);
+  EXPECT_EQ(descriptions[1].tasks[0].solutions[0].parameters[0].value, "0.5");
+}
+
+// A value that several robots share is changed in the one that was asked, and acts at once.
+TEST(SharedConfiguration, IsCopiedWhenItIsChanged) {
+  SolutionTable table;
+  table.add<testing::Filter, testing::DirectFilter>("Direct");
+  const auto layout = parseLayout("process Main on FrameTime\nFilter\n", "test.layout");
+  const Plan plan =
+      *makePlan(*layout, table, {&representation<FrameTime>()}, {&representation<Reading>()});
+  const auto shared = std::make_shared<Reading>(Reading{{}, 3});
+  FrameTime time;
+  PackageSender clock{representation<FrameTime>(), &time};
+  std::vector<std::unique_ptr<ModuleProcess>> processes;
+  for (int i = 0; i < 2; ++i) {
+    Blackboard blackboard;
+    blackboard.share(shared);
+    Time& now = blackboard.get<FrameTime>().time;
+    processes.push_back(
+        std::make_unique<ModuleProcess>(plan.processes[0], std::move(blackboard), now, Random{1}));
+    clock.connect(processes.back()->receiver(representation<FrameTime>(), true));
+  }
+  const auto estimate = [&](int i) { return processes[i]->blackboard().get<Estimate>().value; };
+  EXPECT_TRUE(processes[0]->request(ValueRequest{"Reading", "value", "7"}));
+  clock.send();
+  for (const auto& process : processes) process->step({8});
+  EXPECT_EQ(estimate(0), 7);
+  EXPECT_EQ(estimate(1), 3);
+  EXPECT_EQ(shared->value, 3);
 }
 
 }  // namespace

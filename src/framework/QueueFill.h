@@ -23,7 +23,6 @@ struct QueueFillRequest {
         field("seconds", &QueueFillRequest::seconds, "s", "of collect and save", {0, 86400})};
   }
 };
-static_assert(complete<QueueFillRequest>);
 
 /// Fills the queue to the tools as the last request says:
 /// - queue: with all messages; what does not fit is dropped, and that is told;

@@ -4,6 +4,7 @@
 
 #include "debug/Drawing.h"
 #include "framework/DebugProcess.h"
+#include "framework/Requests.h"
 
 namespace gt {
 namespace {
@@ -32,6 +33,11 @@ class QueueFillTest : public ::testing::Test {
       Plot plot;
       Drawing drawing;
       DroppedMessages dropped;
+      RequestAnswer answer;
+      if (message.is<RequestAnswer>() && message.read(answer)) {
+        all += answer.what.empty() ? "" : answer.process + ": " + answer.what + ' ';
+        return;
+      }
       if (message.is<Text>() && message.read(text)) all += text.text;
       if (message.is<Plot>() && message.read(plot))
         all += plot.key + std::to_string(static_cast<int>(plot.value));

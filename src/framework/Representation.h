@@ -18,20 +18,27 @@ namespace gt {
 /// them.
 struct RepresentationType {
   std::string_view name;
+  std::string_view qualifiedName;  ///< With namespaces.
   std::uint32_t id;
   std::shared_ptr<void> (*make)();
   void (*copy)(const void* from, void* to);
   void (*swap)(void* a, void* b);
-  bool (*write)(const void* value, Time time, MessageQueue& queue);
-  Result<void> (*read)(const Message& message, void* value);
-  Schema (*schema)();
   /// As data; null for types that are not streamed.
   const Type* (*type)();
   /// A value as bytes for a wire: the size, the bytes into room of that size, and back, if it is
-  /// one that its type allows (`checked`). Null for types that do not travel.
+  /// one that its type allows (`checked`). Null for types that cannot leave a program.
   std::size_t (*encodedSize)(const void* value);
   void (*encodeTo)(const void* value, std::byte* out);
   Result<void> (*decode)(std::span<const std::byte> bytes, void* value);
+
+  /// Appends a value to a queue; false if there was no room, or the type is not streamed.
+  bool write(const void* value, Time time, MessageQueue& queue) const {
+    std::byte* place = type() ? queue.reserve(id, name, time, encodedSize(value)) : nullptr;
+    if (place) encodeTo(value, place);
+    return place != nullptr;
+  }
+  /// Empty for types that are not streamed.
+  Schema schema() const { return type() ? detail::schemaOf(*type()) : Schema{}; }
 };
 
 namespace detail {
@@ -63,7 +70,9 @@ struct WireFormat<MessageQueue> {
   }
   static Result<void> read(std::span<const std::byte> bytes, void* value) {
     if (static_cast<MessageQueue*>(value)->assign(bytes)) return {};
-    return Error{"network", 0, "MessageQueue", "this is no message queue, or too large"};
+    return Error{.file = "network",
+                 .field = "MessageQueue",
+                 .what = "the bytes are not a message queue, or too many"};
   }
 };
 
@@ -74,28 +83,11 @@ template <typename T>
 const RepresentationType& representation() {
   static constexpr RepresentationType type{
       typeName<T>(),
+      qualifiedName<T>(),
       messageId<T>(),
       []() -> std::shared_ptr<void> { return std::make_shared<T>(); },
       [](const void* from, void* to) { *static_cast<T*>(to) = *static_cast<const T*>(from); },
       [](void* a, void* b) { std::swap(*static_cast<T*>(a), *static_cast<T*>(b)); },
-      [](const void* value, Time time, MessageQueue& queue) {
-        if constexpr (Streamable<T>)
-          return queue.write(time, *static_cast<const T*>(value));
-        else
-          return false;
-      },
-      [](const Message& message, void* value) -> Result<void> {
-        if constexpr (Streamable<T>)
-          return message.read(*static_cast<T*>(value));
-        else
-          return Error{"", 0, std::string{typeName<T>()}, "is not part of messages"};
-      },
-      []() -> Schema {
-        if constexpr (Streamable<T>)
-          return schemaOf<T>();
-        else
-          return {};
-      },
       []() -> const Type* {
         if constexpr (Streamable<T>)
           return &typeOf<T>();

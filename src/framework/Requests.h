@@ -4,9 +4,51 @@
 #include <vector>
 
 #include "debug/DebugKey.h"
-#include "streams/Reflection.h"
+#include "debug/Drawing.h"
+#include "streams/MessageQueue.h"
 
+/// What a tool asks a robot for, by messages: all that can be known of a robot and changed in it
+/// needs nothing else. Requests go to the Debug process, which hands them to all processes; each
+/// process carries out what concerns it, at the beginning of its next cycle, and answers.
+///
+/// | wanted | message | comes back |
+/// | --- | --- | --- |
+/// | processes, tasks, solutions, parameters with values, representations, debug keys |
+/// DescriptionRequest | ProcessDescription | | a representation, once or again and again |
+/// WatchRequest | the representation | | how long modules take | WatchRequest of ModuleTimes |
+/// ModuleTimes | | drawings, plots | DebugRequest | Drawing, Plot | | another solution, parameter |
+/// SolutionRequest, ParameterRequest, GenericDebugData | | | a field of a representation or of the
+/// configuration set or held | ValueRequest | | | a whole representation or piece of configuration
+/// set (ColorTable64, TslColors, RobotCalibration, ...) | itself | | | another layout, behavior;
+/// how the queue to the tools is filled | LayoutRequest, BehaviorRequest, QueueFillRequest | |
+///
+/// Besides, each process answers each request by a RequestAnswer.
 namespace gt {
+
+/// What became of a request in a process.
+enum class RequestOutcome { done, notConcerned, refused };
+
+/// The answer of a process to a message of the tools. Requests are always answered, representations
+/// only if they are refused. A request that concerned no process at all was in vain
+/// (`concernsNobody`).
+struct RequestAnswer {
+  std::uint32_t request = 0;
+  Time asked;
+  std::string process;
+  RequestOutcome outcome = RequestOutcome::done;
+  std::string what;
+
+  static constexpr auto fields() {
+    return Fields{field("request", &RequestAnswer::request, "", "message id of the request"),
+                  field("asked", &RequestAnswer::asked, "ms", "time stamp of the request"),
+                  field("process", &RequestAnswer::process),
+                  field("outcome", &RequestAnswer::outcome),
+                  field("what", &RequestAnswer::what, "", "why it was refused")};
+  }
+};
+
+/// The answer to a request that was or was not carried out.
+RequestAnswer answerTo(const Message& request, std::string process, const Result<void>& done);
 
 /// Asks a robot's processes to solve a task by another solution (report E.6).
 struct SolutionRequest {
@@ -18,9 +60,8 @@ struct SolutionRequest {
                   field("solution", &SolutionRequest::solution, "", "or disabled")};
   }
 };
-static_assert(complete<SolutionRequest>);
 
-/// Sets the state of a debug key in all processes (report E.3).
+/// Sets the state of a debug key in all processes that know it (report E.3).
 struct DebugRequest {
   std::string key;
   DebugKeyMode mode = DebugKeyMode::disabled;
@@ -31,10 +72,16 @@ struct DebugRequest {
                   field("n", &DebugRequest::n, "", "times, or ms")};
   }
 };
-static_assert(complete<DebugRequest>);
 
-/// Asks for a representation to be sent after cycles of the process that provides or receives it:
-/// as often as a debug key of that state would be (report E.3).
+/// Asks for a representation to be sent after cycles of a process that provides, receives or knows
+/// it: as often as a debug key of that state would be (report E.3). With mode `times` and n = 1 it
+/// is read once.
+///
+/// Without a process the request reaches exactly one in an ordinary robot: the process that
+/// provides the representation. What the platform sends (Image, SensorDataBuffer) comes from the
+/// process that begins its cycles with it, otherwise from the first one of the layout that receives
+/// it; configuration (ColorTable64, RobotCalibration) from the first process of the layout. All
+/// processes send their ModuleTimes.
 struct WatchRequest {
   std::string representation;
   std::string process;
@@ -48,7 +95,33 @@ struct WatchRequest {
                   field("n", &WatchRequest::n, "", "times, or ms")};
   }
 };
-static_assert(complete<WatchRequest>);
+
+enum class ValueMode {
+  set,     ///< Once, at the beginning of a cycle.
+  hold,    ///< Again whenever it may have changed, until it is released.
+  release  ///< No longer; the empty path releases all fields of a representation.
+};
+
+/// Sets a field of a representation in a running robot. It is set where the representation enters
+/// the robot, and reaches the other processes from there: in the process that provides it, or in
+/// all that receive it from the platform; configuration is set in all processes. A value that was
+/// set lasts until the module that provides it or the platform says otherwise: of configuration
+/// forever, of a disabled task until it is enabled. A value that is held is seen by all who run
+/// after its provider.
+struct ValueRequest {
+  std::string representation;
+  std::string path;
+  std::string value;
+  ValueMode mode = ValueMode::set;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("representation", &ValueRequest::representation),
+        field("path", &ValueRequest::path, "", "of the field, such as translation.x"),
+        field("value", &ValueRequest::value, "", "as in a config file; not read by release"),
+        field("mode", &ValueRequest::mode)};
+  }
+};
 
 /// Regroups a robot's modules to the processes of another layout while it runs.
 struct LayoutRequest {
@@ -60,18 +133,16 @@ struct LayoutRequest {
                   field("text", &LayoutRequest::text, "", "as in a layout file")};
   }
 };
-static_assert(complete<LayoutRequest>);
 
-/// Asks all processes to describe themselves (`ProcessDescription`).
+/// Asks processes to describe themselves (`ProcessDescription`).
 struct DescriptionRequest {
   std::string about;
 
   static constexpr auto fields() {
-    return Fields{
-        field("about", &DescriptionRequest::about, "", "a process; all of them if empty")};
+    return Fields{field("about", &DescriptionRequest::about, "",
+                        "a process, or a task, which is described alone; all if empty")};
   }
 };
-static_assert(complete<DescriptionRequest>);
 
 /// Sets one parameter of a solution.
 struct ParameterRequest {
@@ -82,10 +153,18 @@ struct ParameterRequest {
 
   static constexpr auto fields() {
     return Fields{field("task", &ParameterRequest::task),
-                  field("solution", &ParameterRequest::solution),
+                  field("solution", &ParameterRequest::solution, "", "empty: the one that runs"),
                   field("path", &ParameterRequest::path), field("value", &ParameterRequest::value)};
   }
 };
-static_assert(complete<ParameterRequest>);
+
+/// The error of a request that concerned no process of a robot.
+Error concernsNobody(const SolutionRequest& request);
+Error concernsNobody(const DebugRequest& request);
+Error concernsNobody(const WatchRequest& request);
+Error concernsNobody(const ValueRequest& request);
+Error concernsNobody(const ParameterRequest& request);
+Error concernsNobody(const DescriptionRequest& request);
+Error concernsNobody(const GenericDebugData& data);
 
 }  // namespace gt

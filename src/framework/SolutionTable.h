@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "framework/Module.h"
@@ -11,20 +12,36 @@
 namespace gt {
 namespace detail {
 
-template <typename Task, typename M, typename Signature = decltype(&M::update)>
-struct Provides;
-template <typename Task, typename M, typename... A>
-struct Provides<Task, M, void (M::*)(A...)> {
-  template <typename T>
-  static constexpr bool has = (std::is_same_v<A, T&> || ...);
-  template <typename... O>
-  static constexpr bool all(std::tuple<O...>*) {
-    return (has<O> && ...) &&
-           ((... + (std::is_lvalue_reference_v<A> && !std::is_const_v<std::remove_reference_t<A>> &&
-                    !std::is_same_v<A, Debug&> && !std::is_same_v<A, Random&>)) == sizeof...(O));
-  }
-  static constexpr bool value = all(static_cast<typename Task::Outputs*>(nullptr));
+template <typename A>
+constexpr bool isOutput =
+    std::is_lvalue_reference_v<A> && !std::is_const_v<std::remove_reference_t<A>> &&
+    !std::is_same_v<A, Debug&> && !std::is_same_v<A, Random&>;
+
+/// Do not compile for a solution whose outputs are not its task's; the compiler's next lines name
+/// the solution and the output.
+template <typename Solution, typename Output, bool provided>
+struct OutputOfTask {
+  static_assert(provided, "a solution must provide every output of its task: this one is missing");
+  static constexpr bool value = provided;
 };
+template <typename Solution, typename Output, bool wanted>
+struct OutputOfSolution {
+  static_assert(wanted, "a solution provides outputs of its task only: this one is none");
+  static constexpr bool value = wanted;
+};
+
+template <typename M, typename... A, typename... O>
+constexpr bool checkOutputs(std::type_identity<std::tuple<A...>>,
+                            std::type_identity<std::tuple<O...>>) {
+  constexpr auto isProvided = []<typename T>(std::type_identity<T>) {
+    return (std::is_same_v<A, T&> || ...);
+  };
+  constexpr auto isWanted = []<typename T>(std::type_identity<T>) {
+    return !isOutput<T> || (std::is_same_v<T, O&> || ...);
+  };
+  return (OutputOfTask<M, O, isProvided(std::type_identity<O>{})>::value && ...) &&
+         (OutputOfSolution<M, A, isWanted(std::type_identity<A>{})>::value && ...);
+}
 
 }  // namespace detail
 
@@ -56,8 +73,9 @@ class SolutionTable {
 
   template <typename T, typename M>
   void add(std::string solution) {
-    static_assert(detail::Provides<T, M>::value,
-                  "a solution must provide the outputs of its task, all and no others");
+    static_assert(
+        detail::checkOutputs<M>(std::type_identity<typename detail::Ports<M>::Arguments>{},
+                                std::type_identity<typename T::Outputs>{}));
     addTask<T>().solutions.push_back(
         {std::move(solution), ModuleAdapter<M>::ports(), [](ModuleContext context) {
            return std::make_unique<ModuleAdapter<M>>(std::move(context));
@@ -69,7 +87,7 @@ class SolutionTable {
   Task& addTask() {
     Task& task = tasks_[std::string{typeName<T>()}];
     task.name = typeName<T>();
-    task.outputs = outputsOf(static_cast<typename T::Outputs*>(nullptr));
+    task.outputs = outputsOf(std::type_identity<typename T::Outputs>{});
     return task;
   }
 
@@ -81,7 +99,7 @@ class SolutionTable {
 
  private:
   template <typename... O>
-  static std::vector<const RepresentationType*> outputsOf(std::tuple<O...>*) {
+  static std::vector<const RepresentationType*> outputsOf(std::type_identity<std::tuple<O...>>) {
     return {&representation<O>()...};
   }
   std::map<std::string, Task, std::less<>> tasks_;

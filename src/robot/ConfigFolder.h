@@ -97,6 +97,5 @@ struct NetworkSettings {
               "where processes listen on other machines: Motion=tcp://10.0.1.100:5001")};
   }
 };
-static_assert(complete<NetworkSettings>);
 
 }  // namespace gt

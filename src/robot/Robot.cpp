@@ -69,15 +69,18 @@ Result<void> Robot::request(const BehaviorRequest& request) {
 /// Requests that concern the robot as a whole: the last of a kind that came counts.
 template <typename Request, typename CarryOut>
 void Robot::carryOutLast(Time now, CarryOut carryOut) {
-  std::optional<Request> wanted;
+  std::optional<Message> last;
+  Request wanted;
+  Result<void> done;
   fromTools().handleAllMessages([&](const Message& message) {
-    Request request;
-    if (message.is<Request>() && message.read(request)) wanted = std::move(request);
+    if (!message.is<Request>()) return;
+    last = message;
+    done = message.read(wanted);
   });
-  if (!wanted) return;
+  if (!last) return;
   fromTools().removeIf([](const Message& message) { return message.is<Request>(); });
-  const Result<void> done = carryOut(*wanted);
-  if (!done) toTools().write(now, Text{done.error().text()});
+  if (done) done = carryOut(wanted);
+  toTools().write(now, answerTo(*last, "robot", done));
 }
 
 void Robot::connect() {

@@ -108,21 +108,11 @@ template <typename Request>
 Result<void> Robot::request(const Request& request) {
   bool concerned = false;
   for (const auto& process : processes_) {
-    if constexpr (requires { request.task; }) {
-      if (!process->solves(request.task)) continue;
-    } else if constexpr (requires { request.process; }) {
-      if (process->name() != request.process) continue;
-    }
+    if (!process->concerns(request)) continue;
     concerned = true;
     if (auto done = process->request(request); !done) return done;
   }
-  if (concerned) return {};
-  if constexpr (requires { request.task; })
-    return Error{"", 0, request.task, "no process solves this task"};
-  else if constexpr (requires { request.process; })
-    return Error{"", 0, request.process, "there is no such process"};
-  else
-    return Error{"", 0, "", "the robot has no processes"};
+  return concerned ? Result<void>{} : concernsNobody(request);
 }
 
 /// The plan of a layout for a robot on a platform that sends this; see makePlan.

@@ -67,8 +67,8 @@ TEST(Robot, EveryLayoutOfTheRepositoryMakesOne) {
          {*solutions().find("MotionControl"), *solutions().find("BehaviorControl")})
       for (const auto& process : robot->processes())
         for (const Stopwatch& watch : process->times())
-          if (watch.name() == task.name) {
-            EXPECT_GT(watch.count(), 5) << entry.path() << ' ' << task.name;
+          if (watch.name == task.name) {
+            EXPECT_GT(watch.count, 5) << entry.path() << ' ' << task.name;
           }
     ++layouts;
   }
@@ -79,7 +79,7 @@ TEST(Robot, CognitionRunsByPictureMotionByFrame) {
   const auto robot = makeRobot();
   live(*robot, 4000);
   for (const auto& process : robot->processes())
-    EXPECT_EQ(process->times().front().count(), process->name() == "Cognition" ? 100 : 500)
+    EXPECT_EQ(process->times().front().count, process->name() == "Cognition" ? 100 : 500)
         << process->name();
 }
 
@@ -98,6 +98,9 @@ std::string told(Robot& robot) {
   robot.toTools().handleAllMessages([&](const Message& message) {
     Text text;
     if (message.is<Text>() && message.read(text)) texts += text.text + "\n";
+    RequestAnswer answer;
+    if (message.is<RequestAnswer>() && message.read(answer) && !answer.what.empty())
+      texts += answer.what + "\n";
     BehaviorState state;
     if (message.is<BehaviorState>() && message.read(state)) texts += toString(state);
   });

@@ -271,8 +271,9 @@ TEST_F(RobotProgramsTest, ABehaviorIsEditedWhileItRuns) {
       MessageQueue messages;
       tool->update(messages);
       messages.handleAllMessages([&](const Message& message) {
-        Text line;
-        if (message.is<Text>() && message.read(line)) told += line.text + "\n";
+        RequestAnswer answer;
+        if (message.is<RequestAnswer>() && message.read(answer) && !answer.what.empty())
+          told += answer.what + "\n";
         BehaviorState state;
         if (message.is<BehaviorState>() && message.read(state)) told += toString(state);
       });

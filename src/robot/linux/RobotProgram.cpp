@@ -76,18 +76,22 @@ void connect(Wire& wire, ModuleProcess& process, const Plan& plan, const Plan::P
   if (!debugProcess.empty()) wire.receive(debugProcess, process.debugReceiver());
 }
 
-/// Carries out a BehaviorRequest where behavior is decided; what is wrong with it is told.
+/// Carries out a BehaviorRequest where behavior is decided.
 bool changeBehavior(ModuleProcess& process, const Message& message) {
-  BehaviorRequest request;
   if (!message.is<BehaviorRequest>()) return false;
-  if (!process.solves("BehaviorControl")) return true;
-  if (const auto done = message.read(request); !done) {
-    process.debug().text(process.name() + ": " + done.error().text());
-  } else if (const auto behavior = loadBehavior(request); !behavior) {
-    process.debug().text(behavior.error().text());
-  } else {
-    process.blackboard().get<Behavior>() = *behavior;
+  if (!process.solves("BehaviorControl")) {
+    process.answerNotConcerned(message);
+    return true;
   }
+  BehaviorRequest request;
+  Result<void> done = message.read(request);
+  if (done) {
+    if (const auto behavior = loadBehavior(request))
+      process.blackboard().get<Behavior>() = *behavior;
+    else
+      done = behavior.error();
+  }
+  process.answer(message, done);
   return true;
 }
 

@@ -40,7 +40,6 @@ struct NaoMotionFrame {
         field("odometry", &NaoMotionFrame::odometry, "mm and rad")};
   }
 };
-static_assert(complete<NaoMotionFrame>);
 
 /// A log of a real robot in memory: its frames in the order of time (facts, 3).
 class NaoLog {
