@@ -40,7 +40,6 @@ struct HsiRange {
                   field("intensity", &HsiRange::intensity, "%", "minimum and maximum", {0, 100})};
   }
 };
-static_assert(complete<HsiRange>);
 
 /// Colour classes as sectors of the HSI space (report J.6.2). Where sectors overlap the class
 /// counts that stands first in the list of classes.

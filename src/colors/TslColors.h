@@ -44,7 +44,6 @@ struct TslThresholds {
         field("luminance", &TslThresholds::luminance, "", "minimum and maximum", {0, 255})};
   }
 };
-static_assert(complete<TslThresholds>);
 
 /// Colour classes by thresholds in the TSL space (report J.6.3), from coltable.tsl. Of classes with
 /// the same priority the one counts that stands first in the list of classes. Configuration.
@@ -71,7 +70,6 @@ struct TslColors {
  private:
   void move(ColorClass colorClass, int places);
 };
-static_assert(complete<TslColors>);
 
 /// Reads the text of a `.tsl` file: for each class a section [CLASS] with lines `priority N`, `tint
 /// MIN MAX`, `saturation MIN MAX`, `luminance MIN MAX`. Classes that are not mentioned have no

@@ -23,7 +23,6 @@ struct Keys {
   bool canListen() const { return !serverSecret.empty() && !clientPublic.empty(); }
   bool canConnect() const { return !clientSecret.empty() && !serverPublic.empty(); }
 };
-static_assert(complete<Keys>);
 
 /// Writes a new pair of files into a folder, readable for the user alone: `robot.key` for who
 /// listens (robots, router), `tool.key` for who connects. Files that exist are not replaced.

@@ -26,7 +26,6 @@ struct RoutedTeamMessage {
                   field("message", &RoutedTeamMessage::message)};
   }
 };
-static_assert(complete<RoutedTeamMessage>);
 
 /// What the router does besides passing messages.
 struct RouterOptions {

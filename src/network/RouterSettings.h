@@ -45,7 +45,6 @@ struct RouterSettings {
   /// A robot of the list as these settings want it.
   RoutedRobot wanted(RoutedRobot robot) const;
 };
-static_assert(complete<RouterSettings>);
 
 /// Above the router's port: the ports for other routers, and for tools of all robots.
 constexpr int routersPort = 299;

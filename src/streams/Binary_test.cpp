@@ -50,6 +50,22 @@ struct Forgetful {
 };
 static_assert(!complete<Forgetful>);
 
+struct Repeating {
+  int a = 0, b = 0;
+  static constexpr auto fields() {
+    return Fields{field("a", &Repeating::a), field("b", &Repeating::a)};
+  }
+};
+static_assert(!complete<Repeating>);
+
+struct Confusing {
+  int a = 0, b = 0;
+  static constexpr auto fields() {
+    return Fields{field("a", &Confusing::a), field("a", &Confusing::b)};
+  }
+};
+static_assert(!complete<Confusing>);
+
 struct Swapped {
   std::uint8_t a = 1, b = 2;
   static constexpr auto fields() {

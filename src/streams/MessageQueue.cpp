@@ -34,8 +34,8 @@ MessageQueue& MessageQueue::operator=(MessageQueue&& other) noexcept {
   return *this;
 }
 
-std::byte* MessageQueue::open(std::uint32_t id, std::string_view type, Time time,
-                              std::size_t size) {
+std::byte* MessageQueue::reserve(std::uint32_t id, std::string_view type, Time time,
+                                 std::size_t size) {
   const std::size_t room = capacity_ - size_;
   if (room < headerSize || room - headerSize < size ||
       size > std::numeric_limits<std::uint32_t>::max()) {
@@ -52,7 +52,7 @@ std::byte* MessageQueue::open(std::uint32_t id, std::string_view type, Time time
 }
 
 bool MessageQueue::append(const Message& message) {
-  std::byte* place = open(message.id, {}, message.time, message.bytes.size());
+  std::byte* place = reserve(message.id, {}, message.time, message.bytes.size());
   if (place && !message.bytes.empty())
     std::memcpy(place, message.bytes.data(), message.bytes.size());
   return place != nullptr;

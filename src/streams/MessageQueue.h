@@ -59,7 +59,6 @@ struct DroppedMessage {
                   field("count", &DroppedMessage::count)};
   }
 };
-static_assert(complete<DroppedMessage>);
 
 /// Tells what a queue had no room for. Written by the queue itself, see
 /// MessageQueue::tellDropped.
@@ -68,7 +67,6 @@ struct DroppedMessages {
 
   static constexpr auto fields() { return Fields{field("types", &DroppedMessages::types)}; }
 };
-static_assert(complete<DroppedMessages>);
 
 /// A list of messages of any types with their time stamps, in a piece of memory that is allocated
 /// once (report E.1). Where the report's robot crashed when a queue overflowed, this one drops the
@@ -86,11 +84,14 @@ class MessageQueue {
   /// Appends a message; false if there was no room for it.
   template <typename T>
   bool write(Time time, const T& value) {
-    std::byte* place = open(messageId<T>(), typeName<T>(), time, encodedSize(value));
+    std::byte* place = reserve(messageId<T>(), typeName<T>(), time, encodedSize(value));
     if (place) encodeTo(value, place);
     return place != nullptr;
   }
   bool append(const Message& message);
+  /// Appends a message of a size and returns the place for its bytes. If the queue is full, returns
+  /// null and counts the drop.
+  std::byte* reserve(std::uint32_t id, std::string_view type, Time time, std::size_t size);
 
   /// Copies and moves messages to the end of another queue: all of them, or those of one id.
   void copyAllMessages(MessageQueue& to) const;
@@ -147,8 +148,6 @@ class MessageQueue {
   };
   static constexpr std::size_t headerSize = 16;  // id, size, time
 
-  /// Makes a message of a size; null, and it is counted, if there is no room.
-  std::byte* open(std::uint32_t id, std::string_view type, Time time, std::size_t size);
   void countDropped(std::uint32_t id, std::string_view type);
   Message messageAt(std::size_t at) const;
 

@@ -94,11 +94,49 @@ constexpr std::size_t memberCount(A... a) {
     return sizeof...(A);
 }
 
+template <typename T>
+constexpr bool namesAreDistinct() {
+  std::array<std::string_view, decltype(T::fields())::count + 1> names;
+  std::size_t count = 0;
+  T::fields().forEach([&](const auto& field) { names[count++] = field.name; });
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (names[i] == names[j]) return false;
+  return true;
+}
+
+template <typename T>
+constexpr bool membersAreDistinct() {
+  std::size_t same = 0;
+  T::fields().forEach([&](const auto& a) {
+    T::fields().forEach([&](const auto& b) {
+      if constexpr (std::is_same_v<decltype(a), decltype(b)>) same += a.member == b.member;
+    });
+  });
+  return same == decltype(T::fields())::count;
+}
+
+/// Does not compile for a struct whose `fields()` are not its members; the compiler's next lines
+/// name the struct.
+template <typename T>
+struct CheckedFields {
+  static_assert(decltype(T::fields())::count >= memberCount<T>(),
+                "fields() of a struct leaves out one of its members");
+  static_assert(decltype(T::fields())::count <= memberCount<T>(),
+                "fields() of a struct has more entries than it has members; it must be a plain "
+                "aggregate without arrays of C");
+  static_assert(namesAreDistinct<T>(), "fields() of a struct gives two of them the same name");
+  static_assert(membersAreDistinct<T>(), "fields() of a struct lists a member twice");
+  static constexpr bool value = true;
+};
+
 }  // namespace detail
 
-/// True if `fields()` names every member of an aggregate: a forgotten field does not compile.
+/// True if `fields()` names every member of an aggregate exactly once. All that is streamed is
+/// checked by itself: a forgotten field does not compile.
 template <typename T>
-constexpr bool complete = decltype(T::fields())::count == detail::memberCount<T>();
+constexpr bool complete = decltype(T::fields())::count == detail::memberCount<T>() &&
+                          detail::namesAreDistinct<T>() && detail::membersAreDistinct<T>();
 
 /// Calls visit(field, member) for each field, in the order of declaration.
 template <typename T, typename Visit>
@@ -108,12 +146,18 @@ constexpr void forEachField(T& object, Visit&& visit) {
       [&](const auto& field) { visit(field, object.*field.member); });
 }
 
+/// A type's name as the compiler spells it, with its namespaces.
+template <typename T>
+constexpr std::string_view qualifiedName() {
+  std::string_view s = __PRETTY_FUNCTION__;
+  const auto begin = s.find("T = ") + 4;
+  return s.substr(begin, s.find_first_of(";]", begin) - begin);
+}
+
 /// A type's name without its namespaces, as it stands in logs, layouts and messages.
 template <typename T>
 constexpr std::string_view typeName() {
-  std::string_view s = __PRETTY_FUNCTION__;
-  const auto begin = s.find("T = ") + 4;
-  s = s.substr(begin, s.find_first_of(";]", begin) - begin);
+  constexpr std::string_view s = qualifiedName<T>();
   const auto colon = s.rfind("::", s.find('<'));
   return colon == s.npos ? s : s.substr(colon + 2);
 }

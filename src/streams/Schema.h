@@ -45,7 +45,6 @@ struct RosTime {
     return Fields{field("sec", &RosTime::sec, "s"), field("nanosec", &RosTime::nanosec, "ns")};
   }
 };
-static_assert(complete<RosTime>);
 
 /// When and in which frame of reference something was measured (std_msgs/Header).
 struct RosHeader {
@@ -56,7 +55,6 @@ struct RosHeader {
     return Fields{field("stamp", &RosHeader::stamp), field("frameId", &RosHeader::frameId)};
   }
 };
-static_assert(complete<RosHeader>);
 
 /// A picture as JPEG or PNG, in the form that viewers know (sensor_msgs/CompressedImage).
 struct CompressedImage {
@@ -71,6 +69,5 @@ struct CompressedImage {
                   field("data", &CompressedImage::data)};
   }
 };
-static_assert(complete<CompressedImage>);
 
 }  // namespace gt

@@ -99,6 +99,7 @@ requires(!std::same_as<T, bool>) struct Shape<std::vector<T>> {
 
 template <Reflected T>
 struct Shape<T> {
+  static_assert(detail::CheckedFields<T>::value);
   static constexpr Kind kind = Kind::record;
   static constexpr std::size_t partCount = decltype(T::fields())::count;
   static constexpr bool basic = false;

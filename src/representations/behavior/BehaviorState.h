@@ -16,7 +16,6 @@ struct BehaviorValue {
     return Fields{field("name", &BehaviorValue::name), field("value", &BehaviorValue::value)};
   }
 };
-static_assert(complete<BehaviorValue>);
 
 /// What the behavior did in a cycle (report I.3.3.3, J.5.1): the view of a tool. Sent by
 /// BehaviorControl while its debug key `BehaviorControl/activations` is active.
@@ -52,7 +51,6 @@ struct BehaviorState {
         field("symbols", &BehaviorState::symbols, "", "that were asked for")};
   }
 };
-static_assert(complete<BehaviorState>);
 
 /// A line for each option and basic behavior, indented by depth, with its times in ms.
 inline std::string toString(const BehaviorState& state) {

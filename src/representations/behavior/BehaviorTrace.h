@@ -15,6 +15,5 @@ struct BehaviorTrace {
     return Fields{field("text", &BehaviorTrace::text, "", "see xabsl/trace/TraceFile.h")};
   }
 };
-static_assert(complete<BehaviorTrace>);
 
 }  // namespace gt

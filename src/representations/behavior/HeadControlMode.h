@@ -28,6 +28,5 @@ struct HeadControlMode {
         field("point", &HeadControlMode::point, "mm", "for lookAtPoint, in the robot's system")};
   }
 };
-static_assert(complete<HeadControlMode>);
 
 }  // namespace gt

@@ -26,7 +26,6 @@ struct LedRequest {
     return Fields{field("modes", &LedRequest::modes, "", "in the order of Led")};
   }
 };
-static_assert(complete<LedRequest>);
 
 /// Which LEDs are lit. Provided by LEDControl.
 struct LedValue {
@@ -36,6 +35,5 @@ struct LedValue {
     return Fields{field("lit", &LedValue::lit, "", "in the order of Led")};
   }
 };
-static_assert(complete<LedValue>);
 
 }  // namespace gt

@@ -63,6 +63,5 @@ struct MotionRequest {
                         "of the decision; too old, the robot stands; never: of no age")};
   }
 };
-static_assert(complete<MotionRequest>);
 
 }  // namespace gt

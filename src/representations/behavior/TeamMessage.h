@@ -22,7 +22,6 @@ struct BehaviorTeamMessage {
         field("estimatedTimeToReachBall", &BehaviorTeamMessage::estimatedTimeToReachBall, "ms")};
   }
 };
-static_assert(complete<BehaviorTeamMessage>);
 
 /// What a robot sends to its team mates by radio. Provided by the TeamMessageSender.
 struct TeamMessage {
@@ -48,7 +47,6 @@ struct TeamMessage {
                   field("behavior", &TeamMessage::behavior)};
   }
 };
-static_assert(complete<TeamMessage>);
 
 /// The newest message of each team mate, with the time when it came in. Provided by the platform.
 struct TeamMessages {
@@ -68,6 +66,5 @@ struct TeamMessages {
         field("byPlayer", &TeamMessages::byPlayer, "", "index is the player's number - 1")};
   }
 };
-static_assert(complete<TeamMessages>);
 
 }  // namespace gt

@@ -64,6 +64,5 @@ struct CameraInfo {
         field("distortion4", &CameraInfo::distortion4, "", "k4 of LensDistortion", {-1, 1})};
   }
 };
-static_assert(complete<CameraInfo>);
 
 }  // namespace gt

@@ -22,6 +22,5 @@ struct CameraSettings {
                   field("shutterSpeed", &CameraSettings::shutterSpeed)};
   }
 };
-static_assert(complete<CameraSettings>);
 
 }  // namespace gt

@@ -19,7 +19,6 @@ struct MarkedRobot {
                   field("pose", &MarkedRobot::pose, "mm, rad", "in the red team's coordinates")};
   }
 };
-static_assert(complete<MarkedRobot>);
 
 /// What a camera at the ceiling saw of the field in one picture (report 6.2.2). Provided by the
 /// simulated one, or by the program of a real one, whose log has these messages on the topic
@@ -38,6 +37,5 @@ struct CeilingCameraPercept {
                   field("ball", &P::ball, "mm", "in the red team's coordinates")};
   }
 };
-static_assert(complete<CeilingCameraPercept>);
 
 }  // namespace gt

@@ -11,6 +11,5 @@ struct FrameInfo {
 
   static constexpr auto fields() { return Fields{field("time", &FrameInfo::time, "ms")}; }
 };
-static_assert(complete<FrameInfo>);
 
 }  // namespace gt

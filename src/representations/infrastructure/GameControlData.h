@@ -37,6 +37,5 @@ struct GameControlData {
         field("timeOfLastChange", &GameControlData::timeOfLastChange, "ms", "of the state")};
   }
 };
-static_assert(complete<GameControlData>);
 
 }  // namespace gt

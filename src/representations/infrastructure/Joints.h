@@ -58,6 +58,5 @@ struct JointData {
     return Fields{field("angles", &JointData::angles, "rad", "in the order of Joint")};
   }
 };
-static_assert(complete<JointData>);
 
 }  // namespace gt

@@ -20,7 +20,6 @@ struct OracledRobot {
         field("pose", &OracledRobot::pose, "mm, rad", "in this robot's field coordinates")};
   }
 };
-static_assert(complete<OracledRobot>);
 
 /// The truth, as only a simulator knows it (report 5.1). Provided by the platform. In the
 /// coordinates of the robot's own team.
@@ -39,6 +38,5 @@ struct OracledWorldState {
                   field("others", &OracledWorldState::others, "", "team mates and opponents")};
   }
 };
-static_assert(complete<OracledWorldState>);
 
 }  // namespace gt

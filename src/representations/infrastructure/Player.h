@@ -29,6 +29,5 @@ struct Player {
     return Fields{field("teamColor", &Player::teamColor), field("playerRole", &Player::role)};
   }
 };
-static_assert(complete<Player>);
 
 }  // namespace gt

@@ -17,6 +17,5 @@ struct RobotCalibration {
                         "added to the body's roll, + right side down", {-0.5, 0.5})};
   }
 };
-static_assert(complete<RobotCalibration>);
 
 }  // namespace gt

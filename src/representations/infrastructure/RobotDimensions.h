@@ -36,7 +36,6 @@ struct RobotDimensions {
         field("panToCamera", &RobotDimensions::panToCamera, "mm", "forward")};
   }
 };
-static_assert(complete<RobotDimensions>);
 
 /// What a joint can do (facts, 1.2).
 struct JointLimits {

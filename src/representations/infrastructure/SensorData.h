@@ -26,7 +26,6 @@ struct SensorData {
                   field("switches", &SensorData::switches, "", "pressed, in the order of Switch")};
   }
 };
-static_assert(complete<SensorData>);
 
 /// The last frames of sensor data, the newest last (report 3.1). Provided by the platform.
 struct SensorDataBuffer {
@@ -49,6 +48,5 @@ struct SensorDataBuffer {
     return Fields{field("frames", &SensorDataBuffer::frames, "", "oldest first")};
   }
 };
-static_assert(complete<SensorDataBuffer>);
 
 }  // namespace gt

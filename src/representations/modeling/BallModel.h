@@ -23,7 +23,6 @@ struct BallModel {
               "standard deviation of the position; 0 if the locator does not know")};
   }
 };
-static_assert(complete<BallModel>);
 
 /// Where the team knows the ball to be: seen by the robot itself or told by a team mate
 /// (report 3.4.2). Provided by the TeamBallLocator.
@@ -42,6 +41,5 @@ struct TeamBallModel {
               "standard deviation of the position; 0 if the locator does not know")};
   }
 };
-static_assert(complete<TeamBallModel>);
 
 }  // namespace gt

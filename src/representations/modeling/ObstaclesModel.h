@@ -91,6 +91,5 @@ struct ObstaclesModel {
                   field("goals", &ObstaclesModel::goals, "", "in the order of GoalColor")};
   }
 };
-static_assert(complete<ObstaclesModel>);
 
 }  // namespace gt

@@ -23,7 +23,6 @@ struct LocatedPlayer {
                         "1 to 4 of a team mate that told its pose; 0 if not known")};
   }
 };
-static_assert(complete<LocatedPlayer>);
 
 /// All other players recognized (report 3.7), the most distinct first. Provided by the
 /// PlayersLocator.
@@ -37,6 +36,5 @@ struct PlayersCollection {
                   field("opponents", &PlayersCollection::opponents)};
   }
 };
-static_assert(complete<PlayersCollection>);
 
 }  // namespace gt

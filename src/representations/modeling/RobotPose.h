@@ -15,6 +15,5 @@ struct RobotPose {
                   field("validity", &RobotPose::validity, "", "certainty, report (3.16)", {0, 1})};
   }
 };
-static_assert(complete<RobotPose>);
 
 }  // namespace gt

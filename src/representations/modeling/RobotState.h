@@ -19,6 +19,5 @@ struct RobotState {
                   field("pressedFor", &RobotState::pressedFor, "ms", "0 while not pressed")};
   }
 };
-static_assert(complete<RobotState>);
 
 }  // namespace gt

@@ -17,6 +17,5 @@ struct HeadMotionRequest {
                   field("mouth", &HeadMotionRequest::mouth, "rad")};
   }
 };
-static_assert(complete<HeadMotionRequest>);
 
 }  // namespace gt

@@ -17,6 +17,5 @@ struct MotionInfo {
               "the camera matrix can be trusted: neither kick nor getup")};
   }
 };
-static_assert(complete<MotionInfo>);
 
 }  // namespace gt

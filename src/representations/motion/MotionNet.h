@@ -50,6 +50,5 @@ struct MotionNet {
                   field("entry", &MotionNet::entry, "", "index of the node of extern")};
   }
 };
-static_assert(complete<MotionNet> && complete<MotionNet::Node>);
 
 }  // namespace gt

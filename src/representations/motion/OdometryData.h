@@ -13,6 +13,5 @@ struct OdometryData {
     return Fields{field("pose", &OdometryData::pose, "mm, rad", "where the start was the origin")};
   }
 };
-static_assert(complete<OdometryData>);
 
 }  // namespace gt

@@ -22,6 +22,5 @@ struct SpecialActionsOutput {
         field("action", &SpecialActionsOutput::action, "", "being performed; none at extern")};
   }
 };
-static_assert(complete<SpecialActionsOutput>);
 
 }  // namespace gt

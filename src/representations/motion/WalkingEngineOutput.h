@@ -22,6 +22,5 @@ struct WalkingEngineOutput {
         field("positionInWalkCycle", &WalkingEngineOutput::positionInWalkCycle, "", "", {0, 1})};
   }
 };
-static_assert(complete<WalkingEngineOutput>);
 
 }  // namespace gt

@@ -31,6 +31,5 @@ struct BallPercept {
         field("radiusInImage", &BallPercept::radiusInImage, "pixel")};
   }
 };
-static_assert(complete<BallPercept>);
 
 }  // namespace gt

@@ -27,6 +27,5 @@ struct BodyPercept {
         field("switches", &BodyPercept::switches, "", "pressed")};
   }
 };
-static_assert(complete<BodyPercept>);
 
 }  // namespace gt

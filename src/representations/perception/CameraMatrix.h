@@ -38,6 +38,5 @@ struct CameraMatrix {
                   field("valid", &CameraMatrix::valid, "", "false during kicks and falls")};
   }
 };
-static_assert(complete<CameraMatrix>);
 
 }  // namespace gt

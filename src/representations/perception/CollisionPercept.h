@@ -23,6 +23,5 @@ struct CollisionPercept {
                   field("lastCollision", &CollisionPercept::lastCollision, "ms")};
   }
 };
-static_assert(complete<CollisionPercept>);
 
 }  // namespace gt

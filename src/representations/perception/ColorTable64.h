@@ -37,6 +37,5 @@ struct ColorTable64 {
     return Fields{field("classes", &ColorTable64::classes, "", "[y][cb][cr]")};
   }
 };
-static_assert(complete<ColorTable64>);
 
 }  // namespace gt

@@ -27,7 +27,6 @@ struct ConditionalBoundary {
                   field("bottomOnBorder", &ConditionalBoundary::bottomOnBorder)};
   }
 };
-static_assert(complete<ConditionalBoundary>);
 
 /// The six flags by their colours, upper colour first (facts, 2.1).
 enum class FlagType {
@@ -82,7 +81,6 @@ struct FlagPercept {
         field("angle", &FlagPercept::angle, "rad", "from the robot's origin to the flag's axis")};
   }
 };
-static_assert(complete<FlagPercept>);
 
 enum class GoalColor { yellow, skyblue };
 
@@ -101,7 +99,6 @@ struct GoalPercept {
                         "from the robot's origin to the middle of what is seen")};
   }
 };
-static_assert(complete<GoalPercept>);
 
 /// The goal that a team defends.
 constexpr GoalColor ownGoal(TeamColor team) {
@@ -127,6 +124,5 @@ struct LandmarksPercept {
                   field("goals", &LandmarksPercept::goals)};
   }
 };
-static_assert(complete<LandmarksPercept>);
 
 }  // namespace gt

@@ -22,6 +22,5 @@ struct LinesPercept {
                   field("points", &LinesPercept::points, "mm", "in the order of EdgeType")};
   }
 };
-static_assert(complete<LinesPercept>);
 
 }  // namespace gt

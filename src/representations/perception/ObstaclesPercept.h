@@ -21,7 +21,6 @@ struct FreeGround {
                   field("farOnBorder", &FreeGround::farOnBorder, "", "of the picture")};
   }
 };
-static_assert(complete<FreeGround>);
 
 /// The free space around the robot as seen in one picture, from left to right (report 3.2.7).
 /// Provided by the ImageProcessor.
@@ -34,6 +33,5 @@ struct ObstaclesPercept {
                   field("lines", &ObstaclesPercept::lines)};
   }
 };
-static_assert(complete<ObstaclesPercept>);
 
 }  // namespace gt

@@ -20,6 +20,5 @@ struct PlayersPercept {
                   field("players", &PlayersPercept::players, "mm", "in the order of TeamColor")};
   }
 };
-static_assert(complete<PlayersPercept>);
 
 }  // namespace gt

@@ -18,6 +18,5 @@ struct PsdPercept {
                   field("tooFarAway", &PsdPercept::tooFarAway, "", "nothing within 900 mm")};
   }
 };
-static_assert(complete<PsdPercept>);
 
 }  // namespace gt

@@ -65,7 +65,6 @@ struct CameraEffects {
         field("lightPeriod", &CameraEffects::lightPeriod, "s", "in which it does so", {0.1, 1000})};
   }
 };
-static_assert(complete<CameraEffects>);
 
 /// The effects with the camera set in another way (report B.4.3). Effects are as they are told with
 /// the settings by default: gain and shutter speed change the light by a stop's half each, gain the

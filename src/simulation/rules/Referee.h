@@ -57,7 +57,6 @@ struct GameEvent {
         field("scoreBlue", &GameEvent::scoreBlue)};
   }
 };
-static_assert(complete<GameEvent>);
 
 /// Leads the game by the rules of 2003 (facts, 2.2): initial, ready, set, playing; goals,
 /// kick-offs, halves, balls that are stuck, penalties, and the penalty shoot-out. The clock runs

@@ -38,7 +38,6 @@ struct NoiseParameters {
               {0, 100})};
   }
 };
-static_assert(complete<NoiseParameters>);
 
 /// How balls roll and bounce. Element `physics`.
 struct BallParameters {
@@ -60,7 +59,6 @@ struct BallParameters {
         field("maxSpeed", &BallParameters::maxSpeed, "mm/s", "", {1, 4000})};
   }
 };
-static_assert(complete<BallParameters>);
 
 /// The wireless network between the robots of a team. Element `radio`.
 struct RadioParameters {
@@ -77,7 +75,6 @@ struct RadioParameters {
         field("out", &RadioParameters::out, "", "nothing gets through")};
   }
 };
-static_assert(complete<RadioParameters>);
 
 /// When there is a penalty shoot-out.
 enum class ShootOutMode { none, afterDraw, only };
@@ -109,7 +106,6 @@ struct GameParameters {
               "a penalty shoot-out: none, after a draw, or as the whole game")};
   }
 };
-static_assert(complete<GameParameters>);
 
 /// What the referee penalizes, after how many seconds of it; 0: never (facts, 2.2). How long robots
 /// are removed, and the penalty shoot-out. Element `rules`.
@@ -153,7 +149,6 @@ struct RuleParameters {
         field("shotTime", &RuleParameters::shotTime, "s", "for one shot", {1, 600})};
   }
 };
-static_assert(complete<RuleParameters>);
 
 /// A robot of the groups `robots` (active) and `extras` (passive). Element `robot`.
 struct SceneRobot {

@@ -37,6 +37,5 @@ struct BehaviorControlRequest {
         field("shown", &R::shown, "", "symbols whose values BehaviorState tells")};
   }
 };
-static_assert(complete<BehaviorControlRequest>);
 
 }  // namespace gt

@@ -28,6 +28,5 @@ struct BehaviorRequest {
               "that one and all that it includes; none: the robot reads them from its disk")};
   }
 };
-static_assert(complete<BehaviorRequest>);
 
 }  // namespace gt

@@ -63,6 +63,5 @@ class BallChallengeBallLocator {
   OdometryData lastOdometry_;
   bool first_ = true;
 };
-static_assert(complete<BallChallengeBallLocator::Parameters>);
 
 }  // namespace gt

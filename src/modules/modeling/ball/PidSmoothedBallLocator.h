@@ -76,6 +76,5 @@ class PidSmoothedBallLocator {
   Time lastDoubted_ = never();
   OdometryData lastOdometry_;
 };
-static_assert(complete<PidSmoothedBallLocator::Parameters>);
 
 }  // namespace gt

@@ -103,6 +103,5 @@ class ProbabilisticBallLocator {
   Time lastUpdate_ = never(), lastPicture_ = never();
   OdometryData lastOdometry_;
 };
-static_assert(complete<ProbabilisticBallLocator::Parameters>);
 
 }  // namespace gt

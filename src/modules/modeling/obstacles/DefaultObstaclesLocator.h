@@ -64,6 +64,5 @@ class DefaultObstaclesLocator {
   OdometryData lastOdometry_;
   Time lastPicture_ = never(), lastPsd_ = never(), lastLandmarks_ = never();
 };
-static_assert(complete<DefaultObstaclesLocator::Parameters>);
 
 }  // namespace gt

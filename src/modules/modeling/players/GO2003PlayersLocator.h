@@ -78,6 +78,5 @@ class GO2003PlayersLocator {
   std::vector<int> maxima_;
   Time lastPercept_ = never();
 };
-static_assert(complete<GO2003PlayersLocator::Parameters>);
 
 }  // namespace gt

@@ -28,6 +28,5 @@ class DefaultRobotStateDetector {
   EnumArray<Switch, bool> pressed_;
   EnumArray<Switch, Time> pressedSince_;
 };
-static_assert(complete<DefaultRobotStateDetector::Parameters>);
 
 }  // namespace gt

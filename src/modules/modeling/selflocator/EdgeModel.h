@@ -90,7 +90,6 @@ class EdgeModel {
   std::vector<ChosenPoint> chosen_;
   std::vector<float> modelX_, modelY_;  ///< The closest model point of each sample.
 };
-static_assert(complete<EdgeModel::Parameters>);
 
 /// Which evidence an edge is.
 constexpr Evidence evidenceOf(EdgeType type) {

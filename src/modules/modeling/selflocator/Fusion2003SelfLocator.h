@@ -30,6 +30,5 @@ class Fusion2003SelfLocator {
   SingleLandmarkSelfLocator singleLandmark_;
   RobotPose candidate_;
 };
-static_assert(complete<Fusion2003SelfLocator::Parameters>);
 
 }  // namespace gt

@@ -29,6 +29,5 @@ class FusionSelfLocator {
   SingleLandmarkSelfLocator singleLandmark_;
   RobotPose candidate_;
 };
-static_assert(complete<FusionSelfLocator::Parameters>);
 
 }  // namespace gt

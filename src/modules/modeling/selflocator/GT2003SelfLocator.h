@@ -63,6 +63,5 @@ class GT2003SelfLocator {
   Time lastLandmarks_ = never(), lastLines_ = never();
   bool search_ = false;
 };
-static_assert(complete<GT2003SelfLocator::Parameters>);
 
 }  // namespace gt

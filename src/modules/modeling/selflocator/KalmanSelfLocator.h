@@ -111,6 +111,5 @@ class KalmanSelfLocator {
   Time last_ = never(), lastLandmarks_ = never(), lastLines_ = never();
   bool started_ = false;
 };
-static_assert(complete<KalmanSelfLocator::Parameters>);
 
 }  // namespace gt

@@ -31,6 +31,5 @@ class LandmarkModel {
  private:
   std::vector<float> sum_;  ///< Of squared deviations, for each sample.
 };
-static_assert(complete<LandmarkModel::Parameters>);
 
 }  // namespace gt

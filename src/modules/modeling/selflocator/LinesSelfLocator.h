@@ -44,6 +44,5 @@ class LinesSelfLocator {
   Time lastPicture_ = never();
   bool search_ = false;
 };
-static_assert(complete<LinesSelfLocator::Parameters>);
 
 }  // namespace gt

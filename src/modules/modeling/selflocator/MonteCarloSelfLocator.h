@@ -55,6 +55,5 @@ class MonteCarloSelfLocator {
   Time lastPicture_ = never();
   bool search_ = false;
 };
-static_assert(complete<MonteCarloSelfLocator::Parameters>);
 
 }  // namespace gt

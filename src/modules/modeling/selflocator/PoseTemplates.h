@@ -73,7 +73,6 @@ struct TemplateReplacement {
         field("newProbability", &T::newProbability, "", "of a template or random sample", {0, 1})};
   }
 };
-static_assert(complete<TemplateReplacement>);
 
 /// Replaces each sample, with the probability that the landmarks speak against it, by the candidate
 /// if there is one (as often as that is valid), by a template, or by a random pose. Other evidence

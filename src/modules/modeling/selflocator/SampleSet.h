@@ -37,7 +37,6 @@ struct MotionModel {
         field("searchAngle", &M::searchAngle, "rad", "of the random search, (3.14)", {0, 3})};
   }
 };
-static_assert(complete<MotionModel>);
 
 /// How fast a filtered probability follows (report (3.13), (3.19)).
 struct ProbabilityFilter {

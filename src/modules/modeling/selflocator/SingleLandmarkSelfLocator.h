@@ -75,6 +75,5 @@ class SingleLandmarkSelfLocator {
   Time lastPicture_ = never();
   bool started_ = false;
 };
-static_assert(complete<SingleLandmarkSelfLocator::Parameters>);
 
 }  // namespace gt

@@ -45,6 +45,5 @@ class DefaultTeamBallLocator {
     return age + parameters.costOfDoubt * (1 - validity);
   }
 };
-static_assert(complete<DefaultTeamBallLocator::Parameters>);
 
 }  // namespace gt

@@ -74,6 +74,5 @@ class FusedTeamBallLocator {
   std::array<Opinion, 5> opinions_;  ///< The robot's own one first, if there is one.
   std::size_t count_ = 0;
 };
-static_assert(complete<FusedTeamBallLocator::Parameters>);
 
 }  // namespace gt

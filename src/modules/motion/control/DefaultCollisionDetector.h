@@ -80,6 +80,5 @@ class DefaultCollisionDetector {
   Time changed_ = never();
   EnumArray<Leg, int> above_;
 };
-static_assert(complete<DefaultCollisionDetector::Parameters>);
 
 }  // namespace gt

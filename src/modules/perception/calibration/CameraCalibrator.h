@@ -40,7 +40,6 @@ struct CameraCalibration {
         field("offsetError", &CameraCalibration::offsetError, "rad", "likewise of the body's")};
   }
 };
-static_assert(complete<CameraCalibration>);
 
 /// Calibrates camera and body from pictures of a checkerboard that stands before a robot, which
 /// stands still and looks around: opening angles, the corrections of robot.cfg (report B.4.5), and

@@ -25,7 +25,6 @@ struct Checkerboard {
                         "of the lowest corners above the ground", {0, 2000})};
   }
 };
-static_assert(complete<Checkerboard>);
 
 /// Finds the inner corners of a checkerboard, to a fraction of a pixel. A corner is where two
 /// squares of each colour meet: around it brightness changes four times (after Bennett and Lasenby,
