@@ -51,7 +51,7 @@ void QueueFill::take(const MessageQueue& messages, MessageQueue& toTools) {
     case QueueFillMode::collect:
       return messages.copyAllMessages(toTools);
     case QueueFillMode::replace:
-      return replace(messages, toTools);
+      return newest_.append(messages, toTools);
     case QueueFillMode::save:
       return messages.copyAllMessages(saved_);
     case QueueFillMode::reject:
@@ -59,19 +59,19 @@ void QueueFill::take(const MessageQueue& messages, MessageQueue& toTools) {
   }
 }
 
-const QueueFill::Newest* QueueFill::find(std::uint64_t kind) const {
+const NewestMessages::Newest* NewestMessages::find(std::uint64_t kind) const {
   const auto newest =
       std::find_if(newest_.begin(), newest_.end(), [&](const Newest& n) { return n.kind == kind; });
   return newest == newest_.end() ? nullptr : &*newest;
 }
 
-bool QueueFill::isReplaced(const Message& message) const {
+bool NewestMessages::isReplaced(const Message& message) const {
   const Newest* newest = find(messageKind(message));
   if (!newest || newest->message == message.bytes.data()) return false;
   return !message.is<Drawing>() || message.time != newest->time;
 }
 
-void QueueFill::replace(const MessageQueue& messages, MessageQueue& toTools) {
+void NewestMessages::append(const MessageQueue& messages, MessageQueue& to) {
   newest_.clear();
   messages.handleAllMessages([&](const Message& message) {
     const std::uint64_t kind = messageKind(message);
@@ -82,9 +82,9 @@ void QueueFill::replace(const MessageQueue& messages, MessageQueue& toTools) {
     else
       newest_.push_back({kind, message.time, message.bytes.data()});
   });
-  toTools.removeIf([&](const Message& message) { return isReplaced(message); });
+  to.removeIf([&](const Message& message) { return isReplaced(message); });
   messages.handleAllMessages([&](const Message& message) {
-    if (!isReplaced(message)) toTools.append(message);
+    if (!isReplaced(message)) to.append(message);
   });
 }
 

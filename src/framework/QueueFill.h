@@ -24,10 +24,31 @@ struct QueueFillRequest {
   }
 };
 
+/// Keeps the newest messages only (report E.3: real time): a message replaces those of its kind
+/// that are older; a drawing stays whole, though it comes in several messages, and replaces none of
+/// another key.
+class NewestMessages {
+ public:
+  /// Appends the messages of a queue to another one, which loses what they replace.
+  void append(const MessageQueue& messages, MessageQueue& to);
+
+ private:
+  /// The newest message of a kind.
+  struct Newest {
+    std::uint64_t kind;
+    Time time;
+    const std::byte* message;
+  };
+
+  const Newest* find(std::uint64_t kind) const;
+  bool isReplaced(const Message& message) const;
+
+  std::vector<Newest> newest_;
+};
+
 /// Fills the queue to the tools as the last request says:
 /// - queue: with all messages; what does not fit is dropped, and that is told;
-/// - replace: a message replaces those of its kind that are older; a drawing stays whole, though it
-///   comes in several messages, and replaces none of another key;
+/// - replace: with the newest messages (NewestMessages), here and in the queue of each tool;
 /// - reject: not at all;
 /// - collect: with all messages for some seconds, then not at all;
 /// - save: not at all; the messages of some seconds go to whoever saves them.
@@ -44,22 +65,11 @@ class QueueFill {
   void take(const MessageQueue& messages, MessageQueue& toTools);
 
  private:
-  /// The newest message of a kind.
-  struct Newest {
-    std::uint64_t kind;
-    Time time;
-    const std::byte* message;
-  };
-
-  void replace(const MessageQueue& messages, MessageQueue& toTools);
-  const Newest* find(std::uint64_t kind) const;
-  bool isReplaced(const Message& message) const;
-
   QueueFillRequest request_;
   Time end_;
   Saver saver_;
   MessageQueue saved_{16 << 20};
-  std::vector<Newest> newest_;
+  NewestMessages newest_;
 };
 
 }  // namespace gt

@@ -5,7 +5,7 @@
 namespace gt {
 namespace {
 
-constexpr std::array magic{std::byte{'G'}, std::byte{'T'}, std::byte{1}};
+constexpr std::array magic{std::byte{'G'}, std::byte{'T'}, std::byte{2}};
 
 }  // namespace
 
@@ -15,6 +15,8 @@ std::array<std::byte, Frame::headerSize> frameHeader(const Frame& frame) {
   std::memcpy(&header[4], &frame.type, 4);
   std::memcpy(&header[8], &frame.session, 8);
   std::memcpy(&header[16], &frame.time.ms, 8);
+  std::memcpy(&header[24], &frame.schema, 4);
+  std::memcpy(&header[28], &frame.receiver, 4);
   return header;
 }
 
@@ -24,7 +26,8 @@ Result<Frame> parseFrame(std::span<const std::byte> message) {
     return Error{"network", 0, "frame", "is none of this system's, or of another version"};
   Frame frame;
   frame.kind = static_cast<FrameKind>(message[3]);
-  if (frame.kind > FrameKind::package) return Error{"network", 0, "frame", "is of an unknown kind"};
+  if (frame.kind > FrameKind::describe)
+    return Error{"network", 0, "frame", "is of an unknown kind"};
   std::memcpy(&frame.type, &message[4], 4);
   std::memcpy(&frame.session, &message[8], 8);
   std::memcpy(&frame.time.ms, &message[16], 8);
@@ -32,6 +35,8 @@ Result<Frame> parseFrame(std::span<const std::byte> message) {
   constexpr std::int64_t most = std::int64_t{100} * 366 * 86'400'000;
   if (frame.time.ms > most || frame.time.ms < -most)
     return Error{"network", 0, "frame", "has an impossible time"};
+  std::memcpy(&frame.schema, &message[24], 4);
+  std::memcpy(&frame.receiver, &message[28], 4);
   frame.bytes = message.subspan(Frame::headerSize);
   return frame;
 }

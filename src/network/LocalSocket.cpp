@@ -16,7 +16,7 @@ namespace gt {
 namespace {
 
 /// The first message of who connects: this, then its name.
-constexpr std::string_view greeting = "GT-local-1 ";
+constexpr std::string_view greeting = "GT-local-2 ";
 constexpr std::size_t longestName = 64;
 /// Larger packages go through shared memory.
 constexpr std::size_t inlineSize = 4096;
@@ -42,6 +42,11 @@ std::optional<sockaddr_un> addressOf(const std::string& path) {
   if (path.empty() || path.size() >= sizeof address.sun_path) return {};
   std::ranges::copy(path, address.sun_path);
   return address;
+}
+
+/// Packages of one type for one receiver share a slot.
+std::uint64_t placeOf(const Frame& frame) {
+  return std::uint64_t{frame.receiver} << 32 | frame.type;
 }
 
 FileDescriptor makeSocket() {
@@ -122,7 +127,7 @@ bool LocalConnection::send(const Frame& frame, const RepresentationType& type, c
   Notice notice;
   OutSlot* slot = nullptr;
   if (size > inlineSize) {
-    slot = slotFor(type.id, size);
+    slot = slotFor(placeOf(frame), size);
     if (!slot) return false;
     type.encodeTo(value, slot->slot.begin());
     notice = {slot->slot.publish(), size};
@@ -158,14 +163,14 @@ bool LocalConnection::sendMessage(std::size_t size, const FileDescriptor* memory
 }
 
 /// A package that does not fit in the slot of its type gets a larger one.
-LocalConnection::OutSlot* LocalConnection::slotFor(std::uint32_t type, std::size_t size) {
+LocalConnection::OutSlot* LocalConnection::slotFor(std::uint64_t place, std::size_t size) {
   if (size > static_cast<std::size_t>(limits_.frameSize)) return nullptr;
-  const auto slot = std::ranges::find(out_, type, &OutSlot::type);
+  const auto slot = std::ranges::find(out_, place, &OutSlot::place);
   if (slot != out_.end() && slot->slot.capacity() >= size) return &*slot;
   auto made = SlotWriter::make(size);
   if (!made) return nullptr;
-  if (slot == out_.end()) return &out_.emplace_back(OutSlot{type, std::move(*made), false});
-  *slot = {type, std::move(*made), false};
+  if (slot == out_.end()) return &out_.emplace_back(OutSlot{place, std::move(*made), false});
+  *slot = {place, std::move(*made), false};
   return &*slot;
 }
 
@@ -219,8 +224,8 @@ LocalConnection::Outcome LocalConnection::takeShared(std::span<const std::byte> 
   Notice notice;
   std::memcpy(&notice, message.data(), sizeof notice);
   if (notice.number == 0) return Outcome::frame;
-  if (memory && !keepSlot(frame.type, memory)) return Outcome::garbage;
-  const auto slot = std::ranges::find(in_, frame.type, &InSlot::type);
+  if (memory && !keepSlot(placeOf(frame), memory)) return Outcome::garbage;
+  const auto slot = std::ranges::find(in_, placeOf(frame), &InSlot::place);
   if (slot == in_.end() || notice.size == 0 || notice.size > slot->slot.size())
     return Outcome::garbage;
   if (package_.size() < notice.size) package_.resize(notice.size);
@@ -231,17 +236,17 @@ LocalConnection::Outcome LocalConnection::takeShared(std::span<const std::byte> 
 }
 
 /// All slots together are limited, as is each of them.
-bool LocalConnection::keepSlot(std::uint32_t type, const FileDescriptor& memory) {
+bool LocalConnection::keepSlot(std::uint64_t place, const FileDescriptor& memory) {
   const auto largest = static_cast<std::size_t>(limits_.frameSize);
   auto slot = SlotReader::open(memory, largest);
   if (!slot) return false;
   std::size_t sum = slot->size();
-  for (const InSlot& other : in_) sum += other.type == type ? 0 : other.slot.size();
+  for (const InSlot& other : in_) sum += other.place == place ? 0 : other.slot.size();
   if (sum > 8 * largest) return false;
-  const auto old = std::ranges::find(in_, type, &InSlot::type);
+  const auto old = std::ranges::find(in_, place, &InSlot::place);
   if (old == in_.end() && in_.size() >= mostSlots) return false;
   if (old == in_.end())
-    in_.push_back({type, std::move(*slot)});
+    in_.push_back({place, std::move(*slot)});
   else
     old->slot = std::move(*slot);
   return true;
@@ -323,12 +328,12 @@ void LocalSocket::connectAgain() {
   if (!connections_.empty()) connections_.front()->rename("");
 }
 
-bool LocalSocket::send(std::string_view peer, FrameKind kind, const RepresentationType& type,
+bool LocalSocket::send(std::string_view peer, FrameKind kind, const Topic& topic,
                        const void* value) {
   if (!listens()) connectAgain();
   for (const auto& connection : connections_)
     if (!listens() || connection->name() == peer)
-      return connection->send(frame(kind, type), type, value);
+      return connection->send(frame(kind, topic), *topic.type, value);
   return false;
 }
 

@@ -41,23 +41,23 @@ class LocalConnection {
 
  private:
   struct OutSlot {
-    std::uint32_t type;
+    std::uint64_t place;  ///< Of a type and a receiver.
     SlotWriter slot;
     bool known;  ///< To the reader.
   };
   struct InSlot {
-    std::uint32_t type;
+    std::uint64_t place;
     SlotReader slot;
   };
 
   struct Batch;
 
   bool refill();
-  OutSlot* slotFor(std::uint32_t type, std::size_t size);
+  OutSlot* slotFor(std::uint64_t place, std::size_t size);
   bool sendMessage(std::size_t size, const FileDescriptor* memory);
   Outcome take(std::span<const std::byte> message, FileDescriptor memory, Frame& frame);
   Outcome takeShared(std::span<const std::byte> message, FileDescriptor memory, Frame& frame);
-  bool keepSlot(std::uint32_t type, const FileDescriptor& memory);
+  bool keepSlot(std::uint64_t place, const FileDescriptor& memory);
 
   FileDescriptor socket_;
   SocketLimits limits_;
@@ -82,8 +82,7 @@ class LocalSocket : public Socket {
                                                  const SocketLimits& limits);
   ~LocalSocket() override;
 
-  bool send(std::string_view peer, FrameKind kind, const RepresentationType& type,
-            const void* value) override;
+  bool send(std::string_view peer, FrameKind kind, const Topic& topic, const void* value) override;
   bool receive(Received& received) override;
   std::string endpoint() const override { return "ipc://" + path_; }
   int file() const override { return events_.number(); }

@@ -223,7 +223,7 @@ std::size_t openFiles() {
 
 TEST_F(LocalSocketTest, MemoryThatIsNoneIsRefused) {
   Enemy enemy{folder.file("socket")};
-  ASSERT_TRUE(enemy.send("GT-local-1 enemy"));
+  ASSERT_TRUE(enemy.send("GT-local-2 enemy"));
   const FileDescriptor file{open("/etc/passwd", O_RDONLY)}, null{open("/dev/null", O_RDONLY)};
   const FileDescriptor unsealed = memory(200'000, 0), tiny = memory(64, F_SEAL_SHRINK),
                        empty = memory(0, F_SEAL_SHRINK),
@@ -241,7 +241,7 @@ TEST_F(LocalSocketTest, MemoryThatIsNoneIsRefused) {
 
 TEST_F(LocalSocketTest, NumbersAndSizesInSharedMemoryAreNotTrusted) {
   Enemy enemy{folder.file("socket")};
-  ASSERT_TRUE(enemy.send("GT-local-1 enemy"));
+  ASSERT_TRUE(enemy.send("GT-local-2 enemy"));
   const FileDescriptor slot = memory(200'000, F_SEAL_SHRINK);
   auto* numbers = static_cast<std::uint64_t*>(
       mmap(nullptr, 200'000, PROT_READ | PROT_WRITE, MAP_SHARED, slot.number(), 0));
@@ -268,7 +268,7 @@ TEST_F(LocalSocketTest, AFloodOfGarbageHarmsNobody) {
   {
     Enemy enemy{folder.file("socket")}, silent{folder.file("socket")};
     const FileDescriptor slot = memory(200'000, F_SEAL_SHRINK);
-    enemy.send("GT-local-1 client2");
+    enemy.send("GT-local-2 client2");
     for (int i = 0; i < 5000; ++i) {
       const auto n = static_cast<std::size_t>(i);
       enemy.send(std::string(n % 5000, static_cast<char>(i)), i % 3 ? -1 : slot.number(),
@@ -287,7 +287,7 @@ TEST_F(LocalSocketTest, OnlySoManyAreLetIn) {
   const std::size_t files = openFiles();
   for (int i = 0; i < 200; ++i) {
     crowd.push_back(std::make_unique<Enemy>(folder.file("socket")));
-    crowd.back()->send("GT-local-1 ");
+    crowd.back()->send("GT-local-2 ");
     usleep(1100);
     atServer.take();
   }

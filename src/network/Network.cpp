@@ -34,8 +34,8 @@ bool isLocal(std::string_view endpoint) {
          begins(endpoint, "tcp://[::1]:");
 }
 
-Frame Socket::frame(FrameKind kind, const RepresentationType& type) const {
-  return {kind, type.id, network_.session(), network_.now, {}};
+Frame Socket::frame(FrameKind kind, const Topic& topic) const {
+  return {kind, topic.type->id, network_.session(), network_.now, {}, topic.schema, topic.receiver};
 }
 
 Network::Network()

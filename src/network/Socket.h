@@ -16,6 +16,16 @@ struct Received {
   Frame frame;
 };
 
+/// What a frame is about: the packages of a type for one receiver.
+struct Topic {
+  Topic(const RepresentationType& t, std::uint32_t number = 0)  // NOLINT: a type is a topic
+      : type{&t}, schema{t.schema().id()}, receiver{number} {}
+
+  const RepresentationType* type;
+  std::uint32_t schema;    ///< Its id.
+  std::uint32_t receiver;  ///< Counts the receivers of a process for the type.
+};
+
 /// How much a socket holds for others.
 struct SocketLimits {
   int frames = 64;                     ///< In each direction, for each peer; more are dropped.
@@ -33,7 +43,7 @@ class Socket {
 
   /// Sends a package, or without a value a frame without one. False if it was dropped since the
   /// peer is not there or does not keep up.
-  virtual bool send(std::string_view peer, FrameKind kind, const RepresentationType& type,
+  virtual bool send(std::string_view peer, FrameKind kind, const Topic& topic,
                     const void* value) = 0;
   /// The next frame that came in; messages that are none are counted and passed over.
   virtual bool receive(Received& received) = 0;
@@ -49,7 +59,7 @@ class Socket {
  protected:
   explicit Socket(const Network& network) : network_{network} {}
   /// A frame of this program, at this time.
-  Frame frame(FrameKind kind, const RepresentationType& type) const;
+  Frame frame(FrameKind kind, const Topic& topic) const;
 
   const Network& network_;
   std::uint64_t rejected_ = 0;

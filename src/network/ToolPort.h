@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/QueueFill.h"
 #include "network/Network.h"
 #include "streams/MessageQueue.h"
 
@@ -13,7 +14,9 @@ constexpr std::size_t toolQueueSize = 2 << 20;
 
 /// Where tools connect to a robot: each gets every message that the robot sends, and may send
 /// messages. Memory is bounded for each tool: what one does not take in time is dropped for that
-/// one, and one that sends without being asked is not listened to (report 5.3).
+/// one, and one that sends without being asked is not listened to (report 5.3). A tool that takes
+/// what was kept for it late gets the newest only, if the queues were asked to be filled so
+/// (QueueFillRequest).
 class ToolPort {
  public:
   static Result<std::unique_ptr<ToolPort>> open(Network& network, const std::string& endpoint,
@@ -44,13 +47,16 @@ class ToolPort {
   ToolPort(Network& network, Socket& socket) : network_{network}, socket_{&socket} {}
   Tool* find(std::string_view name);
   void take(const Received& received, MessageQueue& messages);
+  void heed(const MessageQueue& requests);
   void serve(Tool& tool);
 
   Network& network_;
   Socket* socket_;
+  bool newestOnly_ = false;
+  NewestMessages newest_;
   std::vector<std::unique_ptr<Tool>> tools_;
   std::uint64_t rejected_ = 0;
-  std::uint64_t droppedOfGone_ = 0;
+  std::uint64_t dropped_ = 0;  ///< That the tools were told of, or that are gone with them.
 };
 
 /// A tool's end: connects to a robot's port, or to the router's for that robot.

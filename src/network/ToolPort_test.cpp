@@ -49,7 +49,9 @@ class ToolPortTest : public ::testing::Test {
   Network robotNetwork, toolNetwork;
   std::unique_ptr<ToolPort> port;
   std::array<std::unique_ptr<ToolConnection>, 2> tools;
-  MessageQueue fromTools, toTool[2];
+  MessageQueue fromTools;
+  std::array<MessageQueue, 2> toTool{MessageQueue{2 * toolQueueSize},
+                                     MessageQueue{2 * toolQueueSize}};
 };
 
 TEST_F(ToolPortTest, EveryToolGetsEveryMessageInOrder) {
@@ -101,6 +103,46 @@ TEST_F(ToolPortTest, AToolThatStallsLosesMessagesAndNobodyElse) {
                            tools[0]->update(toTool[0]);
                          }))
       << "in the end it is forgotten";
+}
+
+/// Report E.3: in real time, who was late gets the newest, and not what it missed.
+TEST_F(ToolPortTest, AToolThatIsLateGetsTheNewestIfItAskedForThat) {
+  tools[0]->out().write(Time{}, QueueFillRequest{QueueFillMode::replace, 0});
+  ASSERT_TRUE(eventually([&] { return !fromTools.empty(); }, [&] { step(); }));
+  EXPECT_EQ(numbers(toTool[0]).size(), 0u);
+  for (int i = 0; i < 100; ++i) {
+    sendNumbers(i, 1);
+    port->update(fromTools);  // the tools do nothing
+  }
+  ASSERT_TRUE(
+      eventually([&] { return !numbers(toTool[0]).empty() && numbers(toTool[0]).back() == 99; },
+                 [&] { step(); }));
+  EXPECT_LE(numbers(toTool[0]).size(), 2u) << "what was on its way, and the newest";
+}
+
+TEST_F(ToolPortTest, AToolIsToldWhatItLost) {
+  ASSERT_TRUE(eventually([&] { return port->tools() == 2; }, [&] { step(); }));
+  MessageQueue big;
+  Text text;
+  text.text = std::string(900'000, 'x');
+  big.write(Time{}, text);
+  for (int i = 0; i < 10; ++i) {
+    port->send(big);
+    port->update(fromTools);
+  }
+  std::uint64_t lost = 0, arrived = 0;
+  const auto all = [&] {
+    step();
+    toTool[0].handleAllMessages([&](const Message& message) {
+      DroppedMessages dropped;
+      arrived += message.is<Text>();
+      if (message.is<DroppedMessages>() && message.read(dropped)) lost += dropped.types[0].count;
+    });
+    toTool[0].clear();
+    toTool[1].clear();
+  };
+  EXPECT_TRUE(eventually([&] { return lost + arrived == 10; }, all)) << lost << " " << arrived;
+  EXPECT_GT(lost, 0u);
 }
 
 TEST_F(ToolPortTest, AToolThatFloodsOrSendsGarbageIsNotListenedTo) {

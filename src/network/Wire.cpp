@@ -2,31 +2,49 @@
 
 #include <algorithm>
 
+#include "streams/RecordedMessage.h"
+
 namespace gt {
 namespace {
+
+/// The answer to a frame that asks for a description: how packages of a type are written.
+struct TypeDescription {
+  std::uint32_t type = 0;
+  std::string name, schema;
+
+  static constexpr auto fields() {
+    return Fields{field("type", &TypeDescription::type, "", "its id"),
+                  field("name", &TypeDescription::name, "", "of its schema"),
+                  field("schema", &TypeDescription::schema, "", "its text")};
+  }
+};
+static_assert(complete<TypeDescription>);
 
 /// Who has not been heard of for so long is not there any more, in ms.
 constexpr std::int64_t lostAfter = 1000;
 /// A request is repeated, in case that it or its answer was lost with a process, in ms.
 constexpr std::int64_t repeatAfter = 100;
-/// A robot has less processes.
+/// A robot has less processes, and none of them more receivers of one type.
 constexpr std::size_t mostPeers = 64;
+constexpr std::uint32_t mostReceivers = 16;
 /// What is taken in one go, so that a flood does not hold the process up.
 constexpr int framesPerUpdate = 256;
+/// More is not told to a person.
+constexpr std::size_t mostNews = 100;
 
 }  // namespace
 
 /// The sender's view of a receiver in another program.
 class Wire::Link : public PackageLink {
  public:
-  Link(Network& network, Peer& peer, const RepresentationType& type)
-      : network_{network}, peer_{peer}, type_{type} {}
+  Link(Network& network, Peer& peer, const Topic& topic)
+      : network_{network}, peer_{peer}, topic_{topic} {}
 
   bool active() const override { return network_.elapsed() - heard_ < lostAfter; }
   bool requested() const override { return requested_ && active(); }
   bool accepts() const override { return accepts_ && active(); }
   void deliver(const void* package) override {
-    peer_.socket->send(peer_.name, FrameKind::package, type_, package);
+    peer_.socket->send(peer_.name, FrameKind::package, topic_, package);
     requested_ = accepts_ = false;
   }
   void hear(FrameKind kind) {
@@ -34,14 +52,14 @@ class Wire::Link : public PackageLink {
     accepts_ = true;
     requested_ = kind == FrameKind::request;
   }
-  bool connects(const Peer& peer, std::uint32_t type) const {
-    return &peer == &peer_ && type == type_.id;
+  bool connects(const Peer& peer, const Frame& frame) const {
+    return &peer == &peer_ && frame.type == topic_.type->id && frame.receiver == topic_.receiver;
   }
 
  private:
   Network& network_;
   Peer& peer_;
-  const RepresentationType& type_;
+  Topic topic_;
   std::int64_t heard_ = 0;
   bool requested_ = false;
   bool accepts_ = false;
@@ -67,7 +85,10 @@ Result<void> Wire::connect(const std::string& peer, const std::string& endpoint,
 }
 
 void Wire::receive(const std::string& peer, PackageReceiver& receiver) {
-  inbound_.push_back({peer, &receiver});
+  const auto number = std::ranges::count_if(inbound_, [&](const Inbound& other) {
+    return other.peer == peer && other.topic.type == &receiver.type();
+  });
+  inbound_.push_back({peer, &receiver, {receiver.type(), static_cast<std::uint32_t>(number)}});
 }
 
 Wire::Peer* Wire::find(std::string_view name) {
@@ -117,34 +138,100 @@ void Wire::take(Socket& socket, const Received& received) {
 
 void Wire::takeRequest(Peer& peer, const Frame& frame) {
   if (frame.session != peer.clock.session) peer.clock = {frame.time, frame.session};
-  if (Link* link = linkFor(peer, frame.type))
+  if (frame.kind == FrameKind::describe) return describe(peer, frame);
+  if (Link* link = linkFor(peer, frame))
     link->hear(frame.kind);
   else
     ++rejected_;
 }
 
-Wire::Link* Wire::linkFor(Peer& peer, std::uint32_t type) {
+PackageSender* Wire::senderOf(std::uint32_t type) const {
+  const auto sender = std::ranges::find_if(
+      senders_, [&](const PackageSender* candidate) { return candidate->type().id == type; });
+  return sender == senders_.end() ? nullptr : *sender;
+}
+
+Wire::Link* Wire::linkFor(Peer& peer, const Frame& frame) {
   for (const auto& link : links_)
-    if (link->connects(peer, type)) return link.get();
-  for (PackageSender* sender : senders_)
-    if (sender->type().id == type) {
-      links_.push_back(std::make_unique<Link>(network_, peer, sender->type()));
-      sender->connect(*links_.back());
-      return links_.back().get();
+    if (link->connects(peer, frame)) return link.get();
+  PackageSender* sender = senderOf(frame.type);
+  if (!sender || frame.receiver >= mostReceivers) return nullptr;
+  links_.push_back(std::make_unique<Link>(network_, peer, Topic{sender->type(), frame.receiver}));
+  sender->connect(*links_.back());
+  return links_.back().get();
+}
+
+void Wire::describe(Peer& peer, const Frame& frame) {
+  const PackageSender* sender = senderOf(frame.type);
+  if (!sender) return;
+  const Schema schema = sender->type().schema();
+  const TypeDescription description{frame.type, schema.name, schema.text};
+  peer.socket->send(peer.name, FrameKind::package, representation<TypeDescription>(), &description);
+}
+
+void Wire::takeDescription(const Peer& peer, const Frame& frame) {
+  TypeDescription description;
+  if (!decode(frame.bytes, description)) {
+    ++rejected_;
+    return;
+  }
+  for (Inbound& inbound : inbound_) {
+    if (!inbound.foreign || inbound.peer != peer.name ||
+        inbound.topic.type->id != description.type ||
+        inbound.foreign->schema != Schema{description.name, description.schema}.id())
+      continue;
+    const std::string what = "'" + peer.name + "' was built from another version: its " +
+                             std::string{inbound.topic.type->name};
+    inbound.foreign->known = true;
+    auto definition = MessageDefinition::parse(description.name, description.schema);
+    if (definition && inbound.topic.type->type()) {
+      inbound.foreign->definition = std::move(*definition);
+      tell(what + " is read field by field");
+    } else {
+      tell(what + " cannot be read: " +
+           (definition ? "it is not made of fields" : definition.error().text()));
     }
-  return nullptr;
+  }
+}
+
+void Wire::tell(const std::string& line) {
+  if (told_.size() < mostNews && told_.insert(line).second) news_.push_back(line);
 }
 
 void Wire::takePackage(Peer& peer, const Frame& frame) {
   if (frame.session != peer.clock.session || frame.time > peer.clock.time)
     peer.clock = {frame.time, frame.session};
-  for (Inbound& inbound : inbound_)
-    if (inbound.receiver->type().id == frame.type && inbound.peer == peer.name) {
-      inbound.asked = -1;
-      if (!inbound.receiver->deliverBytes(frame.bytes)) ++rejected_;
-      return;
-    }
-  ++rejected_;
+  if (frame.type == representation<TypeDescription>().id) return takeDescription(peer, frame);
+  const auto inbound = std::ranges::find_if(inbound_, [&](const Inbound& candidate) {
+    return candidate.topic.type->id == frame.type && candidate.peer == peer.name &&
+           candidate.topic.receiver == frame.receiver;
+  });
+  if (inbound == inbound_.end()) {
+    ++rejected_;
+    return;
+  }
+  inbound->asked = -1;
+  if (const auto done = deliver(*inbound, peer, frame); !done) {
+    ++rejected_;
+    tell("'" + peer.name + "' sends a " + std::string{inbound->topic.type->name} +
+         " that cannot be read: " + done.error().text());
+  }
+}
+
+/// A package of another version is read into a value that holds what the type begins with.
+Result<void> Wire::deliver(Inbound& inbound, Peer& peer, const Frame& frame) {
+  PackageReceiver& receiver = *inbound.receiver;
+  if (frame.schema == inbound.topic.schema) return receiver.deliverBytes(frame.bytes);
+  if (!inbound.foreign || inbound.foreign->schema != frame.schema)
+    inbound.foreign = Foreign{frame.schema};
+  if (!inbound.foreign->known)
+    peer.socket->send(peer.name, FrameKind::describe, inbound.topic, nullptr);
+  if (!inbound.foreign->definition) return {};
+  const std::shared_ptr<void> value = inbound.topic.type->make();
+  auto done = readRecorded(*inbound.foreign->definition, frame.bytes,
+                           {inbound.topic.type->type(), value.get()});
+  if (done) receiver.deliver(value.get());
+  return done;
 }
 
 void Wire::ask(Inbound& inbound) {
@@ -155,7 +242,7 @@ void Wire::ask(Inbound& inbound) {
   if (known) return;
   Peer* peer = find(inbound.peer);
   if (!peer) return;
-  peer->socket->send(peer->name, kind, inbound.receiver->type(), nullptr);
+  peer->socket->send(peer->name, kind, inbound.topic, nullptr);
   inbound.asked = network_.elapsed();
   inbound.told = kind;
 }

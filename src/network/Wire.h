@@ -1,16 +1,24 @@
 #pragma once
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/Package.h"
 #include "network/Network.h"
+#include "streams/MessageDefinition.h"
 
 namespace gt {
 
 /// Connects the senders and receivers of this program's process with those of others (report
 /// 2.2.3.1): each sender serves whoever asks for its package, each receiver asks one process for
 /// it. A process that ends is forgotten after a second; one that is started again asks anew.
+///
+/// A package tells by which schema it was written. If that is another one than the receiver's, as
+/// the programs were built from different versions, the receiver asks for it and reads the package
+/// field by field.
 class Wire {
  public:
   /// `name` is what other processes know this one by.
@@ -41,6 +49,9 @@ class Wire {
   Clock clockOf(std::string_view peer) const;
   /// Packages and requests that came in and could not be used.
   std::uint64_t rejected() const { return rejected_; }
+  /// What a person should know of the other programs and has not been told yet, line by line:
+  /// packages of another version, and those that nobody sends.
+  std::vector<std::string> takeNews() { return std::exchange(news_, {}); }
 
  private:
   class Link;
@@ -49,11 +60,19 @@ class Wire {
     Socket* socket;
     Clock clock;
   };
+  /// How a peer writes packages of a type, if otherwise than this program.
+  struct Foreign {
+    std::uint32_t schema;                           ///< Its id.
+    std::optional<MessageDefinition> definition{};  ///< Empty until it is known, or if it is wrong.
+    bool known = false;
+  };
   struct Inbound {
     std::string peer;
     PackageReceiver* receiver;
+    Topic topic;
     std::int64_t asked = -1;  ///< When the peer was told last; -1 if it has to be told now.
     FrameKind told = FrameKind::package;
+    std::optional<Foreign> foreign{};
   };
 
   Peer* find(std::string_view name);
@@ -61,8 +80,13 @@ class Wire {
   void take(Socket& socket, const Received& received);
   void takeRequest(Peer& peer, const Frame& frame);
   void takePackage(Peer& peer, const Frame& frame);
-  Link* linkFor(Peer& peer, std::uint32_t type);
+  Result<void> deliver(Inbound& inbound, Peer& peer, const Frame& frame);
+  void describe(Peer& peer, const Frame& frame);
+  void takeDescription(const Peer& peer, const Frame& frame);
+  PackageSender* senderOf(std::uint32_t type) const;
+  Link* linkFor(Peer& peer, const Frame& frame);
   void ask(Inbound& inbound);
+  void tell(const std::string& line);
 
   Network& network_;
   std::string name_;
@@ -72,6 +96,8 @@ class Wire {
   std::vector<std::unique_ptr<Link>> links_;
   std::vector<Inbound> inbound_;
   std::uint64_t rejected_ = 0;
+  std::set<std::string> told_;
+  std::vector<std::string> news_;
 };
 
 }  // namespace gt

@@ -1,5 +1,6 @@
 #include "network/Wire.h"
 
+#include <cmath>
 #include <zmq.hpp>
 
 #include "network/TestWire.h"
@@ -65,6 +66,104 @@ TEST(Wire, CarriesPackages) {
   for (std::size_t i = 1; i < sink.printed.size(); ++i)
     EXPECT_GT(sink.printed[i], sink.printed[i - 1]) << "always a new number";
   EXPECT_EQ(source.wire.rejected() + sink.wire.rejected(), 0u);
+}
+
+/// Each of two receivers of one type is served, as in one program.
+TEST(Wire, AProcessMayHaveTwoReceiversOfOneType) {
+  const TestFolder folder;
+  Source source{folder.endpoint("a")};
+  Sink sink{folder.endpoint("a")};
+  Receiver<NumberPackage> second{sink.process};
+  sink.wire.receive("Source", second);
+  std::vector<int> seconds;
+  sink.process.work = [&] {
+    sink.printed.push_back(sink.numbers.number);
+    if (second.receivedNew()) seconds.push_back(second.number);
+  };
+  EXPECT_TRUE(eventually([&] { return sink.printed.size() >= 20 && seconds.size() >= 20; },
+                         [&] {
+                           source.step();
+                           sink.step();
+                         }));
+  for (std::size_t i = 1; i < seconds.size(); ++i) EXPECT_GT(seconds[i], seconds[i - 1]);
+  EXPECT_EQ(source.wire.rejected() + sink.wire.rejected(), 0u);
+}
+
+namespace newer {
+
+/// The package as another version of the program has it.
+struct NumberPackage {
+  double more = 0.5;
+  double number = 0;
+
+  static constexpr auto fields() {
+    return Fields{field("more", &NumberPackage::more), field("number", &NumberPackage::number)};
+  }
+};
+static_assert(complete<NumberPackage>);
+
+}  // namespace newer
+
+TEST(Wire, ReadsPackagesOfAnotherVersionFieldByField) {
+  const TestFolder folder;
+  Source source{folder.endpoint("a")};
+  Program program{"Sink"};
+  Receiver<newer::NumberPackage> numbers{program.process, true};
+  ASSERT_TRUE(program.wire.connect("Source", folder.endpoint("a")));
+  program.wire.receive("Source", numbers);
+  program.process.pause = 0;
+  std::vector<double> printed;
+  program.process.work = [&] {
+    printed.push_back(numbers.number);
+    EXPECT_EQ(numbers.more, 0.5) << "what is not sent is as the type has it at the beginning";
+  };
+  ASSERT_TRUE(eventually([&] { return printed.size() >= 5; },
+                         [&] {
+                           source.step();
+                           program.step();
+                         }));
+  for (std::size_t i = 1; i < printed.size(); ++i) EXPECT_GT(printed[i], printed[i - 1]);
+  EXPECT_EQ(printed.front(), std::floor(printed.front()));
+  const auto news = program.wire.takeNews();
+  ASSERT_EQ(news.size(), 1u) << "told once";
+  EXPECT_EQ(news[0],
+            "'Source' was built from another version: its NumberPackage is read field by field");
+  EXPECT_TRUE(program.wire.takeNews().empty());
+}
+
+namespace small {
+
+/// The package as a version has it that allows small numbers only.
+struct NumberPackage {
+  int number = 7;
+
+  static constexpr auto fields() {
+    return Fields{field("number", &NumberPackage::number, "", "", {0, 9})};
+  }
+};
+static_assert(complete<NumberPackage>);
+
+}  // namespace small
+
+TEST(Wire, RefusesPackagesOfAnotherVersionThatItsTypeDoesNotAllow) {
+  const TestFolder folder;
+  Source source{folder.endpoint("a")};
+  source.numbers.number = 100;  // beyond what the other version allows
+  Program program{"Sink"};
+  Receiver<small::NumberPackage> numbers{program.process, true};
+  ASSERT_TRUE(program.wire.connect("Source", folder.endpoint("a")));
+  program.wire.receive("Source", numbers);
+  std::vector<std::string> news;
+  ASSERT_TRUE(eventually([&] { return news.size() >= 2; },
+                         [&] {
+                           source.step();
+                           program.step();
+                           for (const std::string& line : program.wire.takeNews())
+                             news.push_back(line);
+                         }));
+  EXPECT_NE(news[1].find("'Source' sends a NumberPackage that cannot be read:"), std::string::npos)
+      << news[1];
+  EXPECT_EQ(numbers.number, 7);
 }
 
 /// "Note that the communication does not involve any queuing."
@@ -156,11 +255,11 @@ TEST(Wire, GarbageHarmsNobody) {
   zmq::socket_t enemy{context, zmq::socket_type::dealer};
   enemy.set(zmq::sockopt::linger, 0);
   enemy.connect(endpoint);
-  std::string frame(24, '\0');
-  frame.replace(0, 4, std::string{'G', 'T', 1, 2});
+  std::string frame(Frame::headerSize, '\0');
+  frame.replace(0, 4, std::string{'G', 'T', 2, 2});
   for (int i = 0; i < 300; ++i) {
     enemy.send(
-        zmq::buffer(frame.substr(0, static_cast<std::size_t>(i % 25))),
+        zmq::buffer(frame.substr(0, static_cast<std::size_t>(i) % (frame.size() + 1))),
         i % 3 ? zmq::send_flags::dontwait : zmq::send_flags::dontwait | zmq::send_flags::sndmore);
     source.step();
     sink.step();

@@ -159,11 +159,12 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::connect(const Network& network, Ze
   return std::unique_ptr<Socket>{std::move(socket)};
 }
 
-bool ZeroMqSocket::send(std::string_view peer, FrameKind kind, const RepresentationType& type,
+bool ZeroMqSocket::send(std::string_view peer, FrameKind kind, const Topic& topic,
                         const void* value) {
+  const RepresentationType& type = *topic.type;
   const std::size_t size = value ? type.encodedSize(value) : 0;
   zmq::message_t message{Frame::headerSize + size};
-  std::ranges::copy(frameHeader(frame(kind, type)), message.data<std::byte>());
+  std::ranges::copy(frameHeader(frame(kind, topic)), message.data<std::byte>());
   if (value) type.encodeTo(value, message.data<std::byte>() + Frame::headerSize);
   try {
     if (listens_ &&

@@ -67,8 +67,7 @@ class ZeroMqSocket : public Socket {
                                                  const std::optional<Keys>& keys,
                                                  const SocketLimits& limits);
 
-  bool send(std::string_view peer, FrameKind kind, const RepresentationType& type,
-            const void* value) override;
+  bool send(std::string_view peer, FrameKind kind, const Topic& topic, const void* value) override;
   bool receive(Received& received) override;
   std::string endpoint() const override { return socket_.get(zmq::sockopt::last_endpoint); }
   void* zeroMq() const override { return const_cast<zmq::socket_t&>(socket_).handle(); }

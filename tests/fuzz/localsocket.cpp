@@ -139,7 +139,7 @@ void perform(Input& input, Peer& peer, gt::Socket& socket) {
       peer.send(input.takeBytes(input.take<std::uint16_t>() % 5000), withMemory);
       break;
     case 1: {
-      const std::string_view greeting = "GT-local-1 ";
+      const std::string_view greeting = "GT-local-2 ";
       std::vector<std::uint8_t> bytes{greeting.begin(), greeting.end()};
       const auto name = input.takeBytes(input.take<std::uint8_t>());
       bytes.insert(bytes.end(), name.begin(), name.end());

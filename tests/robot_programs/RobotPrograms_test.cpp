@@ -22,6 +22,8 @@
 #include "representations/behavior/BehaviorState.h"
 #include "streams/Mcap.h"
 #include "streams/TemporaryFolder.h"
+#include "support/OtherMachine.h"
+#include "support/RobotElsewhere.h"
 
 namespace gt {
 namespace {
@@ -292,42 +294,6 @@ TEST_F(RobotProgramsTest, ABehaviorIsEditedWhileItRuns) {
   for (const auto& process : processes) EXPECT_TRUE(process->runs());
 }
 
-/// Another machine, as far as the network goes: a network of its own, joined by a cable. Where that
-/// may not be made, the loopback device.
-class OtherMachine {
- public:
-  OtherMachine() {
-    real_ = geteuid() == 0 && run("ip netns add " + name_) &&
-            run("ip link add " + cable_ + "a type veth peer name " + cable_ + "b netns " + name_) &&
-            run("ip addr add " + here() + "/30 dev " + cable_ + "a") &&
-            run("ip link set " + cable_ + "a up") &&
-            run("ip -n " + name_ + " addr add 10.203.77.2/30 dev " + cable_ + "b") &&
-            run("ip -n " + name_ + " link set " + cable_ + "b up");
-    if (!real_) std::printf("no network of its own here: over the loopback device\n");
-  }
-  ~OtherMachine() {
-    run("ip link del " + cable_ + "a");
-    run("ip netns del " + name_);
-  }
-  /// The address by which this machine is known there.
-  std::string here() const { return "10.203.77.1"; }
-  std::string address() const { return real_ ? here() : "127.0.0.1"; }
-  /// A command that runs there.
-  std::vector<std::string> there(std::vector<std::string> command) const {
-    if (real_) command.insert(command.begin(), {"/sbin/ip", "netns", "exec", name_});
-    return command;
-  }
-
- private:
-  static bool run(const std::string& command) {
-    return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
-  }
-
-  std::string name_ = "gt2003-" + std::to_string(getpid());
-  std::string cable_ = "gt" + std::to_string(getpid() % 100'000);
-  bool real_;
-};
-
 /// What has to be there before the match: another machine, the keys of two who know each other, and
 /// those of a stranger.
 struct OtherMachineSetup {
@@ -339,8 +305,8 @@ struct OtherMachineSetup {
   const TemporaryFolder keyFolder;
   const std::string keys = keyFolder.path().string();
   Keys listening;
-  const OtherMachine other;
-  const std::string endpoint = "tcp://" + other.address() + ":" + std::to_string(freePort());
+  const testing::OtherMachine other;
+  const std::string endpoint = "tcp://" + other.here() + ":" + std::to_string(freePort());
 };
 
 class OtherMachineTest : private OtherMachineSetup, public RobotProgramsTest {
@@ -353,7 +319,7 @@ class OtherMachineTest : private OtherMachineSetup, public RobotProgramsTest {
       auto words = command(process, folder + "/there");
       words.insert(words.end(), {"--at", "Platform=" + endpoint, "--connect-keys",
                                  keys + "/" + key + "/tool.key"});
-      processes.push_back(std::make_unique<ChildProgram>(other.there(words)));
+      processes.push_back(std::make_unique<ChildProgram>(other.command(words)));
     }
   }
 };
@@ -370,6 +336,30 @@ TEST_F(OtherMachineTest, ARobotOnAnotherMachinePlaysInTheTeamIfItHoldsTheKey) {
   std::size_t pictures = 0;
   for (const fs::path& log : logs()) pictures += countIn(log, "/camera");
   EXPECT_GE(pictures, 2u);
+}
+
+/// All of the robot, its body too, on another machine: a tool of this one reaches it with a key only.
+TEST(RobotElsewhere, AnswersAToolOfThisMachineThatHoldsTheKey) {
+  const testing::RobotElsewhere robot{GT_PROGRAMS};
+  ASSERT_TRUE(robot.made());
+  Network network;
+  const auto tool = *ToolConnection::open(network, robot.endpoint(), *loadKeys(robot.key()));
+  const auto stranger = *ToolConnection::open(network, robot.endpoint());
+  tool->out().write({}, WatchRequest{"JointData", ""});
+  bool answered = false;
+  MessageQueue messages, none;
+  EXPECT_TRUE(testing::eventually(
+      [&] { return answered; },
+      [&] {
+        network.wait(10);
+        tool->update(messages);
+        stranger->update(none);
+        messages.handleAllMessages(
+            [&](const Message& message) { answered |= message.id == hashOf("JointData"); });
+        messages.clear();
+      },
+      20'000));
+  EXPECT_FALSE(stranger->connected());
 }
 
 TEST_F(RobotProgramsTest, AToolReachesTheProcesses) {
