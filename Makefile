@@ -20,7 +20,7 @@ help:
 	@echo 'make kill-test     kills each program of a robot 50 times during a match'
 	@echo 'make bench         measures speed, also against other libraries: out/bench.json'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html'
-	@echo 'make docs          writes pages with charts about the soccer behavior: out/docs/index.html'
+	@echo 'make docs          writes pages with charts about the soccer behavior, out/docs/index.html, and about the sources'"'"' interfaces, out/docs/api/index.html'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
 	@echo 'make sanitize-layers runs the tests of the layers below match/ under the address and undefined-behavior sanitizers'
 	@echo 'make fuzz          feeds broken files to all that reads files, SECONDS=$(SECONDS) each'
@@ -70,8 +70,11 @@ experiments: TARGETS = --target experiment
 experiments: build
 	@$(BUILD)/bin/experiment --seeds $(SEEDS) --json out/experiments.json
 
+docs: TARGETS = --target xabsl
+docs: PACKAGES += doxygen
 docs: build
 	@$(BUILD)/bin/xabsl doc behavior/GT2003.xabsl -o out/docs
+	@doxygen docs/Doxyfile
 
 # The thread sanitizer cannot see how libraries that were not built with it (libzmq) hand data from thread to thread.
 sanitize: packages
