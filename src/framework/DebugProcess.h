@@ -31,14 +31,13 @@ class DebugProcess : public Process {
   MessageQueue& toTools() { return toTools_; }
   /// What shall go to all processes in the next cycle.
   MessageQueue& fromTools() { return fromTools_; }
+  /// Carries out what the tools ask of this process, and takes it out of their messages.
+  void handleRequests();
 
  protected:
   int main() override;
 
  private:
-  /// Carries out what the tools ask of this process, and takes it out of their messages.
-  void handleRequests();
-
   struct In {
     MessageQueue queue;
     PackageReceiver receiver{representation<MessageQueue>(), &queue};

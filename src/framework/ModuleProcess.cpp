@@ -125,7 +125,9 @@ Result<void> ModuleProcess::request(const WatchRequest& request) {
                    .what = "it cannot be sent, since it has no fields()"};
     slot = &blackboard_.slot(*type);
   }
-  std::erase_if(watched_, [&](const Watched& watched) { return watched.type == type; });
+  // What is asked for so many times comes beside what is asked for again and again.
+  if (request.mode != DebugKeyMode::times)
+    std::erase_if(watched_, [&](const Watched& watched) { return watched.type == type; });
   if (request.mode != DebugKeyMode::disabled)
     watched_.push_back({type, slot, DebugKeyState{{request.mode, request.n}}});
   return {};
@@ -353,6 +355,22 @@ bool ModuleProcess::isDue(const Slot& slot) const {
          });
 }
 
+void ModuleProcess::sendWatched(bool onlyTimes) {
+  std::erase_if(watched_, [&](Watched& watched) {
+    const bool times = watched.state.request().mode == DebugKeyMode::times;
+    if ((onlyTimes && !times) || !watched.state.isDue(now())) return false;
+    watched.type->write(watched.slot ? watched.slot->value.get() : &times_, now(), debug_.out());
+    return watched.state.request().mode == DebugKeyMode::disabled;
+  });
+}
+
+void ModuleProcess::carryOut(const MessageQueue& messages, MessageQueue& answers) {
+  messages.handleAllMessages([this](const Message& message) { handle(message); });
+  sendWatched(true);
+  debug_.out().moveAllMessages(answers);
+  debug_.out().tellDropped(now());
+}
+
 int ModuleProcess::main() {
   debug_.begin(now());
   if (debugReceiver_.receivedNew())
@@ -371,9 +389,7 @@ int ModuleProcess::main() {
     }
 
   for (const auto& sender : ownSenders_) sender->send();
-  for (Watched& watched : watched_)
-    if (watched.state.isDue(now()))
-      watched.type->write(watched.slot ? watched.slot->value.get() : &times_, now(), debug_.out());
+  sendWatched(false);
   if (!debug_.out().empty() && debugSender_.requestedNew()) {
     debugOut_.clear();
     debug_.out().moveAllMessages(debugOut_);

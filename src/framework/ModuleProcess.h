@@ -47,6 +47,10 @@ class ModuleProcess : public Process {
   Result<void> configure(std::string_view task, std::string_view solution, std::string_view text,
                          const std::string& file);
 
+  /// Carries out messages of the tools at once, between two cycles; what it sends goes to
+  /// `answers`.
+  void carryOut(const MessageQueue& messages, MessageQueue& answers);
+
   bool solves(std::string_view task) const;
   /// The name of the solution that runs; nothing if the process has no such task.
   std::string activeSolution(std::string_view task) const;
@@ -106,6 +110,8 @@ class ModuleProcess : public Process {
   bool isDue(const Slot& slot) const;
   void handle(const Message& message);
   bool handlePackage(const Message& message);
+  /// Sends what tools asked for and is due: all of it, or what was asked for so many times.
+  void sendWatched(bool onlyTimes);
   bool provides(const RepresentationType& type) const;
   RepresentationOrigin originOf(const RepresentationType& type) const;
   Result<void> setField(const RepresentationType& type, const std::string& path,

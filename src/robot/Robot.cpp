@@ -145,15 +145,26 @@ const void* Robot::provided(const RepresentationType& type) const {
   return process ? process->blackboard().get(type) : nullptr;
 }
 
+/// Of the messages of the tools, those that concern the robot as a whole.
+void Robot::carryOutWhole(Time now) {
+  if (fromTools().empty()) return;
+  carryOutLast<LayoutRequest>(now,
+                              [this](const LayoutRequest& wanted) { return carryOut(wanted); });
+  carryOutLast<BehaviorRequest>(now,
+                                [this](const BehaviorRequest& wanted) { return request(wanted); });
+}
+
 void Robot::step(Time now) {
   for (const auto& process : processes_) process->step(now);
-  if (!fromTools().empty()) {
-    carryOutLast<LayoutRequest>(now,
-                                [this](const LayoutRequest& wanted) { return carryOut(wanted); });
-    carryOutLast<BehaviorRequest>(
-        now, [this](const BehaviorRequest& wanted) { return request(wanted); });
-  }
+  carryOutWhole(now);
   debug_->step(now);
+}
+
+void Robot::answer() {
+  carryOutWhole(processes_.front()->now());
+  debug_->handleRequests();
+  for (const auto& process : processes_) process->carryOut(fromTools(), toTools());
+  fromTools().clear();
 }
 
 }  // namespace gt

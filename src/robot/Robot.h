@@ -54,6 +54,9 @@ class Robot {
   /// LayoutRequest or BehaviorRequest that came from the tools; what is wrong with it is told by a
   /// text.
   void step(Time now);
+  /// Carries out at once, between two steps, what the tools have sent; the answers are in
+  /// `toTools`.
+  void answer();
 
   /// Regroups the modules to the processes of another layout, between two steps. They go on with
   /// all that they remember; solutions, parameters, debug keys and representations stay as they
@@ -88,6 +91,7 @@ class Robot {
   explicit Robot(RobotSetup setup) : setup_{std::move(setup)} {}
   void build(Plan plan);
   void connect();
+  void carryOutWhole(Time now);
   Result<void> carryOut(const LayoutRequest& request);
   template <typename Request, typename CarryOut>
   void carryOutLast(Time now, CarryOut carryOut);
