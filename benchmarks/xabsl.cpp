@@ -10,6 +10,7 @@
 
 #include "Parts.h"
 #include "xabsl/engine/Engine.h"
+#include "xabsl/formats/Compile.h"
 
 namespace gt {
 namespace {

@@ -4,18 +4,24 @@
 #include <vector>
 
 #include "Commands.h"
-#include "xabsl/language/Behavior.h"
+#include "xabsl/language/Warnings.h"
 
 namespace xabsl::app {
 
 namespace {
 
-/// Compiles a behavior and prints what there is to say about it.
-bool check(const std::string& path, Dialect dialect) {
-  const Compilation compilation = load(path, dialect);
-  print(compilation.diagnostics);
-  if (!compilation.behavior) return false;
-  const Model& model = compilation.behavior->model();
+struct Options {
+  std::vector<std::string> paths;
+  Reading reading;
+  bool unused = false;
+};
+
+/// Prints the errors and warnings of a behavior and counts what is in it.
+bool check(const std::string& path, const Options& options) {
+  const std::optional<Behavior> behavior = load(path, options.reading);
+  if (!behavior) return false;
+  const Model& model = behavior->model();
+  if (options.unused) print(everythingUnused(model));
   std::cout << path << ": " << model.agents.size() << " agents, " << model.options.size()
             << " options, " << model.states.size() << " states, " << model.symbols.size()
             << " symbols, " << model.behaviors.size() << " basic behaviors\n";
@@ -24,19 +30,19 @@ bool check(const std::string& path, Dialect dialect) {
 
 }  // namespace
 
-void addCheck(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("check", "Tell the errors in behaviors");
-  auto paths = std::make_shared<std::vector<std::string>>();
+void addCheck(CLI::App& program, int& status) {
+  CLI::App* command = program.add_subcommand("check", "Print the errors and warnings of behaviors");
+  auto options = std::make_shared<Options>();
   command
-      ->add_option("files", *paths,
+      ->add_option("files", options->paths,
                    "Files that declare the agents (.xabsl), or intermediate code (.dat)")
       ->required();
-  auto dialect = std::make_shared<Dialect>(Dialect::xabsl31);
-  addDialect(*command, *dialect);
-  command->callback([paths, dialect] {
-    bool sound = true;
-    for (const std::string& path : *paths) sound = check(path, *dialect) && sound;
-    if (!sound) throw Failure{};
+  addDialect(*command, options->reading.dialect);
+  addStrict(*command, options->reading.strict);
+  command->add_flag("--unused", options->unused, "List each unused declaration with its place");
+  command->callback([options, &status] {
+    for (const std::string& path : options->paths)
+      if (!check(path, *options)) status = wrong;
   });
 }
 

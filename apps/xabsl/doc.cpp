@@ -3,30 +3,39 @@
 #include <string>
 
 #include "Commands.h"
-#include "xabsl/language/Behavior.h"
 #include "xabsl/tools/documentation/Documentation.h"
 
 namespace xabsl::app {
 
-void addDoc(CLI::App& program) {
+namespace {
+
+struct Options {
+  std::string agents;
+  std::string folder;
+  Reading reading;
+};
+
+bool document(const Options& options) {
+  const std::optional<Behavior> behavior = load(options.agents, options.reading);
+  if (!behavior) return false;
+  if (const auto failure = writeDocumentation(behavior->model(), options.folder))
+    return print({*failure});
+  std::cout << options.folder << "/index.html\n";
+  return true;
+}
+
+}  // namespace
+
+void addDoc(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("doc", "Write pages with charts about a behavior");
-  auto agents = std::make_shared<std::string>();
-  auto folder = std::make_shared<std::string>();
+  auto options = std::make_shared<Options>();
   command
-      ->add_option("agents", *agents,
+      ->add_option("agents", options->agents,
                    "The file that declares the agents, or intermediate code (.dat)")
       ->required();
-  command->add_option("-o,--output", *folder, "The folder for the pages")->required();
-  command->callback([agents, folder] {
-    const Compilation compilation = load(*agents);
-    print(compilation.diagnostics);
-    if (!compilation.behavior) throw Failure{};
-    if (const auto failure = writeDocumentation(compilation.behavior->model(), *folder)) {
-      print({*failure});
-      throw Failure{};
-    }
-    std::cout << *folder << "/index.html\n";
-  });
+  command->add_option("-o,--output", options->folder, "The folder for the pages")->required();
+  addStrict(*command, options->reading.strict);
+  command->callback([options, &status] { status = document(*options) ? succeeded : wrong; });
 }
 
 }  // namespace xabsl::app

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -19,46 +20,41 @@ struct Options {
   bool inPlace = false;
 };
 
-[[noreturn]] void fail(const std::string& path, const char* what) {
-  std::cerr << path << ": error: " << what << '\n';
-  throw Failure{};
-}
-
-/// True if the file was formatted already.
-bool formatFile(const std::string& path, const Options& options) {
+/// Formats or checks one file and returns the exit status.
+int formatFile(const std::string& path, const Options& options) {
   std::ifstream in(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) fail(path, "cannot read the file");
+  if (!in) {
+    printError(path, "cannot read the file");
+    return wrong;
+  }
   Reporter reporter;
   const std::optional<std::string> formatted = format(reporter.addFile(path, text), text, reporter);
-  print(reporter.take());
-  if (!formatted) throw Failure{};
+  if (!print(reporter.take())) return wrong;
   const bool same = *formatted == text;
   if (options.check) {
-    if (!same) std::cerr << path << ": is not formatted\n";
-  } else if (!options.inPlace) {
-    std::cout << *formatted;
-  } else if (!same) {
-    std::ofstream out(path, std::ios::binary);
-    out << *formatted;
-    out.close();
-    if (!out) fail(path, "cannot write the file");
+    if (!same) std::cerr << path << ": not formatted\n";
+    return same ? succeeded : failed;
   }
-  return same;
+  if (!options.inPlace)
+    std::cout << *formatted;
+  else if (!same && !writeFile(path, *formatted))
+    return wrong;
+  return succeeded;
 }
 
 }  // namespace
 
-void addFormat(CLI::App& program) {
+void addFormat(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("format", "Indent behaviors, keep comments and lines");
   auto options = std::make_shared<Options>();
   command->add_option("files", options->files, "Files in XABSL 3.1")->required();
-  auto* check = command->add_flag("--check", options->check, "Only tell what is not formatted");
+  auto* check =
+      command->add_flag("--check", options->check, "Only list files that are not formatted");
   command->add_flag("-i", options->inPlace, "Change the files")->excludes(check);
-  command->callback([options] {
-    bool same = true;
-    for (const std::string& path : options->files) same = formatFile(path, *options) && same;
-    if (options->check && !same) throw Failure{1};
+  command->callback([options, &status] {
+    for (const std::string& path : options->files)
+      status = std::max(status, formatFile(path, *options));
   });
 }
 

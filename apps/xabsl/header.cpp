@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -9,7 +8,6 @@
 
 #include "Commands.h"
 #include "xabsl/formats/SymbolsHeader.h"
-#include "xabsl/language/Behavior.h"
 
 namespace xabsl::app {
 
@@ -21,11 +19,12 @@ struct Options {
   std::string dependencies;
   std::vector<std::string> enumerations;
   SymbolsHeaderSettings settings;
+  Reading reading;
 };
 
-[[noreturn]] void fail(const std::string& message) {
-  std::cerr << "xabsl: error: " << message << '\n';
-  throw Failure{};
+bool fail(const std::string& message) {
+  printError("xabsl header", message);
+  return false;
 }
 
 bool isCppName(std::string_view name) {
@@ -42,17 +41,18 @@ bool isCppName(std::string_view name) {
 }
 
 /// `name=Type` of the command line; the behavior must have the enumeration.
-void bindEnumerations(const Model& model, Options& options) {
+bool bindEnumerations(const Model& model, Options& options) {
   for (const std::string& entry : options.enumerations) {
     const std::size_t sign = entry.find('=');
     const std::string name = entry.substr(0, sign);
     const std::string type = sign == std::string::npos ? "" : entry.substr(sign + 1);
-    if (!isCppName(type)) fail(inQuotes(entry) + " is not NAME=TYPE");
+    if (!isCppName(type)) return fail(inQuotes(entry) + " is not NAME=TYPE");
     if (std::none_of(model.enumerations.begin(), model.enumerations.end(),
                      [&](const Enumeration& known) { return known.name == name; }))
-      fail("the behavior has no enumeration " + inQuotes(name));
+      return fail("the behavior has no enumeration " + inQuotes(name));
     options.settings.enumerations[name] = type;
   }
+  return true;
 }
 
 /// The rule of make that says which files the header depends on.
@@ -68,23 +68,23 @@ std::string dependencies(const Options& options, const Model& model) {
   return text + "\n";
 }
 
-void writeHeader(Options& options) {
+bool writeHeader(Options& options) {
   if (!isCppName(options.settings.space))
-    fail(inQuotes(options.settings.space) + " is no namespace of C++");
-  const Compilation compilation = load(options.agents);
-  print(compilation.diagnostics);
-  if (!compilation.behavior) throw Failure{};
-  const Model& model = compilation.behavior->model();
-  bindEnumerations(model, options);
-  std::error_code ignored;  // writing tells
+    return fail(inQuotes(options.settings.space) + " is no namespace of C++");
+  const std::optional<Behavior> behavior = load(options.agents, options.reading);
+  if (!behavior) return false;
+  const Model& model = behavior->model();
+  if (!bindEnumerations(model, options)) return false;
+  std::error_code ignored;  // writing the file fails, too
   std::filesystem::create_directories(std::filesystem::path(options.output).parent_path(), ignored);
-  writeFile(options.output, writeSymbolsHeader(model, options.settings));
-  if (!options.dependencies.empty()) writeFile(options.dependencies, dependencies(options, model));
+  return writeFile(options.output, writeSymbolsHeader(model, options.settings)) &&
+         (options.dependencies.empty() ||
+          writeFile(options.dependencies, dependencies(options, model)));
 }
 
 }  // namespace
 
-void addHeader(CLI::App& program) {
+void addHeader(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand(
       "header", "Write a C++ header with the symbols and basic behaviors to be implemented");
   auto options = std::make_shared<Options>();
@@ -97,7 +97,8 @@ void addHeader(CLI::App& program) {
   command->add_option("--include", options->settings.includes, "A header with such types");
   command->add_option("--depfile", options->dependencies,
                       "A file for the sources of the behavior, as a rule of make");
-  command->callback([options] { writeHeader(*options); });
+  addStrict(*command, options->reading.strict);
+  command->callback([options, &status] { status = writeHeader(*options) ? succeeded : wrong; });
 }
 
 }  // namespace xabsl::app

@@ -32,8 +32,9 @@ bool idle() {
   return poll(&input, 1, 0) == 0;
 }
 
-/// Serves an editor on the standard input and output until it says goodbye or goes away.
-void serve() {
+/// Serves an editor on the standard input and output until the session ends. Returns the exit
+/// status.
+int serve() {
   server::MessageReader reader;
   server::Server server(
       {[](const std::string& path, std::string& text) { return readFile(path, text); }, sourcesIn},
@@ -52,18 +53,18 @@ void serve() {
     if (idle()) server.publish();
   }
   if (reader.broken()) {
-    std::cerr << "xabsl: error: the input is no message of the language server protocol\n";
-    throw Failure{};
+    printError("xabsl lsp", "the input is no message of the language server protocol");
+    return wrong;
   }
-  if (server.status() != 0) throw Failure{server.status()};
+  return server.status();
 }
 
 }  // namespace
 
-void addLsp(CLI::App& program) {
+void addLsp(CLI::App& program, int& status) {
   program
       .add_subcommand("lsp", "Serve an editor by the language server protocol, on stdin and stdout")
-      ->callback([] { serve(); });
+      ->callback([&status] { status = serve(); });
 }
 
 }  // namespace xabsl::app

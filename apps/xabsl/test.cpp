@@ -21,6 +21,7 @@ struct Options {
   std::string only;
   std::string trace;
   bool coverage = false;
+  bool strict = false;
   bool verbose = false;
 };
 
@@ -39,45 +40,55 @@ class Tests {
   void run(const std::string& path) {
     std::string text;
     if (const auto failure = readFile(path, text))
-      return wrong({{Diagnostic::Severity::error, path, 0, 0, *failure}});
+      return refuse({{Diagnostic::Severity::error, path, 0, 0, *failure}});
     std::vector<Diagnostic> diagnostics;
     const TestFile file = parseTests(path, text, diagnostics);
-    if (hasErrors(diagnostics)) return wrong(diagnostics);
+    if (fails(diagnostics)) return refuse(diagnostics);
     Tested& tested = load(besides(file, file.behavior.text));
-    if (!tested.behavior) return;
-    for (const BehaviorTest& test : file.tests)
-      if (test.name.find(options_.only) != std::string::npos)
+    for (const BehaviorTest& test : file.tests) {
+      if (test.name.find(options_.only) == std::string::npos) continue;
+      if (tested.behavior)
         take(tested, runTest(*tested.behavior, file, test));
+      else
+        ++notRun_;
+    }
   }
 
-  /// Prints the sums; ends the program where something is wrong.
-  void conclude() const {
-    if (!options_.trace.empty()) writeFile(options_.trace, traces_);
+  /// Prints the counts and returns the exit status.
+  int conclude() {
+    if (!options_.trace.empty() && !writeFile(options_.trace, traces_)) refused_ = true;
     if (options_.coverage)
       for (const auto& [path, tested] : tested_)
         if (tested.coverage) std::cout << tested.coverage->report();
-    std::cout << passed_ << " tests passed, " << failed_ << " failed\n";
-    if (wrong_) throw Failure{};
-    if (failed_ > 0) throw Failure{1};
+    std::cout << passed_ << " tests passed, " << failed_ << " failed";
+    if (notRun_ > 0) std::cout << ", " << notRun_ << " could not run";
+    std::cout << '\n';
+    return refused_ ? wrong : failed_ > 0 ? failed : succeeded;
   }
 
  private:
-  void wrong(const std::vector<Diagnostic>& diagnostics) {
+  void refuse(const std::vector<Diagnostic>& diagnostics) {
     print(diagnostics);
-    wrong_ = true;
+    refused_ = true;
   }
 
+  /// Warnings of the behavior count if they are errors.
   Tested& load(const std::string& path) {
     const auto [place, isNew] = tested_.try_emplace(path);
     if (!isNew) return place->second;
-    Compilation compilation = app::load(path);
-    if (!compilation.behavior) wrong(compilation.diagnostics);
-    place->second.behavior = std::move(compilation.behavior);
+    Compilation compilation = compileFile(path);
+    if (fails(compilation.diagnostics, options_.strict))
+      refuse(compilation.diagnostics);
+    else
+      place->second.behavior = std::move(compilation.behavior);
     return place->second;
   }
 
   void take(Tested& tested, TestResult result) {
-    if (!result.errors.empty()) return wrong(result.errors);
+    if (!result.errors.empty()) {
+      ++notRun_;
+      return refuse(result.errors);
+    }
     if (result.failure) {
       ++failed_;
       result.failure->message = result.name + ": " + result.failure->message;
@@ -103,24 +114,26 @@ class Tests {
   std::string traces_;
   int passed_ = 0;
   int failed_ = 0;
-  bool wrong_ = false;
+  int notRun_ = 0;
+  bool refused_ = false;
 };
 
 }  // namespace
 
-void addTest(CLI::App& program) {
+void addTest(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("test", "Test what behaviors do");
   auto options = std::make_shared<Options>();
   command->add_option("files", options->files, "Files of tests (.xtest)")->required();
   command->add_option("--only", options->only, "Only tests with this in their names");
   command->add_option("--trace", options->trace, "A file for all that was done, for xabsl trace");
   command->add_flag("--coverage", options->coverage,
-                    "Tell which states and transitions no test covers");
-  command->add_flag("-v,--verbose", options->verbose, "Tell the tests that passed, too");
-  command->callback([options] {
+                    "List the states and transitions that no test covers");
+  addStrict(*command, options->strict);
+  command->add_flag("-v,--verbose", options->verbose, "List the tests that passed, too");
+  command->callback([options, &status] {
     Tests tests(*options);
     for (const std::string& file : options->files) tests.run(file);
-    tests.conclude();
+    status = tests.conclude();
   });
 }
 

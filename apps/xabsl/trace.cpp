@@ -51,13 +51,13 @@ void printCoverage(const std::vector<Trace>& traces) {
   for (const auto& [subject, coverage] : covered) std::cout << coverage.report();
 }
 
-/// Prints the first cycle for which the condition holds; false: there is none.
-bool printFirst(const Trace& trace, const Options& options) {
+/// Prints the first cycle for which the condition holds. Returns `failed` if there is none.
+int printFirst(const Trace& trace, const Options& options) {
   Moment moment(trace.subject);
   Question::Making making =
       Question::make(moment, options.first, {ValueKind::boolean, -1}, "condition", {0, 1, 1});
   print(making.diagnostics);
-  if (!making.question) throw Failure{};
+  if (!making.question) return wrong;
   bool found = false;
   forEachCycle(trace.events, [&](const TraceEvent* first, const TraceEvent* last) {
     if (found) return;
@@ -67,17 +67,20 @@ bool printFirst(const Trace& trace, const Options& options) {
     std::cout << printCycle(trace.subject, first, last, true);
     found = true;
   });
-  return found;
+  return found ? succeeded : failed;
 }
 
-void show(const Options& options) {
+int show(const Options& options) {
   const TraceReading reading = loadTraces(options.file);
   print(reading.diagnostics);
-  if (reading.traces.empty()) throw Failure{};
-  if (options.coverage) return printCoverage(reading.traces);
+  if (reading.traces.empty()) return wrong;
+  if (options.coverage) {
+    printCoverage(reading.traces);
+    return succeeded;
+  }
   for (const Trace& trace : reading.traces) {
     if (!options.first.empty()) {
-      if (printFirst(trace, options)) return;
+      if (const int status = printFirst(trace, options); status != failed) return status;
       continue;
     }
     if (reading.traces.size() > 1)
@@ -85,16 +88,16 @@ void show(const Options& options) {
                 << '\n';
     printTrace(trace, options);
   }
-  if (options.first.empty()) return;
+  if (options.first.empty()) return succeeded;
   std::cerr << options.file << ": this never holds: " << options.first << '\n';
-  throw Failure{1};
+  return failed;
 }
 
 }  // namespace
 
-void addTrace(CLI::App& program) {
+void addTrace(CLI::App& program, int& status) {
   CLI::App* command =
-      program.add_subcommand("trace", "Tell from a recorded trace why a behavior did what it did");
+      program.add_subcommand("trace", "Show from a recorded trace what a behavior did and why");
   auto options = std::make_shared<Options>();
   command->add_option("file", options->file, "The trace")->required();
   auto* first = command->add_option(
@@ -102,13 +105,13 @@ void addTrace(CLI::App& program) {
       "Print the first cycle in which a condition holds: 'ball.distance < 200', 'OPTION == STATE', "
       "'OPTION.previous == STATE', 'OPTION.active', 'BASIC_BEHAVIOR'");
   auto* coverage = command->add_flag("--coverage", options->coverage,
-                                     "Tell which states and transitions never occurred");
+                                     "List the states and transitions that never occurred");
   command->add_option("--from", options->from, "From this time, in ms");
   command->add_option("--to", options->to, "Up to this time, in ms");
   command->add_flag("--all", options->all,
                     "Print all cycles, conditions and outputs, not only where something changed");
   first->excludes(coverage);
-  command->callback([options] { show(*options); });
+  command->callback([options, &status] { status = show(*options); });
 }
 
 }  // namespace xabsl::app

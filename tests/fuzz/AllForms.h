@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "xabsl/formats/Compile.h"
 #include "xabsl/formats/Convert.h"
 #include "xabsl/formats/IntermediateCode.h"
 

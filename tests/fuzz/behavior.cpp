@@ -3,6 +3,7 @@
 
 #include "AllForms.h"
 #include "Fuzz.h"
+#include "xabsl/formats/Compile.h"
 #include "xabsl/formats/Formatter.h"
 #include "xabsl/language/Reporter.h"
 

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "Fuzz.h"
+#include "xabsl/formats/Compile.h"
 #include "xabsl/tools/testing/TestRunner.h"
 
 /// The behavior that the tests in the corpus are about, without its surroundings.
@@ -33,7 +34,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (text.find("replay") != text.npos) return 0;  // would read other files
   std::vector<Diagnostic> diagnostics;
   const TestFile file = parseTests("fuzz.xtest", text, diagnostics);
-  if (hasErrors(diagnostics)) return 0;
+  if (fails(diagnostics)) return 0;
   // Each may run for as many cycles as are allowed.
   for (std::size_t i = 0; i < std::min<std::size_t>(file.tests.size(), 2); ++i)
     runTest(compiled, file, file.tests[i]);

@@ -188,9 +188,9 @@ std::vector<WrongFile> wrongFiles() {
       {"BehaviorTruncated", option, truncated(300), play, "simgt: " + option + ":"},
       {"BehaviorGarbage", option, garbage(), play, "simgt: " + agents + ":"},
       {"BehaviorWrongName", agents, replaced("agent ", "agnet "), play, "simgt: " + agents + ":"},
-      {"CheckedBehaviorMissing", agents, missing, checkBehavior, agents + ": error: "},
+      {"CheckedBehaviorMissing", agents, missing, checkBehavior, agents + ": "},
       {"CheckedBehaviorTruncated", option, truncated(300), checkBehavior, option + ":"},
-      {"CheckedBehaviorGarbage", agents, garbage(), checkBehavior, agents + ": error: "},
+      {"CheckedBehaviorGarbage", agents, garbage(), checkBehavior, agents + ": "},
 
       {"MotionMissing", "motions/stand.mof", missing, play, "simgt: motions/"},
       {"MotionTruncated", mof, truncated(184), play, "simgt: " + mof + ": label start: "},

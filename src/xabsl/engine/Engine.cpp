@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::size_t mostWarnings = 100;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 template <typename T>
 double valueOf(const void* variable) {
   T value;
@@ -26,7 +22,7 @@ double valueOf(const void* variable) {
 Engine::Creation Engine::create(const Behavior& behavior, const Symbols& symbols) {
   Creation creation;
   Bindings bindings = link(behavior.model(), symbols, creation.diagnostics);
-  if (!hasErrors(creation.diagnostics)) creation.engine = Engine(behavior, std::move(bindings));
+  if (!fails(creation.diagnostics)) creation.engine = Engine(behavior, std::move(bindings));
   return creation;
 }
 
@@ -201,7 +197,7 @@ void Engine::compute(const Instruction& i, const OptionState& option, int depth)
       result = 0;
       return;
     case Operation::negate:
-      result = -*i.a;
+      result = 0 - *i.a;  // as in intermediate code, where 0 has no sign
       return;
     case Operation::add:
       result = *i.a + *i.b;
@@ -356,10 +352,11 @@ double Engine::divide(const Instruction& instruction) {
   return *instruction.a / almostZero;
 }
 
-/// The remainder of the whole parts; of a division by zero it is 0.
+/// The remainder of the whole parts, and 0 for a division by zero. A remainder of 0 has no sign, as
+/// that of whole numbers.
 double Engine::modulo(const Instruction& instruction) {
   const double divisor = std::trunc(*instruction.b);
-  if (divisor != 0) return std::fmod(std::trunc(*instruction.a), divisor);
+  if (divisor != 0) return std::fmod(std::trunc(*instruction.a), divisor) + 0.0;
   warnOnce(warnedExpressions_[at(instruction.to)], "remainder of a division by zero",
            model_->expressionLocations[at(instruction.to)]);
   return 0;

@@ -41,6 +41,7 @@ void Engine::goOnFrom(const Engine& other) {
   }
   cooperation_.configure(other.cooperation_.message().priority,
                          other.cooperation_.synchronizationTicks());
+  cooperation_.countTeammatesOnly(other.cooperation_.countsTeammatesOnly());
   selectAgent(other.selectedAgent());
   if (other.rootKind_ == Activation::Kind::behavior)
     selectBehavior(other.model_->behaviors[static_cast<std::size_t>(other.root_)].name);

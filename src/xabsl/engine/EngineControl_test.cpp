@@ -287,6 +287,21 @@ TEST_F(TeamTest, EntersSynchronizedStatesTogether) {
   EXPECT_EQ(after(1), "go go go ");
 }
 
+TEST_F(TeamTest, CountsTeammatesOnlyIfToldSo) {
+  start(3, R"(
+    option main {
+      initial state wait { decision { if (seen) goto go; else stay; } action { } }
+      state go synchronized 2 { action { } } }
+    option other { initial state s { action { } } })",
+        0);
+  engines[2].selectRootOption("other");
+  for (auto& world : worlds) world->seen = true;
+  for (Engine& engine : engines) engine.cooperation().countTeammatesOnly(true);
+  EXPECT_EQ(after(20), "wait wait s ");  // each has but one teammate in the option
+  for (Engine& engine : engines) engine.cooperation().countTeammatesOnly(false);
+  EXPECT_EQ(after(2), "go go s ");
+}
+
 TEST_F(TeamTest, AllocatesNothingToCooperate) {
   start(1, attack, 0);
   const std::vector<CooperationMessage> heard{{1, {}}, {2, {7, 7, 7, 7}}};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "xabsl/engine/Engine.h"
+#include "xabsl/formats/Compile.h"
 #include "xabsl/tests/TestAllocations.h"
 #include "xabsl/tests/TestEngine.h"
 

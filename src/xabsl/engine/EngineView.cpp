@@ -6,14 +6,6 @@
 /// What people and tools see of an engine (report H.8), and what it tells a recorder.
 namespace xabsl {
 
-namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 const std::string& Engine::selectedAgent() const {
   return model_->agents[agent_].name;
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -331,6 +332,15 @@ TEST_F(EngineTest, ReadsBackTheLastValueOfAnOutput) {
   engine->execute(1);
   EXPECT_EQ(world.result, 4);
   EXPECT_EQ(world.request, Mode::slow);
+}
+
+/// As in engines that compute `0 - x` and take remainders of whole numbers.
+TEST_F(EngineTest, GivesZeroNoSign) {
+  EXPECT_FALSE(std::signbit(value("-x")));
+  EXPECT_FALSE(std::signbit(value("-0")));
+  EXPECT_FALSE(std::signbit(value("(x - 7) % 7")));
+  EXPECT_EQ(value("(x - 8) % 7"), -1);
+  EXPECT_EQ(value("-(x + 2)"), -2);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "xabsl/engine/Engine.h"
-#include "xabsl/formats/SymbolsHeader.h"
 #include "xabsl/tests/TestBehavior.h"
 
 namespace xabsl {
@@ -60,15 +59,15 @@ TEST(Linker, AcceptsWhatIsComplete) {
 
 TEST(Linker, TellsAllThatIsMissing) {
   EXPECT_EQ(linkErrors(Symbols()),
-            "main.xabsl:3:13: error: input symbol 'ball.distance' is not registered, needed by "
+            "main.xabsl:3:13: input symbol 'ball.distance' is not registered, needed by "
             "option main (main.xabsl:12)\n"
-            "main.xabsl:4:17: error: input symbol 'how' is not registered, needed by option main "
+            "main.xabsl:4:17: input symbol 'how' is not registered, needed by option main "
             "(main.xabsl:12)\n"
-            "main.xabsl:5:13: error: input symbol 'scaled' is not registered, needed by option "
+            "main.xabsl:5:13: input symbol 'scaled' is not registered, needed by option "
             "main (main.xabsl:13)\n"
-            "main.xabsl:6:14: error: output symbol 'speed' is not registered, needed by option "
+            "main.xabsl:6:14: output symbol 'speed' is not registered, needed by option "
             "main (main.xabsl:13)\n"
-            "main.xabsl:9:10: error: basic behavior 'walk' is not registered, needed by option "
+            "main.xabsl:9:10: basic behavior 'walk' is not registered, needed by option "
             "main (main.xabsl:13)\n");
 }
 
@@ -84,11 +83,11 @@ TEST(Linker, TellsWrongTypes) {
   symbols.input("how", [] { return 1.0; });
   symbols.output("speed", [](Mode) {});
   EXPECT_EQ(linkErrors(symbols),
-            "main.xabsl:3:13: error: input symbol 'ball.distance' is declared as float, but "
+            "main.xabsl:3:13: input symbol 'ball.distance' is declared as float, but "
             "registered as bool, needed by option main (main.xabsl:12)\n"
-            "main.xabsl:4:17: error: input symbol 'how' is declared as enum mode, but registered "
+            "main.xabsl:4:17: input symbol 'how' is declared as enum mode, but registered "
             "as float, needed by option main (main.xabsl:12)\n"
-            "main.xabsl:6:14: error: output symbol 'speed' is declared as float, but registered "
+            "main.xabsl:6:14: output symbol 'speed' is declared as float, but registered "
             "as enum mode, needed by option main (main.xabsl:13)\n");
 }
 
@@ -96,16 +95,16 @@ TEST(Linker, TellsWrongEnumerations) {
   Symbols symbols = complete();
   symbols.input("how", [] { return Other::a; });
   EXPECT_EQ(linkErrors(symbols),
-            "main.xabsl:4:17: error: input symbol 'how' is registered with an enumeration that is "
+            "main.xabsl:4:17: input symbol 'how' is registered with an enumeration that is "
             "not, needed by option main (main.xabsl:12)\n");
   symbols.enumeration<Other>("other", {"a"});
   EXPECT_EQ(linkErrors(symbols),
-            "main.xabsl:4:17: error: input symbol 'how' is declared as enum mode, but registered "
+            "main.xabsl:4:17: input symbol 'how' is declared as enum mode, but registered "
             "as enum other, needed by option main (main.xabsl:12)\n");
   symbols = complete();
   symbols.enumeration<Mode>("mode", {"slow", "fats"});
   EXPECT_EQ(linkErrors(symbols),
-            "main.xabsl:2:13: error: element 'fast' of enumeration 'mode' is not registered; did "
+            "main.xabsl:2:13: element 'fast' of enumeration 'mode' is not registered; did "
             "you mean 'fats'?\n");
 }
 
@@ -114,13 +113,13 @@ TEST(Linker, TellsWrongParameters) {
   symbols.input("scaled", {"value", "often"}, [](bool, bool) { return 1.0; });
   symbols.behavior("walk", {"x"}, [](double) {});
   EXPECT_EQ(linkErrors(symbols),
-            "main.xabsl:5:13: error: parameter 'often' of input symbol 'scaled' is registered, but "
+            "main.xabsl:5:13: parameter 'often' of input symbol 'scaled' is registered, but "
             "not declared, needed by option main (main.xabsl:13)\n"
-            "main.xabsl:5:26: error: parameter 'value' of input symbol 'scaled' is declared as "
+            "main.xabsl:5:26: parameter 'value' of input symbol 'scaled' is declared as "
             "float, but registered as bool, needed by option main (main.xabsl:13)\n"
-            "main.xabsl:5:38: error: parameter 'twice' of input symbol 'scaled' is not "
+            "main.xabsl:5:38: parameter 'twice' of input symbol 'scaled' is not "
             "registered, needed by option main (main.xabsl:13)\n"
-            "main.xabsl:9:36: error: parameter 'style' of basic behavior 'walk' is not registered, "
+            "main.xabsl:9:36: parameter 'style' of basic behavior 'walk' is not registered, "
             "needed by option main (main.xabsl:13)\n");
 }
 
@@ -227,11 +226,11 @@ TEST(Linker, TellsWrongParametersOfClasses) {
   WrongWalk walk;
   symbols.behavior(walk);
   EXPECT_EQ(linkErrors(symbols),
-            "main.xabsl:9:10: error: parameter 'speed' of basic behavior 'walk' is registered, but "
+            "main.xabsl:9:10: parameter 'speed' of basic behavior 'walk' is registered, but "
             "not declared, needed by option main (main.xabsl:13)\n"
-            "main.xabsl:9:23: error: parameter 'x' of basic behavior 'walk' is declared as float, "
+            "main.xabsl:9:23: parameter 'x' of basic behavior 'walk' is declared as float, "
             "but registered as bool, needed by option main (main.xabsl:13)\n"
-            "main.xabsl:9:36: error: parameter 'style' of basic behavior 'walk' is not registered, "
+            "main.xabsl:9:36: parameter 'style' of basic behavior 'walk' is not registered, "
             "needed by option main (main.xabsl:13)\n");
 }
 
@@ -291,32 +290,6 @@ TEST(Linker, TakesEnumerationsWhoseValuesHaveGaps) {
     creation.engine->execute(0);
     EXPECT_EQ(gait, value);
   }
-}
-
-TEST(SymbolsHeader, MakesNamesOfCppThatDoNotMeet) {
-  const Behavior named = test::compiled(
-      "namespace s(\"S\") { enum do_it output { switch_, a.b, a_b, x2 }; enum inputs output { k };"
-      "enum do_it output do_it; float input ball.seen_x [0..1] \"mm\"; float input ball.seen.x;"
-      "/** how\n * it is\\ */ float input new(float new \"deg\"; bool class;); }"
-      "namespace b(\"B\") { behavior go_to { enum do_it what; bool execute; } }"
-      "option o { initial state s { action { } } } agent a(\"A\", o);");
-  const std::string header =
-      writeSymbolsHeader(named.model(), {"robot", {{"inputs", "our::Inputs"}}, {"our/Inputs.h"}});
-  for (const std::string expected :
-       {"#include \"our/Inputs.h\"", "namespace robot {",
-        "enum class DoIt { switch_, aB, aB_2, x2 };", "using Inputs_ = our::Inputs;",
-        "  /// In [0..1] mm\n  virtual double ballSeenX() const = 0;",
-        "virtual double ballSeenX_2() const = 0;",
-        "  /// how\n  /// it is\n  /// `new`: In deg\n  virtual double new_(double new_, bool "
-        "class_) "
-        "const = 0;",
-        "virtual void setDoIt(DoIt value) = 0;",
-        "class GoTo {\n public:\n  DoIt what{};\n  bool execute_2{};",
-        "xabsl::parameter(\"execute\", &GoTo::execute_2)",
-        "struct BasicBehaviors {\n  GoTo& goTo;\n};", "{DoIt::aB_2, \"a_b\"}",
-        "symbols.input(\"new\", {\"new\", \"class\"}, "
-        "[&inputs](double p0, bool p1) { return inputs.new_(p0, p1); });"})
-    EXPECT_NE(header.find(expected), std::string::npos) << expected << "\n" << header;
 }
 
 }  // namespace

@@ -6,10 +6,6 @@ namespace xabsl {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// Jumps to a place that is not known yet.
 struct Label {
   std::vector<int> jumps;

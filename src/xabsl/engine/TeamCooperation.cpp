@@ -95,7 +95,8 @@ bool TeamCooperation::hasPlace(Member& member) const {
 
 bool TeamCooperation::isTogether(Member& member) const {
   member.entering = true;
-  return member.othersInOption + 1 >= member.cooperation.agents &&
+  const int counted = member.othersInOption + (countsTeammatesOnly_ ? 0 : 1);
+  return counted >= member.cooperation.agents &&
          member.othersExecuting + member.othersEntering >= member.othersInOption &&
          member.announced > synchronizationTicks_ / 2;
 }

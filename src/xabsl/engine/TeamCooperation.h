@@ -33,6 +33,12 @@ class TeamCooperation {
   void configure(double priority, int synchronizationTicks);
   int synchronizationTicks() const { return synchronizationTicks_; }
 
+  /// Which robots `synchronized n` counts: by default n robots with this one among them, as some
+  /// engines of other teams do; with true n teammates besides it, as the stock engine of XABSL 3.1
+  /// does.
+  void countTeammatesOnly(bool only) { countsTeammatesOnly_ = only; }
+  bool countsTeammatesOnly() const { return countsTeammatesOnly_; }
+
   /// The latest message of each team mate, replacing those given before. Missing marks are clear.
   void receive(const std::vector<CooperationMessage>& messages);
 
@@ -67,6 +73,7 @@ class TeamCooperation {
   std::vector<int> memberOfState_;  // -1: not cooperative
   CooperationMessage message_;
   int synchronizationTicks_ = 0;
+  bool countsTeammatesOnly_ = false;
 };
 
 }  // namespace xabsl

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "xabsl/language/Behavior.h"
+#include "xabsl/language/VirtualFiles.h"
 
 namespace xabsl {
 

@@ -94,7 +94,7 @@ TEST(Convert, TellsWhatCannotBeSaidIn21) {
     }
   )");
   for (const char* expected :
-       {"main.xabsl:4:10: error: XABSL 2.1 cannot say this: an enumeration without a symbol",
+       {"main.xabsl:4:10: XABSL 2.1 cannot say this: an enumeration without a symbol",
         "an output symbol that is not enumerated", "a parameter that is not decimal",
         "a state in which robots cooperate", "'true' and 'false' in an expression",
         "an enumerated symbol that is not compared with an element",

@@ -8,10 +8,6 @@ namespace xabsl {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// The name of an element without `enumeration.` before it.
 std::string_view shortName(std::string_view text, std::string_view enumeration) {
   const bool qualified = !enumeration.empty() && text.size() > enumeration.size() &&

@@ -35,10 +35,64 @@ std::vector<Piece> piecesOf(int file, std::string_view text, Reporter& reporter)
   return pieces;
 }
 
-/// Writes pieces one after another and knows what is open where.
+constexpr std::string_view blanks = " \t";
+
+/// The column, from 0, at which a line's text begins behind such blanks. Tabs go to the next
+/// multiple of 8.
+std::size_t widthOf(std::string_view leading, std::size_t width = 0) {
+  constexpr std::size_t tab = 8;
+  for (const char c : leading) width = c == '\t' ? (width / tab + 1) * tab : width + 1;
+  return width;
+}
+
+/// The lines of a block comment, moved as far as its first one was. `before` is what stands before
+/// the comment on its line in the source, `column` where the comment begins now.
+std::string moved(std::string_view comment, std::string_view before, std::size_t column) {
+  const std::size_t oldColumn = widthOf(before);
+  const bool first = before.find_first_not_of(blanks) == std::string_view::npos;
+  std::string result;
+  while (!comment.empty()) {
+    const std::size_t end = std::min(comment.find('\n'), comment.size());
+    std::string_view line = comment.substr(0, end);
+    comment.remove_prefix(std::min(end + 1, comment.size()));
+    while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (result.empty()) {
+      result = line;
+      continue;
+    }
+    const std::string_view leading = line.substr(0, line.find_first_not_of(blanks));
+    result += '\n';
+    if (leading.size() == line.size()) continue;  // an empty line
+    const bool below = first && leading.starts_with(before);
+    const std::size_t width =
+        below ? oldColumn + widthOf(leading.substr(before.size())) : widthOf(leading);
+    result.append(column + width - std::min(column + width, oldColumn), ' ');
+    result += line.substr(leading.size());
+  }
+  return result;
+}
+
+/// What stands before a piece on its line in the source.
+std::string_view lineBefore(std::string_view text, const Piece& piece) {
+  const std::string_view all =
+      text.substr(0, static_cast<std::size_t>(piece.text.data() - text.data()));
+  return all.substr(all.find_last_of("\r\n") + 1);
+}
+
+/// Whether more lines end with CR LF than with LF alone.
+bool endsWithCarriageReturns(std::string_view text) {
+  std::ptrdiff_t balance = 0;
+  for (std::size_t i = text.find('\n'); i != std::string_view::npos; i = text.find('\n', i + 1))
+    balance += i > 0 && text[i - 1] == '\r' ? 1 : -1;
+  return balance > 0;
+}
+
+/// Writes pieces one after another and tracks which brackets are open.
 class Writer {
  public:
-  void add(const Piece& piece, std::string_view gap) {
+  /// `gap` is what stood before the piece in the source, `before` all that stood there on its line.
+  /// Without it the lines of comments stay as they are.
+  void add(const Piece& piece, std::string_view gap, const std::string_view* before) {
     const auto lines = std::count(gap.begin(), gap.end(), '\n');
     const bool newLine = lines > 0 || gap.find('\r') != std::string_view::npos;
     const bool closes = !piece.comment && (piece.text == "}" || piece.text == ")");
@@ -53,7 +107,10 @@ class Writer {
       out_ += ' ';
     }
     if (closes && !open_.empty()) open_.pop_back();
-    out_ += piece.text;
+    if (piece.comment && before)
+      out_ += moved(piece.text, *before, out_.size() - (out_.rfind('\n') + 1));
+    else
+      out_ += piece.text;
     if (piece.comment) return;
     if (piece.text == "{") open_.push_back({false, inside() + 2, inside()});
     if (piece.text == "(") open_.push_back({true, out_.size() - lineBegins_, indent_});
@@ -86,22 +143,32 @@ class Writer {
   std::string out_;
   std::string_view last_;
   std::vector<Open> open_;
-  std::size_t indent_ = 0;      ///< Of the present line.
-  std::size_t lineBegins_ = 0;  ///< In the text.
+  std::size_t indent_ = 0;      // of the present line
+  std::size_t lineBegins_ = 0;  // in the text
 };
 
 }  // namespace
 
-std::optional<std::string> format(int file, std::string_view text, Reporter& reporter) {
+std::optional<std::string> format(int file, std::string_view text, Reporter& reporter,
+                                  CommentLines commentLines) {
   const std::vector<Piece> pieces = piecesOf(file, text, reporter);
   if (reporter.failed()) return std::nullopt;
   Writer writer;
   const char* end = text.data();
   for (const Piece& piece : pieces) {
-    writer.add(piece, {end, static_cast<std::size_t>(piece.text.data() - end)});
+    const std::string_view before = lineBefore(text, piece);
+    writer.add(piece, {end, static_cast<std::size_t>(piece.text.data() - end)},
+               commentLines == CommentLines::move ? &before : nullptr);
     end = piece.text.data() + piece.text.size();
   }
-  return writer.take();
+  const std::string formatted = writer.take();
+  if (commentLines == CommentLines::keep || !endsWithCarriageReturns(text)) return formatted;
+  std::string result;
+  for (const char c : formatted) {
+    if (c == '\n') result += '\r';
+    result += c;
+  }
+  return result;
 }
 
 }  // namespace xabsl

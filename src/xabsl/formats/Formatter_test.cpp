@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <regex>
 #include <vector>
 
 #include "xabsl/formats/IntermediateCode.h"
@@ -34,6 +35,24 @@ TEST(Formatter, KeepsStringsRangesAndParameters) {
   EXPECT_EQ(formatted(text), text);
 }
 
+TEST(Formatter, KeepsTheLineEndsOfTheFile) {
+  const std::string text =
+      "/* what\r\n * it is */\r\noption play {\r\n  initial state a {\r\n  }\r\n}\r\n";
+  EXPECT_EQ(formatted(text), text);
+  EXPECT_EQ(formatted("/* what\r\n   it is */\noption play {\n}"),
+            "/* what\n   it is */\noption play {\n}\n");
+}
+
+TEST(Formatter, MovesTheLinesOfACommentWithItsFirstOne) {
+  EXPECT_EQ(formatted("option play {\n/* one\n   two\n\n * three */\ninitial state a {\n"
+                      "        x(); /* four\n                five\nsix */\n}\n}"),
+            "option play {\n  /* one\n     two\n\n   * three */\n  initial state a {\n"
+            "    x(); /* four\n            five\nsix */\n  }\n}\n");
+  EXPECT_EQ(
+      formatted("option play {\n\t/**\n\t * one\n\t\ttwo\n\t */\n\tinitial state a {\n\t}\n}"),
+      "option play {\n  /**\n   * one\n          two\n   */\n  initial state a {\n  }\n}\n");
+}
+
 TEST(Formatter, AlignsWhatStandsInParentheses) {
   const std::string text =
       "option play {\n  initial state a {\n    decision {\n      if (x > 1 &&\n          y < max(a "
@@ -51,7 +70,9 @@ std::vector<std::string> tokensOf(const std::string& text) {
   Lexer lexer(reporter.addFile("a.xabsl", text), text, reporter, &comments);
   for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
     tokens.emplace_back(token.text);
-  for (const syntax::Comment& comment : comments) tokens.emplace_back(comment.text);
+  // The lines of comments may move.
+  for (const syntax::Comment& comment : comments)
+    tokens.push_back(std::regex_replace(std::string(comment.text), std::regex("\\s*\n\\s*"), "\n"));
   return tokens;
 }
 

@@ -12,10 +12,6 @@ namespace xabsl {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 struct Sign {
   std::string_view text;
   Operator operation;

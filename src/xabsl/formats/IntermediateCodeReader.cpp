@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::size_t longestName = 500;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
 }

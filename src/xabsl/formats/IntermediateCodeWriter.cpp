@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::string_view lineEnd = "\r\n";
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 std::string lower(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

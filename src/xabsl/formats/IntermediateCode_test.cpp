@@ -291,28 +291,28 @@ std::string errorsInCode(const std::string& body) {
 
 TEST(IntermediateCode, TellsWhatIsWrong) {
   EXPECT_EQ(errorsInCode("0 t s"), "");
-  EXPECT_EQ(errorsInCode("0 t x"), "a.dat:1:37: error: unknown state 'x'\n");
-  EXPECT_EQ(errorsInCode("0 y"), "a.dat:1:35: error: expected 't' or 'i', found 'y'\n");
+  EXPECT_EQ(errorsInCode("0 t x"), "a.dat:1:37: unknown state 'x'\n");
+  EXPECT_EQ(errorsInCode("0 y"), "a.dat:1:35: expected 't' or 'i', found 'y'\n");
   EXPECT_EQ(errorsInCode("1 z"),
-            "a.dat:1:35: error: expected an action, 'o', 'a', 'd', 'b' or 'e', found 'z'\n");
-  EXPECT_EQ(errorsInCode("1 o sub 0 t s"), "a.dat:1:37: error: unknown option 'sub'\n");
-  EXPECT_EQ(errorsInCode("1 d out v x t s"), "a.dat:1:43: error: expected a number, found 'x'\n");
+            "a.dat:1:35: expected an action, 'o', 'a', 'd', 'b' or 'e', found 'z'\n");
+  EXPECT_EQ(errorsInCode("1 o sub 0 t s"), "a.dat:1:37: unknown option 'sub'\n");
+  EXPECT_EQ(errorsInCode("1 d out v x t s"), "a.dat:1:43: expected a number, found 'x'\n");
   EXPECT_EQ(errorsInCode("1 d out p main.w t s"),
-            "a.dat:1:43: error: option 'main' has no parameter 'w'\n");
+            "a.dat:1:43: option 'main' has no parameter 'w'\n");
   EXPECT_EQ(errorsInCode("1 b out p main.v t s"),
-            "a.dat:1:43: error: parameter 'v' is used with two types\n");
+            "a.dat:1:43: parameter 'v' is used with two types\n");
   EXPECT_EQ(errorsInCode("2 b out v true d out v 1 t s"),
-            "a.dat:1:50: error: symbol 'out' is used with two types\n");
+            "a.dat:1:50: symbol 'out' is used with two types\n");
   EXPECT_EQ(errorsInCode("1 o main 0 t s"),
-            "a.dat:1:35: error: options call one another in a cycle: main -> main\n");
+            "a.dat:1:35: options call one another in a cycle: main -> main\n");
   EXPECT_EQ(errorsInCode("999999999 t s"),
-            "a.dat:1:33: error: expected the number of actions, found '999999999'\n");
+            "a.dat:1:33: expected the number of actions, found '999999999'\n");
   EXPECT_EQ(errorsInCode("0 " + std::string(1000, 'y')),
-            "a.dat:1:35: error: expected 't' or 'i', found '" + std::string(80, 'y') + "...'\n");
+            "a.dat:1:35: expected 't' or 'i', found '" + std::string(80, 'y') + "...'\n");
   EXPECT_EQ(errorsInCode("0 t s 7"),
-            "a.dat:1:43: error: expected the root option of agent '1', found 'agent'\n");
+            "a.dat:1:43: expected the root option of agent '1', found 'agent'\n");
   EXPECT_EQ(test::errors(readIntermediateCode("a.dat", "").diagnostics),
-            "a.dat:1:1: error: expected the number of internal enumerations, found the end of the "
+            "a.dat:1:1: expected the number of internal enumerations, found the end of the "
             "file\n");
 }
 

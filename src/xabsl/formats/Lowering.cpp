@@ -5,14 +5,6 @@
 
 namespace xabsl {
 
-namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 std::string decimalText(double number) {
   constexpr double largestWritten = 1e22;  // above that, a whole number is not exact anyway
   constexpr double smallestFixed = 1e-4;

@@ -10,10 +10,6 @@ namespace xabsl {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 constexpr std::array<std::string_view, 87> reserved = {
     "alignas",  "alignof",   "and",       "asm",       "assert",
     "auto",     "bitand",    "bitor",     "bool",      "break",
@@ -43,9 +39,12 @@ char changedCase(char c, bool upper) {
   return static_cast<char>(upper ? c & ~0x20 : c | 0x20);
 }
 
-/// `go_to.ball` as goToBall or GoToBall. What C++ does not take in names is left out.
+/// `go_to.ball` as goToBall or GoToBall, `GO_LEFT` as goLeft or GoLeft. What C++ does not take in
+/// names is left out.
 std::string cppName(std::string_view name, bool upper) {
   std::string result;
+  const bool shouts =
+      std::none_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
   bool begins = true;
   for (const char c : name) {
     const bool digit = c >= '0' && c <= '9';
@@ -57,7 +56,7 @@ std::string cppName(std::string_view name, bool upper) {
     if (result.empty())
       result += changedCase(c, upper);
     else
-      result += begins ? changedCase(c, true) : c;
+      result += begins ? changedCase(c, true) : shouts ? changedCase(c, false) : c;
     begins = false;
   }
   if (result.empty()) result = upper ? "Unnamed" : "unnamed";
@@ -73,7 +72,9 @@ class Scope {
   std::string add(std::string_view name, bool upper = false) {
     const std::string wanted = cppName(name, upper);
     std::string result = wanted;
-    for (int i = 2; !known_.insert(result).second; ++i) result = wanted + "_" + std::to_string(i);
+    // Names with two underscores in a row are reserved.
+    const std::string numbered = wanted.back() == '_' ? wanted : wanted + "_";
+    for (int i = 2; !known_.insert(result).second; ++i) result = numbered + std::to_string(i);
     return result;
   }
 

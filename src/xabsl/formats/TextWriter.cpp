@@ -50,7 +50,8 @@ class TextWriter {
   std::string formatted(const std::string& path) {
     const std::string text = std::exchange(text_, {});
     Reporter problems;
-    const std::optional<std::string> result = format(problems.addFile(path, text), text, problems);
+    const std::optional<std::string> result =
+        format(problems.addFile(path, text), text, problems, CommentLines::keep);
     return result ? *result : text;
   }
 

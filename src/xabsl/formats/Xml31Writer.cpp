@@ -21,10 +21,6 @@ namespace {
 constexpr const char* doctypeFile = "symbol-and-basic-behavior-files.dtd";
 constexpr const char* optionsEntity = "options";
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// What the names of elements about a type begin with.
 std::string kindOf(Type type) {
   return type.kind == ValueKind::number    ? "decimal"

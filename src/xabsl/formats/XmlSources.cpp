@@ -18,10 +18,6 @@ namespace {
 constexpr std::size_t mostElements = 5'000'000;
 constexpr int deepest = 400;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// Where a file includes another one.
 struct Link {
   Element* place;

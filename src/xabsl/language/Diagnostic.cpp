@@ -8,7 +8,7 @@ std::string toString(const Diagnostic& diagnostic) {
   std::string text = diagnostic.file;
   if (diagnostic.line > 0)
     text += ":" + std::to_string(diagnostic.line) + ":" + std::to_string(diagnostic.column);
-  text += diagnostic.severity == Diagnostic::Severity::error ? ": error: " : ": warning: ";
+  text += diagnostic.severity == Diagnostic::Severity::error ? ": " : ": warning: ";
   return text + diagnostic.message;
 }
 
@@ -33,9 +33,9 @@ std::string inQuotes(std::string_view text) {
   return "'" + std::string(text.substr(0, longest)) + (text.size() > longest ? "..." : "") + "'";
 }
 
-bool hasErrors(const std::vector<Diagnostic>& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
-    return diagnostic.severity == Diagnostic::Severity::error;
+bool fails(const std::vector<Diagnostic>& diagnostics, bool strict) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& diagnostic) {
+    return strict || diagnostic.severity == Diagnostic::Severity::error;
   });
 }
 

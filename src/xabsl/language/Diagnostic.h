@@ -26,7 +26,7 @@ struct Diagnostic {
   std::string source = {};  // the line itself, if it is known
 };
 
-/// `file:line:column: error: message`, as compilers write it.
+/// One line: `file:line:column: message`, with `warning: ` before the message of a warning.
 std::string toString(const Diagnostic& diagnostic);
 
 /// The same, and below it the line itself with a caret under the place.
@@ -35,6 +35,7 @@ std::string toStringWithSource(const Diagnostic& diagnostic);
 /// A name or a piece of source as messages tell it: in quotes, and cut where it gets long.
 std::string inQuotes(std::string_view text);
 
-bool hasErrors(const std::vector<Diagnostic>& diagnostics);
+/// Whether there is an error, or, if `strict`, anything at all.
+bool fails(const std::vector<Diagnostic>& diagnostics, bool strict = false);
 
 }  // namespace xabsl

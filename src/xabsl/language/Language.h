@@ -1,7 +1,14 @@
 #pragma once
 
+#include <cstddef>
+
 /// The words that syntax tree and model share.
 namespace xabsl {
+
+/// An index as the containers of the library take it. Where no index is, indices are -1.
+constexpr std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
 
 /// The types of XABSL: float, bool and enum. All values are held as numbers: 0 and 1 for false and
 /// true.

@@ -82,30 +82,29 @@ TEST(Lexer, CountsLinesAndColumnsInLetters) {
 }
 
 TEST(Lexer, TellsWhatIsNoToken) {
-  EXPECT_EQ(lexicalErrors("a $ b"), "f:1:3: error: unexpected character '$'\n");
-  EXPECT_EQ(lexicalErrors("a & b"), "f:1:3: error: unexpected character '&'; did you mean '&&'?\n");
+  EXPECT_EQ(lexicalErrors("a $ b"), "f:1:3: unexpected character '$'\n");
+  EXPECT_EQ(lexicalErrors("a & b"), "f:1:3: unexpected character '&'; did you mean '&&'?\n");
   EXPECT_EQ(lexicalErrors("a # b $"),
-            "f:1:3: error: unexpected character '#'; comments begin with '//'\n");
-  EXPECT_EQ(lexicalErrors(".5"), "f:1:1: error: a number begins with a digit, expected '0.'\n");
-  EXPECT_EQ(lexicalErrors("@ a"), "f:1:1: error: unexpected character '@'\n");
-  EXPECT_EQ(lexicalErrors(std::string("a \0 b", 5)),
-            "f:1:3: error: unexpected character with code 0\n");
-  EXPECT_EQ(lexicalErrors("ä"), "f:1:1: error: unexpected character with code 195\n");
-  EXPECT_EQ(lexicalErrors("12.x"), "f:1:1: error: '12.x' is not a number\n");
-  EXPECT_EQ(lexicalErrors("1e999"), "f:1:1: error: number '1e999' is out of range\n");
+            "f:1:3: unexpected character '#'; comments begin with '//'\n");
+  EXPECT_EQ(lexicalErrors(".5"), "f:1:1: a number begins with a digit, expected '0.'\n");
+  EXPECT_EQ(lexicalErrors("@ a"), "f:1:1: unexpected character '@'\n");
+  EXPECT_EQ(lexicalErrors(std::string("a \0 b", 5)), "f:1:3: unexpected character with code 0\n");
+  EXPECT_EQ(lexicalErrors("ä"), "f:1:1: unexpected character with code 195\n");
+  EXPECT_EQ(lexicalErrors("12.x"), "f:1:1: '12.x' is not a number\n");
+  EXPECT_EQ(lexicalErrors("1e999"), "f:1:1: number '1e999' is out of range\n");
 }
 
 TEST(Lexer, CutsNamesThatNobodyWrites) {
   EXPECT_EQ(lexicalErrors(" " + std::string(501, 'a')),
-            "f:1:2: error: name is longer than 500 characters\n");
+            "f:1:2: name is longer than 500 characters\n");
   EXPECT_EQ(lexicalErrors(std::string(500, 'a')), "");
 }
 
 TEST(Lexer, TellsWhatIsNotClosed) {
-  EXPECT_EQ(lexicalErrors("a /* b"), "f:1:3: error: comment is not closed, expected '*/'\n");
-  EXPECT_EQ(lexicalErrors("\"a\n b"), "f:1:1: error: string is not closed, expected '\"'\n");
-  EXPECT_EQ(lexicalErrors("\"a;\n\"b\";"), "f:1:1: error: string is not closed, expected '\"'\n");
-  EXPECT_EQ(lexicalErrors(" [0..1"), "f:1:2: error: range is not closed, expected ']'\n");
+  EXPECT_EQ(lexicalErrors("a /* b"), "f:1:3: comment is not closed, expected '*/'\n");
+  EXPECT_EQ(lexicalErrors("\"a\n b"), "f:1:1: string is not closed, expected '\"'\n");
+  EXPECT_EQ(lexicalErrors("\"a;\n\"b\";"), "f:1:1: string is not closed, expected '\"'\n");
+  EXPECT_EQ(lexicalErrors(" [0..1"), "f:1:2: range is not closed, expected ']'\n");
 }
 
 }  // namespace

@@ -114,6 +114,26 @@ void Parser::expect(std::string_view text) {
   if (!accept(text)) failExpected(inQuotes(text));
 }
 
+/// A semicolon that is missing at the end of a line is reported there, not where the next line
+/// begins.
+void Parser::expectSemicolon() {
+  if (accept(";")) return;
+  if (token_.location.line == end_.line) failExpected("';'");
+  reporter_.error(end_, "expected ';', found the end of the line");
+  throw SyntaxError();
+}
+
+/// About what this compiler reads and the public compiler of XABSL 3.1 refuses.
+void Parser::warnOfDialect(Location location, const std::string& what) {
+  reporter_.warning(location, what + "; other XABSL compilers refuse this");
+}
+
+/// About the number that is the next token.
+void Parser::warnOfExponent() {
+  if (token_.text.find_first_of("eE") != std::string_view::npos)
+    warnOfDialect(token_.location, "a number with an exponent");
+}
+
 Name Parser::expectName(const std::string& what) {
   if (token_.kind == TokenKind::keyword)
     fail("expected " + what + ", found the keyword " + describe(token_));
@@ -176,7 +196,7 @@ void Parser::include() {
   take();
   if (token_.kind != TokenKind::string) failExpected("the path of a file in quotes");
   const Token path = take();
-  expect(";");
+  expectSemicolon();
   program_.files[static_cast<std::size_t>(file_)].includes.push_back({path.text, path.location});
 }
 
@@ -191,7 +211,7 @@ void Parser::agent() {
   expect(",");
   agent.rootOption = expectName("the name of the root option");
   expect(")");
-  expect(";");
+  expectSemicolon();
   agent.extent.end = end_;
   program_.agents.push_back(agent);
 }
@@ -220,6 +240,7 @@ void Parser::option() {
       }
     }
   } catch (const SyntaxError&) {
+    common_ = false;
     skipToState();
   }
   states(option);
@@ -323,7 +344,7 @@ Action Parser::action() {
   if (accept("=")) {
     action.kind = Action::Kind::assignment;
     action.value = expression();
-    expect(";");
+    expectSemicolon();
     action.extent.end = end_;
     return action;
   }
@@ -333,7 +354,7 @@ Action Parser::action() {
     action.kind = Action::Kind::callBehavior;
   if (!token_.is("(")) failExpected("'=' or '('");
   action.arguments = arguments();
-  expect(";");
+  expectSemicolon();
   action.extent.end = end_;
   return action;
 }

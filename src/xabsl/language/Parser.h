@@ -30,9 +30,12 @@ class Parser {
 
   [[noreturn]] void fail(const std::string& message);
   [[noreturn]] void failExpected(const std::string& what);
+  void warnOfExponent();
+  void warnOfDialect(Location location, const std::string& what);
   Token take();
   bool accept(std::string_view text);
   void expect(std::string_view text);
+  void expectSemicolon();
   syntax::Name expectName(const std::string& what);
   void warnFileName(const std::string& what, const syntax::Name& name);
   syntax::Declaration begin() const;
@@ -98,6 +101,8 @@ class Parser {
   int file_;
   int space_ = -1;  // the namespace that is being read
   int nesting_ = 0;
+  bool common_ = false;  // within a common decision
+  bool hasNamespace_ = false;
 };
 
 }  // namespace xabsl

@@ -26,7 +26,9 @@ class Parser::Nesting {
 
 DecisionPtr Parser::commonDecision() {
   expect("{");
+  common_ = true;
   DecisionPtr decision = commonChoice();
+  common_ = false;
   expect("}");
   return decision;
 }
@@ -110,10 +112,12 @@ DecisionPtr Parser::transition() {
   if (accept("goto")) {
     transition->kind = Decision::Kind::go;
     transition->target = expectName("the name of a state");
-  } else if (!accept("stay")) {
+  } else if (accept("stay")) {
+    if (common_) warnOfDialect(transition->extent.begin, "'stay' in a common decision");
+  } else {
     failExpected("'if', 'goto', 'stay' or '{'");
   }
-  expect(";");
+  expectSemicolon();
   transition->extent.end = end_;
   return transition;
 }
@@ -233,6 +237,7 @@ ExpressionPtr Parser::primary() {
   primary->name = token_.text;
   primary->number = token_.number;
   if (token_.kind == TokenKind::number) {
+    warnOfExponent();
     primary->kind = Kind::number;
   } else if (token_.kind == TokenKind::identifier) {
     primary->kind = Kind::name;

@@ -13,7 +13,8 @@ void Parser::namespaceBlock() {
   static_cast<Declaration&>(space) = begin();
   take();
   space.name = expectName("the name of a namespace");
-  warnFileName("namespace", space.name);
+  if (std::exchange(hasNamespace_, true))
+    warnOfDialect(space.name.location, "a second namespace in this file");
   expect("(");
   if (token_.kind != TokenKind::string) failExpected("the title of the namespace in quotes");
   space.title = take().text;
@@ -98,7 +99,7 @@ void Parser::enumerationElements(const Declaration& declaration, const Name& nam
     while (token_.kind != TokenKind::end && !token_.is("}") && !token_.is(";")) take();
   }
   accept("}");
-  accept(";");
+  if (!accept(";")) warnOfDialect(end_, "an enumeration without ';' behind it");
   enumeration.extent.end = end_;
   program_.enumerations.push_back(std::move(enumeration));
 }
@@ -111,11 +112,12 @@ void Parser::constant(const Declaration& declaration) {
   expect("=");
   constant.negative = accept("-");
   if (token_.kind != TokenKind::number) failExpected("a number");
+  warnOfExponent();
   constant.digits = token_.text;
   constant.value = constant.negative ? -token_.number : token_.number;
   take();
   unitAndRange(constant.range, constant.unit);
-  expect(";");
+  expectSemicolon();
   constant.extent.end = end_;
   program_.constants.push_back(constant);
 }
@@ -133,14 +135,17 @@ void Parser::symbol(const Declaration& declaration, const TypeName& type) {
   if (type.kind == ValueKind::enumeration && accept("{"))
     return enumerationElements(declaration, type.enumeration, symbol.kind == SymbolKind::internal);
   symbol.name = expectName("the name of a symbol");
+  const Location unit = token_.location;
   unitAndRange(symbol.range, symbol.unit);
+  if (type.kind == ValueKind::enumeration && !symbol.unit.empty())
+    warnOfDialect(unit, "the unit of an enumerated symbol");
   if (token_.is("(")) {
     if (symbol.kind != SymbolKind::input)
       reporter_.error(token_.location, "only input symbols have parameters");
     take();
     symbol.parameters = parameters(")");
   }
-  expect(";");
+  expectSemicolon();
   symbol.extent.end = end_;
   program_.symbols.push_back(std::move(symbol));
 }
@@ -199,16 +204,18 @@ Parameter Parser::parameter(bool ofOption) {
     parameter.name = expectName("the name of a parameter");
   }
   unitAndRange(parameter.range, parameter.unit);
-  expect(";");
+  expectSemicolon();
   parameter.extent.end = end_;
   return parameter;
 }
 
-/// Both are for people; the unit comes after the range or before it.
+/// Range and unit are documentation. The unit follows the range; it may also stand before it.
 void Parser::unitAndRange(std::string_view& range, std::string_view& unit) {
   if (token_.kind == TokenKind::range) range = take().text;
   if (token_.kind == TokenKind::string) unit = take().text;
-  if (token_.kind == TokenKind::range) range = take().text;
+  if (token_.kind != TokenKind::range) return;
+  warnOfDialect(token_.location, "a range behind the unit");
+  range = take().text;
 }
 
 }  // namespace xabsl

@@ -153,11 +153,11 @@ TEST(Parser, KnowsThe30ThatHasNoCooperation) {
       "option main { initial state synchronized { action { ";
   EXPECT_EQ(told(state + "conflict = capacity > 1; } } }"), "");
   EXPECT_EQ(told("option main { initial state s capacity 2 { action { } } }"),
-            "main.xabsl:2:31: error: 'capacity' is of XABSL 3.1, in 3.0 robots do not agree about "
+            "main.xabsl:2:31: 'capacity' is of XABSL 3.1, in 3.0 robots do not agree about "
             "states\n");
   EXPECT_EQ(told("option main { initial state s { decision { if (conflict) stay; else stay; }\n"
                  "action { } } }"),
-            "main.xabsl:2:48: error: 'conflict' is of XABSL 3.1 in option main\n");
+            "main.xabsl:2:48: 'conflict' is of XABSL 3.1 in option main\n");
 }
 
 TEST(Diagnostic, ShowsTheLineWithACaret) {
@@ -165,9 +165,44 @@ TEST(Diagnostic, ShowsTheLineWithACaret) {
       compile("main.xabsl", {{"main.xabsl", "option main {\n\tinitial ställe s { } }"}});
   ASSERT_GE(compilation.diagnostics.size(), 2u);
   EXPECT_EQ(toStringWithSource(compilation.diagnostics[1]),
-            "main.xabsl:2:12: error: unexpected character with code 195\n"
+            "main.xabsl:2:12: unexpected character with code 195\n"
             " 2 | \tinitial ställe s { } }\n"
             "   | \t          ^");
+}
+
+/// All that is reported for a file, without warnings about the names of files.
+std::string reported(const std::string& text) {
+  std::string all;
+  for (const Diagnostic& diagnostic : compile("main.xabsl", {{"main.xabsl", text}}).diagnostics)
+    if (diagnostic.message.find("file of another name") == std::string::npos)
+      all += toString(diagnostic) + "\n";
+  return all;
+}
+
+TEST(Parser, ReportsAMissingSemicolonAtTheEndOfItsLine) {
+  EXPECT_EQ(reported("agent a(\"A\", main)\noption main { initial state s { action { } } }"),
+            "main.xabsl:1:19: expected ';', found the end of the line\n");
+  EXPECT_EQ(reported("agent a(\"A\", main);\noption main { initial state s {\n"
+                     "action { main() // again\n} } }"),
+            "main.xabsl:3:16: expected ';', found the end of the line\n");
+  EXPECT_EQ(reported("agent a(\"A\", main) option main { initial state s { action { } } }"),
+            "main.xabsl:1:20: expected ';', found 'option'\n");
+}
+
+TEST(Parser, WarnsAboutWhatOtherCompilersRefuse) {
+  const std::string refused = "; other XABSL compilers refuse this\n";
+  EXPECT_EQ(reported("agent a(\"A\", main);\nnamespace n(\"N\") { enum e { a, b }\n"
+                     "float const k = 1e3; enum e input i \"mm\"; float input x \"mm\" [0..1]; }\n"
+                     "namespace m(\"M\") { float output y; enum e output z; }\n"
+                     "option main { common decision { if (x < k) stay; }\n"
+                     "initial state s { action { y = 1.5E3; z = i; } } }"),
+            "main.xabsl:2:35: warning: an enumeration without ';' behind it" + refused +
+                "main.xabsl:3:17: warning: a number with an exponent" + refused +
+                "main.xabsl:3:37: warning: the unit of an enumerated symbol" + refused +
+                "main.xabsl:3:62: warning: a range behind the unit" + refused +
+                "main.xabsl:4:11: warning: a second namespace in this file" + refused +
+                "main.xabsl:5:44: warning: 'stay' in a common decision" + refused +
+                "main.xabsl:6:32: warning: a number with an exponent" + refused);
 }
 
 }  // namespace

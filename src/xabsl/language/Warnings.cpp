@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,15 +11,11 @@ namespace xabsl {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// The states of one option and where their decisions lead.
 class StateGraph {
  public:
-  StateGraph(const Model& model, const Option& option, Reporter& reporter)
-      : model_(model), option_(option), reporter_(reporter), targets_(at(option.states.count)) {
+  StateGraph(const Model& model, const Option& option)
+      : model_(model), option_(option), targets_(at(option.states.count)) {
     for (int i = 0; i < option.states.count; ++i) {
       const Branch own = model.states[at(option.states.first + i)].decision;
       if (collect(option.commonDecision, i)) collect(own, i);
@@ -28,9 +25,26 @@ class StateGraph {
     }
   }
 
-  void warn() {
-    warnOfUnreachable();
-    warnOfOscillation();
+  /// Whether each state can be reached from the initial one.
+  std::vector<bool> entered() const {
+    std::vector<bool> reached(targets_.size(), false);
+    std::vector<int> open = {option_.initialState - option_.states.first};
+    reached[at(open.back())] = true;
+    while (!open.empty()) {
+      const int from = open.back();
+      open.pop_back();
+      for (const int to : targets_[at(from)]) {
+        if (reached[at(to)]) continue;
+        reached[at(to)] = true;
+        open.push_back(to);
+      }
+    }
+    return reached;
+  }
+
+  void warn(Reporter& reporter) const {
+    warnOfUnreachable(reporter);
+    warnOfOscillation(reporter);
   }
 
  private:
@@ -57,24 +71,13 @@ class StateGraph {
 
   const State& state(int index) const { return model_.states[at(option_.states.first + index)]; }
 
-  void warnOfUnreachable() {
-    std::vector<bool> reached(targets_.size(), false);
-    std::vector<int> open = {option_.initialState - option_.states.first};
-    reached[at(open.back())] = true;
-    while (!open.empty()) {
-      const int from = open.back();
-      open.pop_back();
-      for (const int to : targets_[at(from)]) {
-        if (reached[at(to)]) continue;
-        reached[at(to)] = true;
-        open.push_back(to);
-      }
-    }
-    for (std::size_t i = 0; i < reached.size(); ++i)
-      if (!reached[i])
-        reporter_.warning(state(static_cast<int>(i)).location,
-                          "state " + inQuotes(state(static_cast<int>(i)).name) + " of option " +
-                              inQuotes(option_.name) + " is never entered");
+  void warnOfUnreachable(Reporter& reporter) const {
+    const std::vector<bool> entered = this->entered();
+    for (std::size_t i = 0; i < entered.size(); ++i)
+      if (!entered[i])
+        reporter.warning(state(static_cast<int>(i)).location,
+                         "state " + inQuotes(state(static_cast<int>(i)).name) + " of option " +
+                             inQuotes(option_.name) + " is never entered");
   }
 
   /// The only state that follows, or -1 if the state may be kept or left in several ways.
@@ -83,7 +86,7 @@ class StateGraph {
     return targets.size() == 1 && targets.front() != state ? targets.front() : -1;
   }
 
-  void warnOfOscillation() {
+  void warnOfOscillation(Reporter& reporter) const {
     std::vector<int> walk(targets_.size(), -1);  // in which a state was visited
     for (int start = 0; start < option_.states.count; ++start) {
       int next = start;
@@ -91,11 +94,11 @@ class StateGraph {
         walk[at(next)] = start;
         next = onlySuccessor(next);
       }
-      if (next >= 0 && walk[at(next)] == start) describeOscillation(next);
+      if (next >= 0 && walk[at(next)] == start) describeOscillation(next, reporter);
     }
   }
 
-  void describeOscillation(int first) {
+  void describeOscillation(int first, Reporter& reporter) const {
     constexpr int mostShown = 10;
     std::string path = state(first).name;
     int shown = 0;
@@ -105,13 +108,12 @@ class StateGraph {
       if (++shown < mostShown) path += " -> " + state(next).name;
     } while (next != first);
     if (shown >= mostShown) path += " -> ...";
-    reporter_.warning(state(first).location, "states of option " + inQuotes(option_.name) +
-                                                 " can only oscillate: " + path);
+    reporter.warning(state(first).location,
+                     "states of option " + inQuotes(option_.name) + " can only oscillate: " + path);
   }
 
   const Model& model_;
   const Option& option_;
-  Reporter& reporter_;
   std::vector<std::vector<int>> targets_;  // per state, counted from the first of the option
 };
 
@@ -203,49 +205,43 @@ class ParameterUse {
   std::vector<Counts> inputs_;  // per symbol
 };
 
-/// Tells of all that is unused in one place and of one kind at once: libraries of symbols are made
-/// for more than one behavior.
-class Unused {
- public:
-  explicit Unused(Reporter& reporter) : reporter_(reporter) {}
-
-  void add(int space, const std::string& kind, const std::string& name, Location location) {
-    Group& group = groups_[{space, kind}];
-    if (group.names.empty()) group.location = location;
-    group.names.push_back(name);
-  }
-
-  void warn(const std::string& problem) const {
-    for (const auto& [key, group] : groups_) {
-      const bool several = group.names.size() > 1;
-      reporter_.warning(group.location, key.second + (several ? "s " : " ") + list(group.names) +
-                                            (several ? " are " : " is ") + problem);
-    }
-  }
-
- private:
-  struct Group {
-    std::vector<std::string> names;
-    Location location;
-  };
-
-  static std::string list(const std::vector<std::string>& names) {
-    constexpr std::size_t mostShown = 6;
-    const std::size_t shown = names.size() <= mostShown ? names.size() : mostShown - 1;
-    std::string text;
-    for (std::size_t i = 0; i < shown; ++i) {
-      const bool last = i > 0 && i + 1 == names.size();
-      text += (last ? " and " : i > 0 ? ", " : "") + inQuotes(names[i]);
-    }
-    return shown < names.size() ? text + " and " + std::to_string(names.size() - shown) + " others"
-                                : text;
-  }
-
-  Reporter& reporter_;
-  std::map<std::pair<int, std::string>, Group> groups_;  // by namespace and kind
+struct Unused {
+  int space;
+  std::string kind;
+  std::string name;
+  Location location;
+  std::string problem;
 };
 
-void warnOfUnusedOptions(const Model& model, Reporter& reporter) {
+/// `'a', 'b' and 3 others`
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t mostShown = 6;
+  const std::size_t shown = names.size() <= mostShown ? names.size() : mostShown - 1;
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool last = i > 0 && i + 1 == names.size();
+    text += (last ? " and " : i > 0 ? ", " : "") + inQuotes(names[i]);
+  }
+  return shown < names.size() ? text + " and " + std::to_string(names.size() - shown) + " others"
+                              : text;
+}
+
+/// One warning for all that is unused of one kind and namespace: libraries of symbols are made for
+/// more than one behavior.
+void warnOfUnused(const std::vector<Unused>& all, Reporter& reporter) {
+  std::map<std::pair<int, std::string>, std::vector<const Unused*>> groups;
+  for (const Unused& unused : all) groups[{unused.space, unused.kind}].push_back(&unused);
+  for (const auto& [key, group] : groups) {
+    std::vector<std::string> names;
+    for (const Unused* unused : group) names.push_back(unused->name);
+    const bool several = names.size() > 1;
+    reporter.warning(group.front()->location, key.second + (several ? "s " : " ") + listed(names) +
+                                                  (several ? " are " : " is ") +
+                                                  group.front()->problem);
+  }
+}
+
+std::vector<Unused> unusedOptions(const Model& model) {
   std::vector<bool> used(model.options.size(), false);
   std::vector<int> open;
   const auto use = [&](int option) {
@@ -265,34 +261,80 @@ void warnOfUnusedOptions(const Model& model, Reporter& reporter) {
     for (int i = 0; i < option.states.count; ++i)
       useCallees(model.states[at(option.states.first + i)].actions);
   }
-  Unused unused(reporter);
+  std::vector<Unused> unused;
   for (std::size_t i = 0; i < used.size(); ++i)
-    if (!used[i]) unused.add(-1, "option", model.options[i].name, model.options[i].location);
-  unused.warn("not reached by any agent");
+    if (!used[i])
+      unused.push_back({-1, "option", model.options[i].name, model.options[i].location,
+                        "not reached by any agent"});
+  return unused;
 }
 
-void warnOfUnusedDeclarations(const Model& model, Reporter& reporter) {
-  Unused unused(reporter);
+std::vector<Unused> unusedDeclarations(const Model& model) {
+  std::vector<Unused> unused;
   for (const Symbol& symbol : model.symbols) {
     const std::string kind = symbol.kind == SymbolKind::input    ? "input"
                              : symbol.kind == SymbolKind::output ? "output"
                                                                  : "internal";
     if (symbol.firstUse.option < 0)
-      unused.add(symbol.space, kind + " symbol", symbol.name, symbol.location);
+      unused.push_back(
+          {symbol.space, kind + " symbol", symbol.name, symbol.location, "never used"});
   }
   for (const BasicBehavior& behavior : model.behaviors)
     if (behavior.firstUse.option < 0)
-      unused.add(behavior.space, "basic behavior", behavior.name, behavior.location);
-  unused.warn("never used");
+      unused.push_back(
+          {behavior.space, "basic behavior", behavior.name, behavior.location, "never used"});
+  return unused;
+}
+
+/// What a state certainly executes more than once in each cycle.
+void warnOfRepeatedCalls(const Model& model, Reporter& reporter) {
+  std::set<std::pair<Action::Kind, int>> called;
+  const auto call = [&](Span actions, bool report) {
+    for (int i = actions.first; i < actions.first + actions.count; ++i) {
+      const Action& action = model.actions[at(i)];
+      if (action.kind == Action::Kind::assignment) continue;
+      if (called.insert({action.kind, action.target}).second || !report) continue;
+      const bool option = action.kind == Action::Kind::option;
+      reporter.warning(action.location,
+                       (option ? "option " : "basic behavior ") +
+                           inQuotes(option ? model.options[at(action.target)].name
+                                           : model.behaviors[at(action.target)].name) +
+                           " is executed twice in a cycle; some engines refuse such a behavior");
+    }
+  };
+  for (const Option& option : model.options) {
+    called.clear();
+    call(option.commonActions, true);
+    for (int i = 0; i < option.states.count; ++i) {
+      called.clear();
+      call(option.commonActions, false);
+      call(model.states[at(option.states.first + i)].actions, true);
+    }
+  }
 }
 
 }  // namespace
 
 void warnAbout(const Model& model, Reporter& reporter) {
-  for (const Option& option : model.options) StateGraph(model, option, reporter).warn();
+  for (const Option& option : model.options) StateGraph(model, option).warn(reporter);
+  warnOfRepeatedCalls(model, reporter);
   ParameterUse(model, reporter).warn();
-  warnOfUnusedOptions(model, reporter);
-  warnOfUnusedDeclarations(model, reporter);
+  warnOfUnused(unusedOptions(model), reporter);
+  warnOfUnused(unusedDeclarations(model), reporter);
+}
+
+std::vector<bool> enteredStates(const Model& model, const Option& option) {
+  return StateGraph(model, option).entered();
+}
+
+std::vector<Diagnostic> everythingUnused(const Model& model) {
+  std::vector<Diagnostic> diagnostics;
+  for (const std::vector<Unused>& list : {unusedOptions(model), unusedDeclarations(model)})
+    for (const Unused& unused : list)
+      diagnostics.push_back({Diagnostic::Severity::warning, model.files[at(unused.location.file)],
+                             unused.location.line, unused.location.column,
+                             unused.kind + " " + inQuotes(unused.name) + " is " + unused.problem});
+  return diagnostics;
 }
 
 }  // namespace xabsl

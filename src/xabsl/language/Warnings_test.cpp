@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "xabsl/formats/Compile.h"
 #include "xabsl/tests/TestBehavior.h"
 
 namespace xabsl {
@@ -16,6 +17,7 @@ std::string warningsIn(const std::string& text) {
   std::string all;
   for (const Diagnostic& diagnostic : compilation.diagnostics)
     if (diagnostic.message.find("file of another name") == std::string::npos &&
+        diagnostic.message.find("a second namespace") == std::string::npos &&
         diagnostic.message.find("expected one kind only") == std::string::npos)
       all += toString(diagnostic) + "\n";
   return all;
@@ -57,17 +59,21 @@ TEST(Warnings, NameStatesThatCanOnlyOscillate) {
 }
 
 TEST(Warnings, NameParametersThatAreNotSetOnce) {
-  EXPECT_EQ(warningsIn("namespace main(\"M\") { enum e { p, q }; float input f (enum e a;);\n"
-                       "float output r; behavior walk { bool b; } }\n"
-                       "option main { initial state s { action { r = f(); sub(w = 1);\n"
-                       "walk(b = true); walk(); walk(); walk(); sub(w = 2); sub(); } } }\n"
-                       "option sub { float @v; float @w; initial state s { action { } } }" +
-                       agent),
-            "main.xabsl:1:62: warning: parameter 'a' of input symbol 'f' is never set, it is 'p'\n"
-            "main.xabsl:4:17: warning: parameter 'b' of basic behavior 'walk' is not set, it is "
-            "false, as in 2 other calls\n"
-            "main.xabsl:4:53: warning: parameter 'w' of option 'sub' is not set, it is 0\n"
-            "main.xabsl:5:20: warning: parameter 'v' of option 'sub' is never set, it is 0\n");
+  EXPECT_EQ(
+      warningsIn("namespace main(\"M\") { enum e { p, q }; float input f (enum e a;);\n"
+                 "float output r; behavior walk { bool b; } }\n"
+                 "option main { common action { r = f(); } initial state s {\n"
+                 "decision { if (r > 0) goto t; else goto u; } action { sub(w = 1); } }\n"
+                 "state t { action { walk(b = true); } }\n"
+                 "state u { decision { if (r > 0) goto v; else goto w; } action { walk(); } }\n"
+                 "state v { action { walk(); } } state w { action { sub(); } } }\n"
+                 "option sub { float @v; float @w; initial state s { action { } } }" +
+                 agent),
+      "main.xabsl:1:62: warning: parameter 'a' of input symbol 'f' is never set, it is 'p'\n"
+      "main.xabsl:6:65: warning: parameter 'b' of basic behavior 'walk' is not set, it is "
+      "false, as in 1 other call\n"
+      "main.xabsl:7:51: warning: parameter 'w' of option 'sub' is not set, it is 0\n"
+      "main.xabsl:8:20: warning: parameter 'v' of option 'sub' is never set, it is 0\n");
 }
 
 TEST(Warnings, NameWhatIsNeverUsed) {
@@ -101,6 +107,41 @@ TEST(Warnings, NameNamesThatOtherEnginesCannotRead) {
   EXPECT_EQ(warning(100),
             "option 'nnnnnnnnnnnnnnnnnnnn'... has 100 letters; other engines read at "
             "most 99");
+}
+
+TEST(Warnings, NameWhatIsExecutedTwiceInACycle) {
+  const std::string child = "option child { initial state s { action { } } }";
+  EXPECT_EQ(warningsIn("option main {\ninitial state s { action { child(); child(); } } }" + child +
+                       agent),
+            "main.xabsl:2:37: warning: option 'child' is executed twice in a cycle; some engines "
+            "refuse such a behavior\n");
+  EXPECT_EQ(warningsIn("namespace main(\"M\") { bool input x; behavior walk { } }\n"
+                       "option main { common action { walk(); }\n"
+                       "initial state s { decision { if (x) goto t; else stay; } action { } }\n"
+                       "state t { action { walk(); } } }" +
+                       agent),
+            "main.xabsl:4:20: warning: basic behavior 'walk' is executed twice in a cycle; some "
+            "engines refuse such a behavior\n");
+  EXPECT_EQ(warningsIn("namespace main(\"M\") { bool input x; }\n"
+                       "option main { initial state s { decision { if (x) goto t; else stay; }\n"
+                       "action { child(); } } state t { action { child(); } } }" +
+                       child + agent),
+            "");
+}
+
+TEST(Warnings, ListEverythingUnusedWhereItIsDeclared) {
+  const Behavior behavior = test::compiled(
+      "namespace main(\"M\") { bool input x;\nfloat output y; behavior walk { } }\n"
+      "option main { initial state s { action { y = 1; } } }\n"
+      "option sub { initial state s { action { } } }" +
+      agent);
+  std::string all;
+  for (const Diagnostic& diagnostic : everythingUnused(behavior.model()))
+    all += toString(diagnostic) + "\n";
+  EXPECT_EQ(all,
+            "main.xabsl:4:8: warning: option 'sub' is not reached by any agent\n"
+            "main.xabsl:1:34: warning: input symbol 'x' is never used\n"
+            "main.xabsl:2:26: warning: basic behavior 'walk' is never used\n");
 }
 
 }  // namespace

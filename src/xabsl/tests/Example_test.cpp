@@ -8,7 +8,7 @@
 
 #include "xabsl/engine/Engine.h"
 #include "xabsl/engine/Symbols.h"
-#include "xabsl/language/Behavior.h"
+#include "xabsl/formats/Compile.h"
 #include "xabsl/tests/TestBehavior.h"
 
 /// How a robot uses XABSL, from its own variables and functions to a running engine. The behavior

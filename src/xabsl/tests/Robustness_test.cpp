@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "xabsl/engine/Engine.h"
+#include "xabsl/formats/Compile.h"
 #include "xabsl/language/Lexer.h"
 #include "xabsl/tests/TestBehavior.h"
 
@@ -73,14 +74,14 @@ Symbols surroundings() {
 /// file. Returns whether it ran.
 bool survives(const std::string& text, const Symbols& symbols) {
   const Compilation compilation = compile("main.xabsl", {{"main.xabsl", text}});
-  EXPECT_NE(compilation.behavior.has_value(), hasErrors(compilation.diagnostics)) << text;
+  EXPECT_NE(compilation.behavior.has_value(), fails(compilation.diagnostics)) << text;
   for (const Diagnostic& diagnostic : compilation.diagnostics) {
     EXPECT_EQ(diagnostic.file, "main.xabsl");
     EXPECT_FALSE(diagnostic.message.empty());
   }
   if (!compilation.behavior) return false;
   Engine::Creation creation = Engine::create(*compilation.behavior, symbols);
-  EXPECT_NE(creation.engine.has_value(), hasErrors(creation.diagnostics)) << text;
+  EXPECT_NE(creation.engine.has_value(), fails(creation.diagnostics)) << text;
   if (!creation.engine) return false;
   for (const std::int64_t now : {0, 8, 16, 100}) creation.engine->execute(now);
   EXPECT_FALSE(creation.engine->activations().empty());

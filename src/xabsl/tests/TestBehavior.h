@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "xabsl/language/Behavior.h"
+#include "xabsl/formats/Compile.h"
 #include "xabsl/language/Diagnostic.h"
 
 namespace xabsl::test {

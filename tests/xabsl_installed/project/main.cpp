@@ -1,4 +1,5 @@
 #include <xabsl/engine/Engine.h>
+#include <xabsl/formats/Compile.h>
 
 #include <iostream>
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "representations/behavior/BehaviorTrace.h"
+#include "xabsl/formats/Compile.h"
 #include "xabsl/tools/trace/TraceFile.h"
 #include "xabsl/tools/trace/TracePrinter.h"
 

@@ -10,10 +10,6 @@ namespace xabsl::documentation {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// A string of Graphviz's language, in which labels know entities, and lines end with `\l`.
 std::string inGraph(std::string_view text) {
   std::string result = "\"";

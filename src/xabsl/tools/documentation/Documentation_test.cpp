@@ -143,7 +143,7 @@ TEST(Documentation, SaysWhatCannotBeWritten) {
       test::compiled("option o { initial state s { action { } } } agent a(\"\", o);");
   const auto failure = writeDocumentation(behavior.model(), "/dev/null/docs");
   ASSERT_TRUE(failure);
-  EXPECT_EQ(toString(*failure), "/dev/null/docs: error: cannot make the folder");
+  EXPECT_EQ(toString(*failure), "/dev/null/docs: cannot make the folder");
 }
 
 TEST(Usage, FindsWhatIsUsedDirectlyAndThroughSubsequentOptions) {
@@ -180,6 +180,17 @@ TEST(Html, TurnsWhatIsNoUtf8IntoLetters) {
   EXPECT_EQ(documentation::escaped("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
   EXPECT_EQ(documentation::encoded("a.b-c/d~"), "a.b-c~2Fd~7E");
   EXPECT_EQ(documentation::plainDoc("* one\n   * two\n\n three "), "one\ntwo\n\nthree");
+}
+
+TEST(Documentation, MarksStatesThatAreNeverEntered) {
+  const Behavior behavior = test::compiled(
+      "option main { initial state s { action { } } state t { action { } } } agent a(\"A\", "
+      "main);");
+  const Documentation documentation(behavior.model());
+  const std::string& page = documentation.files.at("option-main.html");
+  const std::string badge = "never entered</span>";
+  EXPECT_EQ(page.find(badge), page.rfind(badge));
+  EXPECT_NE(page.find("<h3>t <span class=\"badge\">" + badge), std::string::npos) << page;
 }
 
 }  // namespace

@@ -8,10 +8,6 @@ namespace xabsl::documentation {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// A page's name. Long ones are cut, and told apart by the index.
 std::string page(const std::string& kind, const std::string& name, int index) {
   constexpr std::size_t longest = 100;

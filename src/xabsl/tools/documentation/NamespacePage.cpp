@@ -7,10 +7,6 @@ namespace xabsl::documentation {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 std::string used(const std::string& how, const std::string& places) {
   return places.empty() ? "" : "<p class=\"users\">" + how + " " + places + "</p>\n";
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "xabsl/language/ModelText.h"
+#include "xabsl/language/Warnings.h"
 #include "xabsl/tools/documentation/Html.h"
 #include "xabsl/tools/documentation/Pages.h"
 
@@ -9,10 +10,6 @@
 namespace xabsl::documentation {
 
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 std::string callers(const Content& content, int option) {
   std::string text;
@@ -48,13 +45,15 @@ std::string actionList(const Content& content, Span actions) {
   return text + "</ul>\n";
 }
 
-std::string badges(const Option& option, int index, const State& state) {
+std::string badges(const Content& content, const Option& option, int index) {
+  const State& state = content.model.states[at(index)];
   std::string text;
   const auto add = [&text](const std::string& badge) {
     text += " <span class=\"badge\">" + badge + "</span>";
   };
   if (option.initialState == index) add("initial");
   if (state.target) add("target");
+  if (!enteredStates(content.model, option)[at(index - option.states.first)]) add("never entered");
   const std::string agents = std::to_string(state.cooperation.agents);
   if (state.cooperation.kind == Cooperation::Kind::capacity) add("capacity " + agents);
   if (state.cooperation.kind == Cooperation::Kind::synchronized) add("synchronized " + agents);
@@ -64,7 +63,7 @@ std::string badges(const Option& option, int index, const State& state) {
 std::string stateSection(const Content& content, const Option& option, int index) {
   const State& state = content.model.states[at(index)];
   return "<section id=\"" + Links::fragment("state", state.name) + "\">\n<h3>" +
-         escaped(state.name) + badges(option, index, state) + "</h3>\n" + paragraphs(state.doc) +
+         escaped(state.name) + badges(content, option, index) + "</h3>\n" + paragraphs(state.doc) +
          actionList(content, state.actions) +
          chart(content.charts.states[at(index)], "Decision tree of the state " + state.name) +
          "</section>\n";

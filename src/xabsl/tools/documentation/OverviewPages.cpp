@@ -8,10 +8,6 @@ namespace xabsl::documentation {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// The indices of a list in the order of its names, as people look them up.
 template <typename List>
 std::vector<int> sorted(const List& list) {

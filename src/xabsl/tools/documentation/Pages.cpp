@@ -6,14 +6,6 @@
 
 namespace xabsl::documentation {
 
-namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 std::string anchor(const std::string& address, std::string_view text) {
   return "<a href=\"" + escaped(address) + "\">" + escaped(text) + "</a>";
 }

@@ -4,14 +4,6 @@
 
 namespace xabsl::documentation {
 
-namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 Usage::Usage(const Model& model)
     : model_(model), direct_(model.options.size()), all_(model.options.size()) {
   for (std::size_t i = 0; i < model.options.size(); ++i)

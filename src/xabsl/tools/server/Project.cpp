@@ -102,11 +102,19 @@ int Project::file(const std::string& path) const {
 const Reference* Project::at(Location location) const {
   for (const Reference& reference : references()) {
     const int column = location.column - reference.location.column;
-    if (reference.location.file == location.file && reference.location.line == location.line &&
-        column >= 0 && column <= static_cast<int>(reference.text.size()))
-      return &reference;
+    if (reference.location.file != location.file || reference.location.line != location.line)
+      continue;
+    if (column >= 0 && column <= static_cast<int>(reference.text.size())) return &reference;
+    if (column == -1 && isMarked(reference)) return &reference;
   }
   return nullptr;
+}
+
+bool Project::isMarked(const Reference& reference) const {
+  if (reference.entity.kind != Entity::Kind::optionParameter) return false;
+  const Lines& lines = this->lines(reference.location.file);
+  const std::size_t offset = lines.offset(lines.position(reference.location));
+  return offset > 0 && program_.files[xabsl::at(reference.location.file)].text[offset - 1] == '@';
 }
 
 const Reference* Project::declaration(const Entity& entity) const {

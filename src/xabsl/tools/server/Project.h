@@ -58,6 +58,9 @@ class Project {
   /// What stands at a place; null: nothing that has a name.
   const Reference* at(Location location) const;
 
+  /// Whether the mark of a parameter, `@`, stands before a name. It is a part of the name's place.
+  bool isMarked(const Reference& reference) const;
+
   /// Where something is declared, or null.
   const Reference* declaration(const Entity& entity) const;
 

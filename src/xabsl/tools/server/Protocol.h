@@ -11,12 +11,6 @@ namespace xabsl::server {
 inline constexpr int invalidRequest = -32600, methodNotFound = -32601, invalidParameters = -32602,
                      parseError = -32700, notInitialized = -32002, requestFailed = -32803;
 
-/// An answer that tells why there is no other.
-struct Refusal {
-  int code;
-  std::string message;
-};
-
 /// A range of LSP.
 inline nlohmann::json range(Position begin, Position end) {
   const auto json = [](Position position) -> nlohmann::json {

@@ -51,11 +51,6 @@ bool isBefore(Location a, Location b) {
 struct Server::Place {
   Project& project;
   const Reference* reference;
-
-  const Entity& entity() const {
-    if (!reference) throw Refusal{requestFailed, "there is no name here"};
-    return reference->entity;
-  }
 };
 
 Server::Place Server::placeOf(const Json& parameters) {
@@ -116,7 +111,7 @@ Json Server::signatureHelp(const Json& parameters) {
 Json Server::definition(const Json& parameters) {
   const Place place = placeOf(parameters);
   if (!place.reference) return nullptr;
-  const Reference* declaration = place.project.declaration(place.entity());
+  const Reference* declaration = place.project.declaration(place.reference->entity);
   return declaration ? locationOf(place.project, *declaration) : Json();
 }
 
@@ -126,7 +121,7 @@ Json Server::referencesOf(const Json& parameters) {
   Json result = Json::array();
   if (!place.reference) return result;
   for (const Reference& reference : place.project.references())
-    if (reference.entity == place.entity() && (declarations || !reference.declares))
+    if (reference.entity == place.reference->entity && (declarations || !reference.declares))
       result.push_back(locationOf(place.project, reference));
   return result;
 }
@@ -136,7 +131,7 @@ Json Server::highlights(const Json& parameters) {
   Json result = Json::array();
   if (!place.reference) return result;
   for (const Reference& reference : place.project.references())
-    if (reference.entity == place.entity() &&
+    if (reference.entity == place.reference->entity &&
         reference.location.file == place.reference->location.file)
       result.push_back({{"range", rangeOf(place.project, reference)}});
   return result;
@@ -144,7 +139,8 @@ Json Server::highlights(const Json& parameters) {
 
 Json Server::hover(const Json& parameters) {
   const Place place = placeOf(parameters);
-  const std::string text = place.reference ? describeEntity(place.project, place.entity()) : "";
+  const std::string text =
+      place.reference ? describeEntity(place.project, place.reference->entity) : "";
   if (text.empty()) return nullptr;
   return {{"contents", {{"kind", "markdown"}, {"value", text}}},
           {"range", rangeOf(place.project, *place.reference)}};
@@ -152,23 +148,31 @@ Json Server::hover(const Json& parameters) {
 
 Json Server::prepareRename(const Json& parameters) {
   const Place place = placeOf(parameters);
-  return place.reference ? rangeOf(place.project, *place.reference) : Json();
+  if (!place.reference) return nullptr;
+  Json range = rangeOf(place.project, *place.reference);
+  if (place.project.isMarked(*place.reference)) {
+    Json& begin = range["start"]["character"];
+    begin = begin.get<int>() - 1;
+  }
+  return range;
 }
 
 /// All places at once, and only where all of them are known: in a behavior without errors that has
 /// none after it either.
 Json Server::rename(const Json& parameters) {
   const Place place = placeOf(parameters);
-  const std::string name = parameters.at("newName").get<std::string>();
+  std::string name = parameters.at("newName").get<std::string>();
   if (place.project.failed())
-    throw Refusal{requestFailed, "the behavior has errors, mend them first"};
-  const Entity entity = place.entity();
+    return refuse(requestFailed, "the behavior has errors, mend them first");
+  if (!place.reference) return refuse(requestFailed, "there is no name here");
+  const Entity entity = place.reference->entity;
+  if (entity.kind == Entity::Kind::optionParameter && name.starts_with('@')) name.erase(0, 1);
   Reporter reporter;
   Lexer lexer(reporter.addFile(""), name, reporter);
   const Token token = lexer.next();
   if (token.kind != TokenKind::identifier || token.text != name ||
       lexer.next().kind != TokenKind::end || reporter.failed())
-    throw Refusal{requestFailed, inQuotes(name) + " is no name"};
+    return refuse(requestFailed, inQuotes(name) + " is no name");
 
   std::map<std::string, std::string> texts;
   Json changes = Json::object();
@@ -197,7 +201,7 @@ Json Server::rename(const Json& parameters) {
       });
   for (const Diagnostic& diagnostic : renamed.diagnostics())
     if (diagnostic.severity == Diagnostic::Severity::error)
-      throw Refusal{requestFailed, diagnostic.message};
+      return refuse(requestFailed, diagnostic.message);
   return {{"changes", changes}};
 }
 
@@ -249,10 +253,10 @@ Json Server::documentSymbols(const Json& parameters) {
 Json Server::formatting(const Json& parameters) {
   const std::string path = pathOf(parameters.at("textDocument").at("uri").get<std::string>());
   std::string text;
-  if (const auto problem = reader()(path, text)) throw Refusal{requestFailed, *problem};
+  if (const auto problem = reader()(path, text)) return refuse(requestFailed, *problem);
   Reporter reporter;
   const std::optional<std::string> formatted = format(reporter.addFile(path, text), text, reporter);
-  if (!formatted) throw Refusal{requestFailed, "the file holds what is no word of XABSL"};
+  if (!formatted) return refuse(requestFailed, "the file holds what is no word of XABSL");
   if (*formatted == text) return Json::array();
   return Json::array({{{"range", range({}, Lines(text).end())}, {"newText", *formatted}}});
 }

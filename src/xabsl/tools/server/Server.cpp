@@ -81,13 +81,19 @@ void Server::dispatch(const Json& message) {
   if (!named) return;  // an answer; this server asks nothing
   Json answer = {{"jsonrpc", "2.0"}, {"id", id->is_string() || id->is_number() ? *id : Json()}};
   try {
-    answer["result"] = request(method->get<std::string>(), parameters);
+    Json result = request(method->get<std::string>(), parameters);
+    if (!refusal_) answer["result"] = std::move(result);
   } catch (const Json::exception& error) {
-    answer["error"] = {{"code", invalidParameters}, {"message", error.what()}};
-  } catch (const Refusal& refusal) {
-    answer["error"] = {{"code", refusal.code}, {"message", refusal.message}};
+    refuse(invalidParameters, error.what());
   }
+  if (const auto refusal = std::exchange(refusal_, std::nullopt))
+    answer["error"] = {{"code", refusal->code}, {"message", refusal->message}};
   send(answer);
+}
+
+Server::Json Server::refuse(int code, std::string message) {
+  refusal_ = Refusal{code, std::move(message)};
+  return nullptr;
 }
 
 void Server::notify(const std::string& method, const Json& parameters) {
@@ -123,20 +129,20 @@ Json Server::request(const std::string& method, const Json& parameters) {
       {"textDocument/rename", &Server::rename},
       {"textDocument/documentSymbol", &Server::documentSymbols},
       {"textDocument/formatting", &Server::formatting}};
-  if (shutDown_) throw Refusal{invalidRequest, "the server is shut down"};
+  if (shutDown_) return refuse(invalidRequest, "the server is shut down");
   if (method == "initialize") return initialize(parameters);
-  if (!initialized_) throw Refusal{notInitialized, "the server is not initialized"};
+  if (!initialized_) return refuse(notInitialized, "the server is not initialized");
   if (method == "shutdown") {
     shutDown_ = true;
     return nullptr;
   }
   const auto handler = handlers.find(method);
-  if (handler == handlers.end()) throw Refusal{methodNotFound, "unknown method " + method};
+  if (handler == handlers.end()) return refuse(methodNotFound, "unknown method " + method);
   return (this->*handler->second)(parameters);
 }
 
 Json Server::initialize(const Json& parameters) {
-  if (initialized_) throw Refusal{invalidRequest, "the server is initialized already"};
+  if (initialized_) return refuse(invalidRequest, "the server is initialized already");
   if (const auto root = parameters.find("rootUri"); root != parameters.end() && root->is_string())
     workspace_ = pathOf(root->get<std::string>());
   initialized_ = true;

@@ -41,10 +41,16 @@ class Server {
  private:
   using Json = nlohmann::json;
   struct Place;
+  struct Refusal {
+    int code;
+    std::string message;
+  };
 
   void dispatch(const Json& message);
   void notify(const std::string& method, const Json& parameters);
   Json request(const std::string& method, const Json& parameters);
+  /// Answers the present request with an error instead of its result.
+  Json refuse(int code, std::string message);
   Json initialize(const Json& parameters);
   void open(const std::string& uri, const std::string& text);
   void close(const std::string& uri);
@@ -78,6 +84,7 @@ class Server {
   std::map<std::string, std::unique_ptr<Project>> projects_;
   std::map<std::string, std::string> roots_;  // by path
   std::set<std::string> published_;
+  std::optional<Refusal> refusal_;  // of the present request
   bool changed_ = false;
   bool initialized_ = false;
   bool shutDown_ = false;

@@ -70,5 +70,56 @@ TEST(Server, AnswersWhateverComes) {
   EXPECT_EQ(server.status(), 0);
 }
 
+/// A server with one file, open in the editor.
+class ServerWithFile {
+ public:
+  explicit ServerWithFile(const std::string& text)
+      : server_(
+            {[](const std::string&, std::string&) { return std::optional<std::string>("none"); },
+             [](const std::string&) { return std::vector<std::string>(); }},
+            [this](const std::string& message) { answer_ = Json::parse(message); }) {
+    ask("initialize", Json::object());
+    send({{"method", "textDocument/didOpen"},
+          {"params", {{"textDocument", {{"uri", uri_}, {"text", text}}}}}});
+  }
+
+  Json ask(const std::string& method, const Json& parameters) {
+    send({{"id", 1}, {"method", method}, {"params", parameters}});
+    return answer_;
+  }
+  /// With more parameters besides the place.
+  Json askAt(const std::string& method, int line, int character, Json more = Json::object()) {
+    more["textDocument"] = {{"uri", uri_}};
+    more["position"] = {{"line", line}, {"character", character}};
+    return ask(method, more);
+  }
+
+ private:
+  void send(const Json& message) { server_.handle(message.dump()); }
+
+  const std::string uri_ = "file:///main.xabsl";
+  Json answer_;
+  Server server_;
+};
+
+TEST(Server, RenamesAParameterAlsoAtItsMark) {
+  ServerWithFile server(
+      "option main {\n  bool @p;\n  initial state s {\n    decision { if (@p) stay; else stay; }\n"
+      "    action { }\n  }\n}\nagent a(\"A\", main);\n");
+  const Json range = server.askAt("textDocument/prepareRename", 1, 7)["result"];
+  EXPECT_EQ(range["start"]["character"], 7);
+  EXPECT_EQ(range["end"]["character"], 9);
+  for (const std::string name : {"q", "@q"})
+    for (const int character : {7, 8}) {
+      const Json answer = server.askAt("textDocument/rename", 1, character, {{"newName", name}});
+      const Json& edits = answer["result"]["changes"]["file:///main.xabsl"];
+      ASSERT_EQ(edits.size(), 2u) << answer;
+      for (const Json& edit : edits) EXPECT_EQ(edit["newText"], "q");
+      EXPECT_EQ(edits[1]["range"]["start"]["character"], 8);
+    }
+  EXPECT_EQ(server.askAt("textDocument/rename", 0, 8, {{"newName", "@q"}})["error"]["code"],
+            -32803);
+}
+
 }  // namespace
 }  // namespace xabsl::server

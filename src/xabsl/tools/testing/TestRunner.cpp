@@ -120,16 +120,25 @@ class TestRun {
 
   Type typeOf(int symbol) const { return model_.symbols[static_cast<std::size_t>(symbol)].type; }
 
+  /// The input symbol of a name, or -1 with an error: one with parameters is defined as a function,
+  /// all others get a value.
   int input(const TestText& name, bool function) {
-    Suggestion suggestion(name.text);
-    for (std::size_t i = 0; i < model_.symbols.size(); ++i) {
-      const Symbol& symbol = model_.symbols[i];
-      if (symbol.kind != SymbolKind::input || symbol.parameters.empty() == function) continue;
-      if (symbol.name == name.text) return static_cast<int>(i);
-      suggestion.offer(symbol.name);
+    const int index = model_.findInput(name.text);
+    if (index >= 0 && model_.symbols[at(index)].parameters.empty() != function) return index;
+    const std::string symbol = "input symbol " + inQuotes(name.text);
+    if (index >= 0) {
+      error(name.location, symbol + (function ? " has no parameters" : " has parameters") +
+                               ", expected '" + (function ? "" : "function ") +
+                               std::string(name.text) + (function ? " = ...;'" : "(...) = ...;'"));
+    } else if (model_.findOutput(name.text) >= 0) {
+      error(name.location,
+            inQuotes(name.text) + " is set by the behavior, expected an input symbol");
+    } else {
+      Suggestion suggestion(name.text);
+      for (const Symbol& candidate : model_.symbols)
+        if (candidate.kind == SymbolKind::input) suggestion.offer(candidate.name);
+      error(name.location, "unknown " + symbol + suggestion.text());
     }
-    error(name.location, "there is no input symbol '" + std::string(name.text) + "' " +
-                             (function ? "with" : "without") + " parameters" + suggestion.text());
     return -1;
   }
 

@@ -7,7 +7,7 @@
 
 #include "xabsl/engine/Engine.h"
 #include "xabsl/engine/Symbols.h"
-#include "xabsl/language/Behavior.h"
+#include "xabsl/formats/Compile.h"
 #include "xabsl/language/Lexer.h"
 
 namespace xabsl {

@@ -108,15 +108,15 @@ TEST_F(TraceTest, TellsWhatIsWrongInAFile) {
     return test::errors(readTraces("a.trace", wrong).diagnostics);
   };
   const auto lines = std::to_string(std::count(text.begin(), text.end(), '\n') + 1);
-  EXPECT_EQ(error(""), "a.trace: error: expected 'xabsl trace 1'\n");
-  EXPECT_EQ(error("hello\n"), "a.trace:1:1: error: expected 'xabsl trace 1'\n");
-  EXPECT_EQ(error("xabsl trace 1\n"), "a.trace:1:1: error: the trace ends before its cycles\n");
+  EXPECT_EQ(error(""), "a.trace: expected 'xabsl trace 1'\n");
+  EXPECT_EQ(error("hello\n"), "a.trace:1:1: expected 'xabsl trace 1'\n");
+  EXPECT_EQ(error("xabsl trace 1\n"), "a.trace:1:1: the trace ends before its cycles\n");
   EXPECT_EQ(error("xabsl trace 1\nstate 0 1 normal s3 a\n"),
-            "a.trace:2:1: error: a state without an option\n");
+            "a.trace:2:1: a state without an option\n");
   EXPECT_EQ(error("xabsl trace 1\nfile a\noption 0 1 d0 a\ncycles\n"),
-            "a.trace:4:1: error: a decision tree leads to a decision that is not there: 0\n");
-  EXPECT_EQ(error(text + "c x\n"), "a.trace:" + lines + ":1: error: 'x' is not a number\n");
-  EXPECT_EQ(error(text + "o 0 1\n"), "a.trace:" + lines + ":1: error: expected a cycle\n");
+            "a.trace:4:1: a decision tree leads to a decision that is not there: 0\n");
+  EXPECT_EQ(error(text + "c x\n"), "a.trace:" + lines + ":1: 'x' is not a number\n");
+  EXPECT_EQ(error(text + "o 0 1\n"), "a.trace:" + lines + ":1: expected a cycle\n");
   EXPECT_THAT(error(text + "c 1\no 2 1\n"), HasSubstr("there is no option 2"));
   EXPECT_THAT(error(text + "c 1\ng 0 nan\n"), HasSubstr("there is no such state"));
   EXPECT_THAT(error(text + "c 1\nz 0 1\n"), HasSubstr("'z' is no event"));
@@ -173,7 +173,7 @@ TEST_F(TraceTest, AnswersQuestionsInXabsl) {
   EXPECT_EQ(answers(trace, "result == 31"), "-110");
   EXPECT_EQ(answers(trace, "time > 150"), "0011");
   EXPECT_THAT(answers(trace, "main == aproach"), HasSubstr("did you mean 'approach'"));
-  EXPECT_THAT(answers(trace, "y"), HasSubstr("question:1:1: error:"));
+  EXPECT_THAT(answers(trace, "y"), HasSubstr("question:1:1: value"));
   EXPECT_THAT(answers(trace, "y > 1; }"), HasSubstr("is no part of an expression"));
 }
 

@@ -1,4 +1,4 @@
-#include "xabsl/language/Behavior.h"
+#include "xabsl/formats/Compile.h"
 
 #include "xabsl/formats/Sources.h"
 #include "xabsl/language/Analyzer.h"

@@ -1,4 +1,4 @@
-#include "xabsl/language/Behavior.h"
+#include "xabsl/formats/Compile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -151,15 +151,15 @@ TEST(Compile, FollowsIncludesRelativeToTheIncludingFileAndEachOnce) {
 TEST(Compile, TellsWhichIncludeIsMissing) {
   const Compilation compilation = compile("a.xabsl", {{"a.xabsl", "\n  include \"b/c.xabsl\";"}});
   EXPECT_EQ(errors(compilation.diagnostics),
-            "a.xabsl:2:11: error: cannot include 'b/c.xabsl': there is no such file\n");
+            "a.xabsl:2:11: cannot include 'b/c.xabsl': there is no such file\n");
   EXPECT_FALSE(compilation.behavior);
 }
 
 TEST(Compile, TellsThatAFileIsMissing) {
   EXPECT_EQ(errors(compile("/nowhere/agents.xabsl").diagnostics),
-            "/nowhere/agents.xabsl: error: cannot open the file\n");
-  EXPECT_EQ(errors(compile("/").diagnostics), "/: error: cannot open the file\n");
-  EXPECT_EQ(errors(compile("/dev/zero").diagnostics), "/dev/zero: error: cannot open the file\n");
+            "/nowhere/agents.xabsl: cannot open the file\n");
+  EXPECT_EQ(errors(compile("/").diagnostics), "/: cannot open the file\n");
+  EXPECT_EQ(errors(compile("/dev/zero").diagnostics), "/dev/zero: cannot open the file\n");
 }
 
 TEST(Compile, ReadsFilesFromDisk) {
@@ -177,7 +177,7 @@ TEST(Compile, ReadsFilesFromDisk) {
 TEST(Compile, RefusesFilesThatAreTooLarge) {
   const Compilation compilation =
       compile("a.xabsl", {{"a.xabsl", std::string((2u << 20) + 1, ' ')}});
-  EXPECT_EQ(errors(compilation.diagnostics), "a.xabsl: error: the file is larger than 2 MiB\n");
+  EXPECT_EQ(errors(compilation.diagnostics), "a.xabsl: the file is larger than 2 MiB\n");
 }
 
 TEST(Compile, WarnsOfFilesWithAnotherName) {
@@ -196,77 +196,70 @@ TEST(Compile, WarnsOfFilesWithAnotherName) {
 
 TEST(Compile, TellsWhatWasExpected) {
   EXPECT_EQ(errorsIn("42"),
-            "main.xabsl:1:1: error: expected 'include', 'option', 'agent' or 'namespace', found "
+            "main.xabsl:1:1: expected 'include', 'option', 'agent' or 'namespace', found "
             "'42'\n");
   EXPECT_EQ(errorsIn("include main;"),
-            "main.xabsl:1:9: error: expected the path of a file in quotes, found 'main'\n");
+            "main.xabsl:1:9: expected the path of a file in quotes, found 'main'\n");
   EXPECT_EQ(errorsIn("agent a(main);"),
-            "main.xabsl:1:9: error: expected the title of the agent in quotes, found 'main'\n");
+            "main.xabsl:1:9: expected the title of the agent in quotes, found 'main'\n");
   EXPECT_EQ(errorsIn("namespace main(\"M\") { float x; }"),
-            "main.xabsl:1:29: error: expected 'input', 'output' or 'internal', found 'x'\n");
+            "main.xabsl:1:29: expected 'input', 'output' or 'internal', found 'x'\n");
   EXPECT_EQ(errorsIn("namespace main(\"M\") { enum e { a, }; }"),
-            "main.xabsl:1:35: error: expected the name of an element, found '}'\n");
+            "main.xabsl:1:35: expected the name of an element, found '}'\n");
   EXPECT_EQ(errorsIn("namespace main(\"M\") { bool const b = 1; }"),
-            "main.xabsl:1:28: error: constants are of type float\n");
+            "main.xabsl:1:28: constants are of type float\n");
   EXPECT_EQ(errorsIn("namespace main(\"M\") { float output o(float x;); }"),
-            "main.xabsl:1:37: error: only input symbols have parameters\n");
-  EXPECT_EQ(
-      errorsIn("option main { float x; }"),
-      "main.xabsl:1:21: error: expected the name of a parameter, as in '@speed', found 'x'\n");
+            "main.xabsl:1:37: only input symbols have parameters\n");
+  EXPECT_EQ(errorsIn("option main { float x; }"),
+            "main.xabsl:1:21: expected the name of a parameter, as in '@speed', found 'x'\n");
   EXPECT_EQ(errorsIn("option main { }"),
-            "main.xabsl:1:15: error: expected a parameter, 'common' or a state, found '}'\n");
+            "main.xabsl:1:15: expected a parameter, 'common' or a state, found '}'\n");
   EXPECT_EQ(errorsIn("option main { state s { decision { stay; } } }"),
-            "main.xabsl:1:44: error: expected 'action', found '}'\n");
-  EXPECT_EQ(errorsIn("option main"),
-            "main.xabsl:1:12: error: expected '{', found the end of the file\n");
-  EXPECT_EQ(
-      errorsInDecision("if (ball.seen) stay;"),
-      "3:1: error: expected 'else', since each decision has an end ('else stay;'), found '}'\n");
-  EXPECT_EQ(errorsInDecision("if ball.seen stay;"),
-            "2:4: error: expected '(', found 'ball.seen'\n");
-  EXPECT_EQ(errorsInDecision("go s;"),
-            "2:1: error: expected 'if', 'goto', 'stay' or '{', found 'go'\n");
+            "main.xabsl:1:44: expected 'action', found '}'\n");
+  EXPECT_EQ(errorsIn("option main"), "main.xabsl:1:12: expected '{', found the end of the file\n");
+  EXPECT_EQ(errorsInDecision("if (ball.seen) stay;"),
+            "3:1: expected 'else', since each decision has an end ('else stay;'), found '}'\n");
+  EXPECT_EQ(errorsInDecision("if ball.seen stay;"), "2:4: expected '(', found 'ball.seen'\n");
+  EXPECT_EQ(errorsInDecision("go s;"), "2:1: expected 'if', 'goto', 'stay' or '{', found 'go'\n");
   EXPECT_EQ(errorsInAction("input = 1;"),
-            "2:1: error: expected an action (an assignment, an option or a basic behavior) or '}', "
+            "2:1: expected an action (an assignment, an option or a basic behavior) or '}', "
             "found the keyword 'input'\n");
-  EXPECT_EQ(errorsInAction("speed;"), "2:6: error: expected '=' or '(', found ';'\n");
+  EXPECT_EQ(errorsInAction("speed;"), "2:6: expected '=' or '(', found ';'\n");
   EXPECT_EQ(errorsInAction("sub(1);"),
-            "2:5: error: expected the name of a parameter, as in 'speed = 100', found '1'\n");
-  EXPECT_EQ(errorsInAction("sub(v = 1 b = true);"),
-            "2:11: error: expected ',' or ')', found 'b'\n");
-  EXPECT_EQ(errorsInValue("1 +"), "2:12: error: expected an expression, found ';'\n");
-  EXPECT_EQ(errorsInValue("1 < 2 < 3"), "2:15: error: comparisons cannot be chained, use '&&'\n");
+            "2:5: expected the name of a parameter, as in 'speed = 100', found '1'\n");
+  EXPECT_EQ(errorsInAction("sub(v = 1 b = true);"), "2:11: expected ',' or ')', found 'b'\n");
+  EXPECT_EQ(errorsInValue("1 +"), "2:12: expected an expression, found ';'\n");
+  EXPECT_EQ(errorsInValue("1 < 2 < 3"), "2:15: comparisons cannot be chained, use '&&'\n");
   EXPECT_EQ(errorsInValue("true ? 1 : true ? 2 : 3"),
-            "2:25: error: a '?:' inside another one needs parentheses\n");
+            "2:25: a '?:' inside another one needs parentheses\n");
 }
 
 TEST(Compile, TellsWhatBeginnersMeant) {
   EXPECT_EQ(errorsInDecision("if (how = fast) stay; else stay;"),
-            "2:9: error: expected ')', found '='; did you mean '=='?\n");
+            "2:9: expected ')', found '='; did you mean '=='?\n");
   EXPECT_EQ(errorsInDecision("if (ball.seen & ball.seen) stay; elseif (true) stay;"),
-            "2:15: error: unexpected character '&'; did you mean '&&'?\n"
-            "2:34: error: expected 'else', since each decision has an end ('else stay;'), found "
+            "2:15: unexpected character '&'; did you mean '&&'?\n"
+            "2:34: expected 'else', since each decision has an end ('else stay;'), found "
             "'elseif'; did you mean 'else if'?\n");
   EXPECT_EQ(errorsInDecision("if (ball.seen and true) stay; else stay;"),
-            "2:15: error: expected ')', found 'and'; did you mean '&&'?\n");
+            "2:15: expected ')', found 'and'; did you mean '&&'?\n");
   EXPECT_EQ(errorsInDecision("if (ball.seen) stay; els stay;"),
-            "2:22: error: expected 'else', since each decision has an end ('else stay;'), found "
+            "2:22: expected 'else', since each decision has an end ('else stay;'), found "
             "'els'; did you mean 'else'?\n");
   EXPECT_EQ(errorsInDecision("goto sub;"),
-            "2:6: error: unknown state 'sub' in option main; options are called by actions\n");
+            "2:6: unknown state 'sub' in option main; options are called by actions\n");
   EXPECT_EQ(errorsInAction("speed = 1,5;"),
-            "2:10: error: expected ';', found ','; numbers are written with a point\n");
+            "2:10: expected ';', found ','; numbers are written with a point\n");
   EXPECT_EQ(errorsInAction("head = \"fast\";"),
-            "2:8: error: expected an expression, found a string; elements of enumerations stand "
+            "2:8: expected an expression, found a string; elements of enumerations stand "
             "without quotes\n");
-  EXPECT_EQ(
-      errorsInAction("s();"),
-      "2:1: error: unknown option or basic behavior 's' in option main; a state is entered by a "
-      "decision\n");
+  EXPECT_EQ(errorsInAction("s();"),
+            "2:1: unknown option or basic behavior 's' in option main; a state is entered by a "
+            "decision\n");
   EXPECT_EQ(errorsInMain("option main { float @v; initial state s { action { speed = v; } } }"),
-            "1:60: error: unknown input symbol 'v' in option main; did you mean '@v'?\n");
+            "1:60: unknown input symbol 'v' in option main; did you mean '@v'?\n");
   EXPECT_EQ(errorsInMain("option main { initial state s { action { } decision { stay; } } }"),
-            "1:44: error: the decision of a state stands before its action\n");
+            "1:44: the decision of a state stands before its action\n");
 }
 
 TEST(Compile, ReadsCooperation) {
@@ -281,9 +274,9 @@ TEST(Compile, ReadsCooperation) {
   EXPECT_EQ(states[1].cooperation.agents, 0);
   EXPECT_EQ(states[2].cooperation.agents, 3);
   EXPECT_EQ(errorsInMain("option main { initial state s capacity { action { } } }"),
-            "1:40: error: expected the number of agents, found '{'\n");
+            "1:40: expected the number of agents, found '{'\n");
   EXPECT_EQ(errorsInMain("option main { initial state s capacity 1.5 { action { } } }"),
-            "1:40: error: the number of agents is a whole number up to 1000\n");
+            "1:40: the number of agents is a whole number up to 1000\n");
 }
 
 TEST(Compile, FindsSeveralSyntaxErrorsInOneRun) {
@@ -291,111 +284,110 @@ TEST(Compile, FindsSeveralSyntaxErrorsInOneRun) {
                          "option main {\n initial state s { action { speed = ; led = 1 1; } }\n"
                          " state t { decision { goto; } action { } }\n state u { action { } } }\n"
                          "agent a(main);\nagent b(\"B\", main);\n"),
-            "2:8: error: expected 'input', 'output' or 'internal', found 'x'\n"
-            "4:7: error: expected 'input', 'output' or 'internal', found 'z'\n"
-            "7:37: error: expected an expression, found ';'\n"
-            "7:47: error: expected ';', found '1'\n"
-            "8:27: error: expected the name of a state, found ';'\n"
-            "10:9: error: expected the title of the agent in quotes, found 'main'\n");
+            "2:8: expected 'input', 'output' or 'internal', found 'x'\n"
+            "4:7: expected 'input', 'output' or 'internal', found 'z'\n"
+            "7:37: expected an expression, found ';'\n"
+            "7:47: expected ';', found '1'\n"
+            "8:27: expected the name of a state, found ';'\n"
+            "10:9: expected the title of the agent in quotes, found 'main'\n");
 }
 
 // Errors of meaning
 
 TEST(Compile, TellsUnknownNamesAndWhatWasMeant) {
   EXPECT_EQ(errorsInValue("ball.disance"),
-            "2:9: error: unknown input symbol 'ball.disance' in option main; did you mean "
+            "2:9: unknown input symbol 'ball.disance' in option main; did you mean "
             "'ball.distance'?\n");
-  EXPECT_EQ(errorsInValue("somewhere"),
-            "2:9: error: unknown input symbol 'somewhere' in option main\n");
-  EXPECT_EQ(errorsInValue("@v"), "2:9: error: unknown parameter '@v' in option main\n");
+  EXPECT_EQ(errorsInValue("somewhere"), "2:9: unknown input symbol 'somewhere' in option main\n");
+  EXPECT_EQ(errorsInValue("@v"), "2:9: unknown parameter '@v' in option main\n");
   EXPECT_EQ(errorsInValue("scald(value = 1)"),
-            "2:9: error: unknown input symbol 'scald' in option main; did you mean 'scaled'?\n");
+            "2:9: unknown input symbol 'scald' in option main; did you mean 'scaled'?\n");
   EXPECT_EQ(errorsInAction("sped = 1;"),
-            "2:1: error: unknown output symbol 'sped' in option main; did you mean 'speed'?\n");
+            "2:1: unknown output symbol 'sped' in option main; did you mean 'speed'?\n");
   EXPECT_EQ(errorsInAction("wlk();"),
-            "2:1: error: unknown option or basic behavior 'wlk' in option main; did you mean "
+            "2:1: unknown option or basic behavior 'wlk' in option main; did you mean "
             "'walk'?\n");
-  EXPECT_EQ(errorsInAction("walk option();"), "2:1: error: unknown option 'walk' in option main\n");
+  EXPECT_EQ(errorsInAction("walk option();"), "2:1: unknown option 'walk' in option main\n");
   EXPECT_EQ(errorsInAction("sub behavior();"),
-            "2:1: error: unknown basic behavior 'sub' in option main\n");
+            "2:1: unknown basic behavior 'sub' in option main\n");
   EXPECT_EQ(errorsInAction("walk(y = 1);"),
-            "2:6: error: basic behavior 'walk' has no parameter 'y' in option main\n");
-  EXPECT_EQ(errorsInDecision("goto t;"), "2:6: error: unknown state 't' in option main\n");
+            "2:6: basic behavior 'walk' has no parameter 'y' in option main\n");
+  EXPECT_EQ(errorsInDecision("goto t;"), "2:6: unknown state 't' in option main\n");
   EXPECT_EQ(errorsInAction("head = sow;"),
-            "2:8: error: enumeration 'mode' has no element 'sow', nor is there a symbol of that "
+            "2:8: enumeration 'mode' has no element 'sow', nor is there a symbol of that "
             "name in option main; did you mean 'slow'?\n");
   EXPECT_THAT(errorsIn("agent a(\"A\", nothing);"),
-              HasSubstr("main.xabsl:1:14: error: unknown option 'nothing'\n"));
+              HasSubstr("main.xabsl:1:14: unknown option 'nothing'\n"));
   EXPECT_THAT(errorsIn("namespace main(\"M\") { enum nothing input x; }"),
-              HasSubstr("main.xabsl:1:28: error: unknown enumeration 'nothing'\n"));
+              HasSubstr("main.xabsl:1:28: unknown enumeration 'nothing'\n"));
 }
 
 TEST(Compile, TellsWrongTypes) {
   EXPECT_EQ(errorsInValue("ball.seen"),
-            "2:9: error: value of 'speed' must be float, found bool in option main\n");
+            "2:9: value of 'speed' must be float, found bool in option main\n");
   EXPECT_EQ(errorsInValue("how"),
-            "2:9: error: value of 'speed' must be float, found enum mode in option main\n");
+            "2:9: value of 'speed' must be float, found enum mode in option main\n");
   EXPECT_EQ(errorsInValue("1 + true"),
-            "2:13: error: operand of '+' must be float, found bool in option main\n");
+            "2:13: operand of '+' must be float, found bool in option main\n");
   EXPECT_EQ(errorsInValue("-how"),
-            "2:10: error: operand of '-' must be float, found enum mode in option main\n");
+            "2:10: operand of '-' must be float, found enum mode in option main\n");
   EXPECT_EQ(errorsInAction("led = 1;"),
-            "2:7: error: value of 'led' must be bool, found float in option main\n");
+            "2:7: value of 'led' must be bool, found float in option main\n");
   EXPECT_EQ(errorsInAction("led = 1 && ball.seen;"),
-            "2:7: error: operand of '&&' must be bool, found float in option main\n");
+            "2:7: operand of '&&' must be bool, found float in option main\n");
   EXPECT_EQ(errorsInAction("led = ball.seen == true;"),
-            "2:17: error: '==' compares float or enum, found bool in option main; use '&&', "
+            "2:17: '==' compares float or enum, found bool in option main; use '&&', "
             "'||' and '!'\n");
   EXPECT_EQ(errorsInAction("led = how == 1;"),
-            "2:11: error: '==' compares enum mode with float in option main\n");
+            "2:11: '==' compares enum mode with float in option main\n");
   EXPECT_EQ(errorsInAction("led = how < how;"),
-            "2:7: error: operand of '<' must be float, found enum mode in option main\n"
-            "2:13: error: operand of '<' must be float, found enum mode in option main\n");
+            "2:7: operand of '<' must be float, found enum mode in option main\n"
+            "2:13: operand of '<' must be float, found enum mode in option main\n");
   EXPECT_EQ(errorsInAction("led = true ? true : false;"),
-            "2:12: error: '?:' chooses between float or enum, found bool in option main; use '&&' "
+            "2:12: '?:' chooses between float or enum, found bool in option main; use '&&' "
             "and '||'\n");
   EXPECT_EQ(errorsInValue("true ? 1 : how"),
-            "2:14: error: '?:' chooses between float and enum mode in option main\n");
+            "2:14: '?:' chooses between float and enum mode in option main\n");
   EXPECT_EQ(errorsInValue("1 ? 1 : 2"),
-            "2:9: error: condition of '?:' must be bool, found float in option main\n");
+            "2:9: condition of '?:' must be bool, found float in option main\n");
   EXPECT_EQ(errorsInDecision("if (1) stay; else stay;"),
-            "2:5: error: condition must be bool, found float in option main\n");
+            "2:5: condition must be bool, found float in option main\n");
   EXPECT_EQ(errorsInAction("walk(x = true);"),
-            "2:10: error: parameter 'x' of basic behavior 'walk' must be float, found bool in "
+            "2:10: parameter 'x' of basic behavior 'walk' must be float, found bool in "
             "option main\n");
 }
 
 TEST(Compile, TellsWhatCannotBeDone) {
   EXPECT_EQ(errorsInAction("ball.distance = 1;"),
-            "2:1: error: input symbol 'ball.distance' cannot be set in option main\n");
+            "2:1: input symbol 'ball.distance' cannot be set in option main\n");
   EXPECT_EQ(errorsInAction("walk(x = 1, x = 2);"),
-            "2:13: error: parameter 'x' is set twice in option main\n");
+            "2:13: parameter 'x' is set twice in option main\n");
   EXPECT_EQ(errorsInValue("near(x = 1)"),
-            "2:9: error: 'near' is no input symbol and cannot have parameters in option main\n");
+            "2:9: 'near' is no input symbol and cannot have parameters in option main\n");
   EXPECT_EQ(errorsInAction("both();"),
-            "2:1: error: 'both' is an option and a basic behavior, expected 'option' or "
+            "2:1: 'both' is an option and a basic behavior, expected 'option' or "
             "'behavior' before '(' in option main\n");
 }
 
 TEST(Compile, TellsWhatIsDeclaredTwice) {
   EXPECT_THAT(errorsIn("namespace main(\"M\") { float input x; bool input x; const y = 1;\n"
                        "bool output z; bool internal z; const y = 2; }"),
-              HasSubstr("main.xabsl:1:49: error: input symbol 'x' is declared twice\n"
-                        "main.xabsl:2:30: error: internal symbol 'z' is declared twice\n"
-                        "main.xabsl:2:39: error: constant 'y' is declared twice\n"));
+              HasSubstr("main.xabsl:1:49: input symbol 'x' is declared twice\n"
+                        "main.xabsl:2:30: internal symbol 'z' is declared twice\n"
+                        "main.xabsl:2:39: constant 'y' is declared twice\n"));
   EXPECT_THAT(errorsIn("namespace main(\"M\") { enum e { a, e.a }; enum e { b }; }"),
-              HasSubstr("main.xabsl:1:35: error: element 'a' is declared twice\n"
-                        "main.xabsl:1:47: error: enumeration 'e' is declared twice\n"));
+              HasSubstr("main.xabsl:1:35: element 'a' is declared twice\n"
+                        "main.xabsl:1:47: enumeration 'e' is declared twice\n"));
   EXPECT_THAT(errorsIn("namespace main(\"M\") { behavior b { x; x; } behavior b { } }"),
-              HasSubstr("main.xabsl:1:39: error: parameter 'x' is declared twice\n"
-                        "main.xabsl:1:53: error: basic behavior 'b' is declared twice\n"));
+              HasSubstr("main.xabsl:1:39: parameter 'x' is declared twice\n"
+                        "main.xabsl:1:53: basic behavior 'b' is declared twice\n"));
   const std::string state = "initial state s { action { } } ";
   EXPECT_THAT(errorsIn("option main { " + state + "}\noption main { " + state + "}"),
-              HasSubstr("main.xabsl:2:8: error: option 'main' is declared twice\n"));
+              HasSubstr("main.xabsl:2:8: option 'main' is declared twice\n"));
   EXPECT_THAT(errorsIn("option main { " + state + "state s { action { } } }"),
-              HasSubstr("main.xabsl:1:52: error: state 's' is declared twice in option main\n"));
+              HasSubstr("main.xabsl:1:52: state 's' is declared twice in option main\n"));
   EXPECT_THAT(errorsIn("agent a(\"A\", b); agent a(\"A\", b);"),
-              HasSubstr("main.xabsl:1:24: error: agent 'a' is declared twice\n"));
+              HasSubstr("main.xabsl:1:24: agent 'a' is declared twice\n"));
 }
 
 TEST(Compile, KeepsKindsOfSymbolsWithOneNameApart) {
@@ -404,24 +396,24 @@ TEST(Compile, KeepsKindsOfSymbolsWithOneNameApart) {
       "const k = 2; }\nagent a(\"A\", main); option main { initial state s { action {\n";
   test::compiled(twins + "x = x() + 1; } } }");
   EXPECT_EQ(errorsIn(twins + "y = x; } } }"),
-            "main.xabsl:3:5: error: 'x' is an input symbol and an output symbol, expected 'x()' "
+            "main.xabsl:3:5: 'x' is an input symbol and an output symbol, expected 'x()' "
             "for the input in option main\n");
   EXPECT_EQ(errorsIn(twins + "y = k; } } }"),
-            "main.xabsl:3:5: error: 'k' is a constant and an input symbol, expected 'k()' for the "
+            "main.xabsl:3:5: 'k' is a constant and an input symbol, expected 'k()' for the "
             "input in option main\n");
 }
 
 TEST(Compile, WantsExactlyOneInitialState) {
   EXPECT_EQ(errorsInMain("option main { state s { action { } } }"),
-            "1:8: error: option main has no initial state, expected exactly one\n");
+            "1:8: option main has no initial state, expected exactly one\n");
   EXPECT_EQ(errorsInMain("option main { initial state s { action { } } initial state t { action "
                          "{ } } }"),
-            "1:60: error: option main has a second initial state, expected exactly one\n");
+            "1:60: option main has a second initial state, expected exactly one\n");
 }
 
 TEST(Compile, WantsElseIfAndOnlyIfThereIsACommonDecision) {
   EXPECT_EQ(errorsInDecision("else stay;"),
-            "2:1: error: unexpected 'else', since option main has no common decision\n");
+            "2:1: unexpected 'else', since option main has no common decision\n");
   const Compilation compilation =
       compile("main.xabsl",
               {{"main.xabsl", symbols + "option main { common decision { if (ball.seen) stay; }\n"
@@ -435,12 +427,12 @@ TEST(Compile, WantsElseIfAndOnlyIfThereIsACommonDecision) {
                           }));
   EXPECT_EQ(errorsInMain("option main { common decision { if (ball.seen) stay; else stay; }\n"
                          "initial state s { action { } } }"),
-            "1:65: error: a common decision ends without an 'else'\n");
+            "1:65: a common decision ends without an 'else'\n");
 }
 
 TEST(Compile, WantsAnAgent) {
   EXPECT_EQ(errorsIn("option main { initial state s { action { } } }"),
-            "main.xabsl:1:1: error: there is no agent, expected 'agent name(\"title\", "
+            "main.xabsl:1:1: there is no agent, expected 'agent name(\"title\", "
             "root_option);'\n");
 }
 
@@ -448,9 +440,9 @@ TEST(Compile, RefusesOptionsThatCallOneAnother) {
   EXPECT_EQ(errorsInMain("option main { initial state s { action { a(); } } }\n"
                          "option a { initial state s { action { b(); } } }\n"
                          "option b { common action { a(); } initial state s { action { } } }"),
-            "2:39: error: options call one another in a cycle: a -> b -> a\n");
+            "2:39: options call one another in a cycle: a -> b -> a\n");
   EXPECT_EQ(errorsInMain("option main { initial state s { action { main(); } } }"),
-            "1:42: error: options call one another in a cycle: main -> main\n");
+            "1:42: options call one another in a cycle: main -> main\n");
 }
 
 TEST(Compile, RefusesOptionsThatMultiplyWithoutBound) {
