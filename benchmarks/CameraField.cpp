@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "Parts.h"
 #include "base/Random.h"
 #include "simulation/scene/SceneModel.h"
 
@@ -16,7 +17,7 @@ const CameraField& CameraField::get() {
 }
 
 CameraField::CameraField() {
-  const auto scene = loadScene("scenes/match.scene");
+  const auto scene = loadScene(dataRoot().path("scenes/match.scene"));
   if (!scene) throw std::runtime_error(scene.error().text());
   auto model = composeModel(*scene);
   if (!model) throw std::runtime_error(model.error().text());

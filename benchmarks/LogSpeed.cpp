@@ -33,8 +33,8 @@ double processorSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-Result<void> playMatch(const std::filesystem::path& folder) {
-  MatchOptions options;
+Result<void> playMatch(const DataRoot& root, const std::filesystem::path& folder) {
+  MatchOptions options{root};
   options.logs = folder.string();
   options.inputs = true;
   auto match = Match::make(options);
@@ -122,10 +122,10 @@ Result<void> measure(Figures& figures, const std::string& name, std::size_t size
 
 }  // namespace
 
-Result<void> measureLogSpeed(Figures& figures) {
+Result<void> measureLogSpeed(Figures& figures, const DataRoot& root) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gt2003-log-speed";
   std::filesystem::create_directories(folder);
-  if (auto done = playMatch(folder); !done) return done;
+  if (auto done = playMatch(root, folder); !done) return done;
   const auto messages = load((folder / "red1.mcap").string());
   if (!messages) return messages.error();
   const std::string plain = (folder / "plain.mcap").string();

@@ -1,12 +1,13 @@
 #pragma once
+#include "base/DataRoot.h"
 #include "base/Result.h"
-#include "experiments/Figures.h"
+#include "measure/Figures.h"
 
 namespace gt {
 
 /// Measures writing and reading of logs, in MB of messages a second of the processor's time, with
 /// and without compression, beside zstd alone on the same bytes: `speed.log.*`. The messages are
 /// those of a robot in a match with all that it sensed, pictures included.
-Result<void> measureLogSpeed(Figures& figures);
+Result<void> measureLogSpeed(Figures& figures, const DataRoot& root);
 
 }  // namespace gt

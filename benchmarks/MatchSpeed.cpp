@@ -1,5 +1,7 @@
 #include "MatchSpeed.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -108,8 +110,8 @@ std::vector<double> factorsOf(const std::vector<Run>& runs) {
 }
 
 /// A scene of so many robots, all of which have programs.
-std::string sceneOf(std::size_t robots) {
-  const auto here = std::filesystem::current_path().string();
+std::string sceneOf(std::size_t robots, const DataRoot& root) {
+  const auto here = std::filesystem::absolute(root.path(".")).string();
   std::string entries;
   for (std::size_t i = 0; i < robots; ++i) {
     constexpr std::array<const char*, 4> roles{"striker2", "striker1", "goalie", "defender"};
@@ -129,8 +131,8 @@ std::string sceneOf(std::size_t robots) {
 Result<void> measureGrowth(Figures& figures, const MatchSpeedOptions& options) {
   const auto file = std::filesystem::temp_directory_path() / "gt2003-bench.scene";
   for (const std::size_t robots : {1, 2, 4, 8, 16, 22}) {
-    if (auto done = writeFile(file.string(), sceneOf(robots)); !done) return done;
-    MatchOptions match;
+    if (auto done = writeFile(file.string(), sceneOf(robots, options.root)); !done) return done;
+    MatchOptions match{options.root};
     match.scene = file.string();
     match.minutes = options.minutes / 2;
     auto runs = playAll(match, options.runs, false);
@@ -147,8 +149,8 @@ Result<void> measureMatchSpeed(Figures& figures, const MatchSpeedOptions& option
   const auto logs = std::filesystem::temp_directory_path() / "gt2003-bench";
   std::filesystem::create_directories(logs);
   for (const MatchKind& kind : kinds) {
-    MatchOptions match;
-    match.scene = kind.scene;
+    MatchOptions match{options.root};
+    match.scene = options.root.path(kind.scene);
     match.minutes = options.minutes;
     match.threads = kind.threads;
     if (kind.logged) match.logs = logs.string();

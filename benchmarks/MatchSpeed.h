@@ -1,11 +1,13 @@
 #pragma once
+#include "base/DataRoot.h"
 #include "base/Result.h"
-#include "experiments/Figures.h"
+#include "measure/Figures.h"
 
 namespace gt {
 
 /// What of matches is measured.
 struct MatchSpeedOptions {
+  DataRoot root;
   double minutes = 1;  ///< Of each match.
   int runs = 3;        ///< Each on a seed of its own.
 };

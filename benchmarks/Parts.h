@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "experiments/Figures.h"
+#include "base/DataRoot.h"
+#include "measure/Figures.h"
 
 namespace gt {
 
@@ -23,8 +24,11 @@ inline void aim(benchmark::State& state, double atMost) {
   state.counters["aim"] = atMost;
 }
 
+/// Where the parts find their data.
+const DataRoot& dataRoot();
+
 /// Measures the parts that are registered by BENCHMARK() and whose names match a regular
-/// expression, in time of the processor if they do not ask for real time.
-void measureParts(Figures& figures, const std::string& only);
+/// expression, in time of the processor if they do not ask for real time. Returns how many match.
+std::size_t measureParts(Figures& figures, const std::string& only, const DataRoot& root);
 
 }  // namespace gt

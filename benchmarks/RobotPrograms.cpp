@@ -1,5 +1,7 @@
 #include "RobotPrograms.h"
 
+#include <fmt/core.h>
+
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -48,14 +50,14 @@ double percent(std::int64_t part, std::int64_t whole) {
 
 }  // namespace
 
-Result<void> measureRobotPrograms(Figures& figures) {
+Result<void> measureRobotPrograms(Figures& figures, const DataRoot& root) {
   for (const char* process : processes)
     if (const std::string program = programOf(process); !fs::exists(program)) {
       fmt::print("speed.programs: not measured, there is no {}\n", program);
       return {};
     }
   const TemporaryFolder folder;
-  MatchOptions options;
+  MatchOptions options{root};
   options.sockets = folder.path().string();
   for (const auto& [robot, role] : team) options.remote[robot];
   auto match = Match::make(options);
@@ -65,7 +67,7 @@ Result<void> measureRobotPrograms(Figures& figures) {
     for (const char* process : processes)
       programs.push_back(std::make_unique<ChildProgram>(std::vector<std::string>{
           programOf(process), "--robot", robot, "--team", "red", "--role", role, "--sockets",
-          options.sockets, "--crashes", options.sockets}));
+          options.sockets, "--crashes", options.sockets, "--root", root.path(".")}));
   for (int seconds = 0; !allThere(**match); ++seconds) {
     if (seconds == 30) return Error{"", 0, "speed.programs", "the robots do not join the match"};
     play(**match, 1000);

@@ -1,6 +1,7 @@
 #pragma once
+#include "base/DataRoot.h"
 #include "base/Result.h"
-#include "experiments/Figures.h"
+#include "measure/Figures.h"
 
 namespace gt {
 
@@ -8,6 +9,6 @@ namespace gt {
 /// programs, against a simulated one: whether the simulation keeps up, and how often a robot's
 /// commands were not there in time: `speed.programs.*`. The programs lie beside this one; where
 /// they were not built, that is told and nothing measured.
-Result<void> measureRobotPrograms(Figures& figures);
+Result<void> measureRobotPrograms(Figures& figures, const DataRoot& root);
 
 }  // namespace gt

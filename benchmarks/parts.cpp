@@ -16,6 +16,8 @@
 namespace gt {
 namespace {
 
+DataRoot rootOfParts;  // they are registered before main() begins
+
 /// Takes each part's repetitions over as a figure.
 class FigureReporter : public benchmark::BenchmarkReporter {
  public:
@@ -67,7 +69,7 @@ void moduleCall(benchmark::State& state) {
 
 /// The robots' whole behavior, in play, going to a ball ahead.
 void xabslCycle(benchmark::State& state) {
-  const auto configuration = loadConfiguration({});
+  const auto configuration = loadConfiguration(ConfigurationPaths::in(dataRoot()));
   if (!configuration) throw std::runtime_error(configuration.error().text());
   GT2003BehaviorControl control;
   FrameInfo frame;
@@ -89,7 +91,7 @@ void xabslCycle(benchmark::State& state) {
 
 /// Eight robots that walk, each with all joints in motion, and a ball among them.
 void kinematicWorld(benchmark::State& state) {
-  auto scene = loadScene("scenes/match.scene");
+  auto scene = loadScene(dataRoot().path("scenes/match.scene"));
   if (!scene) throw std::runtime_error(scene.error().text());
   scene->balls.resize(static_cast<std::size_t>(state.range(0)));
   auto world = makeWorld(*scene, Random{1});
@@ -118,9 +120,14 @@ BENCHMARK(moduleCall)->Name("speed.framework.call")->Apply(inNanoseconds);
 
 }  // namespace
 
-void measureParts(Figures& figures, const std::string& only) {
+const DataRoot& dataRoot() {
+  return rootOfParts;
+}
+
+std::size_t measureParts(Figures& figures, const std::string& only, const DataRoot& root) {
+  rootOfParts = root;
   FigureReporter reporter{figures};
-  benchmark::RunSpecifiedBenchmarks(&reporter, only);
+  const std::size_t count = benchmark::RunSpecifiedBenchmarks(&reporter, only);
   // Each with the bare means of those that do the same (processes.cpp).
   const std::string process = "speed.process.";
   for (const auto& [figure, bare, aim] : {std::tuple{"cycle", "zeromq.bare", 1.2},
@@ -133,6 +140,9 @@ void measureParts(Figures& figures, const std::string& only) {
                    "speed.vision.classifyAll", Aim::atMost(1));
   figures.addRatio("speed.vision.opencv.ratio", "speed.vision.opencv", "speed.vision.gt2003",
                    Aim::atLeast(30));
+  figures.addRatio("speed.vision.blackWhiteBall.ofOpenCv", "speed.vision.blackWhiteBall",
+                   "speed.vision.blackWhiteBall.opencv", Aim::atMost(0.1));
+  return count;
 }
 
 }  // namespace gt

@@ -7,14 +7,14 @@
 #include "GamePictures.h"
 #include "Parts.h"
 #include "colors/ColorTableFile.h"
-#include "colortable/GameViews.h"
+#include "measure/worlds/GameViews.h"
 #include "modules/perception/processors/GT2003ImageProcessor.h"
 
 namespace gt {
 namespace {
 
 std::vector<GamePicture> takePictures() {
-  const auto scene = loadScene("scenes/match.scene");
+  const auto scene = loadScene(dataRoot().path("scenes/match.scene"));
   if (!scene) throw std::runtime_error(scene.error().text());
   auto views = GameViews::make(*scene, 1);
   if (!views) throw std::runtime_error(views.error().text());
@@ -30,7 +30,7 @@ std::vector<GamePicture> takePictures() {
 }
 
 std::unique_ptr<const ColorTable64> readColors() {
-  const auto colors = readColorTable("config/coltable.c64");
+  const auto colors = readColorTable(dataRoot().path("config/coltable.c64"));
   if (!colors) throw std::runtime_error(colors.error().text());
   return std::make_unique<const ColorTable64>(*colors);
 }

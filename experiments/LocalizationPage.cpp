@@ -1,9 +1,12 @@
 #include "LocalizationPage.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
+
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -62,13 +65,6 @@ constexpr std::array troubles{std::pair{"", "as in a match"},
                               std::pair{".leaningOnWalls", "leaning on walls"},
                               std::pair{".slip30percent", "slip of 30 %"}};
 
-const Figure* find(const Figures& figures, const std::string& name) {
-  const auto& all = figures.all();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Figure& f) { return f.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
 /// A chart of horizontal bars as SVG.
 std::string draw(const Chart& chart, const Figures& figures) {
   constexpr double left = 150, width = 300, row = 17;
@@ -82,7 +78,7 @@ std::string draw(const Chart& chart, const Figures& figures) {
   for (const char* locator : locators)
     for (const bool beacons : {true, false}) {
       const std::string name = std::string{locator} + (beacons ? "" : ".nobeacons");
-      const Figure* figure = find(figures, "localization." + name + "." + chart.figure);
+      const Figure* figure = figures.find("localization." + name + "." + chart.figure);
       if (!figure) continue;
       bars.push_back({beacons ? locator : "", beacons ? "#3b6fb6" : "#e08a2c", figure});
       most = std::max(most, figure->high);
@@ -123,7 +119,7 @@ std::string robustness(const char* title, const char* where, const char* figure,
     html += fmt::format("<tr><td>{}</td>", locator);
     for (const auto& [suffix, label] : troubles) {
       const Figure* f =
-          find(figures, "localization." + std::string{locator} + where + suffix + "." + figure);
+          figures.find("localization." + std::string{locator} + where + suffix + "." + figure);
       const double shade = f ? std::clamp(f->value / worst, 0., 1.) : 0;
       html += fmt::format("<td style=\"background:rgba(220,60,40,{:.2f})\">{}</td>", 0.6 * shade,
                           f ? fmt::format(fmt::runtime(format), f->value) : "");
@@ -168,9 +164,7 @@ Result<void> writeLocalizationPage(const std::string& path, const Figures& figur
   html += robustness("Robustness on the test bench: longest time off by more than 60 cm (s)", "",
                      "lost.longest", 20, "{:.1f}", figures);
   html += table(figures) + "</body></html>\n";
-  std::ofstream file{path};
-  file << html;
-  return file.good() ? Result<void>{} : Error{path, 0, "", "cannot be written"};
+  return writeFile(path, html);
 }
 
 }  // namespace gt

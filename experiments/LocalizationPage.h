@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "Figures.h"
 #include "base/Result.h"
+#include "measure/Figures.h"
 
 namespace gt {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "Tally.h"
 #include "VisionTruth.h"
+#include "measure/Tally.h"
 #include "modules/modeling/selflocator/FieldEdges.h"
 #include "representations/perception/BallPercept.h"
 #include "representations/perception/BodyPercept.h"

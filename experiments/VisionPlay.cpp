@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "Experiments.h"
-#include "InParallel.h"
 #include "VisionMeasures.h"
 #include "match/Match.h"
 #include "modules/perception/processors/GridImageProcessor2.h"
@@ -81,8 +80,8 @@ class Spectator {
   Debug debug_{1024};
 };
 
-Result<PlayTally> watchPlay(std::uint64_t seed) {
-  MatchOptions options;
+Result<PlayTally> watchPlay(std::uint64_t seed, const DataRoot& root) {
+  MatchOptions options{root};
   options.seed = seed;
   auto match = Match::make(options);
   if (!match) return match.error();
@@ -106,36 +105,39 @@ Result<PlayTally> watchPlay(std::uint64_t seed) {
   return tally;
 }
 
-}  // namespace
+double percent(const Tally& tally, const std::string& name) {
+  const auto found = tally.rates.find(name);
+  return found == tally.rates.end() ? 0 : found->second.percent();
+}
 
-Result<void> measureVisionPlay(Figures& figures, const ExperimentOptions& options) {
-  std::vector<Result<PlayTally>> results(options.seeds.size(), PlayTally{});
-  inParallel(results.size(), [&](std::size_t i) { results[i] = watchPlay(options.seeds[i]); });
-  for (const auto& result : results)
-    if (!result) return result.error();
+Result<Measurement> measure(const Job& job, const DataRoot& root) {
+  const auto tally = watchPlay(job.seed, root);
+  if (!tally) return tally.error();
+  Measurement measured;
   for (std::size_t phase = 0; phase < phases.size(); ++phase) {
     const std::string base = std::string{"vision.GridImageProcessor2."} + phases[phase].name + ".";
-    const auto percent = [&](const Tally& tally, const std::string& name) {
-      const auto found = tally.rates.find(name);
-      return found == tally.rates.end() ? 0 : found->second.percent();
-    };
     for (const std::string name :
          {"ball.found", "flags.found", "goals.found", "edges.line.right", "edges.border.right",
           "players.found", "players.color", "ball.false", "flags.false", "goals.false"}) {
-      std::vector<double> shares, rates;
-      for (const auto& result : results) {
-        const Found& found = (*result)[phase];
-        const double hand = percent(found.hand, name), own = percent(found.adaptive, name);
-        rates.push_back(own);
-        if (hand > 0) shares.push_back(100 * own / hand);
-      }
-      figures.add(base + name, "%", rates);
-      if (name == "ball.found" || name == "flags.found" || name == "goals.found")
-        figures.add(base + name + ".ofHandMade", "%", shares,
-                    phase == 0 ? Aim{} : Aim::atLeast(90));
+      const Found& found = (*tally)[phase];
+      const double hand = percent(found.hand, name), own = percent(found.adaptive, name);
+      measured.add(base + name, "%", own);
+      const bool compared = name == "ball.found" || name == "flags.found" || name == "goals.found";
+      if (compared && hand > 0)
+        measured.add(base + name + ".ofHandMade", "%", 100 * own / hand,
+                     phase == 0 ? Aim{} : Aim::atLeast(90));
     }
   }
-  return {};
+  return measured;
+}
+
+}  // namespace
+
+Experiment visionPlayExperiment() {
+  return {"vision.play",
+          "The image processor that adapts its colors, through the eyes of robots that play",
+          {},
+          measure};
 }
 
 }  // namespace gt

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "colortable/GameViews.h"
+#include "measure/worlds/GameViews.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/perception/LandmarksPercept.h"

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "Tally.h"
 #include "base/Random.h"
 #include "match/Match.h"
+#include "measure/Tally.h"
 #include "modules/modeling/OracledLocators.h"
 #include "modules/modeling/ball/BallChallengeBallLocator.h"
 #include "modules/modeling/ball/PidSmoothedBallLocator.h"

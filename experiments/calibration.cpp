@@ -1,12 +1,9 @@
 // Has robots look at a checkerboard that do not know how their bodies lean nor how wide their
 // cameras see, and compares what they find out with the truth.
 #include <algorithm>
-#include <map>
 #include <memory>
 
 #include "Experiments.h"
-#include "InParallel.h"
-#include "Tally.h"
 #include "modules/perception/calibration/CheckerboardDetector.h"
 #include "modules/perception/processors/DefaultSensorDataProcessor.h"
 #include "simulation/Simulation.h"
@@ -65,11 +62,11 @@ class Watcher : public RobotController {
   int found_ = 0, pictures_ = 0;
 };
 
-Result<Tally> calibrate(std::uint64_t seed) {
+Result<Measurement> calibrate(const Job& job, const DataRoot& root) {
   constexpr int mostTicks = 240 * 125;
-  auto scene = loadScene("scenes/checkerboard.scene");
+  auto scene = loadScene(root.path("scenes/checkerboard.scene"));
   if (!scene) return scene.error();
-  Random random{Random{seed}.fork("calibration")};
+  Random random{Random{job.seed}.fork("calibration")};
   SceneRobot& robot = scene->robots.front();
   robot.x = random.uniform(-780, -620);
   robot.y = random.uniform(-60, 60);
@@ -80,54 +77,38 @@ Result<Tally> calibrate(std::uint64_t seed) {
   CameraInfo believed;
   believed.focalX *= random.uniform(0.88, 1.12);
   believed.focalY *= random.uniform(0.88, 1.12);
-  auto simulation = Simulation::make(*scene, seed);
+  auto simulation = Simulation::make(*scene, job.seed);
   if (!simulation) return simulation.error();
-  auto controller = std::make_unique<Watcher>(believed, seed);
+  auto controller = std::make_unique<Watcher>(believed, job.seed);
   const Watcher& watcher = *controller;
   (*simulation)->attach(0, std::move(controller));
   for (int i = 0; i < mostTicks && watcher.calibration().pictures == 0; ++i) (*simulation)->step();
-  Tally tally;
+  Measurement measured;
+  const std::string name = "vision.calibration.";
   const CameraCalibration& found = watcher.calibration();
-  tally.count("done", found.pictures > 0);
-  tally.measure("board", "%", watcher.foundShare());
-  if (found.pictures == 0) return tally;
-  const auto degrees = [&](const char* name, double value, double truth) {
-    tally.measure(name, "deg", std::abs(toDegrees(value - truth)));
+  measured.add(name + "done", "%", found.pictures > 0 ? 100 : 0, Aim::atLeast(100));
+  measured.add(name + "board", "%", watcher.foundShare());
+  if (found.pictures == 0) return measured;
+  const auto compare = [&](const char* what, double value, double before, double truth) {
+    const auto error = [&](double v) { return std::abs(toDegrees(v - truth)); };
+    measured.add(name + what, "deg", error(value), Aim::atMost(0.3));
+    measured.add(name + what + ".before", "deg", error(before));
   };
-  degrees("openingAngleX", found.openingAngleX, camera.openingAngleX());
-  degrees("openingAngleY", found.openingAngleY, camera.openingAngleY());
-  degrees("openingAngleX.before", believed.openingAngleX(), camera.openingAngleX());
-  degrees("openingAngleY.before", believed.openingAngleY(), camera.openingAngleY());
-  degrees("bodyTilt", found.body.bodyTiltOffset, fromDegrees(robot.bodyTilt));
-  degrees("bodyRoll", found.body.bodyRollOffset, fromDegrees(robot.bodyRoll));
-  degrees("bodyTilt.before", 0, fromDegrees(robot.bodyTilt));
-  degrees("bodyRoll.before", 0, fromDegrees(robot.bodyRoll));
-  tally.measure("corners", "pixel", found.error);
-  return tally;
+  compare("openingAngleX", found.openingAngleX, believed.openingAngleX(), camera.openingAngleX());
+  compare("openingAngleY", found.openingAngleY, believed.openingAngleY(), camera.openingAngleY());
+  compare("bodyTilt", found.body.bodyTiltOffset, 0, fromDegrees(robot.bodyTilt));
+  compare("bodyRoll", found.body.bodyRollOffset, 0, fromDegrees(robot.bodyRoll));
+  measured.add(name + "corners", "pixel", found.error);
+  return measured;
 }
 
 }  // namespace
 
-Result<void> measureCalibration(Figures& figures, const ExperimentOptions& options) {
-  std::vector<Result<Tally>> results(options.seeds.size(), Tally{});
-  inParallel(results.size(), [&](std::size_t i) { results[i] = calibrate(options.seeds[i]); });
-  std::vector<double> done;
-  std::map<std::string, std::pair<std::string, std::vector<double>>> errors;
-  for (const auto& result : results) {
-    if (!result) return result.error();
-    done.push_back(result->rates.at("done").percent());
-    for (const auto& [name, list] : result->errors) {
-      errors[name].first = list.unit;
-      errors[name].second.push_back(list.values.front());
-    }
-  }
-  figures.add("vision.calibration.done", "%", done, Aim::atLeast(100));
-  for (const auto& [name, list] : errors) {
-    const bool error = list.first == "deg" && !name.ends_with(".before");
-    figures.add("vision.calibration." + name, list.first, list.second,
-                error ? Aim::atMost(0.3) : Aim{});
-  }
-  return {};
+Experiment calibrationExperiment() {
+  return {"vision.calibration",
+          "Opening angles and body offsets that robots find with a checkerboard",
+          {},
+          calibrate};
 }
 
 }  // namespace gt

@@ -3,23 +3,23 @@
 // contacts.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "Experiments.h"
-#include "InParallel.h"
 #include "base/Random.h"
+#include "base/Statistics.h"
+#include "measure/InParallel.h"
 #include "modules/motion/control/DefaultCollisionDetector.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "simulation/sensors/Sensors.h"
 #include "simulation/world/World.h"
 #include "streams/Config.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
 
 constexpr int ticksPerSecond = 1000 / static_cast<int>(tickMs);
-constexpr double soon = 0.5;       // s
-constexpr double mostMinutes = 3;  // Of a walk.
+constexpr double soon = 0.5;  // s
 constexpr const char* calibrationFile = "config/modules/CollisionDetector.Default.cfg";
 
 /// What happened in one run.
@@ -31,16 +31,16 @@ struct Run {
 /// A robot that walks about among others, as it is told.
 class Walker {
  public:
-  static Result<std::unique_ptr<Walker>> make(std::uint64_t seed,
+  static Result<std::unique_ptr<Walker>> make(const DataRoot& root, std::uint64_t seed,
                                               const DefaultCollisionDetector::Parameters& how) {
-    auto scene = loadScene("scenes/obstacle-challenge.scene");
+    auto scene = loadScene(root.path("scenes/obstacle-challenge.scene"));
     if (!scene) return scene.error();
     scene->fidelity = Fidelity::dynamic;
     auto world = makeWorld(*scene, Random{seed});
     if (!world) return world.error();
     std::unique_ptr<Walker> walker{new Walker{std::move(*world), scene->noise, seed}};
-    if (auto read =
-            readConfig("config/modules/WalkingEngine.InvKin.cfg", walker->engine_.parameters);
+    if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"),
+                               walker->engine_.parameters);
         !read)
       return read.error();
     walker->detector_.parameters = how;
@@ -133,15 +133,15 @@ class HoldUp {
 
 /// What is found within half a second after a collision began counts, and what is found while
 /// nothing was there for long is a false alarm.
-Result<Run> walk(std::uint64_t seed, double minutes) {
+Result<Measurement> walk(const Job& job, const DataRoot& root) {
   DefaultCollisionDetector::Parameters calibrated;
-  if (auto read = readConfig(calibrationFile, calibrated); !read) return read.error();
-  auto walker = Walker::make(seed, calibrated);
+  if (auto read = readConfig(root.path(calibrationFile), calibrated); !read) return read.error();
+  auto walker = Walker::make(root, job.seed, calibrated);
   if (!walker) return walker.error();
   Run run;
   HoldUp touch;
   bool found = false, alarm = false;
-  const int ticks = static_cast<int>(minutes * 60) * ticksPerSecond;
+  const int ticks = static_cast<int>(job.number("minutes") * 60) * ticksPerSecond;
   for (int i = 0; i < ticks; ++i) {
     (*walker)->step();
     if (i < 2 * ticksPerSecond) continue;
@@ -158,21 +158,27 @@ Result<Run> walk(std::uint64_t seed, double minutes) {
     }
     alarm = collision;
   }
-  return run;
+  Measurement measured;
+  if (run.collisions > 0)
+    measured.add("worldmodel.collisions.foundSoon", "%", 100. * run.found / run.collisions);
+  measured.add("worldmodel.collisions.falseAlarms", "1/min",
+               run.falseAlarms / std::max(run.freeMinutes, 1e-9));
+  return measured;
 }
 
 /// The sums of squared differences while a robot walks freely, by gait and speed.
 using FreeSums = EnumArray<Gait, std::array<std::vector<double>, DefaultCollisionDetector::speeds>>;
 
-Result<FreeSums> walkFreely(std::uint64_t seed, double minutes) {
+Result<FreeSums> walkFreely(const DataRoot& root, std::uint64_t seed) {
+  constexpr int minutes = 3;
   // With a threshold of 1 the strength is the sum itself.
   DefaultCollisionDetector::Parameters bare;
   for (auto& table : bare.thresholds) table.fill(1);
-  auto walker = Walker::make(seed, bare);
+  auto walker = Walker::make(root, seed, bare);
   if (!walker) return walker.error();
   FreeSums sums;
   HoldUp touch;
-  const int ticks = static_cast<int>(minutes * 60) * ticksPerSecond;
+  const int ticks = minutes * 60 * ticksPerSecond;
   for (int i = 0; i < ticks; ++i) {
     (*walker)->step();
     touch.add((*walker)->robot(), (*walker)->motion());
@@ -203,11 +209,10 @@ DefaultCollisionDetector::Parameters thresholdsAbove(const FreeSums& sums) {
 
 }  // namespace
 
-Result<void> calibrateCollisions(const ExperimentOptions& options) {
-  std::vector<Result<FreeSums>> results(options.seeds.size(), FreeSums{});
-  inParallel(results.size(), [&](std::size_t i) {
-    results[i] = walkFreely(options.seeds[i], std::min(options.minutes, mostMinutes));
-  });
+Result<void> calibrateCollisions(const std::vector<std::uint64_t>& seeds, const DataRoot& root,
+                                 unsigned threads) {
+  const auto results =
+      inParallel(seeds.size(), threads, [&](std::size_t i) { return walkFreely(root, seeds[i]); });
   FreeSums all;
   for (const Result<FreeSums>& result : results) {
     if (!result) return result.error();
@@ -217,26 +222,17 @@ Result<void> calibrateCollisions(const ExperimentOptions& options) {
         all.values[g][speed].insert(all.values[g][speed].end(), seen.begin(), seen.end());
       }
   }
-  std::ofstream file{calibrationFile};
-  file << "// Written by `experiment --calibrate-collisions`: above what legs lag in free walks.\n"
-       << writeConfig(thresholdsAbove(all));
-  return file.good() ? Result<void>{} : Error{calibrationFile, 0, "", "cannot be written"};
+  return writeFile(
+      root.path(calibrationFile),
+      "// Written by `experiment calibrate-collisions`: above what legs lag in free walks.\n" +
+          writeConfig(thresholdsAbove(all)));
 }
 
-Result<void> measureCollisions(Figures& figures, const ExperimentOptions& options) {
-  std::vector<Result<Run>> results(options.seeds.size(), Run{});
-  inParallel(results.size(), [&](std::size_t i) {
-    results[i] = walk(options.seeds[i], std::min(options.minutes, mostMinutes));
-  });
-  std::vector<double> found, alarms;
-  for (const Result<Run>& result : results) {
-    if (!result) return result.error();
-    if (result->collisions > 0) found.push_back(100. * result->found / result->collisions);
-    alarms.push_back(result->falseAlarms / std::max(result->freeMinutes, 1e-9));
-  }
-  figures.add("worldmodel.collisions.foundSoon", "%", found);
-  figures.add("worldmodel.collisions.falseAlarms", "1/min", alarms);
-  return {};
+Experiment collisionExperiment() {
+  return {"worldmodel.collisions",
+          "How often the collision detector finds collisions, and how often it is wrong",
+          {{"minutes", "of walking", Parameter::Kind::number, {"3"}}},
+          walk};
 }
 
 }  // namespace gt

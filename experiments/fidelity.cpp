@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "Experiments.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
@@ -16,7 +17,7 @@ constexpr int seconds = 60, warmUpSeconds = 2;
 constexpr int ticksPerSecond = 1000 / static_cast<int>(tickMs);
 
 struct Walk {
-  const char* name;
+  std::string_view name;
   Pose2D request;  // rad/s, mm/s
 };
 
@@ -39,8 +40,8 @@ struct Way {
   bool fell = false;
 };
 
-Result<Way> walk(const Pose2D& request, Fidelity fidelity) {
-  auto scene = loadScene("scenes/match.scene");
+Result<Way> walk(const DataRoot& root, const Pose2D& request, Fidelity fidelity) {
+  auto scene = loadScene(root.path("scenes/match.scene"));
   if (!scene) return scene.error();
   scene->fidelity = fidelity;
   scene->noise = {0, 0, 0, 0, 0};
@@ -49,7 +50,9 @@ Result<Way> walk(const Pose2D& request, Fidelity fidelity) {
   auto world = makeWorld(*scene, Random{1});
   if (!world) return world.error();
   InvKinWalkingEngine engine;
-  if (auto read = readConfig("config/modules/WalkingEngine.InvKin.cfg", engine.parameters); !read)
+  if (auto read =
+          readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), engine.parameters);
+      !read)
     return read.error();
 
   Way way;
@@ -90,39 +93,50 @@ Result<Way> walk(const Pose2D& request, Fidelity fidelity) {
   return way;
 }
 
-void print(const char* name, const char* fidelity, const Way& way) {
-  fmt::print("{:<12} {:<10} {:>7.1f} {:>7.1f} {:>7.2f} {:>8.1f} {:>7.2f} {:>7.2f}  {}\n", name,
-             fidelity, way.speed.translation.x(), way.speed.translation.y(), way.speed.rotation,
-             way.height, toDegrees(way.pitch), toDegrees(way.pitchDeviation),
-             way.fell ? "fell" : "");
+void add(Measurement& measured, const std::string& name, const Way& way) {
+  measured.add(name + ".x", "mm/s", way.speed.translation.x());
+  measured.add(name + ".y", "mm/s", way.speed.translation.y());
+  measured.add(name + ".rotation", "rad/s", way.speed.rotation);
+  measured.add(name + ".bodyHeight", "mm", way.height);
+  measured.add(name + ".cameraPitch", "deg", toDegrees(way.pitch));
+  measured.add(name + ".cameraPitch.deviation", "deg", toDegrees(way.pitchDeviation));
+  measured.add(name + ".fell", "", way.fell);
+}
+
+Result<Measurement> compare(const Job& job, const DataRoot& root) {
+  const Walk& w = *std::ranges::find(walks, job.parameter("walk"), &Walk::name);
+  const auto kinematic = walk(root, w.request, Fidelity::kinematic);
+  if (!kinematic) return kinematic.error();
+  const auto dynamic = walk(root, w.request, Fidelity::dynamic);
+  if (!dynamic) return dynamic.error();
+  Measurement measured;
+  const std::string name = "fidelity." + std::string{w.name};
+  add(measured, name + ".kinematic", *kinematic);
+  add(measured, name + ".dynamic", *dynamic);
+  const Vector2d& wanted = kinematic->speed.translation;
+  if (const double speed = wanted.norm(); speed > 1)
+    measured.add(name + ".speed", "%", 100 * dynamic->speed.translation.dot(wanted) / speed / speed,
+                 Aim::atLeast(50));
+  if (w.request.rotation != 0)
+    measured.add(name + ".turn", "%", 100 * dynamic->speed.rotation / kinematic->speed.rotation,
+                 Aim::atLeast(50));
+  else
+    measured.add(name + ".drift", "deg/s", toDegrees(dynamic->speed.rotation));
+  measured.add(name + ".height", "mm", dynamic->height - kinematic->height);
+  measured.add(name + ".pitch", "deg", toDegrees(dynamic->pitch - kinematic->pitch));
+  return measured;
 }
 
 }  // namespace
 
-Result<void> measureFidelity(Figures& figures, const ExperimentOptions&) {
-  fmt::print("{:<12} {:<10} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7}\n", "walk", "fidelity", "x mm/s",
-             "y mm/s", "rad/s", "height", "pitch", "+-deg");
-  for (const Walk& w : walks) {
-    const auto kinematic = walk(w.request, Fidelity::kinematic);
-    if (!kinematic) return kinematic.error();
-    const auto dynamic = walk(w.request, Fidelity::dynamic);
-    if (!dynamic) return dynamic.error();
-    print(w.name, "kinematic", *kinematic);
-    print("", "dynamic", *dynamic);
-    const std::string name = std::string{"fidelity."} + w.name;
-    const Vector2d& wanted = kinematic->speed.translation;
-    if (const double speed = wanted.norm(); speed > 1)
-      figures.add(name + ".speed", "%",
-                  {100 * dynamic->speed.translation.dot(wanted) / speed / speed}, Aim::atLeast(50));
-    if (w.request.rotation != 0)
-      figures.add(name + ".turn", "%", {100 * dynamic->speed.rotation / kinematic->speed.rotation},
-                  Aim::atLeast(50));
-    else
-      figures.add(name + ".drift", "deg/s", {toDegrees(dynamic->speed.rotation)});
-    figures.add(name + ".height", "mm", {dynamic->height - kinematic->height});
-    figures.add(name + ".pitch", "deg", {toDegrees(dynamic->pitch - kinematic->pitch)});
-  }
-  return {};
+Experiment fidelityExperiment() {
+  Parameter which{"walk", "what the robot is told to do", Parameter::Kind::each, {}};
+  for (const Walk& w : walks) which.values.emplace_back(w.name);
+  return {"fidelity",
+          "The same walks in the kinematic and in the dynamic fidelity",
+          {which},
+          compare,
+          true};
 }
 
 }  // namespace gt

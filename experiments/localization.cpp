@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "Experiments.h"
-#include "InParallel.h"
-#include "SimulatedWalker.h"
 #include "base/Statistics.h"
+#include "measure/worlds/SimulatedWalker.h"
 #include "modules/behavior/skills/BasicBehaviors.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
 #include "modules/modeling/testing/Locators.h"
@@ -22,9 +21,6 @@ constexpr int picturesPerMinute = 60 * 1000 / SyntheticRobot::picturePeriod;
 
 /// With so much slip the odometry alone is off by more than a metre within a minute.
 constexpr double muchSlip = 0.4, muchNoise = 2;
-
-/// The values of one run by the names of their figures.
-using Run = std::map<std::string, std::pair<std::string, double>>;
 
 /// What a walk's or a search's figures should be at most.
 const std::map<std::string, Aim> aims{
@@ -49,25 +45,10 @@ const std::map<std::string, Aim> aims{
     {"montecarlo.error.p95", Aim::atMost(600)},
     {"montecarlo.lost.longest", Aim::atMost(15)}};
 
-/// Runs an experiment on all seeds and adds the figures.
-Result<void> measureOnSeeds(Figures& figures, const std::vector<std::uint64_t>& seeds,
-                            const std::function<Result<Run>(std::uint64_t)>& experiment) {
-  std::vector<Result<Run>> runs(seeds.size(), Run{});
-  inParallel(seeds.size(), [&](std::size_t i) { runs[i] = experiment(seeds[i]); });
-  std::map<std::string, std::pair<std::string, std::vector<double>>> columns;
-  for (const Result<Run>& run : runs) {
-    if (!run) return run.error();
-    for (const auto& [name, value] : *run) {
-      columns[name].first = value.first;
-      columns[name].second.push_back(value.second);
-    }
-  }
-  for (const auto& [name, column] : columns) {
-    const auto aim = aims.find(name);
-    figures.add("localization." + name, column.first, column.second,
-                aim == aims.end() ? Aim{} : aim->second);
-  }
-  return {};
+/// Adds a figure by its name behind the group's.
+void add(Measurement& measured, const std::string& name, const char* unit, double value) {
+  const auto aim = aims.find(name);
+  measured.add("localization." + name, unit, value, aim == aims.end() ? Aim{} : aim->second);
 }
 
 /// Where the robot would be if the field were turned by half a circle: without goals and beacons
@@ -111,17 +92,17 @@ struct Follower {
     longestLost = std::max(longestLost, lost);
     return error;
   }
-  void tell(Run& run) const {
+  void report(Measurement& run) const {
     const double average = mean(errors);
     const auto below =
         std::count_if(errors.begin(), errors.end(), [&](double e) { return e < average; });
-    run[name + ".error.mean"] = {"mm", average};
-    run[name + ".error.median"] = {"mm", quantile(errors, 0.5)};
-    run[name + ".error.p95"] = {"mm", quantile(errors, 0.95)};
-    run[name + ".error.belowMean"] = {
-        "%", 100 * static_cast<double>(below) / static_cast<double>(errors.size())};
-    run[name + ".lost.longest"] = {"s", longestLost};
-    run[name + ".mirrored.longest"] = {"s", mirror.longest()};
+    add(run, name + ".error.mean", "mm", average);
+    add(run, name + ".error.median", "mm", quantile(errors, 0.5));
+    add(run, name + ".error.p95", "mm", quantile(errors, 0.95));
+    add(run, name + ".error.belowMean", "%",
+        100 * static_cast<double>(below) / static_cast<double>(errors.size()));
+    add(run, name + ".lost.longest", "s", longestLost);
+    add(run, name + ".mirrored.longest", "s", mirror.longest());
   }
 };
 
@@ -136,13 +117,14 @@ std::vector<Follower> followers(const std::string& suffix, bool beacons, std::ui
 
 /// Experiment 1: a random walk of 18 minutes with much slip, the head turning left and right. All
 /// locators see the same.
-Result<Run> experiment1(std::uint64_t seed, bool beacons) {
+Result<Measurement> experiment1(const Job& job, const DataRoot& root) {
   constexpr int minutes = 18;
-  auto made =
-      SimulatedWalker::make(seed, {.slip = muchSlip, .motion = muchNoise, .flags = beacons});
+  const bool beacons = job.flag("beacons");
+  auto made = SimulatedWalker::make(root, job.seed,
+                                    {.slip = muchSlip, .motion = muchNoise, .flags = beacons});
   if (!made) return made.error();
   SimulatedWalker& robot = **made;
-  std::vector<Follower> all = followers(".experiment1", beacons, seed);
+  std::vector<Follower> all = followers(".experiment1", beacons, job.seed);
   Pose2D truth, counted;
   std::vector<double> drift;
   for (int i = 0; i < picturesPerMinute * minutes; ++i) {
@@ -158,9 +140,9 @@ Result<Run> experiment1(std::uint64_t seed, bool beacons) {
       if (i >= picturesPerMinute / 6) follower.errors.push_back(error);
     }
   }
-  Run run;
-  for (const Follower& follower : all) follower.tell(run);
-  if (beacons) run["odometry.experiment1.minute"] = {"mm", mean(drift)};
+  Measurement run;
+  for (const Follower& follower : all) follower.report(run);
+  if (beacons) add(run, "odometry.experiment1.minute", "mm", mean(drift));
   return run;
 }
 
@@ -197,7 +179,7 @@ Arrival goTo(const Pose2D& goal, Robot& robot, AnyLocator& locator) {
 /// Experiment 2: 68 random points, reached by go-to-point, with the head always turning.
 template <typename Robot>
 void experiment2(Robot& robot, AnyLocator& locator, std::uint64_t seed, const std::string& name,
-                 Run& run) {
+                 Measurement& run) {
   constexpr int points = 68;
   Random random{seed};
   std::vector<double> stops, estimates;
@@ -213,12 +195,12 @@ void experiment2(Robot& robot, AnyLocator& locator, std::uint64_t seed, const st
     stops.push_back(arrival.ofRobot);
     estimates.push_back(arrival.ofEstimate);
   }
-  run[name + ".experiment2.stop.mean"] = {"mm", mean(stops)};
-  run[name + ".experiment2.stop.median"] = {"mm", quantile(stops, 0.5)};
-  run[name + ".experiment2.stop.p95"] = {"mm", quantile(stops, 0.95)};
-  run[name + ".experiment2.estimate.mean"] = {"mm", mean(estimates)};
-  run[name + ".experiment2.estimate.median"] = {"mm", quantile(estimates, 0.5)};
-  run[name + ".experiment2.estimate.p95"] = {"mm", quantile(estimates, 0.95)};
+  add(run, name + ".experiment2.stop.mean", "mm", mean(stops));
+  add(run, name + ".experiment2.stop.median", "mm", quantile(stops, 0.5));
+  add(run, name + ".experiment2.stop.p95", "mm", quantile(stops, 0.95));
+  add(run, name + ".experiment2.estimate.mean", "mm", mean(estimates));
+  add(run, name + ".experiment2.estimate.median", "mm", quantile(estimates, 0.5));
+  add(run, name + ".experiment2.estimate.p95", "mm", quantile(estimates, 0.95));
 }
 
 /// Pictures until each locator's pose is within 20 cm and stays, all seeing the same.
@@ -242,35 +224,37 @@ void search(SimulatedWalker& robot, std::vector<Follower>& all,
 
 /// From nothing, and after the referee has put the robot elsewhere, while it stands and turns its
 /// head (report, figure 3.8).
-Result<Run> relocalizing(std::uint64_t seed, bool beacons) {
+Result<Measurement> relocalizing(const Job& job, const DataRoot& root) {
   constexpr int trials = 15;
-  auto made = SimulatedWalker::make(seed, {.flags = beacons, .walks = false});
+  const bool beacons = job.flag("beacons");
+  auto made = SimulatedWalker::make(root, job.seed, {.flags = beacons, .walks = false});
   if (!made) return made.error();
   SimulatedWalker& robot = **made;
   std::map<std::string, std::vector<double>> nothing, kidnapped;
   std::map<std::string, double> mirrored;
   for (std::uint64_t i = 0; i < trials; ++i) {
-    std::vector<Follower> all = followers("", beacons, seed * 1000 + i);
+    std::vector<Follower> all = followers("", beacons, job.seed * 1000 + i);
     robot.kidnap();
     search(robot, all, nothing);
     robot.kidnap();
     search(robot, all, kidnapped);
     for (const Follower& f : all) mirrored[f.name] = std::max(mirrored[f.name], f.mirror.longest());
   }
-  Run run;
+  Measurement run;
   for (const auto& [name, pictures] : nothing) {
-    run[name + ".fromNothing.median"] = {"pictures", quantile(pictures, 0.5)};
-    run[name + ".fromNothing.mean"] = {"pictures", mean(pictures)};
-    run[name + ".fromNothing.p95"] = {"pictures", quantile(pictures, 0.95)};
-    run[name + ".kidnapped.median"] = {"pictures", quantile(kidnapped[name], 0.5)};
-    run[name + ".kidnapped.mean"] = {"pictures", mean(kidnapped[name])};
-    run[name + ".kidnapped.p95"] = {"pictures", quantile(kidnapped[name], 0.95)};
-    run[name + ".search.mirrored.longest"] = {"s", mirrored[name]};
+    add(run, name + ".fromNothing.median", "pictures", quantile(pictures, 0.5));
+    add(run, name + ".fromNothing.mean", "pictures", mean(pictures));
+    add(run, name + ".fromNothing.p95", "pictures", quantile(pictures, 0.95));
+    add(run, name + ".kidnapped.median", "pictures", quantile(kidnapped[name], 0.5));
+    add(run, name + ".kidnapped.mean", "pictures", mean(kidnapped[name]));
+    add(run, name + ".kidnapped.p95", "pictures", quantile(kidnapped[name], 0.95));
+    add(run, name + ".search.mirrored.longest", "s", mirrored[name]);
   }
   return run;
 }
 
-/// What goes wrong in a row of the robustness table: on the test bench, and on simulated pictures.
+/// What goes wrong in a row of the robustness table, or nothing: on the test bench, and on
+/// simulated pictures.
 struct Trouble {
   std::string name;
   SyntheticWorld bench;
@@ -278,9 +262,9 @@ struct Trouble {
 };
 
 std::vector<Trouble> troubles() {
-  std::vector<Trouble> rows{{"", {}, {}}};
+  std::vector<Trouble> rows{{"none", {}, {}}};
   const auto row = [&](const std::string& name) -> Trouble& {
-    return rows.emplace_back(Trouble{"." + name, {}, {}});
+    return rows.emplace_back(Trouble{name, {}, {}});
   };
   for (std::uint64_t missing = 1; missing <= 6; ++missing) {
     Trouble& trouble = row("missing" + std::to_string(missing));
@@ -305,72 +289,100 @@ std::vector<Trouble> troubles() {
 
 /// The errors of all locators while a robot walks for some minutes.
 template <typename Robot>
-void followThrough(Robot& robot, const std::string& suffix, int minutes, std::uint64_t seed,
-                   Run& run) {
-  std::vector<Follower> all = followers(suffix, true, seed);
-  for (int i = 0; i < picturesPerMinute * minutes; ++i) {
+Measurement followThrough(Robot& robot, const std::string& suffix, const Job& job) {
+  std::vector<Follower> all = followers(suffix, true, job.seed);
+  const int pictures = static_cast<int>(picturesPerMinute * job.number("minutes"));
+  for (int i = 0; i < pictures; ++i) {
     robot.step();
     for (Follower& follower : all) {
       const double error = follower.look(robot);
-      if (i >= picturesPerMinute / 6) follower.errors.push_back(error);
+      if (i >= std::min(picturesPerMinute / 6, pictures / 2)) follower.errors.push_back(error);
     }
   }
-  for (const Follower& follower : all) follower.tell(run);
-}
-
-/// The errors while everything goes wrong: in a world like a match without pictures, and in the
-/// simulator with its pictures.
-Result<Run> robustness(std::uint64_t seed) {
-  Run run;
-  for (const Trouble& trouble : troubles()) {
-    SyntheticRobot robot{seed, trouble.bench};
-    followThrough(robot, trouble.name, 6, seed, run);
-    auto walker = SimulatedWalker::make(seed, trouble.pictures);
-    if (!walker) return walker.error();
-    followThrough(**walker, ".pictures" + trouble.name, 3, seed, run);
-  }
+  Measurement run;
+  for (const Follower& follower : all) follower.report(run);
   return run;
 }
 
-Result<Run> goingToPoints(std::uint64_t seed) {
-  Run run;
-  for (const bool beacons : {true, false})
-    for (const LocatorKind& kind : locatorKinds()) {
-      if (!beacons && !kind.usesEdges) continue;
-      auto robot = SimulatedWalker::make(seed, {.flags = beacons});
-      if (!robot) return robot.error();
-      const auto locator = kind.make(seed);
-      experiment2(**robot, *locator, seed, kind.name + (beacons ? "" : ".nobeacons"), run);
-    }
-  return run;
-}
-
-Result<void> measureWithAndWithoutBeacons(Figures& figures, const ExperimentOptions& options,
-                                          Result<Run> (*experiment)(std::uint64_t, bool)) {
-  for (const bool beacons : {true, false})
-    if (auto done = measureOnSeeds(figures, options.seeds,
-                                   [=](std::uint64_t seed) { return experiment(seed, beacons); });
-        !done)
-      return done;
+/// What goes wrong in a job.
+Trouble troubleOf(const Job& job) {
+  for (Trouble& trouble : troubles())
+    if (trouble.name == job.parameter("trouble")) return trouble;
   return {};
+}
+
+/// The end of the names of the figures: nothing if all is well.
+std::string suffixOf(const Trouble& trouble) {
+  return trouble.name == "none" ? "" : "." + trouble.name;
+}
+
+/// The errors while something goes wrong in a world like a match without pictures.
+Result<Measurement> robustnessOnBench(const Job& job, const DataRoot&) {
+  const Trouble trouble = troubleOf(job);
+  SyntheticRobot robot{job.seed, trouble.bench};
+  return followThrough(robot, suffixOf(trouble), job);
+}
+
+/// The same in the simulator with its pictures.
+Result<Measurement> robustnessOnPictures(const Job& job, const DataRoot& root) {
+  const Trouble trouble = troubleOf(job);
+  auto walker = SimulatedWalker::make(root, job.seed, trouble.pictures);
+  if (!walker) return walker.error();
+  return followThrough(**walker, ".pictures" + suffixOf(trouble), job);
+}
+
+/// Behind the names of locators that run without beacons.
+constexpr std::string_view withoutBeacons = ".nobeacons";
+
+Result<Measurement> goingToPoints(const Job& job, const DataRoot& root) {
+  const std::string& name = job.parameter("locator");
+  const bool beacons = !name.ends_with(withoutBeacons);
+  Measurement run;
+  for (const LocatorKind& kind : locatorKinds()) {
+    if (kind.name != name.substr(0, name.find(withoutBeacons))) continue;
+    auto robot = SimulatedWalker::make(root, job.seed, {.flags = beacons});
+    if (!robot) return robot.error();
+    const auto locator = kind.make(job.seed);
+    experiment2(**robot, *locator, job.seed, name, run);
+  }
+  return run;
 }
 
 }  // namespace
 
-Result<void> measureWalks(Figures& figures, const ExperimentOptions& options) {
-  return measureWithAndWithoutBeacons(figures, options, experiment1);
-}
-
-Result<void> measureSearch(Figures& figures, const ExperimentOptions& options) {
-  return measureWithAndWithoutBeacons(figures, options, relocalizing);
-}
-
-Result<void> measureRobustness(Figures& figures, const ExperimentOptions& options) {
-  return measureOnSeeds(figures, options.seeds, robustness);
-}
-
-Result<void> measureGoToPoint(Figures& figures, const ExperimentOptions& options) {
-  return measureOnSeeds(figures, options.seeds, goingToPoints);
+Experiments localizationExperiments() {
+  const Parameter beacons{
+      "beacons", "whether they are on the field", Parameter::Kind::each, {"true", "false"}};
+  Parameter locator{"locator", "which finds the way", Parameter::Kind::each, {}};
+  for (const LocatorKind& kind : locatorKinds()) {
+    locator.values.push_back(kind.name);
+    if (kind.usesEdges) locator.values.push_back(kind.name + std::string{withoutBeacons});
+  }
+  Parameter trouble{"trouble", "what goes wrong", Parameter::Kind::each, {}};
+  for (const Trouble& t : troubles()) trouble.values.push_back(t.name);
+  const auto minutes = [](const char* value) {
+    return Parameter{"minutes", "of walking", Parameter::Kind::number, {value}};
+  };
+  return {{"localization.goToPoint",
+           "How precisely points are reached (report 3.3.3.4, experiment 2)",
+           {locator},
+           goingToPoints},
+          {"localization.robustness.bench",
+           "Errors while something goes wrong, on a test bench without pictures",
+           {trouble, minutes("6")},
+           robustnessOnBench},
+          {"localization.robustness.pictures",
+           "Errors while something goes wrong, in the simulator with its pictures",
+           {trouble, minutes("3")},
+           robustnessOnPictures},
+          {"localization.search",
+           "Pictures until a robot finds where it is, from nothing and carried away (figure 3.8)",
+           {beacons},
+           relocalizing},
+          {"localization.walk",
+           "Errors during a walk of 18 minutes (report 3.3.3.4, experiment 1)",
+           {beacons},
+           experiment1}};
 }
 
 }  // namespace gt

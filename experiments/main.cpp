@@ -1,65 +1,232 @@
-#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <map>
-#include <optional>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <thread>
 
 #include "Experiments.h"
 #include "LocalizationPage.h"
+#include "commandline/CommandLine.h"
+#include "measure/RunJobs.h"
+#include "robot/RecordedSetup.h"
+#include "streams/File.h"
 
 namespace gt {
+
+const Experiments& experiments() {
+  static const Experiments all = [] {
+    Experiments list = localizationExperiments();
+    for (const auto& experiment :
+         {fidelityExperiment(), matchExperiment(), soakExperiment(), calibrationExperiment(),
+          visionExperiment(), visionPlayExperiment(), collisionExperiment(),
+          worldModelExperiment()})
+      list.push_back(experiment);
+    std::ranges::sort(list, {}, &Experiment::name);
+    return list;
+  }();
+  return all;
+}
+
 namespace {
 
-/// 1..10 or a single number.
-std::optional<std::vector<std::uint64_t>> parseSeeds(const std::string& text) {
-  std::uint64_t first = 0, last = 0;
-  char more = 0;
-  if (std::sscanf(text.c_str(), "%lu..%lu%c", &first, &last, &more) != 2) {
-    if (std::sscanf(text.c_str(), "%lu%c", &first, &more) != 1) return std::nullopt;
-    last = first;
-  }
-  if (last < first || last - first >= 10'000) return std::nullopt;
-  std::vector<std::uint64_t> seeds;
-  for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
-  return seeds;
+/// What the command line says; each command uses a part of it.
+struct Arguments {
+  std::string seeds = "1..10";
+  JobSelection selection;
+  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  std::string json = "out/experiments.json";
+  std::vector<std::string> lists, lines, results;
+  std::string out, jobs;
+};
+
+Result<std::vector<Job>> selectedJobs(Arguments arguments) {
+  auto seeds = parseSeeds(arguments.seeds);
+  if (!seeds) return seeds.error();
+  arguments.selection.seeds = *std::move(seeds);
+  return listJobs(experiments(), arguments.selection, commit());
 }
 
-using Experiment = Result<void> (*)(Figures&, const ExperimentOptions&);
-const std::map<std::string, Experiment> experiments{{"calibration", measureCalibration},
-                                                    {"collisions", measureCollisions},
-                                                    {"fidelity", measureFidelity},
-                                                    {"localization.goToPoint", measureGoToPoint},
-                                                    {"localization.robustness", measureRobustness},
-                                                    {"localization.search", measureSearch},
-                                                    {"localization.walk", measureWalks},
-                                                    {"matches", measureMatches},
-                                                    {"soak", measureSoak},
-                                                    {"vision", measureVision},
-                                                    {"visionplay", measureVisionPlay},
-                                                    {"worldmodel", measureWorldModel}};
-
-/// Whether an experiment was asked for, by its name or by that of its group before the point.
-bool isWanted(const std::string& name, const std::vector<std::string>& only) {
-  return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& wanted) {
-           return name == wanted || name.starts_with(wanted + '.');
-         });
+Result<void> list(const Arguments& arguments) {
+  const auto jobs = selectedJobs(arguments);
+  if (!jobs) return jobs.error();
+  for (const Job& job : *jobs) fmt::print("{}\n", job.text());
+  return {};
 }
 
-/// Tells what is wrong with a name that was asked for; nothing if there is such an experiment.
-std::string checkName(const std::string& wanted) {
-  std::string names;
-  for (const auto& [name, measure] : experiments) {
-    if (isWanted(name, {wanted})) return {};
-    names += ' ' + name;
+/// Does jobs and reports each on the standard error. Returns the exit status.
+Result<int> runAll(const std::vector<Job>& jobs, const std::string& out, const DataRoot& root,
+                   unsigned threads) {
+  auto writer = JobResultWriter::open(out);
+  if (!writer) return writer.error();
+  std::size_t done = 0;
+  RunOptions options;
+  options.threads = threads;
+  options.report = [&](const Job& job, const Result<void>& result) {
+    fmt::print(stderr, "{}/{} {}{}\n", ++done, jobs.size(), job.text(),
+               result ? "" : ": " + result.error().text());
+  };
+  const auto failed = runJobs(jobs, experiments(), root, *writer, options);
+  if (!failed) return failed.error();
+  if (*failed > 0) fmt::print(stderr, "experiment: {} jobs failed\n", *failed);
+  return *failed > 0 ? 2 : 0;
+}
+
+Result<std::string> readList(const std::string& path) {
+  if (path != "-") return readFile(path);
+  return std::string{std::istreambuf_iterator<char>{std::cin}, {}};
+}
+
+/// The jobs of lists and of the command line, each once.
+Result<std::vector<Job>> readJobs(const std::vector<std::string>& lists,
+                                  const std::vector<std::string>& lines) {
+  std::vector<Job> jobs;
+  for (const std::string& path : lists) {
+    const auto text = readList(path);
+    if (!text) return text.error();
+    const auto read = parseJobs(*text, path == "-" ? "standard input" : path);
+    if (!read) return read.error();
+    jobs.insert(jobs.end(), read->begin(), read->end());
   }
-  return "'" + wanted + "' is none of:" + names;
+  for (const std::string& line : lines) {
+    const auto job = parseJob(line);
+    if (!job) return job.error();
+    jobs.push_back(*job);
+  }
+  std::set<Job> known;
+  std::vector<Job> each;
+  for (const Job& job : jobs) {
+    const auto whole = completed(job, experiments(), commit());
+    if (!whole) return whole.error();
+    if (known.insert(*whole).second) each.push_back(*whole);
+  }
+  return each;
+}
+
+void warn(const JobResults& results) {
+  for (const Error& warning : results.warnings)
+    fmt::print(stderr, "experiment: warning: {}\n", warning.text());
+}
+
+Result<int> run(const Arguments& arguments, const DataRoot& root) {
+  auto jobs = readJobs(arguments.lists, arguments.lines);
+  if (!jobs) return jobs.error();
+  if (!arguments.out.empty() && std::filesystem::exists(arguments.out)) {
+    JobResults before;
+    if (auto done = before.read(arguments.out); !done) return done.error();
+    warn(before);
+    const std::size_t all = jobs->size();
+    *jobs = missingJobs(*jobs, before.results);
+    if (jobs->size() < all)
+      fmt::print(stderr, "{}: {} of {} jobs are done\n", arguments.out, all - jobs->size(), all);
+  }
+  return runAll(*jobs, arguments.out, root, arguments.threads);
 }
 
 /// Writes the page of the self-locators beside the figures' file, if they were measured.
 Result<void> writePages(const Figures& figures, const std::filesystem::path& json) {
   const auto ofLocators = [](const Figure& f) { return f.name.starts_with("localization."); };
-  if (std::none_of(figures.all().begin(), figures.all().end(), ofLocators)) return {};
+  if (std::ranges::none_of(figures.all(), ofLocators)) return {};
   return writeLocalizationPage(std::filesystem::path{json}.replace_extension(".html"), figures);
+}
+
+/// Merges results; jobs of a list of which there is none are reported. Returns the exit status.
+Result<int> mergeAll(const std::vector<std::string>& files, const std::vector<Job>& jobs,
+                     const std::string& json) {
+  JobResults results;
+  for (const std::string& file : files)
+    if (auto done = results.read(file); !done) return done.error();
+  const auto figures = merge(results);
+  if (!figures) return figures.error();
+  for (const Job& job : missingJobs(jobs, results.results))
+    results.warnings.push_back({"", 0, job.text(), "has no result"});
+  warn(results);
+  figures->print();
+  if (auto done = figures->write(json); !done) return done.error();
+  if (auto done = writePages(*figures, json); !done) return done.error();
+  return 0;
+}
+
+Result<int> mergeResults(const Arguments& arguments) {
+  std::vector<Job> jobs;
+  if (!arguments.jobs.empty()) {
+    auto read = readJobs({arguments.jobs}, {});
+    if (!read) return read.error();
+    jobs = *std::move(read);
+  }
+  return mergeAll(arguments.results, jobs, arguments.json);
+}
+
+/// Lists, runs and merges.
+Result<int> measure(const Arguments& arguments, const DataRoot& root) {
+  const auto jobs = selectedJobs(arguments);
+  if (!jobs) return jobs.error();
+  const std::string results =
+      std::filesystem::path{arguments.json}.replace_extension(".jsonl").string();
+  std::error_code ignored;  // then writing reports what is wrong
+  std::filesystem::remove(results, ignored);
+  const auto status = runAll(*jobs, results, root, arguments.threads);
+  if (!status || *status != 0) return status;
+  return mergeAll({results}, *jobs, arguments.json);
+}
+
+Result<void> calibrate(const Arguments& arguments, const DataRoot& root) {
+  const auto seeds = parseSeeds(arguments.seeds);
+  if (!seeds) return seeds.error();
+  return calibrateCollisions(*seeds, root, arguments.threads);
+}
+
+/// Experiments, their parameters and values, for --help.
+std::string catalogue() {
+  std::string text = "Experiments and their parameters:\n";
+  for (const Experiment& experiment : experiments()) {
+    text += fmt::format("  {:<33} {}\n", experiment.name, experiment.description);
+    for (const Parameter& parameter : experiment.parameters) {
+      const bool open =
+          parameter.kind == Parameter::Kind::number || parameter.kind == Parameter::Kind::text;
+      std::string values;
+      for (const std::string& value : parameter.values)
+        values += (values.empty() ? "" : "|") + value;
+      text += fmt::format("    {:<31} {}{}{}\n", parameter.name, parameter.description,
+                          open ? "; by default " : ": ", values);
+    }
+  }
+  return text;
+}
+
+void addSelection(CLI::App& app, Arguments& a) {
+  app.add_option("--seeds", a.seeds, "A range like 101..110, or one")->capture_default_str();
+  app.add_option("--only", a.selection.only,
+                 "Which experiments, like localization.walk, or groups of them, like "
+                 "localization; all if not given")
+      ->delimiter(',');
+  app.add_option("--set", a.selection.settings,
+                 "NAME=VALUE: the value of a parameter, of all experiments that have it");
+  app.add_option("--threads", a.threads, "Jobs at once; they do not change what is measured")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--json", a.json, "File for the figures; the results of the jobs lie beside it")
+      ->capture_default_str();
+}
+
+void addCommands(CommandLine& line, Arguments& a, const DataRoot& root) {
+  line.command("list", "Prints the jobs, one a line", [&] { return list(a); });
+  CLI::App& running = line.command("run", "Does jobs and appends a line of JSON for each",
+                                   [&] { return run(a, root); });
+  running.add_option("lists", a.lists, "Files with jobs, one a line; - is the standard input");
+  running.add_option("--job", a.lines, "A job: 'match minutes=10 seed=7'");
+  running.add_option("--out", a.out,
+                     "File for the results, to which they are appended; jobs that are done there "
+                     "are not done again; by default the standard output");
+  CLI::App& merging = line.command("merge", "Makes figures of the results of jobs",
+                                   [&] { return mergeResults(a); });
+  merging.add_option("results", a.results, "Files with results")->required();
+  merging.add_option("--jobs", a.jobs, "A list of jobs, to report those that have no result");
+  line.command("calibrate-collisions",
+               "Writes the thresholds of the collision detector into the configuration",
+               [&] { return calibrate(a, root); });
 }
 
 }  // namespace
@@ -67,60 +234,13 @@ Result<void> writePages(const Figures& figures, const std::filesystem::path& jso
 
 /// Reproduces the project's figures of accuracy against the truth, over several seeds.
 int main(int argc, char** argv) {
-  CLI::App app{"Experiments: accuracy against the truth, over several seeds"};
-  std::string seeds = "1..10", json = "out/experiments.json";
-  std::vector<std::string> only;
-  gt::ExperimentOptions options;
-  app.add_option("--seeds", seeds, "A range like 101..110, or one")->capture_default_str();
-  app.add_option("--minutes", options.minutes, "Length of a match")->capture_default_str();
-  app.add_option("--only", only,
-                 "Which experiments, like localization.walk, or groups of them, like "
-                 "localization; all if not given")
-      ->delimiter(',')
-      ->check(gt::checkName);
-  app.add_option("--moments", options.moments, "For vision: moments of matches per seed")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  app.add_flag("--ceiling", options.ceiling,
-               "For the world model: the truth from a camera at the ceiling, not the oracle");
-  app.add_option("--ceiling-logs", options.ceilingLogs, "Folder for the logs of that camera");
-  app.add_flag("--true-camera", options.trueCamera, "For vision: the true camera pose");
-  bool calibrate = false;
-  app.add_flag("--calibrate-collisions", calibrate,
-               "Only writes the collision detector's thresholds, from walks on these seeds");
-  app.add_option("--json", json, "File for the figures")->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  const auto parsed = gt::parseSeeds(seeds);
-  if (!parsed) {
-    fmt::print(stderr, "experiment: --seeds: '{}' is not a range like 1..10\n", seeds);
-    return 2;
-  }
-  options.seeds = *parsed;
-
-  if (calibrate) {
-    const auto done = gt::calibrateCollisions(options);
-    if (!done) fmt::print(stderr, "experiment: {}\n", done.error().text());
-    return done ? 0 : 2;
-  }
-  gt::Figures figures;
-  for (const auto& [name, measure] : gt::experiments)
-    if (gt::isWanted(name, only))
-      if (const auto done = measure(figures, options); !done) {
-        fmt::print(stderr, "experiment: {}\n", done.error().text());
-        return 2;
-      }
-  figures.print();
-  std::error_code ignored;
-  std::filesystem::create_directories(std::filesystem::path{json}.parent_path(), ignored);
-  if (const auto done = gt::writePages(figures, json); !done) {
-    fmt::print(stderr, "experiment: {}\n", done.error().text());
-    return 2;
-  }
-  if (figures.write(json)) return 0;
-  fmt::print(stderr, "experiment: {} cannot be written\n", json);
-  return 2;
+  gt::CommandLine line{argc, argv,
+                       "Experiments: accuracy against the truth, over several seeds. Without a "
+                       "command: lists the jobs, runs them and merges their results"};
+  const gt::DataRoot root = line.root();
+  gt::Arguments arguments;
+  gt::addSelection(line.app(), arguments);
+  gt::addCommands(line, arguments, root);
+  line.app().footer(gt::catalogue());
+  return line.run([&] { return gt::measure(arguments, root); });
 }

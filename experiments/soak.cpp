@@ -1,5 +1,6 @@
 // A crowded scene in which everything goes wrong: nothing may break, and the memory stays what it
 // was.
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -21,16 +22,18 @@ double memoryInUse() {
   return (resident - ofFiles) * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
-Result<void> soak(Figures& figures, Fidelity fidelity, std::uint64_t seed) {
-  auto scene = crowdedScene(22, 10);
+Result<Measurement> soak(const Job& job, const DataRoot& root) {
+  auto scene = crowdedScene(22, 10, root.path("scenes/match.scene"));
   if (!scene) return scene.error();
-  scene->fidelity = fidelity;
-  const double minutes = fidelity == Fidelity::kinematic ? kinematicMinutes : dynamicMinutes;
+  const std::string& fidelity = job.parameter("fidelity");
+  const bool kinematic = fidelity == "kinematic";
+  scene->fidelity = kinematic ? Fidelity::kinematic : Fidelity::dynamic;
+  const double minutes = kinematic ? kinematicMinutes : dynamicMinutes;
   scene->game.minutes = 2 * minutes;
-  auto simulation = Simulation::make(*scene, seed);
+  auto simulation = Simulation::make(*scene, job.seed);
   if (!simulation) return simulation.error();
   Simulation& s = **simulation;
-  Chaos chaos{s, seed};
+  Chaos chaos{s, job.seed};
   double memory = 0;
   int wrong = 0;
   const auto ticks = static_cast<int>(minutes * 60 / tickSeconds);
@@ -38,23 +41,26 @@ Result<void> soak(Figures& figures, Fidelity fidelity, std::uint64_t seed) {
     s.takePictures(i % 500 < 5);  // one each for four seconds
     chaos.step();
     if (i == ticks / 6) memory = memoryInUse();
-    if (const std::string what = chaos.wrong(); !what.empty()) {
-      if (++wrong == 1) fmt::print("soak, {} s: {}\n", s.time().ms / 1000, what);
-    }
+    if (const std::string what = chaos.wrong(); !what.empty() && ++wrong == 1)
+      fmt::print(stderr, "{}: {} s: {}\n", job.text(), s.time().ms / 1000, what);
   }
-  const std::string name = "soak." + std::string{enumName(fidelity)};
-  figures.add(name + ".simulated", "min", {static_cast<double>(s.time().ms) / 60'000});
-  figures.add(name + ".wrong", "ticks", {static_cast<double>(wrong)}, Aim::atMost(0));
-  figures.add(name + ".memoryGrowth", "MiB", {memoryInUse() - memory}, Aim::atMost(2));
-  return {};
+  Measurement measured;
+  const std::string name = "soak." + fidelity;
+  measured.add(name + ".simulated", "min", static_cast<double>(s.time().ms) / 60'000);
+  measured.add(name + ".wrong", "ticks", wrong, Aim::atMost(0));
+  measured.add(name + ".memoryGrowth", "MiB", memoryInUse() - memory, Aim::atMost(2));
+  return measured;
 }
 
 }  // namespace
 
-Result<void> measureSoak(Figures& figures, const ExperimentOptions& options) {
-  for (const Fidelity fidelity : {Fidelity::kinematic, Fidelity::dynamic})
-    if (auto done = soak(figures, fidelity, options.seeds.front()); !done) return done;
-  return {};
+Experiment soakExperiment() {
+  return {"soak",
+          "A crowd while everything goes wrong: nothing breaks, the memory does not grow",
+          {{"fidelity", "of the bodies", Parameter::Kind::each, {"kinematic", "dynamic"}}},
+          soak,
+          true,
+          true};
 }
 
 }  // namespace gt

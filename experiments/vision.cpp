@@ -1,7 +1,6 @@
 // Looks at random moments of matches and compares what is found in the pictures with the truth.
 
 #include "Experiments.h"
-#include "InParallel.h"
 #include "VisionMeasures.h"
 #include "colors/ColorStatistics.h"
 #include "colors/ColorTableFile.h"
@@ -81,9 +80,9 @@ Processor lines(const KnownColors& colors) {
 /// How the pictures of a row of the experiment differ from those of the match scene, and who looks
 /// at them.
 struct Condition {
-  std::string name;
+  std::string name;    ///< Before the names of its figures.
   double share = 1;    ///< Of the moments that are looked at.
-  bool brief = false;  ///< Only the figures with an aim are told.
+  bool brief = false;  ///< Only the figures that have an aim by default are measured.
   std::function<void(SceneDescription&)> change;
   MakeProcessor processor = gt2003;
 };
@@ -242,20 +241,21 @@ TslColors learnTsl(const ColorStatistics& statistics) {
   return colors;
 }
 
-/// One condition with one seed.
-Result<Tally> measure(const SceneDescription& scene, Processor processor, std::uint64_t seed,
-                      int moments, bool trueCamera) {
-  auto views = GameViews::make(scene, seed);
+/// Percepts of a condition compared with the truth.
+Result<Tally> look(const Condition& condition, const SceneDescription& scene,
+                   const KnownColors& colors, const Job& job) {
+  auto views = GameViews::make(scene, job.seed);
   if (!views) return views.error();
   VisionTruth truth{views->world(), views->scene()};
   VisionMeasures measures{truth};
   Tally tally;
-  Eyes eyes{std::move(processor)};
+  Eyes eyes{condition.processor(colors)};
+  const int moments = std::max(1, static_cast<int>(job.number("moments") * condition.share));
   for (int i = 0; i < moments; ++i) {
     views->shuffle();
     for (std::size_t robot = 0; robot < views->world().activeRobots(); ++robot) {
       const GameView& view = views->look(robot, scene.camera);
-      eyes.look(view, trueCamera);
+      eyes.look(view, job.parameter("camera") == "true");
       truth.look(view);
       measures.compareSensors(views->world().robot(robot), eyes.matrix, eyes.body, tally);
       measures.comparePercepts(eyes.percepts, eyes.matrix, tally);
@@ -265,96 +265,84 @@ Result<Tally> measure(const SceneDescription& scene, Processor processor, std::u
   return tally;
 }
 
-/// The figures of one condition: a value for each seed that has one.
-class Report {
- public:
-  Report(const Condition& condition, Figures& figures) : condition_(condition), figures_(figures) {}
-
-  void add(const std::vector<Tally>& runs) {
-    Tally all;
-    for (const Tally& run : runs) {
-      for (const auto& [name, rate] : run.rates) all.rates[name];
-      for (const auto& [name, list] : run.errors) all.errors[name].unit = list.unit;
-    }
-    for (const auto& entry : all.rates) {
-      const std::string& name = entry.first;
-      const auto percent = [](const Tally::Rate& rate) { return rate.percent(); };
-      if (name == "pictures")
-        add(name, "", valuesOf(runs, &Tally::rates, name, [](const Tally::Rate& r) {
-              return static_cast<double>(r.all);
-            }));
-      else
-        add(name, "%", valuesOf(runs, &Tally::rates, name, percent));
-    }
-    for (const auto& [name, list] : all.errors) {
-      const auto value = [&, &name = name](auto of) {
-        return valuesOf(runs, &Tally::errors, name, of);
-      };
-      add(name + ".mean", list.unit, value([](const auto& errors) { return errors.mean(); }));
-      add(name + ".median", list.unit, value([](const auto& errors) { return errors.size(0.5); }));
-      add(name + ".p95", list.unit, value([](const auto& errors) { return errors.size(0.95); }));
-    }
-  }
-
- private:
-  template <typename List, typename Of>
-  static std::vector<double> valuesOf(const std::vector<Tally>& runs, List Tally::*list,
-                                      const std::string& name, Of of) {
-    std::vector<double> values;
-    for (const Tally& run : runs)
-      if (const auto found = (run.*list).find(name); found != (run.*list).end())
-        values.push_back(of(found->second));
-    return values;
-  }
-  void add(const std::string& name, const std::string& unit, const std::vector<double>& values) {
+/// The figures of one condition.
+Measurement figuresOf(const Condition& condition, const Tally& tally) {
+  Measurement measured;
+  const auto add = [&](const std::string& name, const std::string& unit, double value) {
     const auto aim =
         std::find_if(aims.begin(), aims.end(), [&](const AimOf& of) { return name == of.name; });
-    const bool ofBall = condition_.processor == grid3 && name.starts_with("ball.");
-    if (condition_.brief && aim == aims.end() && !ofBall) return;
-    const bool asked = condition_.name.empty() && aim != aims.end();
-    figures_.add("vision." + condition_.name + name, unit, values, asked ? aim->aim : Aim{});
+    const bool ofBall = condition.processor == grid3 && name.starts_with("ball.");
+    if (condition.brief && aim == aims.end() && !ofBall) return;
+    const bool asked = condition.name.empty() && aim != aims.end();
+    measured.add("vision." + condition.name + name, unit, value, asked ? aim->aim : Aim{});
+  };
+  for (const auto& [name, rate] : tally.rates)
+    if (name == "pictures")
+      add(name, "", rate.all);
+    else
+      add(name, "%", rate.percent());
+  for (const auto& [name, errors] : tally.errors) {
+    add(name + ".mean", errors.unit, errors.mean());
+    add(name + ".median", errors.unit, errors.size(0.5));
+    add(name + ".p95", errors.unit, errors.size(0.95));
   }
+  return measured;
+}
 
-  const Condition& condition_;
-  Figures& figures_;
-};
+Result<std::unique_ptr<const KnownColors>> learnColors(const DataRoot& root,
+                                                       const SceneDescription& scene) {
+  const auto table = readColorTable(root.path("config/coltable.c64"));
+  if (!table) return table.error();
+  const auto hand = readHsiColors(root.path("experiments/colors/hand.hsi"));
+  if (!hand) return hand.error();
+  const auto statistics = lookAround(scene);
+  if (!statistics) return statistics.error();
+  constexpr int growth = 4;
+  return std::make_unique<const KnownColors>(
+      KnownColors{*table, hand->table(), statistics->table(growth), learnTsl(*statistics)});
+}
+
+std::vector<Condition> allConditions() {
+  std::vector<Condition> all = conditions();
+  for (Condition& condition : cameraConditions()) all.push_back(std::move(condition));
+  for (Condition& condition : processorConditions()) all.push_back(std::move(condition));
+  return all;
+}
+
+/// A condition's name as a parameter: without the point at its end.
+std::string parameterOf(const Condition& condition) {
+  return condition.name.empty() ? "match" : condition.name.substr(0, condition.name.size() - 1);
+}
+
+Result<Measurement> measure(const Job& job, const DataRoot& root) {
+  auto scene = loadScene(root.path("scenes/match.scene"));
+  if (!scene) return scene.error();
+  static const auto colors = learnColors(root, *scene);  // the same for all jobs
+  if (!colors) return colors.error();
+  for (const Condition& condition : allConditions()) {
+    if (parameterOf(condition) != job.parameter("condition")) continue;
+    condition.change(*scene);
+    const auto tally = look(condition, *scene, **colors, job);
+    if (!tally) return tally.error();
+    return figuresOf(condition, *tally);
+  }
+  return Measurement{};
+}
 
 }  // namespace
 
-Result<void> measureVision(Figures& figures, const ExperimentOptions& options) {
-  const auto table = readColorTable("config/coltable.c64");
-  if (!table) return table.error();
-  const auto scene = loadScene("scenes/match.scene");
-  if (!scene) return scene.error();
-  const auto hand = readHsiColors("experiments/colors/hand.hsi");
-  if (!hand) return hand.error();
-  const auto statistics = lookAround(*scene);
-  if (!statistics) return statistics.error();
-  constexpr int growth = 4;
-  const auto colors = std::make_unique<KnownColors>(
-      KnownColors{*table, hand->table(), statistics->table(growth), learnTsl(*statistics)});
-  std::vector<Condition> rows = conditions();
-  for (Condition& row : cameraConditions()) rows.push_back(std::move(row));
-  for (Condition& row : processorConditions()) rows.push_back(std::move(row));
-  const std::size_t seeds = options.seeds.size();
-  std::vector<Result<Tally>> results(rows.size() * seeds, Tally{});
-  inParallel(results.size(), [&](std::size_t i) {
-    const Condition& row = rows[i / seeds];
-    SceneDescription changed = *scene;
-    row.change(changed);
-    results[i] =
-        measure(changed, row.processor(*colors), options.seeds[i % seeds],
-                std::max(1, static_cast<int>(options.moments * row.share)), options.trueCamera);
-  });
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    std::vector<Tally> runs;
-    for (std::size_t i = row * seeds; i < (row + 1) * seeds; ++i) {
-      if (!results[i]) return results[i].error();
-      runs.push_back(*std::move(results[i]));
-    }
-    Report{rows[row], figures}.add(runs);
-  }
-  return {};
+Experiment visionExperiment() {
+  Parameter which{"condition", "scene, colors, lens or image processor", Parameter::Kind::each, {}};
+  for (const Condition& condition : allConditions()) which.values.push_back(parameterOf(condition));
+  return {"vision.pictures",
+          "Percepts in random moments of matches against the truth",
+          {which,
+           {"moments", "each gives one picture a robot", Parameter::Kind::number, {"250"}},
+           {"camera",
+            "the measured camera pose, or the true one",
+            Parameter::Kind::choice,
+            {"measured", "true"}}},
+          measure};
 }
 
 }  // namespace gt

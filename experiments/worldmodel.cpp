@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "Experiments.h"
-#include "InParallel.h"
 #include "WorldModelWatch.h"
 #include "simulation/sensors/CeilingCamera.h"
 #include "simulation/sensors/CeilingTracker.h"
@@ -12,6 +11,8 @@
 
 namespace gt {
 namespace {
+
+constexpr const char* noLogs = "none";
 
 /// What is watched of one robot.
 struct Watch {
@@ -41,10 +42,10 @@ TeamMessage messageOf(const Player& player, const RobotPose& pose, const BallMod
 /// The truth: the oracle's, or that of a camera at the ceiling.
 class Truth {
  public:
-  Truth(const Simulation& simulation, const ExperimentOptions& options, std::uint64_t seed)
+  Truth(const Simulation& simulation, const Job& job)
       : simulation_{simulation},
-        useCeiling_{options.ceiling},
-        camera_{{}, simulation.players(), Random{seed}.fork("ceiling camera")} {}
+        useCeiling_{job.parameter("truth") == "ceiling"},
+        camera_{{}, simulation.players(), Random{job.seed}.fork("ceiling camera")} {}
 
   Result<void> record(const std::string& path) {
     auto log = McapWriter::open(path);
@@ -109,20 +110,19 @@ void look(Match& match, std::vector<std::unique_ptr<Watch>>& watches, int pictur
   }
 }
 
-Result<Tally> watchMatch(std::uint64_t seed, const ExperimentOptions& how) {
-  MatchOptions options;
-  options.seed = seed;
-  options.minutes = std::min(how.minutes, 4.);
+Result<Tally> watchMatch(const Job& job, const DataRoot& root) {
+  MatchOptions options{root};
+  options.seed = job.seed;
+  options.minutes = job.number("minutes");
   auto match = Match::make(options);
   if (!match) return match.error();
-  Truth truth{(*match)->simulation(), how, seed};
-  if (!how.ceilingLogs.empty())
-    if (auto done = truth.record(how.ceilingLogs + "/ceiling-" + std::to_string(seed) + ".mcap");
-        !done)
+  Truth truth{(*match)->simulation(), job};
+  if (const std::string& folder = job.parameter("logs"); folder != noLogs)
+    if (auto done = truth.record(folder + "/ceiling-" + std::to_string(job.seed) + ".mcap"); !done)
       return done.error();
   std::vector<std::unique_ptr<Watch>> watches;
   for (std::size_t i = 0; i < (*match)->robots().size(); ++i)
-    watches.push_back(std::make_unique<Watch>(seed * 100 + i));
+    watches.push_back(std::make_unique<Watch>(job.seed * 100 + i));
   Tally tally;
   for (int picture = 0; !(*match)->finished();) {
     (*match)->step();
@@ -135,51 +135,32 @@ Result<Tally> watchMatch(std::uint64_t seed, const ExperimentOptions& how) {
 }
 
 /// The mean, the median and the 95th percentile of the sizes of each kind of error, and each rate.
-void report(const std::vector<Tally>& runs, Figures& figures) {
-  Tally all;
-  for (const Tally& run : runs) {
-    for (const auto& [name, rate] : run.rates) all.rates[name];
-    for (const auto& [name, list] : run.errors) all.errors[name].unit = list.unit;
+Result<Measurement> measure(const Job& job, const DataRoot& root) {
+  const auto tally = watchMatch(job, root);
+  if (!tally) return tally.error();
+  Measurement measured;
+  for (const auto& [name, rate] : tally->rates)
+    measured.add("worldmodel." + name, "%", rate.percent());
+  for (const auto& [name, errors] : tally->errors) {
+    measured.add("worldmodel." + name + ".mean", errors.unit, errors.meanSize());
+    measured.add("worldmodel." + name + ".median", errors.unit, errors.size(0.5));
+    measured.add("worldmodel." + name + ".p95", errors.unit, errors.size(0.95));
   }
-  const auto valuesOf = [&](auto map, const std::string& name, auto of) {
-    std::vector<double> values;
-    for (const Tally& run : runs)
-      if (const auto found = (run.*map).find(name); found != (run.*map).end())
-        values.push_back(of(found->second));
-    return values;
-  };
-  for (const auto& entry : all.rates)
-    figures.add(
-        "worldmodel." + entry.first, "%",
-        valuesOf(&Tally::rates, entry.first, [](const Tally::Rate& r) { return r.percent(); }));
-  for (const auto& [name, list] : all.errors) {
-    const auto meanSize = [](const Tally::Errors& e) {
-      double sum = 0;
-      for (const double v : e.values) sum += std::abs(v);
-      return sum / static_cast<double>(e.values.size());
-    };
-    figures.add("worldmodel." + name + ".mean", list.unit,
-                valuesOf(&Tally::errors, name, meanSize));
-    for (const auto& [suffix, share] : {std::pair{".median", 0.5}, std::pair{".p95", 0.95}})
-      figures.add("worldmodel." + name + suffix, list.unit,
-                  valuesOf(&Tally::errors, name,
-                           [share = share](const Tally::Errors& e) { return e.size(share); }));
-  }
+  return measured;
 }
 
 }  // namespace
 
-Result<void> measureWorldModel(Figures& figures, const ExperimentOptions& options) {
-  std::vector<Result<Tally>> results(options.seeds.size(), Tally{});
-  inParallel(results.size(),
-             [&](std::size_t i) { results[i] = watchMatch(options.seeds[i], options); });
-  std::vector<Tally> runs;
-  for (Result<Tally>& result : results) {
-    if (!result) return result.error();
-    runs.push_back(*std::move(result));
-  }
-  report(runs, figures);
-  return {};
+Experiment worldModelExperiment() {
+  return {"worldmodel.play",
+          "What robots that play know of ball, obstacles and other players, against the truth",
+          {{"minutes", "of the match", Parameter::Kind::number, {"4"}},
+           {"truth",
+            "the simulator's, or that of a camera at the ceiling",
+            Parameter::Kind::choice,
+            {"oracle", "ceiling"}},
+           {"logs", "folder for the logs of that camera", Parameter::Kind::text, {noLogs}}},
+          measure};
 }
 
 }  // namespace gt

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "colortable/GameViews.h"
+#include "measure/worlds/GameViews.h"
 #include "robot/logs/NaoLog.h"
 #include "streams/File.h"
 #include "streams/Jpeg.h"

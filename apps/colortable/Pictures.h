@@ -10,7 +10,7 @@ namespace gt {
 
 /// Where pictures come from: a simulated scene, a log, or files.
 struct PictureSource {
-  std::string scene = "scenes/match.scene";
+  std::string scene;
   std::uint64_t seed = 1;
   int moments = 400;    ///< Each gives one picture a robot.
   double light = 0.15;  ///< By which share there is more or less of it than in the scene.

@@ -1,20 +1,19 @@
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
-#include <functional>
 #include <optional>
 
 #include "colors/ColorConfusion.h"
 #include "colors/ColorTableEditor.h"
 #include "colortable/ColorFiles.h"
 #include "colortable/Pictures.h"
+#include "commandline/CommandLine.h"
 #include "views/painting/ColorClassViews.h"
 
 namespace {
 
 using namespace gt;
 
-/// What the command line tells; each command uses some of it.
+/// What the command line says; each command uses a part of it.
 struct Arguments {
   PictureSource source;
   Learning learning;
@@ -33,7 +32,7 @@ void printSizes(const ColorTable64& table) {
   EnumArray<ColorClass, int> sizes;
   for (const ColorClass c : table.classes) ++sizes[c];
   for (std::size_t i = 0; i < sizes.size(); ++i)
-    fmt::print("{:8} {:6} colours\n", enumNames<ColorClass>[i], sizes.values[i]);
+    fmt::print("{:8} {:6} colors\n", enumNames<ColorClass>[i], sizes.values[i]);
 }
 
 /// An error if there is nothing to learn from.
@@ -145,75 +144,84 @@ void addSource(CLI::App& command, PictureSource& source) {
                      "What a log's or files' pictures show: picture,class,left,top,right,bottom");
 }
 
-}  // namespace
+using Action = Result<void> (*)(const Arguments&);
 
-/// colortable: learns, judges, converts and shows colour classes.
-int main(int argc, char** argv) {
-  CLI::App app{"Colour tables (.c64), HSI ranges (.hsi) and TSL thresholds (.tsl)"};
-  app.require_subcommand(1);
-  Arguments a;
-  std::function<Result<void>(const Arguments&)> run;
-  const auto command = [&](const char* name, const char* what, auto action) -> CLI::App& {
-    CLI::App& sub = *app.add_subcommand(name, what);
-    sub.callback([&run, action] { run = action; });
-    return sub;
-  };
-  const auto addTable = [&](CLI::App& sub) {
-    sub.add_option("table", a.table, "A .c64, .hsi or .tsl file")->required();
-    sub.add_flag("--nao2009", a.nao2009, ".c64 files have the classes of the real robot of 2009");
-  };
-  CLI::App& learning = command(
+/// Adds a command that reads a table.
+CLI::App& addCommand(CommandLine& line, Arguments& a, const char* name, const char* description,
+                     Action action) {
+  CLI::App& command = line.command(name, description, [&a, action] { return action(a); });
+  command.add_option("table", a.table, "A .c64, .hsi or .tsl file")->required();
+  command.add_flag("--nao2009", a.nao2009, ".c64 files have the classes of the real robot of 2009");
+  return command;
+}
+
+void addLearning(CommandLine& line, Arguments& a) {
+  CLI::App& command = line.command(
       "learn", "Learns from simulated pictures, whose true classes are known, or from labels",
-      learn);
-  addSource(learning, a.source);
-  learning.add_option("--out", a.out, "What is learnt: .c64, .hsi or .tsl")->required();
-  learning.add_option("--growth", a.learning.growth, "Of tables: steps into colours never seen")
+      [&a] { return learn(a); });
+  addSource(command, a.source);
+  command.add_option("--out", a.out, "What is learned: .c64, .hsi or .tsl")->required();
+  command.add_option("--growth", a.learning.growth, "Of tables: steps into colors never seen")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
-  learning
+  command
       .add_option("--share", a.learning.share,
                   "Of HSI and TSL: how many of a class's pixels lie in each of its ranges")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  CLI::App& judging =
-      command("confusion", "Compares what a table says of pictures with the truth", confusion);
-  addTable(judging);
+}
+
+void addJudging(CommandLine& line, Arguments& a) {
+  CLI::App& judging = addCommand(
+      line, a, "confusion", "Compares what a table says of pictures with the truth", confusion);
   addSource(judging, a.source);
-  CLI::App& comparing = command("compare", "Compares two tables colour by colour", compare);
-  addTable(comparing);
-  comparing.add_option("other", a.other, "The other one")->required();
-  CLI::App& converting = command("convert", "Writes what a file says as a table", convert);
-  addTable(converting);
-  converting.add_option("out", a.out, "A .c64 file")->required();
-  CLI::App& filtering = command("filter", "Removes and adds colours by their neighbours", filter);
-  addTable(filtering);
+  addCommand(line, a, "compare", "Compares two tables color by color", compare)
+      .add_option("other", a.other, "The other one")
+      ->required();
+}
+
+void addConversion(CommandLine& line, Arguments& a) {
+  addCommand(line, a, "convert", "Writes what a file says as a table", convert)
+      .add_option("out", a.out, "A .c64 file")
+      ->required();
+  CLI::App& filtering =
+      addCommand(line, a, "filter", "Removes and adds colors by their neighbors", filter);
   filtering.add_option("out", a.out, "A .c64 file")->required();
-  filtering.add_flag("--remove", a.remove, "Removes colours without a neighbour of their class");
+  filtering.add_flag("--remove", a.remove, "Removes colors without a neighbor of their class");
   filtering
       .add_option("--median", a.rule.neighbors,
-                  "Adds colours that have so many colours of a class near")
+                  "Adds colors that have so many colors of a class near")
       ->check(CLI::Range(1, 10'000));
   filtering.add_option("--distance", a.rule.distance, "How far away those may be, in cubes")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
-  filtering.add_flag("--reassign", a.rule.reassign, "Also colours that have a class");
+  filtering.add_flag("--reassign", a.rule.reassign, "Also colors that have a class");
   filtering.add_option("--class", a.colorClass, "Only this class");
-  CLI::App& showing = command("show", "Paints a table as PNG or SVG", show);
-  addTable(showing);
-  showing.add_option("out", a.out)->required();
-  CLI::App& segmenting = command("segment", "Paints a picture beside its classes", segment);
-  addTable(segmenting);
+}
+
+void addPainting(CommandLine& line, Arguments& a) {
+  addCommand(line, a, "show", "Paints a table as PNG or SVG", show)
+      .add_option("out", a.out)
+      ->required();
+  CLI::App& segmenting =
+      addCommand(line, a, "segment", "Paints a picture beside its classes", segment);
   segmenting.add_option("out", a.out, "PNG or SVG")->required();
   addSource(segmenting, a.source);
   segmenting.add_option(
       "--picture", a.picture,
       "Its number, of a scene MOMENT.ROBOT, or its name; otherwise the first one");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  const auto done = run(a);
-  if (!done) fmt::print(stderr, "colortable: {}\n", done.error().text());
-  return done ? 0 : 2;
+}
+
+}  // namespace
+
+/// colortable: learns, judges, converts and shows color classes.
+int main(int argc, char** argv) {
+  CommandLine line{argc, argv, "Color tables (.c64), HSI ranges (.hsi) and TSL thresholds (.tsl)"};
+  Arguments arguments;
+  arguments.source.scene = line.root().path("scenes/match.scene");
+  addLearning(line, arguments);
+  addJudging(line, arguments);
+  addConversion(line, arguments);
+  addPainting(line, arguments);
+  return line.run();
 }

@@ -1,12 +1,13 @@
 #include "replay/Comparison.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/Statistics.h"
 
 namespace gt {
-namespace {}  // namespace
 
 double differenceOfDistances(const BallPercept& ball) {
   if (ball.distanceByProjection <= 0 || ball.distanceBySize <= 0) return 0;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/Enum.h"
-#include "experiments/Figures.h"
+#include "measure/Figures.h"
 #include "replay/Labels.h"
 #include "representations/perception/BallPercept.h"
 

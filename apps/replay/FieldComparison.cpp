@@ -1,5 +1,7 @@
 #include "replay/FieldComparison.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "base/Statistics.h"

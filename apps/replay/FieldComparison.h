@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "experiments/Figures.h"
+#include "measure/Figures.h"
 #include "replay/FieldLabels.h"
 #include "representations/perception/CameraMatrix.h"
 #include "representations/perception/LandmarksPercept.h"

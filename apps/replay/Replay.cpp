@@ -7,7 +7,7 @@ namespace {
 constexpr const char* drawings[] = {"ImageProcessor/horizon", "ImageProcessor/percepts"};
 
 Result<LogPlatform> makePlatform(const ReplayFiles& files, const NaoLog& log) {
-  ConfigurationPaths paths;
+  ConfigurationPaths paths = ConfigurationPaths::in(files.root);
   paths.config = files.config;
   paths.colorTable = files.colors;
   paths.colorOrder = nao2009ColorOrder;

@@ -2,6 +2,7 @@
 #include <functional>
 #include <string>
 
+#include "base/DataRoot.h"
 #include "base/Result.h"
 #include "replay/Comparison.h"
 #include "robot/logs/LogPlatform.h"
@@ -10,10 +11,11 @@ namespace gt {
 
 /// The files of a replay.
 struct ReplayFiles {
-  std::string log, colors;
-  std::string config = "config/nao2009";
-  std::string layout = "layouts/replay.layout";
-  std::string labels = "tests/real/nao2009-labels.csv";  ///< Empty for none.
+  DataRoot root{};  ///< Where files lie by default.
+  std::string log{}, colors{};
+  std::string config = root.path("config/nao2009");
+  std::string layout = root.path("layouts/replay.layout");
+  std::string labels = root.path("tests/real/nao2009-labels.csv");  ///< Empty for none.
 };
 
 /// Lets a robot live on a log, with percepts drawn, and calls `look(platform, ball, label)` after

@@ -1,20 +1,18 @@
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
 
-#include "views/painting/PicturePainter.h"
+#include "commandline/CommandLine.h"
 #include "replay/FieldComparison.h"
 #include "replay/Replay.h"
 #include "replay/Track.h"
 #include "streams/Jpeg.h"
+#include "views/painting/PicturePainter.h"
 
 namespace {
 
 using namespace gt;
-
-constexpr int badInput = 2;
 
 void printHeading() {
   fmt::print(
@@ -101,7 +99,7 @@ Result<void> run(const ReplayFiles& files, const std::string& fieldLabels, const
   const std::string json = out + ".json";
   Figures figures = comparison.figures();
   watch->comparison().addTo(figures);
-  if (!figures.write(json)) return Error{json, 0, "", "cannot be written"};
+  if (auto written = figures.write(json); !written) return written;
   fmt::print("Track: {}, figures: {}{}\n", trackFile, json,
              pictures ? ", pictures: " + out + "/" : "");
   return {};
@@ -110,17 +108,20 @@ Result<void> run(const ReplayFiles& files, const std::string& fieldLabels, const
 }  // namespace
 
 int main(int argc, char** argv) {
+  CommandLine line{
+      argc, argv,
+      "Lets a robot live on a real robot's log and compares what it sees with what a person saw"};
+  const DataRoot root = line.root();
   const char* real = std::getenv("GT_REAL");
-  const std::string folder = real ? real : "../shared/real";
-  ReplayFiles files;
+  const std::string folder = real ? real : root.path("../shared/real");
+  ReplayFiles files{root};
   files.log = folder + "/nao2009.log";
   files.colors = folder + "/coltable-field.c64";
-  std::string out = "out/replay", fieldLabels = "tests/real/nao2009-field.csv";
+  std::string out = "out/replay", fieldLabels = root.path("tests/real/nao2009-field.csv");
   bool pictures = true;
-  CLI::App app{
-      "Lets a robot live on a real robot's log and compares what it sees with what a person saw"};
+  CLI::App& app = line.app();
   const auto* log = app.add_option("--log", files.log, "the log")->capture_default_str();
-  app.add_option("--colors", files.colors, "its colour table")->capture_default_str();
+  app.add_option("--colors", files.colors, "its color table")->capture_default_str();
   app.add_option("--config", files.config, "configuration folder of its league")
       ->capture_default_str();
   app.add_option("--layout", files.layout, "which modules run")->capture_default_str();
@@ -131,17 +132,11 @@ int main(int argc, char** argv) {
   app.add_option("--out", out, "folder for the pictures with percepts; the figures go to OUT.json")
       ->capture_default_str();
   app.add_flag("!--no-pictures", pictures, "write none");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : badInput;
-  }
-  // The log is not part of the repository: without it there is nothing to do, and nothing wrong.
-  if (log->count() == 0 && !std::filesystem::exists(files.log)) {
+  return line.run([&]() -> Result<void> {
+    if (log->count() > 0 || std::filesystem::exists(files.log))
+      return run(files, fieldLabels, out, pictures);
+    // The log is not part of the repository: without it there is nothing to do, and nothing wrong.
     fmt::print("replay: no real robot's log at {}, nothing to look at\n", files.log);
-    return 0;
-  }
-  const auto done = run(files, fieldLabels, out, pictures);
-  if (!done) fmt::print(stderr, "replay: {}\n", done.error().text());
-  return done ? 0 : badInput;
+    return {};
+  });
 }

@@ -7,7 +7,7 @@
 
 #include "benchmarks/Parts.h"
 #include "colors/ColorTableFile.h"
-#include "colortable/GameViews.h"
+#include "measure/worlds/GameViews.h"
 #include "modules/perception/specialists/BlackWhiteBallSpecialist.h"
 
 namespace gt {
@@ -23,12 +23,12 @@ class Pictures {
   };
 
   Pictures() {
-    auto scene = loadScene("scenes/match.scene");
+    auto scene = loadScene(dataRoot().path("scenes/match.scene"));
     if (!scene) throw std::runtime_error(scene.error().text());
     for (SceneBall& ball : scene->balls) ball.model = "../models/ball-black-white.xml";
     auto views = GameViews::make(*scene, 1);
     if (!views) throw std::runtime_error(views.error().text());
-    auto table = readColorTable("config/coltable.c64");
+    auto table = readColorTable(dataRoot().path("config/coltable.c64"));
     if (!table) throw std::runtime_error(table.error().text());
     colors = *table;
     for (int moment = 0; moment < 16; ++moment) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "experiments/Figures.h"
+#include "measure/Figures.h"
 
 namespace gt {
 

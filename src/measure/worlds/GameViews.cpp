@@ -1,4 +1,4 @@
-#include "colortable/GameViews.h"
+#include "measure/worlds/GameViews.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "base/DataRoot.h"
 #include "base/Random.h"
 #include "base/Result.h"
 #include "representations/infrastructure/FieldDimensions.h"
@@ -33,7 +34,7 @@ struct WalkerWorld {
 /// the members of a SyntheticRobot, so that the same experiments run on both.
 class SimulatedWalker {
  public:
-  static Result<std::unique_ptr<SimulatedWalker>> make(std::uint64_t seed,
+  static Result<std::unique_ptr<SimulatedWalker>> make(const DataRoot& root, std::uint64_t seed,
                                                        const WalkerWorld& world = {});
   ~SimulatedWalker();
 

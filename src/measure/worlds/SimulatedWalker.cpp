@@ -1,4 +1,4 @@
-#include "SimulatedWalker.h"
+#include "measure/worlds/SimulatedWalker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,14 +74,15 @@ class SimulatedWalker::Body : public RobotController {
   Debug debug_{1024};
 };
 
-Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(std::uint64_t seed,
+Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(const DataRoot& root,
+                                                               std::uint64_t seed,
                                                                const WalkerWorld& world) {
-  auto scene = loadScene("scenes/match.scene");
+  auto scene = loadScene(root.path("scenes/match.scene"));
   if (!scene) return scene.error();
-  auto colors = readColorTable("config/coltable.c64");
+  auto colors = readColorTable(root.path("config/coltable.c64"));
   if (!colors) return colors.error();
   InvKinWalkingEngine::Parameters walk;
-  if (auto read = readConfig("config/modules/WalkingEngine.InvKin.cfg", walk); !read)
+  if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), walk); !read)
     return read.error();
   scene->noise.slip = world.slip;
   scene->noise.motion = world.motion;

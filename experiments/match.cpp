@@ -1,0 +1,57 @@
+// Plays matches and counts goals, own goals, and how well the robots know where they are.
+#include "match/Match.h"
+
+#include "Experiments.h"
+
+namespace gt {
+namespace {
+
+Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
+  MatchOptions options{root};
+  options.seed = job.seed;
+  options.minutes = job.number("minutes");
+  auto match = Match::make(options);
+  if (!match) return match.error();
+  while (!(*match)->finished()) (*match)->step();
+  const MatchSummary summary = (*match)->summary();
+  int ownGoals = 0, kicks = 0, stuckBalls = 0, penalties = 0;
+  double walked = 0;  // m
+  for (const MatchEvent& event : summary.events) {
+    ownGoals += event.kind == "goal" && event.ownGoal;
+    stuckBalls += event.kind == "stuckBall";
+    penalties += event.kind == "penalty";
+  }
+  for (const RobotSummary& robot : summary.robots) {
+    walked += robot.distanceWalked / 1000;
+    for (const KickCount& kick : robot.kicks) kicks += kick.count;
+  }
+  const ErrorStatistics localization = statisticsOf((*match)->statistics().localizationErrors());
+
+  Measurement measured;
+  const int goals = summary.redScore + summary.blueScore;
+  measured.add("match.goals", "goals", goals, Aim::atLeast(3));
+  measured.add("match.goals.red", "goals", summary.redScore);
+  measured.add("match.goals.blue", "goals", summary.blueScore);
+  measured.add("match.goals.regular", "goals", goals - ownGoals);
+  measured.add("match.goals.own", "goals", ownGoals);
+  measured.add("match.kicks", "kicks", kicks);
+  measured.add("match.stuckBalls", "balls", stuckBalls);
+  measured.add("match.penalties", "robots", penalties);
+  measured.add("match.walked", "m", walked);
+  measured.add("match.localization.error.median", "mm", localization.median, Aim::atMost(150));
+  measured.add("match.localization.error.p95", "mm", localization.percentile95, Aim::atMost(600));
+  measured.add("match.localization.error.max", "mm", localization.maximum);
+  measured.add("match.localization.lost.longest", "s", (*match)->statistics().longestLost());
+  return measured;
+}
+
+}  // namespace
+
+Experiment matchExperiment() {
+  return {"match",
+          "Whole matches: goals, kicks, penalties, localization against the truth",
+          {{"minutes", "both halves together", Parameter::Kind::number, {"10"}}},
+          playMatch};
+}
+
+}  // namespace gt
