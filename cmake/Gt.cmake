@@ -143,8 +143,9 @@ function(gt_test name)
   endif()
 endfunction()
 
-# gt_program(name [HOT] SOURCES main.cpp ... DEPS ... [PRECOMPILED library]): a program under bin/. What it has of its own
-# reads options and prints, unless it is hot. It uses precompiled headers of its own kind or of a library.
+# gt_program(name [HOT] SOURCES main.cpp ... DEPS ... [PRECOMPILED library]): a program under bin/, which is installed if it was
+# built. What it has of its own reads options and prints, unless it is hot. It uses precompiled headers of its own kind or of
+# a library.
 function(gt_program name)
   cmake_parse_arguments(ARG "HOT" "PRECOMPILED" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -156,6 +157,7 @@ function(gt_program name)
     gt_precompile(${name} REUSE_FROM ${ARG_PRECOMPILED})
   endif()
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
+  install(TARGETS ${name} OPTIONAL COMPONENT programs)
 endfunction()
 
 # gt_embed(output.cpp HEADER header.h NAMESPACE name FILES name=path ...): files as a part of the program: a source file in

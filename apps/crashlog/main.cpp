@@ -1,9 +1,9 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 
+#include "commandline/CommandLine.h"
 #include "crash/Symbolizer.h"
 #include "streams/File.h"
 
@@ -102,21 +102,16 @@ Result<void> run(const std::string& file, const std::vector<std::string>& folder
 
 }  // namespace
 
-/// crashlog: what a crash report tells (report 5.5).
+/// crashlog: makes a crash report readable (report 5.5).
 int main(int argc, char** argv) {
+  CommandLine line{argc, argv,
+                   "Turns a crash report into source lines, the call stack and assembler"};
   std::string file;
   std::vector<std::string> folders;
-  CLI::App app{"Turns a crash report into source lines, the call stack and assembler"};
-  app.add_option("report", file, "crash-PROGRAM-PID.txt")->required();
-  app.add_option("--symbols", folders,
-                 "Folder with the symbols of stripped programs, or these with symbols")
+  line.app().add_option("report", file, "crash-PROGRAM-PID.txt")->required();
+  line.app()
+      .add_option("--symbols", folders,
+                  "Folder with the symbols of stripped programs, or these with symbols")
       ->check(CLI::ExistingDirectory);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  const auto done = run(file, folders);
-  if (!done) fmt::print(stderr, "crashlog: {}\n", done.error().text());
-  return done ? 0 : 2;
+  return line.run([&] { return run(file, folders); });
 }

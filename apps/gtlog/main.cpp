@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
-#include <system_error>
-
+#include "commandline/CommandLine.h"
 #include "gtlog/Check.h"
 #include "gtlog/Export.h"
 #include "gtlog/Import.h"
@@ -79,7 +77,9 @@ Result<ReplayOptions> replayOptions(const Arguments& arguments) {
   ReplayOptions options{arguments.log};
   options.layout = arguments.layout;
   if (!arguments.config.empty()) {
-    ConfigurationPaths paths;
+    const auto root = DataRoot::find(DataRoot::places(""));
+    if (!root) return root.error();
+    ConfigurationPaths paths = ConfigurationPaths::in(*root);
     paths.config = arguments.config;
     paths.colorTable = arguments.colors;
     if (arguments.naoColors) paths.colorOrder = nao2009ColorOrder;
@@ -124,77 +124,55 @@ void addReplay(CLI::App& command, Arguments& a) {
       ->needs(config);
 }
 
-Result<int> done(const Result<void>& result) {
-  if (!result) return result.error();
-  return 0;
-}
-
 }  // namespace
 
 /// gtlog: what is to be done with logs.
 int main(int argc, char** argv) {
-  CLI::App app{"Logs of robots: MCAP files, which Foxglove and ROS 2 open, too"};
-  app.require_subcommand(1);
+  CommandLine line{argc, argv, "Logs of robots: MCAP files, which Foxglove and ROS 2 open, too"};
   Arguments a;
-  std::function<Result<int>()> run;
-  const auto command = [&](const char* name, const char* what, auto&& action) -> CLI::App& {
-    CLI::App& sub = *app.add_subcommand(name, what);
-    sub.callback([&run, action] { run = action; });
-    return sub;
-  };
-  command("list", "Tells what is in logs: channels, counts, rates, times, metadata",
-          [&] { return list(a); })
+  line.command("list", "Tells what is in logs: channels, counts, rates, times, metadata",
+               [&] { return list(a); })
       .add_option("logs", a.logs)
       ->required();
-  CLI::App& showing = command("show", "Prints messages, one on each line", [&] { return show(a); });
+  CLI::App& showing =
+      line.command("show", "Prints messages, one on each line", [&] { return show(a); });
   showing.add_option("log", a.log)->required();
   showing.add_option("--limit", a.limit, "Not more than so many");
   addSelection(showing, a.selection);
-  CLI::App& cutting = command("cut", "Writes some of a log's messages into a new one",
-                              [&] { return tell(cutLog(a.log, a.selection, a.out), a.out); });
+  CLI::App& cutting = line.command("cut", "Writes some of a log's messages into a new one",
+                                   [&] { return tell(cutLog(a.log, a.selection, a.out), a.out); });
   cutting.add_option("log", a.log)->required();
   cutting.add_option("out", a.out)->required();
   addSelection(cutting, a.selection);
-  CLI::App& joining = command("join", "Joins logs into one, in the order of time",
-                              [&] { return tell(joinLogs(a.logs, a.out), a.out); });
+  CLI::App& joining = line.command("join", "Joins logs into one, in the order of time",
+                                   [&] { return tell(joinLogs(a.logs, a.out), a.out); });
   joining.add_option("out", a.out, "The new log")->required();
   joining.add_option("logs", a.logs)->required();
-  command("check", "Reads all of logs: index, checksums, and every message by its schema",
-          [&] { return check(a); })
+  line.command("check", "Reads all of logs: index, checksums, and every message by its schema",
+               [&] { return check(a); })
       .add_option("logs", a.logs)
       ->required();
-  CLI::App& repairing = command("repair", "Writes what is whole in a damaged log into a new one",
-                                [&] { return tell(repairLog(a.log, a.out), a.out); });
+  CLI::App& repairing =
+      line.command("repair", "Writes what is whole in a damaged log into a new one",
+                   [&] { return tell(repairLog(a.log, a.out), a.out); });
   repairing.add_option("log", a.log)->required();
   repairing.add_option("out", a.out)->required();
-  CLI::App& exporting =
-      command("export",
-              "Writes messages as JSON lines (OUT.json), CSV (OUT.csv, one topic), a trace of the "
-              "behavior (OUT.trace, for xabsl trace), or into a folder of CSV files",
-              [&] { return exportTo(a); });
+  CLI::App& exporting = line.command(
+      "export",
+      "Writes messages as JSON lines (OUT.json), CSV (OUT.csv, one topic), a trace of the "
+      "behavior (OUT.trace, for xabsl trace), or into a folder of CSV files",
+      [&] { return exportTo(a); });
   exporting.add_option("log", a.log)->required();
   exporting.add_option("out", a.out)->required();
   addSelection(exporting, a.selection);
-  addReplay(command("replay",
-                    "Has a robot live on what a log's robot sensed (simgt play --inputs), and "
-                    "compares what it computes",
-                    [&] { return replay(a); }),
+  addReplay(line.command("replay",
+                         "Has a robot live on what a log's robot sensed (simgt play --inputs), and "
+                         "compares what it computes",
+                         [&] { return replay(a); }),
             a);
-  CLI::App& importing = command("import", "Writes a real robot's log of 2009 as a log of ours",
-                                [&] { return done(importNaoLog(a.log, a.out)); });
+  CLI::App& importing = line.command("import", "Writes a real robot's log of 2009 as a log of ours",
+                                     [&] { return importNaoLog(a.log, a.out); });
   importing.add_option("log", a.log)->required();
   importing.add_option("out", a.out)->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    const auto status = run();
-    if (status) return *status;
-    fmt::print(stderr, "gtlog: {}\n", status.error().text());
-  } catch (const std::system_error& error) {  // fmt's, where nothing can be printed
-    fmt::print(stderr, "gtlog: standard output: {}\n", error.what());
-  }
-  return 2;
+  return line.run();
 }

@@ -1,9 +1,7 @@
-#include <fmt/core.h>
-
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "Process.h"
+#include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
 #include "robot/linux/RobotProgram.h"
 
@@ -97,19 +95,18 @@ gt::Result<void> readFiles(const CLI::App& app, gt::RobotProgramOptions& options
   return {};
 }
 
-int fail(const gt::Error& error) {
-  fmt::print(stderr, "gtrobot {}: {}\n", gt::processName, error.text());
-  return 2;
-}
-
 }  // namespace
 
 /// One process of a robot on Linux.
 int main(int argc, char** argv) {
+  gt::CommandLine line{argc, argv, std::string{"The process "} + gt::processName + " of a robot"};
+  const gt::DataRoot root = line.root();
   gt::RobotProgramOptions options;
   options.process = gt::processName;
+  options.layout = root.path("layouts/cmd.layout");
+  options.paths = gt::ConfigurationPaths::in(root);
   options.addresses.folder = gt::defaultSocketFolder();
-  CLI::App app{std::string{"The process "} + gt::processName + " of a robot"};
+  CLI::App& app = line.app();
   addOptions(app, options);
   Arguments arguments;
   app.add_option("--at", arguments.processes,
@@ -121,17 +118,12 @@ int main(int argc, char** argv) {
   std::string crashes = "out/crashes";
   app.add_option("--crashes", crashes, "Folder for a crash report, which crashlog reads")
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  std::error_code failed;
-  std::filesystem::create_directories(crashes, failed);
-  if (failed) return fail({crashes, 0, "", failed.message()});
-  gt::installCrashHandler({std::string{"gtrobot-"} + gt::processName, crashes});
-  if (const auto done = readFiles(app, options, arguments); !done) return fail(done.error());
-  if (const auto done = gt::runRobotProgram(options, gt::processSolutions()); !done)
-    return fail(done.error());
-  return 0;
+  return line.run([&]() -> gt::Result<void> {
+    std::error_code failed;
+    std::filesystem::create_directories(crashes, failed);
+    if (failed) return gt::Error{crashes, 0, "", failed.message()};
+    gt::installCrashHandler({std::string{"gtrobot-"} + gt::processName, crashes});
+    if (auto done = readFiles(app, options, arguments); !done) return done;
+    return gt::runRobotProgram(options, gt::processSolutions());
+  });
 }

@@ -1,56 +1,52 @@
 // Checks motion descriptions and lists them for XABSL (report 5.4).
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>
 
+#include "commandline/CommandLine.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
 #include "motionnet/Compiler.h"
 #include "motionnet/Listing.h"
 
 namespace {
 
-constexpr int badData = 2;  // exit status
+using namespace gt;
 
-/// Tells every error in one line each.
-bool report(const motionnet::Compilation& compilation) {
-  for (const auto& error : compilation.errors) std::fprintf(stderr, "%s\n", error.text().c_str());
-  return static_cast<bool>(compilation);
+/// Reports every error but the last in a line of its own; returns that one.
+Result<motionnet::Compilation> compile(const std::string& folder) {
+  auto compilation = motionnet::compileFolder(folder, motionRules());
+  if (compilation) return compilation;
+  for (std::size_t i = 0; i + 1 < compilation.errors.size(); ++i)
+    std::fprintf(stderr, "motionnet: %s\n", compilation.errors[i].text().c_str());
+  const auto& last = compilation.errors.back();
+  return Error{last.file, last.line, last.field, last.message};
 }
 
-int check(const std::string& folder) {
-  const auto compilation = motionnet::compileFolder(folder, gt::motionRules());
-  if (!report(compilation)) return badData;
-  const auto net = gt::motionNetOf(compilation.net, folder);
-  if (!net) {
-    std::fprintf(stderr, "%s\n", net.error().text().c_str());
-    return badData;
-  }
-  std::printf("%s: %zu motions, %zu nodes\n", folder.c_str(), compilation.net.motions.size(),
-              compilation.net.nodes.size());
-  return 0;
+Result<void> check(const std::string& folder) {
+  const auto compilation = compile(folder);
+  if (!compilation) return compilation.error();
+  const auto net = motionNetOf(compilation->net, folder);
+  if (!net) return net.error();
+  std::printf("%s: %zu motions, %zu nodes\n", folder.c_str(), compilation->net.motions.size(),
+              compilation->net.nodes.size());
+  return {};
 }
 
-int list(const std::string& folder) {
-  const auto compilation = motionnet::compileFolder(folder, gt::motionRules());
-  if (!report(compilation)) return badData;
-  std::fputs(motionnet::listing(compilation.net).c_str(), stdout);
-  return 0;
+Result<void> list(const std::string& folder) {
+  const auto compilation = compile(folder);
+  if (!compilation) return compilation.error();
+  std::fputs(motionnet::listing(compilation->net).c_str(), stdout);
+  return {};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Motion descriptions (.mof) of the special actions"};
-  app.require_subcommand(1);
-  std::string folder = "motions";
-  auto* checkCommand = app.add_subcommand("check", "compile a folder and tell what is wrong");
-  auto* listCommand = app.add_subcommand("list", "the motions as XML for XABSL");
-  for (auto* command : {checkCommand, listCommand})
-    command->add_option("folder", folder, "folder of the .mof files")->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : badData;
-  }
-  return checkCommand->parsed() ? check(folder) : list(folder);
+  CommandLine line{argc, argv, "Motion descriptions (.mof) of the special actions"};
+  std::string folder = line.root().path("motions");
+  for (CLI::App* command :
+       {&line.command("check", "Compiles a folder and reports what is wrong",
+                      [&] { return check(folder); }),
+        &line.command("list", "Prints the motions as XML for XABSL", [&] { return list(folder); })})
+    command->add_option("folder", folder, "Folder of the .mof files")->capture_default_str();
+  return line.run();
 }

@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <csignal>
 
+#include "commandline/CommandLine.h"
 #include "network/RobotAddresses.h"
 #include "network/RouterSettings.h"
 #include "streams/Config.h"
@@ -46,11 +46,6 @@ void addOptions(CLI::App& app, gt::RouterSettings& settings) {
                  "tool.key: for robots and routers that ask for it");
 }
 
-int fail(const gt::Error& error) {
-  fmt::print(stderr, "router: {}\n", error.text());
-  return 2;
-}
-
 /// Starting without arguments is starting as the last time (report 5.3).
 gt::Result<void> recall(gt::RouterSettings& settings) {
   const std::string file = gt::lastSettingsFile();
@@ -87,7 +82,7 @@ void serve(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& 
   for (std::size_t found = robots.find(router.elapsed()); found > 0; --found) {
     const auto robot = settings.wanted(robots.robots()[robots.robots().size() - found]);
     if (const auto done = router.add(robot); !done)
-      (void)fail(done.error());
+      fmt::print(stderr, "router: {}\n", done.error().text());
     else
       tellOf(robot);
     std::fflush(stdout);
@@ -110,49 +105,50 @@ void run(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& se
   tell(router);
 }
 
-int makeKeys(const std::string& folder) {
-  if (const auto made = gt::makeKeys(folder); !made) return fail(made.error());
+gt::Result<void> makeKeys(const std::string& folder) {
+  if (auto made = gt::makeKeys(folder); !made) return made;
   fmt::print("Keys: {0}/robot.key for who listens, {0}/tool.key for who connects\n", folder);
-  return 0;
+  return {};
 }
 
-}  // namespace
-
-/// Passes messages between robots and tools, and between team mates (report 5.3).
-int main(int argc, char** argv) {
-  CLI::App app{"Router: passes messages between robots and tools, and between team mates"};
-  gt::RouterSettings settings;
-  settings.sockets = gt::defaultSocketFolder();
-  addOptions(app, settings);
-  std::string keyFolder;
-  app.add_option("--make-keys", keyFolder,
-                 "Writes robot.key and tool.key into this folder and ends");
-  bool verbose = false;
-  app.add_flag("--verbose", verbose, "Tells every ten seconds what went through");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  if (!keyFolder.empty()) return makeKeys(keyFolder);
-  if (argc == 1)
-    if (const auto done = recall(settings); !done) return fail(done.error());
-
+gt::Result<void> route(const gt::RouterSettings& settings, bool verbose) {
   auto robots = gt::RobotList::parse(settings.robots, settings.places());
-  if (!robots) return fail(robots.error());
+  if (!robots) return robots.error();
   if (robots->robots().empty() && !robots->searches())
-    return fail({"", 0, "robots", "there is none to connect to"});
+    return gt::Error{"", 0, "robots", "there is none to connect to"};
   auto options = gt::routerOptions(settings);
-  if (!options) return fail(options.error());
+  if (!options) return options.error();
   for (const gt::RoutedRobot& robot : robots->robots())
     options->robots.push_back(settings.wanted(robot));
   const auto router = gt::Router::open(*options);
-  if (!router) return fail(router.error());
+  if (!router) return router.error();
   keep(settings);
   for (const gt::RoutedRobot& robot : options->robots) tellOf(robot);
   if (!options->all.empty()) fmt::print("tools of all robots at {}\n", options->all);
   if (!options->routers.empty()) fmt::print("other routers at {}\n", options->routers);
   std::fflush(stdout);
   run(**router, *robots, settings, verbose);
-  return 0;
+  return {};
+}
+
+}  // namespace
+
+/// Passes messages between robots and tools, and between team mates (report 5.3).
+int main(int argc, char** argv) {
+  gt::CommandLine line{argc, argv,
+                       "Router: passes messages between robots and tools, and between team mates"};
+  gt::RouterSettings settings;
+  settings.sockets = gt::defaultSocketFolder();
+  addOptions(line.app(), settings);
+  std::string keyFolder;
+  line.app().add_option("--make-keys", keyFolder,
+                        "Writes robot.key and tool.key into this folder and ends");
+  bool verbose = false;
+  line.app().add_flag("--verbose", verbose, "Tells every ten seconds what went through");
+  return line.run([&]() -> gt::Result<void> {
+    if (!keyFolder.empty()) return makeKeys(keyFolder);
+    if (argc == 1)
+      if (auto done = recall(settings); !done) return done;
+    return route(settings, verbose);
+  });
 }

@@ -5,7 +5,7 @@ namespace gt {
 
 /// What `simgt check` is told.
 struct CheckOptions {
-  std::string root = ".";
+  std::string root;
 };
 
 /// Loads every configuration, layout, scene, motion and behavior of a tree and tells all errors,

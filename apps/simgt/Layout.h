@@ -5,7 +5,7 @@ namespace gt {
 
 /// What `simgt layout` was asked for.
 struct LayoutOptions {
-  std::string layout = "layouts/cmd.layout";
+  std::string layout;
   std::string svg;  ///< File for a drawing; none if empty.
 };
 

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "Check.h"
@@ -6,6 +5,7 @@
 #include "Layout.h"
 #include "Picture.h"
 #include "Play.h"
+#include "commandline/CommandLine.h"
 #include "console/Manual.h"
 
 namespace {
@@ -93,44 +93,40 @@ void addLayout(CLI::App& command, gt::LayoutOptions& layout) {
 
 /// SimGT2003: plays scenes of simulated robots.
 int main(int argc, char** argv) {
-  CLI::App app{"SimGT2003: simulated robots that play soccer"};
-  app.require_subcommand(1);
+  gt::CommandLine line{argc, argv, "SimGT2003: simulated robots that play soccer"};
+  const gt::DataRoot root = line.root();
+  const gt::MatchOptions match{root};
 
   gt::PlayOptions play;
-  CLI::App& playing =
-      *app.add_subcommand("play", "Plays a match and writes logs, match.json and report.html");
-  addPlay(playing, play);
+  play.match = match;
+  addPlay(line.command("play", "Plays a match and writes logs, match.json and report.html",
+                       [&] { return gt::play(play); }),
+          play);
   gt::ConsoleOptions console;
-  CLI::App& typing = *app.add_subcommand(
-      "console", "Runs a scene with a console: commands from scripts, a pipe or the terminal");
-  addConsole(typing, console);
+  console.match = match;
+  addConsole(
+      line.command("console",
+                   "Runs a scene with a console: commands from scripts, a pipe or the terminal",
+                   [&] { return gt::runConsole(console); }),
+      console);
   gt::PictureOptions picture;
-  addPicture(*app.add_subcommand("picture", "Takes a picture of a match from beside the field"),
+  picture.match = match;
+  addPicture(line.command("picture", "Takes a picture of a match from beside the field",
+                          [&] { return gt::takePicture(picture); }),
              picture);
-  gt::LayoutOptions layout;
-  CLI::App& showing =
-      *app.add_subcommand("layout", "Shows what runs in which process and what crosses");
-  addLayout(showing, layout);
-
-  CLI::App& listing =
-      *app.add_subcommand("commands", "Tells the console's commands: docs/console.md");
-
-  gt::CheckOptions check;
-  CLI::App& checking = *app.add_subcommand(
-      "check", "Loads every configuration, layout, scene, motion and behavior; tells all errors");
-  checking.add_option("root", check.root, "Folder of the tree")->capture_default_str();
-
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  if (listing.parsed()) {
+  gt::LayoutOptions layout{root.path("layouts/cmd.layout"), ""};
+  addLayout(line.command("layout", "Shows what runs in which process and what crosses",
+                         [&] { return gt::showLayout(layout); }),
+            layout);
+  line.command("commands", "Tells the console's commands: docs/console.md", [] {
     std::fputs(gt::consoleManual().c_str(), stdout);
     return 0;
-  }
-  if (typing.parsed()) return gt::runConsole(console);
-  if (checking.parsed()) return gt::checkTree(check);
-  if (showing.parsed()) return gt::showLayout(layout);
-  return playing.parsed() ? gt::play(play) : gt::takePicture(picture);
+  });
+  gt::CheckOptions check{root.path(".")};
+  line.command("check",
+               "Loads every configuration, layout, scene, motion and behavior; tells all errors",
+               [&] { return gt::checkTree(check); })
+      .add_option("root", check.root, "Folder of the tree")
+      ->capture_default_str();
+  return line.run();
 }

@@ -50,6 +50,7 @@ CLI::App& CommandLine::addCommand(const char* name, const char* description, Act
 }
 
 int CommandLine::perform(const Action& action) {
+  if (action && !app_.get_subcommands({}).empty()) app_.require_subcommand(0, 1);
   try {
     app_.parse(argc_, argv_);
   } catch (const CLI::ParseError& error) {
@@ -57,7 +58,7 @@ int CommandLine::perform(const Action& action) {
   }
   if (root_ && !*root_) return fail(root_->error().text());
   try {
-    const auto status = action ? action() : command_();
+    const auto status = command_ ? command_() : action();
     if (!status) return fail(status.error().text());
     if (std::fflush(stdout) == 0) return *status;
     return fail("standard output: " + std::generic_category().message(errno));

@@ -31,12 +31,13 @@ class CommandLine {
   CLI::App& command(const char* name, const char* description, F action) {
     return addCommand(name, description, actionOf(std::move(action)));
   }
-  /// Parses the command line and performs an action. Returns the exit status.
+  /// Parses the command line and performs the action of the command that is given; if none is,
+  /// performs `action`. Returns the exit status.
   template <typename F>
   int run(F action) {
     return perform(actionOf(std::move(action)));
   }
-  /// The same, with the action of the command that is given.
+  /// The same; a command must be given.
   int run() { return perform(nullptr); }
 
  private:

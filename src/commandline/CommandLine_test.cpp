@@ -68,6 +68,28 @@ TEST(CommandLine, RunsTheCommandThatIsGivenWithOptionsOfTheProgramBehindIt) {
   EXPECT_EQ(line.run(), 7);
 }
 
+/// Runs a program with a command and an action for when it is not given.
+int runWithDefault(std::vector<std::string> words) {
+  Arguments arguments{std::move(words)};
+  CommandLine line{arguments.count(), arguments.values(), "A program"};
+  line.command("command", "", [] { return 10; });
+  return line.run([] { return 20; });
+}
+
+TEST(CommandLine, WithoutACommandTheActionIsPerformed) {
+  EXPECT_EQ(runWithDefault({}), 20);
+  EXPECT_EQ(runWithDefault({"command"}), 10);
+}
+
+TEST(CommandLine, ACommandMustBeGivenIfThereIsNoAction) {
+  Arguments arguments{{}};
+  CommandLine line{arguments.count(), arguments.values(), "A program"};
+  line.command("command", "", [] { return 10; });
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(line.run(), 2);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("subcommand"));
+}
+
 TEST(CommandLine, TheRootIsKnownBeforeTheOptionsAreParsed) {
   Arguments arguments{{"--root", "."}};
   CommandLine line{arguments.count(), arguments.values(), "A program"};

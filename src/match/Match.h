@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/DataRoot.h"
 #include "match/GameControllerLink.h"
 #include "match/MatchState.h"
 #include "match/MatchStatistics.h"
@@ -19,16 +20,18 @@ namespace gt {
 
 /// How a match is to be played.
 struct MatchOptions {
-  std::string scene = "scenes/match.scene";
+  DataRoot root{};  ///< Where the files below lie by default.
+  std::string scene = root.path("scenes/match.scene");
   double minutes = 10;  ///< Both halves together.
   std::uint64_t seed = 1;
   std::size_t threads = 1;  ///< Do not change what happens.
-  std::string logs;  ///< Folder for the robots' logs, which must exist; none are written if empty.
+  std::string
+      logs{};  ///< Folder for the robots' logs, which must exist; none are written if empty.
   bool inputs = false;  ///< Whether the logs hold all that the robots sensed, for replays.
   bool trace = false;   ///< Whether the logs hold what the behavior decided, and why.
   int pictures = 0;     ///< How many camera pictures to keep for the report page.
-  std::string behavior = "behavior/GT2003.xabsl";
-  std::string motions = "motions";
+  std::string behavior = root.path("behavior/GT2003.xabsl");
+  std::string motions = root.path("motions");
   std::string layout{};  ///< Of all robots, instead of what the scene says, if not empty.
   /// Robots whose processes are programs of their own and connect to the simulation: for each name
   /// where it listens for them, such as tcp://10.0.1.5:5003; on this machine, if that is empty.

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/DataRoot.h"
 #include "colors/ColorTableFile.h"
 #include "colors/TslColors.h"
 #include "framework/Blackboard.h"
@@ -81,6 +82,11 @@ struct ConfigurationPaths {
   std::string colorTable{};  ///< Instead of the folder's coltable.c64, if not empty.
   ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the colour table's classes.
   std::string location{};  ///< Instead of what location.cfg says, if not empty.
+
+  /// Those of a root; the defaults are those of the working directory.
+  static ConfigurationPaths in(const DataRoot& root) {
+    return {root.path("config"), root.path("motions"), root.path("behavior/GT2003.xabsl")};
+  }
 };
 
 /// Reads everything; the first error tells file, line and field. Names of solutions are checked

@@ -128,8 +128,9 @@ class Chaos {
 };
 
 /// The match scene with so many robots and balls, who all have programs.
-inline Result<SceneDescription> crowdedScene(std::size_t robots, std::size_t balls) {
-  auto scene = loadScene("scenes/match.scene");
+inline Result<SceneDescription> crowdedScene(std::size_t robots, std::size_t balls,
+                                             const std::string& file = "scenes/match.scene") {
+  auto scene = loadScene(file);
   if (!scene) return scene;
   const std::vector<SceneRobot> team = scene->robots;
   scene->robots.clear();

@@ -60,7 +60,8 @@ class Workplace {
   /// Runs a program in there; names of files in what it says are relative to it.
   Outcome run(const std::string& arguments) const {
     const std::string log = (root_ / "errors").string();
-    const std::string place = "cd " + root_.string() + " && XDG_STATE_HOME=" + root_.string();
+    const std::string place =
+        "cd " + root_.string() + " && GT2003_ROOT=. XDG_STATE_HOME=" + root_.string();
     const int raw = std::system(
         (place + "/state timeout 60 " + GT_PROGRAMS "/" + arguments + " >/dev/null 2>" + log)
             .c_str());
@@ -197,9 +198,10 @@ std::vector<WrongFile> wrongFiles() {
       {"MotionGarbage", mof, garbage(), play, "simgt: " + mof + ":1: "},
       {"MotionWrongName", "motions/extern.mof", replaced("getup", "getupp"), play,
        "simgt: motions/extern.mof:"},
-      {"CheckedMotionTruncated", mof, truncated(184), checkMotions, mof + ": label start: "},
+      {"CheckedMotionTruncated", mof, truncated(184), checkMotions,
+       "motionnet: " + mof + ": label start: "},
       {"CheckedMotionWrongName", mof, replaced("label start", "label begin"), checkMotions,
-       mof + ": label start: "},
+       "motionnet: " + mof + ": label start: "},
 
       {"ColorTableMissing", table, missing, play, "simgt: " + table + ": there is no such file"},
       {"ColorTableTruncated", table, truncated(1000), play, "simgt: " + table + ": byte "},
@@ -280,7 +282,7 @@ TEST(Programs, TellEveryErrorOfAMotion) {
   workplace.write("motions/stand.mof", "garbage\n");
   const Outcome outcome = workplace.run(checkMotions);
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.errors, StartsWith("motions/stand.mof:1: "));
+  EXPECT_THAT(outcome.errors, StartsWith("motionnet: motions/stand.mof:1: "));
 }
 
 TEST(Programs, CheckTellsAllErrorsOfATree) {
@@ -395,13 +397,13 @@ TEST(Programs, OfTheNetworkRefuseWrongUse) {
            {router + "--keys nokey", "router: nokey: there is no such file"},
            {router + "--keys config/log.cfg", "router: config/log.cfg"},
            {router + "--port " + std::to_string(port - 301), "router: network: " + taken},
-           {motion + "--at Motion", "gtrobot Motion: Motion: expected PROCESS=ENDPOINT"},
-           {motion + "--at Motion=there", "gtrobot Motion: network: there: is no endpoint"},
-           {motion + "--at Nobody=tcp://127.0.0.1:3", "gtrobot Motion: layouts/cmd.layout: Nobody"},
-           {motion + "--at Motion=tcp://0.0.0.0:5001", "gtrobot Motion: network: tcp://0.0.0.0"},
-           {motion + "--at Motion=" + taken, "gtrobot Motion: network: " + taken},
-           {motion + "--keys nokey", "gtrobot Motion: nokey: there is no such file"},
-           {motion + "--layout nolayout", "gtrobot Motion: nolayout: there is no such file"},
+           {motion + "--at Motion", "gtrobot-motion: Motion: expected PROCESS=ENDPOINT"},
+           {motion + "--at Motion=there", "gtrobot-motion: network: there: is no endpoint"},
+           {motion + "--at Nobody=tcp://127.0.0.1:3", "gtrobot-motion: layouts/cmd.layout: Nobody"},
+           {motion + "--at Motion=tcp://0.0.0.0:5001", "gtrobot-motion: network: tcp://0.0.0.0"},
+           {motion + "--at Motion=" + taken, "gtrobot-motion: network: " + taken},
+           {motion + "--keys nokey", "gtrobot-motion: nokey: there is no such file"},
+           {motion + "--layout nolayout", "gtrobot-motion: nolayout: there is no such file"},
        }) {
     const Outcome outcome = workplace.run(command);
     EXPECT_EQ(outcome.status, 2) << command;
