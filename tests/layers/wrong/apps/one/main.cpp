@@ -1,0 +1,4 @@
+// A program may include itself and src, but no other program.
+#include "One.h"
+#include "base/Upward.h"
+#include "two/Two.h"
