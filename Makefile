@@ -6,10 +6,11 @@ MINUTES ?= 10
 SEED    ?= 7
 SEEDS   ?= 1..10
 OUT     ?= out/match
+PREFIX  ?= /usr/local
 SECONDS ?= 60
 JOBS    ?= $(shell nproc)
 
-.PHONY: help play film play-remote kill-test test replay bench experiments docs build packages format check-format lint sanitize sanitize-layers fuzz clean
+.PHONY: help install play film play-remote kill-test test replay bench experiments docs build packages format check-format lint sanitize sanitize-layers fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -18,8 +19,9 @@ help:
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
 	@echo 'make play-remote   plays a minute against a team whose robots consist of three programs each'
 	@echo 'make kill-test     kills each program of a robot 50 times during a match'
-	@echo 'make bench         measures speed, also against other libraries: out/bench.json'
-	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html'
+	@echo 'make bench         measures speed, also against other libraries: out/bench.json; one part with ONLY=camera'
+	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html; a group with ONLY=vision'
+	@echo 'make install       installs the programs and their data below PREFIX=$(PREFIX)'
 	@echo 'make docs          writes pages with charts about the soccer behavior, out/docs/index.html, and about the sources'"'"' interfaces, out/docs/api/index.html'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
 	@echo 'make sanitize-layers runs the tests of the layers below match/ under the address and undefined-behavior sanitizers'
@@ -28,7 +30,7 @@ help:
 	@echo 'make lint          checks all sources with clang-tidy; SINCE=COMMIT those changed since, MINUTES_OF_LINT=N for N minutes'
 	@echo 'make build         only builds, into $(BUILD); make packages only installs what is missing'
 	@echo 'make clean         removes build/ and out/'
-	@echo 'Settings: MINUTES, SEED, SEEDS, SECONDS, OUT, PRESET (release, debug, asan, tsan, clang), JOBS'
+	@echo 'Settings: MINUTES, SEED, SEEDS, ONLY, SECONDS, OUT, PREFIX, PRESET (release, debug, asan, tsan, clang), JOBS'
 
 packages:
 	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14) $(PACKAGES)
@@ -47,6 +49,9 @@ film: build
 	@$(BUILD)/bin/simgt console scenes/match.scene --seed $(SEED) --threads $(JOBS) --script scenes/film.con
 	@echo 'Film: out/match.mp4'
 
+install: build
+	@cmake --install $(BUILD) --prefix $(PREFIX)
+
 test: build
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS)
 
@@ -54,7 +59,10 @@ replay: build
 	@$(BUILD)/bin/replay --out out/replay
 
 # The full test of a robot's programs: each is killed 50 times in a match.
-kill-test: build
+kill-install: build
+	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+test: build
 	@GT_KILLS=50 $(BUILD)/bin/robot_programs_test --gtest_filter=*AnyProcess*
 
 # A whole team of programs, three a robot, in real time.
@@ -64,11 +72,11 @@ play-remote: build
 bench: TARGETS = --target bench layout-cmd
 bench: PACKAGES += libprotobuf-dev protobuf-compiler libmrpt-slam-dev libopencv-imgproc-dev libegl-dev libgl1-mesa-dri
 bench: build
-	@$(BUILD)/bin/bench --json out/bench.json
+	@$(BUILD)/bin/bench $(if $(ONLY),--only $(ONLY)) --json out/bench.json
 
 experiments: TARGETS = --target experiment
 experiments: build
-	@$(BUILD)/bin/experiment --seeds $(SEEDS) --json out/experiments.json
+	@$(BUILD)/bin/experiment --seeds $(SEEDS) $(if $(ONLY),--only $(ONLY)) --threads $(JOBS) --json out/experiments.json
 
 docs: TARGETS = --target xabsl
 docs: PACKAGES += doxygen
