@@ -7,7 +7,7 @@
 #include "replay/FieldComparison.h"
 #include "replay/Replay.h"
 #include "replay/Track.h"
-#include "streams/Jpeg.h"
+#include "streams/Png.h"
 #include "views/painting/PicturePainter.h"
 
 namespace {

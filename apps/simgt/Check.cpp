@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "framework/LayoutCheck.h"
@@ -33,21 +33,14 @@ class TreeCheck {
  public:
   explicit TreeCheck(std::string root) : root_{std::move(root)} {}
 
-  void check() {
+  /// Returns what was found, sorted by file and line.
+  Findings check() {
     checkConfigurations();
     checkLayouts();
     checkScenes();
-  }
-  /// Sorted by file and line, each once.
-  std::vector<Error> errors() const {
-    const auto key = [](const Error& e) { return std::tie(e.file, e.line, e.field, e.what); };
-    std::vector<Error> sorted = errors_;
-    std::sort(sorted.begin(), sorted.end(),
-              [&](const Error& a, const Error& b) { return key(a) < key(b); });
-    sorted.erase(std::unique(sorted.begin(), sorted.end(),
-                             [&](const Error& a, const Error& b) { return key(a) == key(b); }),
-                 sorted.end());
-    return sorted;
+    checkLogs();
+    findings_.sort();
+    return findings_;
   }
   /// How many there were of what.
   const std::map<std::string, int>& counts() const { return counts_; }
@@ -55,12 +48,6 @@ class TreeCheck {
  private:
   std::string path(const std::string& name) const {
     return root_ == "." ? name : (fs::path{root_} / name).lexically_normal().string();
-  }
-
-  void collect(const Error& error) { errors_.push_back(error); }
-  template <typename T>
-  void collect(const Result<T>& result) {
-    if (!result) errors_.push_back(result.error());
   }
 
   /// The files of a folder with an extension, in order; a folder without any is an error.
@@ -73,7 +60,7 @@ class TreeCheck {
       for (std::string& file : found) file = fs::path{file}.lexically_normal().string();
     std::sort(found.begin(), found.end());
     if (found.empty())
-      collect({path(folder), 0, "", "there is no folder with files *" + extension});
+      findings_.add({.file = path(folder), .what = "there is no folder with files *" + extension});
     return found;
   }
 
@@ -102,7 +89,9 @@ class TreeCheck {
     paths.motions = path("motions");
     paths.behavior = behavior;
     paths.location = location;
-    for (const Error& error : gt::checkConfiguration(paths, solutions())) collect(error);
+    std::shared_ptr<const Configuration> configuration;
+    findings_.add(gt::checkConfiguration(paths, solutions(), &configuration));
+    logs_.push_back(configuration->log);
   }
 
   void checkLayouts() {
@@ -113,35 +102,55 @@ class TreeCheck {
     if (!layouts_.insert(fs::weakly_canonical(file)).second) return;
     ++counts_["layouts"];
     const auto text = readFile(file);
-    if (!text) return collect(text.error());
+    if (!text) return findings_.add(text.error());
     // A robot on a log gets from it what others work out for themselves.
-    const auto errorsOn = [&](const std::vector<const RepresentationType*>& platform) {
+    const auto check = [&](const std::vector<const RepresentationType*>& platform) {
       return checkLayoutText(*text, file, solutions(), platform, givenRepresentations());
     };
-    const std::vector<Error> errors = errorsOn(platformRepresentations());
-    if (!errors.empty() && !errorsOn(LogPlatform::representations()).empty())
-      errors_.insert(errors_.end(), errors.begin(), errors.end());
+    Findings findings = check(platformRepresentations());
+    if (findings.empty())
+      plans_.push_back(*robotPlan(*parseLayout(*text, file), platformRepresentations()));
+    else if (!check(LogPlatform::representations()).empty())
+      findings_.add(std::move(findings));
+  }
+
+  /// What is recorded must be there in every layout, since each may be played with each
+  /// configuration.
+  void checkLogs() {
+    for (const Configuration::LogSettings& log : logs_)
+      for (const auto& plan : plans_)
+        for (const std::string& name : log.representations)
+          if (!plan.has(name)) {
+            Error missing = log.missing(name);
+            missing.what += " in " + plan.file;
+            findings_.add(std::move(missing));
+          }
   }
 
   void checkScenes() {
     for (const std::string& file : files("scenes", ".scene")) {
       ++counts_["scenes"];
-      const std::size_t before = errors_.size();
-      const SceneDescription scene = loadScene(file, errors_);
+      std::vector<Error> errors;
+      const SceneDescription scene = loadScene(file, errors);
+      if (!scene.file.empty() && errors.empty()) checkModel(scene, errors);
+      findings_.add(errors);
       if (scene.file.empty()) continue;  // it is no scene at all
-      if (errors_.size() == before) checkModel(scene, errors_);
       for (const SceneRobot& robot : scene.robots) checkLayout(scene.resolve(robot.layout));
       if (!fs::is_directory(scene.resolve(scene.config)))
-        collect({file, 0, "config", "there is no folder " + scene.config});
+        findings_.add(
+            {.file = file, .field = "config", .what = "there is no folder " + scene.config});
       if (!scene.script.empty() && !fs::is_regular_file(scene.resolve(scene.script)))
-        collect({file, 0, "script", "there is no file " + scene.script});
+        findings_.add(
+            {.file = file, .field = "script", .what = "there is no file " + scene.script});
     }
   }
 
   std::string root_;
-  std::vector<Error> errors_;
+  Findings findings_;
   std::map<std::string, int> counts_;
   std::set<fs::path> layouts_;
+  std::vector<Plan> plans_;
+  std::vector<Configuration::LogSettings> logs_;
 };
 
 }  // namespace
@@ -152,12 +161,12 @@ int checkTree(const CheckOptions& options) {
     return 2;
   }
   TreeCheck tree{options.root};
-  tree.check();
-  const std::vector<Error> errors = tree.errors();
-  for (const Error& error : errors) fmt::print(stderr, "simgt: {}\n", error.text());
-  if (!errors.empty()) return 2;
-  fmt::print("Checked, all is sound:");
+  const Findings findings = tree.check();
+  for (const Error& finding : findings.list()) fmt::print(stderr, "simgt: {}\n", finding.text());
+  if (findings.fail(options.strict)) return 2;
+  fmt::print("All checks passed:");
   for (const auto& [what, count] : tree.counts()) fmt::print(" {} {}", count, what);
+  if (findings.warnings() > 0) fmt::print(" {} warnings", findings.warnings());
   fmt::print("\n");
   return 0;
 }

@@ -2,11 +2,19 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 namespace gt {
 
 void Findings::add(Findings other) {
   std::move(other.list_.begin(), other.list_.end(), std::back_inserter(list_));
+}
+
+void Findings::sort() {
+  const auto key = [](const Error& e) { return std::tie(e.file, e.line, e.field, e.what); };
+  std::ranges::stable_sort(list_, {}, key);
+  const auto rest = std::ranges::unique(list_, {}, key);
+  list_.erase(rest.begin(), rest.end());
 }
 
 Result<void> Findings::firstError() const {

@@ -17,10 +17,16 @@ class Findings {
     if (!done) add(done.error());
   }
   void add(Findings other);
+  void add(const std::vector<Error>& findings) {
+    list_.insert(list_.end(), findings.begin(), findings.end());
+  }
   void warn(Error finding) {
     finding.severity = Severity::warning;
     add(std::move(finding));
   }
+
+  /// Sorts by file and line, and leaves out what was found twice.
+  void sort();
 
   const std::vector<Error>& list() const { return list_; }
   bool empty() const { return list_.empty(); }

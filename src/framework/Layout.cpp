@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 
+#include "base/Lines.h"
 #include "framework/LayoutCheck.h"
 #include "streams/File.h"
 
@@ -13,19 +13,10 @@ namespace gt {
 namespace {
 
 using Types = std::vector<const RepresentationType*>;
-using Errors = std::vector<Error>;
+using Errors = Findings;
 
 bool contains(const Types& types, const RepresentationType* type) {
   return std::find(types.begin(), types.end(), type) != types.end();
-}
-
-std::vector<std::string> words(std::string line) {
-  for (const char* comment : {"//", "#"})
-    if (const auto at = line.find(comment); at != line.npos) line.resize(at);
-  std::istringstream stream{line};
-  std::vector<std::string> list;
-  for (std::string word; stream >> word;) list.push_back(word);
-  return list;
 }
 
 /// What a task's solutions read in this cycle, over all of them.
@@ -56,20 +47,20 @@ Providers findProviders(const Layout& layout, const SolutionTable& table, Errors
         const int line = group.taskLines[i];
         const Task* task = table.find(name);
         if (!task || !seen.insert(name).second) {
-          errors.push_back({.file = layout.file,
-                            .line = line,
-                            .field = name,
-                            .what = task ? "is listed twice" : "there is no such task"});
+          errors.add({.file = layout.file,
+                      .line = line,
+                      .field = name,
+                      .what = task ? "is listed twice" : "there is no such task"});
           continue;
         }
         for (const RepresentationType* output : task->outputs) {
           const auto [other, added] = providers.insert({output, {process.name, &group, name}});
           if (!added)
-            errors.push_back({.file = layout.file,
-                              .line = line,
-                              .field = name,
-                              .what = std::string{output->name} + " is already provided by " +
-                                      other->second.task});
+            errors.add({.file = layout.file,
+                        .line = line,
+                        .field = name,
+                        .what = std::string{output->name} + " is already provided by " +
+                                other->second.task});
         }
       }
   return providers;
@@ -85,11 +76,10 @@ void checkNames(const Layout& layout, const SolutionTable& table, const Types& p
     const RepresentationType* numbered = ids.try_emplace(type->id, type).first->second;
     for (const RepresentationType* other : {named, numbered})
       if (other != type)
-        return errors.push_back(
-            {.file = layout.file,
-             .field = std::string{type->name},
-             .what = "cannot be told apart: " + std::string{other->qualifiedName} + " and " +
-                     std::string{type->qualifiedName} + "; rename one"});
+        return errors.add({.file = layout.file,
+                           .field = std::string{type->name},
+                           .what = "cannot be told apart: " + std::string{other->qualifiedName} +
+                                   " and " + std::string{type->qualifiedName} + "; rename one"});
   };
   std::set<const RepresentationType*> all{platform.begin(), platform.end()};
   all.insert(given.begin(), given.end());
@@ -221,7 +211,7 @@ Plan::Process planProcess(const ProcessLayout& process, const Layout& layout,
                            bool blocking) -> const RepresentationType* {
     const auto type = connector.trigger(name, line, blocking);
     if (type) return *type;
-    errors.push_back(type.error());
+    errors.add(type.error());
     return nullptr;
   };
   if (!process.collectsMessages) trigger(process.trigger, process.line, true);
@@ -231,24 +221,24 @@ Plan::Process planProcess(const ProcessLayout& process, const Layout& layout,
     Sorter sorter{group, table, providers};
     for (const Task* task : sorter.sort()) plan.order.push_back({task, type});
     if (std::string circle = sorter.circle(); !circle.empty())
-      errors.push_back({.file = layout.file,
-                        .line = group.line,
-                        .field = process.name,
-                        .what = std::move(circle)});
+      errors.add({.file = layout.file,
+                  .line = group.line,
+                  .field = process.name,
+                  .what = std::move(circle)});
     for (std::size_t i = 0; i < group.tasks.size(); ++i)
       for (const PortKind kind : {PortKind::input, PortKind::previous})
         if (const Task* task = table.find(group.tasks[i]))
           for (const RepresentationType* input : inputsOf(*task, kind))
             if (!contains(given, input) && !connector.input(input))
-              errors.push_back({.file = layout.file,
-                                .line = group.taskLines[i],
-                                .field = group.tasks[i],
-                                .what = "nobody provides its " + std::string{input->name}});
+              errors.add({.file = layout.file,
+                          .line = group.taskLines[i],
+                          .field = group.tasks[i],
+                          .what = "nobody provides its " + std::string{input->name}});
   }
   for (const Connection& connection : connector.connections()) {
     if (connection.from.empty()) plan.platform.push_back(connection.type);
     if (!connection.type->decode)
-      errors.push_back(
+      errors.add(
           {.file = layout.file,
            .line = process.line,
            .field = process.name,
@@ -262,7 +252,9 @@ Plan::Process planProcess(const ProcessLayout& process, const Layout& layout,
 }
 
 /// One line of a layout file, without its comment.
-Result<void> parseLine(const std::vector<std::string>& list, int number, Layout& layout) {
+Result<void> parseLine(const std::vector<Word>& words, int number, Layout& layout) {
+  std::vector<std::string> list;
+  for (const Word& word : words) list.push_back(word.text);
   const auto wrong = [&](std::string field, std::string what) {
     return Error{
         .file = layout.file, .line = number, .field = std::move(field), .what = std::move(what)};
@@ -297,16 +289,17 @@ Result<void> parseLine(const std::vector<std::string>& list, int number, Layout&
 
 Layout parseAll(std::string_view text, const std::string& file, Errors& errors) {
   Layout layout{file, {}};
-  std::istringstream stream{std::string{text}};
-  int number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++number;
-    const std::vector<std::string> list = words(line);
-    if (list.empty()) continue;
-    if (const auto done = parseLine(list, number, layout); !done) errors.push_back(done.error());
+  int last = 0;
+  for (const Line& line : linesOf(text)) {
+    last = line.number;
+    const auto words = wordsOf(line.text);
+    if (!words)
+      errors.add({.file = file, .line = line.number, .what = words.error().what});
+    else
+      errors.add(parseLine(*words, line.number, layout));
   }
   if (layout.processes.empty())
-    errors.push_back({.file = file, .line = number, .field = "process", .what = "there is none"});
+    errors.add({.file = file, .line = last, .field = "process", .what = "there is none"});
   return layout;
 }
 
@@ -339,6 +332,7 @@ Plan planAll(const Layout& layout, const SolutionTable& table, const Types& plat
   checkNames(layout, table, platform, given, errors);
   const Providers providers = findProviders(layout, table, errors);
   Plan plan;
+  plan.file = layout.file;
   for (const ProcessLayout& process : layout.processes)
     plan.processes.push_back(
         planProcess(process, layout, table, providers, platform, given, plan.connections, errors));
@@ -348,10 +342,17 @@ Plan planAll(const Layout& layout, const SolutionTable& table, const Types& plat
 
 }  // namespace
 
+bool Plan::has(std::string_view representation) const {
+  return std::ranges::any_of(processes, [&](const Process& process) {
+    return std::ranges::find(process.answersFor, representation, &RepresentationType::name) !=
+           process.answersFor.end();
+  });
+}
+
 Result<Layout> parseLayout(std::string_view text, const std::string& file) {
   Errors errors;
   Layout layout = parseAll(text, file, errors);
-  if (!errors.empty()) return errors.front();
+  if (auto done = errors.firstError(); !done) return done.error();
   return layout;
 }
 
@@ -364,13 +365,12 @@ Result<Plan> makePlan(const Layout& layout, const SolutionTable& table, const Ty
                       const Types& given) {
   Errors errors;
   Plan made = planAll(layout, table, platform, given, errors);
-  if (!errors.empty()) return errors.front();
+  if (auto done = errors.firstError(); !done) return done.error();
   return made;
 }
 
-std::vector<Error> checkLayoutText(std::string_view text, const std::string& file,
-                                   const SolutionTable& table, const Types& platform,
-                                   const Types& given) {
+Findings checkLayoutText(std::string_view text, const std::string& file, const SolutionTable& table,
+                         const Types& platform, const Types& given) {
   Errors errors;
   const Layout layout = parseAll(text, file, errors);
   planAll(layout, table, platform, given, errors);

@@ -68,8 +68,12 @@ struct Plan {
     /// What it sends to a tool that names no process; see WatchRequest.
     std::vector<const RepresentationType*> answersFor;
   };
+  std::string file;  ///< The layout's.
   std::vector<Process> processes;
   std::vector<Connection> connections;
+
+  /// Whether some process provides, receives or knows a representation of that name.
+  bool has(std::string_view representation) const;
 };
 
 /// Works out the plan, for all solutions of each task so that they can be switched at run time.

@@ -148,7 +148,7 @@ class AnyModule {
   virtual ~AnyModule() = default;
   virtual void run() = 0;
   /// Reads the parameters from a configuration file's text; an error leaves them as they were.
-  virtual Result<void> configure(std::string_view text, std::string_view file) = 0;
+  virtual Findings configure(std::string_view text, std::string_view file) = 0;
   /// Sets one parameter by its path, for instance "gain" or "noise.translation".
   virtual Result<void> set(std::string_view path, std::string_view value) = 0;
   virtual Result<std::string> get(std::string_view path) = 0;
@@ -171,11 +171,14 @@ class ModuleAdapter<M, std::tuple<A...>> final : public AnyModule {
   void run() override {
     std::apply([this](auto&... binding) { module_->update(binding.use()...); }, bindings_);
   }
-  Result<void> configure(std::string_view text, std::string_view file) override {
-    if constexpr (detail::HasParameters<M>)
-      return parseConfig(text, std::string{file}, module_->parameters);
-    else
-      return Error{.file = std::string{file}, .what = "this module has no parameters"};
+  Findings configure(std::string_view text, std::string_view file) override {
+    if constexpr (detail::HasParameters<M>) {
+      return collectConfig(text, std::string{file}, module_->parameters);
+    } else {
+      Findings findings;
+      findings.add(Error{.file = std::string{file}, .what = "this module has no parameters"});
+      return findings;
+    }
   }
   Result<void> set(std::string_view path, std::string_view value) override {
     if constexpr (detail::HasParameters<M>)

@@ -197,7 +197,7 @@ Result<void> ModuleProcess::request(const GenericDebugData& data) {
   }
   if (number != data.data.end())
     return Error{.field = data.id, .what = "these are more numbers than it has parameters"};
-  return (*module)->configure(text, data.id);
+  return (*module)->configure(text, data.id).firstError();
 }
 
 std::string ModuleProcess::activeSolution(std::string_view task) const {
@@ -294,7 +294,7 @@ Result<void> ModuleProcess::configure(std::string_view task, std::string_view so
   const auto module = find(task, solution);
   if (!module)
     return Error{.file = file, .field = module.error().field, .what = module.error().what};
-  return (*module)->configure(text, file);
+  return (*module)->configure(text, file).firstError();
 }
 
 template <typename Request>

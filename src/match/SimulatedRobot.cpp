@@ -64,7 +64,7 @@ Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::M
   if (auto done = attachSetup(setup, log->file()); !done) return done;
   for (const std::string& name : settings.representations) {
     const auto type = robot_->watch(name);
-    if (!type) return Error{"log.cfg", 0, type.error().field, type.error().what};
+    if (!type) return settings.missing(name);
     log->know(**type);
   }
   if (inputs)

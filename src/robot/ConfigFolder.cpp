@@ -1,24 +1,27 @@
 #include "robot/ConfigFolder.h"
 
-#include <sstream>
+#include "base/Lines.h"
 
 namespace gt {
 
 namespace fs = std::filesystem;
 
 Result<std::string> parseLocation(std::string_view text, const std::string& file) {
-  std::istringstream lines{std::string{text}};
   std::string location;
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    line.resize(std::min({line.size(), line.find("//"), line.find('#')}));
-    std::istringstream words{line};
-    for (std::string word; words >> word; location = word)
-      if (!location.empty()) return Error{file, number, word, "expected the name of one folder"};
+  for (const Line& line : linesOf(text)) {
+    const auto words = wordsOf(line.text);
+    if (!words || words->size() > 1 || !location.empty())
+      return Error{.file = file,
+                   .line = line.number,
+                   .field = std::string{line.text},
+                   .what = "expected the name of one folder"};
+    location = words->front().text;
     if (location == "." || location == ".." || location.find_first_of("/\\") != location.npos ||
         location.find('\0') != location.npos)
-      return Error{file, number, location, "expected the name of a folder in this one"};
+      return Error{.file = file,
+                   .line = line.number,
+                   .field = location,
+                   .what = "expected the name of a folder in this one"};
   }
   return location;
 }
@@ -56,28 +59,21 @@ bool isHardwareAddress(std::string_view text) {
          });
 }
 
-Result<RobotSections> robotSections(std::string_view text, const std::string& file) {
-  RobotSections sections{{}, text.size()};
-  int number = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    ++number;
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = text.substr(at, end - at);
-    const std::size_t open = line.find_first_not_of(" \t\r");
-    if (open != line.npos && line[open] == '[') {
-      sections.commonSize = std::min(sections.commonSize, at);
-      const std::size_t close = std::min(line.find(']'), line.size());
-      const std::string address{line.substr(open + 1, close - open - 1)};
-      if (!isHardwareAddress(address))
-        return Error{file, number, address, "expected a hardware address, as [00022D1F626B]"};
-      if (std::find(sections.addresses.begin(), sections.addresses.end(), address) !=
-          sections.addresses.end())
-        return Error{file, number, address, "this robot has a section already"};
-      sections.addresses.push_back(address);
-    }
-    at = end + 1;
+std::vector<std::string> robotAddresses(std::string_view text, const std::string& file,
+                                        Findings& findings) {
+  std::vector<std::string> addresses;
+  for (const ConfigSection& section : detail::configSections(text)) {
+    const bool isKnown = std::ranges::find(addresses, section.name) != addresses.end();
+    if (isHardwareAddress(section.name) && !isKnown)
+      addresses.push_back(section.name);
+    else
+      findings.add({.file = file,
+                    .line = section.line,
+                    .field = section.name,
+                    .what = isKnown ? "this robot has a section already"
+                                    : "expected a hardware address, as [00022D1F626B]"});
   }
-  return sections;
+  return addresses;
 }
 
 }  // namespace gt

@@ -49,30 +49,24 @@ struct PerRobot {
 /// Whether a text is a hardware address as robot.cfg has it: 12 digits, 00022D1F626B.
 bool isHardwareAddress(std::string_view text);
 
-/// Where the sections of a text in the config format begin, and the errors of those that are no
-/// hardware addresses or come twice.
-struct RobotSections {
-  std::vector<std::string> addresses;
-  std::size_t commonSize = 0;  ///< Of what stands before the first section.
-};
-Result<RobotSections> robotSections(std::string_view text, const std::string& file);
+/// The sections of a text in the config format; reports those that are no hardware addresses or
+/// come twice.
+std::vector<std::string> robotAddresses(std::string_view text, const std::string& file,
+                                        Findings& findings);
 
 /// Reads text in the config format: what stands before the first section holds for all robots, a
-/// section [ADDRESS] for one (report B.4.5). On an error the value stays as it was.
+/// section [ADDRESS] for one (report B.4.5). Returns all errors; if there is one, the value stays
+/// as it was.
 template <Streamable T>
-Result<void> parsePerRobot(std::string_view text, const std::string& file, PerRobot<T>& value) {
-  const auto sections = robotSections(text, file);
-  if (!sections) return sections.error();
+Findings collectPerRobot(std::string_view text, const std::string& file, PerRobot<T>& value) {
   PerRobot<T> read{value.common, {}};
-  if (auto done = parseConfig(text.substr(0, sections->commonSize), file, read.common); !done)
-    return done;
-  for (const std::string& address : sections->addresses) {
-    T own = read.common;
-    if (auto done = parseConfig(text, file, own, {address}); !done) return done;
-    read.own[address] = own;
+  Findings findings = collectConfig(text, file, read.common, {.common = true});
+  for (const std::string& address : robotAddresses(text, file, findings)) {
+    T& own = read.own[address] = read.common;
+    findings.add(collectConfig(text, file, own, {.section = address}));
   }
-  value = std::move(read);
-  return {};
+  if (findings.empty()) value = std::move(read);
+  return findings;
 }
 
 /// The config files of a robot's own program: who it is and how it is reached.

@@ -1,11 +1,10 @@
 #include "robot/Configuration.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <set>
-#include <sstream>
 
+#include "base/Lines.h"
 #include "modules/behavior/control/GT2003BehaviorControl.h"
 #include "robot/Processes.h"
 #include "streams/Config.h"
@@ -16,109 +15,69 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Errors = std::vector<Error>;
-
-void collect(Errors& errors, const Result<void>& done) {
-  if (!done) errors.push_back(done.error());
-}
-
-/// Blanks a line of a text, by its number from 1; with a line [section] all up to the next one.
-/// False if there is nothing in it.
-bool leaveOut(std::string& text, int line) {
-  const auto isSection = [&](std::size_t at) {
-    at = text.find_first_not_of(" \t\r", at);
-    return at != text.npos && text[at] == '[';
-  };
-  std::size_t begin = 0;
-  for (int number = 1; number < line && begin < text.size(); ++number)
-    begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
-  if (line < 1 || begin >= text.size()) return false;
-  const bool section = isSection(begin);
-  bool found = false;
-  for (std::size_t at = begin; at < text.size(); ++at) {
-    if (text[at] == '\n') {
-      if (!section || isSection(at + 1)) break;
-    } else {
-      found |= text[at] != ' ';
-      text[at] = ' ';
-    }
-  }
-  return found;
-}
-
-/// Tells all that is wrong with a config file: its lines say different things, so one that is wrong
-/// is left out and the others are read again, up to as many errors as a person reads.
-template <typename Parse>
-void collectAll(Errors& errors, std::string text, Parse parse) {
-  for (int most = 100; most > 0; --most) {
-    const Result<void> done = parse(std::as_const(text));
-    collect(errors, done);
-    if (done || !leaveOut(text, done.error().line)) return;
-  }
+template <typename T>
+Findings parse(const std::string& text, const std::string& path, T& value) {
+  return collectConfig(text, path, value);
 }
 
 template <typename T>
-Result<void> parse(const std::string& text, const std::string& path, T& value) {
-  return parseConfig(text, path, value);
-}
-
-template <typename T>
-Result<void> parse(const std::string& text, const std::string& path, PerRobot<T>& value) {
-  return parsePerRobot(text, path, value);
+Findings parse(const std::string& text, const std::string& path, PerRobot<T>& value) {
+  return collectPerRobot(text, path, value);
 }
 
 /// Reads a config file that may be missing.
 template <typename T>
-void readOptional(const std::string& path, T& value, Errors& errors) {
+void readOptional(const std::string& path, T& value, Findings& findings) {
   if (!fs::exists(path)) return;
-  const auto text = readFile(path);
-  if (!text) return errors.push_back(text.error());
-  collectAll(errors, *text, [&](const std::string& rest) { return parse(rest, path, value); });
+  if (const auto text = readFile(path))
+    findings.add(parse(*text, path, value));
+  else
+    findings.add(text.error());
 }
 
-void readNetwork(const std::string& path, NetworkSettings& network, Errors& errors) {
-  readOptional(path, network, errors);
+void readNetwork(const std::string& path, NetworkSettings& network, Findings& findings) {
+  readOptional(path, network, findings);
   if (!network.address.empty() && !isHardwareAddress(network.address))
-    errors.push_back({path, 0, "address", "expected 12 digits, as 00022D1F626B"});
+    findings.add({.file = path, .field = "address", .what = "expected 12 digits, as 00022D1F626B"});
 }
 
 Result<void> checkSolution(const SolutionTable& table, const std::string& task,
                            const std::string& solution, const std::string& file, int line,
                            bool disabledAllowed) {
   const Task* known = table.find(task);
-  if (known && known->solutions.empty()) return {};  // another program's matter
-  if (!known) return Error{file, line, task, "there is no such task"};
-  if (!known->find(solution) && !(disabledAllowed && solution == SolutionTable::disabled))
-    return Error{file, line, task, "there is no solution '" + solution + "'"};
-  return {};
+  const bool isOthers = known && known->solutions.empty();  // another program solves the task
+  if (isOthers || (known && known->find(solution)) ||
+      (known && disabledAllowed && solution == SolutionTable::disabled))
+    return {};
+  return Error{.file = file,
+               .line = line,
+               .field = task,
+               .what = known ? "there is no solution '" + solution + "'" : "there is no such task"};
 }
 
 /// Reads a file of lines of two words, which may be missing; visit(first, second, line) returns a
 /// Result<void>.
 template <typename Visit>
-void readPairs(const std::string& path, const char* expected, Errors& errors, Visit&& visit) {
+void readPairs(const std::string& path, const char* expected, Findings& findings, Visit&& visit) {
   if (!fs::exists(path)) return;
   const auto text = readFile(path);
-  if (!text) return errors.push_back(text.error());
-  std::istringstream lines{*text};
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    line.resize(std::min({line.size(), line.find("//"), line.find('#')}));
-    std::istringstream words{line};
-    std::string first, second, more;
-    if (!(words >> first)) continue;
-    if (!(words >> second) || words >> more)
-      errors.push_back({path, number, first, expected});
+  if (!text) return findings.add(text.error());
+  for (const Line& line : linesOf(*text)) {
+    const auto words = wordsOf(line.text);
+    if (!words || words->size() != 2)
+      findings.add({.file = path,
+                    .line = line.number,
+                    .field = words ? words->front().text : std::string{line.text},
+                    .what = words ? expected : words.error().what});
     else
-      collect(errors, visit(first, second, number));
+      findings.add(visit((*words)[0].text, (*words)[1].text, line.number));
   }
 }
 
 /// modules.cfg: lines TASK SOLUTION.
 void readSolutions(const SolutionTable& table, const std::string& path,
-                   std::vector<Configuration::SolutionChoice>& choices, Errors& errors) {
-  readPairs(path, "expected a task and one solution", errors,
+                   std::vector<Configuration::SolutionChoice>& choices, Findings& findings) {
+  readPairs(path, "expected a task and one solution", findings,
             [&](const std::string& task, const std::string& solution, int line) -> Result<void> {
               if (auto known = checkSolution(table, task, solution, path, line, true); !known)
                 return known;
@@ -138,21 +97,24 @@ bool isKnown(const SolutionTable& table, const std::string& name) {
 
 /// log.cfg: lines `representation NAME` and `pictures MS`.
 void readLog(const SolutionTable& table, const std::string& path, Configuration::LogSettings& log,
-             Errors& errors) {
+             Findings& findings) {
   constexpr const char* expected = "expected: representation NAME, or: pictures MS";
-  readPairs(path, expected, errors,
+  log.file = path;
+  readPairs(path, expected, findings,
             [&](const std::string& what, const std::string& value, int line) -> Result<void> {
+              const auto wrong = [&](const std::string& field, std::string text) {
+                return Error{.file = path, .line = line, .field = field, .what = std::move(text)};
+              };
               if (what == "representation") {
-                if (!isKnown(table, value))
-                  return Error{path, line, value, "there is no such representation"};
+                if (!isKnown(table, value)) return wrong(value, "there is no such representation");
                 log.representations.push_back(value);
+                log.lines[value] = line;
                 return {};
               }
-              if (what != "pictures") return Error{path, line, what, expected};
-              const char* const end = value.data() + value.size();
-              const auto [stop, error] = std::from_chars(value.data(), end, log.picturePeriod);
-              if (error != std::errc{} || stop != end || log.picturePeriod < 0)
-                return Error{path, line, what, "'" + value + "' is not a period in ms"};
+              if (what != "pictures") return wrong(what, expected);
+              const Range range{0, 1e9};
+              if (!setScalar(valueOf(log.picturePeriod), value, range))
+                return wrong(what, "'" + value + "' is not a period in ms");
               return {};
             });
 }
@@ -163,7 +125,8 @@ Result<void> readParameterFile(const SolutionTable& table, const fs::path& path,
   const std::string stem = path.stem().string();
   const auto dot = stem.find('.');
   if (path.extension() != ".cfg" || dot == stem.npos)
-    return Error{path.string(), 0, stem, "expected a file name TASK.SOLUTION.cfg"};
+    return Error{
+        .file = path.string(), .field = stem, .what = "expected a file name TASK.SOLUTION.cfg"};
   const std::string task = stem.substr(0, dot), solution = stem.substr(dot + 1);
   if (auto known = checkSolution(table, task, solution, path.string(), 0, false); !known)
     return known;
@@ -175,7 +138,7 @@ Result<void> readParameterFile(const SolutionTable& table, const fs::path& path,
 
 /// The files of the common folder `modules` and of the location's, where those win.
 void readParameters(const SolutionTable& table, const ConfigFolder& folder,
-                    std::vector<Configuration::ParameterFile>& files, Errors& errors) {
+                    std::vector<Configuration::ParameterFile>& files, Findings& findings) {
   std::set<std::string> names;
   for (const std::string& modules : folder.paths("modules")) {
     if (!fs::is_directory(modules)) continue;
@@ -183,48 +146,53 @@ void readParameters(const SolutionTable& table, const ConfigFolder& folder,
       names.insert(entry.path().filename().string());
   }
   for (const std::string& name : names)
-    collect(errors, readParameterFile(table, folder.path("modules/" + name), files));
+    findings.add(readParameterFile(table, folder.path("modules/" + name), files));
 }
 
-void add(const std::vector<xabsl::Diagnostic>& diagnostics, Errors& errors) {
-  for (const xabsl::Diagnostic& diagnostic : diagnostics)
-    if (diagnostic.severity == xabsl::Diagnostic::Severity::error)
-      errors.push_back({diagnostic.file, diagnostic.line,
-                        "column " + std::to_string(diagnostic.column), diagnostic.message});
+void add(const std::vector<xabsl::Diagnostic>& diagnostics, Findings& findings) {
+  for (const xabsl::Diagnostic& diagnostic : diagnostics) {
+    const bool isError = diagnostic.severity == xabsl::Diagnostic::Severity::error;
+    findings.add({.file = diagnostic.file,
+                  .line = diagnostic.line,
+                  .field = "column " + std::to_string(diagnostic.column),
+                  .what = diagnostic.message,
+                  .severity = isError ? Severity::error : Severity::warning});
+  }
 }
 
 /// Compiles a behavior, and links it: that tells of missing symbols before a robot runs.
-Behavior readBehavior(const BehaviorRequest& request, Errors& errors) {
+Behavior readBehavior(const BehaviorRequest& request, Findings& findings) {
   xabsl::VirtualFiles files;
   for (const auto& [path, text] : request.files) files[path] = text;
   xabsl::Compilation compilation =
       files.empty() ? xabsl::compile(request.path) : xabsl::compile(request.path, files);
-  const std::size_t before = errors.size();
-  add(compilation.diagnostics, errors);
-  if (errors.size() > before) return {};
+  const std::size_t before = findings.errors();
+  add(compilation.diagnostics, findings);
+  if (findings.errors() > before) return {};
   GT2003BehaviorControl control;
-  add(xabsl::Engine::create(*compilation.behavior, control.symbols()).diagnostics, errors);
+  add(xabsl::Engine::create(*compilation.behavior, control.symbols()).diagnostics, findings);
   return Behavior{std::move(compilation.behavior)};
 }
 
-void readMotions(const std::string& folder, MotionNet& motions, Errors& errors) {
+void readMotions(const std::string& folder, MotionNet& motions, Findings& findings) {
   const auto compilation = motionnet::compileFolder(folder, motionRules());
-  for (const motionnet::Diagnostic& error : compilation.errors)
-    errors.push_back({error.file, error.line, error.field, error.message});
+  for (const motionnet::Diagnostic& error : compilation.findings)
+    findings.add(
+        {.file = error.file, .line = error.line, .field = error.field, .what = error.message});
   if (!compilation) return;
   auto net = motionNetOf(compilation.net, folder);
   if (net)
     motions = std::move(*net);
   else
-    errors.push_back(net.error());
+    findings.add(net.error());
 }
 
-void readTsl(const std::string& file, TslColors& colors, Errors& errors) {
+void readTsl(const std::string& file, TslColors& colors, Findings& findings) {
   auto read = readTslColors(file);
   if (read)
     colors = std::move(*read);
   else
-    errors.push_back(read.error());
+    findings.add(read.error());
 }
 
 Result<ConfigFolder> openFolder(const ConfigurationPaths& paths) {
@@ -234,46 +202,45 @@ Result<ConfigFolder> openFolder(const ConfigurationPaths& paths) {
 
 /// Reads everything, and goes on after errors.
 std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const SolutionTable& table,
-                                    Errors& errors) {
+                                    Findings& findings) {
   auto configuration = std::make_shared<Configuration>();
   Configuration& c = *configuration;
   const auto folder = openFolder(paths);
   if (!folder) {
-    errors.push_back(folder.error());
+    findings.add(folder.error());
     return configuration;
   }
   c.field = std::make_shared<FieldDimensions>();
   c.robot = std::make_shared<RobotDimensions>();
   c.motions = std::make_shared<MotionNet>();
-  readOptional(folder->path("field.cfg"), *c.field, errors);
-  readOptional(folder->path("dimensions.cfg"), *c.robot, errors);
-  readOptional(folder->path("robot.cfg"), c.calibration, errors);
-  readOptional(folder->path("camera.cfg"), c.camera, errors);
+  readOptional(folder->path("field.cfg"), *c.field, findings);
+  readOptional(folder->path("dimensions.cfg"), *c.robot, findings);
+  readOptional(folder->path("robot.cfg"), c.calibration, findings);
+  readOptional(folder->path("camera.cfg"), c.camera, findings);
   auto colorTable = readColorTable(
       paths.colorTable.empty() ? folder->path("coltable.c64") : paths.colorTable, paths.colorOrder);
   if (colorTable)
     c.colorTable = std::make_shared<ColorTable64>(std::move(*colorTable));
   else
-    errors.push_back(colorTable.error());
+    findings.add(colorTable.error());
   c.tslColors = std::make_shared<TslColors>();
   if (const std::string file = folder->path("coltable.tsl"); fs::exists(file))
-    readTsl(file, *c.tslColors, errors);
-  readMotions(paths.motions, *c.motions, errors);
-  c.behavior = readBehavior({paths.behavior, {}}, errors);
-  readSolutions(table, folder->path("modules.cfg"), c.solutions, errors);
-  readLog(table, folder->path("log.cfg"), c.log, errors);
-  readParameters(table, *folder, c.parameters, errors);
+    readTsl(file, *c.tslColors, findings);
+  readMotions(paths.motions, *c.motions, findings);
+  c.behavior = readBehavior({paths.behavior, {}}, findings);
+  readSolutions(table, folder->path("modules.cfg"), c.solutions, findings);
+  readLog(table, folder->path("log.cfg"), c.log, findings);
+  readParameters(table, *folder, c.parameters, findings);
   return configuration;
 }
 
 /// Whether a solution has the parameters of its file, within their ranges.
 void checkParameters(const Solution& solution, const Configuration::ParameterFile& file,
-                     Errors& errors) {
+                     Findings& findings) {
   Blackboard blackboard;
   Debug debug;
   const auto module = solution.make({blackboard, debug, Random{0}});
-  collectAll(errors, file.text,
-             [&](const std::string& rest) { return module->configure(rest, file.path); });
+  findings.add(module->configure(file.text, file.path));
 }
 
 /// One file of a configuration that may be missing, read by `read`.
@@ -282,19 +249,27 @@ Result<T> loadOne(const std::string& folder, const char* file, Read read) {
   const auto opened = ConfigFolder::open(folder);
   if (!opened) return opened.error();
   T value;
-  Errors errors;
-  read(opened->path(file), value, errors);
-  if (!errors.empty()) return errors.front();
+  Findings findings;
+  read(opened->path(file), value, findings);
+  if (auto done = findings.firstError(); !done) return done.error();
   return value;
 }
 
 }  // namespace
 
 Result<Behavior> loadBehavior(const BehaviorRequest& request) {
-  Errors errors;
-  Behavior behavior = readBehavior(request, errors);
-  if (!errors.empty()) return errors.front();
+  Findings findings;
+  Behavior behavior = readBehavior(request, findings);
+  if (auto done = findings.firstError(); !done) return done.error();
   return behavior;
+}
+
+Error Configuration::LogSettings::missing(const std::string& representation) const {
+  const auto line = lines.find(representation);
+  return {.file = file,
+          .line = line == lines.end() ? 0 : line->second,
+          .field = representation,
+          .what = "no process of the robot's layout has it"};
 }
 
 void Configuration::share(Blackboard& blackboard, const std::string& address) const {
@@ -305,38 +280,41 @@ void Configuration::share(Blackboard& blackboard, const std::string& address) co
   blackboard.share(motions);
   blackboard.get<Behavior>() = behavior;
   blackboard.get<RobotCalibration>() = calibration.of(address);
+  blackboard.get<CameraSettings>() = camera.of(address);
 }
 
 std::vector<const RepresentationType*> Configuration::representations() {
-  return {&representation<FieldDimensions>(), &representation<RobotDimensions>(),
-          &representation<ColorTable64>(),    &representation<TslColors>(),
-          &representation<MotionNet>(),       &representation<Behavior>(),
-          &representation<RobotCalibration>()};
+  return {&representation<FieldDimensions>(),  &representation<RobotDimensions>(),
+          &representation<ColorTable64>(),     &representation<TslColors>(),
+          &representation<MotionNet>(),        &representation<Behavior>(),
+          &representation<RobotCalibration>(), &representation<CameraSettings>()};
 }
 
 Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths,
                                                                const SolutionTable& table) {
-  Errors errors;
-  auto configuration = read(paths, table, errors);
-  if (!errors.empty()) return errors.front();
+  Findings findings;
+  auto configuration = read(paths, table, findings);
+  if (auto done = findings.firstError(); !done) return done.error();
   return std::shared_ptr<const Configuration>{std::move(configuration)};
 }
 
-std::vector<Error> checkConfiguration(const ConfigurationPaths& paths, const SolutionTable& table) {
-  Errors errors;
-  const auto configuration = read(paths, table, errors);
-  for (const Configuration::ParameterFile& file : configuration->parameters) {
+Findings checkConfiguration(const ConfigurationPaths& paths, const SolutionTable& table,
+                            std::shared_ptr<const Configuration>* configuration) {
+  Findings findings;
+  const auto found = read(paths, table, findings);
+  for (const Configuration::ParameterFile& file : found->parameters) {
     const Task* task = table.find(file.task);
     const Solution* solution = task ? task->find(file.solution) : nullptr;
-    if (solution) checkParameters(*solution, file, errors);
+    if (solution) checkParameters(*solution, file, findings);
   }
   if (const auto folder = openFolder(paths)) {
     Player player;
-    readOptional(folder->path("player.cfg"), player, errors);
+    readOptional(folder->path("player.cfg"), player, findings);
     NetworkSettings network;
-    readNetwork(folder->path("network.cfg"), network, errors);
+    readNetwork(folder->path("network.cfg"), network, findings);
   }
-  return errors;
+  if (configuration) *configuration = found;
+  return findings;
 }
 
 Result<Player> loadPlayer(const std::string& configFolder) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,7 +47,12 @@ struct Configuration {
   /// log.cfg: what a robot's log holds.
   struct LogSettings {
     std::vector<std::string> representations;
-    std::int64_t picturePeriod = 0;  ///< ms; 0 for no pictures
+    std::string file;                  ///< For messages.
+    std::map<std::string, int> lines;  ///< In which each representation stands.
+    std::int64_t picturePeriod = 0;    ///< ms; 0 for no pictures
+
+    /// The error of a representation that the robot does not have.
+    Error missing(const std::string& representation) const;
   };
   /// A file of the folder modules/.
   struct ParameterFile {
@@ -96,8 +102,10 @@ Result<std::shared_ptr<const Configuration>> loadConfiguration(const Configurati
 /// For programs that hold all solutions.
 Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths);
 
-/// The same, but goes on after an error, and tells all.
-std::vector<Error> checkConfiguration(const ConfigurationPaths& paths, const SolutionTable& table);
+/// The same, but reads on after an error and returns all; warnings are about what is not used. What
+/// could be read is stored in `configuration`, if that is given.
+Findings checkConfiguration(const ConfigurationPaths& paths, const SolutionTable& table,
+                            std::shared_ptr<const Configuration>* configuration = nullptr);
 
 /// player.cfg and network.cfg of a robot's own program; each may be missing.
 Result<Player> loadPlayer(const std::string& configFolder);

@@ -79,7 +79,8 @@ TEST_F(ConfigurationTest, CheckTellsAllErrorsOfAFile) {
   fs::create_directories(root / "config/modules");
   write("config/modules/BallLocator.PIDSmoothed.cfg", "nothing 1\nnowhere 2\n");
   std::vector<std::string> told;
-  for (const Error& error : checkConfiguration(paths, solutions()))
+  const Findings findings = checkConfiguration(paths, solutions());
+  for (const Error& error : findings.list())
     told.push_back(fs::path{error.file}.stem().string() + ":" + std::to_string(error.line) + " " +
                    error.field);
   EXPECT_THAT(told, ::testing::UnorderedElementsAre(
@@ -239,7 +240,7 @@ TEST_F(ConfigurationTest, CheckTellsAllErrorsAtOnce) {
   write("config/coltable.c64", "garbage, not a colour table at all");
   write("config/modules/SelfLocator.MonteCarlo.cfg", "nonsense 1\n");
   write("motions/stand.mof", "garbage\n");
-  EXPECT_GE(checkConfiguration(paths, solutions()).size(), 8u);
+  EXPECT_GE(checkConfiguration(paths, solutions()).errors(), 8u);
 }
 
 }  // namespace

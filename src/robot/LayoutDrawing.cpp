@@ -15,7 +15,7 @@ constexpr const char* platformName = "Platform";
 /// All that goes one way between two processes.
 struct Arrow {
   std::vector<std::string> types;
-  bool triggers = false;
+  std::string trigger;  ///< The one of them that starts a cycle; empty if none does.
 };
 using Arrows = std::map<std::pair<std::string, std::string>, Arrow>;
 
@@ -29,7 +29,7 @@ Arrows arrowsOf(const Plan& plan) {
   for (const Connection& connection : plan.connections) {
     Arrow& arrow = arrows[{nameOf(connection.from), nameOf(connection.to)}];
     arrow.types.emplace_back(connection.type->name);
-    arrow.triggers |= connection.blocking;
+    if (connection.blocking) arrow.trigger = connection.type->name;
   }
   for (const Plan::Process& process : plan.processes) {
     for (const Plan::Step& step : process.order)
@@ -91,9 +91,11 @@ std::string describePlan(const Plan& plan) {
     }
   }
   text << "crosses\n";
-  for (const auto& [ends, arrow] : arrowsOf(plan))
-    text << "  " << ends.first << " -> " << ends.second
-         << (arrow.triggers ? ", starts a cycle" : "") << ": " << join(arrow.types, ", ") << '\n';
+  for (const auto& [ends, arrow] : arrowsOf(plan)) {
+    text << "  " << ends.first << " -> " << ends.second << ": " << join(arrow.types, ", ");
+    if (!arrow.trigger.empty()) text << "; " << arrow.trigger << " starts a cycle";
+    text << '\n';
+  }
   return text.str();
 }
 
@@ -112,7 +114,7 @@ std::string drawPlan(const Plan& plan) {
     // Message queues go both ways: one line for both.
     if (messages && ends.first > ends.second) continue;
     dot << "  " << dotQuoted(ends.first) << " -> " << dotQuoted(ends.second) << " [label=\""
-        << join(arrow.types, "\\n") << '"' << (arrow.triggers ? ", penwidth=2.5" : "")
+        << join(arrow.types, "\\n") << '"' << (arrow.trigger.empty() ? "" : ", penwidth=2.5")
         << (messages ? ", style=dashed, dir=both" : "") << "];\n";
   }
   dot << "}\n";

@@ -3,7 +3,7 @@
 namespace gt::cdr {
 
 bool Reader::fail(std::string_view what) {
-  error_ = Error{"", 0, "", std::string{what}};
+  error_ = Error{.what = std::string{what}};
   return false;
 }
 

@@ -3,12 +3,12 @@
 #include <string_view>
 #include <vector>
 
-#include "base/Result.h"
+#include "base/Findings.h"
 #include "streams/File.h"
 #include "streams/Type.h"
 
 /// The config format (report B.4, D.2): lines `name value ...` or `name = value ...`, fields of
-/// fields by a dotted path or below a line `[path]`, comments from `//` or `#` to the line's end.
+/// fields by a dotted path or below a line `[path]`; words and comments as in base/Lines.h.
 /// Fields that are not mentioned keep their values.
 namespace gt {
 
@@ -22,26 +22,41 @@ struct PathInfo {
 /// What of a config file is read.
 struct ConfigOptions {
   std::string section;  ///< If given, only this section is read, and there must be one.
+  bool common = false;  ///< Only what stands before the first section is read.
+};
+
+/// A line [NAME] of a config file.
+struct ConfigSection {
+  std::string name;
+  int line;
 };
 
 namespace detail {
-Result<void> parseConfig(std::string_view text, const std::string& source,
-                         const ConfigOptions& options, Value value);
+Findings parseConfig(std::string_view text, const std::string& source, const ConfigOptions& options,
+                     Value value);
+std::vector<ConfigSection> configSections(std::string_view text);
 void writeConfig(ConstValue value, std::string& out);
 Result<void> setByPath(Value root, std::string_view path, std::string_view text);
 Result<std::string> getByPath(ConstValue root, std::string_view path);
 std::vector<PathInfo> paths(Value root);
 }  // namespace detail
 
-/// Reads text in the config format into a value. On an error (unknown or repeated names, wrong or
-/// missing values, values out of range) the value stays as it was.
+/// Reads text in the config format into a value; returns all errors: unknown or repeated names,
+/// wrong or missing values, values out of range. If there is one, the value stays as it was.
+template <Streamable T>
+Findings collectConfig(std::string_view text, const std::string& sourceName, T& value,
+                       const ConfigOptions& options = {}) {
+  T copy = value;
+  Findings findings = detail::parseConfig(text, sourceName, options, valueOf(copy));
+  if (findings.empty()) value = std::move(copy);
+  return findings;
+}
+
+/// The same; returns the first error.
 template <Streamable T>
 Result<void> parseConfig(std::string_view text, const std::string& sourceName, T& value,
                          const ConfigOptions& options = {}) {
-  T copy = value;
-  auto result = detail::parseConfig(text, sourceName, options, valueOf(copy));
-  if (result) value = std::move(copy);
-  return result;
+  return collectConfig(text, sourceName, value, options).firstError();
 }
 
 /// Reads a config file into a value; see parseConfig.

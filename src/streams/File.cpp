@@ -11,7 +11,7 @@ namespace {
 constexpr std::uintmax_t largestFile = 1u << 30;
 
 Error fileError(const std::string& path, const std::string& what) {
-  return {path, 0, "", what};
+  return {.file = path, .what = what};
 }
 
 }  // namespace

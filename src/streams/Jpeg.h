@@ -25,11 +25,4 @@ std::vector<std::uint8_t> encodeJpeg(const std::uint8_t* pixels, int width, int 
 /// Unpacks a JPEG picture without converting its colours. Not more than 2^26 pixels.
 Result<RawPicture> decodeJpeg(std::span<const std::uint8_t> bytes);
 
-/// Packs a picture of RGB, 3 bytes a pixel, as PNG.
-std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
-
-/// The same, into a file.
-Result<void> writePng(const std::string& path, int width, int height,
-                      std::span<const std::uint8_t> rgb);
-
 }  // namespace gt

@@ -60,18 +60,5 @@ TEST(Jpeg, SurvivesTruncatedAndMutatedData) {
   EXPECT_GT(failures, 500);
 }
 
-TEST(Png, HasItsSizeInItsHeader) {
-  const std::vector<std::uint8_t> rgb(5 * 3 * 3, 128);
-  const auto png = encodePng(5, 3, rgb);
-  ASSERT_GT(png.size(), 33u);
-  EXPECT_EQ(png[1], 'P');
-  EXPECT_EQ(png[19], 5);
-  EXPECT_EQ(png[23], 3);
-  const std::string path = testing::TempDir() + "Jpeg_test.png";
-  EXPECT_TRUE(writePng(path, 5, 3, rgb));
-  EXPECT_FALSE(writePng("/nowhere/a.png", 5, 3, rgb));
-  std::remove(path.c_str());
-}
-
 }  // namespace
 }  // namespace gt

@@ -92,7 +92,8 @@ class JsonReader {
     const std::string text = json.is_string() ? json.get<std::string>()
                              : json.is_null() ? std::string("nan")
                                               : json.dump();
-    if (const auto what = setScalar(value, text, range)) return wrong(path, *what);
+    if (const auto done = setScalar(value, text, range); !done)
+      return wrong(path, done.error().what);
     return std::nullopt;
   }
 };
@@ -125,14 +126,14 @@ Result<Json> parseJson(std::string_view text, const std::string& sourceName) {
   int depth = 0;
   for (const char c : text) {
     depth += (c == '[' || c == '{') ? 1 : (c == ']' || c == '}') ? -1 : 0;
-    if (depth > 1000) return Error{sourceName, 0, "", "is nested too deeply"};
+    if (depth > 1000) return Error{.file = sourceName, .what = "is nested too deeply"};
   }
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& e) {
-    return Error{sourceName, 0, std::to_string(e.byte), "is no JSON"};
+    return Error{.file = sourceName, .field = std::to_string(e.byte), .what = "is no JSON"};
   } catch (const Json::out_of_range&) {
-    return Error{sourceName, 0, "", "holds a number that is too large"};
+    return Error{.file = sourceName, .what = "holds a number that is too large"};
   }
 }
 

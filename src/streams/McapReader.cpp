@@ -32,19 +32,19 @@ struct Segment {
 };
 
 /// Unpacks an lz4 frame; it must fill the bytes.
-std::optional<std::string> unpackLz4(std::span<const std::byte> packed, Bytes& bytes) {
+Result<void> unpackLz4(std::span<const std::byte> packed, Bytes& bytes) {
   LZ4F_dctx* context = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0)
-    return "lz4 has no memory";
+    return Error{.what = "lz4 has no memory"};
   std::size_t size = bytes.size(), packedSize = packed.size();
   const std::size_t left =
       LZ4F_decompress(context, bytes.data(), &size, packed.data(), &packedSize, nullptr);
   LZ4F_freeDecompressionContext(context);
   if (LZ4F_isError(left) != 0)
-    return std::string("the chunk is damaged: ") + LZ4F_getErrorName(left);
-  if (left != 0) return "the chunk is damaged: its end is missing";
+    return Error{.what = std::string("the chunk is damaged: ") + LZ4F_getErrorName(left)};
+  if (left != 0) return Error{.what = "the chunk is damaged: its end is missing"};
   bytes.resize(size);
-  return std::nullopt;
+  return {};
 }
 
 struct RecordHeader {
@@ -78,7 +78,7 @@ struct McapReader::State {
   Taker messages{{}};
 
   Error error(std::uint64_t offset, std::string what) const {
-    return {path, 0, std::to_string(offset), std::move(what)};
+    return {.file = path, .field = std::to_string(offset), .what = std::move(what)};
   }
   bool read(std::uint64_t offset, std::uint64_t length, Bytes& bytes);
   std::optional<RecordHeader> header(std::uint64_t offset);
@@ -96,7 +96,7 @@ struct McapReader::State {
   bool addCounts(Taker content);
 
   std::optional<Error> load(const Segment& segment);
-  std::optional<std::string> unpack(Taker chunk);
+  Result<void> unpack(Taker chunk);
 };
 
 bool McapReader::State::read(std::uint64_t offset, std::uint64_t length, Bytes& bytes) {
@@ -333,37 +333,40 @@ std::optional<Error> McapReader::State::load(const Segment& segment) {
     messages = Taker{record};
     return std::nullopt;
   }
-  if (const auto what = unpack(Taker{record})) return error(segment.begin, *what);
+  if (const auto done = unpack(Taker{record}); !done)
+    return error(segment.begin, done.error().what);
   messages = Taker{unpacked};
   return std::nullopt;
 }
 
-std::optional<std::string> McapReader::State::unpack(Taker chunk) {
+Result<void> McapReader::State::unpack(Taker chunk) {
   chunk.number<std::uint64_t>();
   chunk.number<std::uint64_t>();
   const auto unpackedSize = chunk.number<std::uint64_t>();
   const auto crc = chunk.number<std::uint32_t>();
   const std::string compression = chunk.text();
   const auto packed = chunk.bytes(chunk.number<std::uint64_t>());
-  if (!chunk.ok()) return "the chunk is damaged";
-  if (unpackedSize > largestChunk) return "the chunk claims to be larger than 256 MiB";
+  if (!chunk.ok()) return Error{.what = "the chunk is damaged"};
+  if (unpackedSize > largestChunk)
+    return Error{.what = "the chunk claims to be larger than 256 MiB"};
   if (compression.empty()) {
     unpacked.assign(packed.begin(), packed.end());
   } else if (compression == "zstd") {
     unpacked.resize(static_cast<std::size_t>(unpackedSize));
     const std::size_t n =
         ZSTD_decompress(unpacked.data(), unpacked.size(), packed.data(), packed.size());
-    if (ZSTD_isError(n) != 0) return std::string("the chunk is damaged: ") + ZSTD_getErrorName(n);
+    if (ZSTD_isError(n) != 0)
+      return Error{.what = std::string("the chunk is damaged: ") + ZSTD_getErrorName(n)};
     unpacked.resize(n);
   } else if (compression == "lz4") {
     unpacked.resize(static_cast<std::size_t>(unpackedSize));
-    if (auto what = unpackLz4(packed, unpacked)) return what;
+    if (auto done = unpackLz4(packed, unpacked); !done) return done;
   } else {
-    return "the compression " + compression + " is not supported, only zstd and lz4";
+    return Error{.what = "the compression " + compression + " is not supported, only zstd and lz4"};
   }
   if (unpacked.size() != unpackedSize || (crc != 0 && crc != crcOf(unpacked)))
-    return "the chunk's checksum is wrong";
-  return std::nullopt;
+    return Error{.what = "the chunk's checksum is wrong"};
+  return {};
 }
 
 McapReader::McapReader(std::unique_ptr<State> state) : state_{std::move(state)} {}
@@ -376,10 +379,10 @@ Result<McapReader> McapReader::open(const std::string& path) {
   state->path = path;
   std::error_code failure;
   if (!std::filesystem::is_regular_file(path, failure))
-    return Error{path, 0, "", "there is no such file"};
+    return Error{.file = path, .what = "there is no such file"};
   state->size = std::filesystem::file_size(path, failure);
   state->file.open(path, std::ios::binary);
-  if (!state->file || failure) return Error{path, 0, "", "cannot be read"};
+  if (!state->file || failure) return Error{.file = path, .what = "cannot be read"};
   if (auto problem = state->readStart()) return *problem;
   state->complete = state->readSummary();
   if (!state->complete) state->scan();

@@ -75,7 +75,8 @@ struct McapWriter::State {
     crc = crcOf(bytes, crc);
   }
   void failed() {
-    if (!error) error = Error{path, 0, "", std::string("cannot be written: ") + strerror(errno)};
+    if (!error)
+      error = Error{.file = path, .what = std::string("cannot be written: ") + strerror(errno)};
   }
 
   std::uint16_t addSchema(const McapChannel& channel);
@@ -213,7 +214,8 @@ Result<McapWriter> McapWriter::open(const std::string& path, const McapOptions& 
   state->path = path;
   state->options = options;
   state->file.reset(std::fopen(path.c_str(), "wb"));
-  if (!state->file) return Error{path, 0, "", std::string("cannot be written: ") + strerror(errno)};
+  if (!state->file)
+    return Error{.file = path, .what = std::string("cannot be written: ") + strerror(errno)};
   Bytes& record = state->record;
   append(record, std::as_bytes(std::span{magic, magicSize}));
   const std::size_t at = beginRecord(record, Opcode::header);

@@ -81,12 +81,12 @@ class MessageDefinitionParser {
       const auto row = text_.substr(0, end);
       text_.remove_prefix(std::min(end + 1, text_.size()));
       ++line_;
-      if (auto what = readLine(trimmed(row))) return error(*what);
+      if (const auto done = readLine(trimmed(row)); !done) return error(done.error().what);
     }
     for (std::size_t i = 0; i < names_.size(); ++i)
-      if (auto what = resolve(i)) return *what;
+      if (const auto done = resolve(i); !done) return done.error();
     depth_.assign(records().size(), 0);
-    if (auto what = measure(0, 1)) return error(*what);
+    if (const auto done = measure(0, 1); !done) return error(done.error().what);
     return std::move(definition_);
   }
 
@@ -103,7 +103,9 @@ class MessageDefinitionParser {
   };
 
   std::vector<Record>& records() { return definition_.records_; }
-  Error error(std::string what) const { return {name_, line_, "", std::move(what)}; }
+  Error error(std::string what) const {
+    return {.file = name_, .line = line_, .what = std::move(what)};
+  }
 
   void begin(const std::string& name) {
     records().push_back({name, {}, 0});
@@ -111,22 +113,22 @@ class MessageDefinitionParser {
     constants_.clear();
   }
 
-  std::optional<std::string> readLine(std::string_view row) {
-    if (row.empty() || row.front() == '#') return std::nullopt;
-    if (row.front() == '=' && row.find_first_not_of('=') == row.npos) return std::nullopt;
+  Result<void> readLine(std::string_view row) {
+    if (row.empty() || row.front() == '#') return {};
+    if (row.front() == '=' && row.find_first_not_of('=') == row.npos) return {};
     if (row.starts_with("MSG:")) {
       begin(shortName(trimmed(row.substr(4))));
-      return std::nullopt;
+      return {};
     }
     std::string_view rest = row;
     const std::string_view type = takeWord(rest);
     const std::string_view code = trimmed(rest.substr(0, rest.find('#')));
-    if (code.empty()) return "expected a type and a name";
+    if (code.empty()) return error("expected a type and a name");
     const auto end = std::min(code.find_first_of(" \t="), code.size());
     const std::string_view name = code.substr(0, end), behind = trimmed(code.substr(end));
     if (!behind.empty() && behind.front() == '=') {
       readConstant(name, trimmed(behind.substr(1)));
-      return std::nullopt;
+      return {};
     }
     const auto comment = rest.find('#');
     return readField(type, name, comment == rest.npos ? "" : rest.substr(comment + 1));
@@ -139,14 +141,13 @@ class MessageDefinitionParser {
       constants_.push_back({std::string{name}, value});
   }
 
-  std::optional<std::string> readField(std::string_view type, std::string_view name,
-                                       std::string_view comment) {
+  Result<void> readField(std::string_view type, std::string_view name, std::string_view comment) {
     Field field;
     field.name = name;
     std::string_view element = type;
     if (const auto bracket = type.find('['); bracket != type.npos) {
       element = type.substr(0, bracket);
-      if (auto what = readSize(type.substr(bracket), field)) return what;
+      if (auto done = readSize(type.substr(bracket), field); !done) return done;
     }
     // A bound of a text's or a list's length does not change how it is written.
     element = element.substr(0, element.find("<="));
@@ -163,24 +164,25 @@ class MessageDefinitionParser {
     takeConstants(field);
     if (field.size == MessageDefinition::Size::array) readIndexNames(comment, field);
     records().back().fields.push_back(std::move(field));
-    return std::nullopt;
+    return {};
   }
 
-  static std::optional<std::string> readSize(std::string_view text, Field& field) {
+  Result<void> readSize(std::string_view text, Field& field) {
     const auto end = text.find(']');
-    if (end == text.npos || end + 1 != text.size()) return "expected TYPE[], TYPE[N] or TYPE[<=N]";
+    if (end == text.npos || end + 1 != text.size())
+      return error("expected TYPE[], TYPE[N] or TYPE[<=N]");
     const std::string_view inside = text.substr(1, end - 1);
     if (inside.empty() || inside.starts_with("<=")) {
       field.size = MessageDefinition::Size::list;
-      return std::nullopt;
+      return {};
     }
     const auto [last, failure] =
         std::from_chars(inside.data(), inside.data() + inside.size(), field.count);
     if (failure != std::errc{} || last != inside.data() + inside.size())
-      return "expected a number between the brackets";
-    if (field.count > largestValue) return "the array is too large";
+      return error("expected a number between the brackets");
+    if (field.count > largestValue) return error("the array is too large");
     field.size = MessageDefinition::Size::array;
-    return std::nullopt;
+    return {};
   }
 
   /// The constants before a field that begin with its name and count from 0 are its enumeration.
@@ -201,7 +203,7 @@ class MessageDefinitionParser {
     if (field.indexNames.size() != field.count) field.indexNames.clear();
   }
 
-  std::optional<Error> resolve(std::size_t i) {
+  Result<void> resolve(std::size_t i) {
     const Reference& reference = names_[i];
     auto found = recordOf_.find(shortName(reference.type));
     if (found == recordOf_.end()) {
@@ -210,31 +212,32 @@ class MessageDefinitionParser {
       found = recordOf_.find(owner.substr(0, owner.find('/') + 1) + reference.type);
     }
     if (found == recordOf_.end())
-      return Error{name_, reference.line, "",
-                   "the schema does not tell what " + reference.type + " is"};
+      return Error{.file = name_,
+                   .line = reference.line,
+                   .what = "the schema does not define " + reference.type};
     records()[reference.record].fields[reference.field].record = found->second;
-    return std::nullopt;
+    return {};
   }
 
   /// Computes the least size of a record and of all in it.
-  std::optional<std::string> measure(std::size_t index, std::size_t depth) {
-    if (depth > deepestNesting) return records()[index].name + " is nested too deeply";
-    if (records()[index].leastSize > 0 && depth_[index] >= depth) return std::nullopt;
+  Result<void> measure(std::size_t index, std::size_t depth) {
+    if (depth > deepestNesting) return error(records()[index].name + " is nested too deeply");
+    if (records()[index].leastSize > 0 && depth_[index] >= depth) return {};
     depth_[index] = depth;
     std::size_t size = 0;
     for (const Field& field : records()[index].fields) {
       if (field.kind == Kind::record)
-        if (auto what = measure(field.record, depth + 1)) return what;
+        if (auto done = measure(field.record, depth + 1); !done) return done;
       const std::size_t least =
           field.size == MessageDefinition::Size::list
               ? 4
               : definition_.leastSize(field) *
                     (field.size == MessageDefinition::Size::array ? field.count : 1);
       size += least;
-      if (size > largestValue) return records()[index].name + " is too large";
+      if (size > largestValue) return error(records()[index].name + " is too large");
     }
     records()[index].leastSize = std::max<std::size_t>(size, 1);
-    return std::nullopt;
+    return {};
   }
 
   std::string name_;

@@ -204,8 +204,7 @@ TEST(RecordedMessage, TellsWhatIsWrongWithASchema) {
     const auto definition = MessageDefinition::parse("a_msgs/msg/A", text);
     return definition ? "" : definition.error().text();
   };
-  EXPECT_THAT(wrong("int32 x\nB b\n"),
-              HasSubstr("a_msgs/msg/A:2: the schema does not tell what B"));
+  EXPECT_THAT(wrong("int32 x\nB b\n"), HasSubstr("a_msgs/msg/A:2: the schema does not define B"));
   EXPECT_THAT(wrong("int32\n"), HasSubstr("a_msgs/msg/A:1: expected a type and a name"));
   EXPECT_THAT(wrong("int32[x] a\n"), HasSubstr("expected a number"));
   EXPECT_THAT(wrong("int32[3 a\n"), HasSubstr("expected TYPE[]"));

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/Hash.h"
+
 namespace gt {
 
 /// The values that a field may take, both ends included; low == high means any.
@@ -120,11 +122,11 @@ constexpr bool membersAreDistinct() {
 /// name the struct.
 template <typename T>
 struct CheckedFields {
-  static_assert(decltype(T::fields())::count >= memberCount<T>(),
+  // The members of a class with private ones cannot be counted.
+  static_assert(!std::is_aggregate_v<T> || decltype(T::fields())::count >= memberCount<T>(),
                 "fields() of a struct leaves out one of its members");
-  static_assert(decltype(T::fields())::count <= memberCount<T>(),
-                "fields() of a struct has more entries than it has members; it must be a plain "
-                "aggregate without arrays of C");
+  static_assert(!std::is_aggregate_v<T> || decltype(T::fields())::count <= memberCount<T>(),
+                "fields() of a struct has more entries than the struct has members");
   static_assert(namesAreDistinct<T>(), "fields() of a struct gives two of them the same name");
   static_assert(membersAreDistinct<T>(), "fields() of a struct lists a member twice");
   static constexpr bool value = true;
@@ -160,12 +162,6 @@ constexpr std::string_view typeName() {
   constexpr std::string_view s = qualifiedName<T>();
   const auto colon = s.rfind("::", s.find('<'));
   return colon == s.npos ? s : s.substr(colon + 2);
-}
-
-/// FNV-1a, for the ids of types and the versions of schemas.
-constexpr std::uint32_t hashOf(std::string_view text, std::uint32_t hash = 0x811c9dc5) {
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
-  return hash;
 }
 
 }  // namespace gt

@@ -31,8 +31,8 @@ std::size_t leastEntries(const Type& type) {
   return n;
 }
 
-Error wrong(const std::string& what, int line) {
-  return {"", line, "", what};
+Error wrong(std::string what, int line = 0) {
+  return {.line = line, .what = std::move(what)};
 }
 
 Error in(Error error, std::string_view name) {
@@ -51,7 +51,7 @@ Result<void> OutFile::close() {
   const bool good = file_.is_open() && file_.good();
   file_.close();
   if (good && file_) return {};
-  return Error{path_, 0, "", "cannot be written"};
+  return Error{.file = path_, .what = "cannot be written"};
 }
 
 void OutMemory::writeToStream(std::span<const std::byte> bytes) {
@@ -122,30 +122,30 @@ bool InBinary::take(void* data, std::size_t size) {
   return true;
 }
 
-std::optional<std::string> InBinary::readScalar(Value scalar) {
-  if (at_ == 0 && !cdr::isHeaded(content_)) return cdr::headerError(content_).what;
+Result<void> InBinary::readScalar(Value scalar) {
+  if (at_ == 0 && !cdr::isHeaded(content_)) return cdr::headerError(content_);
   const Type& type = *scalar.type;
   std::byte bytes[8]{};
   if (type.kind == Kind::text) {
     std::uint32_t length = 0;
-    if (!take(&length, sizeof length) || length > left()) return "the data ends too early";
+    if (!take(&length, sizeof length) || length > left()) return wrong("the data ends too early");
     const auto* text = reinterpret_cast<const char*>(content_.data() + at_);
-    if (length > 0 && text[length - 1] != '\0') return "the text has no end";
+    if (length > 0 && text[length - 1] != '\0') return wrong("the text has no end");
     static_cast<std::string*>(scalar.data)->assign(text, length > 0 ? length - 1 : 0);
     at_ += length;
-    return std::nullopt;
+    return {};
   }
   const std::size_t size = binarySize(type);
-  if (!take(bytes, size)) return "the data ends too early";
+  if (!take(bytes, size)) return wrong("the data ends too early");
   if (type.kind == Kind::number) {
     std::memcpy(scalar.data, bytes, size);
-    return std::nullopt;
+    return {};
   }
   const auto number = std::to_integer<std::size_t>(bytes[0]);
   if (number >= (type.kind == Kind::boolean ? 2 : type.names.size()))
-    return "there is no value " + std::to_string(number);
+    return wrong("there is no value " + std::to_string(number));
   setOrdinal(scalar, static_cast<std::int64_t>(number));
-  return std::nullopt;
+  return {};
 }
 
 char InText::at(std::size_t ahead) const {
@@ -166,8 +166,8 @@ bool InText::eof() {
   return StreamReader::eof();
 }
 
-std::optional<std::string> InText::readScalar(Value scalar) {
-  if (eof()) return "the text ends too early";
+Result<void> InText::readScalar(Value scalar) {
+  if (eof()) return wrong("the text ends too early");
   std::string entry;
   if (at(0) == '"' && at(1) == '"') {
     at_ += 2;
@@ -183,9 +183,8 @@ std::optional<std::string> InText::readScalar(Value scalar) {
     }
     entry += c;
   }
-  auto what = setScalar(scalar, entry);
-  if (what) *what += " instead of " + entry;
-  return what;
+  const auto done = setScalar(scalar, entry);
+  return done ? done : wrong(done.error().what + " instead of " + entry);
 }
 
 void InConfig::begin(std::span<const std::byte> content) {
@@ -242,12 +241,13 @@ std::optional<Error> detail::readValue(Value value, StreamReader& format) {
     return std::nullopt;
   }
   if (type.kind != Kind::array && type.kind != Kind::list) {
-    const auto what = format.readScalar(value);
-    return what ? std::optional{wrong(*what, format.line())} : std::nullopt;
+    const auto done = format.readScalar(value);
+    return done ? std::nullopt : std::optional{wrong(done.error().what, format.line())};
   }
   if (type.kind == Kind::list) {
     std::uint32_t length = 0;
-    if (const auto what = format.readScalar(valueOf(length))) return wrong(*what, format.line());
+    if (const auto done = format.readScalar(valueOf(length)); !done)
+      return wrong(done.error().what, format.line());
     if (length > format.left() / std::max<std::size_t>(1, leastEntries(type.element())))
       return wrong("its length exceeds the data", format.line());
     type.resize(value.data, length);

@@ -136,12 +136,12 @@ class OutText : public StreamWriter {
   bool lineBegins_ = true;
 };
 
-/// Reads scalars and the lengths of lists. Its functions return what is wrong, if anything is.
+/// Reads scalars and the lengths of lists.
 class StreamReader {
  public:
   virtual ~StreamReader() = default;
   virtual void begin(std::span<const std::byte> content) { content_ = content; }
-  virtual std::optional<std::string> readScalar(Value scalar) = 0;
+  virtual Result<void> readScalar(Value scalar) = 0;
   /// In text, where the next entry is, from 1.
   virtual int line() const { return 0; }
   /// Whether nothing is left; in text, nothing but blanks.
@@ -157,7 +157,7 @@ class StreamReader {
 /// Reads what OutBinary wrote.
 class InBinary : public StreamReader {
  public:
-  std::optional<std::string> readScalar(Value scalar) override;
+  Result<void> readScalar(Value scalar) override;
 
  private:
   bool take(void* data, std::size_t size);
@@ -166,7 +166,7 @@ class InBinary : public StreamReader {
 /// Reads what OutText wrote; lines do not matter.
 class InText : public StreamReader {
  public:
-  std::optional<std::string> readScalar(Value scalar) override;
+  Result<void> readScalar(Value scalar) override;
   int line() const override { return line_; }
   bool eof() override;
 

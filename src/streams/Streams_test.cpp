@@ -242,10 +242,10 @@ class OutNetstrings : public StreamWriter {
 };
 class InNetstrings : public StreamReader {
  public:
-  std::optional<std::string> readScalar(Value scalar) override {
+  Result<void> readScalar(Value scalar) override {
     const std::string rest{reinterpret_cast<const char*>(content_.data()) + at_, left()};
     const std::size_t colon = rest.find(':');
-    if (colon == rest.npos) return "no length";
+    if (colon == rest.npos) return Error{.what = "no length"};
     const std::size_t size = std::stoul(rest);
     at_ += colon + size + 2;
     return setScalar(scalar, rest.substr(colon + 1, size));

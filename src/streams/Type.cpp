@@ -54,18 +54,22 @@ std::string rangeText(Range range) {
   return "must be from " + numberText(range.low) + " to " + numberText(range.high);
 }
 
+Error wrong(std::string what) {
+  return {.what = std::move(what)};
+}
+
 template <typename N>
-std::optional<std::string> setNumber(void* data, std::string_view text, Range range) {
+Result<void> setNumber(void* data, std::string_view text, Range range) {
   N n{};
   if (text.starts_with('+')) text.remove_prefix(1);
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (failure == std::errc::result_out_of_range) return "is too large a number";
+  if (failure == std::errc::result_out_of_range) return wrong("is too large a number");
   if (failure != std::errc{} || end != text.data() + text.size() || text.empty())
-    return std::string(std::is_integral_v<N> ? "expected a whole number" : "expected a number");
+    return wrong(std::is_integral_v<N> ? "expected a whole number" : "expected a number");
   const auto v = static_cast<double>(n);
-  if (range.bounds() && !(v >= range.low && v <= range.high)) return rangeText(range);
+  if (range.bounds() && !(v >= range.low && v <= range.high)) return wrong(rangeText(range));
   std::memcpy(data, &n, sizeof n);
-  return std::nullopt;
+  return {};
 }
 
 std::string choices(std::span<const std::string_view> names) {
@@ -85,14 +89,12 @@ std::string camelCase(std::string_view word) {
   return s;
 }
 
-std::optional<std::string> setEnumeration(Value v, std::string_view text) {
+Result<void> setEnumeration(Value v, std::string_view text) {
   const std::string name = camelCase(text);
-  for (std::size_t i = 0; i < v.type->names.size(); ++i)
-    if (v.type->names[i] == name) {
-      setOrdinal(v, static_cast<std::int64_t>(i));
-      return std::nullopt;
-    }
-  return choices(v.type->names);
+  const auto found = std::ranges::find(v.type->names, name);
+  if (found == v.type->names.end()) return wrong(choices(v.type->names));
+  setOrdinal(v, found - v.type->names.begin());
+  return {};
 }
 
 /// Whether values of a type can be wrong at all: most are not worth looking at.
@@ -131,13 +133,13 @@ Result<void> checked(ConstValue value) {
     if (p.range.bounds() && part.type().kind == Kind::number) {
       const double number = asDouble(part);
       if (!(number >= p.range.low && number <= p.range.high))
-        return Error{"", 0, std::string(p.name),
-                     rangeText(p.range) + " instead of " + scalarText(part)};
+        return Error{.field = std::string(p.name),
+                     .what = rangeText(p.range) + " instead of " + scalarText(part)};
     }
     if (auto done = checked(part); !done) return in(p.name, done.error());
   }
   const std::string_view flaw = type.flaw ? type.flaw(value.data()) : std::string_view{};
-  if (!flaw.empty()) return Error{"", 0, "", std::string(flaw)};
+  if (!flaw.empty()) return wrong(std::string(flaw));
   return {};
 }
 
@@ -203,17 +205,15 @@ std::string scalarText(ConstValue scalar) {
   }
 }
 
-std::optional<std::string> setScalar(Value scalar, std::string_view text, Range range) {
+Result<void> setScalar(Value scalar, std::string_view text, Range range) {
   switch (scalar.type->kind) {
     case Kind::boolean:
-      if (text != "true" && text != "false" && text != "0" && text != "1" && text != "on" &&
-          text != "off")
-        return "expected true | false";
-      setOrdinal(scalar, text == "true" || text == "1" || text == "on");
-      return std::nullopt;
+      if (text != "true" && text != "false") return wrong("expected true | false");
+      setOrdinal(scalar, text == "true");
+      return {};
     case Kind::text:
       *static_cast<std::string*>(scalar.data) = text;
-      return std::nullopt;
+      return {};
     case Kind::enumeration:
       return setEnumeration(scalar, text);
     default:

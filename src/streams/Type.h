@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -182,9 +181,9 @@ std::size_t width(const Type& type);
 /// gives the same bits, enumerations by name.
 std::string scalarText(ConstValue scalar);
 
-/// Sets a scalar from text. Returns what was expected if the text is no such value or lies out of
-/// the range, and leaves the scalar as it was.
-std::optional<std::string> setScalar(Value scalar, std::string_view text, Range range = {});
+/// Sets a scalar from text. An error tells what was expected if the text is no such value or lies
+/// out of the range; the scalar is as it was then.
+Result<void> setScalar(Value scalar, std::string_view text, Range range = {});
 
 /// Whether a value is one that its type allows: each number lies in its field's range, and no
 /// record has a flaw, as its `std::string_view flaw() const` tells (empty if there is none). For

@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   gt::LandmarksPercept percept;
   (void)!gt::parseConfig(text, "fuzz", percept);
   gt::PerRobot<gt::CameraSettings> cameras;
-  (void)!gt::parsePerRobot(text, "fuzz", cameras);
+  (void)gt::collectPerRobot(text, "fuzz", cameras);
   gt::NetworkSettings network;
   (void)!gt::parseConfig(text, "fuzz", network);
   (void)!gt::parseLocation(text, "fuzz");

@@ -9,7 +9,7 @@
 
 #include "colors/Rgb.h"
 #include "streams/File.h"
-#include "streams/Jpeg.h"
+#include "streams/Png.h"
 
 namespace gt {
 namespace {

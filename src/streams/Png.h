@@ -1,0 +1,18 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/Result.h"
+
+namespace gt {
+
+/// Packs a picture of RGB, 3 bytes a pixel, as PNG.
+std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
+
+/// The same, into a file.
+Result<void> writePng(const std::string& path, int width, int height,
+                      std::span<const std::uint8_t> rgb);
+
+}  // namespace gt
