@@ -1,13 +1,21 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/Result.h"
 
 namespace gt {
 
-/// Runs a program of the path with these arguments, no shell in between, and returns what it
-/// prints; what it complains of is dropped. An error if it is not there.
-Result<std::string> outputOf(const std::vector<std::string>& command);
+/// What a program that has ended left behind.
+struct ProgramResult {
+  int status = 0;  ///< Its exit status; negative if a signal ended it.
+  std::string output, errors;
+};
+
+/// Runs a program of the path with these arguments, no shell in between, gives it the input, and
+/// waits until it ends. An error if it cannot be started.
+Result<ProgramResult> runProgram(const std::vector<std::string>& command,
+                                 std::string_view input = {});
 
 }  // namespace gt

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/Hash.h"
+
 namespace gt {
 namespace {
 
@@ -21,9 +23,9 @@ Random::Random(std::uint64_t seed) {
 }
 
 Random Random::fork(std::string_view name) const {
-  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return Random{hash ^ std::rotl(state_[0], 17) ^ state_[2]};
+  Fingerprint hash;
+  hash.add(name);
+  return Random{hash.value() ^ std::rotl(state_[0], 17) ^ state_[2]};
 }
 
 Random::result_type Random::operator()() {

@@ -21,6 +21,8 @@
 #include <ctime>
 #include <iterator>
 
+#include "crash/BuildId.h"
+
 namespace gt {
 namespace {
 
@@ -255,35 +257,12 @@ class Head {
   }
 };
 
-std::string hexText(std::uint64_t number) {
-  std::array<char, 17> digits{};
-  std::size_t n = 0;
-  do digits[n++] = "0123456789abcdef"[number & 15];
-  while ((number >>= 4) > 0);
-  return "0x" + std::string(digits.rend() - static_cast<std::ptrdiff_t>(n), digits.rend());
-}
-
-std::string buildIdOf(const dl_phdr_info& module) {
+std::string moduleBuildId(const dl_phdr_info& module) {
   for (int i = 0; i < module.dlpi_phnum; ++i) {
     const auto& header = module.dlpi_phdr[i];
     if (header.p_type != PT_NOTE) continue;
-    const auto* at = reinterpret_cast<const char*>(module.dlpi_addr + header.p_vaddr);
-    const auto* end = at + header.p_memsz;
-    while (at + sizeof(ElfW(Nhdr)) <= end) {
-      const auto& note = *reinterpret_cast<const ElfW(Nhdr)*>(at);
-      const char* name = at + sizeof note;
-      const char* content = name + (note.n_namesz + 3u) / 4 * 4;
-      if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 &&
-          std::memcmp(name, "GNU", 4) == 0) {
-        std::string id;
-        for (const char* c = content; c < content + note.n_descsz; ++c) {
-          id += "0123456789abcdef"[static_cast<unsigned char>(*c) >> 4];
-          id += "0123456789abcdef"[static_cast<unsigned char>(*c) & 15];
-        }
-        return id;
-      }
-      at = content + (note.n_descsz + 3u) / 4 * 4;
-    }
+    const auto* notes = reinterpret_cast<const char*>(module.dlpi_addr + header.p_vaddr);
+    if (std::string id = buildIdOf(std::string_view{notes, header.p_memsz}); !id.empty()) return id;
   }
   return "-";
 }
@@ -304,7 +283,8 @@ int addModule(dl_phdr_info* module, std::size_t, void* head) {
     path = n > 0 ? std::string(self.data(), static_cast<std::size_t>(n)) : "?";
   }
   static_cast<Head*>(head)->add("module " + hexText(module->dlpi_addr) + " " + hexText(begin) +
-                                " " + hexText(end) + " " + buildIdOf(*module) + " " + path + "\n");
+                                " " + hexText(end) + " " + moduleBuildId(*module) + " " + path +
+                                "\n");
   return 0;
 }
 

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "crash/BuildId.h"
+
 namespace gt {
 
 /// Takes what is wanted from bytes that are not trusted.
@@ -29,7 +31,8 @@ class ElfParser {
     const std::string names =
         header.e_shstrndx < sections.size() ? bytes(sections[header.e_shstrndx]) : "";
     for (const Elf64_Shdr& section : sections) {
-      if (section.sh_type == SHT_NOTE) readNotes(bytes(section), file);
+      if (section.sh_type == SHT_NOTE)
+        if (std::string id = buildIdOf(bytes(section)); !id.empty()) file.buildId_ = std::move(id);
       if ((section.sh_type == SHT_SYMTAB || section.sh_type == SHT_DYNSYM) &&
           section.sh_link < sections.size())
         readSymbols(bytes(section), bytes(sections[section.sh_link]), file);
@@ -66,24 +69,6 @@ class ElfParser {
     if (at >= table.size()) return {};
     const auto end = table.find('\0', at);
     return table.substr(at, end == table.npos ? end : end - at);
-  }
-
-  static void readNotes(std::string_view notes, ElfFile& file) {
-    while (notes.size() >= sizeof(Elf64_Nhdr)) {
-      Elf64_Nhdr note;
-      std::memcpy(&note, notes.data(), sizeof note);
-      const std::size_t nameSize = (std::size_t{note.n_namesz} + 3) / 4 * 4;
-      const std::size_t size = sizeof note + nameSize + (std::size_t{note.n_descsz} + 3) / 4 * 4;
-      if (size > notes.size()) return;
-      if (note.n_type == NT_GNU_BUILD_ID && notes.substr(sizeof note).starts_with("GNU")) {
-        file.buildId_.clear();
-        for (const char c : notes.substr(sizeof note + nameSize, note.n_descsz)) {
-          file.buildId_ += "0123456789abcdef"[static_cast<unsigned char>(c) >> 4];
-          file.buildId_ += "0123456789abcdef"[static_cast<unsigned char>(c) & 15];
-        }
-      }
-      notes.remove_prefix(size);
-    }
   }
 
   static void readSymbols(std::string_view symbols, std::string_view names, ElfFile& file) {

@@ -5,19 +5,14 @@
 #include <filesystem>
 #include <sstream>
 
-#include "crash/Program.h"
+#include "base/Program.h"
+#include "crash/BuildId.h"
 
 namespace gt {
 namespace {
 
 /// Entries of a folder beyond this are not looked at.
 constexpr int mostFiles = 20'000;
-
-std::string hexText(std::uint64_t number) {
-  std::ostringstream text;
-  text << "0x" << std::hex << number;
-  return text.str();
-}
 
 /// FILE:LINE, maybe with " (discriminator 3)" behind it.
 void readPlace(const std::string& text, SourcePlace& place) {
@@ -93,9 +88,9 @@ Symbolizer::Files& Symbolizer::filesOf(const CrashModule& module) {
 std::vector<SourcePlace> Symbolizer::placesIn(const Files& files, std::uint64_t address) const {
   std::vector<SourcePlace> places;
   if (files.symbols) {
-    const auto output = outputOf({"addr2line", "--functions", "--demangle", "--inlines",
-                                  "--exe=" + files.symbols->path(), hexText(address)});
-    std::istringstream lines{output ? *output : ""};
+    const auto output = runProgram({"addr2line", "--functions", "--demangle", "--inlines",
+                                    "--exe=" + files.symbols->path(), hexText(address)});
+    std::istringstream lines{output ? output->output : ""};
     for (std::string function, place;
          std::getline(lines, function) && std::getline(lines, place);) {
       SourcePlace& p = places.emplace_back();
@@ -115,9 +110,9 @@ std::vector<SourcePlace> Symbolizer::places(std::uint64_t address) {
 
 Result<std::vector<Instruction>> Symbolizer::assembler(std::uint64_t address, std::size_t count) {
   const CrashModule* module = report_.moduleAt(address);
-  if (!module) return Error{"", 0, hexText(address), "lies in no program or library"};
+  if (!module) return Error{.field = hexText(address), .what = "lies in no program or library"};
   const Files& files = filesOf(*module);
-  if (!files.code) return Error{module->path, 0, "", "its code is not there"};
+  if (!files.code) return Error{.file = module->path, .what = "its code is not there"};
   const std::uint64_t at = address - module->base;
   // From the function's begin on, as instructions can only be told from there.
   std::uint64_t begin = at, end = at + 16 * count;
@@ -126,12 +121,12 @@ Result<std::vector<Instruction>> Symbolizer::assembler(std::uint64_t address, st
       begin = function->begin;
       end = std::max(at + 1, function->begin + function->size);
     }
-  const auto output = outputOf({"objdump", "--disassemble", "--demangle", "--no-show-raw-insn",
-                                "--start-address=" + hexText(begin),
-                                "--stop-address=" + hexText(end), "--", files.code->path()});
+  const auto output = runProgram({"objdump", "--disassemble", "--demangle", "--no-show-raw-insn",
+                                  "--start-address=" + hexText(begin),
+                                  "--stop-address=" + hexText(end), "--", files.code->path()});
   if (!output) return output.error();
   std::vector<Instruction> all;
-  std::istringstream lines{*output};
+  std::istringstream lines{output->output};
   for (std::string line; std::getline(lines, line);)
     if (auto instruction = readInstruction(line)) all.push_back(std::move(*instruction));
   const auto crash =

@@ -1,8 +1,8 @@
 #include "simulation/Simulation.h"
 
 #include <algorithm>
-#include <bit>
 
+#include "base/Hash.h"
 #include "simulation/Oracle.h"
 
 namespace gt {
@@ -14,22 +14,6 @@ std::vector<Player> playersOf(const SceneDescription& scene) {
     for (const SceneRobot& robot : *group) players.push_back(robot.player());
   return players;
 }
-
-/// FNV-1a over the bits of numbers.
-class Fingerprint {
- public:
-  void add(double number) {
-    auto bits = std::bit_cast<std::uint64_t>(number);
-    for (int i = 0; i < 8; ++i, bits >>= 8) sum_ = (sum_ ^ (bits & 0xff)) * 0x100000001b3;
-  }
-  void add(const double* numbers, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) add(numbers[i]);
-  }
-  std::uint64_t value() const { return sum_; }
-
- private:
-  std::uint64_t sum_ = 0xcbf29ce484222325;
-};
 
 Pose3D between(const Pose3D& a, const Pose3D& b, double share) {
   const Eigen::Quaterniond rotation =

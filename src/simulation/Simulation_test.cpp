@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "base/Hash.h"
 #include "simulation/Oracle.h"
 #include "simulation/TestScenes.h"
 
@@ -31,14 +32,11 @@ class Dribbler : public RobotController {
     }
   }
 
-  std::uint64_t sum() const { return sum_; }
+  std::uint64_t sum() const { return sum_.value(); }
   int pictures() const { return pictures_; }
 
  private:
-  void add(const void* data, std::size_t size) {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; ++i) sum_ = (sum_ ^ bytes[i]) * 0x100000001b3;
-  }
+  void add(const void* data, std::size_t size) { sum_.addBytes(data, size); }
   void remember(const RobotInput& input) {
     const SensorData& sensors = input.sensors.newest();
     add(sensors.joints.values.data(), sizeof sensors.joints.values);
@@ -53,7 +51,7 @@ class Dribbler : public RobotController {
   }
 
   Random random_;
-  std::uint64_t sum_ = 0xcbf29ce484222325;
+  Fingerprint sum_;
   int pictures_ = 0;
 };
 
