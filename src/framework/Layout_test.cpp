@@ -135,8 +135,9 @@ TEST(Layout, AllErrorsAreTold) {
       "Filter\nprocess A on Nothing\nFilter Filter\nNonsense\nprocess A on Reading\n"
       "process B on Estimate\nController\n";
   std::string told;
-  for (const Error& error :
-       checkLayoutText(text, "test.layout", table, {&representation<Reading>()}, {}))
+  const Findings findings =
+      checkLayoutText(text, "test.layout", table, {&representation<Reading>()}, {});
+  for (const Error& error : findings.list())
     told += std::to_string(error.line) + " " + error.field + "; ";
   EXPECT_EQ(told, "1 Filter; 3 Filter; 5 A; 4 Nonsense; 2 A; 6 B; 7 Controller; ");
   EXPECT_TRUE(checkLayoutText("process A on Reading\nFilter\nController\n", "test.layout", table,

@@ -9,6 +9,7 @@
 #include "robot/Processes.h"
 #include "streams/Config.h"
 #include "streams/File.h"
+#include "xabsl/formats/Compile.h"
 
 namespace gt {
 namespace {
@@ -176,7 +177,7 @@ Behavior readBehavior(const BehaviorRequest& request, Findings& findings) {
 
 void readMotions(const std::string& folder, MotionNet& motions, Findings& findings) {
   const auto compilation = motionnet::compileFolder(folder, motionRules());
-  for (const motionnet::Diagnostic& error : compilation.findings)
+  for (const motionnet::Diagnostic& error : compilation.errors)
     findings.add(
         {.file = error.file, .line = error.line, .field = error.field, .what = error.message});
   if (!compilation) return;

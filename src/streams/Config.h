@@ -21,8 +21,8 @@ struct PathInfo {
 
 /// What of a config file is read.
 struct ConfigOptions {
-  std::string section;  ///< If given, only this section is read, and there must be one.
-  bool common = false;  ///< Only what stands before the first section is read.
+  std::string section{};  ///< If given, only this section is read, and there must be one.
+  bool common = false;    ///< Only what stands before the first section is read.
 };
 
 /// A line [NAME] of a config file.

@@ -130,6 +130,9 @@ TEST(Mcap, ReadsWhatItWrote) {
 TEST(Mcap, LeavesALogForOtherReaders) {
   std::filesystem::create_directories("out/tests");
   writeLog("out/tests/streams.mcap");
+  const auto reader = McapReader::open("out/tests/streams.mcap");
+  ASSERT_TRUE(reader);
+  EXPECT_TRUE(reader->complete());
 }
 
 TEST(Mcap, WritesTheSameBytesAgain) {
