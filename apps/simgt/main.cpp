@@ -123,10 +123,11 @@ int main(int argc, char** argv) {
     return 0;
   });
   gt::CheckOptions check{root.path(".")};
-  line.command("check",
-               "Loads every configuration, layout, scene, motion and behavior; tells all errors",
-               [&] { return gt::checkTree(check); })
-      .add_option("root", check.root, "Folder of the tree")
-      ->capture_default_str();
+  CLI::App& checking =
+      line.command("check",
+                   "Loads every configuration, layout, scene, motion and behavior; reports errors",
+                   [&] { return gt::checkTree(check); });
+  checking.add_option("root", check.root, "Folder of the tree")->capture_default_str();
+  checking.add_flag("--strict", check.strict, "Fails because of warnings, too");
   return line.run();
 }
