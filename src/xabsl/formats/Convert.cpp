@@ -22,9 +22,9 @@ Conversion convert(const std::string& path, const FileReader& read, Form form,
   if (form != Form::text31 && root == "options.xml")
     reporter.fileError(root, "the file with the agents has the name of another file");
   if (!reporter.failed()) {
-    VirtualFiles files = form == Form::xml21   ? writeXml(program, root, reporter)
-                         : form == Form::xml31 ? writeXml31(program, model, root)
-                                               : writeText(program, root, reporter);
+    const Dialect dialect = form == Form::xml21 ? Dialect::xabsl21 : Dialect::xabsl31;
+    VirtualFiles files = form == Form::text31 ? writeText(program, root, reporter)
+                                              : writeXml(program, model, dialect, root, reporter);
     if (!reporter.failed()) conversion.files = std::move(files);
   }
   conversion.diagnostics = reporter.take();

@@ -117,10 +117,14 @@ std::string folderOf(const Program& program, Location location) {
   return inside.generic_string() + "/";
 }
 
+const Declaration& declarationOf(const Collection::Member& member) {
+  return std::visit([](const auto* one) -> const Declaration& { return *one; }, member);
+}
+
 std::vector<Collection> collectionsOf(const Program& program) {
   std::vector<Collection> collections;
   std::map<std::pair<std::string_view, bool>, std::size_t> known;
-  const auto add = [&](const Declaration& member, bool behaviors) {
+  const auto add = [&](const auto& member, bool behaviors) {
     const Namespace& space = program.namespaces[static_cast<std::size_t>(member.space)];
     const auto [found, added] =
         known.emplace(std::pair(space.name.text, behaviors), collections.size());
@@ -132,9 +136,10 @@ std::vector<Collection> collectionsOf(const Program& program) {
   for (const Constant& constant : program.constants) add(constant, false);
   for (const Behavior& behavior : program.behaviors) add(behavior, true);
   // In the order of the sources; an enumeration that a symbol brings along stands before it.
-  const auto order = [](const Declaration* a, const Declaration* b) {
-    return std::tie(a->extent.begin.file, a->extent.begin.line, a->extent.begin.column) <
-           std::tie(b->extent.begin.file, b->extent.begin.line, b->extent.begin.column);
+  const auto order = [](const Collection::Member& a, const Collection::Member& b) {
+    const Location &first = declarationOf(a).extent.begin, &second = declarationOf(b).extent.begin;
+    return std::tie(first.file, first.line, first.column) <
+           std::tie(second.file, second.line, second.column);
   };
   for (Collection& collection : collections)
     std::stable_sort(collection.members.begin(), collection.members.end(), order);

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "xabsl/language/Reporter.h"
@@ -18,14 +19,12 @@ struct Model;
 /// agents. Of use only if the reporter has not failed.
 VirtualFiles writeText(const syntax::Program& program, const std::string& root, Reporter& reporter);
 
-/// Writes a behavior as XABSL 2.1 in XML, laid out as report F.1 has it. What 2.1 cannot say is an
-/// error at its place.
-VirtualFiles writeXml(const syntax::Program& program, const std::string& root, Reporter& reporter);
-
-/// Writes a sound behavior in the XML of XABSL 3.1, laid out as the public compilers do: with
-/// folders Options, Symbols and BasicBehaviors, and a file that names all entities.
-VirtualFiles writeXml31(const syntax::Program& program, const Model& model,
-                        const std::string& root);
+/// Writes a valid behavior as XML of XABSL 2.1 or 3.1, from its syntax tree and the model of that.
+/// The files of 2.1 are laid out as in report F.1; what 2.1 cannot express is an error at its
+/// place. Those of 3.1 are laid out as by the public compilers: with folders Options, Symbols and
+/// BasicBehaviors, and a file that names all entities.
+VirtualFiles writeXml(const syntax::Program& program, const Model& model, Dialect dialect,
+                      const std::string& root, Reporter& reporter);
 
 /// The comments of a program that are not kept as documentation, in their order.
 class LooseComments {
@@ -49,10 +48,15 @@ std::string folderOf(const syntax::Program& program, Location location);
 
 /// What stands in the namespaces of one name and kind, which become one file.
 struct Collection {
+  using Member = std::variant<const syntax::Enumeration*, const syntax::Symbol*,
+                              const syntax::Constant*, const syntax::Behavior*>;
+
   const syntax::Namespace* space = nullptr;
   bool behaviors = false;
-  std::vector<const syntax::Declaration*> members;  // in the order of their places
+  std::vector<Member> members;  // in the order of their places
 };
+
+const syntax::Declaration& declarationOf(const Collection::Member& member);
 
 /// The declarations of a program, collected by their namespaces, in the order of the program.
 std::vector<Collection> collectionsOf(const syntax::Program& program);

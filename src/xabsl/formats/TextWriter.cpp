@@ -81,25 +81,12 @@ class TextWriter {
     const Namespace& space = *collection.space;
     begin(space);
     text_ += "namespace " + name(space.name) + "(\"" + enclosed(space.title, '"') + "\") {\n";
-    for (const Declaration* member : collection.members) {
-      begin(*member);
-      if (collection.behaviors)
-        behavior(static_cast<const Behavior&>(*member));
-      else if (isOneOf(program_.enumerations, member))
-        enumeration(static_cast<const Enumeration&>(*member));
-      else if (isOneOf(program_.symbols, member))
-        symbol(static_cast<const Symbol&>(*member));
-      else
-        constant(static_cast<const Constant&>(*member));
+    for (const Collection::Member& member : collection.members) {
+      begin(declarationOf(member));
+      std::visit([this](const auto* declaration) { declare(*declaration); }, member);
     }
     text_ += "}\n";
     addFile(space.extent.begin, name(space.name));
-  }
-
-  template <typename Declarations>
-  static bool isOneOf(const Declarations& declarations, const Declaration* member) {
-    return std::any_of(declarations.begin(), declarations.end(),
-                       [&](const Declaration& candidate) { return &candidate == member; });
   }
 
   // --- Declarations
@@ -126,14 +113,14 @@ class TextWriter {
     return text;
   }
 
-  void enumeration(const Enumeration& enumeration) {
+  void declare(const Enumeration& enumeration) {
     text_ += "enum " + name(enumeration.name) + (enumeration.internal ? " internal" : "") + " { ";
     for (std::size_t i = 0; i < enumeration.elements.size(); ++i)
       text_ += (i > 0 ? ", " : "") + name(enumeration.elements[i]);
     text_ += " };\n";
   }
 
-  void symbol(const Symbol& symbol) {
+  void declare(const Symbol& symbol) {
     text_ += type(symbol.type) +
              (symbol.kind == SymbolKind::input    ? "input "
               : symbol.kind == SymbolKind::output ? "output "
@@ -147,12 +134,12 @@ class TextWriter {
     text_ += ";\n";
   }
 
-  void constant(const Constant& constant) {
+  void declare(const Constant& constant) {
     text_ += "float const " + name(constant.name) + " = " + (constant.negative ? "-" : "") +
              std::string(constant.digits) + details(constant.range, constant.unit) + ";\n";
   }
 
-  void behavior(const Behavior& behavior) {
+  void declare(const Behavior& behavior) {
     text_ += "behavior " + name(behavior.name) + " {\n";
     parameters(behavior.parameters, "");
     text_ += "}\n";
