@@ -4,7 +4,7 @@
 
 #include "base/DataRoot.h"
 #include "base/Result.h"
-#include "replay/Comparison.h"
+#include "measure/real/Comparison.h"
 #include "robot/logs/LogPlatform.h"
 
 namespace gt {

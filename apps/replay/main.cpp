@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "commandline/CommandLine.h"
-#include "replay/FieldComparison.h"
+#include "measure/real/FieldComparison.h"
 #include "replay/Replay.h"
 #include "replay/Track.h"
 #include "streams/Png.h"

@@ -1,4 +1,4 @@
-#include "replay/FieldLabels.h"
+#include "measure/real/FieldLabels.h"
 
 #include <algorithm>
 #include <array>

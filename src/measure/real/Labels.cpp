@@ -1,4 +1,4 @@
-#include "replay/Labels.h"
+#include "measure/real/Labels.h"
 
 #include <array>
 #include <sstream>

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "measure/Figures.h"
-#include "replay/FieldLabels.h"
+#include "measure/real/FieldLabels.h"
 #include "representations/perception/CameraMatrix.h"
 #include "representations/perception/LandmarksPercept.h"
 #include "representations/perception/LinesPercept.h"

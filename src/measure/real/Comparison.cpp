@@ -1,4 +1,4 @@
-#include "replay/Comparison.h"
+#include "measure/real/Comparison.h"
 
 #include <fmt/core.h>
 

@@ -4,7 +4,7 @@
 
 #include "base/Enum.h"
 #include "measure/Figures.h"
-#include "replay/Labels.h"
+#include "measure/real/Labels.h"
 #include "representations/perception/BallPercept.h"
 
 namespace gt {

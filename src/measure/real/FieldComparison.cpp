@@ -1,4 +1,4 @@
-#include "replay/FieldComparison.h"
+#include "measure/real/FieldComparison.h"
 
 #include <fmt/core.h>
 
