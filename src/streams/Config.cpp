@@ -48,7 +48,7 @@ Result<ConfigLine> parseLine(std::string_view text) {
   if (line.name.empty()) return wrong("expected a name");
   line.rest = text;
   auto words = wordsOf(text);
-  if (!words) return words.error();
+  if (!words) return Error{.field = line.name, .what = words.error().what};
   line.words = std::move(*words);
   return line;
 }
@@ -163,19 +163,20 @@ class ConfigReader {
       found_ = found_ || selected_;
     }
     if (!selected_) return {};
-    const auto line = parseLine(text);
-    if (!line) return line.error();
     const auto at = [](std::string path, const Result<void>& done) -> Result<void> {
       if (done) return done;
       return Error{.field = std::move(path), .what = done.error().what};
     };
+    const auto line = parseLine(text);
+    const std::string prefix = options_.section.empty() ? section_ : "";
+    if (!line) return at(joined(prefix, line.error().field), line.error());
     if (!line->section.empty()) {
       if (!options_.section.empty()) return {};
       const auto place = find(root_, line->section, true);
       selected_ = static_cast<bool>(place);  // what follows would be wrong for the same reason
       return at(line->section, place ? Result<void>{} : place.error());
     }
-    const std::string path = joined(options_.section.empty() ? section_ : "", line->name);
+    const std::string path = joined(prefix, line->name);
     if (!seen_.insert(path).second) return at(path, wrong("is given twice"));
     const auto place = find(root_, path, true);
     return at(path, place ? setFlat(*place, *line) : place.error());

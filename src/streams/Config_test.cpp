@@ -135,6 +135,27 @@ TEST(Config, TellsEveryKindOfError) {
   EXPECT_THAT(errorOf<Inner>("= 5"), HasSubstr("expected a name"));
 }
 
+// A section that is wrong is one error, not one for each of its lines.
+TEST(Config, CollectsAllErrors) {
+  Everything value;
+  const Findings findings = collectConfig(
+      "int32 x\nuint8 3\n[iner]\nvalue 1\nflag true\n[inner]\nvalue 1000\nflag true\n", "test.cfg",
+      value);
+  EXPECT_EQ(findings.errors(), 3u) << findings.text();
+  EXPECT_THAT(findings.text(), HasSubstr("test.cfg:1: int32: "));
+  EXPECT_THAT(findings.text(), HasSubstr("test.cfg:3: iner: "));
+  EXPECT_THAT(findings.text(), HasSubstr("test.cfg:7: inner.value: "));
+  EXPECT_EQ(value.uint8, Everything{}.uint8);
+}
+
+// What stands before the first section is common to all.
+TEST(Config, ReadsWhatIsCommon) {
+  Inner inner;
+  EXPECT_TRUE(
+      collectConfig("value 5\n[other]\nnonsense 1\n", "test.cfg", inner, {.common = true}).empty());
+  EXPECT_EQ(inner.value, 5);
+}
+
 TEST(Config, LeavesTheLastGoodStateStanding) {
   Inner inner{true, "old", 3};
   EXPECT_FALSE(parseConfig("text new\nvalue 1000\n", "test.cfg", inner));
