@@ -51,10 +51,11 @@ class TreeCheck {
   }
 
   /// The files of a folder with an extension, in order; a folder without any is an error.
+  template <typename Iterator = fs::directory_iterator>
   std::vector<std::string> files(const std::string& folder, const std::string& extension) {
     std::vector<std::string> found;
     std::error_code failed;
-    for (const auto& entry : fs::directory_iterator{path(folder), failed})
+    for (const auto& entry : Iterator{path(folder), failed})
       if (entry.path().extension() == extension) found.push_back(entry.path().string());
     if (root_ == ".")
       for (std::string& file : found) file = fs::path{file}.lexically_normal().string();
@@ -67,7 +68,8 @@ class TreeCheck {
   /// The configuration as it is chosen, with each behavior; then each location's.
   void checkConfigurations() {
     const std::string config = path("config");
-    counts_["motions"] = static_cast<int>(files("motions", ".mof").size());
+    counts_["motions"] =
+        static_cast<int>(files<fs::recursive_directory_iterator>("motions", ".mof").size());
     for (const std::string& behavior : files("behavior", ".xabsl")) {
       if (!isAgentsFile(behavior)) continue;
       ++counts_["behaviors"];

@@ -187,7 +187,7 @@ Compilation compileFolder(const std::string& folder, const Rules& rules) {
   Compilation result;
   std::vector<std::string> files;
   std::error_code failure;
-  for (fs::directory_iterator it{folder, failure}, end; !failure && it != end;
+  for (fs::recursive_directory_iterator it{folder, failure}, end; !failure && it != end;
        it.increment(failure))
     if (it->path().extension() == ".mof") files.push_back(it->path().string());
   if (failure) {

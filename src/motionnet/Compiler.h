@@ -27,7 +27,7 @@ struct Compilation {
 /// motions must be extern, the entry and exit (report 3.9.2, 5.4).
 Compilation compile(const std::vector<Source>& sources, const Rules& rules);
 
-/// Compiles all `.mof` files of a folder. A folder that cannot be read is an error, too.
+/// Compiles all `.mof` files of a folder and of those in it. A folder that cannot be read is an error, too.
 Compilation compileFolder(const std::string& folder, const Rules& rules);
 
 }  // namespace motionnet

@@ -123,9 +123,9 @@ TEST_F(ConfigurationTest, WrongColorTables) {
 }
 
 TEST_F(ConfigurationTest, WrongMotions) {
-  write("motions/stand.mof", "garbage\n");
-  EXPECT_THAT(error(), ::testing::StartsWith("motions/stand.mof:1: "));
-  fs::remove(root / "motions/stand.mof");
+  write("motions/postures/stand.mof", "garbage\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("motions/postures/stand.mof:1: "));
+  fs::remove(root / "motions/postures/stand.mof");
   EXPECT_THAT(error(), ::testing::HasSubstr("stand"));
   fs::remove_all(root / "motions");
   EXPECT_THAT(error(), ::testing::StartsWith("motions"));
@@ -239,7 +239,7 @@ TEST_F(ConfigurationTest, CheckTellsAllErrorsAtOnce) {
   write("config/camera.cfg", "gain loud\n");
   write("config/coltable.c64", "garbage, not a colour table at all");
   write("config/modules/SelfLocator.MonteCarlo.cfg", "nonsense 1\n");
-  write("motions/stand.mof", "garbage\n");
+  write("motions/postures/stand.mof", "garbage\n");
   EXPECT_GE(checkConfiguration(paths, solutions()).errors(), 8u);
 }
 

@@ -25,7 +25,7 @@ function words(text) {
   });
 }
 
-const scopes = new Map(words(readFileSync("behavior/options/kick.xabsl", "utf8")));
+const scopes = new Map(words(readFileSync("behavior/options/ball/kick.xabsl", "utf8")));
 for (const [word, scope] of Object.entries({
   option: "keyword.control", kick: "entity.name.type", enum: "storage.type", "@id": "variable.parameter",
   target: "keyword.control", "2000": "constant.numeric", state_time: "constant.language",

@@ -27,8 +27,8 @@ const until = (uri, holds) => new Promise((done) => {
 });
 
 const uriOf = (path) => pathToFileURL(resolve(path)).href;
-const kick = uriOf("behavior/options/kick.xabsl"), ball = uriOf("behavior/symbols/ball_symbols.xabsl");
-const text = readFileSync("behavior/options/kick.xabsl", "utf8");
+const kick = uriOf("behavior/options/ball/kick.xabsl"), ball = uriOf("behavior/symbols/ball_symbols.xabsl");
+const text = readFileSync("behavior/options/ball/kick.xabsl", "utf8");
 /// The position behind (or with an offset, in) the n-th occurrence of a piece of text.
 const at = (source, piece, offset = piece.length) => {
   const index = source.indexOf(piece);

@@ -224,8 +224,8 @@ TEST_P(Editing, TheRobotPlaysOn) {
   const std::string greet =
       "option greet {\n  initial state hello {\n    action { led.middle_left = on; }\n  }\n}\n";
   write("options/greet.xabsl", greet);
-  replace("GT2003.xabsl", "include \"options/playing.xabsl\";",
-          "include \"options/playing.xabsl\";\ninclude \"options/greet.xabsl\";");
+  replace("GT2003.xabsl", "include \"options/roles/playing.xabsl\";",
+          "include \"options/roles/playing.xabsl\";\ninclude \"options/greet.xabsl\";");
   replace("options/play_soccer.xabsl", "show_role();", "show_role();\n    greet();");
   const std::int64_t edited = match_->time().ms;
   ASSERT_TRUE(reload());

@@ -162,8 +162,8 @@ TEST_P(WrongFiles, EndWithOneLine) {
 std::vector<WrongFile> wrongFiles() {
   const std::string scene = "scenes/one-robot.scene", model = "models/ball.xml";
   const std::string layout = "layouts/cmd.layout", logLayout = "layouts/replay.layout";
-  const std::string agents = "behavior/GT2003.xabsl", option = "behavior/options/kick.xabsl";
-  const std::string mof = "motions/getup.mof", table = "config/coltable.c64";
+  const std::string agents = "behavior/GT2003.xabsl", option = "behavior/options/ball/kick.xabsl";
+  const std::string mof = "motions/postures/getup.mof", table = "config/coltable.c64";
   return {
       {"SceneMissing", scene, missing, play, "simgt: " + scene + ": there is no such file"},
       {"SceneTruncated", scene, truncated(300), play, "simgt: " + scene + ":"},
@@ -193,7 +193,7 @@ std::vector<WrongFile> wrongFiles() {
       {"CheckedBehaviorTruncated", option, truncated(300), checkBehavior, option + ":"},
       {"CheckedBehaviorGarbage", agents, garbage(), checkBehavior, agents + ": "},
 
-      {"MotionMissing", "motions/stand.mof", missing, play, "simgt: motions/"},
+      {"MotionMissing", "motions/postures/stand.mof", missing, play, "simgt: motions/"},
       {"MotionTruncated", mof, truncated(184), play, "simgt: " + mof + ": label start: "},
       {"MotionGarbage", mof, garbage(), play, "simgt: " + mof + ":1: "},
       {"MotionWrongName", "motions/extern.mof", replaced("getup", "getupp"), play,
@@ -279,22 +279,22 @@ TEST(Programs, AcceptTheRepositorysFiles) {
 
 TEST(Programs, TellEveryErrorOfAMotion) {
   const Workplace workplace;
-  workplace.write("motions/stand.mof", "garbage\n");
+  workplace.write("motions/postures/stand.mof", "garbage\n");
   const Outcome outcome = workplace.run(checkMotions);
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.errors, StartsWith("motionnet: motions/stand.mof:1: "));
+  EXPECT_THAT(outcome.errors, StartsWith("motionnet: motions/postures/stand.mof:1: "));
 }
 
 TEST(Programs, CheckTellsAllErrorsOfATree) {
   const Workplace workplace;
-  workplace.write("behavior/options/kick.xabsl", "garbage");
+  workplace.write("behavior/options/ball/kick.xabsl", "garbage");
   workplace.write("config/camera.cfg", "gain loud\n");
   workplace.write("config/log.cfg", "pictures 100\nrepresentation BallMoodel\n");
   workplace.write("config/modules.cfg", "SelfLocater MonteCarlo\nBallLocator Unheard\n");
   workplace.write("config/nao2009/field.cfg", "ballRadus 3\nwallHeight x\n");
   workplace.write("config/player.cfg", "teamColor green\n");
   workplace.write("layouts/single.layout", "process All on Image\n  BallFinder\n  GoalFinder\n");
-  workplace.write("motions/stand.mof", "garbage\n");
+  workplace.write("motions/postures/stand.mof", "garbage\n");
   workplace.write("scenes/empty.scene", "<scene><robots/></scean>");
   workplace.write("scenes/match.scene", "<scene>\n<ball/>\n<noise joints=\"x\"/>\n</scene>");
   workplace.write("models/odd.xml", "<mujoco><worldbody/></mujoco>");
@@ -315,7 +315,7 @@ TEST(Programs, CheckTellsAllErrorsOfATree) {
         "config/nao2009/field.cfg:1: ballRadus", "config/nao2009/field.cfg:2: wallHeight",
         "config/player.cfg:1: teamColor", "layouts/single.layout:2: BallFinder",
         "layouts/single.layout:3: GoalFinder", "models/odd.xml:1: worldbody",
-        "models/odder.xml:1: ", "motions/stand.mof:1: ", "scenes/empty.scene:1: ",
+        "models/odder.xml:1: ", "motions/postures/stand.mof:1: ", "scenes/empty.scene:1: ",
         "scenes/match.scene:2: ball", "scenes/match.scene:3: joints",
         "scenes/several.scene:3: model"}) {
     const std::size_t found = outcome.errors.find("simgt: " + std::string{file}, at);

@@ -70,7 +70,7 @@ TEST(BallPhysics, aWalkingRobotPushesIt) {
 TEST(BallPhysics, aStandingRobotsChestIsTooLowForItToPassBelow) {
   RobotCommand command = standingCommand({0, 1.2, 0});
   for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft}) {
-    command.joints[legJoint(leg, 1)] = isFore(leg) ? -0.726 : -0.799;  // motions/stand.mof
+    command.joints[legJoint(leg, 1)] = isFore(leg) ? -0.726 : -0.799;  // motions/postures/stand.mof
     command.joints[legJoint(leg, 2)] = 0.32;
     command.joints[legJoint(leg, 3)] = isFore(leg) ? 1.729 : 1.888;
   }
