@@ -6,6 +6,7 @@
 #include "modules/motion/specialactions/MotionNetLoader.h"
 #include "motionnet/Compiler.h"
 #include "motionnet/Listing.h"
+#include "streams/File.h"
 
 namespace {
 
@@ -31,10 +32,12 @@ Result<void> check(const std::string& folder) {
   return {};
 }
 
-Result<void> list(const std::string& folder) {
+Result<void> list(const std::string& folder, const std::string& output) {
   const auto compilation = compile(folder);
   if (!compilation) return compilation.error();
-  std::fputs(motionnet::listing(compilation->net).c_str(), stdout);
+  const std::string text = motionnet::listing(compilation->net.names());
+  if (!output.empty()) return writeFile(output, text);
+  std::fputs(text.c_str(), stdout);
   return {};
 }
 
@@ -42,11 +45,13 @@ Result<void> list(const std::string& folder) {
 
 int main(int argc, char** argv) {
   CommandLine line{argc, argv, "Motion descriptions (.mof) of the special actions"};
-  std::string folder = line.root().path("motions");
-  for (CLI::App* command :
-       {&line.command("check", "Compiles a folder and reports what is wrong",
-                      [&] { return check(folder); }),
-        &line.command("list", "Prints the motions as XML for XABSL", [&] { return list(folder); })})
+  std::string folder = line.root().path("motions"), output;
+  CLI::App& checks = line.command("check", "Compiles a folder and reports what is wrong",
+                                  [&] { return check(folder); });
+  CLI::App& lists = line.command("list", "Writes the motions as an enumeration of XABSL",
+                                 [&] { return list(folder, output); });
+  lists.add_option("-o,--output", output, "File, instead of the standard output");
+  for (CLI::App* command : {&checks, &lists})
     command->add_option("folder", folder, "Folder of the .mof files")->capture_default_str();
   return line.run();
 }

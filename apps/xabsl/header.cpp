@@ -17,7 +17,7 @@ struct Options {
   std::string agents;
   std::string output;
   std::string dependencies;
-  std::vector<std::string> enumerations;
+  std::vector<std::string> enumerations, registered;
   SymbolsHeaderSettings settings;
   Reading reading;
 };
@@ -41,8 +41,9 @@ bool isCppName(std::string_view name) {
 }
 
 /// `name=Type` of the command line; the behavior must have the enumeration.
-bool bindEnumerations(const Model& model, Options& options) {
-  for (const std::string& entry : options.enumerations) {
+bool bindEnumerations(const Model& model, const std::vector<std::string>& entries,
+                      Options& options) {
+  for (const std::string& entry : entries) {
     const std::size_t sign = entry.find('=');
     const std::string name = entry.substr(0, sign);
     const std::string type = sign == std::string::npos ? "" : entry.substr(sign + 1);
@@ -51,6 +52,7 @@ bool bindEnumerations(const Model& model, Options& options) {
                      [&](const Enumeration& known) { return known.name == name; }))
       return fail("the behavior has no enumeration " + inQuotes(name));
     options.settings.enumerations[name] = type;
+    if (&entries == &options.registered) options.settings.registered.insert(name);
   }
   return true;
 }
@@ -74,7 +76,9 @@ bool writeHeader(Options& options) {
   const std::optional<Behavior> behavior = load(options.agents, options.reading);
   if (!behavior) return false;
   const Model& model = behavior->model();
-  if (!bindEnumerations(model, options)) return false;
+  if (!bindEnumerations(model, options.enumerations, options) ||
+      !bindEnumerations(model, options.registered, options))
+    return false;
   std::error_code ignored;  // writing the file fails, too
   std::filesystem::create_directories(std::filesystem::path(options.output).parent_path(), ignored);
   return writeFile(options.output, writeSymbolsHeader(model, options.settings)) &&
@@ -94,6 +98,8 @@ void addHeader(CLI::App& program, int& status) {
       ->capture_default_str();
   command->add_option("--enumeration", options->enumerations,
                       "NAME=TYPE: a C++ type that stands for an enumeration");
+  command->add_option("--registered", options->registered,
+                      "NAME=TYPE: the same, but the program registers the elements itself");
   command->add_option("--include", options->settings.includes, "A header with such types");
   command->add_option("--depfile", options->dependencies,
                       "A file for the sources of the behavior, as a rule of make");

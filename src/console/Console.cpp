@@ -167,11 +167,22 @@ Result<void> Console::forEachRobot(const std::function<Result<void>(ConsoleRobot
   return {};
 }
 
+Result<const MotionNet*> Console::motions() {
+  if (!motions_) {
+    auto loaded = loadMotionNet(session_.options().motions);
+    if (!loaded) return loaded.error();
+    motions_ = std::move(*loaded);
+  }
+  return &*motions_;
+}
+
 Result<const xabsl::Model*> Console::behavior() {
   if (!behavior_) {
     const std::string& path =
         session_.behavior.empty() ? session_.options().behavior : session_.behavior;
-    auto loaded = loadBehavior({path, {}});
+    const auto motions = this->motions();
+    if (!motions) return motions.error();
+    auto loaded = loadBehavior({path, {}}, **motions);
     if (!loaded) return loaded.error();
     behavior_ = std::move(*loaded->compiled);
   }

@@ -10,6 +10,7 @@
 
 #include "console/Joystick.h"
 #include "console/Session.h"
+#include "representations/motion/MotionNet.h"
 #include "xabsl/language/Behavior.h"
 
 namespace gt {
@@ -71,6 +72,8 @@ class Console {
   /// The first selected robot; an error if there is none.
   Result<ConsoleRobot*> firstRobot();
 
+  /// The special actions whose names the command mr knows: those of the session's folder.
+  Result<const MotionNet*> motions();
   /// The behavior whose names the x commands know: what `xlb` loaded, or what the robots run.
   Result<const xabsl::Model*> behavior();
   void forgetBehavior() { behavior_.reset(); }
@@ -97,6 +100,7 @@ class Console {
   Session& session_;
   std::vector<std::string> offers_;
   std::vector<std::string> selected_;  ///< All if empty.
+  std::optional<MotionNet> motions_;
   std::optional<xabsl::Behavior> behavior_;
   Joystick joystick_;
   std::map<std::string, std::vector<RobotMemory::Sample>> series_;

@@ -11,16 +11,16 @@ namespace {
 constexpr std::pair<std::string_view, std::string_view> reportActions[] = {
     {"leftHeadKick", "headLeft"}, {"rightHeadKick", "headRight"}};
 
-std::vector<std::string> motionNames() {
+std::vector<std::string> motionNames(const MotionNet& motions) {
   std::vector<std::string> names{"stand", "getup"};
   for (const auto& type : namesOf<WalkType>()) names.push_back(type);
-  for (const auto& action : namesOf<SpecialAction>())
-    if (action != "none" && action != "stand" && action != "getup") names.push_back(action);
+  for (const auto& [name, kick] : motions.motions)
+    if (!name.empty() && name != standAction && name != getupAction) names.push_back(name);
   return names;
 }
 
 /// What a motion's name asks for; a walk still needs its speeds.
-std::optional<MotionRequest> motionOf(std::string_view name) {
+std::optional<MotionRequest> motionOf(std::string_view name, const MotionNet& motions) {
   for (const auto& [report, here] : reportActions)
     if (report == name) name = here;
   MotionRequest request;
@@ -29,9 +29,9 @@ std::optional<MotionRequest> motionOf(std::string_view name) {
     request.walkType = *type;
   } else if (name == "stand" || name == "getup") {
     request.type = *enumValue<MotionType>(name);
-  } else if (const auto action = enumValue<SpecialAction>(name); action && name != "none") {
+  } else if (motions.find(name) > 0) {
     request.type = MotionType::specialAction;
-    request.specialAction = *action;
+    request.specialAction = name;
   } else {
     return std::nullopt;
   }
@@ -58,11 +58,13 @@ Result<void> sendMotion(Console& console, const std::function<void(MotionRequest
 
 Result<void> mr(Console& console, const Words& words) {
   if (words.size() < 2) return wrongArguments(words);
+  const auto motions = console.motions();
+  if (!motions) return motions.error();
   if (words[1] == "?") {
-    list(console, motionNames());
+    list(console, motionNames(**motions));
     return {};
   }
-  auto request = motionOf(words[1]);
+  auto request = motionOf(words[1], **motions);
   if (!request) return Error{"", 0, words[1], "there is no such motion; try mr ?"};
   const bool walk = request->type == MotionType::walk;
   if (words.size() != (walk ? 5u : 2u)) return wrongArguments(words);
@@ -150,6 +152,14 @@ Result<void> pr(Console& console, const Words& words) {
   });
 }
 
+std::vector<std::string> motionChoices(Console& console, const Words& before) {
+  const auto motions = console.motions();
+  if (before.size() != 1 || !motions) return {};
+  auto choices = motionNames(**motions);
+  choices.emplace_back("?");
+  return choices;
+}
+
 template <std::vector<std::string> (*names)()>
 std::vector<std::string> oneOf(Console&, const Words& before) {
   auto choices = before.size() == 1 ? names() : std::vector<std::string>{};
@@ -191,7 +201,7 @@ std::vector<Command> motionCommands() {
        "Sets the motion, while no BehaviorControl is active. To walk (normal) takes speeds: ahead "
        "and "
        "left in mm/s, counterclockwise in degrees/s.",
-       mr, oneOf<motionNames>, true},
+       mr, motionChoices, true},
       {kind, "pr",
        "continue | illegalDefender | obstruction | keeperCharged | ballHolding | "
        "fieldPlayerCharged "

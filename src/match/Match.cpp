@@ -89,7 +89,8 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     if (!link) return link.error();
     match->gameController_ = std::move(*link);
   }
-  match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_);
+  match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_,
+                                                         *(*configuration)->motions);
   return match;
 }
 

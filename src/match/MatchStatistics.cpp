@@ -12,20 +12,6 @@ namespace {
 /// A robot that is further from where it believes to be does not know where it is.
 constexpr double lostDistance = 1000;  // mm
 
-/// Whether a special action is there to play the ball.
-bool isKick(SpecialAction action) {
-  switch (action) {
-    case SpecialAction::none:
-    case SpecialAction::stand:
-    case SpecialAction::getup:
-    case SpecialAction::sit:
-    case SpecialAction::scratchHead:
-      return false;
-    default:
-      return true;
-  }
-}
-
 }  // namespace
 
 ErrorStatistics statisticsOf(const std::vector<double>& errors) {
@@ -34,8 +20,8 @@ ErrorStatistics statisticsOf(const std::vector<double>& errors) {
 }
 
 MatchStatistics::MatchStatistics(const Simulation& simulation,
-                                 const std::vector<MatchRobot*>& robots)
-    : simulation_{simulation}, robots_{robots}, records_(robots.size()) {}
+                                 const std::vector<MatchRobot*>& robots, const MotionNet& motions)
+    : simulation_{simulation}, robots_{robots}, motions_{motions}, records_(robots.size()) {}
 
 void MatchStatistics::update() {
   const bool picture = !robots_.empty() && simulation_.input(0).image;
@@ -81,11 +67,15 @@ void MatchStatistics::compare(std::size_t robot) {
 void MatchStatistics::countActions(std::size_t robot) {
   RobotRecord& record = records_[robot];
   if (const MotionInfo* motion = robots_[robot]->motion()) {
-    const SpecialAction action = motion->executed.type == MotionType::specialAction
-                                     ? motion->executed.specialAction
-                                     : SpecialAction::none;
-    if (isKick(action) && action != record.lastAction) ++record.kicks[action];
-    record.lastAction = action;
+    static const std::string none;
+    const std::string& action =
+        motion->executed.type == MotionType::specialAction ? motion->executed.specialAction : none;
+    if (action != record.lastAction) {
+      const int index = motions_.find(action);
+      if (index >= 0 && motions_.motions[static_cast<std::size_t>(index)].isKick())
+        ++record.kicks[action];
+      record.lastAction = action;
+    }
   }
   if (const RobotState* state = robots_[robot]->state()) {
     record.falls += state->state == BodyState::fallen && record.lastState != BodyState::fallen;
@@ -120,8 +110,7 @@ void MatchStatistics::summarize(MatchSummary& summary) const {
     robot.ballError = statisticsOf(record.ball);
     robot.distanceWalked = simulation_.world().robot(i).walked;
     robot.falls = record.falls;
-    for (const auto& [kick, count] : record.kicks)
-      robot.kicks.push_back({std::string{enumName(kick)}, count});
+    for (const auto& [kick, count] : record.kicks) robot.kicks.push_back({kick, count});
     robot.samples = record.samples;
   }
   summary.ball = ball_;

@@ -1,9 +1,11 @@
 #pragma once
 #include <map>
+#include <string>
 #include <vector>
 
 #include "match/MatchRobot.h"
 #include "match/MatchSummary.h"
+#include "representations/motion/MotionNet.h"
 #include "simulation/Simulation.h"
 
 namespace gt {
@@ -12,7 +14,9 @@ namespace gt {
 /// runs (ready, set, playing).
 class MatchStatistics {
  public:
-  MatchStatistics(const Simulation& simulation, const std::vector<MatchRobot*>& robots);
+  /// The motions say which special actions are kicks.
+  MatchStatistics(const Simulation& simulation, const std::vector<MatchRobot*>& robots,
+                  const MotionNet& motions);
 
   /// Looks at the world and the robots after a tick.
   void update();
@@ -27,8 +31,8 @@ class MatchStatistics {
   struct RobotRecord {
     std::vector<double> localization, rotation, ball;
     double lostFor = 0, longestLost = 0;  // pictures
-    std::map<SpecialAction, int> kicks;
-    SpecialAction lastAction = SpecialAction::none;
+    std::map<std::string, int> kicks;
+    std::string lastAction;
     BodyState lastState = BodyState::standing;
     int falls = 0;
     std::vector<RobotSample> samples;
@@ -39,6 +43,7 @@ class MatchStatistics {
 
   const Simulation& simulation_;
   const std::vector<MatchRobot*>& robots_;
+  const MotionNet& motions_;
   std::vector<RobotRecord> records_;
   std::vector<Vector2d> ball_;
 };

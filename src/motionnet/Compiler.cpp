@@ -25,6 +25,7 @@ class Linker {
   Net link() {
     nameMotions();
     nameGroups();
+    namePostures();
     // Transitions for a group become one node for each member, so a statement's node is only known
     // when those before it are: the places first, then the targets.
     for (std::size_t i = 0; i < motions_.size(); ++i) {
@@ -60,7 +61,7 @@ class Linker {
         error(motion, motion.nameLine, "motion_id",
               motion.name + " is also the name of " +
                   motions_[static_cast<std::size_t>(byName_[motion.name])].file);
-      net_.motions.push_back(motion.name);
+      net_.motions.push_back({motion.name, motion.kick});
     }
   }
 
@@ -78,6 +79,13 @@ class Linker {
       }
   }
 
+  void namePostures() {
+    for (const auto& motion : motions_)
+      for (const auto& [name, posture] : motion.postures)
+        if (!postures_.emplace(name, &posture.angles).second)
+          error(motion, posture.line, "posture", name + " has another meaning already");
+  }
+
   /// For which requests a transition is followed; empty if the name is unknown.
   std::vector<int> requests(const std::string& name) const {
     if (name == "allMotions") return {-1};
@@ -93,6 +101,12 @@ class Linker {
       first.push_back(static_cast<int>(net_.nodes.size()));
       Node node = statement.node;
       node.motion = index;
+      if (!statement.posture.empty()) {
+        if (const auto it = postures_.find(statement.posture); it != postures_.end())
+          node.angles = *it->second;
+        else
+          error(motion, node.line, "posture", "unknown posture " + statement.posture);
+      }
       if (node.kind != Node::Kind::transition) {
         net_.nodes.push_back(std::move(node));
         continue;
@@ -148,9 +162,25 @@ class Linker {
   Net net_;
   std::map<std::string, int> byName_;
   std::map<std::string, std::vector<int>> groups_;
+  std::map<std::string, const std::vector<std::optional<int>>*> postures_;
   std::vector<std::vector<int>> firstNode_;  ///< Of each statement, and the end.
   std::map<std::size_t, std::vector<std::string>> usedLabels_;
 };
+
+/// The entry as it is if no file describes it: a transition to each motion's start.
+Motion makeEntry(const std::vector<Motion>& motions) {
+  Motion entry;
+  entry.file = "extern";
+  entry.name = "extern";
+  entry.labels["start"] = {};
+  for (const auto& motion : motions) {
+    Statement& statement = entry.statements.emplace_back();
+    statement.node.kind = Node::Kind::transition;
+    statement.requested = statement.motion = motion.name;
+    statement.label = "start";
+  }
+  return entry;
+}
 
 }  // namespace
 
@@ -163,15 +193,13 @@ Compilation compile(const std::vector<Source>& sources, const Rules& rules) {
   }
   for (const auto& source : sources)
     motions.push_back(parse(source.text, source.file, rules, result.errors));
+  if (!result.errors.empty()) return result;
   const auto entry = std::find_if(motions.begin(), motions.end(),
                                   [](const Motion& motion) { return motion.name == "extern"; });
-  if (entry == motions.end()) {
-    const auto where = sources.empty() ? std::string{"motions"} : sources.front().file;
-    result.errors.push_back({where, 0, "extern", "no file describes extern, the entry to the net"});
-    return result;
-  }
-  std::rotate(motions.begin(), entry, entry + 1);
-  if (!result.errors.empty()) return result;
+  if (entry == motions.end())
+    motions.insert(motions.begin(), makeEntry(motions));
+  else
+    std::rotate(motions.begin(), entry, entry + 1);
 
   std::vector<std::string> files;
   for (const auto& motion : motions) files.push_back(motion.file);

@@ -23,11 +23,13 @@ struct Compilation {
 
 /// Compiles a set of motion descriptions (see Parser.h) to one net and checks it for consistency:
 /// no missing transition from one motion to another or out of the net, no unknown motion, label or
-/// group, no label and no line that is never reached, no endless loop without data. One of the
-/// motions must be extern, the entry and exit (report 3.9.2, 5.4).
+/// group, no label and no line that is never reached, no endless loop without data. The entry and
+/// exit, extern (report 3.9.2, 5.4), has a transition to the start of each motion, if no file
+/// describes it otherwise.
 Compilation compile(const std::vector<Source>& sources, const Rules& rules);
 
-/// Compiles all `.mof` files of a folder and of those in it. A folder that cannot be read is an error, too.
+/// Compiles all `.mof` files of a folder and of those in it. A folder that cannot be read is an
+/// error, too.
 Compilation compileFolder(const std::string& folder, const Rules& rules);
 
 }  // namespace motionnet

@@ -49,13 +49,65 @@ TEST(Compiler, LinksMotionsToOneNet) {
   const auto result = compiled(entry, stand, kick);
   ASSERT_TRUE(result) << firstError(result);
   const auto& net = result.net;
-  EXPECT_EQ(net.motions, (std::vector<std::string>{"extern", "kick", "stand"}));
+  ASSERT_EQ(net.motions.size(), 3u);
+  EXPECT_EQ(net.motions[0].name, "extern");
+  EXPECT_EQ(net.motions[1].name, "kick");
+  EXPECT_EQ(net.motions[2].name, "stand");
   EXPECT_EQ(net.entry, 0);
   const auto& toKick = net.nodes[1];
   EXPECT_EQ(toKick.kind, Node::Kind::transition);
   EXPECT_EQ(toKick.requested, 1);
   EXPECT_EQ(net.nodes[static_cast<std::size_t>(toKick.target)].angles[1], 500);
   EXPECT_EQ(net.nodes[2].kind, Node::Kind::leave);
+}
+
+TEST(Compiler, MakesTheEntryThatNoFileDescribes) {
+  const auto described = compiled(entry, with(stand, "~ 100", "~ 200"), kick);
+  const auto made =
+      compile({{"kick.mof", kick}, {"stand.mof", with(stand, "~ 100", "~ 200")}}, twoJoints);
+  ASSERT_TRUE(described) << firstError(described);
+  ASSERT_TRUE(made) << firstError(made);
+  EXPECT_EQ(made.net.motions[0].name, "extern");
+  ASSERT_EQ(made.net.nodes.size(), described.net.nodes.size());
+  for (const int request : {1, 2}) {
+    const auto enters = [&](const Net& net) {
+      for (const auto& node : net.nodes)
+        if (node.motion == 0 && node.requested == request) return node.target;
+      return -1;
+    };
+    EXPECT_EQ(enters(made.net), enters(described.net));
+  }
+}
+
+TEST(Compiler, PosturesAreKnownInAllFiles) {
+  const std::string named = with(stand, "label start\n", "posture low = ~ 300\nlabel start\n");
+  const auto result = compiled(entry, named, with(kick, "~ 500 1 10", "posture low 1 10"));
+  ASSERT_TRUE(result) << firstError(result);
+  const auto& node = result.net.nodes[static_cast<std::size_t>(result.net.nodes[1].target)];
+  EXPECT_EQ(node.angles, (std::vector<std::optional<int>>{std::nullopt, 300}));
+  EXPECT_EQ(node.frames, 10);
+  EXPECT_EQ(firstError(compiled(entry, stand, with(kick, "~ 500 1 10", "posture low 1 10"))),
+            "kick.mof:3: posture: unknown posture low");
+  EXPECT_EQ(firstError(compiled(entry, named,
+                                with(kick, "label start", "posture low = 1 2\nlabel start"))),
+            "stand.mof:2: posture: low has another meaning already");
+}
+
+TEST(Compiler, KicksSayWhereTheyPlayTheBall) {
+  const std::string lines = "kick 150 -20 -80\nreach 100 200 -40 10 30\nreach 0 300 -60 60 90\n";
+  const auto result = compiled(entry, stand, with(kick, "label start\n", lines + "label start\n"));
+  ASSERT_TRUE(result) << firstError(result);
+  EXPECT_FALSE(result.net.motions[2].kick);
+  ASSERT_TRUE(result.net.motions[1].kick);
+  EXPECT_EQ(result.net.motions[1].kick->direction, -80);
+  ASSERT_EQ(result.net.motions[1].kick->reach.size(), 2u);
+  EXPECT_EQ(result.net.motions[1].kick->reach[0].leftmost, 10);
+  const auto error = [&](const std::string& wrong) {
+    return firstError(compiled(entry, stand, with(kick, "label start\n", wrong + "label start\n")));
+  };
+  EXPECT_EQ(error("kick 1 2 3\n"), "kick.mof: reach: missing; a kick has some");
+  EXPECT_EQ(error("reach 1 2 3 4 5\n"), "kick.mof:2: reach: only after a line kick");
+  EXPECT_THAT(error("kick 1 2 3\nreach 2 1 3 4 5\n"), HasSubstr("kick.mof:3: x2: 1 is not within"));
 }
 
 TEST(Compiler, TransitionsForAGroupServeItsMembers) {
@@ -76,7 +128,6 @@ TEST(Compiler, FindsUnknownNames) {
             "kick.mof:6: requested: unknown motion or group all");
   EXPECT_THAT(firstError(compiled(entry, with(stand, "= stand", "= kick"), kick)),
               HasSubstr("is also the name of"));
-  EXPECT_THAT(firstError(compile({{"stand.mof", stand}}, twoJoints)), HasSubstr("extern"));
 }
 
 TEST(Compiler, FindsMissingTransitions) {
@@ -151,9 +202,9 @@ TEST(Compiler, AGroupCannotBlowUpTheNet) {
 }
 
 TEST(Listing, NamesTheMotionsForXabsl) {
-  const auto xml = listing(compiled(entry, stand, kick).net);
-  EXPECT_THAT(xml, HasSubstr("<enum-element name=\"special-action-id.kick\"/>"));
-  EXPECT_THAT(xml, testing::Not(HasSubstr("extern")));
+  const auto text = listing(compiled(entry, stand, kick).net.names());
+  EXPECT_THAT(text, HasSubstr("enum special_action input {\n    none,\n    kick,\n    stand\n  }"));
+  EXPECT_EQ(xabslName("unswBashOptimized"), "unsw_bash_optimized");
 }
 
 }  // namespace

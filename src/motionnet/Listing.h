@@ -1,12 +1,15 @@
 #pragma once
 #include <string>
-
-#include "motionnet/Net.h"
+#include <string_view>
+#include <vector>
 
 namespace motionnet {
 
-/// The motions, extern excluded, as an XML document with an enumerated output symbol of XABSL
-/// (report 5.4, F.2), so that behaviours know them by name.
-std::string listing(const Net&);
+/// The name of a motion in XABSL: chestKick is chest_kick there.
+std::string xabslName(std::string_view motion);
+
+/// Motions as a file of XABSL, which declares the enumeration special_action (report 5.4, F.2):
+/// none, then the motions.
+std::string listing(const std::vector<std::string>& motions);
 
 }  // namespace motionnet

@@ -9,11 +9,13 @@ namespace motionnet {
 namespace {
 
 using Words = std::vector<std::string_view>;
+using Angles = std::vector<std::optional<int>>;
 
 constexpr std::size_t maxStatements = 20000;
 constexpr std::size_t maxErrors = 20;  // of one file; garbage is told of briefly
 constexpr int maxFrames = 10000;
 constexpr int maxSpeed = 10000;
+constexpr int maxDistance = 1000;
 
 Words split(std::string_view line) {
   Words words;
@@ -70,6 +72,7 @@ class Parser {
     }
     if (!text.empty()) error("", "more than 20000 statements");
     line_ = 0;
+    if (motion_.kick && motion_.kick->reach.empty()) error("reach", "missing; a kick has some");
     if (motion_.name.empty()) error("motion_id", "missing; the first line must name the motion");
     if (!motion_.labels.count("start")) error("label start", "missing; every motion begins there");
     return std::move(motion_);
@@ -89,6 +92,12 @@ class Parser {
       error(std::string{"motion_id"}, "must come before everything else");
     } else if (word == "group")
       parseGroup(words);
+    else if (word == "posture")
+      parsePosture(words);
+    else if (word == "kick")
+      parseKick(words);
+    else if (word == "reach")
+      parseReach(words);
     else if (word == "label")
       parseLabel(words);
     else if (word == "transition")
@@ -101,8 +110,8 @@ class Parser {
       parseData(words);
     else
       error(shown(word),
-            "unknown; a line begins with motion_id, group, label, transition, pid, odometry, an "
-            "angle or ~");
+            "unknown; a line begins with motion_id, group, posture, kick, reach, label, "
+            "transition, pid, odometry, an angle or ~");
   }
 
   bool wantName(std::string_view word, const char* what) {
@@ -129,6 +138,42 @@ class Parser {
       if (wantName(words[i], "group")) group.members.emplace_back(words[i]);
     if (!motion_.groups.emplace(words[1], group).second)
       error("group", shown(words[1]) + " is defined twice");
+  }
+
+  /// `posture NAME = A1 ... An` gives angles a name, `posture NAME INTERPOLATE COUNT` is data.
+  void parsePosture(const Words& words) {
+    const std::size_t joints = rules_.joints.size();
+    const bool defines = words.size() > 2 && words[2] == "=";
+    if (words.size() != (defines ? joints + 3 : 4))
+      return error("posture", "expected: posture NAME INTERPOLATE COUNT, or posture NAME = and " +
+                                  std::to_string(joints) + " angles");
+    if (!wantName(words[1], "posture")) return;
+    if (!defines) return addData({}, words[2], words[3], words[1]);
+    auto angles = parseAngles({words.begin() + 3, words.end()});
+    if (!angles) return;
+    if (!motion_.postures.emplace(words[1], Motion::Posture{*std::move(angles), line_}).second)
+      error("posture", shown(words[1]) + " is defined twice");
+  }
+
+  void parseKick(const Words& words) {
+    if (words.size() != 4) return error("kick", "expected: kick X Y DIRECTION");
+    if (motion_.kick) return error("kick", "given twice");
+    const auto x = integer(words[1], "x", -maxDistance, maxDistance),
+               y = integer(words[2], "y", -maxDistance, maxDistance),
+               direction = integer(words[3], "direction", -180, 180);
+    if (x && y && direction) motion_.kick = Kick{*x, *y, *direction, {}};
+  }
+
+  void parseReach(const Words& words) {
+    if (words.size() != 6) return error("reach", "expected: reach X1 X2 Y1 Y2 SPREAD");
+    if (!motion_.kick) return error("reach", "only after a line kick");
+    const auto nearest = integer(words[1], "x1", -maxDistance, maxDistance),
+               farthest = integer(words[2], "x2", nearest.value_or(0), maxDistance),
+               right = integer(words[3], "y1", -maxDistance, maxDistance),
+               left = integer(words[4], "y2", right.value_or(0), maxDistance),
+               spread = integer(words[5], "spread", 0, 180);
+    if (nearest && farthest && right && left && spread)
+      motion_.kick->reach.push_back({*nearest, *farthest, *right, *left, *spread});
   }
 
   void parseLabel(const Words& words) {
@@ -186,23 +231,33 @@ class Parser {
       return error("data", "expected " + std::to_string(joints) +
                                " angles, the interpolation and the count; there are " +
                                std::to_string(words.size()) + " values");
-    Node node;
-    node.angles.resize(joints);
+    if (auto angles = parseAngles({words.begin(), words.end() - 2}))
+      addData(*std::move(angles), words[joints], words[joints + 1], {});
+  }
+
+  /// An angle or ~ for each joint.
+  std::optional<Angles> parseAngles(const Words& words) {
+    Angles angles(words.size());
     bool good = true;
-    for (std::size_t i = 0; i < joints; ++i) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
       if (words[i] == "~") continue;
       const auto& rule = rules_.joints[i];
-      node.angles[i] = integer(words[i], rule.name.c_str(), rule.low, rule.high);
-      good = good && node.angles[i];
+      angles[i] = integer(words[i], rule.name.c_str(), rule.low, rule.high);
+      good = good && angles[i];
     }
-    const auto interpolate = integer(words[joints], "interpolation", 0, 1);
-    const auto frames = integer(words[joints + 1], "count", 1, maxFrames);
-    if (!good || !interpolate || !frames) return;
-    node.interpolate = *interpolate == 1;
-    node.frames = *frames;
-    auto& added = add(Node::Kind::data).node;
-    node.line = added.line;
-    added = std::move(node);
+    return good ? std::optional{std::move(angles)} : std::nullopt;
+  }
+
+  void addData(Angles angles, std::string_view interpolateWord, std::string_view count,
+               std::string_view posture) {
+    const auto interpolate = integer(interpolateWord, "interpolation", 0, 1);
+    const auto frames = integer(count, "count", 1, maxFrames);
+    if (!interpolate || !frames) return;
+    Statement& statement = add(Node::Kind::data);
+    statement.posture = posture;
+    statement.node.angles = std::move(angles);
+    statement.node.interpolate = *interpolate == 1;
+    statement.node.frames = *frames;
   }
 
   std::optional<int> integer(std::string_view word, const char* field, int low, int high) {

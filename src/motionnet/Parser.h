@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@ namespace motionnet {
 struct Statement {
   Node node;
   std::string requested, motion, label;  ///< Of a transition.
+  std::string posture;                   ///< Of data whose angles are a posture's.
 };
 
 /// One motion description.
@@ -31,16 +33,29 @@ struct Motion {
     int line;
   };
   std::map<std::string, Group> groups;
+  struct Posture {
+    std::vector<std::optional<int>> angles;
+    int line;
+  };
+  std::map<std::string, Posture> postures;
+  std::optional<Kick> kick;
 };
 
 /// Reads one motion description (report 5.4). Its lines are
 ///
 ///     motion_id = NAME                    the first line; NAME also names the file
 ///     group NAME = MOTION MOTION ...      a name for several motions, known in all files
+///     posture NAME = A1 ... An            a name for angles of all joints, known in all files
+///     kick X Y DIRECTION                  the motion plays a ball, best one at (X, Y), in mm from
+///                                         the robot's middle, to DIRECTION, in degrees
+///     reach X1 X2 Y1 Y2 SPREAD            it plays a ball within X1 to X2 ahead and Y1 to Y2 to
+///                                         the left, too, within SPREAD degrees of the direction
 ///     label NAME                          a place to jump to; each motion has the label start
 ///     A1 ... An INTERPOLATE COUNT         angles of all joints in mrad or ~ (don't care); 1: reach
 ///                                         them within COUNT frames, 0: send them COUNT times
-///     pid JOINT P I D                     gains of a joint from here on
+///     posture NAME INTERPOLATE COUNT      the same with the angles of a posture
+///     pid JOINT P I D                     gains of a joint from here on; checked, but without
+///                                         effect: the simulated motors keep their gains
 ///     odometry X Y ROTATION               speed of the robot from here on: mm/s, mm/s, mrad/s
 ///     transition REQUESTED MOTION LABEL   go there if REQUESTED (a motion, a group or allMotions)
 ///                                         is requested

@@ -6,6 +6,7 @@
 
 #include "base/Lines.h"
 #include "modules/behavior/control/GT2003BehaviorControl.h"
+#include "motionnet/Listing.h"
 #include "robot/Processes.h"
 #include "streams/Config.h"
 #include "streams/File.h"
@@ -161,17 +162,28 @@ void add(const std::vector<xabsl::Diagnostic>& diagnostics, Findings& findings) 
   }
 }
 
-/// Compiles a behavior, and links it: that tells of missing symbols before a robot runs.
-Behavior readBehavior(const BehaviorRequest& request, Findings& findings) {
+/// Compiles a behavior, and links it: that finds missing symbols before a robot runs. The file that
+/// declares the special actions is made from the motions, whatever the one in the folder says.
+Behavior readBehavior(const BehaviorRequest& request, const MotionNet& motions,
+                      Findings& findings) {
   xabsl::VirtualFiles files;
   for (const auto& [path, text] : request.files) files[path] = text;
-  xabsl::Compilation compilation =
-      files.empty() ? xabsl::compile(request.path) : xabsl::compile(request.path, files);
+  const xabsl::FileReader read = files.empty() ? xabsl::diskReader() : xabsl::readerOf(files);
+  const bool motionsFailed = motions.motions.empty();
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i < motions.motions.size(); ++i) names.push_back(motions.motions[i].name);
+  xabsl::Compilation compilation = xabsl::compile(
+      request.path, [&](const std::string& path, std::string& text) -> std::optional<std::string> {
+        if (motionsFailed || fs::path{path}.filename() != "special_actions.xabsl")
+          return read(path, text);
+        text = motionnet::listing(names);
+        return std::nullopt;
+      });
   const std::size_t before = findings.errors();
   add(compilation.diagnostics, findings);
-  if (findings.errors() > before) return {};
+  if (findings.errors() > before || motionsFailed) return {};
   GT2003BehaviorControl control;
-  add(xabsl::Engine::create(*compilation.behavior, control.symbols()).diagnostics, findings);
+  add(xabsl::Engine::create(*compilation.behavior, control.symbols(motions)).diagnostics, findings);
   return Behavior{std::move(compilation.behavior)};
 }
 
@@ -228,7 +240,7 @@ std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const Solut
   if (const std::string file = folder->path("coltable.tsl"); fs::exists(file))
     readTsl(file, *c.tslColors, findings);
   readMotions(paths.motions, *c.motions, findings);
-  c.behavior = readBehavior({paths.behavior, {}}, findings);
+  c.behavior = readBehavior({paths.behavior, {}}, *c.motions, findings);
   readSolutions(table, folder->path("modules.cfg"), c.solutions, findings);
   readLog(table, folder->path("log.cfg"), c.log, findings);
   readParameters(table, *folder, c.parameters, findings);
@@ -258,9 +270,9 @@ Result<T> loadOne(const std::string& folder, const char* file, Read read) {
 
 }  // namespace
 
-Result<Behavior> loadBehavior(const BehaviorRequest& request) {
+Result<Behavior> loadBehavior(const BehaviorRequest& request, const MotionNet& motions) {
   Findings findings;
-  Behavior behavior = readBehavior(request, findings);
+  Behavior behavior = readBehavior(request, motions, findings);
   if (auto done = findings.firstError(); !done) return done.error();
   return behavior;
 }

@@ -78,7 +78,7 @@ struct Configuration {
 
 /// Compiles a behavior and links it with what this robot offers; the first error tells file, line
 /// and column.
-Result<Behavior> loadBehavior(const BehaviorRequest& request);
+Result<Behavior> loadBehavior(const BehaviorRequest& request, const MotionNet& motions);
 
 /// The folders and files that a configuration is read from.
 struct ConfigurationPaths {

@@ -58,11 +58,13 @@ Result<void> Robot::carryOut(const LayoutRequest& request) {
 }
 
 Result<void> Robot::request(const BehaviorRequest& request) {
-  auto behavior = loadBehavior(request);
-  if (!behavior) return behavior.error();
-  for (const auto& process : processes_)
-    if (process->blackboard().find(representation<Behavior>().name))
-      process->blackboard().get<Behavior>() = *behavior;
+  for (const auto& process : processes_) {
+    Blackboard& blackboard = process->blackboard();
+    if (!blackboard.find(representation<Behavior>().name)) continue;
+    auto behavior = loadBehavior(request, blackboard.get<MotionNet>());
+    if (!behavior) return behavior.error();
+    blackboard.get<Behavior>() = *std::move(behavior);
+  }
   return {};
 }
 

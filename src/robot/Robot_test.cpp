@@ -135,7 +135,7 @@ TEST(Robot, LivesOnWhatToolsAndTheOracleSayWhereItsTasksAreDisabled) {
   const auto robot = makeRobot();
   MotionRequest sit;
   sit.type = MotionType::specialAction;
-  sit.specialAction = SpecialAction::chestKick;
+  sit.specialAction = "chestKick";
   RobotPose truth;
   truth.pose = {1, 200, 300};
   robot->fromTools().write({}, sit);
@@ -149,7 +149,7 @@ TEST(Robot, LivesOnWhatToolsAndTheOracleSayWhereItsTasksAreDisabled) {
   robot->layIfDisabled(truth);
   live(*robot, 400, 400);
   EXPECT_EQ(robot->provided<MotionRequest>()->type, MotionType::specialAction);
-  EXPECT_EQ(robot->provided<MotionInfo>()->executed.specialAction, SpecialAction::chestKick);
+  EXPECT_EQ(robot->provided<MotionInfo>()->executed.specialAction, "chestKick");
   EXPECT_EQ(robot->provided<RobotPose>()->pose.translation.x(), 200);
 }
 

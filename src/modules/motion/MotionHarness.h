@@ -23,6 +23,7 @@ struct MotionHarness {
   SpecialActionsOutput special;
   JointData joints;
   OdometryData odometry;
+  Debug debug;
   MotionInfo info;
 
   MotionHarness() {
@@ -37,7 +38,7 @@ struct MotionHarness {
     const MotionInfo infoBefore = info;
     const JointData jointsBefore = joints;
     walkingEngine.update(frame, request, robot, {infoBefore}, walking);
-    specialActions.update(frame, request, net, {infoBefore}, {jointsBefore}, special);
+    specialActions.update(frame, request, net, {infoBefore}, {jointsBefore}, special, debug);
     motionControl.update(frame, request, walking, special, head, joints, odometry, info);
   }
   void steps(int n) {
@@ -48,12 +49,12 @@ struct MotionHarness {
     request.type = MotionType::walk;
     request.walk = {rotation, x, y};
   }
-  void perform(SpecialAction action) {
+  void perform(std::string_view action) {
     request = {};
     request.type = MotionType::specialAction;
     request.specialAction = action;
   }
-  bool performs(SpecialAction action) const { return info.executed.specialAction == action; }
+  bool performs(std::string_view action) const { return info.executed.specialAction == action; }
 };
 
 }  // namespace gt

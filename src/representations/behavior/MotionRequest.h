@@ -1,4 +1,7 @@
 #pragma once
+#include <string>
+#include <string_view>
+
 #include "base/Enum.h"
 #include "base/Geometry.h"
 #include "base/Time.h"
@@ -9,20 +12,10 @@ namespace gt {
 enum class MotionType { walk, stand, specialAction, getup };  // report 3.9
 enum class WalkType { normal };
 
-/// The special actions: one `.mof` file in motions/ for each (report 3.9.2).
-enum class SpecialAction {
-  none,
-  stand,
-  chestKick,
-  armKickLeft,
-  armKickRight,
-  headLeft,
-  headRight,
-  getup,
-  unswBashOptimized,
-  sit,
-  scratchHead
-};
+/// The special actions that are more than the behavior's: to get up is a motion of its own, and who
+/// stands by a special action sees where it looks. All others are known by name only, each from a
+/// `.mof` file in motions/ (report 3.9.2).
+inline constexpr std::string_view getupAction = "getup", standAction = "stand";
 
 /// What the tail does meanwhile (report I.5.3: tr).
 enum class TailRequest {
@@ -41,15 +34,16 @@ struct MotionRequest {
   MotionType type = MotionType::stand;
   WalkType walkType = WalkType::normal;
   Pose2D walk;
-  SpecialAction specialAction = SpecialAction::none;
+  std::string specialAction;
   TailRequest tail = TailRequest::noTailWag;
   Time time = never();
 
   /// The request, or that to stand if its time lies further back than half a second: the behaviour
   /// has stopped. A request without a time is always valid.
-  MotionRequest validAt(Time now) const {
+  const MotionRequest& validAt(Time now) const {
     constexpr std::int64_t oldest = 500;
-    return time == never() || now - time <= oldest ? *this : MotionRequest{};
+    static const MotionRequest stand;
+    return time == never() || now - time <= oldest ? *this : stand;
   }
 
   static constexpr auto fields() {
@@ -57,7 +51,8 @@ struct MotionRequest {
                   field("walkType", &MotionRequest::walkType),
                   field("walk", &MotionRequest::walk, "mm/s, rad/s",
                         "speed ahead, left and counterclockwise"),
-                  field("specialAction", &MotionRequest::specialAction),
+                  field("specialAction", &MotionRequest::specialAction, "",
+                        "name of the motion description; empty: none"),
                   field("tail", &MotionRequest::tail),
                   field("time", &MotionRequest::time, "ms",
                         "of the decision; too old, the robot stands; never: of no age")};

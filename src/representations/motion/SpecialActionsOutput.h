@@ -1,6 +1,7 @@
 #pragma once
+#include <string>
+
 #include "base/Geometry.h"
-#include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/Joints.h"
 
 namespace gt {
@@ -11,7 +12,7 @@ struct SpecialActionsOutput {
   EnumArray<Joint, bool> dontCare;
   Pose2D odometryStep;
   bool mayLeave = true;
-  SpecialAction action = SpecialAction::none;
+  std::string action;
 
   static constexpr auto fields() {
     return Fields{
@@ -19,7 +20,8 @@ struct SpecialActionsOutput {
         field("dontCare", &SpecialActionsOutput::dontCare, "", "joints left to other requests"),
         field("odometryStep", &SpecialActionsOutput::odometryStep, "mm, rad", "of this frame"),
         field("mayLeave", &SpecialActionsOutput::mayLeave, "", "the net is at extern"),
-        field("action", &SpecialActionsOutput::action, "", "being performed; none at extern")};
+        field("action", &SpecialActionsOutput::action, "",
+              "name of what is performed; empty at extern")};
   }
 };
 

@@ -86,7 +86,7 @@ bool changeBehavior(ModuleProcess& process, const Message& message) {
   BehaviorRequest request;
   Result<void> done = message.read(request);
   if (done) {
-    if (const auto behavior = loadBehavior(request))
+    if (const auto behavior = loadBehavior(request, process.blackboard().get<MotionNet>()))
       process.blackboard().get<Behavior>() = *behavior;
     else
       done = behavior.error();

@@ -8,8 +8,6 @@
 
 namespace xabsl {
 
-namespace {
-
 Compilation compile(const std::string& path, const FileReader& read, Dialect text) {
   Reporter reporter;
   syntax::Program program;
@@ -27,11 +25,8 @@ Compilation compile(const std::string& path, const FileReader& read, Dialect tex
   return compilation;
 }
 
-}  // namespace
-
 Compilation compile(const std::string& path, Dialect text) {
-  return compile(
-      path, [](const std::string& name, std::string& into) { return readFile(name, into); }, text);
+  return compile(path, diskReader(), text);
 }
 
 Compilation compile(const std::string& path, const VirtualFiles& files, Dialect text) {

@@ -16,4 +16,8 @@ Compilation compile(const std::string& path, Dialect text = Dialect::xabsl31);
 Compilation compile(const std::string& path, const VirtualFiles& files,
                     Dialect text = Dialect::xabsl31);
 
+/// The same from wherever a reader reads.
+Compilation compile(const std::string& path, const FileReader& read,
+                    Dialect text = Dialect::xabsl31);
+
 }  // namespace xabsl

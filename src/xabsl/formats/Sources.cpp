@@ -153,6 +153,10 @@ std::optional<std::string> readFile(const std::string& path, std::string& text,
   return std::nullopt;
 }
 
+FileReader diskReader() {
+  return [](const std::string& path, std::string& text) { return readFile(path, text); };
+}
+
 FileReader readerOf(const VirtualFiles& files) {
   return [&files](const std::string& path, std::string& text) -> std::optional<std::string> {
     const auto found = files.find(path);

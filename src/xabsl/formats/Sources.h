@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -10,10 +9,6 @@
 
 namespace xabsl {
 
-/// Puts the text of a file into its last argument; otherwise returns why it cannot.
-using FileReader =
-    std::function<std::optional<std::string>(const std::string& path, std::string& text)>;
-
 // Far beyond any behavior; they bound memory and time whatever is in the files.
 constexpr std::size_t largestFile = 2u << 20;
 constexpr std::size_t largestSum = 8u << 20;
@@ -22,9 +17,6 @@ constexpr std::size_t mostFiles = 10'000;
 /// Reads a regular file from disk; returns why it cannot, also if it has more than `largest` bytes.
 std::optional<std::string> readFile(const std::string& path, std::string& text,
                                     std::size_t largest = largestFile);
-
-/// Reads from files in memory, which must stay as long as it is used.
-FileReader readerOf(const VirtualFiles& files);
 
 /// Reads XABSL as text, of the version that the program says, or in XML from a file and all that it
 /// includes, each once, into the program, which holds the texts. What is wrong is told to the

@@ -175,6 +175,7 @@ class Writer {
       text_ += "using " + type + " = " + bound->second + ";\n\n";
     else
       text_ += "enum class " + type + " { " + list + " };\n\n";
+    if (settings_.registered.count(enumeration.name) > 0) return;
     registrations_ += "  symbols.enumerationValues<" + type + ">(" + literal(enumeration.name) +
                       ",\n      {" + registered + "});\n";
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace xabsl {
 struct SymbolsHeaderSettings {
   std::string space = "behavior";                   // the C++ namespace, as in `robot::behavior`
   std::map<std::string, std::string> enumerations;  // C++ types that exist already, by XABSL names
-  std::vector<std::string> includes;                // where those are declared
+  std::set<std::string> registered;   // those of them whose elements the program registers itself
+  std::vector<std::string> includes;  // where those are declared
 };
 
 /// Writes a C++ header with all that a behavior shares with its surroundings: a type for each

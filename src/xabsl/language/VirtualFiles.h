@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace xabsl {
@@ -8,5 +10,15 @@ namespace xabsl {
 /// Files held in memory: text by path. Includes are looked up relative to the including file, as on
 /// disk.
 using VirtualFiles = std::map<std::string, std::string>;
+
+/// Puts the text of a file into its last argument; otherwise returns why it cannot.
+using FileReader =
+    std::function<std::optional<std::string>(const std::string& path, std::string& text)>;
+
+/// Reads from files in memory, which must stay as long as it is used.
+FileReader readerOf(const VirtualFiles& files);
+
+/// Reads from disk.
+FileReader diskReader();
 
 }  // namespace xabsl

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "motionnet/Listing.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "xabsl/tools/trace/TraceFile.h"
@@ -46,7 +47,11 @@ BehaviorState stateOf(const xabsl::Engine& engine, const std::vector<std::string
 
 }  // namespace
 
-const xabsl::Symbols& GT2003BehaviorControl::symbols() {
+const xabsl::Symbols& GT2003BehaviorControl::symbols(const MotionNet& motions) {
+  std::vector<std::string> names{"none"};
+  for (std::size_t i = 1; i < motions.motions.size(); ++i)
+    names.push_back(motionnet::xabslName(motions.motions[i].name));
+  symbols_.enumeration<SpecialAction>("special_action", std::move(names));
   if (symbols_.inputs().empty())
     soccer::registerSymbols(symbols_, inputs_, outputs_, basicBehaviors_.all());
   return symbols_;
@@ -54,7 +59,7 @@ const xabsl::Symbols& GT2003BehaviorControl::symbols() {
 
 void GT2003BehaviorControl::load(const Behavior& behavior, Debug& debug) {
   loaded_ = behavior.compiled->shared();
-  auto creation = xabsl::Engine::create(*behavior.compiled, symbols());
+  auto creation = xabsl::Engine::create(*behavior.compiled, symbols(*world_.motions));
   for (const xabsl::Diagnostic& diagnostic : creation.diagnostics) debug.text(toString(diagnostic));
   if (!creation.engine) return;
   if (engine_) creation.engine->goOnFrom(*engine_);
@@ -111,9 +116,10 @@ void GT2003BehaviorControl::update(const FrameInfo& frame, const Behavior& behav
                                    const TeamBallModel& teamBall, const ObstaclesModel& obstacles,
                                    const PlayersCollection& players, const RobotState& body,
                                    const TeamMessages& team, const MotionInfo& motion,
-                                   MotionRequest& motionRequest, HeadControlMode& headControlMode,
-                                   LedRequest& ledRequest, BehaviorTeamMessage& message,
-                                   Debug& debug) {
+                                   const MotionNet& motions, MotionRequest& motionRequest,
+                                   HeadControlMode& headControlMode, LedRequest& ledRequest,
+                                   BehaviorTeamMessage& message, Debug& debug) {
+  world_.motions = &motions;
   if (behavior.compiled && behavior.compiled->shared() != loaded_) load(behavior, debug);
   world_.now = frame.time;
   world_.player = player;

@@ -33,13 +33,13 @@ class GT2003BehaviorControl {
               const FieldDimensions& field, const GameControlData& game, const RobotPose& self,
               const BallModel& ball, const TeamBallModel& teamBall, const ObstaclesModel& obstacles,
               const PlayersCollection& players, const RobotState& body, const TeamMessages& team,
-              const MotionInfo& motion, MotionRequest& motionRequest,
+              const MotionInfo& motion, const MotionNet& motions, MotionRequest& motionRequest,
               HeadControlMode& headControlMode, LedRequest& ledRequest,
               BehaviorTeamMessage& message, Debug& debug);
 
-  /// The symbols and basic behaviors for a behavior to be linked with: to check one without a
-  /// robot, too.
-  const xabsl::Symbols& symbols();
+  /// The symbols, basic behaviors and special actions for a behavior to be linked with: to check
+  /// one without a robot, too.
+  const xabsl::Symbols& symbols(const MotionNet& motions);
   const std::optional<xabsl::Engine>& engine() const { return engine_; }
 
  private:

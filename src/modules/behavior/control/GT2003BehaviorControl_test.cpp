@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "motionnet/Compiler.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "xabsl/formats/Compile.h"
 #include "xabsl/tools/trace/TraceFile.h"
@@ -12,6 +13,27 @@
 
 namespace gt {
 namespace {
+
+/// The special actions of a folder by name, and where they play the ball.
+MotionNet kicksIn(const std::string& folder) {
+  const motionnet::Rules anyAngle{std::vector<motionnet::JointRule>(
+      MotionNet::jointCount, motionnet::JointRule{"joint", -10000, 10000})};
+  const auto compilation = motionnet::compileFolder(folder, anyAngle);
+  EXPECT_TRUE(compilation) << compilation.errors.front().text();
+  MotionNet net;
+  for (const auto& from : compilation.net.motions) {
+    auto& motion = net.motions.emplace_back(MotionNet::Motion{from.name, {}});
+    if (!from.kick) continue;
+    motion.kick.x = from.kick->x;
+    motion.kick.y = from.kick->y;
+    motion.kick.direction = from.kick->direction;
+    for (const auto& [nearest, farthest, rightmost, leftmost, spread] : from.kick->reach)
+      motion.kick.reach.push_back(
+          {1. * nearest, 1. * farthest, 1. * rightmost, 1. * leftmost, 1. * spread});
+  }
+  net.motions[0].name.clear();
+  return net;
+}
 
 /// The behavior in behavior/, linked with the module and run on made-up worlds.
 class GT2003BehaviorControlTest : public ::testing::Test {
@@ -26,8 +48,8 @@ class GT2003BehaviorControlTest : public ::testing::Test {
   void cycle(int ms = 40) {
     frame.time = frame.time + ms;
     control.update(frame, *behavior, {}, player, field, game, self, ball, teamBall, obstacles,
-                   players, body, team, motion, motionRequest, headControlMode, ledRequest, message,
-                   debug);
+                   players, body, team, motion, motions, motionRequest, headControlMode, ledRequest,
+                   message, debug);
   }
   void seeBall(const Vector2d& position) {
     ball.position = position;
@@ -49,6 +71,7 @@ class GT2003BehaviorControlTest : public ::testing::Test {
   RobotState body;
   TeamMessages team;
   MotionInfo motion;
+  MotionNet motions = kicksIn("motions");
   MotionRequest motionRequest;
   HeadControlMode headControlMode;
   LedRequest ledRequest;
@@ -58,7 +81,7 @@ class GT2003BehaviorControlTest : public ::testing::Test {
 Behavior* GT2003BehaviorControlTest::behavior = nullptr;
 
 TEST_F(GT2003BehaviorControlTest, BehaviorLinksWithTheModule) {
-  auto creation = xabsl::Engine::create(*behavior->compiled, control.symbols());
+  auto creation = xabsl::Engine::create(*behavior->compiled, control.symbols(motions));
   for (const auto& diagnostic : creation.diagnostics) ADD_FAILURE() << toString(diagnostic);
   EXPECT_TRUE(creation.engine);
 }
@@ -69,7 +92,8 @@ TEST_F(GT2003BehaviorControlTest, KeepsItsBehaviorWhereANewOneDoesNotLink) {
     ASSERT_TRUE(edited.compiled);
     frame.time = frame.time + 40;
     control.update(frame, edited, {}, player, field, game, self, ball, teamBall, obstacles, players,
-                   body, team, motion, motionRequest, headControlMode, ledRequest, message, debug);
+                   body, team, motion, motions, motionRequest, headControlMode, ledRequest, message,
+                   debug);
   };
   const auto calling = [](const std::string& name) {
     return "namespace skills(\"Skills\") { behavior " + name + " { } }" +
@@ -162,7 +186,7 @@ TEST_F(GT2003BehaviorControlTest, GoesBehindTheBallAndKicksIt) {
       EXPECT_GT((self.pose.translation - ballOnField).norm(), 90) << "must not run the ball over";
     }
     EXPECT_TRUE(kicked) << "from angle " << angle;
-    if (motionRequest.specialAction == SpecialAction::chestKick) {
+    if (motionRequest.specialAction == "chestKick") {
       EXPECT_LT(std::abs(normalize(angleOf(Vector2d{2200, 0} - ballOnField) - self.pose.rotation)),
                 0.4);
     }

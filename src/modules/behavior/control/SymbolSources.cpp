@@ -22,7 +22,7 @@ soccer::GameState SoccerInputs::gameState() const {
 }
 
 double SoccerInputs::ballKickAngle() const {
-  return toDegrees(normalize(kickDirection(w_) - w_.self.pose.rotation));
+  return toDegrees(normalize(gt::kickDirection(w_) - w_.self.pose.rotation));
 }
 
 double SoccerInputs::ballAngleAround(double facing) const {
@@ -31,8 +31,16 @@ double SoccerInputs::ballAngleAround(double facing) const {
 }
 
 SpecialAction SoccerInputs::motionSpecialAction() const {
-  return w_.motion.executed.type == MotionType::specialAction ? w_.motion.executed.specialAction
-                                                              : SpecialAction::none;
+  if (w_.motion.executed.type != MotionType::specialAction) return {};
+  const std::string& name = w_.motion.executed.specialAction;
+  if (w_.specialAction(action_).name != name)
+    action_ = SpecialAction{w_.motions ? std::max(0, w_.motions->find(name)) : 0};
+  return action_;
+}
+
+bool SoccerInputs::kickReaches(SpecialAction id, double astray, double margin) const {
+  const auto spread = w_.specialAction(id).kick.spreadAt(w_.ball.position, margin);
+  return spread && *spread <= astray;
 }
 
 }  // namespace gt

@@ -29,7 +29,7 @@ class SoccerInputs final : public soccer::Inputs {
   double ballKnownDistance() const override { return w_.knownBall().norm(); }
   double ballKnownAngle() const override { return toDegrees(angleOf(w_.knownBall())); }
   double ballTimeSinceLastKnown() const override { return ms(w_.knownBallAge()); }
-  double ballKickDirection() const override { return toDegrees(kickDirection(w_)); }
+  double ballKickDirection() const override { return toDegrees(gt::kickDirection(w_)); }
   double ballKickAngle() const override;
   double ballKickTolerance() const override { return toDegrees(kickTolerance(w_)); }
   double ballAngleAround(double facing) const override;
@@ -37,6 +37,13 @@ class SoccerInputs final : public soccer::Inputs {
   double robotPoseAngle() const override { return toDegrees(w_.self.pose.rotation); }
   bool bodyFallen() const override { return w_.body.state == BodyState::fallen; }
   SpecialAction motionSpecialAction() const override;
+
+  double kickX(SpecialAction id) const override { return w_.specialAction(id).kick.x; }
+  double kickY(SpecialAction id) const override { return w_.specialAction(id).kick.y; }
+  double kickDirection(SpecialAction id) const override {
+    return w_.specialAction(id).kick.direction;
+  }
+  bool kickReaches(SpecialAction id, double astray, double margin) const override;
 
   double min(double a, double b) const override { return std::min(a, b); }
   double max(double a, double b) const override { return std::max(a, b); }
@@ -47,6 +54,7 @@ class SoccerInputs final : public soccer::Inputs {
 
   const WorldState& w_;
   const DynamicRole& role_;
+  mutable SpecialAction action_{};  ///< The one being executed, looked up when its name changes.
 };
 
 /// What the behavior sets besides motions.

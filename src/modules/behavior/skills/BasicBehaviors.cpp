@@ -7,12 +7,10 @@ namespace gt {
 
 void Movement::walk(const Vector2d& speed, double turn) {
   const double maxTurn = fromDegrees(parameters_.maxTurn);
-  request_ = {MotionType::walk,
-              WalkType::normal,
-              {std::clamp(turn, -maxTurn, maxTurn),
-               std::clamp(speed.x(), -parameters_.maxSideways, parameters_.maxForward),
-               std::clamp(speed.y(), -parameters_.maxSideways, parameters_.maxSideways)},
-              SpecialAction::none};
+  request(MotionType::walk);
+  request_.walk = {std::clamp(turn, -maxTurn, maxTurn),
+                   std::clamp(speed.x(), -parameters_.maxSideways, parameters_.maxForward),
+                   std::clamp(speed.y(), -parameters_.maxSideways, parameters_.maxSideways)};
 }
 
 void Movement::approach(const Vector2d& offset, double turn, double maxSpeed) {

@@ -45,10 +45,11 @@ class Movement {
   const WorldState& world() const { return world_; }
   const Parameters& parameters() const { return parameters_; }
 
-  void stand() { request_ = {MotionType::stand, WalkType::normal, {}, SpecialAction::none}; }
-  void getup() { request_ = {MotionType::getup, WalkType::normal, {}, SpecialAction::none}; }
+  void stand() { request(MotionType::stand); }
+  void getup() { request(MotionType::getup); }
   void perform(SpecialAction action) {
-    request_ = {MotionType::specialAction, WalkType::normal, {}, action};
+    request(MotionType::specialAction);
+    request_.specialAction = world_.specialAction(action).name;
   }
   /// Speeds in mm/s and rad/s.
   void walk(const Vector2d& speed, double turn);
@@ -62,14 +63,21 @@ class Movement {
   /// A speed that does not lead into another robot.
   Vector2d keptFromPlayers(Vector2d speed) const;
 
+  /// A request of a type and nothing else; keeps the memory of the name.
+  void request(MotionType type) {
+    static const MotionRequest nothing;
+    request_ = nothing;
+    request_.type = type;
+  }
+
   const WorldState& world_;
   MotionRequest& request_;
   const Parameters& parameters_;
 };
 
 /// A skill that the behavior's options end in (report 3.8.2, 3.8.3); its parameters are members of
-/// the class that is generated from behavior/skills/basic_behaviors.xabsl, angles in degrees, as people
-/// write them in XABSL.
+/// the class that is generated from behavior/skills/basic_behaviors.xabsl, angles in degrees, as
+/// people write them in XABSL.
 template <typename Declared>
 class Skill : public Declared {
  public:

@@ -13,8 +13,12 @@
 #include "representations/modeling/RobotPose.h"
 #include "representations/modeling/RobotState.h"
 #include "representations/motion/MotionInfo.h"
+#include "representations/motion/MotionNet.h"
 
 namespace gt {
+
+/// A special action as XABSL's enumeration special_action has it: its index in MotionNet::motions.
+enum class SpecialAction : int {};
 
 /// What the behavior decides on, in one cycle: the models, and a few things derived from them.
 /// Filled by BehaviorControl.
@@ -29,6 +33,7 @@ struct WorldState {
   RobotState body;
   TeamMessages team;
   MotionInfo motion;
+  const MotionNet* motions = nullptr;
   ObstaclesModel obstacles;
   PlayersCollection players;
 
@@ -51,6 +56,13 @@ struct WorldState {
 
   Vector2d opponentGoal() const { return {field.xGroundline, 0}; }
   Vector2d ownGoal() const { return {-field.xGroundline, 0}; }
+
+  /// A special action by its index; that of extern, which is none, for a wrong one.
+  const MotionNet::Motion& specialAction(SpecialAction action) const {
+    static const MotionNet::Motion none;
+    const auto index = static_cast<std::size_t>(action);
+    return motions && index < motions->motions.size() ? motions->motions[index] : none;
+  }
 
   /// Messages of team mates that are not older than two seconds.
   template <typename Visit>

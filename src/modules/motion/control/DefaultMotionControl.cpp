@@ -77,7 +77,7 @@ void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& r
                                   const SpecialActionsOutput& special,
                                   const HeadMotionRequest& head, JointData& joints,
                                   OdometryData& odometry, MotionInfo& info) {
-  const MotionRequest wanted = request.validAt(frame.time);
+  const MotionRequest& wanted = request.validAt(frame.time);
   choose(wanted, walking, special);
 
   JointAngles target = angles_;
@@ -103,7 +103,7 @@ void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& r
 
 void DefaultMotionControl::choose(const MotionRequest& wanted, const WalkingEngineOutput& walking,
                                   const SpecialActionsOutput& special) {
-  const bool wantsSpecial = specialActionOf(wanted) != SpecialAction::none;
+  const bool wantsSpecial = !specialActionOf(wanted).empty();
   const bool mayLeave = special_ ? special.mayLeave : walking.mayLeave;
   if (wantsSpecial == special_ || !mayLeave) return;
   special_ = wantsSpecial;
@@ -131,14 +131,14 @@ void DefaultMotionControl::protect(const JointAngles& target) {
 
 void DefaultMotionControl::tell(const MotionRequest& wanted, const WalkingEngineOutput& walking,
                                 const SpecialActionsOutput& special, MotionInfo& info) const {
-  info.executed = {};
+  static const MotionRequest nothing;
+  info.executed = nothing;
   if (special_) {
-    // In the first frame the action is still none: the net begins with the next one.
-    const auto action = special.action;
-    info.executed.type =
-        action == SpecialAction::getup ? MotionType::getup : MotionType::specialAction;
+    // In the first frame there is no action yet: the net begins with the next one.
+    const auto& action = special.action;
+    info.executed.type = action == getupAction ? MotionType::getup : MotionType::specialAction;
     info.executed.specialAction = action;
-    info.stable = action == SpecialAction::stand;
+    info.stable = action == standAction;
   } else {
     const bool stands = wanted.type != MotionType::walk && walking.speed.rotation == 0 &&
                         walking.speed.translation == Vector2d::Zero();

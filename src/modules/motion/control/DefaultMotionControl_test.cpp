@@ -54,9 +54,9 @@ TEST(DefaultMotionControl, EndsTheStepBeforeASpecialActionAndTheActionBeforeAWal
     MotionHarness motion;
     motion.walk(200, 0, 0);
     motion.steps(lead);
-    motion.perform(SpecialAction::chestKick);
+    motion.perform("chestKick");
     int waited = 0;
-    while (!motion.performs(SpecialAction::chestKick) && waited < 200) {
+    while (!motion.performs("chestKick") && waited < 200) {
       motion.step();
       ++waited;
       if (motion.info.executed.type == MotionType::specialAction) continue;
@@ -66,7 +66,7 @@ TEST(DefaultMotionControl, EndsTheStepBeforeASpecialActionAndTheActionBeforeAWal
     motion.walk(100, 0, 0);
     int performed = 0;
     bool unstable = true;
-    while (motion.performs(SpecialAction::chestKick) && performed < 1000) {
+    while (motion.performs("chestKick") && performed < 1000) {
       unstable = unstable && !motion.info.stable;
       motion.step();
       ++performed;
@@ -100,7 +100,7 @@ TEST(DefaultMotionControl, JointsStayWithinLimitsWhateverIsRequested) {
         motion.request.walk = {random.uniform(-9, 9), random.uniform(-900, 900),
                                random.uniform(-900, 900)};
         motion.request.specialAction =
-            static_cast<SpecialAction>(random.index(enumCount<SpecialAction>));
+            motion.net.motions[random.index(motion.net.motions.size())].name;
         motion.head = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3),
                        random.uniform(-3, 3)};
       }
@@ -125,15 +125,15 @@ TEST(DefaultMotionControl, TheHeadIsFreeUnlessAnActionNeedsIt) {
   motion.head = {-0.3, 0.8, 0, -0.1};
   motion.steps(150);
   EXPECT_NEAR(motion.joints.angles[Joint::headPan], 0.8, 1e-9);
-  motion.perform(SpecialAction::chestKick);
+  motion.perform("chestKick");
   motion.steps(60);
-  ASSERT_TRUE(motion.performs(SpecialAction::chestKick));
+  ASSERT_TRUE(motion.performs("chestKick"));
   EXPECT_NEAR(motion.joints.angles[Joint::headPan], 0.8, 1e-9);
   motion.request = {};
   motion.steps(300);
-  motion.perform(SpecialAction::headLeft);
+  motion.perform("headLeft");
   motion.steps(80);
-  ASSERT_TRUE(motion.performs(SpecialAction::headLeft));
+  ASSERT_TRUE(motion.performs("headLeft"));
   EXPECT_LT(motion.joints.angles[Joint::headPan], -0.4);
 }
 

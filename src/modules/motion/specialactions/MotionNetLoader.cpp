@@ -3,34 +3,29 @@
 #include <cmath>
 #include <vector>
 
+#include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/RobotDimensions.h"
 
 namespace gt {
 namespace {
 
-/// Extern, where the net is left, stands for no special action.
-Result<std::vector<SpecialAction>> actionsOf(const std::vector<std::string>& motions,
-                                             const std::string& source) {
-  std::vector<SpecialAction> actions{SpecialAction::none};
-  EnumArray<SpecialAction, bool> described;
-  described[SpecialAction::none] = true;
-  for (std::size_t i = 1; i < motions.size(); ++i) {
-    const auto action = enumValue<SpecialAction>(motions[i]);
-    if (!action) return Error{source, 0, motions[i], "there is no such special action"};
-    described[*action] = true;
-    actions.push_back(*action);
-  }
-  for (std::size_t i = 0; i < described.size(); ++i)
-    if (!described.values[i])
-      return Error{source, 0, std::string{enumName(static_cast<SpecialAction>(i))},
-                   "no motion description for this special action"};
-  return actions;
+/// Motions that the modules of the motion ask for themselves.
+constexpr std::string_view needed[] = {standAction, getupAction};
+
+MotionNet::Motion motionOf(const motionnet::NamedMotion& from) {
+  MotionNet::Motion motion{from.name, {}};
+  if (!from.kick) return motion;
+  const auto mm = [](int value) { return static_cast<double>(value); };
+  motion.kick = {mm(from.kick->x), mm(from.kick->y), mm(from.kick->direction), {}};
+  for (const auto& r : from.kick->reach)
+    motion.kick.reach.push_back(
+        {mm(r.nearest), mm(r.farthest), mm(r.rightmost), mm(r.leftmost), mm(r.spread)});
+  return motion;
 }
 
-MotionNet::Node nodeOf(const motionnet::Node& from, const std::vector<SpecialAction>& actions) {
-  const auto action = [&](int motion) { return actions[static_cast<std::size_t>(motion)]; };
+MotionNet::Node nodeOf(const motionnet::Node& from) {
   MotionNet::Node node;
-  node.action = action(from.motion);
+  node.motion = from.motion;
   switch (from.kind) {
     case motionnet::Node::Kind::data:
       node.kind = MotionNodeKind::data;
@@ -49,7 +44,7 @@ MotionNet::Node nodeOf(const motionnet::Node& from, const std::vector<SpecialAct
     case motionnet::Node::Kind::transition:
       node.kind = MotionNodeKind::transition;
       node.always = from.requested < 0;
-      if (!node.always) node.requested = action(from.requested);
+      if (!node.always) node.requested = from.requested;
       break;
     case motionnet::Node::Kind::pid:
     case motionnet::Node::Kind::leave:
@@ -73,14 +68,17 @@ motionnet::Rules motionRules() {
 }
 
 Result<MotionNet> motionNetOf(const motionnet::Net& net, const std::string& source) {
-  const auto actions = actionsOf(net.motions, source);
-  if (!actions) return actions.error();
   // The motors take no gains while they run: lines with gains are left out.
   std::vector<int> place;
   MotionNet result;
+  for (const auto& motion : net.motions) result.motions.push_back(motionOf(motion));
+  result.motions[motionnet::Net::externMotion].name.clear();
+  for (const auto name : needed)
+    if (result.find(name) < 0)
+      return Error{source, 0, std::string{name}, "no motion description for this special action"};
   for (const auto& from : net.nodes) {
     place.push_back(static_cast<int>(result.nodes.size()));
-    if (from.kind != motionnet::Node::Kind::pid) result.nodes.push_back(nodeOf(from, *actions));
+    if (from.kind != motionnet::Node::Kind::pid) result.nodes.push_back(nodeOf(from));
   }
   for (std::size_t i = 0; i < net.nodes.size(); ++i)
     if (net.nodes[i].kind == motionnet::Node::Kind::transition)

@@ -10,7 +10,8 @@ namespace gt {
 /// The columns of the ERS-210's data lines with their limits (report 5.4, facts 1.2).
 motionnet::Rules motionRules();
 
-/// The robot's form of a checked net; an error if its motions are not the special actions.
+/// The robot's form of a checked net; an error if a motion is missing that the
+/// motion modules ask for, stand or getup.
 Result<MotionNet> motionNetOf(const motionnet::Net&, const std::string& source);
 
 /// Compiles all motion descriptions of a folder; the first error, if there are any.

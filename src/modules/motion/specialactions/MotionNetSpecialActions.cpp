@@ -13,39 +13,53 @@ bool contains(const MotionNet& net, int node) {
 
 }  // namespace
 
-SpecialAction specialActionOf(const MotionRequest& request) {
-  if (request.type == MotionType::getup) return SpecialAction::getup;
-  return request.type == MotionType::specialAction ? request.specialAction : SpecialAction::none;
+std::string_view specialActionOf(const MotionRequest& request) {
+  if (request.type == MotionType::getup) return getupAction;
+  return request.type == MotionType::specialAction ? std::string_view{request.specialAction}
+                                                   : std::string_view{};
 }
 
 void MotionNetSpecialActions::update(const FrameInfo& frame, const MotionRequest& request,
                                      const MotionNet& net, Previous<MotionInfo> motion,
-                                     Previous<JointData> joints, SpecialActionsOutput& output) {
+                                     Previous<JointData> joints, SpecialActionsOutput& output,
+                                     Debug& debug) {
   const auto executed = motion->executed.type;
   const bool active = executed == MotionType::specialAction || executed == MotionType::getup;
   if (!active || !contains(net, node_)) node_ = -1;  // a net put in for another may be shorter
-  if (active && (node_ < 0 || framesLeft_ == 0))
-    advance(net, specialActionOf(request.validAt(frame.time)), joints->angles);
+  const int requested = requestedMotion(net, specialActionOf(request.validAt(frame.time)), debug);
+  if (active && (node_ < 0 || framesLeft_ == 0)) advance(net, requested, joints->angles);
   output.joints = joints.value;
   std::fill(output.dontCare.begin(), output.dontCare.end(), true);
   output.odometryStep = {};
   output.mayLeave = node_ < 0;
-  output.action = SpecialAction::none;
-  if (node_ >= 0) play(net.nodes[static_cast<std::size_t>(node_)], output);
+  output.action.clear();
+  if (node_ >= 0) play(net, output);
 }
 
-void MotionNetSpecialActions::advance(const MotionNet& net, SpecialAction requested,
-                                      const JointAngles& now) {
+int MotionNetSpecialActions::requestedMotion(const MotionNet& net, std::string_view name,
+                                             Debug& debug) {
+  const auto isIndex = [&] { return static_cast<std::size_t>(requested_) < net.motions.size(); };
+  if (name == name_ && isIndex()) return requested_;
+  name_ = name;
+  requested_ = net.find(name);
+  if (!isIndex()) {
+    debug.text(name_ + ": there is no special action of this name");
+    requested_ = 0;
+  }
+  return requested_;
+}
+
+void MotionNetSpecialActions::advance(const MotionNet& net, int requested, const JointAngles& now) {
   const bool entering = node_ < 0;
   int next = entering ? net.entry : node_ + 1;
   if (entering) speed_ = {};
-  auto action = entering ? SpecialAction::none : net.nodes[static_cast<std::size_t>(node_)].action;
+  int motion = entering ? 0 : net.nodes[static_cast<std::size_t>(node_)].motion;
   node_ = -1;
   // The compiler rules out loops without data; the bound keeps a wrong net from hanging the robot.
   for (std::size_t steps = 0; steps < net.nodes.size() && contains(net, next); ++steps) {
     const auto& node = net.nodes[static_cast<std::size_t>(next)];
-    if (node.action != action) speed_ = {};
-    action = node.action;
+    if (node.motion != motion) speed_ = {};
+    motion = node.motion;
     if (node.kind == MotionNodeKind::leave) return;
     if (node.kind == MotionNodeKind::data) {
       node_ = next;
@@ -60,7 +74,8 @@ void MotionNetSpecialActions::advance(const MotionNet& net, SpecialAction reques
   }
 }
 
-void MotionNetSpecialActions::play(const MotionNet::Node& node, SpecialActionsOutput& output) {
+void MotionNetSpecialActions::play(const MotionNet& net, SpecialActionsOutput& output) {
+  const MotionNet::Node& node = net.nodes[static_cast<std::size_t>(node_)];
   --framesLeft_;
   const double share =
       node.interpolate ? 1 - static_cast<double>(framesLeft_) / std::max(node.frames, 1) : 1;
@@ -70,7 +85,8 @@ void MotionNetSpecialActions::play(const MotionNet::Node& node, SpecialActionsOu
       output.joints.angles.values[i] = from_.values[i] + share * (node.angles[i] - from_.values[i]);
   }
   output.odometryStep = {speed_.rotation * frameTime, speed_.translation * frameTime};
-  output.action = node.action;
+  if (static_cast<std::size_t>(node.motion) < net.motions.size())
+    output.action = net.motions[static_cast<std::size_t>(node.motion)].name;
 }
 
 }  // namespace gt

@@ -1,4 +1,8 @@
 #pragma once
+#include <string>
+#include <string_view>
+
+#include "debug/Debug.h"
 #include "framework/Module.h"
 #include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -9,20 +13,28 @@
 
 namespace gt {
 
-/// The special action that a motion request asks for; none if it asks for another motion. To get up
-/// is a special action, too.
-SpecialAction specialActionOf(const MotionRequest&);
+/// The special action that a motion request asks for; empty if it asks for another motion. To get
+/// up is a special action, too.
+std::string_view specialActionOf(const MotionRequest&);
 
 /// Solution *GT2003MotionNet* of SpecialActions: walks through the motion net, from one data node
 /// to the next, along the transitions that the request selects (report 3.9.2).
 class MotionNetSpecialActions {
  public:
-  void update(const FrameInfo&, const MotionRequest&, const MotionNet&, Previous<MotionInfo>,
-              Previous<JointData>, SpecialActionsOutput&);
+  /// Provides the joints of the action being performed, all "don't care" at extern. A request that
+  /// is too old or names no motion of the net is none; the latter is reported once.
+  void update(const FrameInfo& frame, const MotionRequest& request, const MotionNet& net,
+              Previous<MotionInfo> motion, Previous<JointData> joints, SpecialActionsOutput& output,
+              Debug& debug);
 
  private:
-  void advance(const MotionNet&, SpecialAction requested, const JointAngles& now);
-  void play(const MotionNet::Node&, SpecialActionsOutput&);
+  /// The index of the requested motion; extern's if none is requested.
+  int requestedMotion(const MotionNet& net, std::string_view name, Debug& debug);
+  void advance(const MotionNet& net, int requested, const JointAngles& now);
+  void play(const MotionNet& net, SpecialActionsOutput& output);
+
+  std::string name_;   ///< The motion requested last,
+  int requested_ = 0;  ///< and its index; extern's if there is none of that name.
 
   int node_ = -1;  ///< The data node being played; -1 at extern.
   int framesLeft_ = 0;

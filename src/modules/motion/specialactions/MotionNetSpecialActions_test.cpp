@@ -22,15 +22,12 @@ struct Actions {
   MotionInfo info;
   JointData joints;
   SpecialActionsOutput output;
+  Debug debug;
 
   Actions() {
     const std::string begin = "\nlabel start\n", end = "transition allMotions extern start\n";
-    std::string entry = "motion_id = extern" + begin;
     std::vector<motionnet::Source> sources;
-    for (const auto name : enumNames<SpecialAction>) {
-      const std::string id{name};
-      if (id == "none") continue;
-      entry += "transition " + id + " " + id + " start\n";
+    for (const std::string id : {"stand", "getup", "chestKick"}) {
       std::string body = data(100, 1, 2) + end;
       if (id == "stand")
         body = data(-500, 1, 5) + "label hold\n" + data(-400, 0, 1) +
@@ -40,19 +37,18 @@ struct Actions {
                data(0, 0, 3) + "transition allMotions stand start\n";
       sources.push_back({id + ".mof", "motion_id = " + id + begin + body});
     }
-    sources.push_back({"extern.mof", entry});
     const auto compilation = motionnet::compile(sources, motionRules());
     EXPECT_TRUE(compilation) << compilation.errors.front().text();
     net = *motionNetOf(compilation.net, "test");
   }
-  void perform(SpecialAction action) {
+  void perform(std::string_view action) {
     request.type = MotionType::specialAction;
     request.specialAction = action;
     info.executed.type = MotionType::specialAction;
   }
   void step() {
     const auto before = joints;
-    module.update({}, request, net, {info}, {before}, output);
+    module.update({}, request, net, {info}, {before}, output, debug);
     joints = output.joints;
   }
   double tilt() const { return output.joints.angles[Joint::headTilt]; }
@@ -61,12 +57,12 @@ struct Actions {
 TEST(MotionNetSpecialActions, InterpolatesAndRepeats) {
   Actions actions;
   actions.joints.angles[Joint::headTilt] = 0.1;
-  actions.perform(SpecialAction::chestKick);
+  actions.perform("chestKick");
   for (int i = 1; i <= 10; ++i) {
     actions.step();
     EXPECT_NEAR(actions.tilt(), 0.1 + 0.01 * i, 1e-9);
     EXPECT_FALSE(actions.output.mayLeave);
-    EXPECT_EQ(actions.output.action, SpecialAction::chestKick);
+    EXPECT_EQ(actions.output.action, "chestKick");
     EXPECT_NEAR(actions.output.odometryStep.translation.x(), 4, 1e-9);
     EXPECT_TRUE(actions.output.dontCare[Joint::headPan]);
     EXPECT_FALSE(actions.output.dontCare[Joint::headTilt]);
@@ -81,48 +77,61 @@ TEST(MotionNetSpecialActions, InterpolatesAndRepeats) {
 
 TEST(MotionNetSpecialActions, GoesOnByTheTransitionsToWhereItMayBeLeft) {
   Actions actions;
-  actions.perform(SpecialAction::chestKick);
+  actions.perform("chestKick");
   actions.step();
   actions.request.type = MotionType::walk;  // too late: the kick is ended first, then stand
   for (int i = 1; i < 13; ++i) actions.step();
-  EXPECT_EQ(actions.output.action, SpecialAction::chestKick);
+  EXPECT_EQ(actions.output.action, "chestKick");
   for (int i = 0; i < 6; ++i) {
     actions.step();
-    EXPECT_EQ(actions.output.action, SpecialAction::stand);
+    EXPECT_EQ(actions.output.action, "stand");
     EXPECT_FALSE(actions.output.mayLeave);
     EXPECT_EQ(actions.output.odometryStep.rotation, 0);  // a speed ends with its motion
   }
   EXPECT_NEAR(actions.tilt(), -0.4, 1e-9);
   actions.step();
   EXPECT_TRUE(actions.output.mayLeave);
-  EXPECT_EQ(actions.output.action, SpecialAction::none);
+  EXPECT_EQ(actions.output.action, "");
 }
 
 TEST(MotionNetSpecialActions, StaysWhileItIsRequested) {
   Actions actions;
-  actions.perform(SpecialAction::stand);
+  actions.perform("stand");
   for (int i = 0; i < 50; ++i) {
     actions.step();
     EXPECT_FALSE(actions.output.mayLeave);
   }
-  actions.perform(SpecialAction::chestKick);
+  actions.perform("chestKick");
   actions.step();
-  EXPECT_EQ(actions.output.action, SpecialAction::chestKick);
+  EXPECT_EQ(actions.output.action, "chestKick");
 }
 
 TEST(MotionNetSpecialActions, DoesNothingWhileAnotherModuleMoves) {
   Actions actions;
-  actions.perform(SpecialAction::chestKick);
+  actions.perform("chestKick");
   actions.step();
   actions.info.executed.type = MotionType::walk;
   actions.step();
   EXPECT_TRUE(actions.output.mayLeave);
-  EXPECT_EQ(actions.output.action, SpecialAction::none);
+  EXPECT_EQ(actions.output.action, "");
+}
+
+TEST(MotionNetSpecialActions, ReportsAnUnknownMotionOnce) {
+  Actions actions;
+  actions.perform("moonwalk");
+  for (int i = 0; i < 10; ++i) actions.step();
+  EXPECT_TRUE(actions.output.mayLeave);
+  int reports = 0;
+  actions.debug.out().handleAllMessages([&](const Message&) { ++reports; });
+  EXPECT_EQ(reports, 1);
+  actions.perform("chestKick");
+  actions.step();
+  EXPECT_EQ(actions.output.action, "chestKick");
 }
 
 TEST(MotionNetSpecialActions, AWrongNetDoesNotHangTheRobot) {
   Actions actions;
-  actions.perform(SpecialAction::chestKick);
+  actions.perform("chestKick");
   actions.net.nodes.assign(3, {});
   for (auto& node : actions.net.nodes) {
     node.kind = MotionNodeKind::transition;
@@ -145,21 +154,31 @@ TEST(MotionNetLoader, TheMotionsInTheRepositoryAreRight) {
   EXPECT_GT(net->nodes.size(), 50u);
 }
 
-TEST(MotionNetLoader, TellsOfUnknownAndMissingActions) {
-  const auto compile = [](const std::string& name) {
-    return motionnet::compile(
-        {{"extern.mof",
-          "motion_id = extern\nlabel start\ntransition " + name + " " + name + " start\n"},
-         {name + ".mof", "motion_id = " + name + "\nlabel start\n" + data(0, 1, 1) +
-                             "transition allMotions extern start\n"}},
-        motionRules());
+TEST(MotionNetLoader, NamesMotionsAndKicks) {
+  const auto compile = [](const std::vector<std::string>& names) {
+    std::vector<motionnet::Source> sources;
+    for (const auto& name : names)
+      sources.push_back({name + ".mof", "motion_id = " + name +
+                                            "\nkick 150 -20 -80\nreach 100 200 -40 10 30\n"
+                                            "label start\n" +
+                                            data(0, 1, 1) +
+                                            "transition allMotions extern start\n"});
+    return motionnet::compile(sources, motionRules());
   };
-  const auto unknown = motionNetOf(compile("moonwalk").net, "motions");
-  ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().field, "moonwalk");
-  const auto missing = motionNetOf(compile("stand").net, "motions");
+  const auto net = motionNetOf(compile({"getup", "myKick", "stand"}).net, "motions");
+  ASSERT_TRUE(net) << net.error().text();
+  EXPECT_EQ(net->find(""), 0);
+  EXPECT_EQ(net->find("moonwalk"), -1);
+  ASSERT_EQ(net->find("myKick"), 2);
+  const KickDescription& kick = net->motions[2].kick;
+  EXPECT_EQ(kick.direction, -80);
+  EXPECT_EQ(kick.spreadAt({150, -20}, 0), 30);
+  EXPECT_FALSE(kick.spreadAt({95, -20}, 0));
+  EXPECT_TRUE(kick.spreadAt({95, -20}, 10));
+  EXPECT_FALSE(net->motions[0].isKick());
+  const auto missing = motionNetOf(compile({"stand"}).net, "motions");
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().field, "chestKick");
+  EXPECT_EQ(missing.error().field, "getup");
   EXPECT_EQ(loadMotionNet("no/such/folder").error().file, "no/such/folder");
 }
 
