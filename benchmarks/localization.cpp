@@ -1,4 +1,4 @@
-// What a self-locator costs in each picture: by the number of its samples and by what is seen.
+// What a self-locator costs in each picture: by the number of its particles and by what is seen.
 #include <string>
 #include <vector>
 
@@ -81,24 +81,25 @@ void add(const std::string& name, const typename Solution::Parameters& parameter
 bool addAll() {
   add<SingleLandmarkSelfLocator>("singlelandmark", {});
   add<KalmanSelfLocator>("kalman", {});
-  for (const int samples : {30, 100, 1000}) {
-    const std::string number = "." + std::to_string(samples);
+  for (const int particles : {30, 100, 1000}) {
+    const std::string number = "." + std::to_string(particles);
     FusionSelfLocator::Parameters fusion;
     Fusion2003SelfLocator::Parameters fusion2003;
-    fusion.monteCarlo.samples = fusion2003.gt2003.samples = samples;
-    add<MonteCarloSelfLocator>("montecarlo" + number, {.samples = samples}, samples == 100 ? 4 : 0);
+    fusion.monteCarlo.particles = fusion2003.gt2003.particles = particles;
+    add<MonteCarloSelfLocator>("montecarlo" + number, {.particles = particles},
+                               particles == 100 ? 4 : 0);
     add<FusionSelfLocator>("fusion" + number, fusion);
-    add<LinesSelfLocator>("lines" + number, {.samples = samples});
-    add<GT2003SelfLocator>("gt2003" + number, {.samples = samples});
+    add<LinesSelfLocator>("lines" + number, {.particles = particles});
+    add<GT2003SelfLocator>("gt2003" + number, {.particles = particles});
     add<Fusion2003SelfLocator>("fusion2003" + number, fusion2003);
   }
   // As many as other particle filters are measured with, and how cost grows with percepts.
-  for (const int samples : {30, 100, 1000})
-    add<MonteCarloSelfLocator>("montecarlo.twoFlags." + std::to_string(samples),
-                               {.samples = samples}, 0, walkSeeing(2));
+  for (const int particles : {30, 100, 1000})
+    add<MonteCarloSelfLocator>("montecarlo.twoFlags." + std::to_string(particles),
+                               {.particles = particles}, 0, walkSeeing(2));
   for (const int flags : {1, 4, 6})
     add<MonteCarloSelfLocator>("montecarlo.flags" + std::to_string(flags) + ".100",
-                               {.samples = 100}, 0, walkSeeing(flags));
+                               {.particles = 100}, 0, walkSeeing(flags));
   for (const int points : {1, 5, 20}) {
     LinesSelfLocator::Parameters parameters;
     parameters.edges.points = points;

@@ -39,7 +39,7 @@ inline Vector2d positionOfPost(GoalColor color, bool left, TeamColor team,
 /// All edges that do not lie on the picture's border.
 Bearings bearingsIn(const LandmarksPercept& percept, TeamColor team, const FieldDimensions& field);
 
-/// A bearing as a loop over samples needs it.
+/// A bearing as a loop over particles needs it.
 struct BearingTerms {
   float landmarkX, landmarkY, radius, directionX, directionY;
 

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-/// What all samples have in common when they are compared with one point.
+/// What all particles have in common when they are compared with one point.
 struct PointTerms {
   float pointX, pointY;    ///< Relative to the robot.
   float cameraX, cameraY;  ///< Relative to the robot.
@@ -73,20 +73,20 @@ void EdgeModel::choose(const LinesPercept& percept, int wanted, double farthest,
 }
 
 void EdgeModel::observe(const Parameters& parameters, const Vector3d& camera, double speed,
-                        SampleSet& samples) {
-  for (const ChosenPoint& chosen : chosen_) observe(parameters, chosen, camera, speed, samples);
+                        ParticleSet& particles) {
+  for (const ChosenPoint& chosen : chosen_) observe(parameters, chosen, camera, speed, particles);
 }
 
 void EdgeModel::observe(const Parameters& parameters, const ChosenPoint& chosen,
-                        const Vector3d& camera, double speed, SampleSet& samples) {
+                        const Vector3d& camera, double speed, ParticleSet& particles) {
   const PointTerms terms{parameters, chosen.point, camera, speed};
-  const std::size_t n = samples.size();
+  const std::size_t n = particles.size();
   modelX_.resize(n);
   modelY_.resize(n);
-  float* __restrict const x = samples.x.data();
-  float* __restrict const y = samples.y.data();
-  const float* __restrict const c = samples.cosine.data();
-  const float* __restrict const s = samples.sine.data();
+  float* __restrict const x = particles.x.data();
+  float* __restrict const y = particles.y.data();
+  const float* __restrict const c = particles.cosine.data();
+  const float* __restrict const s = particles.sine.data();
   float* __restrict const modelX = modelX_.data();
   float* __restrict const modelY = modelY_.data();
   for (std::size_t i = 0; i < n; ++i) {
@@ -98,14 +98,15 @@ void EdgeModel::observe(const Parameters& parameters, const ChosenPoint& chosen,
   }
   const ProbabilityFilter filter{static_cast<float>(parameters.rise),
                                  static_cast<float>(parameters.fall)};
-  float* __restrict const evidence = samples.evidence[evidenceOf(chosen.type)].data();
+  float* __restrict const likelihood = particles.likelihood[likelihoodOf(chosen.type)].data();
   for (std::size_t i = 0; i < n; ++i) {
     const float cameraX = x[i] + c[i] * terms.cameraX - s[i] * terms.cameraY;
     const float cameraY = y[i] + s[i] * terms.cameraX + c[i] * terms.cameraY;
     const float placeX = x[i] + c[i] * terms.pointX - s[i] * terms.pointY;
     const float placeY = y[i] + s[i] * terms.pointX + c[i] * terms.pointY;
-    evidence[i] = filter(evidence[i], terms.similarity(placeX - cameraX, placeY - cameraY,
-                                                       modelX[i] - cameraX, modelY[i] - cameraY));
+    likelihood[i] =
+        filter(likelihood[i], terms.similarity(placeX - cameraX, placeY - cameraY,
+                                               modelX[i] - cameraX, modelY[i] - cameraY));
     // From the point to the closest one on the edge: perpendicular to it (3.3.3.3).
     const float dx = modelX[i] - placeX, dy = modelY[i] - placeY;
     const float gain = dx * dx + dy * dy < terms.limit ? terms.gain : 0;
@@ -114,19 +115,19 @@ void EdgeModel::observe(const Parameters& parameters, const ChosenPoint& chosen,
   }
 }
 
-void EdgeModel::replaceImprobable(const Parameters& parameters, SampleSet& samples,
+void EdgeModel::replaceImprobable(const Parameters& parameters, ParticleSet& particles,
                                   Random& random) const {
   if (chosen_.empty()) return;
   double sum = 0;
-  for (const float p : samples.probability) sum += p;
-  const double average = sum / static_cast<double>(samples.size());
-  EnumArray<Evidence, float> with = samples.meanEvidence();
-  for (float& evidence : with) evidence *= static_cast<float>(parameters.newEvidence);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (random.uniform() * average <= samples.probability[i]) continue;
+  for (const float p : particles.probability) sum += p;
+  const double average = sum / static_cast<double>(particles.size());
+  EnumArray<Likelihood, float> with = particles.meanLikelihoods();
+  for (float& likelihood : with) likelihood *= static_cast<float>(parameters.newLikelihood);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (random.uniform() * average <= particles.probability[i]) continue;
     const ChosenPoint& chosen = chosen_[random.index(chosen_.size())];
     if (tables_->posesCount(chosen.type, chosen.point) > 0)
-      samples.replace(i, tables_->drawPose(chosen.type, chosen.point, random), with);
+      particles.replace(i, tables_->drawPose(chosen.type, chosen.point, random), with);
   }
 }
 

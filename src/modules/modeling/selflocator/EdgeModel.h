@@ -5,7 +5,7 @@
 #include "base/Random.h"
 #include "base/Time.h"
 #include "modules/modeling/selflocator/EdgeTables.h"
-#include "modules/modeling/selflocator/SampleSet.h"
+#include "modules/modeling/selflocator/ParticleSet.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/motion/OdometryData.h"
 #include "representations/perception/CameraMatrix.h"
@@ -19,10 +19,10 @@ struct ChosenPoint {
   Vector2d point;
 };
 
-/// Judges samples by points on edges, corrects them, and draws new ones from what was seen (report
-/// 3.3.3). Shared by all self-locators that use edges. The constants are the report's but for the
-/// number of points, which was 1 for want of time, and the correction, of which its text tells
-/// none.
+/// Judges particles by points on edges, corrects them, and draws new ones from what was seen
+/// (report 3.3.3). Shared by all self-locators that use edges. The constants are the report's but
+/// for the number of points, which was 1 for want of time, and the correction, of which its text
+/// tells none.
 class EdgeModel {
  public:
   struct Parameters {
@@ -37,7 +37,7 @@ class EdgeModel {
     double correctionRange = 600;
     double correctionLimit = 300;
     double farthest = 3000;
-    double newEvidence = 0.95;
+    double newLikelihood = 0.95;
 
     static constexpr auto fields() {
       using P = Parameters;
@@ -50,8 +50,8 @@ class EdgeModel {
           field("fastest", &P::fastest, "mm/s", "full speed, (3.18)", {1, 1e4}),
           field("horizontalWeight", &P::horizontalWeight, "", "of horizontal angles, (3.18)",
                 {0, 1e5}),
-          field("rise", &P::rise, "", "of evidence by one point at most, (3.19)", {0, 1}),
-          field("fall", &P::fall, "", "of evidence by one point at most, (3.19)", {0, 1}),
+          field("rise", &P::rise, "", "of likelihood by one point at most, (3.19)", {0, 1}),
+          field("fall", &P::fall, "", "of likelihood by one point at most, (3.19)", {0, 1}),
           field("correction", &P::correction, "", "towards the edge, of a near point, standing",
                 {0, 1}),
           field("correctionRange", &P::correctionRange, "mm", "at which a point corrects half",
@@ -59,8 +59,8 @@ class EdgeModel {
           field("correctionLimit", &P::correctionLimit, "mm",
                 "farther from the edge a point corrects nothing", {0, 1e5}),
           field("farthest", &P::farthest, "mm", "points farther away are not used", {0, 1e5}),
-          field("newEvidence", &P::newEvidence, "", "of a candidate, in relation to the average",
-                {0, 1})};
+          field("newLikelihood", &P::newLikelihood, "",
+                "of a candidate, in relation to the average", {0, 1})};
     }
   };
 
@@ -69,33 +69,34 @@ class EdgeModel {
   /// Chooses so many points of each type in a picture by chance, none of them `farthest` (mm) away
   /// or more.
   void choose(const LinesPercept& percept, int points, double farthest, Random& random);
-  /// Filters the evidence of lines, border and goals of all samples by the chosen points, and draws
-  /// the samples towards the edges (report (3.17) to (3.19), 3.3.3.3). The speed in mm/s.
+  /// Filters the likelihood of lines, border and goals of all particles by the chosen points, and
+  /// draws the particles towards the edges (report (3.17) to (3.19), 3.3.3.3). The speed in mm/s.
   void observe(const Parameters& parameters, const Vector3d& camera, double speed,
-               SampleSet& samples);
-  /// Replaces samples that are improbable in relation to the others by poses from which one of the
-  /// chosen points might have been seen (3.21).
-  void replaceImprobable(const Parameters& parameters, SampleSet& samples, Random& random) const;
+               ParticleSet& particles);
+  /// Replaces particles that are improbable in relation to the others by poses from which one of
+  /// the chosen points might have been seen (3.21).
+  void replaceImprobable(const Parameters& parameters, ParticleSet& particles,
+                         Random& random) const;
 
   const std::vector<ChosenPoint>& chosen() const { return chosen_; }
   const EdgeTables& tables() const { return *tables_; }
 
  private:
   void observe(const Parameters& parameters, const ChosenPoint& chosen, const Vector3d& camera,
-               double speed, SampleSet& samples);
+               double speed, ParticleSet& particles);
 
   std::unique_ptr<EdgeTables> tables_;
   FieldDimensions field_;
   TeamColor team_ = TeamColor::red;
   std::vector<ChosenPoint> chosen_;
-  std::vector<float> modelX_, modelY_;  ///< The closest model point of each sample.
+  std::vector<float> modelX_, modelY_;  ///< The closest model point of each particle.
 };
 
-/// Which evidence an edge is.
-constexpr Evidence evidenceOf(EdgeType type) {
-  return type == EdgeType::line     ? Evidence::lines
-         : type == EdgeType::border ? Evidence::border
-                                    : Evidence::goals;
+/// Which likelihood an edge is.
+constexpr Likelihood likelihoodOf(EdgeType type) {
+  return type == EdgeType::line     ? Likelihood::lines
+         : type == EdgeType::border ? Likelihood::border
+                                    : Likelihood::goals;
 }
 
 /// The speed of a robot from picture to picture, in mm/s, by its odometry.

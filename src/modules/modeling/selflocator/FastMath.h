@@ -7,7 +7,7 @@
 namespace gt {
 
 /// atan2 by a polynomial, 2e-5 rad exact: what is compared with measured angles needs no more.
-/// Without branches, so that a loop over samples computes several at once; 0 of (0, 0).
+/// Without branches, so that a loop over particles computes several at once; 0 of (0, 0).
 inline float fastAtan2(float y, float x) {
   constexpr float straight = std::numbers::pi_v<float>;
   const float ax = std::abs(x), ay = std::abs(y);

@@ -4,13 +4,12 @@
 
 namespace gt {
 
-/// Finds the robot's pose by the GT2003 self-locator with few samples, which the single landmark
-/// self-locator keeps where the robot is: its pose replaces improbable samples, as often as it is
-/// valid (report 3.3). A solution of SelfLocator.
+/// Solution *Fusion2003* of SelfLocator: does for GT2003 what Fusion does for MonteCarlo (report
+/// 3.3).
 class Fusion2003SelfLocator {
  public:
   struct Parameters {
-    GT2003SelfLocator::Parameters gt2003{.samples = 30};
+    GT2003SelfLocator::Parameters gt2003{.particles = 30};
     SingleLandmarkSelfLocator::Parameters singleLandmark;
 
     static constexpr auto fields() {
@@ -20,14 +19,21 @@ class Fusion2003SelfLocator {
   };
   Parameters parameters;
 
+  /// Provides the pose; without percepts, also for want of a valid camera matrix, by odometry.
   void update(const LandmarksPercept& landmarks, const LinesPercept& lines,
               const CameraMatrix& camera, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
-              Random& random, Debug& debug);
+              Random& random, Debug& debug) {
+    singleLandmark_.parameters = parameters.singleLandmark;
+    singleLandmark_.update(landmarks, odometry, field, player, candidate_, debug);
+    localization_.update(parameters.gt2003.models(), {&landmarks, &lines, &camera}, odometry, field,
+                         player, &candidate_, robotPose, random, debug);
+  }
 
  private:
-  GT2003SelfLocator gt2003_;
   SingleLandmarkSelfLocator singleLandmark_;
+  ParticleLocalization localization_{Likelihood::landmarks, Likelihood::lines, Likelihood::border,
+                                     Likelihood::goals};
   RobotPose candidate_;
 };
 

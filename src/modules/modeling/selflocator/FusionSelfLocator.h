@@ -4,13 +4,13 @@
 
 namespace gt {
 
-/// Finds the robot's pose by Monte-Carlo localization with few samples, which the single landmark
-/// self-locator keeps where the robot is: its pose replaces improbable samples, as often as it is
-/// valid (report 3.3.1.2). A solution of SelfLocator.
+/// Solution *Fusion* of SelfLocator: Monte-Carlo localization with few particles, which the single
+/// landmark self-locator keeps where the robot is: its pose replaces improbable particles, as often
+/// as it is valid (report 3.3.1.2).
 class FusionSelfLocator {
  public:
   struct Parameters {
-    MonteCarloSelfLocator::Parameters monteCarlo{.samples = 30};
+    MonteCarloSelfLocator::Parameters monteCarlo{.particles = 30};
     SingleLandmarkSelfLocator::Parameters singleLandmark;
 
     static constexpr auto fields() {
@@ -20,13 +20,19 @@ class FusionSelfLocator {
   };
   Parameters parameters;
 
-  void update(const LandmarksPercept& percept, const OdometryData& odometry,
+  /// Provides the pose; without landmarks, also for want of a valid camera matrix, by odometry.
+  void update(const LandmarksPercept& landmarks, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
-              Random& random, Debug& debug);
+              Random& random, Debug& debug) {
+    singleLandmark_.parameters = parameters.singleLandmark;
+    singleLandmark_.update(landmarks, odometry, field, player, candidate_, debug);
+    localization_.update(parameters.monteCarlo.models(), {&landmarks}, odometry, field, player,
+                         &candidate_, robotPose, random, debug);
+  }
 
  private:
-  MonteCarloSelfLocator monteCarlo_;
   SingleLandmarkSelfLocator singleLandmark_;
+  ParticleLocalization localization_{Likelihood::landmarks};
   RobotPose candidate_;
 };
 

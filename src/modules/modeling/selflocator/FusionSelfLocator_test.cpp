@@ -28,18 +28,18 @@ double errorWith(const FusionSelfLocator::Parameters& parameters) {
   return mean(errors);
 }
 
-TEST(FusionSelfLocator, KeepsFewSamplesWhereTheSingleLandmarkSelfLocatorIs) {
+TEST(FusionSelfLocator, KeepsFewParticlesWhereTheSingleLandmarkSelfLocatorIs) {
   FusionSelfLocator::Parameters few;
-  few.monteCarlo.samples = 6;
+  few.monteCarlo.particles = 6;
   FusionSelfLocator::Parameters alone = few;
   alone.singleLandmark.progressiveness = 0;  // never valid
   EXPECT_LT(errorWith(few), 0.9 * errorWith(alone));
 }
 
-/// A single sample is where the candidates are put.
+/// A single particle is where the candidates are put.
 TEST(FusionSelfLocator, IsMoreExactThanTheSingleLandmarkSelfLocator) {
   FusionSelfLocator::Parameters frozen;
-  frozen.monteCarlo.samples = 1;
+  frozen.monteCarlo.particles = 1;
   const double error = errorWith({});
   EXPECT_LT(error, 100);
   EXPECT_LT(error, 0.8 * errorWith(frozen));

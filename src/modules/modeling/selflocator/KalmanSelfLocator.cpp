@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "modules/modeling/selflocator/Bearings.h"
-#include "modules/modeling/selflocator/SampleDrawing.h"
+#include "modules/modeling/selflocator/ParticleDrawing.h"
 
 namespace gt {
 namespace {

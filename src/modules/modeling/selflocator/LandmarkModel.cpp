@@ -5,16 +5,16 @@
 namespace gt {
 
 void LandmarkModel::observe(const Parameters& parameters, const Bearings& bearings,
-                            const Vector2d& cameraOffset, SampleSet& samples) {
-  const std::size_t n = samples.size();
+                            const Vector2d& cameraOffset, ParticleSet& particles) {
+  const std::size_t n = particles.size();
   sum_.resize(n);
   std::fill(sum_.begin(), sum_.end(), 0.f);
   const auto offsetX = static_cast<float>(cameraOffset.x());
   const auto offsetY = static_cast<float>(cameraOffset.y());
-  const float* __restrict const x = samples.x.data();
-  const float* __restrict const y = samples.y.data();
-  const float* __restrict const c = samples.cosine.data();
-  const float* __restrict const s = samples.sine.data();
+  const float* __restrict const x = particles.x.data();
+  const float* __restrict const y = particles.y.data();
+  const float* __restrict const c = particles.cosine.data();
+  const float* __restrict const s = particles.sine.data();
   float* __restrict const sum = sum_.data();
   for (const Bearing& bearing : bearings) {
     const BearingTerms terms{bearing};
@@ -29,8 +29,9 @@ void LandmarkModel::observe(const Parameters& parameters, const Bearings& bearin
   const auto factor = static_cast<float>(-parameters.steepness / (pi * pi));
   const ProbabilityFilter filter{static_cast<float>(parameters.rise),
                                  static_cast<float>(parameters.fall)};
-  float* __restrict const evidence = samples.evidence[Evidence::landmarks].data();
-  for (std::size_t i = 0; i < n; ++i) evidence[i] = filter(evidence[i], fastExp(factor * sum[i]));
+  float* __restrict const likelihood = particles.likelihood[Likelihood::landmarks].data();
+  for (std::size_t i = 0; i < n; ++i)
+    likelihood[i] = filter(likelihood[i], fastExp(factor * sum[i]));
 }
 
 }  // namespace gt

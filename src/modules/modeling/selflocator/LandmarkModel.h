@@ -2,11 +2,11 @@
 #include <vector>
 
 #include "modules/modeling/selflocator/Bearings.h"
-#include "modules/modeling/selflocator/SampleSet.h"
+#include "modules/modeling/selflocator/ParticleSet.h"
 
 namespace gt {
 
-/// Judges samples by bearings on the edges of flags and goals (report 3.3.2.2).
+/// Judges particles by bearings on the edges of flags and goals (report 3.3.2.2).
 class LandmarkModel {
  public:
   struct Parameters {
@@ -23,13 +23,13 @@ class LandmarkModel {
     }
   };
 
-  /// Filters `Evidence::landmarks` of all samples by the similarity of a picture (3.11) to (3.13).
-  /// The offset is the camera's from the robot's origin, in mm.
+  /// Filters `Likelihood::landmarks` of all particles by the similarity of a picture (3.11) to
+  /// (3.13). The offset is the camera's from the robot's origin, in mm.
   void observe(const Parameters& parameters, const Bearings& bearings, const Vector2d& cameraOffset,
-               SampleSet& samples);
+               ParticleSet& particles);
 
  private:
-  std::vector<float> sum_;  ///< Of squared deviations, for each sample.
+  std::vector<float> sum_;  ///< Of squared deviations, for each particle.
 };
 
 }  // namespace gt

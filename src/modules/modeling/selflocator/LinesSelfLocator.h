@@ -1,48 +1,45 @@
 #pragma once
-#include "base/Random.h"
-#include "base/Time.h"
-#include "debug/Debug.h"
-#include "modules/modeling/selflocator/EdgeModel.h"
-#include "modules/modeling/selflocator/SampleSet.h"
-#include "representations/modeling/RobotPose.h"
+#include "modules/modeling/selflocator/ParticleLocalization.h"
 #include "streams/Reflection.h"
 
 namespace gt {
 
-/// Finds the robot's pose by Monte-Carlo localization with points on field lines, the border and
-/// goals, without any beacon (report 3.3.3). A solution of SelfLocator.
+/// Solution *Lines* of SelfLocator: finds the robot's pose with points on field lines, the field
+/// border and goals, without any beacon (report 3.3.3).
 class LinesSelfLocator {
  public:
   struct Parameters {
-    int samples = 100;
+    int particles = 100;
     MotionModel motion{};
     EdgeModel::Parameters edges{};
-    double newEvidence = 0.5;
+    double newLikelihood = 0.5;
 
+    ParticleLocalization::Models models() const {
+      return {particles, motion, newLikelihood, nullptr, nullptr, &edges};
+    }
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{
-          field("samples", &P::samples, "", "number of hypotheses", {1, 10000}),
-          field("motion", &P::motion), field("edges", &P::edges),
-          field("newEvidence", &P::newEvidence, "", "of each kind, at the start", {0, 1})};
+      return Fields{field("particles", &P::particles, "", "number of hypotheses", {1, 10000}),
+                    field("motion", &P::motion), field("edges", &P::edges),
+                    field("newLikelihood", &P::newLikelihood, "",
+                          "likelihood of each kind that a particle has at the start", {0, 1})};
     }
   };
   Parameters parameters;
 
-  /// `samples` is the only parameter whose change allocates.
-  void update(const LinesPercept& percept, const CameraMatrix& camera, const OdometryData& odometry,
+  /// Provides the pose; without points on edges, also for want of a valid camera matrix, by
+  /// odometry.
+  void update(const LinesPercept& lines, const CameraMatrix& camera, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
-              Random& random, Debug& debug);
+              Random& random, Debug& debug) {
+    localization_.update(parameters.models(), {nullptr, &lines, &camera}, odometry, field, player,
+                         nullptr, robotPose, random, debug);
+  }
 
-  const SampleSet& samples() const { return samples_; }
+  const ParticleSet& particles() const { return localization_.particles(); }
 
  private:
-  SampleSet samples_{Evidence::lines, Evidence::border, Evidence::goals};
-  EdgeModel edges_;
-  SpeedBetweenPictures speed_;
-  OdometryData lastOdometry_;
-  Time lastPicture_ = never();
-  bool search_ = false;
+  ParticleLocalization localization_{Likelihood::lines, Likelihood::border, Likelihood::goals};
 };
 
 }  // namespace gt

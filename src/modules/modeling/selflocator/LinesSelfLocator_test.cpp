@@ -12,9 +12,9 @@ namespace {
 
 const FieldDimensions fieldDimensions;
 
-/// A set of one sample, judged by one point.
+/// A set of one particle, judged by one point.
 struct Judge {
-  SampleSet set{Evidence::lines, Evidence::border, Evidence::goals};
+  ParticleSet set{Likelihood::lines, Likelihood::border, Likelihood::goals};
   EdgeModel model;
   EdgeModel::Parameters parameters;
   Vector3d camera{100, 0, 200};
@@ -24,16 +24,16 @@ struct Judge {
     model.prepare(fieldDimensions, TeamColor::red);
     set.resize(1, fieldDimensions, 0.5, random);
   }
-  /// The evidence after a point was seen from a pose, from 0.5 on.
+  /// The likelihood after a point was seen from a pose, from 0.5 on.
   float see(EdgeType type, const Pose2D& pose, const Vector2d& point, double speed = 0) {
-    EnumArray<Evidence, float> half;
+    EnumArray<Likelihood, float> half;
     half.values.fill(0.5f);
     set.replace(0, pose, half);
     LinesPercept percept;
     percept.points[type].push_back(point);
     model.choose(percept, 1, 3000, random);
     model.observe(parameters, camera, speed, set);
-    return set.evidence[evidenceOf(type)][0];
+    return set.likelihood[likelihoodOf(type)][0];
   }
 };
 
@@ -107,13 +107,13 @@ TEST(EdgeModel, SimilaritiesFollowTheReport) {
   }
 }
 
-TEST(EdgeModel, EvidenceChangesByBoundedSteps) {
+TEST(EdgeModel, LikelihoodChangesByBoundedSteps) {
   Judge judge;
   const Pose2D atLine{0, -500, 800};
   EXPECT_FLOAT_EQ(judge.see(EdgeType::line, atLine, {500, 0}), 0.51f);  // (3.19)
   EXPECT_FLOAT_EQ(judge.see(EdgeType::line, {-0.8, -400, 800}, {900, 500}), 0.495f);
   EXPECT_FLOAT_EQ(judge.see(EdgeType::yellowGoal, {0, 1000, 0}, {500, 0}), 0.495f);
-  EXPECT_FLOAT_EQ(judge.set.evidence[Evidence::lines][0], 0.5f);  // each kind apart
+  EXPECT_FLOAT_EQ(judge.set.likelihood[Likelihood::lines][0], 0.5f);  // each kind apart
 }
 
 TEST(EdgeModel, CorrectsPerpendicularToTheEdge) {
@@ -129,13 +129,13 @@ TEST(EdgeModel, CorrectsPerpendicularToTheEdge) {
   EXPECT_EQ(judge.set.x[0], -500);
 }
 
-TEST(EdgeModel, ReplacesOnlySamplesBelowTheAverage) {
-  SampleSet set{Evidence::lines, Evidence::border, Evidence::goals};
+TEST(EdgeModel, ReplacesOnlyParticlesBelowTheAverage) {
+  ParticleSet set{Likelihood::lines, Likelihood::border, Likelihood::goals};
   Random random{1};
   set.resize(100, fieldDimensions, 0.5, random);
-  for (std::size_t i = 0; i < 50; ++i) set.evidence[Evidence::goals][i] = 0.01f;
-  set.multiplyEvidence();
-  const SampleSet before = set;
+  for (std::size_t i = 0; i < 50; ++i) set.likelihood[Likelihood::goals][i] = 0.01f;
+  set.multiplyLikelihoods();
+  const ParticleSet before = set;
   EdgeModel model;
   model.prepare(fieldDimensions, TeamColor::red);
   LinesPercept percept;
@@ -147,8 +147,8 @@ TEST(EdgeModel, ReplacesOnlySamplesBelowTheAverage) {
     if (set.x[i] == before.x[i]) continue;
     ++replaced;
     EXPECT_LT(i, 50u);
-    EXPECT_NEAR(set.evidence[Evidence::goals][i], 0.95 * 0.255, 1e-3);  // a little below
-    EXPECT_NEAR(set.evidence[Evidence::lines][i], 0.95 * 0.5, 1e-3);
+    EXPECT_NEAR(set.likelihood[Likelihood::goals][i], 0.95 * 0.255, 1e-3);  // a little below
+    EXPECT_NEAR(set.likelihood[Likelihood::lines][i], 0.95 * 0.5, 1e-3);
   }
   EXPECT_GT(replaced, 35);  // (3.21): 1 - 2 * 0.01 / 0.51 of them
 }
@@ -190,7 +190,7 @@ TEST(GT2003SelfLocator, IsMoreExactThanBeaconsAlone) {
   EXPECT_LT(mean(errors), 80);
 }
 
-TEST(Fusion2003SelfLocator, NeedsFewSamples) {
+TEST(Fusion2003SelfLocator, NeedsFewParticles) {
   std::vector<double> errors;
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
     errors.push_back(mean(walk<Fusion2003SelfLocator>(seed, true).errors));

@@ -92,15 +92,15 @@ TEST(MonteCarloSelfLocator, APictureIsUsedOnce) {
   do robot.step();
   while (robot.percept.numberOfFlags == 0);
   bench(robot);
-  const std::vector<float> probabilities = bench.locator.samples().probability;
+  const std::vector<float> probabilities = bench.locator.particles().probability;
   bench(robot);
-  EXPECT_EQ(bench.locator.samples().probability, probabilities);
+  EXPECT_EQ(bench.locator.particles().probability, probabilities);
 }
 
 TEST(MonteCarloSelfLocator, ProbabilitiesChangeByBoundedSteps) {
   SyntheticRobot robot{5};
   Bench bench{5};
-  bench.locator.parameters.templates.replacement = 0;  // Else new samples would blur the picture.
+  bench.locator.parameters.templates.replacement = 0;  // Else new particles would blur the picture.
   bench(robot);
   double low = 1, high = 0;
   const double start = bench.locator.parameters.templates.newProbability;
@@ -109,7 +109,7 @@ TEST(MonteCarloSelfLocator, ProbabilitiesChangeByBoundedSteps) {
     robot.step();
     if (bearingsIn(robot.percept, robot.player.teamColor, robot.field).count == 0) continue;
     bench(robot);
-    for (const double probability : bench.locator.samples().probability) {
+    for (const double probability : bench.locator.particles().probability) {
       low = std::min(low, probability);
       high = std::max(high, probability);
     }
@@ -132,13 +132,13 @@ TEST(MonteCarloSelfLocator, SameSeedGivesTheSamePose) {
   }
 }
 
-TEST(MonteCarloSelfLocator, NumberOfSamplesIsAParameter) {
+TEST(MonteCarloSelfLocator, NumberOfParticlesIsAParameter) {
   SyntheticRobot robot{8};
   Bench bench{8};
-  for (const int samples : {100, 30, 300}) {
-    bench.locator.parameters.samples = samples;
+  for (const int particles : {100, 30, 300}) {
+    bench.locator.parameters.particles = particles;
     follow(robot, 10, bench);
-    EXPECT_EQ(bench.locator.samples().size(), static_cast<std::size_t>(samples));
+    EXPECT_EQ(bench.locator.particles().size(), static_cast<std::size_t>(particles));
   }
 }
 

@@ -166,18 +166,18 @@ void PoseTemplates::add(const Pose2D& camera) {
 
 void replaceByTemplates(const TemplateReplacement& parameters, PoseTemplates& templates,
                         const RobotPose* candidate, const FieldDimensions& field,
-                        SampleSet& samples, Random& random) {
-  EnumArray<Evidence, float> with = samples.meanEvidence();
-  with[Evidence::landmarks] = static_cast<float>(parameters.newProbability);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double evidence = samples.evidence[Evidence::landmarks][i];
-    if (!random.chance(parameters.replacement * (1 - evidence))) continue;
+                        ParticleSet& particles, Random& random) {
+  EnumArray<Likelihood, float> with = particles.meanLikelihoods();
+  with[Likelihood::landmarks] = static_cast<float>(parameters.newProbability);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double likelihood = particles.likelihood[Likelihood::landmarks][i];
+    if (!random.chance(parameters.replacement * (1 - likelihood))) continue;
     if (candidate && random.chance(candidate->validity))
-      samples.replace(i, candidate->pose, with);
+      particles.replace(i, candidate->pose, with);
     else if (const auto pose = templates.take(random))
-      samples.replace(i, *pose, with);
+      particles.replace(i, *pose, with);
     else if (random.chance(parameters.randomReplacement))
-      samples.replace(i, randomPose(field, random), with);
+      particles.replace(i, randomPose(field, random), with);
   }
 }
 

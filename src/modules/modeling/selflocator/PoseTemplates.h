@@ -5,7 +5,7 @@
 #include "base/Geometry.h"
 #include "base/Random.h"
 #include "modules/modeling/selflocator/Bearings.h"
-#include "modules/modeling/selflocator/SampleSet.h"
+#include "modules/modeling/selflocator/ParticleSet.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/perception/LandmarksPercept.h"
 
@@ -57,7 +57,7 @@ class PoseTemplates {
   int count_ = 0;
 };
 
-/// How templates replace improbable samples (report 3.3.2.3).
+/// How templates replace improbable particles (report 3.3.2.3).
 struct TemplateReplacement {
   double replacement = 1;
   double randomReplacement = 0.02;
@@ -67,18 +67,19 @@ struct TemplateReplacement {
     using T = TemplateReplacement;
     return Fields{
         field("replacement", &T::replacement, "",
-              "how often an improbable sample makes room for a template", {0, 1}),
+              "how often an improbable particle makes room for a template", {0, 1}),
         field("randomReplacement", &T::randomReplacement, "",
-              "how often a sample that no template replaces becomes a random one", {0, 1}),
-        field("newProbability", &T::newProbability, "", "of a template or random sample", {0, 1})};
+              "how often a particle that no template replaces becomes a random one", {0, 1}),
+        field("newProbability", &T::newProbability, "", "of a template or random particle",
+              {0, 1})};
   }
 };
 
-/// Replaces each sample, with the probability that the landmarks speak against it, by the candidate
-/// if there is one (as often as that is valid), by a template, or by a random pose. Other evidence
-/// than the landmarks' is the average's then.
+/// Replaces each particle, with the probability that the landmarks speak against it, by the
+/// candidate if there is one (as often as that is valid), by a template, or by a random pose. Other
+/// likelihood than the landmarks' is the average's then.
 void replaceByTemplates(const TemplateReplacement& parameters, PoseTemplates& templates,
                         const RobotPose* candidate, const FieldDimensions& field,
-                        SampleSet& samples, Random& random);
+                        ParticleSet& particles, Random& random);
 
 }  // namespace gt

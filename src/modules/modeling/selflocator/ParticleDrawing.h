@@ -1,14 +1,14 @@
 #pragma once
 #include "debug/Debug.h"
 #include "modules/modeling/selflocator/EdgeModel.h"
-#include "modules/modeling/selflocator/SampleSet.h"
+#include "modules/modeling/selflocator/ParticleSet.h"
 #include "representations/modeling/RobotPose.h"
 
 namespace gt {
 
-/// Draws the samples, and the pose that follows from them, if somebody asks for it (report, figure
-/// 3.8).
-void draw(const SampleSet& samples, const RobotPose& robotPose, Debug& debug);
+/// Draws the particles, and the pose that follows from them, if somebody asks for it (report,
+/// figure 3.8).
+void draw(const ParticleSet& particles, const RobotPose& robotPose, Debug& debug);
 
 /// Draws the chosen points on edges as seen from the pose, each with a line to the closest model
 /// point, and how far each place is from the edges of each type (report, figure 3.9), if somebody

@@ -1,4 +1,4 @@
-#include "modules/modeling/selflocator/SampleSet.h"
+#include "modules/modeling/selflocator/ParticleSet.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,37 +10,37 @@ namespace {
 
 const FieldDimensions fieldDimensions;
 
-/// A set of samples at these poses, of the probability of each.
-SampleSet setOf(const std::vector<std::pair<Pose2D, double>>& wanted) {
-  SampleSet set{Evidence::landmarks};
+/// A set of particles at these poses, of the probability of each.
+ParticleSet setOf(const std::vector<std::pair<Pose2D, double>>& wanted) {
+  ParticleSet set{Likelihood::landmarks};
   Random random{1};
   set.resize(wanted.size(), fieldDimensions, 1, random);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    EnumArray<Evidence, float> with;
+    EnumArray<Likelihood, float> with;
     with.values.fill(static_cast<float>(wanted[i].second));
     set.replace(i, wanted[i].first, with);
   }
   return set;
 }
 
-TEST(SampleSet, ResamplingCopiesByProbability) {
+TEST(ParticleSet, ResamplingCopiesByProbability) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Random random{seed};
-    std::vector<std::pair<Pose2D, double>> samples;
+    std::vector<std::pair<Pose2D, double>> particles;
     double sum = 0;
     std::vector<double> weights;
     for (int i = 0; i < 50; ++i) {
       weights.push_back(i % 5 == 0 ? 0 : random.uniform());
       sum += weights.back();
-      samples.push_back({Pose2D{0, static_cast<double>(i), 0}, weights.back()});
+      particles.push_back({Pose2D{0, static_cast<double>(i), 0}, weights.back()});
     }
-    const SampleSet original = setOf(samples);
+    const ParticleSet original = setOf(particles);
     std::map<int, int> copies;
     constexpr int rounds = 4000;
     for (int round = 0; round < rounds; ++round) {
-      SampleSet set = original;
+      ParticleSet set = original;
       set.resample(random);
-      ASSERT_EQ(set.size(), samples.size());
+      ASSERT_EQ(set.size(), particles.size());
       std::map<int, int> now;
       for (const float x : set.x) ++now[static_cast<int>(x)];
       for (int i = 0; i < 50; ++i) {
@@ -56,22 +56,22 @@ TEST(SampleSet, ResamplingCopiesByProbability) {
   }
 }
 
-TEST(SampleSet, WithoutAnyProbabilitySamplesStay) {
+TEST(ParticleSet, WithoutAnyProbabilityParticlesStay) {
   Random random{1};
-  SampleSet samples = setOf({{{0, 1, 0}, 0}, {{0, 2, 0}, 0}});
-  samples.resample(random);
-  EXPECT_THAT(samples.x, testing::ElementsAre(1, 2));
+  ParticleSet particles = setOf({{{0, 1, 0}, 0}, {{0, 2, 0}, 0}});
+  particles.resample(random);
+  EXPECT_THAT(particles.x, testing::ElementsAre(1, 2));
 }
 
-TEST(SampleSet, TheLargestClusterWins) {
+TEST(ParticleSet, TheLargestClusterWins) {
   Random random{5};
-  std::vector<std::pair<Pose2D, double>> samples;
+  std::vector<std::pair<Pose2D, double>> particles;
   for (int i = 0; i < 60; ++i) {
     const Vector2d position{800 + 50 * random.symmetric(), -300 + 50 * random.symmetric()};
-    samples.push_back({Pose2D{0.5 + 0.05 * random.symmetric(), position}, 0.8});
+    particles.push_back({Pose2D{0.5 + 0.05 * random.symmetric(), position}, 0.8});
   }
-  for (int i = 0; i < 40; ++i) samples.push_back({Pose2D{-2, -1500, 900}, 1});
-  const Cluster cluster = setOf(samples).largestCluster(fieldDimensions);
+  for (int i = 0; i < 40; ++i) particles.push_back({Pose2D{-2, -1500, 900}, 1});
+  const Cluster cluster = setOf(particles).largestCluster(fieldDimensions);
   EXPECT_EQ(cluster.size, 60);
   EXPECT_NEAR(cluster.pose.translation.x(), 800, 20);
   EXPECT_NEAR(cluster.pose.translation.y(), -300, 20);
@@ -79,23 +79,24 @@ TEST(SampleSet, TheLargestClusterWins) {
   EXPECT_NEAR(cluster.validity, 0.6 * 0.8, 1e-6);  // (3.16)
 }
 
-TEST(SampleSet, RotationsAreAveragedAcrossTheSeam) {
-  const std::vector<std::pair<Pose2D, double>> samples{{{pi - 0.1, 0, 0}, 1},
-                                                       {{-pi + 0.1, 0, 0}, 1}};
-  const Cluster cluster = setOf(samples).largestCluster(fieldDimensions);
+TEST(ParticleSet, RotationsAreAveragedAcrossTheSeam) {
+  const std::vector<std::pair<Pose2D, double>> particles{{{pi - 0.1, 0, 0}, 1},
+                                                         {{-pi + 0.1, 0, 0}, 1}};
+  const Cluster cluster = setOf(particles).largestCluster(fieldDimensions);
   EXPECT_EQ(cluster.size, 2);
   EXPECT_NEAR(std::abs(cluster.pose.rotation), pi, 1e-6);
 }
 
-TEST(SampleSet, ClustersAtTheFieldsEdgesAreFound) {
+TEST(ParticleSet, ClustersAtTheFieldsEdgesAreFound) {
   for (const double x : {-2400.0, 2400.0})
     for (const double y : {-1350.0, 1350.0}) {
-      const std::vector<std::pair<Pose2D, double>> samples{{{0, x, y}, 1}};
-      EXPECT_EQ(setOf(samples).largestCluster(fieldDimensions).pose.translation, (Vector2d{x, y}));
+      const std::vector<std::pair<Pose2D, double>> particles{{{0, x, y}, 1}};
+      EXPECT_EQ(setOf(particles).largestCluster(fieldDimensions).pose.translation,
+                (Vector2d{x, y}));
     }
 }
 
-TEST(SampleSet, RandomPosesCoverTheField) {
+TEST(ParticleSet, RandomPosesCoverTheField) {
   Random random{6};
   Vector2d low{1e9, 1e9}, high{-1e9, -1e9}, mean{0, 0};
   for (int i = 0; i < 10000; ++i) {
@@ -109,12 +110,12 @@ TEST(SampleSet, RandomPosesCoverTheField) {
   EXPECT_LT(mean.norm(), 60);
 }
 
-/// The mean and the largest difference of what the same step did to many samples.
-TEST(SampleSet, StepsErrAsTheMotionModelSays) {
+/// The mean and the largest difference of what the same step did to many particles.
+TEST(ParticleSet, StepsErrAsTheMotionModelSays) {
   const Pose2D start{0.7, 300, -200}, step{0.2, 50, 20};
-  SampleSet set = setOf(std::vector<std::pair<Pose2D, double>>(5000, {start, 1}));
+  ParticleSet set = setOf(std::vector<std::pair<Pose2D, double>>(5000, {start, 1}));
   Random random{3};
-  set.move(step, {}, true, fieldDimensions, random);  // of certain samples none searches
+  set.move(step, {}, true, fieldDimensions, random);  // of certain particles none searches
   const double d = step.translation.norm();
   Vector3d sum = Vector3d::Zero(), most = Vector3d::Zero();
   for (std::size_t i = 0; i < set.size(); ++i) {
@@ -133,8 +134,8 @@ TEST(SampleSet, StepsErrAsTheMotionModelSays) {
   }
 }
 
-TEST(SampleSet, ImprobableSamplesSearchInProportion) {
-  SampleSet set = setOf(std::vector<std::pair<Pose2D, double>>(5000, {{0, 0, 0}, 0.7}));
+TEST(ParticleSet, ImprobableParticlesSearchInProportion) {
+  ParticleSet set = setOf(std::vector<std::pair<Pose2D, double>>(5000, {{0, 0, 0}, 0.7}));
   Random random{3};
   set.move({}, {}, true, fieldDimensions, random);
   Vector3d most = Vector3d::Zero();
@@ -148,24 +149,24 @@ TEST(SampleSet, ImprobableSamplesSearchInProportion) {
   EXPECT_NEAR(most.z(), 0.15, 0.002);
 }
 
-TEST(SampleSet, ManyStepsLeaveRotationsWhatTheyAre) {
-  SampleSet set = setOf({{{0.3, 0, 0}, 1}});
+TEST(ParticleSet, ManyStepsLeaveRotationsWhatTheyAre) {
+  ParticleSet set = setOf({{{0.3, 0, 0}, 1}});
   Random random{1};
   for (int i = 0; i < 20000; ++i) set.move({0.5, 0, 0}, {}, true, fieldDimensions, random);
   EXPECT_NEAR(std::hypot(set.cosine[0], set.sine[0]), 1, 1e-5);
 }
 
-TEST(SampleSet, AProbabilityIsTheProductOfItsEvidence) {
-  SampleSet set{Evidence::lines, Evidence::border, Evidence::goals};
+TEST(ParticleSet, AProbabilityIsTheProductOfItsLikelihood) {
+  ParticleSet set{Likelihood::lines, Likelihood::border, Likelihood::goals};
   Random random{1};
   set.resize(3, fieldDimensions, 0.5, random);
-  set.evidence[Evidence::lines] = {0.5f, 1, 0};
-  set.evidence[Evidence::border] = {0.5f, 1, 1};
-  set.evidence[Evidence::goals] = {1, 0.25f, 1};
-  set.multiplyEvidence();
+  set.likelihood[Likelihood::lines] = {0.5f, 1, 0};
+  set.likelihood[Likelihood::border] = {0.5f, 1, 1};
+  set.likelihood[Likelihood::goals] = {1, 0.25f, 1};
+  set.multiplyLikelihoods();
   EXPECT_THAT(set.probability, testing::ElementsAre(0.25f, 0.25f, 0));  // (3.20)
-  EXPECT_FLOAT_EQ(set.meanEvidence()[Evidence::lines], 0.5f);
-  EXPECT_FLOAT_EQ(set.meanEvidence()[Evidence::landmarks], 1);
+  EXPECT_FLOAT_EQ(set.meanLikelihoods()[Likelihood::lines], 0.5f);
+  EXPECT_FLOAT_EQ(set.meanLikelihoods()[Likelihood::landmarks], 1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "modules/modeling/selflocator/SampleSet.h"
+#include "modules/modeling/selflocator/ParticleSet.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int cells = 10;
 
-/// Numbers of samples in cells; the rotation is a circle.
+/// Numbers of particles in cells; the rotation is a circle.
 struct Grid {
   std::array<std::int16_t, cells * cells * cells> counts{};
 
@@ -45,13 +45,13 @@ Pose2D randomPose(const FieldDimensions& field, Random& random) {
 }
 
 template <typename Work>
-void SampleSet::forEachColumn(Work&& work) {
+void ParticleSet::forEachColumn(Work&& work) {
   for (std::vector<float>* column : {&x, &y, &cosine, &sine, &probability}) work(*column);
-  for (const Evidence kind : kinds_) work(evidence[kind]);
+  for (const Likelihood kind : kinds_) work(likelihood[kind]);
 }
 
-void SampleSet::resize(std::size_t size, const FieldDimensions& field, double probabilityOfNew,
-                       Random& random) {
+void ParticleSet::resize(std::size_t size, const FieldDimensions& field, double probabilityOfNew,
+                         Random& random) {
   const std::size_t before = this->size();
   if (size == before) return;
   forEachColumn([&](std::vector<float>& column) { column.resize(size); });
@@ -59,29 +59,30 @@ void SampleSet::resize(std::size_t size, const FieldDimensions& field, double pr
   buffer_.resize(size);
   source_.resize(size);
   for (auto* column : {&cellX_, &cellY_, &cellAngle_}) column->resize(size);
-  EnumArray<Evidence, float> with;
+  EnumArray<Likelihood, float> with;
   with.values.fill(static_cast<float>(probabilityOfNew));
   for (std::size_t i = before; i < size; ++i) replace(i, randomPose(field, random), with);
 }
 
-Pose2D SampleSet::pose(std::size_t i) const {
+Pose2D ParticleSet::pose(std::size_t i) const {
   return {std::atan2(static_cast<double>(sine[i]), static_cast<double>(cosine[i])), x[i], y[i]};
 }
 
-void SampleSet::replace(std::size_t i, const Pose2D& pose, const EnumArray<Evidence, float>& with) {
+void ParticleSet::replace(std::size_t i, const Pose2D& pose,
+                          const EnumArray<Likelihood, float>& with) {
   x[i] = static_cast<float>(pose.translation.x());
   y[i] = static_cast<float>(pose.translation.y());
   cosine[i] = static_cast<float>(std::cos(pose.rotation));
   sine[i] = static_cast<float>(std::sin(pose.rotation));
   probability[i] = 1;
-  for (const Evidence kind : kinds_) {
-    evidence[kind][i] = with[kind];
+  for (const Likelihood kind : kinds_) {
+    likelihood[kind][i] = with[kind];
     probability[i] *= with[kind];
   }
 }
 
 /// Fills columns with the report's random(-1...1), three numbers of 21 bits from each draw.
-void SampleSet::drawNoise(std::size_t columns, Random& random) {
+void ParticleSet::drawNoise(std::size_t columns, Random& random) {
   constexpr std::uint64_t mask = (1 << 21) - 1;
   constexpr float scale = 0x1p-20f;
   float* to = noise_.data();
@@ -93,8 +94,8 @@ void SampleSet::drawNoise(std::size_t columns, Random& random) {
   }
 }
 
-void SampleSet::move(const Pose2D& step, const MotionModel& model, bool search,
-                     const FieldDimensions& field, Random& random) {
+void ParticleSet::move(const Pose2D& step, const MotionModel& model, bool search,
+                       const FieldDimensions& field, Random& random) {
   const double walked = step.translation.norm();
   const auto stepX = static_cast<float>(step.translation.x());
   const auto stepY = static_cast<float>(step.translation.y());
@@ -137,15 +138,15 @@ void SampleSet::move(const Pose2D& step, const MotionModel& model, bool search,
   }
 }
 
-void SampleSet::multiplyEvidence() {
-  probability = evidence[kinds_.front()];
+void ParticleSet::multiplyLikelihoods() {
+  probability = likelihood[kinds_.front()];
   for (std::size_t k = 1; k < kinds_.size(); ++k) {
-    const std::vector<float>& factor = evidence[kinds_[k]];
+    const std::vector<float>& factor = likelihood[kinds_[k]];
     for (std::size_t i = 0; i < size(); ++i) probability[i] *= factor[i];
   }
 }
 
-void SampleSet::resample(Random& random) {
+void ParticleSet::resample(Random& random) {
   double sum = 0;
   for (const float p : probability) sum += p;
   if (sum <= 0) return;
@@ -166,18 +167,18 @@ void SampleSet::resample(Random& random) {
   });
 }
 
-EnumArray<Evidence, float> SampleSet::meanEvidence() const {
-  EnumArray<Evidence, float> means;
+EnumArray<Likelihood, float> ParticleSet::meanLikelihoods() const {
+  EnumArray<Likelihood, float> means;
   means.values.fill(1);
-  for (const Evidence kind : kinds_) {
+  for (const Likelihood kind : kinds_) {
     double sum = 0;
-    for (const float p : evidence[kind]) sum += p;
+    for (const float p : likelihood[kind]) sum += p;
     means[kind] = static_cast<float>(sum / static_cast<double>(size()));
   }
   return means;
 }
 
-void SampleSet::assignCells(const FieldDimensions& field) {
+void ParticleSet::assignCells(const FieldDimensions& field) {
   constexpr float half = cells / 2;
   const auto scaleX = half / static_cast<float>(std::max(field.xGoalBack, field.xGroundline));
   const auto scaleY = half / static_cast<float>(field.ySideline);
@@ -192,7 +193,7 @@ void SampleSet::assignCells(const FieldDimensions& field) {
   }
 }
 
-Cluster SampleSet::largestCluster(const FieldDimensions& field) {
+Cluster ParticleSet::largestCluster(const FieldDimensions& field) {
   assignCells(field);
   Grid grid;
   for (std::size_t i = 0; i < size(); ++i)

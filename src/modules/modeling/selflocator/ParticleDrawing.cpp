@@ -1,4 +1,4 @@
-#include "modules/modeling/selflocator/SampleDrawing.h"
+#include "modules/modeling/selflocator/ParticleDrawing.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-const DebugKey drawSamples{"SelfLocator/samples"};
+const DebugKey drawParticles{"SelfLocator/samples"};
 const DebugKey drawPose{"SelfLocator/pose"};
 const DebugKey drawEdges{"SelfLocator/edges"};
 const std::array<DebugKey, enumCount<EdgeType>> distanceKeys{
@@ -31,9 +31,10 @@ void drawDistances(EdgeType type, const EdgeTables& tables, const FieldDimension
 
 }  // namespace
 
-void draw(const SampleSet& samples, const RobotPose& robotPose, Debug& debug) {
-  if (auto canvas = debug.onField(drawSamples))
-    for (std::size_t i = 0; i < samples.size(); ++i) canvas.pose(samples.pose(i), colors::gray, 60);
+void draw(const ParticleSet& particles, const RobotPose& robotPose, Debug& debug) {
+  if (auto canvas = debug.onField(drawParticles))
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      canvas.pose(particles.pose(i), colors::gray, 60);
   if (auto canvas = debug.onField(drawPose)) canvas.pose(robotPose.pose, colors::red);
 }
 

@@ -13,10 +13,10 @@ namespace gt {
 
 /// What is observed apart from each other: each kind has a filtered probability of its own, so that
 /// what is seen often does not outvote what is seen rarely (report 3.3.3.1).
-enum class Evidence { landmarks, lines, border, goals };
+enum class Likelihood { landmarks, lines, border, goals };
 
 /// How far a step may lead elsewhere than the odometry says (report (3.8)), and how far improbable
-/// samples are moved in search of a better place (3.14).
+/// particles are moved in search of a better place (3.14).
 struct MotionModel {
   double forwardError = 0.1;
   double sidewardError = 0.02;
@@ -60,40 +60,40 @@ struct Cluster {
 Pose2D randomPose(const FieldDimensions& field, Random& random);
 
 /// The hypotheses of where the robot is (report (3.7)), each with a probability. Single precision,
-/// and an array for each number, since a loop over all samples then computes several at once;
+/// and an array for each number, since a loop over all particles then computes several at once;
 /// instead of a rotation its cosine and sine, so that none has to be computed.
-class SampleSet {
+class ParticleSet {
  public:
-  /// Samples with a filtered probability for each of these, at least one.
-  explicit SampleSet(std::initializer_list<Evidence> kinds) : kinds_{kinds} {}
+  /// Particles with a filtered probability for each of these, at least one.
+  explicit ParticleSet(std::initializer_list<Likelihood> kinds) : kinds_{kinds} {}
 
-  /// So many samples; new ones stand anywhere on the field. Allocates if the number changes.
+  /// So many particles; new ones stand anywhere on the field. Allocates if the number changes.
   void resize(std::size_t size, const FieldDimensions& field, double probability, Random& random);
   std::size_t size() const { return x.size(); }
 
-  /// Moves all samples with the robot, by the odometry's step and an error of their own; if
-  /// `search`, improbable ones also search. Walls stop samples as they stop robots.
+  /// Moves all particles with the robot, by the odometry's step and an error of their own; if
+  /// `search`, improbable ones also search. Walls stop particles as they stop robots.
   void move(const Pose2D& step, const MotionModel& model, bool search, const FieldDimensions& field,
             Random& random);
-  /// The probability of each sample is the product of its evidence (3.20).
-  void multiplyEvidence();
-  /// Copies samples so often as their probability demands (importance resampling, 3.3.2.3).
+  /// The probability of each particle is the product of its likelihood (3.20).
+  void multiplyLikelihoods();
+  /// Copies particles so often as their probability demands (importance resampling, 3.3.2.3).
   void resample(Random& random);
-  /// Puts a sample elsewhere, with that evidence of each kind.
-  void replace(std::size_t i, const Pose2D& pose, const EnumArray<Evidence, float>& with);
-  /// The mean evidence of each kind over all samples; 1 of kinds that are not kept.
-  EnumArray<Evidence, float> meanEvidence() const;
-  /// The samples in the fullest 2 x 2 x 2 of 10 x 10 x 10 cells over the field, averaged
+  /// Puts a particle elsewhere, with that likelihood of each kind.
+  void replace(std::size_t i, const Pose2D& pose, const EnumArray<Likelihood, float>& with);
+  /// The mean likelihood of each kind over all particles; 1 of kinds that are not kept.
+  EnumArray<Likelihood, float> meanLikelihoods() const;
+  /// The particles in the fullest 2 x 2 x 2 of 10 x 10 x 10 cells over the field, averaged
   /// (report 3.3.2.4, (3.15), (3.16)).
   Cluster largestCluster(const FieldDimensions& field);
 
   Pose2D pose(std::size_t i) const;
-  const std::vector<Evidence>& kinds() const { return kinds_; }
+  const std::vector<Likelihood>& kinds() const { return kinds_; }
 
-  std::vector<float> x, y;                           ///< In mm on the field.
-  std::vector<float> cosine, sine;                   ///< Of the rotation.
-  std::vector<float> probability;                    ///< Of the sample.
-  EnumArray<Evidence, std::vector<float>> evidence;  ///< Empty for kinds that are not kept.
+  std::vector<float> x, y;                               ///< In mm on the field.
+  std::vector<float> cosine, sine;                       ///< Of the rotation.
+  std::vector<float> probability;                        ///< Of the particle.
+  EnumArray<Likelihood, std::vector<float>> likelihood;  ///< Empty for kinds that are not kept.
 
  private:
   void drawNoise(std::size_t columns, Random& random);
@@ -101,9 +101,9 @@ class SampleSet {
   template <typename Work>
   void forEachColumn(Work&& work);
 
-  std::vector<Evidence> kinds_;
+  std::vector<Likelihood> kinds_;
   std::vector<float> noise_, buffer_;
-  std::vector<std::int32_t> source_;  ///< Of each sample, in resampling.
+  std::vector<std::int32_t> source_;  ///< Of each particle, in resampling.
   std::vector<std::int32_t> cellX_, cellY_, cellAngle_;
 };
 
