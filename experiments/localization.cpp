@@ -10,7 +10,8 @@
 #include "Experiments.h"
 #include "base/Statistics.h"
 #include "measure/worlds/SimulatedWalker.h"
-#include "modules/behavior/skills/BasicBehaviors.h"
+#include "modules/behavior/skills/GoToPoint.h"
+#include "modules/behavior/testing/ImaginedWorld.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
 #include "modules/modeling/testing/Locators.h"
 
@@ -155,10 +156,13 @@ struct Arrival {
 /// minutes, where it does not come to rest).
 template <typename Robot>
 Arrival goTo(const Pose2D& goal, Robot& robot, AnyLocator& locator) {
-  WorldState world;
+  ImaginedWorld world;
+  const WorldState state = world.state();
+  const Tactics::Parameters tacticsParameters;
+  Tactics tactics{tacticsParameters};
   MotionRequest request;
   const Movement::Parameters parameters;
-  Movement movement{world, request, parameters};
+  Movement movement{tactics, request, parameters};
   GoToPoint goToPoint{movement};
   goToPoint.x = goal.translation.x();
   goToPoint.y = goal.translation.y();
@@ -167,6 +171,7 @@ Arrival goTo(const Pose2D& goal, Robot& robot, AnyLocator& locator) {
   int stood = 0;
   for (int i = 0; i < 2 * picturesPerMinute && stood < 12; ++i) {
     world.self = locator(seenBy(robot));
+    tactics.update(state);
     goToPoint.execute();
     const bool stands = request.type == MotionType::stand;
     stood = stands ? stood + 1 : 0;

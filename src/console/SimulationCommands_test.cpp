@@ -168,7 +168,7 @@ TEST_F(SimulationCommands, SameSeedSameSimulation) {
 
 TEST_F(SimulationCommands, LoadedStatesGoOnAsIfNothingHadHappened) {
   expectFine("robot red1");
-  expectFine("set BehaviorControl.maxForward 100");
+  expectFine("set BehaviorControl.movement.maxForward 100");
   expectFine("run 1");
   expectFine("place ball -500 300 100 0");
   expectFine("robot red4");

@@ -104,6 +104,28 @@ struct Binding<Random&> {
   Random& random;
 };
 
+/// Several inputs in one parameter: a struct of references, whose `Parts` are their types.
+template <typename T>
+concept Bundle = requires {
+  typename T::Parts;
+};
+
+template <typename T, typename Parts>
+struct BundleBinding;
+template <typename T, typename... A>
+struct BundleBinding<T, std::tuple<A...>> {
+  explicit BundleBinding(ModuleContext& context) : parts{Binding<A>{context}...} {}
+  T use() {
+    return std::apply([](auto&... part) { return T{part.use()...}; }, parts);
+  }
+  static void list(std::vector<Port>& ports) { (Binding<A>::list(ports), ...); }
+  std::tuple<Binding<A>...> parts;
+};
+template <Bundle T>
+struct Binding<T> : BundleBinding<T, typename T::Parts> {
+  using BundleBinding<T, typename T::Parts>::BundleBinding;
+};
+
 template <typename M>
 concept HasParameters = requires(M m) {
   m.parameters;

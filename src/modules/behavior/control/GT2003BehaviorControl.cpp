@@ -57,9 +57,9 @@ const xabsl::Symbols& GT2003BehaviorControl::symbols(const MotionNet& motions) {
   return symbols_;
 }
 
-void GT2003BehaviorControl::load(const Behavior& behavior, Debug& debug) {
+void GT2003BehaviorControl::load(const Behavior& behavior, const MotionNet& motions, Debug& debug) {
   loaded_ = behavior.compiled->shared();
-  auto creation = xabsl::Engine::create(*behavior.compiled, symbols(*world_.motions));
+  auto creation = xabsl::Engine::create(*behavior.compiled, symbols(motions));
   for (const xabsl::Diagnostic& diagnostic : creation.diagnostics) debug.text(toString(diagnostic));
   if (!creation.engine) return;
   if (engine_) creation.engine->goOnFrom(*engine_);
@@ -109,42 +109,24 @@ void GT2003BehaviorControl::execute(Time now, const BehaviorControlRequest& cont
   if (debug.isActive(sendActivations)) debug.out().write(now, stateOf(*engine_, control.shown));
 }
 
-void GT2003BehaviorControl::update(const FrameInfo& frame, const Behavior& behavior,
-                                   const BehaviorControlRequest& control, const Player& player,
-                                   const FieldDimensions& field, const GameControlData& game,
-                                   const RobotPose& self, const BallModel& ball,
-                                   const TeamBallModel& teamBall, const ObstaclesModel& obstacles,
-                                   const PlayersCollection& players, const RobotState& body,
-                                   const TeamMessages& team, const MotionInfo& motion,
-                                   const MotionNet& motions, MotionRequest& motionRequest,
-                                   HeadControlMode& headControlMode, LedRequest& ledRequest,
-                                   BehaviorTeamMessage& message, Debug& debug) {
-  world_.motions = &motions;
-  if (behavior.compiled && behavior.compiled->shared() != loaded_) load(behavior, debug);
-  world_.now = frame.time;
-  world_.player = player;
-  world_.field = field;
-  world_.game = game;
-  world_.self = self;
-  world_.ball = ball;
-  world_.teamBall = teamBall;
-  world_.obstacles = obstacles;
-  world_.players = players;
-  world_.body = body;
-  world_.team = team;
-  world_.motion = motion;
-  world_.addMatesToObstacles();
-  role_ = negotiateRole(world_, role_);
+void GT2003BehaviorControl::update(WorldState world, const Behavior& behavior,
+                                   const BehaviorControlRequest& control,
+                                   MotionRequest& motionRequest, HeadControlMode& headControlMode,
+                                   LedRequest& ledRequest, BehaviorTeamMessage& message,
+                                   Debug& debug) {
+  if (behavior.compiled && behavior.compiled->shared() != loaded_)
+    load(behavior, world.motions, debug);
+  tactics_.update(world);
 
   movement_.stand();
   outputs_ = {};
-  if (engine_) execute(frame.time, control, debug);
+  if (engine_) execute(world.frame.time, control, debug);
 
   motionRequest = motionRequest_;
-  motionRequest.time = frame.time;
+  motionRequest.time = world.frame.time;
   headControlMode = outputs_.head;
   ledRequest = outputs_.leds;
-  message = {role_, estimatedTimeToReachBall(world_)};
+  message = {tactics_.role(), tactics_.estimatedTimeToReachBall()};
 }
 
 }  // namespace gt

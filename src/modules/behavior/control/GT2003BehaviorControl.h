@@ -15,27 +15,33 @@
 
 namespace gt {
 
-/// Decides by executing a behavior written in XABSL (report 3.8). What the behavior may ask and say
-/// is declared in behavior/; from there SoccerSymbols.h is generated, with a function for each
-/// symbol and a class for each basic behavior, which SymbolSources.h and BasicBehaviors.h
-/// implement.
+/// Solution *GT2003* of BehaviorControl: executes a behavior written in XABSL (report 3.8). What
+/// the behavior may ask and say is declared in behavior/; from there SoccerSymbols.h is generated,
+/// with a function for each symbol and a class for each basic behavior, which SymbolSources.h and
+/// BasicBehaviors.h implement.
 class GT2003BehaviorControl {
  public:
-  using Parameters = Movement::Parameters;
+  struct Parameters {
+    Movement::Parameters movement;
+    Tactics::Parameters tactics;
+
+    static constexpr auto fields() {
+      return Fields{field("movement", &Parameters::movement),
+                    field("tactics", &Parameters::tactics)};
+    }
+  };
   Parameters parameters;
 
   GT2003BehaviorControl() = default;
   GT2003BehaviorControl(const GT2003BehaviorControl&) = delete;  // the symbols refer to it
   GT2003BehaviorControl& operator=(const GT2003BehaviorControl&) = delete;
 
-  void update(const FrameInfo& frame, const Behavior& behavior,
-              const BehaviorControlRequest& control, const Player& player,
-              const FieldDimensions& field, const GameControlData& game, const RobotPose& self,
-              const BallModel& ball, const TeamBallModel& teamBall, const ObstaclesModel& obstacles,
-              const PlayersCollection& players, const RobotState& body, const TeamMessages& team,
-              const MotionInfo& motion, const MotionNet& motions, MotionRequest& motionRequest,
-              HeadControlMode& headControlMode, LedRequest& ledRequest,
-              BehaviorTeamMessage& message, Debug& debug);
+  /// Provides what the behavior requests in this cycle and what it tells its teammates; to stand
+  /// and to look at nothing without a behavior. It decides in each cycle, whether or not there is a
+  /// new image: how old the models are is its own matter.
+  void update(WorldState world, const Behavior& behavior, const BehaviorControlRequest& control,
+              MotionRequest& motionRequest, HeadControlMode& headControlMode,
+              LedRequest& ledRequest, BehaviorTeamMessage& message, Debug& debug);
 
   /// The symbols, basic behaviors and special actions for a behavior to be linked with: to check
   /// one without a robot, too.
@@ -43,16 +49,15 @@ class GT2003BehaviorControl {
   const std::optional<xabsl::Engine>& engine() const { return engine_; }
 
  private:
-  void load(const Behavior& behavior, Debug& debug);
+  void load(const Behavior& behavior, const MotionNet& motions, Debug& debug);
   void obey(const BehaviorControlRequest& control, Debug& debug);
   void execute(Time now, const BehaviorControlRequest& control, Debug& debug);
 
-  WorldState world_;
+  Tactics tactics_{parameters.tactics};
   MotionRequest motionRequest_;
-  DynamicRole role_ = DynamicRole::defensiveSupporter;
-  SoccerInputs inputs_{world_, role_};
+  SoccerInputs inputs_{tactics_};
   SoccerOutputs outputs_;
-  Movement movement_{world_, motionRequest_, parameters};
+  Movement movement_{tactics_, motionRequest_, parameters.movement};
   BasicBehaviors basicBehaviors_{movement_};
   xabsl::Symbols symbols_;
   std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that no other gets its address
@@ -61,5 +66,6 @@ class GT2003BehaviorControl {
   xabsl::TraceRecorder recorder_{10'000};
   bool recording_ = false;
 };
+static_assert(complete<GT2003BehaviorControl::Parameters>);
 
 }  // namespace gt

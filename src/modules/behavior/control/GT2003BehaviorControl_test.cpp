@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "modules/behavior/testing/ImaginedWorld.h"
 #include "motionnet/Compiler.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "xabsl/formats/Compile.h"
@@ -38,40 +39,35 @@ MotionNet kicksIn(const std::string& folder) {
 /// The behavior in behavior/, linked with the module and run on made-up worlds.
 class GT2003BehaviorControlTest : public ::testing::Test {
  protected:
+  GT2003BehaviorControlTest() {
+    world.frame.time = {10000};
+    world.player = {TeamColor::red, PlayerRole::striker1};
+    world.self = {{0, -1000, 0}, 1};
+    world.motions = motions;
+  }
   static void SetUpTestSuite() {
     auto compilation = xabsl::compile("behavior/GT2003.xabsl");
     for (const auto& diagnostic : compilation.diagnostics) ADD_FAILURE() << toString(diagnostic);
     behavior = new Behavior{compilation.behavior};
+    motions = kicksIn("motions");
   }
   static void TearDownTestSuite() { delete behavior; }
 
   void cycle(int ms = 40) {
-    frame.time = frame.time + ms;
-    control.update(frame, *behavior, {}, player, field, game, self, ball, teamBall, obstacles,
-                   players, body, team, motion, motions, motionRequest, headControlMode, ledRequest,
+    world.frame.time = world.frame.time + ms;
+    control.update(world.state(), *behavior, {}, motionRequest, headControlMode, ledRequest,
                    message, debug);
   }
   void seeBall(const Vector2d& position) {
-    ball.position = position;
-    ball.lastSeen = teamBall.lastSeen = frame.time + 40;
-    teamBall.position = self.pose * position;
+    world.ball.position = position;
+    world.ball.lastSeen = world.teamBall.lastSeen = world.frame.time + 40;
+    world.teamBall.position = world.self.pose * position;
   }
 
   static Behavior* behavior;
+  static MotionNet motions;
   GT2003BehaviorControl control;
-  FrameInfo frame{{10000}};
-  Player player{TeamColor::red, PlayerRole::striker1};
-  FieldDimensions field;
-  GameControlData game;
-  RobotPose self{{0, -1000, 0}, 1};
-  BallModel ball;
-  TeamBallModel teamBall;
-  ObstaclesModel obstacles;
-  PlayersCollection players;
-  RobotState body;
-  TeamMessages team;
-  MotionInfo motion;
-  MotionNet motions = kicksIn("motions");
+  ImaginedWorld world;
   MotionRequest motionRequest;
   HeadControlMode headControlMode;
   LedRequest ledRequest;
@@ -79,9 +75,10 @@ class GT2003BehaviorControlTest : public ::testing::Test {
   Debug debug;
 };
 Behavior* GT2003BehaviorControlTest::behavior = nullptr;
+MotionNet GT2003BehaviorControlTest::motions;
 
 TEST_F(GT2003BehaviorControlTest, BehaviorLinksWithTheModule) {
-  auto creation = xabsl::Engine::create(*behavior->compiled, control.symbols(motions));
+  auto creation = xabsl::Engine::create(*behavior->compiled, control.symbols(world.motions));
   for (const auto& diagnostic : creation.diagnostics) ADD_FAILURE() << toString(diagnostic);
   EXPECT_TRUE(creation.engine);
 }
@@ -90,9 +87,8 @@ TEST_F(GT2003BehaviorControlTest, KeepsItsBehaviorWhereANewOneDoesNotLink) {
   const auto run = [&](const std::string& text) {
     const Behavior edited{xabsl::compile("a.xabsl", {{"a.xabsl", text}}).behavior};
     ASSERT_TRUE(edited.compiled);
-    frame.time = frame.time + 40;
-    control.update(frame, edited, {}, player, field, game, self, ball, teamBall, obstacles, players,
-                   body, team, motion, motions, motionRequest, headControlMode, ledRequest, message,
+    world.frame.time = world.frame.time + 40;
+    control.update(world.state(), edited, {}, motionRequest, headControlMode, ledRequest, message,
                    debug);
   };
   const auto calling = [](const std::string& name) {
@@ -125,7 +121,7 @@ TEST_F(GT2003BehaviorControlTest, TellsWhatItDecidedWhileTheKeyIsActive) {
   EXPECT_EQ(traced(), "");
   debug.keys().set(*DebugKey::find("BehaviorControl/trace"), {DebugKeyMode::always, 0});
   cycle();
-  body.state = BodyState::fallen;
+  world.body.state = BodyState::fallen;
   cycle();
   const auto reading = xabsl::readTraces("trace", traced());
   ASSERT_EQ(reading.traces.size(), 1u);
@@ -141,7 +137,7 @@ TEST_F(GT2003BehaviorControlTest, TellsWhatItDecidedWhileTheKeyIsActive) {
 TEST_F(GT2003BehaviorControlTest, StandsUntilTheGameBegins) {
   for (const GameState state :
        {GameState::initial, GameState::set, GameState::penalized, GameState::finished}) {
-    game.state = state;
+    world.game.state = state;
     seeBall({300, 0});
     cycle();
     EXPECT_EQ(motionRequest.type, MotionType::stand) << enumName(state);
@@ -149,21 +145,21 @@ TEST_F(GT2003BehaviorControlTest, StandsUntilTheGameBegins) {
 }
 
 TEST_F(GT2003BehaviorControlTest, WalksToItsKickOffPosition) {
-  game.state = GameState::ready;
-  game.kickOff = KickOff::opponent;
+  world.game.state = GameState::ready;
+  world.game.kickOff = KickOff::opponent;
   for (int i = 0; i < 2000; ++i) {
     cycle();
     if (motionRequest.type == MotionType::walk)
-      self.pose = self.pose *
-                  Pose2D{motionRequest.walk.rotation * 0.04, motionRequest.walk.translation * 0.04};
+      world.self.pose = world.self.pose * Pose2D{motionRequest.walk.rotation * 0.04,
+                                                 motionRequest.walk.translation * 0.04};
   }
   EXPECT_EQ(motionRequest.type, MotionType::stand);
-  EXPECT_NEAR((self.pose.translation - Vector2d{-650, 0}).norm(), 0, 100);
+  EXPECT_NEAR((world.self.pose.translation - Vector2d{-650, 0}).norm(), 0, 100);
 }
 
 TEST_F(GT2003BehaviorControlTest, GetsUpAfterAFall) {
-  game.state = GameState::playing;
-  body.state = BodyState::fallen;
+  world.game.state = GameState::playing;
+  world.body.state = BodyState::fallen;
   cycle();
   EXPECT_EQ(motionRequest.type, MotionType::getup);
 }
@@ -171,100 +167,58 @@ TEST_F(GT2003BehaviorControlTest, GetsUpAfterAFall) {
 TEST_F(GT2003BehaviorControlTest, GoesBehindTheBallAndKicksIt) {
   // A perfect robot and a ball that lies still: from everywhere around, the kick must come, and
   // towards the goal.
-  game.state = GameState::playing;
+  world.game.state = GameState::playing;
   const Vector2d ballOnField{300, 200};
   for (double angle = -3; angle < 3; angle += 0.5) {
-    self.pose = {angle, ballOnField + direction(angle * 2) * 700};
+    world.self.pose = {angle, ballOnField + direction(angle * 2) * 700};
     bool kicked = false;
     for (int i = 0; i < 1000 && !kicked; ++i) {
-      seeBall(relative(self.pose, ballOnField));
+      seeBall(relative(world.self.pose, ballOnField));
       cycle();
       kicked = motionRequest.type == MotionType::specialAction;
       if (motionRequest.type == MotionType::walk)
-        self.pose = self.pose * Pose2D{motionRequest.walk.rotation * 0.04,
-                                       motionRequest.walk.translation * 0.04};
-      EXPECT_GT((self.pose.translation - ballOnField).norm(), 90) << "must not run the ball over";
+        world.self.pose = world.self.pose * Pose2D{motionRequest.walk.rotation * 0.04,
+                                                   motionRequest.walk.translation * 0.04};
+      EXPECT_GT((world.self.pose.translation - ballOnField).norm(), 90)
+          << "must not run the ball over";
     }
     EXPECT_TRUE(kicked) << "from angle " << angle;
     if (motionRequest.specialAction == "chestKick") {
-      EXPECT_LT(std::abs(normalize(angleOf(Vector2d{2200, 0} - ballOnField) - self.pose.rotation)),
-                0.4);
+      EXPECT_LT(
+          std::abs(normalize(angleOf(Vector2d{2200, 0} - ballOnField) - world.self.pose.rotation)),
+          0.4);
     }
-    motion.executed = {};
+    world.motion.executed = {};
     for (int i = 0; i < 200; ++i) cycle();  // the kick is over
   }
 }
 
-TEST_F(GT2003BehaviorControlTest, NearestRobotIsTheStriker) {
-  game.state = GameState::playing;
+TEST_F(GT2003BehaviorControlTest, LooksAtThePointThatTheBehaviorSets) {
+  const std::string text =
+      "namespace symbols(\"Symbols\") {"
+      "  enum head_mode output { none, look_at_point };"
+      "  enum head_mode output head_control_mode;"
+      "  float output head.point.x \"mm\"; float output head.point.y \"mm\";"
+      "  float output head.point.z \"mm\";"
+      "} namespace skills(\"Skills\") { behavior stand {} }"
+      "option play { initial state look { action { stand(); head_control_mode = look_at_point;"
+      "  head.point.x = 500; head.point.y = -80; head.point.z = 43; } } }"
+      "agent player(\"Player\", play);";
+  const auto compilation = xabsl::compile("a.xabsl", {{"a.xabsl", text}});
+  ASSERT_TRUE(compilation.behavior);
+  const Behavior looking{compilation.behavior};
+  control.update(world.state(), looking, {}, motionRequest, headControlMode, ledRequest, message,
+                 debug);
+  EXPECT_EQ(headControlMode.mode, HeadMode::lookAtPoint);
+  EXPECT_EQ(headControlMode.point, Vector3d(500, -80, 43));
+}
+
+TEST_F(GT2003BehaviorControlTest, TellsItsTeamTheRoleThatItNegotiated) {
+  world.game.state = GameState::playing;
   seeBall({300, 0});
-  auto& mate = team.byPlayer[1];
-  mate.message.playerNumber = 2;
-  mate.timeReceived = frame.time;
-  mate.message.behavior = {DynamicRole::offensiveSupporter, 30000};
   cycle();
   EXPECT_EQ(message.role, DynamicRole::striker);
-  mate.timeReceived = frame.time;
-  mate.message.behavior = {DynamicRole::striker, 100};
-  mate.message.robotPose = {0, 1000, 0};
-  seeBall({300, 0});
-  cycle();
-  EXPECT_EQ(message.role, DynamicRole::offensiveSupporter);
-  seeBall({300, 0});
-  cycle(3000);
-  EXPECT_EQ(message.role, DynamicRole::striker) << "the mate has not been heard for three seconds";
-}
-
-TEST_F(GT2003BehaviorControlTest, NeverPlaysTheBallAtTheOwnGoal) {
-  WorldState world;
-  world.now = world.ball.lastSeen = {1000};
-  for (double y = -1250; y <= 1250; y += 50)
-    for (double x = -2000; x < 2000; x += 50) {
-      world.ball.position = {x, y};
-      // Where the ball would cross the own ground line.
-      const Vector2d way = direction(kickDirection(world));
-      if (way.x() >= 0) continue;
-      const double crossing = y + way.y() / way.x() * (-2100 - x);
-      EXPECT_GT(std::abs(crossing), 250) << x << ' ' << y;
-    }
-}
-
-// Report 3.8.2: the kick depends on the obstacle model and on the free part of the goal.
-TEST_F(GT2003BehaviorControlTest, PlaysTheBallPastObstacles) {
-  WorldState world;
-  world.now = world.ball.lastSeen = {1000};
-  world.self.pose = {0, 1000, 0};
-  world.ball.position = {200, 0};
-  const Vector2d ballOnField{1200, 0};
-  // The keeper stands on the left: the middle of what is free lies on the right.
-  for (const double y : {0., 60., 120., 180.})
-    world.obstacles.enter(relative(world.self.pose, {1950, y}), true, world.now);
-  const double crossing = std::tan(kickDirection(world)) * (2100 - ballOnField.x());
-  EXPECT_LT(crossing, -70);
-  EXPECT_GT(crossing, -300);
-  // Far from the goal: past the opponent right before the ball, whichever way is shorter.
-  world.obstacles = {};
-  world.self.pose = {0, -1000, 0};
-  const double free = kickDirection(world);
-  for (const double y : {-80., -40., 0., 40.}) world.obstacles.enter({550, y}, true, world.now);
-  EXPECT_GT(kickDirection(world), free + fromDegrees(10));
-  EXPECT_LT(kickDirection(world), free + fromDegrees(40));
-  // One behind does not matter.
-  world.obstacles = {};
-  world.obstacles.enter({-300, 0}, true, world.now);
-  EXPECT_EQ(kickDirection(world), free);
-}
-
-TEST_F(GT2003BehaviorControlTest, FindsRoomBehindABallAtTheWall) {
-  WorldState world;
-  world.now = world.ball.lastSeen = {1000};
-  for (const Vector2d& place :
-       {Vector2d{494, 1269}, Vector2d{-1723, -1272}, Vector2d{1584, -1109}}) {
-    world.ball.position = place;
-    const Vector2d behind = place - direction(kickDirection(world)) * 280;
-    EXPECT_LT(std::abs(behind.y()), 1350) << place.transpose();
-    EXPECT_LT(std::abs(behind.x()), 2100) << place.transpose();
-  }
+  EXPECT_NEAR(message.estimatedTimeToReachBall, 1500, 1);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@ namespace gt {
 
 /// XABSL has words of its own (`initial`), so its elements have another ending than ours.
 soccer::GameState SoccerInputs::gameState() const {
-  switch (w_.game.state) {
+  switch (w().game.state) {
     case GameState::initial:
       return soccer::GameState::initialState;
     case GameState::ready:
@@ -22,24 +22,24 @@ soccer::GameState SoccerInputs::gameState() const {
 }
 
 double SoccerInputs::ballKickAngle() const {
-  return toDegrees(normalize(gt::kickDirection(w_) - w_.self.pose.rotation));
+  return toDegrees(normalize(tactics_.kickDirection() - w().self.pose.rotation));
 }
 
 double SoccerInputs::ballAngleAround(double facing) const {
   return toDegrees(
-      normalize(angleOf(w_.knownBall()) + w_.self.pose.rotation - fromDegrees(facing)));
+      normalize(angleOf(tactics_.knownBall()) + w().self.pose.rotation - fromDegrees(facing)));
 }
 
 SpecialAction SoccerInputs::motionSpecialAction() const {
-  if (w_.motion.executed.type != MotionType::specialAction) return {};
-  const std::string& name = w_.motion.executed.specialAction;
-  if (w_.specialAction(action_).name != name)
-    action_ = SpecialAction{w_.motions ? std::max(0, w_.motions->find(name)) : 0};
+  const MotionRequest& executed = w().motion.executed;
+  if (executed.type != MotionType::specialAction) return {};
+  if (motion(action_).name != executed.specialAction)
+    action_ = SpecialAction{std::max(0, w().motions.find(executed.specialAction))};
   return action_;
 }
 
 bool SoccerInputs::kickReaches(SpecialAction id, double astray, double margin) const {
-  const auto spread = w_.specialAction(id).kick.spreadAt(w_.ball.position, margin);
+  const auto spread = motion(id).kick.spreadAt(w().ball.position, margin);
   return spread && *spread <= astray;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "modules/behavior/SoccerSymbols.h"
-#include "modules/behavior/tactics/WorldState.h"
+#include "modules/behavior/skills/SpecialAction.h"
+#include "modules/behavior/tactics/Tactics.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
 
@@ -10,39 +11,38 @@ namespace gt {
 /// behavior/symbols/ declares, with the units given there: angles in degrees, as people write them.
 class SoccerInputs final : public soccer::Inputs {
  public:
-  SoccerInputs(const WorldState& world, const DynamicRole& role) : w_{world}, role_{role} {}
+  /// The tactics must outlive this.
+  explicit SoccerInputs(const Tactics& tactics) : tactics_{tactics} {}
 
   soccer::GameState gameState() const override;
-  bool gameOwnKickOff() const override { return w_.game.kickOff == KickOff::own; }
-  PlayerRole playerRole() const override { return w_.player.role; }
-  DynamicRole teamRole() const override { return role_; }
-  double fieldXGroundline() const override { return w_.field.xGroundline; }
+  bool gameOwnKickOff() const override { return w().game.kickOff == KickOff::own; }
+  PlayerRole playerRole() const override { return w().player.role; }
+  DynamicRole teamRole() const override { return tactics_.role(); }
+  double fieldXGroundline() const override { return w().field.xGroundline; }
 
-  double ballSeenX() const override { return w_.ball.position.x(); }
-  double ballSeenY() const override { return w_.ball.position.y(); }
-  double ballSeenDistance() const override { return w_.ball.position.norm(); }
-  double ballSeenAngle() const override { return toDegrees(angleOf(w_.ball.position)); }
-  double ballTimeSinceLastSeen() const override { return ms(w_.now - w_.ball.lastSeen); }
-  double ballConsecutiveTimeSeen() const override { return ms(w_.ball.consecutiveTimeSeen); }
-  double ballKnownX() const override { return w_.knownBallOnField().x(); }
-  double ballKnownY() const override { return w_.knownBallOnField().y(); }
-  double ballKnownDistance() const override { return w_.knownBall().norm(); }
-  double ballKnownAngle() const override { return toDegrees(angleOf(w_.knownBall())); }
-  double ballTimeSinceLastKnown() const override { return ms(w_.knownBallAge()); }
-  double ballKickDirection() const override { return toDegrees(gt::kickDirection(w_)); }
+  double ballSeenX() const override { return w().ball.position.x(); }
+  double ballSeenY() const override { return w().ball.position.y(); }
+  double ballSeenDistance() const override { return w().ball.position.norm(); }
+  double ballSeenAngle() const override { return toDegrees(angleOf(w().ball.position)); }
+  double ballTimeSinceLastSeen() const override { return ms(w().frame.time - w().ball.lastSeen); }
+  double ballConsecutiveTimeSeen() const override { return ms(w().ball.consecutiveTimeSeen); }
+  double ballKnownX() const override { return tactics_.knownBallOnField().x(); }
+  double ballKnownY() const override { return tactics_.knownBallOnField().y(); }
+  double ballKnownDistance() const override { return tactics_.knownBall().norm(); }
+  double ballKnownAngle() const override { return toDegrees(angleOf(tactics_.knownBall())); }
+  double ballTimeSinceLastKnown() const override { return ms(tactics_.knownBallAge()); }
+  double ballKickDirection() const override { return toDegrees(tactics_.kickDirection()); }
   double ballKickAngle() const override;
-  double ballKickTolerance() const override { return toDegrees(kickTolerance(w_)); }
+  double ballKickTolerance() const override { return toDegrees(tactics_.kickTolerance()); }
   double ballAngleAround(double facing) const override;
 
-  double robotPoseAngle() const override { return toDegrees(w_.self.pose.rotation); }
-  bool bodyFallen() const override { return w_.body.state == BodyState::fallen; }
+  double robotPoseAngle() const override { return toDegrees(w().self.pose.rotation); }
+  bool bodyFallen() const override { return w().body.state == BodyState::fallen; }
   SpecialAction motionSpecialAction() const override;
 
-  double kickX(SpecialAction id) const override { return w_.specialAction(id).kick.x; }
-  double kickY(SpecialAction id) const override { return w_.specialAction(id).kick.y; }
-  double kickDirection(SpecialAction id) const override {
-    return w_.specialAction(id).kick.direction;
-  }
+  double kickX(SpecialAction id) const override { return motion(id).kick.x; }
+  double kickY(SpecialAction id) const override { return motion(id).kick.y; }
+  double kickDirection(SpecialAction id) const override { return motion(id).kick.direction; }
   bool kickReaches(SpecialAction id, double astray, double margin) const override;
 
   double min(double a, double b) const override { return std::min(a, b); }
@@ -52,8 +52,10 @@ class SoccerInputs final : public soccer::Inputs {
  private:
   static double ms(std::int64_t time) { return static_cast<double>(time); }
 
-  const WorldState& w_;
-  const DynamicRole& role_;
+  const WorldState& w() const { return tactics_.world(); }
+  const MotionNet::Motion& motion(SpecialAction id) const { return motionOf(w().motions, id); }
+
+  const Tactics& tactics_;
   mutable SpecialAction action_{};  ///< The one being executed, looked up when its name changes.
 };
 
@@ -63,6 +65,9 @@ struct SoccerOutputs final : soccer::Outputs {
   LedRequest leds;
 
   void setHeadControlMode(HeadMode mode) override { head.mode = mode; }
+  void setHeadPointX(double x) override { head.point.x() = x; }
+  void setHeadPointY(double y) override { head.point.y() = y; }
+  void setHeadPointZ(double z) override { head.point.z() = z; }
   void setLedLowerLeft(LedMode mode) override { leds.modes[Led::lowerLeft] = mode; }
   void setLedUpperLeft(LedMode mode) override { leds.modes[Led::upperLeft] = mode; }
   void setLedLowerRight(LedMode mode) override { leds.modes[Led::lowerRight] = mode; }

@@ -1,0 +1,66 @@
+#include "modules/behavior/control/SymbolSources.h"
+
+#include <gtest/gtest.h>
+
+#include "modules/behavior/testing/ImaginedWorld.h"
+
+namespace gt {
+namespace {
+
+class SymbolSources : public ::testing::Test {
+ protected:
+  SymbolSources() {
+    KickDescription kick{150, 20, 80, {{120, 180, 0, 40, 30}}};
+    world.motions.motions = {{}, {"stand", {}}, {"headLeft", kick}};
+    world.frame.time = world.ball.lastSeen = {1000};
+  }
+  const SoccerInputs& inputs() {
+    state.emplace(world.state());
+    tactics.update(*state);
+    return inputs_;
+  }
+
+  ImaginedWorld world;
+  std::optional<WorldState> state;
+  Tactics::Parameters parameters;
+  Tactics tactics{parameters};
+  SoccerInputs inputs_{tactics};
+};
+
+TEST_F(SymbolSources, TellTheSpecialActionByItsIndex) {
+  EXPECT_EQ(inputs().motionSpecialAction(), SpecialAction{0});
+  world.motion.executed.type = MotionType::specialAction;
+  world.motion.executed.specialAction = "headLeft";
+  EXPECT_EQ(inputs().motionSpecialAction(), SpecialAction{2});
+  world.motion.executed.specialAction = "stand";
+  EXPECT_EQ(inputs().motionSpecialAction(), SpecialAction{1});
+  world.motion.executed.specialAction = "moonwalk";
+  EXPECT_EQ(inputs().motionSpecialAction(), SpecialAction{0});
+  world.motion.executed.type = MotionType::walk;
+  EXPECT_EQ(inputs().motionSpecialAction(), SpecialAction{0});
+}
+
+TEST_F(SymbolSources, TellWhereAKickPlaysTheBall) {
+  constexpr SpecialAction headLeft{2};
+  EXPECT_EQ(inputs().kickX(headLeft), 150);
+  EXPECT_EQ(inputs().kickY(headLeft), 20);
+  EXPECT_EQ(inputs().kickDirection(headLeft), 80);
+  world.ball.position = {115, 20};
+  EXPECT_FALSE(inputs().kickReaches(headLeft, 30, 0));
+  EXPECT_TRUE(inputs().kickReaches(headLeft, 30, 6));
+  EXPECT_FALSE(inputs().kickReaches(headLeft, 29, 6)) << "it goes farther astray";
+  EXPECT_FALSE(inputs().kickReaches(SpecialAction{1}, 180, 1000)) << "is no kick";
+}
+
+TEST_F(SymbolSources, GiveAnglesInDegreesFromWhereTheRobotLooks) {
+  world.self.pose = {pi / 2, 0, 0};
+  world.ball.position = {0, -500};  // at (500, 0) on the field, on the way to the goal
+  EXPECT_NEAR(inputs().ballSeenAngle(), -90, 1e-9);
+  EXPECT_NEAR(inputs().ballKnownX(), 500, 1e-9);
+  EXPECT_NEAR(inputs().ballKickAngle(), inputs().ballKickDirection() - 90, 1e-9);
+  EXPECT_NEAR(inputs().ballAngleAround(0), 0, 1e-9);
+  EXPECT_NEAR(inputs().ballAngleAround(-90), 90, 1e-9);
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,13 @@
+#pragma once
+#include "modules/behavior/skills/Skill.h"
+
+namespace gt {
+
+/// Walks behind the ball so that it lies at (x, y) before the robot, which then faces a direction
+/// on the field; goes round the ball where it would else push it the wrong way.
+struct GoToBall final : Skill<soccer::GoToBall> {
+  using Skill::Skill;
+  void execute() override;
+};
+
+}  // namespace gt

@@ -1,0 +1,79 @@
+#pragma once
+#include "modules/behavior/skills/SpecialAction.h"
+#include "modules/behavior/tactics/Tactics.h"
+#include "representations/behavior/MotionRequest.h"
+
+namespace gt {
+
+/// Where basic behaviors want to go, made a motion request within the robot's limits.
+class Movement {
+ public:
+  struct Parameters {
+    double maxForward = 225;
+    double maxSideways = 165;
+    double maxTurn = 100;
+    double aroundBall = 240;
+    double clearance = 250;
+    double freeWay = 700;
+    double keepOff = 260;
+    double stopBefore = 230;
+
+    static constexpr auto fields() {
+      return Fields{
+          field("maxForward", &Parameters::maxForward, "mm/s", "fastest walk ahead", {10, 400}),
+          field("maxSideways", &Parameters::maxSideways, "mm/s", "fastest walk sideways and back",
+                {10, 400}),
+          field("maxTurn", &Parameters::maxTurn, "degree/s", "fastest turn", {10, 200}),
+          field("aroundBall", &Parameters::aroundBall, "mm", "radius of the path round the ball",
+                {100, 1000}),
+          field("clearance", &Parameters::clearance, "mm",
+                "width of a corridor through which the robot walks", {100, 1000}),
+          field("freeWay", &Parameters::freeWay, "mm",
+                "obstacles that are farther away in the walking direction do not count",
+                {100, 2000}),
+          field("keepOff", &Parameters::keepOff, "mm",
+                "least distance from the robot's middle to that of another robot", {0, 1000}),
+          field("stopBefore", &Parameters::stopBefore, "mm",
+                "distance from the robot's middle to an obstacle at which it stops", {0, 1000})};
+    }
+  };
+
+  /// All must outlive this.
+  Movement(const Tactics& tactics, MotionRequest& request, const Parameters& parameters)
+      : tactics_{tactics}, request_{request}, parameters_{parameters} {}
+
+  const Tactics& tactics() const { return tactics_; }
+  const Parameters& parameters() const { return parameters_; }
+
+  void stand() { request(MotionType::stand); }
+  void getup() { request(MotionType::getup); }
+  void perform(SpecialAction action) {
+    request(MotionType::specialAction);
+    request_.specialAction = motionOf(tactics_.world().motions, action).name;
+  }
+  /// Speeds in mm/s and rad/s.
+  void walk(const Vector2d& speed, double turn);
+  /// Walks by an offset in mm and turns by an angle, ever slower.
+  void approach(const Vector2d& offset, double turn, double maxSpeed);
+  /// The same from far away: past obstacles on the way, for which the robot faces the direction in
+  /// which it walks (report 4.3).
+  void approachAvoiding(const Vector2d& offset, double turn, double maxSpeed);
+
+ private:
+  /// A speed that does not lead into another robot.
+  Vector2d keptFromPlayers(Vector2d speed) const;
+
+  /// A request of a type and nothing else; keeps the memory of the name.
+  void request(MotionType type) {
+    static const MotionRequest nothing;
+    request_ = nothing;
+    request_.type = type;
+  }
+
+  const Tactics& tactics_;
+  MotionRequest& request_;
+  const Parameters& parameters_;
+};
+static_assert(complete<Movement::Parameters>);
+
+}  // namespace gt

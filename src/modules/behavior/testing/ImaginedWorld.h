@@ -1,0 +1,28 @@
+#pragma once
+#include "modules/behavior/tactics/WorldState.h"
+
+namespace gt {
+
+/// A state of the world made up by hand: for tests and experiments, no part of the robot.
+struct ImaginedWorld {
+  FrameInfo frame;
+  Player player;
+  FieldDimensions field;
+  GameControlData game;
+  RobotPose self;
+  BallModel ball;
+  TeamBallModel teamBall;
+  ObstaclesModel obstacles;
+  PlayersCollection players;
+  RobotState body;
+  TeamMessages team;
+  MotionInfo motion;
+  MotionNet motions;
+
+  WorldState state() const {
+    return {frame,     player,  field, game, self,   ball,   teamBall,
+            obstacles, players, body,  team, motion, motions};
+  }
+};
+
+}  // namespace gt
