@@ -25,7 +25,9 @@ bool isRoot(const fs::path& folder) {
 Result<DataRoot> named(const std::string& folder, const char* where) {
   const std::string missing = missingIn(folder);
   if (missing.empty()) return DataRoot{folder};
-  return Error{folder, 0, where, "is no data root: it has no folder '" + missing + "'"};
+  return Error{.file = folder,
+               .field = where,
+               .what = "is no data root: it has no folder '" + missing + "'"};
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ Result<DataRoot> DataRoot::find(const Places& places) {
       if (isRoot(above)) return DataRoot{above.string()};
   }
   if (!places.sources.empty() && isRoot(places.sources)) return DataRoot{places.sources};
-  return Error{"", 0, "--root", "no data root found; name it by --root or GT2003_ROOT"};
+  return Error{.field = "--root", .what = "no data root found; name it by --root or GT2003_ROOT"};
 }
 
 std::string DataRoot::path(const std::string& name) const {

@@ -13,14 +13,16 @@ Result<void> checkRanges(const std::string& file, ColorClass colorClass,
                          std::span<const NamedRange> ranges) {
   const std::string name{enumName(colorClass)};
   if (colorClass == ColorClass::noColor)
-    return Error{file, 0, name, "has no ranges: it is what lies in no other class"};
+    return Error{
+        .file = file, .field = name, .what = "has no ranges: it is what lies in no other class"};
   for (const NamedRange& r : ranges) {
     if (r.circular || r.range[0] <= r.range[1]) continue;
     const bool missing = r.range == nothing(r.highest);
-    return Error{file, 0, name + "." + r.name,
-                 missing ? "this class has no such range"
-                         : "the minimum " + std::to_string(r.range[0]) + " is above the maximum " +
-                               std::to_string(r.range[1])};
+    return Error{.file = file,
+                 .field = name + "." + r.name,
+                 .what = missing ? "this class has no such range"
+                                 : "the minimum " + std::to_string(r.range[0]) +
+                                       " is above the maximum " + std::to_string(r.range[1])};
   }
   return {};
 }

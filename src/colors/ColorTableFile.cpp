@@ -27,7 +27,7 @@ Result<ColorTable64> parseColorTable(std::string_view bytes, const std::string& 
   std::size_t filled = 0;
   std::size_t offset = 0;
   const auto wrong = [&](std::string what) {
-    return Error{file, 0, "byte " + std::to_string(offset), std::move(what)};
+    return Error{.file = file, .field = "byte " + std::to_string(offset), .what = std::move(what)};
   };
   for (;;) {
     if (bytes.size() - offset < 4) return wrong("the file ends within the length of a run");

@@ -25,22 +25,30 @@ std::vector<std::string_view> cellsOf(std::string_view row) {
 Result<LabelledRegion> parseRow(std::string_view row, const std::string& file, int line) {
   const std::vector<std::string_view> cells = cellsOf(row);
   if (cells.size() != columns.size())
-    return Error{file, line, "", "expected " + std::string{heading}};
-  if (cells[0].empty()) return Error{file, line, columns[0], "is missing"};
+    return Error{.file = file, .line = line, .what = "expected " + std::string{heading}};
+  if (cells[0].empty())
+    return Error{.file = file, .line = line, .field = columns[0], .what = "is missing"};
   const auto colorClass = enumValue<ColorClass>(cells[1]);
   if (!colorClass)
-    return Error{file, line, columns[1], "there is no class '" + std::string{cells[1]} + "'"};
+    return Error{.file = file,
+                 .line = line,
+                 .field = columns[1],
+                 .what = "there is no class '" + std::string{cells[1]} + "'"};
   std::array<int, 4> corners{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::string_view cell = cells[2 + i];
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), corners[i]);
     if (error != std::errc{} || end != cell.data() + cell.size() || corners[i] < 0)
-      return Error{file, line, columns[2 + i],
-                   "expected a pixel's number instead of '" + std::string{cell} + "'"};
+      return Error{.file = file,
+                   .line = line,
+                   .field = columns[2 + i],
+                   .what = "expected a pixel's number instead of '" + std::string{cell} + "'"};
   }
   const auto [left, top, right, bottom] = corners;
-  if (left > right) return Error{file, line, "right", "lies left of left"};
-  if (top > bottom) return Error{file, line, "bottom", "lies above top"};
+  if (left > right)
+    return Error{.file = file, .line = line, .field = "right", .what = "lies left of left"};
+  if (top > bottom)
+    return Error{.file = file, .line = line, .field = "bottom", .what = "lies above top"};
   return LabelledRegion{std::string{cells[0]}, *colorClass, {left, top, right, bottom}};
 }
 
@@ -60,7 +68,8 @@ Result<std::vector<LabelledRegion>> parseRegions(std::string_view text, const st
     regions.push_back(*std::move(region));
   }
   if (regions.empty())
-    return Error{file, 1, "", "expected a table of labels: " + std::string{heading}};
+    return Error{
+        .file = file, .line = 1, .what = "expected a table of labels: " + std::string{heading}};
   return regions;
 }
 

@@ -124,7 +124,9 @@ Result<CrashReport> parseCrashReport(std::string_view text, const std::string& f
     std::string_view row = text.substr(0, end);
     const bool cutOff = end == text.npos;
     text.remove_prefix(cutOff ? text.size() : end + 1);
-    const auto wrong = [&](std::string what) { return Error{file, line, "", std::move(what)}; };
+    const auto wrong = [&](std::string what) {
+      return Error{.file = file, .line = line, .what = std::move(what)};
+    };
     if (line == 1) {
       if (row != heading) return wrong("is no crash report");
       continue;
@@ -135,7 +137,7 @@ Result<CrashReport> parseCrashReport(std::string_view text, const std::string& f
       return wrong("expected a line of a crash report, not " + std::string{key.substr(0, 40)});
   }
   if (report.signal.empty() && report.modules.empty())
-    return Error{file, 0, "", "is no crash report, or ends before it tells anything"};
+    return Error{.file = file, .what = "is no crash report, or ends before it tells anything"};
   return report;
 }
 

@@ -88,13 +88,13 @@ class ElfParser {
 Result<ElfFile> ElfFile::read(const std::string& path) {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(path, failure))
-    return Error{path, 0, "", "there is no such file"};
+    return Error{.file = path, .what = "there is no such file"};
   std::ifstream stream{path, std::ios::binary};
-  if (!stream) return Error{path, 0, "", "cannot be read"};
+  if (!stream) return Error{.file = path, .what = "cannot be read"};
   ElfFile file;
   file.path_ = path;
   if (!ElfParser{stream, std::filesystem::file_size(path, failure)}.parse(file))
-    return Error{path, 0, "", "is no program (64-bit ELF)"};
+    return Error{.file = path, .what = "is no program (64-bit ELF)"};
   return file;
 }
 

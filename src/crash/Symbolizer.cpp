@@ -75,7 +75,8 @@ Symbolizer::Files& Symbolizer::filesOf(const CrashModule& module) {
   if (!code)
     missing_.push_back(code.error());
   else if (code->buildId() != module.buildId)
-    missing_.push_back({module.path, 0, "", "is not the one that crashed: its build id differs"});
+    missing_.push_back(
+        {.file = module.path, .what = "is not the one that crashed: its build id differs"});
   else
     files.code = std::move(*code);
   files.symbols = files.code && files.code->hasLines() ? files.code : findSymbols(module.buildId);

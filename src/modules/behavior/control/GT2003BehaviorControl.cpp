@@ -12,6 +12,7 @@ namespace {
 
 const DebugKey sendActivations{"BehaviorControl/activations"};
 const DebugKey sendTrace{"BehaviorControl/trace"};
+const DebugKey engineTime{"BehaviorControl/engine"};
 
 /// A number as the engine reads it, for a parameter of any type: 0 or 1 for one that is true or
 /// false.
@@ -60,7 +61,7 @@ const xabsl::Symbols& GT2003BehaviorControl::symbols(const MotionNet& motions) {
 void GT2003BehaviorControl::load(const Behavior& behavior, const MotionNet& motions, Debug& debug) {
   loaded_ = behavior.compiled->shared();
   auto creation = xabsl::Engine::create(*behavior.compiled, symbols(motions));
-  for (const xabsl::Diagnostic& diagnostic : creation.diagnostics) debug.text(toString(diagnostic));
+  for (const xabsl::Diagnostic& diagnostic : creation.diagnostics) debug.warn(toString(diagnostic));
   if (!creation.engine) return;
   if (engine_) creation.engine->goOnFrom(*engine_);
   engine_ = std::move(creation.engine);
@@ -88,7 +89,7 @@ void GT2003BehaviorControl::obey(const BehaviorControlRequest& control, Debug& d
                                      : engine_->selectRootOption(control.root));
   for (std::size_t i = 0; done && i < control.parameters.size(); ++i)
     done = setParameter(*engine_, (*declared)[i], control.parameters[i]);
-  if (!done) debug.text("the behavior has no " + control.root + " with these parameters");
+  if (!done) debug.warn("the behavior has no " + control.root + " with these parameters");
 }
 
 /// What the trace is about comes first, once; then each cycle by itself.
@@ -96,7 +97,7 @@ void GT2003BehaviorControl::execute(Time now, const BehaviorControlRequest& cont
   obey(control, debug);
   const bool record = debug.isActive(sendTrace);
   engine_->record(record ? &recorder_ : nullptr);
-  engine_->execute(now.ms);
+  debug.stopTime(engineTime, [&] { engine_->execute(now.ms); });
   for (const auto& [symbol, value] : control.outputs) engine_->setOutput(symbol, value);
   if (record) {
     std::string text;
