@@ -131,6 +131,7 @@ function(gt_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_compile_options(${name} PRIVATE ${testCode})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # of tests/support
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   gt_precompile(${name} REUSE_FROM gt_precompiled_tests)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

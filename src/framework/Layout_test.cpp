@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/LayoutCheck.h"
-#include "framework/TestModules.h"
+#include "support/TestModules.h"
 
 namespace gt {
 namespace {

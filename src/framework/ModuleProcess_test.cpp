@@ -5,7 +5,7 @@
 #include <map>
 
 #include "framework/DebugProcess.h"
-#include "framework/TestModules.h"
+#include "support/TestModules.h"
 
 namespace gt {
 namespace {

@@ -9,9 +9,9 @@
 #include "streams/Config.h"
 #include "streams/File.h"
 #include "streams/MessageStreams.h"
-#include "streams/Samples.h"
 #include "streams/Schema.h"
 #include "streams/Streams.h"
+#include "support/Samples.h"
 
 namespace gt {
 namespace {

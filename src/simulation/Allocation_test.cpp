@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "base/TestAllocations.h"
 #include "simulation/Simulation.h"
 #include "simulation/TestScenes.h"
+#include "support/TestAllocations.h"
 
 namespace gt {
 namespace {

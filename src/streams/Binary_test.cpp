@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "streams/Samples.h"
 #include "streams/Streams.h"
+#include "support/Samples.h"
 
 namespace gt {
 namespace {

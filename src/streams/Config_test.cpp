@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "streams/Binary.h"
-#include "streams/Samples.h"
+#include "support/Samples.h"
 
 namespace gt {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "streams/Binary.h"
-#include "streams/Samples.h"
+#include "support/Samples.h"
 
 namespace gt {
 namespace {

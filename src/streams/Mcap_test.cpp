@@ -11,7 +11,7 @@
 #include "streams/File.h"
 #include "streams/Jpeg.h"
 #include "streams/McapRecords.h"
-#include "streams/Samples.h"
+#include "support/Samples.h"
 
 namespace gt {
 namespace {

@@ -9,8 +9,8 @@
 #include "base/Random.h"
 #include "streams/Binary.h"
 #include "streams/MessageQueue.h"
-#include "streams/Samples.h"
 #include "streams/Schema.h"
+#include "support/Samples.h"
 
 namespace gt {
 

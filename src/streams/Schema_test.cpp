@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "streams/Samples.h"
+#include "support/Samples.h"
 
 namespace gt {
 namespace {

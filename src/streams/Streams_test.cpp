@@ -7,7 +7,7 @@
 
 #include "streams/Binary.h"
 #include "streams/File.h"
-#include "streams/Samples.h"
+#include "support/Samples.h"
 
 namespace gt {
 namespace {

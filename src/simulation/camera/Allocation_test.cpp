@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "base/TestAllocations.h"
 #include "simulation/camera/TestWorld.h"
+#include "support/TestAllocations.h"
 
 namespace gt {
 namespace {

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "base/Random.h"
-#include "base/TestAllocations.h"
 #include "modules/modeling/ball/BallChallengeBallLocator.h"
 #include "modules/modeling/ball/ProbabilisticBallLocator.h"
 #include "modules/modeling/team/FusedTeamBallLocator.h"
+#include "support/TestAllocations.h"
 
 namespace gt {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/TestAllocations.h"
 #include "modules/modeling/OracledLocators.h"
+#include "support/TestAllocations.h"
 
 namespace gt {
 namespace {

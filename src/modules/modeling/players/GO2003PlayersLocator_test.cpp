@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/Random.h"
-#include "base/TestAllocations.h"
+#include "support/TestAllocations.h"
 
 namespace gt {
 namespace {

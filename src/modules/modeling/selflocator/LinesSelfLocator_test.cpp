@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "base/TestAllocations.h"
 #include "modules/modeling/selflocator/Fusion2003SelfLocator.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
 #include "modules/modeling/testing/Locators.h"
+#include "support/TestAllocations.h"
 
 namespace gt {
 namespace {

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "base/Random.h"
-#include "base/TestAllocations.h"
 #include "modules/perception/processors/GT2003ImageProcessor.h"
 #include "modules/perception/processors/GridImageProcessor2.h"
 #include "modules/perception/processors/GridImageProcessor3.h"
 #include "modules/perception/processors/LinesImageProcessor.h"
+#include "support/TestAllocations.h"
 
 namespace gt {
 namespace {

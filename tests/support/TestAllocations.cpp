@@ -1,4 +1,4 @@
-#include "base/TestAllocations.h"
+#include "support/TestAllocations.h"
 
 #include <atomic>
 #include <cstddef>
