@@ -7,10 +7,11 @@ namespace gt {
 Findings warningsIn(const MessageQueue& messages, const std::string& robot) {
   Findings findings;
   messages.handleAllMessages([&](const Message& message) {
-    const std::string at = robot + " at " + std::to_string(message.time.ms) + " ms";
     const auto report = [&](std::string field, std::string what, Severity severity) {
-      findings.add(
-          {.file = at, .field = std::move(field), .what = std::move(what), .severity = severity});
+      findings.add({.file = robot + " at " + std::to_string(message.time.ms) + " ms",
+                    .field = std::move(field),
+                    .what = std::move(what),
+                    .severity = severity});
     };
     if (message.is<Text>()) {
       Text text;
