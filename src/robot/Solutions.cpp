@@ -1,5 +1,7 @@
 #include "robot/Solutions.h"
 
+#include <type_traits>
+
 #include "modules/behavior/Tasks.h"
 #include "modules/modeling/Tasks.h"
 #include "modules/motion/Tasks.h"
@@ -9,7 +11,7 @@ namespace gt {
 namespace {
 
 template <typename... T>
-void addTasks(SolutionTable& table, std::tuple<T...>*) {
+void addTasks(SolutionTable& table, std::type_identity<std::tuple<T...>>) {
   (table.addTask<T>(), ...);
 }
 
@@ -17,10 +19,10 @@ void addTasks(SolutionTable& table, std::tuple<T...>*) {
 
 SolutionTable tasks() {
   SolutionTable table;
-  addTasks(table, static_cast<PerceptionTasks*>(nullptr));
-  addTasks(table, static_cast<ModelingTasks*>(nullptr));
-  addTasks(table, static_cast<BehaviorTasks*>(nullptr));
-  addTasks(table, static_cast<MotionTasks*>(nullptr));
+  addTasks(table, std::type_identity<PerceptionTasks>{});
+  addTasks(table, std::type_identity<ModelingTasks>{});
+  addTasks(table, std::type_identity<BehaviorTasks>{});
+  addTasks(table, std::type_identity<MotionTasks>{});
   return table;
 }
 

@@ -4,36 +4,37 @@
 #include <charconv>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace gt {
 namespace {
 
-/// Calls visit with a null pointer to the C++ type of a number.
+/// Calls visit with the C++ type of a number.
 template <typename Visit>
 decltype(auto) dispatch(Number number, Visit&& visit) {
   switch (number) {
     case Number::int8:
-      return visit(static_cast<std::int8_t*>(nullptr));
+      return visit(std::type_identity<std::int8_t>{});
     case Number::uint8:
-      return visit(static_cast<std::uint8_t*>(nullptr));
+      return visit(std::type_identity<std::uint8_t>{});
     case Number::int16:
-      return visit(static_cast<std::int16_t*>(nullptr));
+      return visit(std::type_identity<std::int16_t>{});
     case Number::uint16:
-      return visit(static_cast<std::uint16_t*>(nullptr));
+      return visit(std::type_identity<std::uint16_t>{});
     case Number::int32:
-      return visit(static_cast<std::int32_t*>(nullptr));
+      return visit(std::type_identity<std::int32_t>{});
     case Number::uint32:
-      return visit(static_cast<std::uint32_t*>(nullptr));
+      return visit(std::type_identity<std::uint32_t>{});
     case Number::int64:
-      return visit(static_cast<std::int64_t*>(nullptr));
+      return visit(std::type_identity<std::int64_t>{});
     case Number::uint64:
-      return visit(static_cast<std::uint64_t*>(nullptr));
+      return visit(std::type_identity<std::uint64_t>{});
     case Number::float32:
-      return visit(static_cast<float*>(nullptr));
+      return visit(std::type_identity<float>{});
     case Number::float64:
       break;
   }
-  return visit(static_cast<double*>(nullptr));
+  return visit(std::type_identity<double>{});
 }
 
 template <typename N>
@@ -106,8 +107,8 @@ bool isConditional(const Type& type) {
 }
 
 double asDouble(ConstValue number) {
-  return dispatch(number.type().number, [&](auto* type) {
-    return static_cast<double>(load<std::remove_pointer_t<decltype(type)>>(number.data()));
+  return dispatch(number.type().number, [&]<typename N>(std::type_identity<N>) {
+    return static_cast<double>(load<N>(number.data()));
   });
 }
 
@@ -172,8 +173,8 @@ std::size_t width(const Type& type) {
 
 std::int64_t ordinal(ConstValue scalar) {
   if (scalar.type().kind == Kind::boolean) return *static_cast<const bool*>(scalar.data()) ? 1 : 0;
-  return dispatch(scalar.type().number, [&](auto* type) {
-    return static_cast<std::int64_t>(load<std::remove_pointer_t<decltype(type)>>(scalar.data()));
+  return dispatch(scalar.type().number, [&]<typename N>(std::type_identity<N>) {
+    return static_cast<std::int64_t>(load<N>(scalar.data()));
   });
 }
 
@@ -182,8 +183,8 @@ void setOrdinal(Value scalar, std::int64_t number) {
     *static_cast<bool*>(scalar.data) = number != 0;
     return;
   }
-  dispatch(scalar.type->number, [&](auto* type) {
-    const auto n = static_cast<std::remove_pointer_t<decltype(type)>>(number);
+  dispatch(scalar.type->number, [&]<typename N>(std::type_identity<N>) {
+    const auto n = static_cast<N>(number);
     std::memcpy(scalar.data, &n, sizeof n);
   });
 }
@@ -199,8 +200,8 @@ std::string scalarText(ConstValue scalar) {
       return n < scalar.type().names.size() ? std::string(scalar.type().names[n]) : "?";
     }
     default:
-      return dispatch(scalar.type().number, [&](auto* type) {
-        return numberText(load<std::remove_pointer_t<decltype(type)>>(scalar.data()));
+      return dispatch(scalar.type().number, [&]<typename N>(std::type_identity<N>) {
+        return numberText(load<N>(scalar.data()));
       });
   }
 }
@@ -217,8 +218,8 @@ Result<void> setScalar(Value scalar, std::string_view text, Range range) {
     case Kind::enumeration:
       return setEnumeration(scalar, text);
     default:
-      return dispatch(scalar.type->number, [&](auto* type) {
-        return setNumber<std::remove_pointer_t<decltype(type)>>(scalar.data, text, range);
+      return dispatch(scalar.type->number, [&]<typename N>(std::type_identity<N>) {
+        return setNumber<N>(scalar.data, text, range);
       });
   }
 }
