@@ -7,8 +7,7 @@
 #include "measure/real/FieldComparison.h"
 #include "replay/Replay.h"
 #include "replay/Track.h"
-#include "streams/Png.h"
-#include "views/painting/PicturePainter.h"
+#include "views/painting/Sheet.h"
 
 namespace {
 
@@ -38,10 +37,11 @@ void printRow(const NaoPicture& picture, const BallPercept& ball, const BallLabe
 }
 
 Result<void> writePicture(const LogPlatform& platform, const std::string& out) {
-  PicturePainter painter{platform.image()};
-  for (const Drawing& drawing : platform.drawings()) painter.paint(drawing);
-  return writePng(fmt::format("{}/{:03}.png", out, platform.picture().number), painter.width(),
-                  painter.height(), painter.rgb());
+  constexpr int scale = 2;
+  Sheet sheet = imageSheet(platform.image(), scale);
+  for (const Drawing& drawing : platform.drawings())
+    sheet.paint(drawing, {Vector2d::Zero(), scale});
+  return sheet.write(fmt::format("{}/{:03}.png", out, platform.picture().number));
 }
 
 /// Compares lines and goals, too, if there are labels of them.

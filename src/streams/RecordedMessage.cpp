@@ -5,6 +5,7 @@
 #include <limits>
 #include <variant>
 
+#include "streams/Base64.h"
 #include "streams/Binary.h"
 #include "streams/Schema.h"
 
@@ -85,21 +86,6 @@ class FieldReader {
 };
 
 // --- To JSON
-
-std::string base64(std::span<const std::byte> bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string s;
-  s.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < n ? std::to_integer<unsigned>(bytes[i + k]) : 0);
-    for (std::size_t k = 0; k < 4; ++k) s += k <= n ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return s;
-}
 
 Json scalarJson(const RecordedField& field, const Scalar& scalar) {
   if (const auto* text = std::get_if<std::string>(&scalar)) return *text;

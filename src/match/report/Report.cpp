@@ -7,10 +7,11 @@
 #include <utility>
 
 #include "match/report/PageFiles.h"
-#include "views/painting/PicturePainter.h"
+#include "streams/Base64.h"
 #include "streams/File.h"
 #include "streams/Jpeg.h"
 #include "streams/Json.h"
+#include "views/painting/Sheet.h"
 
 namespace gt {
 namespace {
@@ -99,19 +100,6 @@ Json columnsOf(const std::vector<Vector2d>& points, std::size_t stride) {
   return Json{{"x", x}, {"y", y}};
 }
 
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = i; k < i + 3; ++k) group = group << 8 | (k < bytes.size() ? bytes[k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63];
-  }
-  return text;
-}
-
 /// As JPEG: the cameras' noise makes a PNG five times as large.
 std::string dataUri(const ReportPicture& picture) {
   std::vector<std::uint8_t> ycc;
@@ -122,8 +110,8 @@ std::string dataUri(const ReportPicture& picture) {
     for (const double value : {y, 128 + (b - y) * 0.564, 128 + (r - y) * 0.713})
       ycc.push_back(static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)));
   }
-  return "data:image/jpeg;base64," +
-         base64(encodeJpeg(ycc.data(), picture.width, picture.height, 3, 82));
+  const auto jpeg = encodeJpeg(ycc.data(), picture.width, picture.height, 3, 82);
+  return "data:image/jpeg;base64," + base64(std::as_bytes(std::span{jpeg}));
 }
 
 bool isComplete(const ReportPicture& picture) {
@@ -199,10 +187,11 @@ Result<void> writeTimesJson(const std::string& path, const MatchTimes& times) {
 
 ReportPicture reportPicture(std::string title, const Image& image,
                             std::span<const Drawing> drawings, int scale) {
-  PicturePainter painter{image, scale};
+  Sheet sheet = imageSheet(image, scale);
   for (const Drawing& drawing : drawings)
-    if (drawing.space == DrawingSpace::image) painter.paint(drawing);
-  return {std::move(title), painter.width(), painter.height(), painter.rgb()};
+    if (drawing.space == DrawingSpace::image)
+      sheet.paint(drawing, {Vector2d::Zero(), static_cast<double>(scale)});
+  return {std::move(title), sheet.width(), sheet.height(), sheet.pixels().pixels};
 }
 
 Result<void> writeReport(const std::string& path, const MatchSummary& summary,

@@ -1,6 +1,6 @@
 #pragma once
-#include "views/painting/Sheet.h"
 #include "representations/perception/ColorTable64.h"
+#include "views/painting/Sheet.h"
 
 namespace gt {
 

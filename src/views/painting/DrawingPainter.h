@@ -1,12 +1,11 @@
 #pragma once
 #include "debug/Drawing.h"
-
-struct _cairo;
+#include "views/painting/SheetPainter.h"
 
 namespace gt {
 
-/// Where a drawing's coordinates lie on a page: its origin in pixels, pixels for each of its units,
-/// and whether its second axis goes up, as on the field, or down, as in pictures.
+/// Where a drawing's coordinates lie on a sheet: its origin in pixels, pixels for each of its
+/// units, and whether its second axis goes up, as on the field, or down, as in images.
 struct Placement {
   Vector2d origin = Vector2d::Zero();
   double scale = 1;
@@ -17,9 +16,8 @@ struct Placement {
   }
 };
 
-/// Paints the elements of a drawing in the order in which they were drawn, with smooth edges (by
-/// Cairo). The width of the pen counts in pixels of the page. What makes no sense (too few points,
-/// not finite) is left out.
-void paint(_cairo* context, const Drawing& drawing, const Placement& placement);
+/// Paints an element of a drawing. The width of the pen counts in pixels of the sheet. What makes
+/// no sense (too few points, not finite) is left out.
+void paint(SheetPainter& painter, const DrawingElement& element, const Placement& placement);
 
 }  // namespace gt

@@ -1,8 +1,5 @@
 #include "views/painting/Sheet.h"
 
-#include <cairo-svg.h>
-#include <cairo.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,43 +7,46 @@
 #include "colors/Rgb.h"
 #include "streams/File.h"
 #include "streams/Png.h"
+#include "views/painting/CairoPainter.h"
+#include "views/painting/SvgPainter.h"
 
 namespace gt {
 namespace {
 
-using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-
 constexpr int largest = 4096;
 
-Context contextOf(cairo_surface_t* surface) {
-  return {cairo_create(surface), cairo_destroy};
+/// How many bytes the letter of UTF-8 takes that a text begins with; 0 if it is none.
+std::size_t letterSize(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t size = first < 0x80                     ? 1
+                           : first >= 0xC2 && first <= 0xDF ? 2
+                           : first >= 0xE0 && first <= 0xEF ? 3
+                           : first >= 0xF0 && first <= 0xF4 ? 4
+                                                            : 0;
+  if (size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  // Longer than need be, surrogates, beyond Unicode.
+  if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
+      (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F))
+    return 0;
+  return size;
 }
 
-/// A line of a text that Cairo's own font can show.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (c < ' ' || c > '~') c = '?';
-  return text;
-}
-
-Surface surfaceOf(const RgbPicture& picture) {
-  Surface image{cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height),
-                cairo_surface_destroy};
-  cairo_surface_flush(image.get());
-  const int stride = cairo_image_surface_get_stride(image.get()) / 4;
-  auto* to = reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(image.get()));
-  const std::uint8_t* from = picture.pixels.data();
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x, from += 3)
-      to[y * stride + x] = static_cast<std::uint32_t>(from[0] << 16 | from[1] << 8 | from[2]);
-  cairo_surface_mark_dirty(image.get());
-  return image;
-}
-
-cairo_status_t append(void* text, const unsigned char* data, unsigned int length) {
-  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
+/// A line of text: what is no UTF-8 or moves the cursor becomes a question mark.
+std::string printable(std::string_view text) {
+  std::string line;
+  while (!text.empty()) {
+    const std::size_t size = letterSize(text);
+    const bool control = static_cast<unsigned char>(text[0]) < ' ' || text[0] == 0x7F;
+    if (size == 0 || control)
+      line += '?';
+    else
+      line += text.substr(0, size);
+    text.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return line;
 }
 
 }  // namespace
@@ -57,8 +57,9 @@ RgbPicture rgbOf(const Image& image) {
   const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(value)); };
   const auto count =
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  picture.pixels.reserve(3 * count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Rgb color = rgbOf(i < image.pixels.size() ? image.pixels[i] : Pixel{});
+    const Rgb color = i < image.pixels.size() ? rgbOf(image.pixels[i]) : Rgb{};
     for (const double part : {color.red, color.green, color.blue})
       picture.pixels.push_back(byte(part));
   }
@@ -71,69 +72,52 @@ Sheet::Sheet(int width, int height, Color background)
 }
 
 void Sheet::paint(const Drawing& drawing, const Placement& placement) {
-  for (const DrawingElement& element : drawing.elements)
-    strokes_.emplace_back([element, placement](cairo_surface_t* surface) {
-      gt::paint(contextOf(surface).get(), {{}, {}, {element}}, placement);
+  for (DrawingElement element : drawing.elements) {
+    element.text = printable(element.text);
+    strokes_.emplace_back([element = std::move(element), placement](SheetPainter& painter) {
+      gt::paint(painter, element, placement);
     });
+  }
 }
 
-void Sheet::paint(const RgbPicture& picture, const Vector2d& at, double scale) {
+void Sheet::paint(RgbPicture picture, const Vector2d& at, double scale) {
   if (picture.width <= 0 || picture.height <= 0) return;
-  strokes_.emplace_back([picture, at, scale](cairo_surface_t* surface) {
-    const Surface image = surfaceOf(picture);
-    const Context context = contextOf(surface);
-    cairo_translate(context.get(), at.x(), at.y());
-    cairo_scale(context.get(), scale, scale);
-    cairo_set_source_surface(context.get(), image.get(), 0, 0);
-    cairo_pattern_set_filter(cairo_get_source(context.get()), CAIRO_FILTER_NEAREST);
-    cairo_paint(context.get());
+  strokes_.emplace_back([picture = std::move(picture), at, scale](SheetPainter& painter) {
+    painter.picture(picture, at, scale);
   });
 }
 
 void Sheet::text(const Vector2d& at, const std::string& text, Color color, double height) {
-  strokes_.emplace_back([at, text = printable(text), color, height](cairo_surface_t* surface) {
-    const Context context = contextOf(surface);
-    // Cairo's own font: no fonts have to be installed, and text looks the same everywhere.
-    cairo_select_font_face(context.get(), "@cairo:sans", CAIRO_FONT_SLANT_NORMAL,
-                           CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(context.get(), height);
-    cairo_set_source_rgb(context.get(), color.r / 255.0, color.g / 255.0, color.b / 255.0);
-    cairo_move_to(context.get(), at.x(), at.y());
-    cairo_text_path(context.get(), text.c_str());
-    cairo_fill(context.get());
+  strokes_.emplace_back([at, text = printable(text), color, height](SheetPainter& painter) {
+    painter.text(at, text, {color, height});
   });
 }
 
 void Sheet::box(const Vector2d& corner, const Vector2d& size, Color color) {
-  const Vector2d end = corner + size;
-  paint({"",
-         DrawingSpace::image,
-         {{ElementType::area,
-           {corner, {end.x(), corner.y()}, end, {corner.x(), end.y()}},
-           0,
-           color,
-           1,
-           ""}}});
+  strokes_.emplace_back([corner, end = Vector2d{corner + size}, color](SheetPainter& painter) {
+    painter.area(std::vector<Vector2d>{corner, {end.x(), corner.y()}, end, {corner.x(), end.y()}},
+                 color);
+  });
 }
 
 void Sheet::line(const Vector2d& from, const Vector2d& to, Color color, double penWidth) {
-  paint({"", DrawingSpace::image, {{ElementType::line, {from, to}, 0, color, penWidth, ""}}});
+  strokes_.emplace_back([from, to, color, penWidth](SheetPainter& painter) {
+    painter.line(std::vector<Vector2d>{from, to}, false, {color, penWidth});
+  });
+}
+
+void Sheet::paintOn(SheetPainter& painter) const {
+  for (const auto& stroke : strokes_) stroke(painter);
 }
 
 RgbPicture Sheet::pixels() const {
-  const Surface image{cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_, height_),
-                      cairo_surface_destroy};
-  paintOn(image.get());
-  cairo_surface_flush(image.get());
-  const int stride = cairo_image_surface_get_stride(image.get()) / 4;
-  const auto* from =
-      reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(image.get()));
-  RgbPicture result{width_, height_, {}};
-  for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x)
-      for (const int shift : {16, 8, 0})
-        result.pixels.push_back(static_cast<std::uint8_t>(from[y * stride + x] >> shift));
-  return result;
+  return paintByCairo(*this);
+}
+
+std::string Sheet::svg() const {
+  SvgPainter painter{width_, height_};
+  paintOn(painter);
+  return painter.svg();
 }
 
 Result<void> Sheet::write(const std::string& file) const {
@@ -141,19 +125,14 @@ Result<void> Sheet::write(const std::string& file) const {
   std::error_code ignored;  // then writing tells what is wrong
   std::filesystem::create_directories(path.parent_path(), ignored);
   if (path.extension() == ".png") return writePng(file, width_, height_, pixels().pixels);
-  if (path.extension() != ".svg")
-    return Error{file, 0, "", "a picture's file ends in .png or .svg"};
-  std::string text;
-  {
-    const Surface svg{cairo_svg_surface_create_for_stream(append, &text, width_, height_),
-                      cairo_surface_destroy};
-    paintOn(svg.get());
-  }
-  return writeFile(file, text);
+  if (path.extension() == ".svg") return writeFile(file, svg());
+  return Error{file, 0, "", "a picture's file ends in .png or .svg"};
 }
 
-void Sheet::paintOn(cairo_surface_t* surface) const {
-  for (const auto& stroke : strokes_) stroke(surface);
+Sheet pictureSheet(RgbPicture picture, int scale) {
+  Sheet sheet{picture.width * scale, picture.height * scale, colors::black};
+  sheet.paint(std::move(picture), {0, 0}, scale);
+  return sheet;
 }
 
 }  // namespace gt

@@ -1,27 +1,20 @@
 #pragma once
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "base/Result.h"
-#include "views/painting/DrawingPainter.h"
 #include "representations/infrastructure/Image.h"
-
-struct _cairo_surface;
+#include "views/painting/DrawingPainter.h"
+#include "views/painting/SheetPainter.h"
 
 namespace gt {
 
-/// A picture of RGB, 3 bytes a pixel, row by row from the top.
-struct RgbPicture {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> pixels;
-};
-
-/// A camera picture (YCbCr, full range as in JPEG) as RGB; pixels that it lacks are black.
+/// A camera image (YCbCr, full range as in JPEG) as RGB; pixels that it lacks are black.
 RgbPicture rgbOf(const Image& image);
 
-/// A page on which a view is painted, of pictures, drawings and text; written as PNG or SVG.
+/// A page on which a view is painted, of pictures, drawings and text; written as PNG or SVG, or
+/// painted on anything else. It can be painted on again and again.
 class Sheet {
  public:
   /// In pixels, at most 4096 a side.
@@ -29,8 +22,8 @@ class Sheet {
 
   void paint(const Drawing& drawing, const Placement& placement = {});
   /// A picture with its upper left corner at a place; each of its pixels becomes a square.
-  void paint(const RgbPicture& picture, const Vector2d& at, double scale = 1);
-  /// A text whose first letter's lower left corner lies at a place.
+  void paint(RgbPicture picture, const Vector2d& at, double scale = 1);
+  /// A text (UTF-8) whose first letter's lower left corner lies at a place.
   void text(const Vector2d& at, const std::string& text, Color color = colors::black,
             double height = 12);
   void box(const Vector2d& corner, const Vector2d& size, Color color);
@@ -38,18 +31,23 @@ class Sheet {
 
   int width() const { return width_; }
   int height() const { return height_; }
+  void paintOn(SheetPainter& painter) const;
   /// The page in pixels.
   RgbPicture pixels() const;
-  /// Writes the page by the file's extension, .png or .svg; makes its folder.
+  /// The page as SVG.
+  std::string svg() const;
+  /// Writes the page by the file's extension, .png or .svg; creates its folder.
   Result<void> write(const std::string& file) const;
 
  private:
-  void paintOn(_cairo_surface* surface) const;
-
   int width_, height_;
-  /// What was painted, to be painted again in any resolution. Not Cairo's own recording: one that
-  /// was written as SVG is never released (Cairo 1.16).
-  std::vector<std::function<void(_cairo_surface*)>> strokes_;
+  std::vector<std::function<void(SheetPainter&)>> strokes_;
 };
+
+/// A picture, enlarged by a whole number, as a sheet.
+Sheet pictureSheet(RgbPicture picture, int scale);
+inline Sheet imageSheet(const Image& image, int scale) {
+  return pictureSheet(rgbOf(image), scale);
+}
 
 }  // namespace gt

@@ -56,11 +56,59 @@ TEST(Sheet, WritesPngAndSvgAndNothingElse) {
   EXPECT_EQ(readFile((folder.path() / "new/page.png").string())->substr(1, 3), "PNG");
   ASSERT_TRUE(sheet.write((folder.path() / "page.svg").string()));
   const std::string svg = *readFile((folder.path() / "page.svg").string());
-  EXPECT_NE(svg.find("<svg"), svg.npos);
-  EXPECT_NE(svg.find("</svg>"), svg.npos);
+  EXPECT_TRUE(svg.starts_with("<svg")) << svg;
+  EXPECT_TRUE(svg.ends_with("</svg>\n")) << svg;
   const auto other = sheet.write((folder.path() / "page.gif").string());
   ASSERT_FALSE(other);
   EXPECT_NE(other.error().text().find(".png or .svg"), std::string::npos);
+}
+
+TEST(Sheet, TextStaysTextInSvg) {
+  Sheet sheet{200, 60};
+  sheet.text({5, 15},
+             "Gr\xc3\xbc\xc3\x9f"
+             "e: 30\xc2\xb0 < 40 & \xff\n",
+             colors::red, 11);
+  sheet.paint(
+      {"", DrawingSpace::image, {{ElementType::text, {{5, 40}}, 12, colors::black, 1, "X"}}});
+  const std::string svg = sheet.svg();
+  EXPECT_NE(svg.find("<text x=\"5\" y=\"15\" font-size=\"11\" fill=\"#dc1e1e\">"
+                     "Gr\xc3\xbc\xc3\x9f"
+                     "e: 30\xc2\xb0 &lt; 40 &amp; ?"
+                     "?</text>"),
+            svg.npos)
+      << svg;
+  EXPECT_NE(svg.find(">X</text>"), svg.npos) << svg;
+  EXPECT_LT(svg.size(), 1000u);
+}
+
+TEST(Sheet, SvgHasEveryElementAndPictures) {
+  Sheet sheet{100, 100};
+  Drawing drawing;
+  for (std::size_t i = 0; i < enumCount<ElementType>; ++i)
+    drawing.elements.push_back({static_cast<ElementType>(i),
+                                {{20, 20}, {40, 20}, {20, 40}},
+                                5,
+                                {1, 2, 3, 51},
+                                2,
+                                "t",
+                                PenStyle::dash});
+  sheet.paint(drawing);
+  sheet.paint(RgbPicture{1, 1, {1, 2, 3}}, {3, 4}, 5);
+  const std::string svg = sheet.svg();
+  const auto count = [&](const std::string& tag) {
+    int found = 0;
+    for (std::size_t at = svg.find(tag); at != svg.npos; at = svg.find(tag, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<circle"), 3);    // point, disk and circle
+  EXPECT_EQ(count("<polyline"), 4);  // line, path, arrow and its head
+  EXPECT_EQ(count("<polygon"), 4);   // the page, ellipse, polygon, area
+  EXPECT_EQ(count("<path"), 1);      // sector
+  EXPECT_EQ(count("-opacity=\"0.2\""), 11);
+  EXPECT_EQ(count("stroke-dasharray=\"8 6\""), 6);
+  EXPECT_EQ(count("<image x=\"3\" y=\"4\" width=\"5\" height=\"5\""), 1);
+  EXPECT_EQ(count("data:image/png;base64,iVBORw0KGgo"), 1);
 }
 
 TEST(Sheet, LeavesNothingBehind) {

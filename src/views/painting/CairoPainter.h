@@ -1,0 +1,9 @@
+#pragma once
+#include "views/painting/Sheet.h"
+
+namespace gt {
+
+/// A sheet in pixels, with smooth edges (by Cairo).
+RgbPicture paintByCairo(const Sheet& sheet);
+
+}  // namespace gt

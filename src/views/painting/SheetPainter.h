@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "debug/Drawing.h"
+
+namespace gt {
+
+/// A picture of RGB, 3 bytes a pixel, row by row from the top.
+struct RgbPicture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// What a sheet is painted on: an image, a file, a window. Coordinates are pixels from the upper
+/// left corner, to the right and down; angles are counted from the right, clockwise on the sheet.
+class SheetPainter {
+ public:
+  /// How lines are drawn; their ends and corners are round.
+  struct Pen {
+    Color color;
+    double width = 1;
+    PenStyle style = PenStyle::solid;
+  };
+  /// How a text is written.
+  struct Font {
+    Color color;
+    double height = 12;
+    bool bold = false;
+    /// With a dark or bright seam, so that it can be read on any picture.
+    bool seam = false;
+  };
+
+  virtual ~SheetPainter() = default;
+  virtual void line(std::span<const Vector2d> points, bool closed, const Pen& pen) = 0;
+  virtual void area(std::span<const Vector2d> corners, Color color) = 0;
+  virtual void circle(const Vector2d& center, double radius, const Pen& pen) = 0;
+  virtual void disk(const Vector2d& center, double radius, Color color) = 0;
+  /// A sector of a disk, clockwise from one angle to another.
+  virtual void sector(const Vector2d& center, double radius, double from, double to,
+                      Color color) = 0;
+  /// A text (UTF-8) whose first letter's lower left corner lies at a place.
+  virtual void text(const Vector2d& at, std::string_view text, const Font& font) = 0;
+  /// A picture with its upper left corner at a place; each of its pixels becomes a square.
+  virtual void picture(const RgbPicture& picture, const Vector2d& at, double scale) = 0;
+};
+
+}  // namespace gt
