@@ -4,42 +4,59 @@
 #include <linux/joystick.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+
 namespace gt {
 namespace {
 
 constexpr double fullScale = 32767;
+constexpr std::chrono::milliseconds axesPeriod{300}, hatPeriod{40};
+
+void execute(Console& console, const std::string& line) {
+  if (const auto done = console.executeInput(line); !done) console.print(done.error().text());
+}
 
 }  // namespace
 
-JoystickDevice::JoystickDevice(const std::string& path) {
-  if (!path.empty()) file_ = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+Result<std::unique_ptr<JoystickDevice>> JoystickDevice::open(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return Error{path, 0, "", std::string{"cannot be opened: "} + std::strerror(errno)};
+  return std::unique_ptr<JoystickDevice>{new JoystickDevice{file}};
 }
 
 JoystickDevice::~JoystickDevice() {
-  if (file_ >= 0) close(file_);
+  close(file_);
 }
 
 void JoystickDevice::update(Console& console) {
-  const auto execute = [&](const std::string& what, double value) {
-    const auto done = console.execute("joystick " + what + " " + std::to_string(value));
-    if (!done) console.print(done.error().text());
-  };
   js_event event;
-  while (file_ >= 0 && read(file_, &event, sizeof event) == sizeof event) {
+  while (read(file_, &event, sizeof event) == sizeof event) {
     const int type = event.type & ~JS_EVENT_INIT;
     if (type == JS_EVENT_AXIS && event.number < enumCount<Joystick::Axis>)
       axes_.values[event.number] = event.value / fullScale;
-    else if (type == JS_EVENT_BUTTON)
-      execute(event.value ? "press" : "release", event.number + 1);
+    else if (type == JS_EVENT_BUTTON && event.number < Joystick::buttons)
+      execute(console, std::string{"joystick "} + (event.value ? "press " : "release ") +
+                           std::to_string(event.number + 1));
   }
-  // The hat moves the head for as long as it is held.
-  for (std::size_t i = 0; i < enumCount<Joystick::Axis>; ++i) {
-    const auto axis = static_cast<Joystick::Axis>(i);
-    const bool held = axis >= Joystick::Axis::hatX && axes_.values[i] != 0;
-    if (!held && axes_.values[i] == told_.values[i]) continue;
-    told_.values[i] = axes_.values[i];
-    execute(std::string{enumName(axis)}, axes_.values[i]);
-  }
+  moveAxes(console);
+}
+
+void JoystickDevice::moveAxes(Console& console) {
+  const bool hatHeld = axes_[Joystick::Axis::hatX] != 0 || axes_[Joystick::Axis::hatY] != 0;
+  if (!hatHeld && axes_.values == sent_.values) return;
+  const Time now = console.session().time();
+  const auto clock = Clock::now();
+  const auto least = hatHeld ? hatPeriod : axesPeriod;
+  // Simulated time may stand, or pass much faster than the clock.
+  if (now - sentAt_ < least.count() && clock - sentAtClock_ < least) return;
+  std::string line = "joystick";
+  for (std::size_t i = 0; i < enumCount<Joystick::Axis>; ++i)
+    line += " " + std::string{enumNames<Joystick::Axis>[i]} + " " + std::to_string(axes_.values[i]);
+  sent_ = axes_;
+  sentAt_ = now;
+  sentAtClock_ = clock;
+  execute(console, line);
 }
 
 }  // namespace gt

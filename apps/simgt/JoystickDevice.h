@@ -1,25 +1,37 @@
 #pragma once
+#include <chrono>
+#include <memory>
 #include <string>
 
 #include "console/Console.h"
 
 namespace gt {
 
-/// A joystick of this machine, by the kernel's device (/dev/input/js0), for a console.
+/// A joystick of this machine, by the kernel's device (/dev/input/js0) or any file or pipe with its
+/// events, for a console.
 class JoystickDevice {
  public:
-  /// Does nothing if the path is empty or cannot be opened.
-  explicit JoystickDevice(const std::string& path);
+  /// An error if the device cannot be opened.
+  static Result<std::unique_ptr<JoystickDevice>> open(const std::string& path);
   ~JoystickDevice();
   JoystickDevice(const JoystickDevice&) = delete;
   JoystickDevice& operator=(const JoystickDevice&) = delete;
 
-  /// Does what came in since this was called last: commands of buttons, walking and the head.
+  /// Executes what came in since this was called last: commands of buttons at once, movements of
+  /// axes at most every 300 ms (report J.5.5), of a hat that is held more often. Does not block.
   void update(Console& console);
 
  private:
-  int file_ = -1;
-  EnumArray<Joystick::Axis, double> axes_, told_;
+  using Clock = std::chrono::steady_clock;
+  using Axes = EnumArray<Joystick::Axis, double>;
+
+  explicit JoystickDevice(int file) : file_{file} {}
+  void moveAxes(Console& console);
+
+  int file_;
+  Axes axes_, sent_;
+  Time sentAt_ = never();
+  Clock::time_point sentAtClock_{};
 };
 
 }  // namespace gt

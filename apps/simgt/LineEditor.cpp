@@ -1,7 +1,9 @@
 #include "LineEditor.h"
 
+#include <poll.h>
 #include <readline/history.h>
 #include <readline/readline.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <cstring>
@@ -15,8 +17,9 @@ constexpr int historyLines = 1000;
 
 // Readline calls plain functions, so what they work on lies here while an editor lives.
 Console* console = nullptr;
-std::function<void()>* idleWork = nullptr;
 std::vector<std::string> choices;
+bool reading = false, complete = false;
+std::optional<std::string> typed;
 
 char* nextChoice(const char*, int state) {
   return static_cast<std::size_t>(state) < choices.size()
@@ -31,9 +34,18 @@ char** completeLine(const char* text, int, int end) {
   return rl_completion_matches(text, nextChoice);
 }
 
-int idle() {
-  if (idleWork && *idleWork) (*idleWork)();
-  return 0;
+void takeLine(char* line) {
+  rl_callback_handler_remove();
+  reading = false;
+  complete = true;
+  if (line) typed = line;
+  std::free(line);
+}
+
+/// Whether something was typed; waits a moment.
+bool keyPressed(int milliseconds) {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return poll(&input, 1, milliseconds) > 0;
 }
 
 }  // namespace
@@ -43,7 +55,7 @@ LineEditor::LineEditor(Console& of) {
   rl_readline_name = "simgt";
   rl_attempted_completion_function = completeLine;
   rl_completer_word_break_characters = " \t";
-  rl_event_hook = idle;
+  rl_catch_signals = 0;
   using_history();
   stifle_history(historyLines);
   read_history(historyFile);
@@ -53,21 +65,51 @@ LineEditor::~LineEditor() {
   std::error_code ignored;
   std::filesystem::create_directories("out", ignored);
   write_history(historyFile);
-  rl_event_hook = nullptr;
-  idleWork = nullptr;
   console = nullptr;
 }
 
-std::optional<std::string> LineEditor::read(std::function<void()> work) {
-  idleWork = &work;
-  for (const std::string& line : console->takeOffers()) add_history(line.c_str());
-  char* typed = readline("simgt> ");
-  idleWork = nullptr;
-  if (!typed) return std::nullopt;
-  std::string line{typed};
-  std::free(typed);
+LineEditor::Key LineEditor::read(std::string& line, const std::string& prompt,
+                                 const std::function<int()>& live,
+                                 const std::function<bool()>& interrupted) {
+  for (const std::string& offer : console->takeOffers()) add_history(offer.c_str());
+  typed.reset();
+  complete = false;
+  reading = true;
+  rl_callback_handler_install(prompt.c_str(), takeLine);
+  while (!complete) {
+    const bool pressed = keyPressed(live());
+    if (interrupted()) {
+      rl_callback_sigcleanup();
+      rl_free_line_state();
+      rl_crlf();
+      rl_callback_handler_remove();
+      reading = false;
+      return Key::interrupt;
+    }
+    if (pressed) do
+        rl_callback_read_char();
+      while (!complete && keyPressed(0));
+  }
+  if (!typed) return Key::end;
+  line = *typed;
   if (line.find_first_not_of(" \t") != line.npos) add_history(line.c_str());
-  return line;
+  return Key::line;
+}
+
+void LineEditor::hide() {
+  if (reading) rl_clear_visible_line();
+}
+
+void LineEditor::show() {
+  if (!reading) return;
+  rl_on_new_line();
+  rl_redisplay();
+}
+
+void LineEditor::setPrompt(const std::string& prompt) {
+  if (!reading) return;
+  rl_set_prompt(prompt.c_str());
+  rl_redisplay();
 }
 
 }  // namespace gt

@@ -8,8 +8,8 @@
 namespace gt {
 
 /// Reads lines from a terminal with editing, history (kept in out/console_history; with the
-/// commands that scripts echo) and completion of commands, keys, tasks, symbols, values and paths,
-/// by readline. One at a time.
+/// commands that scripts echo) and completion, by readline. What happens meanwhile may print above
+/// the line that is being typed, and change its prompt. One at a time.
 class LineEditor {
  public:
   explicit LineEditor(Console& console);
@@ -17,8 +17,18 @@ class LineEditor {
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
-  /// The next line; nothing at the end of the input. Calls `idle` some times a second meanwhile.
-  std::optional<std::string> read(std::function<void()> idle);
+  /// What a person may do instead of typing a line.
+  enum class Key { line, end, interrupt };
+  /// Waits for the next line. Calls `live` again and again meanwhile, which returns soon, with the
+  /// ms until it has to be called again. Returns early if `interrupted` returns true.
+  Key read(std::string& line, const std::string& prompt, const std::function<int()>& live,
+           const std::function<bool()>& interrupted);
+
+  /// Takes the line that is being typed from the terminal, and puts it there again.
+  void hide();
+  void show();
+  /// Changes the prompt while a line is read.
+  void setPrompt(const std::string& prompt);
 };
 
 }  // namespace gt

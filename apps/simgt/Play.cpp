@@ -76,8 +76,8 @@ int play(PlayOptions options) {
   fmt::print("{}, {} minutes, seed {}\n", options.match.scene, options.match.minutes,
              options.match.seed);
   const auto begin = std::chrono::steady_clock::now();
+  Console console{session};  // what its script has recorded goes on
   if (!options.script.empty()) {
-    Console console{session};
     const auto done = console.call(options.script);
     screen.end();
     if (!done) return fail(done.error(), console.expectationFailed() ? 1 : 2);

@@ -30,19 +30,35 @@ void TerminalScreen::watch(Session& session) {
   shownTime_ = session.time();
 }
 
-void TerminalScreen::print(std::string_view line) {
-  if (terminal_)
-    fmt::print("{}{}{}{}\n{}", live_.empty() ? "" : clearLine, colorOf(line), line, plain, live_);
+std::string TerminalScreen::prompt(Console& console) const {
+  constexpr std::size_t mostNames = 3;
+  const auto& selection = console.selection();
+  std::string text = "simgt";
+  if (selection.size() > mostNames)
+    text += fmt::format(" {} robots", selection.size());
   else
-    fmt::print("{}\n", line);
+    for (const std::string& robot : selection) text += " " + robot;
+  if (session_ && session_->started()) text += " " + clockText(session_->time());
+  return text + "> ";
+}
+
+void TerminalScreen::printLine(std::string_view line, const char* color, std::FILE* file) {
+  if (editor_) editor_->hide();
+  if (!live_.empty()) fmt::print("{}", clearLine);
   std::fflush(stdout);
+  fmt::print(file, "{}{}{}\n", color, line, *color ? plain : "");
+  fmt::print("{}", live_);
+  std::fflush(stdout);
+  if (editor_) editor_->show();
+}
+
+void TerminalScreen::print(std::string_view line) {
+  printLine(line, terminal_ ? colorOf(line) : "", stdout);
 }
 
 void TerminalScreen::printError(std::string_view line) {
   end();
-  std::fflush(stdout);
-  fmt::print(stderr, "{}{}{}\n", isatty(STDERR_FILENO) ? "\033[31m" : "", line,
-             isatty(STDERR_FILENO) ? plain : "");
+  printLine(line, isatty(STDERR_FILENO) ? "\033[31m" : "", stderr);
 }
 
 void TerminalScreen::clear() {
@@ -56,6 +72,7 @@ void TerminalScreen::stepped() {
   const double factor = static_cast<double>(session_->time() - shownTime_) / real.count();
   shown_ = now;
   shownTime_ = session_->time();
+  if (editor_ && session_->started()) return;
   const Referee& referee = session_->simulation().referee();
   live_ = fmt::format("{}\033[7m {:>5}  {}:{}  {:4.1f} times real time \033[0m", clearLine,
                       clockText(session_->time()), referee.score(TeamColor::red),

@@ -1,7 +1,9 @@
 #pragma once
 #include <chrono>
+#include <cstdio>
 #include <string>
 
+#include "LineEditor.h"
 #include "console/Console.h"
 
 namespace gt {
@@ -15,6 +17,11 @@ class TerminalScreen : public Screen {
 
   /// What the live line is about.
   void watch(Session& session);
+  /// A person types lines here from now on; null: no more. Texts are printed above the line, and
+  /// its prompt takes the live line's place.
+  void setEditor(LineEditor* editor) { editor_ = editor; }
+  /// What a person is asked with: which robots are selected, and the time while it passes.
+  std::string prompt(Console& console) const;
   void print(std::string_view line) override;
   void printError(std::string_view line);
   void clear() override;
@@ -25,7 +32,10 @@ class TerminalScreen : public Screen {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void printLine(std::string_view line, const char* color, std::FILE* file);
+
   Session* session_ = nullptr;
+  LineEditor* editor_ = nullptr;
   bool terminal_;
   std::string live_;
   Clock::time_point shown_;

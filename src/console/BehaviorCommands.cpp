@@ -260,6 +260,7 @@ const std::string* findName(const std::vector<std::string>& names, std::string_v
 std::vector<Command> behaviorCommands() {
   constexpr auto kind = Command::Kind::robot;
   return {
+      {kind, "behavior", "? | NAME", "The same as xlb.", xlb, behaviorChoices, true},
       {kind, "xbb", "? | unchanged | BEHAVIOR {NUMBER}",
        "Has a basic behavior executed instead of what the engine selects; its parameters may "
        "follow.",

@@ -3,15 +3,19 @@
 
 namespace gt {
 
-// The parts of the table, a file each.
-std::vector<Command> globalCommands();      ///< Report I.5.1, I.5.2.
-std::vector<Command> robotCommands();       ///< Report I.5.3.
-std::vector<Command> motionCommands();      ///< Of these, those that move the robots.
-std::vector<Command> behaviorCommands();    ///< Of these, those about Xabsl2.
-std::vector<Command> simulationCommands();  ///< Time, values, conditions, states.
-std::vector<Command> worldCommands();       ///< Robots and balls moved by hand.
-std::vector<Command> testCommands();        ///< Many games or situations.
-std::vector<Command> viewCommands();        ///< Pictures, plots, films.
+// The parts of the table: a file and a topic of the help each.
+std::vector<Command> scriptCommands();
+std::vector<Command> connectionCommands();
+std::vector<Command> timeCommands();
+std::vector<Command> gameCommands();
+std::vector<Command> worldCommands();
+std::vector<Command> valueCommands();
+std::vector<Command> robotCommands();
+std::vector<Command> motionCommands();
+std::vector<Command> joystickCommands();
+std::vector<Command> behaviorCommands();
+std::vector<Command> viewCommands();
+std::vector<Command> testCommands();
 
 /// A number; an error that names the word if it is none.
 Result<double> numberOf(const std::string& word);
@@ -29,17 +33,16 @@ template <typename E>
 std::vector<std::string> namesOf() {
   return {enumNames<E>.begin(), enumNames<E>.end()};
 }
-/// Choices for a command's first argument.
-template <const char*... words>
-std::vector<std::string> oneOf(Console&, const Words& before) {
-  return before.size() == 1 ? std::vector<std::string>{words...} : std::vector<std::string>{};
-}
 /// Prints a line each.
 void list(Console& console, const std::vector<std::string>& lines);
 /// What all processes of a robot say of themselves; of a robot elsewhere, what this program knows.
 std::vector<ProcessDescription> describe(ConsoleRobot& robot);
-/// Has the selected robots do what the joystick's axes say now.
-Result<void> moveByJoystick(Console& console);
+/// What follows an error about an unknown name: the known one that is spelled most like it.
+std::string suggestion(std::string_view word, const std::vector<std::string>& known);
+/// What `get`, `plot` and conditions may name.
+std::vector<std::string> valueChoices(Console& console, const Words& before);
+/// Prints where something was written.
+void printWritten(Console& console, const std::string& file);
 /// A name of a list as it may be written in the report: ball.time-since-last-seen is
 /// ball.time_since_last_seen. Null if there is none.
 const std::string* findName(const std::vector<std::string>& names, std::string_view word);

@@ -27,24 +27,37 @@ std::optional<std::string> takeWord(std::string_view line, std::size_t& at) {
   return word;
 }
 
-/// The files and folders that a word may become.
-std::vector<std::string> files(const std::string& word) {
-  namespace fs = std::filesystem;
-  const fs::path begun{word};
-  std::vector<std::string> found;
-  std::error_code failed;
-  const fs::path folder = begun.parent_path();
-  for (fs::directory_iterator entry{folder.empty() ? "." : folder, failed}, end;
-       !failed && entry != end && found.size() < 500; entry.increment(failed)) {
-    const fs::path name = entry->path().filename();
-    if (!name.string().starts_with(begun.filename().string())) continue;
-    std::error_code ignored;
-    found.push_back((folder / name).string() + (entry->is_directory(ignored) ? "/" : ""));
-  }
-  return found;
+/// The parts of the table of commands.
+struct CommandPart {
+  Topic topic;
+  std::vector<Command> (*commands)();
+};
+constexpr CommandPart parts[] = {
+    {{"scripts", "help, scripts, what is printed"}, scriptCommands},
+    {{"robots", "which robots there are, and which are selected"}, connectionCommands},
+    {{"time", "how time passes; scenes and states"}, timeCommands},
+    {{"game", "what a referee does"}, gameCommands},
+    {{"world", "robots and balls moved by hand"}, worldCommands},
+    {{"values", "values, parameters, conditions"}, valueCommands},
+    {{"debugging", "solutions, debug keys, logs, processes of robots"}, robotCommands},
+    {{"motion", "robots moved by hand"}, motionCommands},
+    {{"joystick", "robots moved by a joystick"}, joystickCommands},
+    {{"behavior", "what Xabsl2 decides"}, behaviorCommands},
+    {{"views", "pictures, plots, films"}, viewCommands},
+    {{"tests", "many runs"}, testCommands}};
+
+std::vector<std::string> commandNames() {
+  std::vector<std::string> names;
+  for (const Command& command : Console::commands()) names.emplace_back(command.name);
+  return names;
 }
 
 }  // namespace
+
+Console::Console(Session& session)
+    : session_{session},
+      recording_{std::make_unique<Recording>()},
+      afterSteps_{session.afterSteps([this] { recording_->step(*this); })} {}
 
 Result<Words> splitWords(std::string_view line) {
   Words words;
@@ -64,16 +77,26 @@ Result<Words> splitWords(std::string_view line) {
 const std::vector<Command>& Console::commands() {
   static const std::vector<Command> table = [] {
     std::vector<Command> all;
-    for (const auto& part :
-         {globalCommands(), simulationCommands(), worldCommands(), testCommands(), viewCommands(),
-          robotCommands(), motionCommands(), behaviorCommands()})
-      all.insert(all.end(), part.begin(), part.end());
+    for (const CommandPart& part : parts)
+      for (Command& command : part.commands()) {
+        command.topic = part.topic.name;
+        all.push_back(command);
+      }
     std::stable_sort(all.begin(), all.end(), [](const Command& a, const Command& b) {
       return std::pair{a.kind, a.name} < std::pair{b.kind, b.name};
     });
     return all;
   }();
   return table;
+}
+
+const std::vector<Topic>& topics() {
+  static const std::vector<Topic> all = [] {
+    std::vector<Topic> list;
+    for (const CommandPart& part : parts) list.push_back(part.topic);
+    return list;
+  }();
+  return all;
 }
 
 const Command* Console::find(std::string_view name) {
@@ -83,9 +106,16 @@ const Command* Console::find(std::string_view name) {
 }
 
 Result<void> Console::executeWithin(std::string_view line) {
-  noting_ = false;
+  const bool noting = std::exchange(noting_, false);
   auto done = execute(line);
-  noting_ = true;
+  noting_ = noting;
+  return done;
+}
+
+Result<void> Console::executeInput(std::string_view line) {
+  const bool noting = std::exchange(noting_, true);
+  auto done = execute(line);
+  noting_ = noting;
   return done;
 }
 
@@ -95,9 +125,11 @@ Result<void> Console::execute(std::string_view line) {
   auto words = splitWords(line);
   if (!words) return words.error();
   const Command* command = find(words->front());
-  if (!command) return Error{"", 0, words->front(), "there is no such command; try help"};
+  if (!command)
+    return Error{"", 0, words->front(),
+                 "there is no such command; try help" + suggestion(words->front(), commandNames())};
   auto done = command->execute(*this, *words);
-  if (done && noting_ && command->changes && words->rest != "?")
+  if (done && noting_ && command->changes && words->back() != "?")
     session_.match().note(InterventionKind::console, std::string{line});
   if (!done && done.error().field.empty())
     return Error{done.error().file, done.error().line, words->front(), done.error().what};
@@ -112,7 +144,7 @@ Result<void> Console::call(const std::string& path) {
   ++depth_;
   Result<void> done;
   int number = 0;
-  for (std::size_t at = 0; at < text->size() && done; ++number) {
+  for (std::size_t at = 0; at < text->size() && done && !ended_; ++number) {
     const std::size_t end = std::min(text->find('\n', at), text->size());
     done = execute(std::string_view{*text}.substr(at, end - at));
     at = end + 1;
@@ -124,24 +156,17 @@ Result<void> Console::call(const std::string& path) {
   return done;
 }
 
-std::vector<std::string> Console::completions(std::string_view line) {
-  auto words = splitWords(line);
-  if (!words) return {};
-  if (line.empty() || blanks.find(line.back()) != blanks.npos) words->emplace_back();
-  const std::string word = words->back();
-  words->pop_back();
-  std::vector<std::string> choices;
-  if (words->empty()) {
-    for (const Command& command : commands()) choices.emplace_back(command.name);
-  } else {
-    const Command* command = find(words->front());
-    if (command && command->choices) choices = command->choices(*this, *words);
-    if (choices.empty()) choices = files(word);
-  }
-  std::erase_if(choices, [&](const std::string& choice) { return !choice.starts_with(word); });
-  std::sort(choices.begin(), choices.end());
-  choices.erase(std::unique(choices.begin(), choices.end()), choices.end());
-  return choices;
+Result<void> Console::callStartScript() {
+  const SceneDescription& scene = session_.simulation().scene();
+  if (!scene.script.empty()) return call(scene.resolve(scene.script));
+  const std::string usual = scene.resolve("console.con");
+  return std::filesystem::is_regular_file(usual) ? call(usual) : Result<void>{};
+}
+
+void Console::forget() {
+  select({});
+  forgetBehavior();
+  recording_->clear(*this);
 }
 
 std::vector<ConsoleRobot*> Console::selected() {
@@ -154,12 +179,14 @@ std::vector<ConsoleRobot*> Console::selected() {
 
 Result<ConsoleRobot*> Console::firstRobot() {
   const auto robots = selected();
-  if (robots.empty()) return Error{"", 0, "robot", "no robot is selected"};
+  if (robots.empty()) return Error{"", 0, "robot", "there is none"};
   return robots.front();
 }
 
 Result<void> Console::forEachRobot(const std::function<Result<void>(ConsoleRobot&)>& work) {
-  for (ConsoleRobot* robot : selected())
+  const auto robots = selected();
+  if (robots.empty()) return Error{"", 0, "robot", "there is none"};
+  for (ConsoleRobot* robot : robots)
     if (const auto done = work(*robot); !done) {
       const Error& error = done.error();
       return Error{error.file, error.line, error.field, error.what + " (" + robot->name() + ")"};

@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "console/Joystick.h"
+#include "console/Recording.h"
 #include "console/Session.h"
 #include "representations/motion/MotionNet.h"
 #include "xabsl/language/Behavior.h"
@@ -23,7 +23,6 @@ struct Words : std::vector<std::string> {
 };
 
 class Console;
-class FilmWriter;
 
 /// A command of the console. Help, completion and docs/console.md are made from the table of these.
 struct Command {
@@ -36,23 +35,44 @@ struct Command {
       arguments;  ///< Alternatives between |, what may be missing in [], repeated in {}.
   std::string_view help;
   Result<void> (*execute)(Console& console, const Words& words);
-  Choices choices = nullptr;  ///< For the word behind those; null: none but files.
-  bool changes = false;       ///< Whether it changes what happens: a loaded state does it again.
+  /// What may stand for a placeholder behind the words `before`; null: what its name says.
+  Choices choices = nullptr;
+  bool changes = false;  ///< Whether it changes what happens: a loaded state does it again.
+  std::string_view topic{};
 };
+
+/// What commands are about: a part of the help.
+struct Topic {
+  std::string_view name;
+  std::string_view help;
+};
+const std::vector<Topic>& topics();
 
 /// Executes commands and scripts (report I.5, I.6). Global commands change the whole; robot
 /// commands work on the selected robots, at the start all of them.
 class Console {
  public:
-  explicit Console(Session& session) : session_{session} {}
+  explicit Console(Session& session);
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
 
   /// Executes one line. Errors name the line's command or the word that is wrong.
   Result<void> execute(std::string_view line);
   /// The same for what a command does that is noted itself.
   Result<void> executeWithin(std::string_view line);
+  /// The same for what a joystick does, also while another command is executed.
+  Result<void> executeInput(std::string_view line);
   /// Executes a script, one command per line, up to the first error: it names file and line.
   /// Scripts of the folder scenes/ need neither folder nor extension (.con).
   Result<void> call(const std::string& path);
+  /// Executes the script that the scene names, or console.con beside it if there is one (report
+  /// I.4).
+  Result<void> callStartScript();
+  /// Ends the scripts that run and the program.
+  void end() { ended_ = true; }
+  bool ended() const { return ended_; }
+  /// The session has begun anew: forgets what was selected, plotted and loaded, and ends the film.
+  void forget();
 
   static const std::vector<Command>& commands();
   /// A command by its name; null if there is none.
@@ -86,10 +106,8 @@ class Console {
   std::vector<std::string> takeOffers() { return std::exchange(offers_, {}); }
 
   Joystick& joystick() { return joystick_; }
-  /// Values that are recorded over time, by their names (command plot).
-  std::map<std::string, std::vector<RobotMemory::Sample>>& series() { return series_; }
-  /// The film that is being made; null if none is.
-  std::shared_ptr<FilmWriter>& film() { return film_; }
+  /// What is recorded over time (commands plot and film).
+  Recording& recording() { return *recording_; }
   /// Whether a condition did not hold that was expected to: a script that is a test has failed.
   bool expectationFailed() const { return expectationFailed_; }
   void failExpectation() { expectationFailed_ = true; }
@@ -103,10 +121,10 @@ class Console {
   std::optional<MotionNet> motions_;
   std::optional<xabsl::Behavior> behavior_;
   Joystick joystick_;
-  std::map<std::string, std::vector<RobotMemory::Sample>> series_;
-  std::shared_ptr<FilmWriter> film_;
+  std::unique_ptr<Recording> recording_;
+  std::shared_ptr<const void> afterSteps_;
   int depth_ = 0;  ///< Scripts that call each other.
-  bool noting_ = true;
+  bool noting_ = true, ended_ = false;
   bool expectationFailed_ = false;
 };
 

@@ -5,6 +5,7 @@
 
 #include "console/RobotMemory.h"
 #include "modules/behavior/control/BehaviorControlRequest.h"
+#include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"
 #include "robot/Robot.h"
 
@@ -50,6 +51,7 @@ class ConsoleRobot {
   /// What was asked of the robot last by hand, so that a part of it can be changed.
   MotionRequest motion;
   BehaviorControlRequest behavior;
+  std::optional<HeadMode> headMode;
   bool printsTexts = true;  ///< Report I.5.3: msg.
 
  private:

@@ -1,9 +1,7 @@
-#include "console/Film.h"
+#include "console/FilmWriter.h"
 
 #include <algorithm>
 #include <filesystem>
-
-#include "console/Views.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -14,9 +12,6 @@ extern "C" {
 
 namespace gt {
 namespace {
-
-constexpr int picturesPerSecond = 25;
-constexpr std::int64_t picturePeriod = 1000 / picturesPerSecond;  // ms
 
 std::string reason(int code) {
   char text[AV_ERROR_MAX_STRING_SIZE];
@@ -151,34 +146,6 @@ Result<void> FilmWriter::close() {
   auto done = state_->encode(nullptr);
   if (const int code = av_write_trailer(state_->format); code < 0 && done)
     return state_->error("cannot be written", code);
-  return done;
-}
-
-Result<void> startFilm(Console& console, const std::string& file, const View& view) {
-  if (console.film()) return Error{"", 0, "film", "one is being made; film stop ends it"};
-  const auto first = view.show(console, {});
-  if (!first) return first.error();
-  auto writer = FilmWriter::open(file, first->width(), first->height());
-  if (!writer) return writer.error();
-  console.film() = std::move(*writer);
-  console.session().recorders().push_back(
-      [&console, show = view.show, film = std::weak_ptr{console.film()}] {
-        const auto running = film.lock();
-        if (!running || console.session().time().ms % picturePeriod != 0) return;
-        const auto sheet = show(console, {});
-        const auto done = sheet ? running->add(sheet->pixels()) : Result<void>{sheet.error()};
-        if (!done) {
-          console.print("film: " + done.error().text());
-          console.film().reset();
-        }
-      });
-  return {};
-}
-
-Result<void> stopFilm(Console& console) {
-  if (!console.film()) return Error{"", 0, "film", "none is being made"};
-  const auto done = console.film()->close();
-  console.film().reset();
   return done;
 }
 

@@ -2,17 +2,17 @@
 #include <memory>
 #include <string>
 
-#include "console/Console.h"
+#include "base/Result.h"
 #include "views/painting/Sheet.h"
 
 namespace gt {
 
-struct View;
-
-/// Writes pictures of one size as a film, 25 a second (MP4 with H.264, or MPEG-4 where that is
+/// Writes pictures of one size as a film (MP4 with H.264, or MPEG-4 where that is
 /// missing, by FFmpeg's libraries).
 class FilmWriter {
  public:
+  static constexpr int picturesPerSecond = 25;
+
   /// Both sizes become even.
   static Result<std::unique_ptr<FilmWriter>> open(const std::string& file, int width, int height);
   ~FilmWriter();  ///< Closes the film.
@@ -28,9 +28,5 @@ class FilmWriter {
   explicit FilmWriter(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
-
-/// Films a view of a console's session from now on, until it is stopped or begins anew.
-Result<void> startFilm(Console& console, const std::string& file, const View& view);
-Result<void> stopFilm(Console& console);
 
 }  // namespace gt

@@ -5,7 +5,6 @@
 namespace gt {
 namespace {
 
-constexpr std::int64_t leastInterval = 300;                  // ms
 constexpr double fastestAhead = 200, fastestSideways = 150;  // mm/s
 constexpr double fastestTurn = 1.6;                          // rad/s
 constexpr double hatSpeed = 0.5;                             // rad/s
@@ -25,14 +24,13 @@ bool Joystick::pressed() const {
   return std::any_of(down_.begin(), down_.end(), [](bool down) { return down; });
 }
 
-std::optional<Pose2D> Joystick::walk(Time now) {
-  if (!moved_ || pressed() || now - lastSent_ < leastInterval) return std::nullopt;
+std::optional<Pose2D> Joystick::walk() {
+  if (!moved_ || pressed()) return std::nullopt;
   const Pose2D speed{-axes_[Axis::z] * fastestTurn, -axes_[Axis::y] * fastestAhead,
                      -axes_[Axis::x] * fastestSideways};
   if (speed.translation == lastWalk_.translation && speed.rotation == lastWalk_.rotation)
     return std::nullopt;
   lastWalk_ = speed;
-  lastSent_ = now;
   return speed;
 }
 

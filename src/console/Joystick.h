@@ -34,9 +34,8 @@ class Joystick {
   /// Presses or releases a button; returns its command when it was pressed and has one.
   std::optional<std::string> press(int button, bool down);
 
-  /// Where the robot shall walk, if that has changed; not while a button is pressed (report I.5.2),
-  /// and not more often than each 300 ms (report J.5.5).
-  std::optional<Pose2D> walk(Time now);
+  /// Where the robot shall walk, if that has changed; not while a button is pressed (report I.5.2).
+  std::optional<Pose2D> walk();
   /// How the head shall stand, rad; the hat's directions add up over time.
   std::optional<HeadMotionRequest> head(Time now);
 
@@ -50,7 +49,7 @@ class Joystick {
   HeadMotionRequest head_;
   bool moved_ = false;
   Pose2D lastWalk_;
-  Time lastSent_ = never(), lastHead_ = never();
+  Time lastHead_ = never();
 };
 
 }  // namespace gt

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "console/Commands.h"
+#include "console/Values.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/motion/HeadMotionRequest.h"
 
@@ -65,7 +66,9 @@ Result<void> mr(Console& console, const Words& words) {
     return {};
   }
   auto request = motionOf(words[1], **motions);
-  if (!request) return Error{"", 0, words[1], "there is no such motion; try mr ?"};
+  if (!request)
+    return Error{"", 0, words[1],
+                 "there is no such motion; try mr ?" + suggestion(words[1], motionNames(**motions))};
   const bool walk = request->type == MotionType::walk;
   if (words.size() != (walk ? 5u : 2u)) return wrongArguments(words);
   if (walk) {
@@ -96,17 +99,37 @@ Result<void> tr(Console& console, const Words& words) {
 }
 
 Result<void> hcm(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
-  if (words[1] == "?") {
+  if (words.size() < 2) return wrongArguments(words);
+  if (words.size() == 2 && words[1] == "?") {
     list(console, namesOf<HeadMode>());
     return {};
   }
   const auto mode = enumValue<HeadMode>(words[1]);
-  if (!mode) return Error{"", 0, words[1], "there is no such head control mode; try hcm ?"};
+  if (!mode)
+    return Error{"", 0, words[1],
+                 "there is no such head control mode; try hcm ?" +
+                     suggestion(words[1], namesOf<HeadMode>())};
+  Vector3d point = Vector3d::Zero();
+  if (words.size() != (*mode == HeadMode::lookAtPoint ? 5u : 2u)) return wrongArguments(words);
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    const auto number = numberOf(words[i], -1e5, 1e5);
+    if (!number) return number.error();
+    point[static_cast<Eigen::Index>(i - 2)] = *number;
+  }
   return console.forEachRobot([&](ConsoleRobot& robot) {
     warnIfDecided(console, robot);
-    return robot.send(HeadControlMode{*mode, Vector3d::Zero()});
+    robot.headMode = *mode;
+    return robot.send(HeadControlMode{*mode, point});
   });
+}
+
+/// Head motion requests are followed in the head control mode none only.
+void warnIfHeadIsMoved(Console& console, ConsoleRobot& robot) {
+  if (robot.headMode == HeadMode::none) return;
+  const auto mode = valueAt(console, robot.name() + ".HeadControlMode.mode");
+  if (mode && mode->text != enumName(HeadMode::none))
+    console.print(robot.name() + ": the head control mode is " + mode->text +
+                  "; hcm none lets you move the head");
 }
 
 Result<void> hmr(Console& console, const Words& words) {
@@ -118,95 +141,38 @@ Result<void> hmr(Console& console, const Words& words) {
     angles[i] = fromDegrees(*degrees);
   }
   return console.forEachRobot([&](ConsoleRobot& robot) {
+    warnIfDecided(console, robot);
+    warnIfHeadIsMoved(console, robot);
     return robot.send(HeadMotionRequest{angles[0], angles[1], angles[2], angles[3]});
-  });
-}
-
-/// The report's names of penalties, of the rules of 2003.
-constexpr std::pair<std::string_view, Penalty> penalties[] = {
-    {"continue", Penalty::none},
-    {"illegalDefender", Penalty::illegalDefender},
-    {"obstruction", Penalty::obstruction},
-    {"keeperCharged", Penalty::keeperCharge},
-    {"ballHolding", Penalty::ballHolding},
-    {"fieldPlayerCharged", Penalty::fieldPlayerCharge},
-    {"illegalDefense", Penalty::illegalDefense},
-    {"requestForPickup", Penalty::requestForPickup}};
-
-Result<void> pr(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
-  const auto known =
-      std::ranges::find_if(penalties, [&](const auto& p) { return p.first == words[1]; });
-  if (known == std::end(penalties)) return wrongArguments(words);
-  const Penalty penalty = known->second;
-  Session& session = console.session();
-  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (robot.index()) {
-      session.simulation().referee().setPenalty(*robot.index(), penalty, session.time());
-      return {};
-    }
-    GameControlData data;
-    data.state = penalty == Penalty::none ? GameState::playing : GameState::penalized;
-    data.penalty = penalty;
-    return robot.send(data);
   });
 }
 
 std::vector<std::string> motionChoices(Console& console, const Words& before) {
   const auto motions = console.motions();
-  if (before.size() != 1 || !motions) return {};
-  auto choices = motionNames(**motions);
-  choices.emplace_back("?");
-  return choices;
+  return before.size() == 1 && motions ? motionNames(**motions) : std::vector<std::string>{};
 }
 
 template <std::vector<std::string> (*names)()>
 std::vector<std::string> oneOf(Console&, const Words& before) {
-  auto choices = before.size() == 1 ? names() : std::vector<std::string>{};
-  if (before.size() == 1) choices.emplace_back("?");
-  return choices;
-}
-
-std::vector<std::string> penaltyNames(Console&, const Words&) {
-  std::vector<std::string> names;
-  for (const auto& [name, penalty] : penalties) names.emplace_back(name);
-  return names;
+  return before.size() == 1 ? names() : std::vector<std::string>{};
 }
 
 }  // namespace
 
-Result<void> moveByJoystick(Console& console) {
-  const Time now = console.session().time();
-  const auto walk = console.joystick().walk(now);
-  const auto head = console.joystick().head(now);
-  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (walk) {
-      robot.motion.type = MotionType::walk;
-      robot.motion.walk = *walk;
-      if (auto done = robot.send(robot.motion); !done) return done;
-    }
-    return head ? robot.send(*head) : Result<void>{};
-  });
-}
-
 std::vector<Command> motionCommands() {
   constexpr auto kind = Command::Kind::robot;
   return {
-      {kind, "hcm", "? | MODE", "Sets the head control mode, while no BehaviorControl is active.",
+      {kind, "hcm", "? | lookAtPoint X Y Z | MODE",
+       "Sets the head control mode, while no BehaviorControl is active. The point to look at is "
+       "relative to the robot, in mm.",
        hcm, oneOf<namesOf<HeadMode>>, true},
       {kind, "hmr", "TILT PAN ROLL MOUTH",
        "Sets the head's joints, in degrees; works in the head control mode none.", hmr, nullptr,
        true},
       {kind, "mr", "? | TYPE [X Y R]",
        "Sets the motion, while no BehaviorControl is active. To walk (normal) takes speeds: ahead "
-       "and "
-       "left in mm/s, counterclockwise in degrees/s.",
+       "and left in mm/s, counterclockwise in degrees/s.",
        mr, motionChoices, true},
-      {kind, "pr",
-       "continue | illegalDefender | obstruction | keeperCharged | ballHolding | "
-       "fieldPlayerCharged "
-       "| illegalDefense | requestForPickup",
-       "Penalizes robots, or lets them go on.", pr, penaltyNames, true},
       {kind, "tr", "? | TYPE", "Sets what the tail does, while no BehaviorControl is active.", tr,
        oneOf<namesOf<TailRequest>>, true}};
 }

@@ -4,10 +4,10 @@
 
 #include "console/ScenePicture.h"
 #include "console/Views.h"
-#include "views/painting/ColorClassViews.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/perception/ColorTable64.h"
 #include "simulation/camera/Lighting.h"
+#include "views/painting/ColorClassViews.h"
 
 namespace gt {
 namespace {

@@ -378,22 +378,19 @@ Result<void> graph(Console& console, const Words& words) {
 
 Result<void> layout(Console& console, const Words& words) {
   if (words.size() != 2) return wrongArguments(words);
-  const auto text = readFile(words[1]);
+  const std::string file = withDefaults(words[1], "layouts", ".layout");
+  const auto text = readFile(file);
   if (!text) return text.error();
   // A wrong layout is told at once; a right one is taken with the robot's next step.
-  const auto parsed = parseLayout(*text, words[1]);
+  const auto parsed = parseLayout(*text, file);
   if (!parsed) return parsed.error();
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     if (robot.robot())
       if (const auto plan = robotPlan(*parsed, robot.robot()->platform()); !plan)
         return plan.error();
-    return robot.send(LayoutRequest{words[1], *text});
+    return robot.send(LayoutRequest{file, *text});
   });
 }
-
-constexpr char on[] = "on", off[] = "off", start[] = "start", stop[] = "stop", clear[] = "clear",
-               save[] = "save", queue[] = "queue", replace[] = "replace", reject[] = "reject",
-               collect[] = "collect";
 
 }  // namespace
 
@@ -412,7 +409,7 @@ std::vector<Command> robotCommands() {
        "Switches the calculation of images on (the default) or off: without, a simulated robot "
        "gets "
        "its last one again and again.",
-       ci, oneOf<on, off>, true},
+       ci, nullptr, true},
       {kind, "dk", "? | KEY (off | on | NUMBER | every NUMBER [ms])",
        "Sets a debug key: never, always, so many times, every so many times or ms. The report's "
        "keys "
@@ -422,24 +419,26 @@ std::vector<Command> robotCommands() {
        "Prints which solution of each task runs and where what it reads comes from; draws it into "
        "out/graphs/ and with .svg if the file has none.",
        graph},
-      {kind, "layout", "FILE", "Regroups the modules to the processes of a layout.", layout,
-       nullptr, true},
+      {kind, "layout", "LAYOUT",
+       "Regroups the modules to the processes of a layout, of layouts/ and with .layout if the "
+       "file "
+       "has no folder and extension.",
+       layout, nullptr, true},
       {kind, "log", "start | stop | clear | save FILE",
        "Records all that comes from the robots; saves it to out/logs/ and with .mcap if the file "
        "has "
        "no folder and extension. Several robots get a file each.",
-       log, oneOf<start, stop, clear, save>},
-      {kind, "msg", "off | on", "Prints texts of the robots (the default), or not.", msg,
-       oneOf<on, off>},
+       log},
+      {kind, "msg", "off | on", "Prints texts of the robots (the default), or not.", msg, nullptr},
       {kind, "qfr", "queue | replace | reject | collect SECONDS | save SECONDS",
-       "Says how the queue of messages to the tools is filled (by default queue).", qfr,
-       oneOf<queue, replace, reject, collect, save>, true},
+       "Says how the queue of messages to the tools is filled (by default queue).", qfr, nullptr,
+       true},
       {kind, "sg", "? | ID {NUMBER}",
        "Sends up to ten numbers as generic debug data to the modules.", sg, idNames, true},
       {kind, "so", "off | on",
        "Switches oracled world states on (the default) or off: what disabled tasks would provide "
        "comes from the simulator.",
-       so, oneOf<on, off>, true},
+       so, nullptr, true},
       {kind, "sr", "? | TASK (? | SOLUTION)",
        "Has a task solved by another solution, or by none: disabled.", sr, taskNames, true}};
 }

@@ -67,6 +67,13 @@ void RobotConnection::step() {
   router_->step(0);
 }
 
+std::vector<std::string> RobotConnection::silent() const {
+  std::vector<std::string> names;
+  for (const auto& robot : router_->statistics())
+    if (!robot.connected) names.push_back(robot.robot);
+  return names;
+}
+
 std::vector<std::string> RobotConnection::news() {
   std::vector<std::string> lines;
   const auto statistics = router_->statistics();

@@ -27,6 +27,8 @@ class RobotConnection {
   std::vector<std::unique_ptr<ConsoleRobot>> takeRobots() { return std::move(robots_); }
   /// What has changed since this was called last: a line for each robot that came or went.
   std::vector<std::string> news();
+  /// The robots that are not connected.
+  std::vector<std::string> silent() const;
 
  private:
   RobotConnection() = default;

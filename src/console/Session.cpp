@@ -9,6 +9,8 @@ namespace {
 
 /// Who falls further behind real time does not run to catch up.
 constexpr std::chrono::milliseconds farBehind{100};
+/// How long a robot elsewhere may take to answer the first time.
+constexpr std::chrono::milliseconds connecting{1500};
 
 }  // namespace
 
@@ -69,17 +71,76 @@ SceneTree& Session::tree() {
   return *state_.tree;
 }
 
-bool Session::step() {
+bool Session::tick() {
   if (simulation().finished()) return false;
+  if (input_) input_();
   state_.match->step();
+  listen();
+  std::erase_if(listeners_, [](const auto& listener) { return listener.expired(); });
+  for (std::size_t i = 0; i < listeners_.size(); ++i)
+    if (const auto work = listeners_[i].lock()) (*work)();
+  tellNews();
+  screen_.stepped();
+  return true;
+}
+
+bool Session::step() {
+  if (!tick()) return false;
+  if (const auto time = due()) std::this_thread::sleep_until(*time);
+  return true;
+}
+
+Session::RunEnd Session::run(const std::function<bool()>& done) {
+  while (!done()) {
+    if (takeInterrupt()) return RunEnd::interrupted;
+    if (!step()) return RunEnd::gameOver;
+  }
+  return RunEnd::done;
+}
+
+void Session::start() {
+  started_ = true;
+  setPace(pace_);
+}
+
+void Session::live(std::chrono::milliseconds atMost) {
+  const auto end = Clock::now() + atMost;
+  if (!started_) {
+    if (input_) input_();
+    listen();
+    tellNews();
+    return;
+  }
+  for (auto next = due(); started_ && Clock::now() < end; next = due()) {
+    if (next && *next > Clock::now()) {
+      std::this_thread::sleep_until(std::min(*next, end));
+    } else if (!tick()) {
+      stop();
+      screen_.print(clockText(time()) + "  the game is over, so time stands");
+    }
+  }
+}
+
+bool Session::waitFor(const std::function<bool()>& holds, std::chrono::milliseconds patience) {
+  const auto end = Clock::now() + patience;
+  while (!holds()) {
+    if (Clock::now() >= end || interrupted_) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    listen();
+  }
+  return true;
+}
+
+std::shared_ptr<const void> Session::afterSteps(std::function<void()> work) {
+  auto listener = std::make_shared<const std::function<void()>>(std::move(work));
+  listeners_.push_back(listener);
+  return listener;
+}
+
+void Session::listen() {
   if (state_.connection) state_.connection->step();
   for (const auto& robot : state_.robots)
     if (const auto done = robot->step(time()); !done) screen_.print(done.error().text());
-  for (const auto& recorder : state_.recorders) recorder();
-  tellNews();
-  wait();
-  screen_.stepped();
-  return true;
 }
 
 void Session::tellNews() {
@@ -94,16 +155,16 @@ void Session::tellNews() {
     for (const std::string& line : state_.connection->news()) screen_.print(line);
 }
 
-void Session::wait() {
+std::optional<Session::Clock::time_point> Session::due() {
   // Robots elsewhere live in real time.
   const double factor = state_.connection && pace_.factor == 0 ? 1 : pace_.factor;
-  if (factor == 0) return;
+  if (factor == 0) return std::nullopt;
   const std::chrono::duration<double, std::milli> simulated{
       static_cast<double>(time() - paceTime_) / factor};
   const auto due = paceBegin_ + std::chrono::duration_cast<Clock::duration>(simulated);
   const auto now = Clock::now();
   if (now > due + farBehind) paceBegin_ += now - due;
-  std::this_thread::sleep_until(due);
+  return due;
 }
 
 void Session::setPace(const Pace& pace) {
@@ -141,6 +202,10 @@ Result<void> Session::connect(const std::vector<std::string>& robots, bool gameM
   match().spoil("robots live elsewhere");
   for (auto& robot : connected) state_.robots.push_back(std::move(robot));
   if (gameManager) screen_.print("game manager: " + state_.connection->gameManager());
+  waitFor([&] { return state_.connection->silent().empty(); }, connecting);
+  tellNews();
+  for (const std::string& robot : state_.connection->silent())
+    screen_.print("router: " + robot + " does not answer; it is connected as soon as it does");
   return {};
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -30,7 +31,8 @@ struct Pace {
 };
 
 /// A simulation that a console works on: a scene with its robots, robots on logs, robots elsewhere,
-/// and the clock.
+/// and the clock. Time passes while it runs: by `run`, or from `start` to `stop` by `live`.
+/// Messages of robots elsewhere are passed on either way.
 class Session {
  public:
   static Result<std::unique_ptr<Session>> make(const MatchOptions& options, Screen& screen);
@@ -49,8 +51,33 @@ class Session {
   /// All objects of the scene, by path.
   SceneTree& tree();
   Time time() const { return state_.match->time(); }
-  /// One step of 8 ms; false when the game is over, or nothing could go on.
+  /// One step of 8 ms, at the session's pace; false if the game is over.
   bool step();
+  enum class RunEnd { done, gameOver, interrupted };
+  /// Takes steps until `done` returns true, which is asked before each of them.
+  RunEnd run(const std::function<bool()>& done);
+
+  /// Lets time pass in `live` from now on.
+  void start();
+  void stop() { started_ = false; }
+  bool started() const { return started_; }
+  /// What happens while a person types: takes steps if the session was started, and passes messages
+  /// on. Returns after `atMost`, or as soon as there is nothing to do.
+  void live(std::chrono::milliseconds atMost);
+  /// Passes messages of robots elsewhere on until `holds` returns true; false if it did not within
+  /// `patience`. Simulated time stands.
+  bool waitFor(const std::function<bool()>& holds, std::chrono::milliseconds patience);
+  /// Ends a run after its current step. Safe in signal handlers and from other threads.
+  void interrupt() { interrupted_ = true; }
+  /// Whether `interrupt` was called since this was asked last.
+  bool takeInterrupt() { return interrupted_.exchange(false); }
+
+  /// Called before each step and in `live`: reads what moves the robots by hand, such as a
+  /// joystick.
+  void setInput(std::function<void()> input) { input_ = std::move(input); }
+  /// Calls `work` after each step, also of later matches, for as long as the handle lives.
+  [[nodiscard]] std::shared_ptr<const void> afterSteps(std::function<void()> work);
+
   /// A robot of the scene first, then those on logs and elsewhere.
   const std::vector<std::unique_ptr<ConsoleRobot>>& robots() const { return state_.robots; }
   ConsoleRobot* find(std::string_view robot) const;
@@ -62,9 +89,6 @@ class Session {
 
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
-
-  /// Called after each step, by what records over time.
-  std::vector<std::function<void()>>& recorders() { return state_.recorders; }
 
   Screen& screen() { return screen_; }
   std::string behavior = {};  ///< Agents file that `xlb` loaded last; empty: that of the options.
@@ -81,13 +105,17 @@ class Session {
     std::unique_ptr<SceneTree> tree;  ///< Once it was asked for.
     std::vector<std::unique_ptr<ConsoleRobot>> robots;
     std::size_t toldEvents = 0;
-    std::vector<std::function<void()>> recorders;
   };
 
   explicit Session(Screen& screen) : screen_{screen} {}
   void work(Match& match);
-  void wait();
+  /// One step, without waiting for the clock.
+  bool tick();
+  /// Passes on and takes what robots elsewhere and on logs send.
+  void listen();
   void tellNews();
+  /// When the next step is due; nothing if steps are taken as fast as possible.
+  std::optional<Clock::time_point> due();
 
   Screen& screen_;
   MatchOptions options_;
@@ -95,6 +123,10 @@ class Session {
   Pace pace_;
   Clock::time_point paceBegin_ = Clock::now();
   Time paceTime_;
+  bool started_ = false;
+  std::atomic<bool> interrupted_ = false;
+  std::function<void()> input_;
+  std::vector<std::weak_ptr<const std::function<void()>>> listeners_;
 };
 
 /// Minutes and seconds, as in 2:05.

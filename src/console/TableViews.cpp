@@ -113,7 +113,8 @@ void paintGrid(Sheet& sheet, const Axes& axes) {
 
 std::vector<Curve> curvesOf(Console& console) {
   std::vector<Curve> curves;
-  for (const auto& [name, samples] : console.series()) curves.push_back({name, samples});
+  for (const auto& [name, samples] : console.recording().series())
+    curves.push_back({name, samples});
   for (ConsoleRobot* robot : console.selected())
     for (const auto& [key, samples] : robot->memory().plots())
       curves.push_back({robot->name() + " " + key, {samples.begin(), samples.end()}});

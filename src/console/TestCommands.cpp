@@ -39,6 +39,7 @@ struct Series {
   double timeout = 0;  ///< s; 0: until the game is over.
   std::vector<std::string> targetTexts;
   std::vector<Condition> targets;
+  std::function<bool()> interrupted;
 };
 
 Result<std::string> reached(const Series& series, Console& console) {
@@ -70,6 +71,7 @@ Result<Outcome> runOnce(const Series& series, int index) {
   outcome.seed = options.seed;
   const auto end = static_cast<std::int64_t>(std::llround(1000 * series.timeout));
   while (outcome.result.empty()) {
+    if (series.interrupted()) return Error{"", 0, "", "stopped"};
     auto target = reached(series, console);
     if (!target) return target.error();
     outcome.result = std::move(*target);
@@ -166,7 +168,12 @@ Result<void> test(Console& console, const Words& words) {
   const std::string file = takeFile(rest).value_or("out/test.csv");
   if (rest.size() < 3) return wrongArguments(words);
   Session& session = console.session();
-  Series series{session.options(), session.match().history(), 1, 0, {}, {}};
+  Series series{session.options(), session.match().history(), 1, 0, {}, {}, {}};
+  std::atomic<bool> interrupted = false;
+  series.interrupted = [&] {
+    if (session.takeInterrupt()) interrupted = true;
+    return interrupted.load();
+  };
   const auto runs = numberOf(rest[2], 1, mostRuns);
   if (!runs) return runs.error();
   if (*runs != std::floor(*runs)) return wrongArguments(words);
@@ -193,21 +200,17 @@ Result<void> test(Console& console, const Words& words) {
   return {};
 }
 
-std::vector<std::string> testChoices(Console& console, const Words& before) {
-  if (before.size() == 1) return {"game", "situation"};
-  return before.size() > 3 && before[1] == "situation" ? valueNames(console)
-                                                       : std::vector<std::string>{};
-}
-
 }  // namespace
 
 std::vector<Command> testCommands() {
-  return {{Command::Kind::global, "test",
-           "game N [FILE.csv] | situation N TIMEOUT CONDITION {CONDITION} [FILE.csv]",
-           "Plays N games, or N times up to TIMEOUT seconds until one of the conditions holds (in "
-           "quotes if it has spaces), each with the next seed and all that was done so far at its "
-           "beginning. Tells how they ended; the results go to out/test.csv if no file is named.",
-           test, testChoices}};
+  return {
+      {Command::Kind::global, "test",
+       "game N [TABLE] | situation N TIMEOUT CONDITION {CONDITION} [TABLE]",
+       "Plays N games, or N times up to TIMEOUT seconds until one of the conditions holds (in "
+       "quotes if it has spaces), each with the next seed and all that was done so far at its "
+       "beginning. Tells how they ended; the results go to a table (.csv), out/test.csv if none is "
+       "named.",
+       test, valueChoices}};
 }
 
 }  // namespace gt

@@ -4,8 +4,6 @@
 
 #include "console/Commands.h"
 #include "console/Condition.h"
-#include "modules/behavior/control/BehaviorRequest.h"
-#include "robot/Solutions.h"
 
 namespace gt {
 namespace {
@@ -14,12 +12,19 @@ namespace {
 constexpr double untilAtMost = 600;
 constexpr double longest = 1e6;  // s
 
-/// A duration from a word on: 30, 30 s, 500 ms, 2 min or 10 steps; in ms.
+/// A duration from a word on: 30, 30 s, 30s, 500 ms, 2 min or 10 steps; in ms.
 Result<std::int64_t> durationOf(const Words& words, std::size_t first) {
   if (words.size() != first + 1 && words.size() != first + 2) return wrongArguments(words);
-  const auto number = numberOf(words[first], 0, longest);
+  std::string digits = words[first], unit = "s";
+  if (words.size() == first + 2) {
+    unit = words[first + 1];
+  } else if (const auto end = digits.find_first_not_of("+-.0123456789e");
+             end != digits.npos && end > 0) {
+    unit = digits.substr(end);
+    digits.resize(end);
+  }
+  const auto number = numberOf(digits, 0, longest);
   if (!number) return number.error();
-  const std::string unit = words.size() == first + 2 ? words[first + 1] : "s";
   const double ms = unit == "s"                         ? 1000
                     : unit == "ms"                      ? 1
                     : unit == "min"                     ? 60000
@@ -29,12 +34,73 @@ Result<std::int64_t> durationOf(const Words& words, std::size_t first) {
   return std::llround(*number * ms);
 }
 
+/// Lets time pass until `done` returns true. An error if a person stops it, or the game is over.
+Result<void> pass(Console& console, const std::string& command, const std::function<bool()>& done) {
+  Session& session = console.session();
+  session.stop();
+  switch (session.run(done)) {
+    case Session::RunEnd::done:
+      return {};
+    case Session::RunEnd::interrupted:
+      return Error{"", 0, command, "stopped at " + clockText(session.time())};
+    case Session::RunEnd::gameOver:
+      return Error{"", 0, command,
+                   "the game is over, so time stands at " + clockText(session.time()) +
+                       "; gc ready or reset begins anew"};
+  }
+  return {};
+}
+
+Result<void> passTime(Console& console, const std::string& command, std::int64_t ms) {
+  const Time end = console.session().time() + ms;
+  return pass(console, command, [&] { return console.session().time() >= end; });
+}
+
 Result<void> run(Console& console, const Words& words) {
   const auto ms = durationOf(words, 1);
-  if (!ms) return ms.error();
-  const Time end = console.session().time() + *ms;
-  while (console.session().time() < end && console.session().step()) {
+  return ms ? passTime(console, "run", *ms) : ms.error();
+}
+
+Result<void> step(Console& console, const Words& words) {
+  if (words.size() > 2) return wrongArguments(words);
+  const auto steps = words.size() == 2 ? numberOf(words[1], 0, 1e9) : Result<double>{1};
+  if (!steps) return steps.error();
+  if (*steps != std::floor(*steps)) return wrongArguments(words);
+  return passTime(console, "step", std::llround(*steps) * tickMs);
+}
+
+Result<void> start(Console& console, const Words& words) {
+  if (words.size() != 1) return wrongArguments(words);
+  console.session().start();
+  return {};
+}
+
+Result<void> stop(Console& console, const Words& words) {
+  if (words.size() != 1) return wrongArguments(words);
+  console.session().stop();
+  return {};
+}
+
+Result<void> st(Console& console, const Words& words) {
+  if (words.size() < 2 || words.size() > 3) return wrongArguments(words);
+  Pace pace;
+  if (words[1] == "on") {
+    if (words.size() == 3) {
+      const auto factor = numberOf(words[2], 0.01, 1000);
+      if (!factor) return factor.error();
+      pace.factor = *factor;
+    }
+  } else if (words[1] == "off") {
+    pace = {1, 1};
+    if (words.size() == 3) {
+      const auto slowness = numberOf(words[2], 0.01, 1e6);
+      if (!slowness) return slowness.error();
+      pace.slowness = *slowness;
+    }
+  } else {
+    return wrongArguments(words);
   }
+  console.session().setPace(pace);
   return {};
 }
 
@@ -64,120 +130,23 @@ Result<void> until(Console& console, const Words& words) {
   const auto waiting = waitingOf(words);
   if (!waiting) return waiting.error();
   const Time end = console.session().time() + std::llround(1000 * waiting->seconds);
-  while (true) {
-    const auto holds = waiting->condition.holds(console);
-    if (!holds) return holds.error();
-    if (*holds) return {};
-    if (console.session().time() >= end || !console.session().step()) break;
-  }
+  Result<bool> holds = false;
+  const auto done = pass(console, "until", [&] {
+    holds = waiting->condition.holds(console);
+    return !holds || *holds || console.session().time() >= end;
+  });
+  if (!done) return done;
+  if (!holds) return holds.error();
+  if (*holds) return {};
   console.failExpectation();
   return Error{"", 0, "until", "did not come true: " + words.rest};
 }
 
-Result<void> expect(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
-  const auto condition = Condition::parse(words.rest);
-  if (!condition) return condition.error();
-  const auto holds = condition->holds(console);
-  if (!holds) return holds.error();
-  if (*holds) return {};
-  console.failExpectation();
-  return Error{"", 0, "expect", "does not hold: " + words.rest};
-}
-
-/// Values, parameters and objects of the scene whose names begin so.
-void listValues(Console& console, const std::string& begin) {
-  const auto tell = [&](const std::string& name, const std::string& more, std::string_view doc) {
-    if (name.starts_with(begin))
-      console.print(name + more + (doc.empty() ? "" : "  // " + std::string{doc}));
-  };
-  for (const std::string& name : valueNames(console)) tell(name, "", "");
-  if (const auto robot = console.firstRobot())
-    for (const ProcessDescription& process : describe(**robot))
-      for (const TaskDescription& task : process.tasks)
-        for (const SolutionDescription& solution : task.solutions)
-          for (const ParameterDescription& p : solution.parameters)
-            tell(task.name + "." + solution.name + "." + p.path,
-                 " " + p.value + (p.unit.empty() ? "" : " " + p.unit), p.doc);
-  SceneTree& tree = console.session().tree();
-  for (const SceneTree::Object& object : tree.list(""))
-    if (const auto value = tree.get(object.path))
-      tell(object.path, " " + *value + (object.canBeSet ? "" : " (only watched)"), object.help);
-}
-
-Result<void> get(Console& console, const Words& words) {
-  if (words.size() > 1 && words[1] == "?" && words.size() <= 3) {
-    listValues(console, words.size() == 3 ? words[2] : "");
-    return {};
-  }
-  if (words.size() != 2) return wrongArguments(words);
-  // What a robot has is told of each selected one; what there is once, once.
-  const std::string first = words[1].substr(0, words[1].find('.'));
-  const auto robots = console.selected();
-  const bool ofRobots = !robots.empty() && !console.session().find(first) &&
-                        (solutions().find(first) ||
-                         (robots.front()->robot() && robots.front()->robot()->value(first)));
-  if (ofRobots)
-    return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-      const auto value = valueAt(console, robot.name() + "." + words[1]);
-      if (!value) return value.error();
-      console.print(robot.name() + ": " + value->text);
-      return {};
-    });
-  const auto value = valueAt(console, words[1]);
-  if (!value) return value.error();
-  console.print(value->text);
-  return {};
-}
-
-Result<void> set(Console& console, const Words& words) {
-  if (words.size() < 3) return wrongArguments(words);
-  std::string value = words[2];
-  for (std::size_t i = 3; i < words.size(); ++i) value += " " + words[i];
-  if (const auto object = objectPath(console.session(), words[1]))
-    return console.session().tree().set(*object, value);
-  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    const auto name = parameterName(robot, words[1]);
-    if (!name) return name.error();
-    return robot.request(ParameterRequest{name->task, name->solution, name->path, value});
-  });
-}
-
-std::vector<std::string> parameterChoices(Console& console, const Words& before) {
-  std::vector<std::string> names;
-  if (before.size() > 1) return names;
-  for (const SceneTree::Object& object : console.session().tree().list(""))
-    if (object.canBeSet || before.front() == "get") names.push_back(object.path);
-  const auto robot = console.firstRobot();
-  if (!robot) return names;
-  for (const ProcessDescription& process : describe(**robot))
-    for (const TaskDescription& task : process.tasks)
-      for (const SolutionDescription& solution : task.solutions)
-        for (const ParameterDescription& p : solution.parameters)
-          names.push_back(task.name + "." + solution.name + "." + p.path);
-  return names;
-}
-
-std::vector<std::string> valueChoices(Console& console, const Words& before) {
-  if (before.front() == "get" && before.size() > 1) return {};
-  auto names = valueNames(console);
-  for (std::string& name : parameterChoices(console, {"get"})) names.push_back(std::move(name));
-  return names;
-}
-
-Result<void> behavior(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
-  return console.forEachRobot([&](ConsoleRobot& robot) {
-    return robot.request(BehaviorRequest{words[1], {}});
-  });
-}
-
+/// Begins anew as the program does: with the scene's script (report I.4).
 Result<void> restart(Console& console, const MatchOptions& options) {
   if (auto done = console.session().restart(options); !done) return done;
-  console.select({});
-  console.forgetBehavior();
-  console.series().clear();
-  return {};
+  console.forget();
+  return console.callStartScript();
 }
 
 Result<void> seed(Console& console, const Words& words) {
@@ -206,7 +175,9 @@ Result<void> save(Console& console, const Words& words) {
   const std::string file = withDefaults(words[1], "out/states", ".state");
   std::error_code ignored;  // then writing tells what is wrong
   std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
-  return console.session().match().save(file);
+  if (auto done = console.session().match().save(file); !done) return done;
+  printWritten(console, file);
+  return {};
 }
 
 Result<void> load(Console& console, const Words& words) {
@@ -226,72 +197,47 @@ Result<void> load(Console& console, const Words& words) {
     console.forgetBehavior();
     return done;
   }
-  console.series().clear();
+  const auto loaded = console.selection();
+  console.forget();
+  console.select(loaded);
   return {};
-}
-
-Result<void> joystick(Console& console, const Words& words) {
-  if (words.size() != 3) return wrongArguments(words);
-  Joystick& stick = console.joystick();
-  if (const auto axis = enumValue<Joystick::Axis>(words[1])) {
-    const auto value = numberOf(words[2], -1, 1);
-    if (!value) return value.error();
-    stick.move(*axis, *value);
-    return moveByJoystick(console);
-  }
-  const bool down = words[1] == "press";
-  if (!down && words[1] != "release") return wrongArguments(words);
-  const auto button = numberOf(words[2], 1, Joystick::buttons);
-  if (!button) return button.error();
-  const auto command = stick.press(static_cast<int>(*button), down);
-  return command ? console.executeWithin(*command) : Result<void>{};
-}
-
-std::vector<std::string> sceneChoices(Console&, const Words&) {
-  std::vector<std::string> names;
-  std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator{"scenes", failed})
-    if (entry.path().extension() == ".scene") names.push_back(entry.path().stem().string());
-  return names;
 }
 
 }  // namespace
 
-std::vector<Command> simulationCommands() {
+std::vector<Command> timeCommands() {
   using enum Command::Kind;
   return {
-      {robot, "behavior", "FILE",
-       "Goes on with a behavior, or with the same one after it was edited.", behavior, nullptr,
-       true},
-      {global, "expect", "CONDITION",
-       "Tells whether a condition holds; a script ends here if not, with exit status 1.", expect,
-       valueChoices},
-      {robot, "get", "? [BEGIN] | VALUE",
-       "Prints a value by its path: of the game, a ball, a robot's body, its representations, its "
-       "parameters, or any object of the scene. With ? all of them, or those that begin so.",
-       get, valueChoices},
-      {global, "joystick", "(press | release) BUTTON | AXIS VALUE",
-       "Does what a joystick does: its buttons 1 to 32, and its axes x, y, z, accelerator, hatX "
-       "and "
-       "hatY from -1 to 1, which move the selected robots.",
-       joystick, nullptr, true},
-      {global, "load", "FILE", "Goes on where a simulation was when it was saved.", load},
-      {global, "reset", "", "Begins anew, with the same scene and seed.", reset},
-      {global, "run", "NUMBER [s | ms | min | steps]", "Lets simulated time pass.", run},
-      {global, "save", "FILE",
-       "Saves the state of the simulation: scene, seed and all that was done since, which is lived "
-       "through again when it is loaded. To out/states/ and with .state if the file has no folder "
-       "and extension.",
+      {global, "load", "STATE", "Goes on where a simulation was when it was saved.", load},
+      {global, "reset", "", "Begins anew, with the same scene, its script, and the same seed.",
+       reset},
+      {global, "run", "TIME [s | ms | min | steps]",
+       "Lets simulated time pass; TIME may also have its unit behind it: 30s. Ctrl-C stops it, and "
+       "all is kept.",
+       run},
+      {global, "save", "STATE",
+       "Saves the state of the simulation: scene, seed and all that was done since, which is done "
+       "again when it is loaded. To out/states/ and with .state if the file has no folder and "
+       "extension.",
        save},
-      {global, "scene", "FILE", "Begins with another scene.", scene, sceneChoices},
+      {global, "scene", "SCENE", "Begins with another scene, and its script.", scene},
       {global, "seed", "NUMBER", "Begins anew with another seed.", seed},
-      {robot, "set", "TASK[.SOLUTION].PATH VALUE | OBJECT VALUE",
-       "Sets a parameter; or moves or switches an object of the scene, such as "
-       "robots/red1/joints/headPan.",
-       set, parameterChoices, true},
+      {global, "st", "off [SLOWNESS] | on [FACTOR]",
+       "Simulated time, on by default: each step advances it by 8 ms, as fast as it goes or at "
+       "most "
+       "FACTOR times real time. Off: real time; a robot whose modules take longer loses images, as "
+       "if its computer were SLOWNESS times slower than this one.",
+       st},
+      {global, "start", "",
+       "Lets time pass from now on while commands are typed. Scripts use run: what they do does "
+       "not "
+       "depend on how fast it is done.",
+       start},
+      {global, "step", "[NUMBER]", "Takes steps of 8 ms, one if there is no number.", step},
+      {global, "stop", "", "Lets time stand again after start.", stop},
       {global, "until", "CONDITION [within SECONDS]",
        "Lets simulated time pass until a condition holds; fails like expect if that takes longer "
-       "(600 s without a word).",
+       "(600 s if no time is given).",
        until, valueChoices}};
 }
 

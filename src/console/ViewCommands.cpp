@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "console/Commands.h"
-#include "console/Film.h"
 #include "console/Values.h"
 #include "console/Views.h"
 #include "streams/File.h"
@@ -9,12 +8,33 @@
 namespace gt {
 namespace {
 
-constexpr std::int64_t samplePeriod = 40;  // ms, as pictures come
-constexpr std::size_t mostSamples = 1'000'000;
-constexpr std::size_t mostSeries = 100;
-
 bool isPicture(const std::string& word) {
   return word.ends_with(".png") || word.ends_with(".svg");
+}
+
+std::vector<std::string> viewNames(Console&, const Words&) {
+  std::vector<std::string> names;
+  for (const View& view : views()) names.emplace_back(view.name);
+  return names;
+}
+
+Result<const View*> viewOf(Console& console, const std::string& name) {
+  const auto found =
+      std::ranges::find_if(views(), [&](const View& known) { return known.name == name; });
+  if (found != views().end()) return &*found;
+  return Error{"", 0, name,
+               "there is no such view; try picture ?" + suggestion(name, viewNames(console, {}))};
+}
+
+/// The numbers that end a line.
+Result<std::vector<double>> numbersOf(const Words& words, std::size_t first) {
+  std::vector<double> numbers;
+  for (std::size_t i = first; i < words.size(); ++i) {
+    const auto number = numberOf(words[i], -1e5, 1e5);
+    if (!number) return number.error();
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 /// picture [VIEW] FILE {NUMBER}: the scene without a view's name.
@@ -25,48 +45,18 @@ Result<void> picture(Console& console, const Words& words) {
     return {};
   }
   const bool named = words.size() > 2 && !isPicture(words[1]);
-  const std::size_t file = named ? 2 : 1;
-  if (words.size() <= file) return wrongArguments(words);
-  const std::string name = named ? words[1] : "scene";
-  const auto view =
-      std::ranges::find_if(views(), [&](const View& known) { return known.name == name; });
-  if (view == views().end()) return Error{"", 0, name, "there is no such view; try picture ?"};
-  std::vector<double> numbers;
-  for (std::size_t i = file + 1; i < words.size(); ++i) {
-    const auto number = numberOf(words[i], -1e5, 1e5);
-    if (!number) return number.error();
-    numbers.push_back(*number);
-  }
-  const auto sheet = view->show(console, numbers);
+  const std::size_t fileWord = named ? 2 : 1;
+  if (words.size() <= fileWord || (!named && viewOf(console, words[1])))
+    return wrongArguments(words);
+  const auto view = viewOf(console, named ? words[1] : "scene");
+  if (!view) return view.error();
+  const auto numbers = numbersOf(words, fileWord + 1);
+  if (!numbers) return numbers.error();
+  const auto sheet = (*view)->show(console, *numbers);
   if (!sheet) return sheet.error();
-  return sheet->write(withDefaults(words[file], "out", ".png"));
-}
-
-std::vector<std::string> pictureChoices(Console&, const Words& before) {
-  std::vector<std::string> names;
-  if (before.size() > 1) return names;
-  for (const View& view : views()) names.emplace_back(view.name);
-  names.emplace_back("?");
-  return names;
-}
-
-/// Has a value recorded from now on.
-Result<void> recordValue(Console& console, const std::string& path) {
-  const auto value = valueAt(console, path);
-  if (!value) return value.error();
-  if (!value->number) return Error{"", 0, path, "is no number, so it cannot be plotted"};
-  if (console.series().size() >= mostSeries)
-    return Error{"", 0, path, "too many values are plotted"};
-  if (!console.series().try_emplace(path).second) return {};
-  console.session().recorders().push_back([&console, path] {
-    const auto series = console.series().find(path);
-    const Time now = console.session().time();
-    if (series == console.series().end() || now.ms % samplePeriod != 0 ||
-        series->second.size() >= mostSamples)
-      return;
-    const auto current = valueAt(console, path);
-    if (current && current->number) series->second.push_back({now, *current->number});
-  });
+  const std::string file = withDefaults(words[fileWord], "out", ".png");
+  if (auto done = sheet->write(file); !done) return done;
+  printWritten(console, file);
   return {};
 }
 
@@ -74,14 +64,14 @@ Result<void> recordValue(Console& console, const std::string& path) {
 Result<void> writeValues(Console& console, const std::string& file) {
   std::map<std::int64_t, std::map<std::string, double>> rows;
   std::string text = "time";
-  for (const auto& [name, samples] : console.series()) {
+  for (const auto& [name, samples] : console.recording().series()) {
     text += "," + name;
     for (const auto& [time, value] : samples) rows[time.ms][name] = value;
   }
   text += "\n";
   for (const auto& [time, values] : rows) {
     text += std::to_string(time);
-    for (const auto& [name, samples] : console.series()) {
+    for (const auto& [name, samples] : console.recording().series()) {
       const auto value = values.find(name);
       text += value == values.end() ? "," : "," + std::to_string(value->second);
     }
@@ -90,51 +80,50 @@ Result<void> writeValues(Console& console, const std::string& file) {
   return writeFile(file, text);
 }
 
-Result<void> plot(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "?") {
-    for (const auto& [name, samples] : console.series())
-      console.print(name + " " + std::to_string(samples.size()) + " values");
-    return {};
+Result<void> savePlots(Console& console, const Words& words) {
+  const std::string file = withDefaults(words[2], "out", ".png");
+  if (file.ends_with(".csv")) {
+    if (auto done = writeValues(console, file); !done) return done;
+  } else {
+    const auto seconds = numbersOf(words, 3);
+    if (!seconds) return seconds.error();
+    const auto sheet = plotView(console, *seconds);
+    if (!sheet) return sheet.error();
+    if (auto done = sheet->write(file); !done) return done;
   }
-  if (words.size() != 3 && !(words.size() == 4 && words[1] == "save")) return wrongArguments(words);
-  if (words[1] == "save") {
-    const std::string file = withDefaults(words[2], "out", ".png");
-    if (file.ends_with(".csv")) return writeValues(console, file);
-    std::vector<double> seconds;
-    if (words.size() == 4) {
-      const auto number = numberOf(words[3], 0.001, 1e7);
-      if (!number) return number.error();
-      seconds.push_back(*number);
-    }
-    const auto sheet = plotView(console, seconds);
-    return sheet ? sheet->write(file) : sheet.error();
-  }
-  const auto on = switchOf(words, 2);
-  if (!on) return on.error();
-  if (*on) return recordValue(console, words[1]);
-  if (console.series().erase(words[1]) == 0)
-    return Error{"", 0, words[1], "is not recorded; try plot ?"};
+  printWritten(console, file);
   return {};
 }
 
-std::vector<std::string> plotChoices(Console& console, const Words& before) {
-  if (before.size() == 2) return {"on", "off"};
-  if (before.size() > 2) return {};
-  auto names = valueNames(console);
-  names.emplace_back("save");
-  names.emplace_back("?");
-  return names;
+Result<void> plot(Console& console, const Words& words) {
+  if (words.size() == 2 && words[1] == "?") {
+    for (const auto& [name, samples] : console.recording().series())
+      console.print(name + " " + std::to_string(samples.size()) + " values");
+    return {};
+  }
+  if (words.size() > 2 && words.size() < 5 && words[1] == "save") return savePlots(console, words);
+  if (words.size() != 3) return wrongArguments(words);
+  const auto on = switchOf(words, 2);
+  if (!on) return on.error();
+  if (*on) return console.recording().record(console, words[1]);
+  if (console.recording().forget(words[1])) return {};
+  return Error{"", 0, words[1], "is not recorded; try plot ?"};
 }
 
 Result<void> film(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "stop") return stopFilm(console);
-  if (words.size() != 3 && words.size() != 4) return wrongArguments(words);
-  if (words[1] != "start") return wrongArguments(words);
-  const std::string name = words.size() == 4 ? words[3] : "scene";
-  const auto view =
-      std::ranges::find_if(views(), [&](const View& known) { return known.name == name; });
-  if (view == views().end()) return Error{"", 0, name, "there is no such view; try picture ?"};
-  return startFilm(console, withDefaults(words[2], "out", ".mp4"), *view);
+  if (words.size() == 2 && words[1] == "stop") {
+    const auto file = console.recording().stopFilm();
+    if (!file) return file.error();
+    printWritten(console, *file);
+    return {};
+  }
+  if (words.size() < 3 || words[1] != "start") return wrongArguments(words);
+  const auto view = viewOf(console, words.size() > 3 ? words[3] : "scene");
+  if (!view) return view.error();
+  const auto numbers = numbersOf(words, std::min<std::size_t>(words.size(), 4));
+  if (!numbers) return numbers.error();
+  return console.recording().startFilm(console, withDefaults(words[2], "out", ".mp4"), **view,
+                                       *numbers);
 }
 
 }  // namespace
@@ -161,18 +150,18 @@ const std::vector<View>& views() {
 std::vector<Command> viewCommands() {
   using enum Command::Kind;
   return {
-      {robot, "film", "start FILE [VIEW] | stop",
-       "Films a view (the scene without a word) from now on, 25 pictures a simulated second, as "
-       "MP4.",
-       film},
+      {robot, "film", "start FILE [VIEW {NUMBER}] | stop",
+       "Films a view (the scene if none is named) from now on, 25 pictures a simulated second, as "
+       "MP4 (.mp4).",
+       film, viewNames},
       {robot, "picture", "? | [VIEW] FILE {NUMBER}",
        "Writes a view of the first selected robot (the scene without a word) to a file .png or "
        ".svg. With ? it lists the views.",
-       picture, pictureChoices},
+       picture, viewNames},
       {robot, "plot", "? | VALUE (on | off) | save FILE [SECONDS]",
        "Records a value over time, or no more; saves all that is recorded as a chart (.png, .svg) "
        "of the last seconds, or as numbers (.csv).",
-       plot, plotChoices}};
+       plot, valueChoices}};
 }
 
 }  // namespace gt

@@ -130,13 +130,6 @@ Result<void> fidelity(Console& console, const Words& words) {
   return {};
 }
 
-std::vector<std::string> switchNames(Console&, const Words& before) {
-  if (before.size() == 1) return namesOf<Switch>();
-  return {"on", "off"};
-}
-
-constexpr char kinematic[] = "kinematic", dynamic[] = "dynamic";
-
 }  // namespace
 
 std::vector<Command> worldCommands() {
@@ -144,13 +137,13 @@ std::vector<Command> worldCommands() {
   return {
       {global, "fidelity", "? | [kinematic | dynamic]",
        "Goes on in the other fidelity, with all where it is; tells which one it is.", fidelity,
-       oneOf<kinematic, dynamic>, true},
+       nullptr, true},
       {global, "place", "? | ROBOT X Y [ROTATION] | BALL X Y [VX VY]",
        "Puts a robot on the field, in mm and degrees, or a ball, which may roll, in mm/s.", place,
        thingNames, true},
       {robot, "press",
        "? | (headFront | headBack | chin | back | pawFR | pawFL | pawHR | pawHL) [on | off]",
-       "Presses a switch of the selected robots until it is off again.", press, switchNames, true},
+       "Presses a switch of the selected robots until it is off again.", press, nullptr, true},
       {global, "stand", "? | ROBOT", "Puts a robot back on its feet.", standUp, thingNames, true},
       {global, "throw", "? | ROBOT [left | right]", "Throws a robot on its side.", throwOver,
        thingNames, true}};

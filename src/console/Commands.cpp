@@ -1,0 +1,65 @@
+#include "console/Commands.h"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "xabsl/language/Reporter.h"
+
+namespace gt {
+
+Result<double> numberOf(const std::string& word) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(number))
+    return Error{"", 0, word, "is no number"};
+  return number;
+}
+
+Result<double> numberOf(const std::string& word, double low, double high) {
+  const auto number = numberOf(word);
+  if (number && (*number < low || *number > high)) {
+    const auto shortText = [](double value) {
+      char text[32];
+      return std::string{text, std::to_chars(text, text + sizeof text, value).ptr};
+    };
+    return Error{"", 0, word, "is not from " + shortText(low) + " to " + shortText(high)};
+  }
+  return number;
+}
+
+Result<bool> switchOf(const Words& words, std::size_t word) {
+  if (words.size() != word + 1 || (words[word] != "on" && words[word] != "off"))
+    return wrongArguments(words);
+  return words[word] == "on";
+}
+
+Error wrongArguments(const Words& words) {
+  const Command* command = Console::find(words.front());
+  return {"", 0, words.front(),
+          "expected: " + words.front() + " " + std::string{command ? command->arguments : ""}};
+}
+
+std::string withDefaults(const std::string& file, const std::string& folder,
+                         const std::string& extension) {
+  std::filesystem::path path{file};
+  if (!path.has_parent_path()) path = std::filesystem::path{folder} / path;
+  if (!path.has_extension()) path += extension;
+  return path.string();
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  xabsl::Suggestion best{word};
+  for (const std::string& name : known) best.offer(name);
+  return best.text();
+}
+
+void printWritten(Console& console, const std::string& file) {
+  console.print("written: " + file);
+}
+
+void list(Console& console, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) console.print(line);
+}
+
+}  // namespace gt

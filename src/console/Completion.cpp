@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "console/Commands.h"
+#include "console/Usage.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Placeholders for files: those of a folder may be named without it and without their extension.
+struct FileKind {
+  std::string_view placeholder, folder, extension;
+};
+constexpr FileKind fileKinds[] = {{"FILE", "", ""},
+                                  {"LAYOUT", "layouts", ".layout"},
+                                  {"LOG", "out/logs", ".mcap"},
+                                  {"SCENE", "scenes", ".scene"},
+                                  {"SCRIPT", "scenes", ".con"},
+                                  {"STATE", "out/states", ".state"},
+                                  {"TABLE", "out", ".csv"}};
+
+constexpr std::size_t mostFiles = 500;
+
+/// The files and folders that a word may become.
+void addFiles(std::vector<std::string>& found, const std::string& word, const FileKind& kind) {
+  const fs::path begun{word};
+  std::error_code failed;
+  const auto look = [&](const fs::path& folder, const auto& take) {
+    for (fs::directory_iterator entry{folder.empty() ? "." : folder, failed}, end;
+         !failed && entry != end && found.size() < mostFiles; entry.increment(failed))
+      if (entry->path().filename().string().starts_with(begun.filename().string())) take(*entry);
+  };
+  if (!kind.folder.empty() && !begun.has_parent_path())
+    look(kind.folder, [&](const fs::directory_entry& entry) {
+      if (entry.path().extension() == kind.extension) found.push_back(entry.path().stem().string());
+    });
+  look(begun.parent_path(), [&](const fs::directory_entry& entry) {
+    std::error_code ignored;
+    const bool folder = entry.is_directory(ignored);
+    // Without a path only folders stand beside the files of the usual one.
+    if (!folder && !kind.folder.empty() &&
+        (!begun.has_parent_path() || entry.path().extension() != kind.extension))
+      return;
+    found.push_back((begun.parent_path() / entry.path().filename()).string() + (folder ? "/" : ""));
+  });
+}
+
+/// The words of a line behind its first ones, as they were typed.
+std::string_view behind(std::string_view line, std::size_t words) {
+  constexpr std::string_view blanks = " \t";
+  for (std::size_t at = std::min(line.find_first_not_of(blanks), line.size()); words > 0; --words) {
+    line.remove_prefix(std::min(line.find_first_of(blanks, at), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+    at = 0;
+  }
+  return line;
+}
+
+}  // namespace
+
+std::vector<std::string> Console::completions(std::string_view line) {
+  auto words = splitWords(line);
+  if (!words) return {};
+  if (words->empty() || line.back() == ' ' || line.back() == '\t') words->emplace_back();
+  const std::string word = words->back();
+  words->pop_back();
+  std::vector<std::string> choices;
+  if (words->empty()) {
+    for (const Command& command : commands()) choices.emplace_back(command.name);
+  } else if (const Command* command = find(words->front())) {
+    const Usage::Next next = Usage{command->arguments}.next(std::span{*words}.subspan(1));
+    if (next.command) return completions(behind(line, 1 + *next.command));
+    choices = next.words;
+    bool others = false;
+    for (const std::string& placeholder : next.placeholders) {
+      const auto* kind = std::ranges::find(fileKinds, placeholder, &FileKind::placeholder);
+      if (kind != std::end(fileKinds))
+        addFiles(choices, word, *kind);
+      else
+        others = true;
+    }
+    if (others && command->choices)
+      for (std::string& choice : command->choices(*this, *words))
+        choices.push_back(std::move(choice));
+  }
+  std::erase_if(choices, [&](const std::string& choice) { return !choice.starts_with(word); });
+  std::sort(choices.begin(), choices.end());
+  choices.erase(std::unique(choices.begin(), choices.end()), choices.end());
+  return choices;
+}
+
+}  // namespace gt

@@ -1,0 +1,115 @@
+#include <algorithm>
+
+#include "console/Commands.h"
+
+namespace gt {
+namespace {
+
+/// Tells robots that live elsewhere what a game manager would tell them.
+Result<void> tellElsewhere(Console& console, GameState state, std::optional<TeamColor> kickOff,
+                           std::array<int, 2> score) {
+  for (const auto& known : console.session().robots()) {
+    if (known->index()) continue;
+    TeamColor team = TeamColor::red;
+    if (Robot* here = known->robot()) team = here->setup().player.teamColor;
+    GameControlData data;
+    data.state = state;
+    if (kickOff) data.kickOff = *kickOff == team ? KickOff::own : KickOff::opponent;
+    data.ownScore = score[static_cast<std::size_t>(team)];
+    data.opponentScore = score[static_cast<std::size_t>(opponent(team))];
+    if (auto done = known->send(data); !done) return done;
+  }
+  return {};
+}
+
+Result<void> gc(Console& console, const Words& words) {
+  if (words.size() < 2) return wrongArguments(words);
+  const std::string& what = words[1];
+  Referee& referee = console.session().simulation().referee();
+  const Time now = console.session().time();
+  std::array<int, 2> score{referee.score(TeamColor::red), referee.score(TeamColor::blue)};
+  std::optional<TeamColor> kickOff;
+  GameState state = referee.state();
+  if (what == "kickOff") {
+    if (words.size() != 3 && words.size() != 5) return wrongArguments(words);
+    kickOff = enumValue<TeamColor>(words[2]);
+    if (!kickOff) return wrongArguments(words);
+    for (std::size_t i = 3; i < words.size(); ++i) {  // blue, then red
+      const auto goals = numberOf(words[i], 0, 1000);
+      if (!goals) return goals.error();
+      score[4 - i] = static_cast<int>(*goals);
+    }
+    referee.setKickOff(*kickOff);
+    state = GameState::set;
+  } else if (words.size() == 2) {
+    if (what == "reset") {
+      score = {0, 0};
+      state = GameState::initial;
+    } else if (what == "ready") {
+      state = GameState::ready;
+    } else if (what == "playing") {
+      state = GameState::playing;
+    } else if (what == "final") {
+      state = GameState::finished;
+    } else {
+      return wrongArguments(words);
+    }
+  } else {
+    return wrongArguments(words);
+  }
+  referee.setScore(TeamColor::red, score[0], now);
+  referee.setScore(TeamColor::blue, score[1], now);
+  referee.changeState(state, now);
+  if (state == GameState::ready)  // report J.2.6
+    for (std::size_t i = 0; i < console.session().simulation().world().activeRobots(); ++i)
+      referee.setPenalty(i, Penalty::none, now);
+  return tellElsewhere(console, state, kickOff, score);
+}
+
+/// The report's names of penalties, of the rules of 2003.
+constexpr std::pair<std::string_view, Penalty> penalties[] = {
+    {"continue", Penalty::none},
+    {"illegalDefender", Penalty::illegalDefender},
+    {"obstruction", Penalty::obstruction},
+    {"keeperCharged", Penalty::keeperCharge},
+    {"ballHolding", Penalty::ballHolding},
+    {"fieldPlayerCharged", Penalty::fieldPlayerCharge},
+    {"illegalDefense", Penalty::illegalDefense},
+    {"requestForPickup", Penalty::requestForPickup}};
+
+Result<void> pr(Console& console, const Words& words) {
+  if (words.size() != 2) return wrongArguments(words);
+  const auto known =
+      std::ranges::find_if(penalties, [&](const auto& p) { return p.first == words[1]; });
+  if (known == std::end(penalties)) return wrongArguments(words);
+  const Penalty penalty = known->second;
+  Session& session = console.session();
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (robot.index()) {
+      session.simulation().referee().setPenalty(*robot.index(), penalty, session.time());
+      return {};
+    }
+    GameControlData data;
+    data.state = penalty == Penalty::none ? GameState::playing : GameState::penalized;
+    data.penalty = penalty;
+    return robot.send(data);
+  });
+}
+
+}  // namespace
+
+std::vector<Command> gameCommands() {
+  using enum Command::Kind;
+  return {
+      {global, "gc", "reset | ready | playing | final | kickOff (blue | red) [BLUESCORE REDSCORE]",
+       "Controls the game of all robots, as a game manager does; reset also clears the score, "
+       "ready "
+       "lifts all penalties.",
+       gc, nullptr, true},
+      {robot, "pr",
+       "continue | illegalDefender | obstruction | keeperCharged | ballHolding | "
+       "fieldPlayerCharged | illegalDefense | requestForPickup",
+       "Penalizes robots, or lets them go on.", pr, nullptr, true}};
+}
+
+}  // namespace gt

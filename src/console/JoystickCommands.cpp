@@ -1,0 +1,90 @@
+#include <cmath>
+
+#include "console/Commands.h"
+
+namespace gt {
+namespace {
+
+Result<void> jbc(Console& console, const Words& words) {
+  if (words.size() < 3) return wrongArguments(words);
+  const auto button = numberOf(words[1], 1, Joystick::buttons);
+  if (!button) return button.error();
+  if (*button != std::floor(*button)) return wrongArguments(words);
+  if (!Console::find(words[2]) && !words[2].starts_with('#'))
+    return Error{"", 0, words[2], "there is no such command; try help"};
+  const std::size_t command = words.rest.find_first_not_of(" \t", words.rest.find_first_of(" \t"));
+  console.joystick().setCommand(static_cast<int>(*button), words.rest.substr(command));
+  return {};
+}
+
+Result<void> jhc(Console& console, const Words& words) {
+  const auto axis = words.size() == 2 ? enumValue<Joystick::HeadAxis>(words[1]) : std::nullopt;
+  if (!axis) return wrongArguments(words);
+  console.joystick().setHeadAxis(*axis);
+  return {};
+}
+
+/// Has the selected robots do what the axes say now.
+Result<void> moveRobots(Console& console) {
+  const Time now = console.session().time();
+  const auto walk = console.joystick().walk();
+  const auto head = console.joystick().head(now);
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (walk) {
+      robot.motion.type = MotionType::walk;
+      robot.motion.walk = *walk;
+      if (auto done = robot.send(robot.motion); !done) return done;
+    }
+    return head ? robot.send(*head) : Result<void>{};
+  });
+}
+
+Result<void> moveAxes(Console& console, const Words& words) {
+  std::vector<std::pair<Joystick::Axis, double>> moves;
+  for (std::size_t i = 1; i < words.size(); i += 2) {
+    const auto axis = enumValue<Joystick::Axis>(words[i]);
+    if (!axis || i + 1 >= words.size()) return wrongArguments(words);
+    const auto value = numberOf(words[i + 1], -1, 1);
+    if (!value) return value.error();
+    moves.emplace_back(*axis, *value);
+  }
+  for (const auto& [axis, value] : moves) console.joystick().move(axis, value);
+  return moveRobots(console);
+}
+
+Result<void> joystick(Console& console, const Words& words) {
+  if (words.size() < 3) return wrongArguments(words);
+  const bool down = words[1] == "press";
+  if (!down && words[1] != "release") return moveAxes(console, words);
+  if (words.size() != 3) return wrongArguments(words);
+  const auto button = numberOf(words[2], 1, Joystick::buttons);
+  if (!button) return button.error();
+  const auto command = console.joystick().press(static_cast<int>(*button), down);
+  if (command) return console.executeWithin(*command);
+  // Once no button is pressed, robots walk as the stick stands then.
+  return down ? Result<void>{} : moveRobots(console);
+}
+
+std::vector<std::string> axisNames(Console&, const Words& before) {
+  return before.size() % 2 == 1 ? namesOf<Joystick::Axis>() : std::vector<std::string>{};
+}
+
+}  // namespace
+
+std::vector<Command> joystickCommands() {
+  using enum Command::Kind;
+  return {{global, "jbc", "BUTTON COMMAND",
+           "Sets what a joystick's button (1 to 32) does when it is pressed.", jbc, nullptr, true},
+          {global, "jhc", "tilt | pan | roll",
+           "Sets which axis of the head the joystick's accelerator lever controls (by default "
+           "pan); the "
+           "coolie hat controls the others.",
+           jhc, nullptr, true},
+          {global, "joystick", "(press | release) BUTTON | AXIS VALUE {AXIS VALUE}",
+           "Does what a joystick does: its buttons 1 to 32, and its axes x, y, z, accelerator, "
+           "hatX and "
+           "hatY from -1 to 1, which move the selected robots.",
+           joystick, axisNames, true}};
+}
+
+}  // namespace gt
