@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "console/ScenePicture.h"
+#include "views/ScenePicture.h"
 #include "match/Match.h"
 
 namespace gt {

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "console/ScenePicture.h"
+#include "views/ScenePicture.h"
 #include "console/Views.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/perception/ColorTable64.h"

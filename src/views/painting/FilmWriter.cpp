@@ -1,4 +1,4 @@
-#include "console/FilmWriter.h"
+#include "views/painting/FilmWriter.h"
 
 #include <algorithm>
 #include <filesystem>

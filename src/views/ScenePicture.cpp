@@ -1,4 +1,4 @@
-#include "console/ScenePicture.h"
+#include "views/ScenePicture.h"
 
 #include <algorithm>
 #include <cmath>
