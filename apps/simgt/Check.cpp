@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "console/Console.h"
 #include "framework/LayoutCheck.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
@@ -141,9 +142,9 @@ class TreeCheck {
       if (!fs::is_directory(scene.resolve(scene.config)))
         findings_.add(
             {.file = file, .field = "config", .what = "there is no folder " + scene.config});
-      if (!scene.script.empty() && !fs::is_regular_file(scene.resolve(scene.script)))
-        findings_.add(
-            {.file = file, .field = "script", .what = "there is no file " + scene.script});
+      if (const std::string script = Console::startScript(scene);
+          !script.empty() && !fs::is_regular_file(script))
+        findings_.add({.file = file, .field = "script", .what = "there is no file " + script});
     }
   }
 

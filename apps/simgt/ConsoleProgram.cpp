@@ -9,6 +9,7 @@
 #include "JoystickDevice.h"
 #include "LineEditor.h"
 #include "TerminalScreen.h"
+#include "views/ViewText.h"
 
 namespace gt {
 namespace {
@@ -105,8 +106,9 @@ class ConsoleProgram {
     screen_.print("Type help for the commands, tab to complete them, exit to end.");
     while (!console_.ended()) {
       std::string line;
+      prompt_ = screen_.prompt(console_);
       const auto key = editor.read(
-          line, screen_.prompt(console_), [&] { return live(editor); },
+          line, prompt_, [&] { return live(editor); },
           [&] { return console_.session().takeInterrupt(); });
       InterruptKey::release();
       if (key == LineEditor::Key::end) break;

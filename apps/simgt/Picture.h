@@ -2,8 +2,8 @@
 #include <array>
 #include <string>
 
-#include "views/ScenePicture.h"
 #include "match/Match.h"
+#include "views/ScenePicture.h"
 
 namespace gt {
 

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "views/ViewText.h"
+
 namespace gt {
 namespace {
 

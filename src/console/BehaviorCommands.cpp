@@ -63,7 +63,7 @@ Result<void> sendControl(Console& console,
                          const std::function<void(BehaviorControlRequest&)>& change) {
   return console.forEachRobot([&](ConsoleRobot& robot) {
     change(robot.behavior);
-    return robot.send(robot.behavior);
+    return robot.observed().send(robot.behavior);
   });
 }
 
@@ -84,15 +84,43 @@ Result<void> xlb(Console& console, const Words& words) {
   }
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     robot.behavior = {};
-    if (auto done = robot.send(robot.behavior); !done) return done;
-    return robot.request(BehaviorRequest{path, {}});
+    if (auto done = robot.observed().send(robot.behavior); !done) return done;
+    return robot.observed().request(BehaviorRequest{path, {}});
   });
+}
+
+/// The values of a type; empty if they are numbers.
+std::vector<std::string> valuesOf(const xabsl::Model& model, xabsl::Type type) {
+  if (type.kind == xabsl::ValueKind::boolean) return {"false", "true"};
+  if (type.kind == xabsl::ValueKind::enumeration)
+    return namesOf(model.enumerations[static_cast<std::size_t>(type.enumeration)].elements);
+  return {};
+}
+
+/// The values of an output symbol.
+std::vector<std::string> valuesOf(const xabsl::Model& model, const std::string& symbol) {
+  for (const xabsl::Symbol& s : model.symbols)
+    if (s.name == symbol) return valuesOf(model, s.type);
+  return {};
+}
+
+/// A value as it was typed, if it is one of a parameter or symbol: a number or an element.
+template <typename Declared>
+Result<std::string> valueOf(const xabsl::Model& model, const Declared& declared,
+                            const std::string& word) {
+  const auto values = valuesOf(model, declared.type);
+  if (values.empty()) {
+    const auto number = numberOf(word);
+    return number ? Result<std::string>{word} : number.error();
+  }
+  if (const std::string* value = findName(values, word)) return *value;
+  return Error{"", 0, word, "is no value of " + declared.name + suggestion(word, values)};
 }
 
 /// xbb and xo: the basic behavior or option that is executed instead of the engine's own.
 template <typename T>
-Result<void> selectRoot(Console& console, const Words& words, const std::vector<T>& elements,
-                        bool basicBehavior) {
+Result<void> selectRoot(Console& console, const xabsl::Model& model, const Words& words,
+                        const std::vector<T>& elements, bool basicBehavior) {
   if (words.size() < 2) return wrongArguments(words);
   if (words[1] == "?") {
     list(console, signatures(elements));
@@ -113,13 +141,11 @@ Result<void> selectRoot(Console& console, const Words& words, const std::vector<
       std::ranges::find_if(elements, [&](const T& e) { return e.name == *name; })->parameters;
   if (words.size() - 2 > declared.size())
     return Error{"", 0, *name, "has " + std::to_string(declared.size()) + " parameters"};
-  std::vector<double> parameters;
+  std::vector<std::string> parameters;
   for (std::size_t i = 2; i < words.size(); ++i) {
-    if (declared[i - 2].type.kind == xabsl::ValueKind::enumeration)
-      return Error{"", 0, declared[i - 2].name, "is no number, so it cannot be given here"};
-    const auto number = numberOf(words[i]);
-    if (!number) return number.error();
-    parameters.push_back(*number);
+    const auto value = valueOf(model, declared[i - 2], words[i]);
+    if (!value) return value.error();
+    parameters.push_back(*value);
   }
   return sendControl(console, [&](BehaviorControlRequest& control) {
     control.root = *name;
@@ -130,12 +156,12 @@ Result<void> selectRoot(Console& console, const Words& words, const std::vector<
 
 Result<void> xbb(Console& console, const Words& words) {
   const auto model = console.behavior();
-  return model ? selectRoot(console, words, (*model)->behaviors, true) : model.error();
+  return model ? selectRoot(console, **model, words, (*model)->behaviors, true) : model.error();
 }
 
 Result<void> xo(Console& console, const Words& words) {
   const auto model = console.behavior();
-  return model ? selectRoot(console, words, (*model)->options, false) : model.error();
+  return model ? selectRoot(console, **model, words, (*model)->options, false) : model.error();
 }
 
 Result<void> show(Console& console, const std::string& symbol, bool on) {
@@ -158,32 +184,6 @@ Result<void> xis(Console& console, const Words& words) {
   const std::string* name = findName(names, words[1]);
   if (!name) return Error{"", 0, words[1], "there is no such input symbol; try xis ?"};
   return show(console, *name, *on);
-}
-
-/// The values that a symbol may have; empty if they are numbers.
-std::vector<std::string> valuesOf(const xabsl::Model& model, const std::string& symbol) {
-  for (const xabsl::Symbol& s : model.symbols) {
-    if (s.name != symbol) continue;
-    if (s.type.kind == xabsl::ValueKind::boolean) return {"false", "true"};
-    if (s.type.kind == xabsl::ValueKind::enumeration)
-      return namesOf(model.enumerations[static_cast<std::size_t>(s.type.enumeration)].elements);
-  }
-  return {};
-}
-
-/// A value as it was typed: a number, or an element, which may stand behind the symbol's name as in
-/// the report: head-control-mode.search-for-ball.
-Result<std::string> valueOf(const xabsl::Model& model, const std::string& symbol,
-                            const std::string& typed, std::string word) {
-  const auto values = valuesOf(model, symbol);
-  if (values.empty()) {
-    const auto number = numberOf(word);
-    return number ? Result<std::string>{word} : number.error();
-  }
-  if (word.starts_with(typed + ".")) word = word.substr(typed.size() + 1);
-  const std::string* value = findName(values, word);
-  if (!value) return Error{"", 0, word, "is no value of " + symbol + "; try xos " + symbol + " ?"};
-  return *value;
 }
 
 Result<void> xos(Console& console, const Words& words) {
@@ -212,7 +212,11 @@ Result<void> xos(Console& console, const Words& words) {
     });
   };
   if (word == "unchanged") return set(std::nullopt);
-  const auto value = valueOf(**model, symbol, words[1], word);
+  const auto& declared =
+      *std::ranges::find_if((*model)->symbols, [&](const auto& s) { return s.name == symbol; });
+  // The report writes an element behind the symbol's name: head-control-mode.search-for-ball.
+  const bool prefixed = word.starts_with(words[1] + ".");
+  const auto value = valueOf(**model, declared, prefixed ? word.substr(words[1].size() + 1) : word);
   return value ? set(*value) : value.error();
 }
 
@@ -261,7 +265,7 @@ std::vector<Command> behaviorCommands() {
   constexpr auto kind = Command::Kind::robot;
   return {
       {kind, "behavior", "? | NAME", "The same as xlb.", xlb, behaviorChoices, true},
-      {kind, "xbb", "? | unchanged | BEHAVIOR {NUMBER}",
+      {kind, "xbb", "? | unchanged | BEHAVIOR {VALUE}",
        "Has a basic behavior executed instead of what the engine selects; its parameters may "
        "follow.",
        xbb, choices<Names::behaviors>, true},
@@ -271,7 +275,7 @@ std::vector<Command> behaviorCommands() {
        "Loads a behavior, and has the robots go on with it: one of behavior/ or a file. Without it "
        "the commands for Xabsl2 know the behavior that the robots began with.",
        xlb, behaviorChoices, true},
-      {kind, "xo", "? | unchanged | OPTION {NUMBER}",
+      {kind, "xo", "? | unchanged | OPTION {VALUE}",
        "Has an option executed instead of the engine's root option; its parameters may follow.", xo,
        choices<Names::options>, true},
       {kind, "xos", "? | OUTPUTSYMBOL (on | off | ? | unchanged | VALUE)",

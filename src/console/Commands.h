@@ -41,6 +41,9 @@ std::vector<ProcessDescription> describe(ConsoleRobot& robot);
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 /// What `get`, `plot` and conditions may name.
 std::vector<std::string> valueChoices(Console& console, const Words& before);
+/// The keys of a debug drawing: its own, or those behind a name of the report, such as
+/// imageProcessor_horizon. Empty if there is no such drawing.
+std::vector<std::string> drawingKeys(const std::string& name);
 /// Prints where something was written.
 void printWritten(Console& console, const std::string& file);
 /// A name of a list as it may be written in the report: ball.time-since-last-seen is

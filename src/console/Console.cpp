@@ -29,7 +29,7 @@ std::optional<std::string> takeWord(std::string_view line, std::size_t& at) {
 
 /// The parts of the table of commands.
 struct CommandPart {
-  Topic topic;
+  HelpTopic topic;
   std::vector<Command> (*commands)();
 };
 constexpr CommandPart parts[] = {
@@ -56,8 +56,8 @@ std::vector<std::string> commandNames() {
 
 Console::Console(Session& session)
     : session_{session},
-      recording_{std::make_unique<Recording>()},
-      afterSteps_{session.afterSteps([this] { recording_->step(*this); })} {}
+      recorder_{std::make_unique<ViewRecorder>()},
+      afterSteps_{session.afterSteps([this] { recorder_->step(*this); })} {}
 
 Result<Words> splitWords(std::string_view line) {
   Words words;
@@ -90,9 +90,9 @@ const std::vector<Command>& Console::commands() {
   return table;
 }
 
-const std::vector<Topic>& topics() {
-  static const std::vector<Topic> all = [] {
-    std::vector<Topic> list;
+const std::vector<HelpTopic>& topics() {
+  static const std::vector<HelpTopic> all = [] {
+    std::vector<HelpTopic> list;
     for (const CommandPart& part : parts) list.push_back(part.topic);
     return list;
   }();
@@ -156,17 +156,24 @@ Result<void> Console::call(const std::string& path) {
   return done;
 }
 
+std::string Console::startScript(const SceneDescription& scene) {
+  if (scene.script.empty()) {
+    const std::string usual = scene.resolve("console.con");
+    return std::filesystem::is_regular_file(usual) ? usual : "";
+  }
+  const std::string named = scene.resolve(scene.script);
+  return std::filesystem::exists(named) ? named : withDefaults(named, "scenes", ".con");
+}
+
 Result<void> Console::callStartScript() {
-  const SceneDescription& scene = session_.simulation().scene();
-  if (!scene.script.empty()) return call(scene.resolve(scene.script));
-  const std::string usual = scene.resolve("console.con");
-  return std::filesystem::is_regular_file(usual) ? call(usual) : Result<void>{};
+  const std::string script = startScript(session_.simulation().scene());
+  return script.empty() ? Result<void>{} : call(script);
 }
 
 void Console::forget() {
   select({});
   forgetBehavior();
-  recording_->clear(*this);
+  recorder_->clear(*this);
 }
 
 std::vector<ConsoleRobot*> Console::selected() {
@@ -201,6 +208,31 @@ Result<const MotionNet*> Console::motions() {
     motions_ = std::move(*loaded);
   }
   return &*motions_;
+}
+
+std::vector<std::shared_ptr<const View>> Console::views() const {
+  auto all = builtInViews();
+  all.insert(all.end(), definedViews_.begin(), definedViews_.end());
+  return all;
+}
+
+void Console::define(std::shared_ptr<const View> view) {
+  forgetView(view->name());
+  definedViews_.push_back(std::move(view));
+}
+
+bool Console::forgetView(std::string_view name) {
+  return std::erase_if(definedViews_, [&](const auto& view) { return view->name() == name; }) > 0;
+}
+
+ViewSubject Console::viewSubject() {
+  ViewSubject subject{session_.time(),
+                      {},
+                      &session_.simulation(),
+                      *session_.match().configuration().field,
+                      &recorder_->series()};
+  for (ConsoleRobot* robot : selected()) subject.robots.push_back(&robot->observed());
+  return subject;
 }
 
 Result<const xabsl::Model*> Console::behavior() {

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "console/Joystick.h"
-#include "console/Recording.h"
 #include "console/Session.h"
+#include "console/ViewRecorder.h"
 #include "representations/motion/MotionNet.h"
+#include "views/Views.h"
 #include "xabsl/language/Behavior.h"
 
 namespace gt {
@@ -42,11 +43,11 @@ struct Command {
 };
 
 /// What commands are about: a part of the help.
-struct Topic {
+struct HelpTopic {
   std::string_view name;
   std::string_view help;
 };
-const std::vector<Topic>& topics();
+const std::vector<HelpTopic>& topics();
 
 /// Executes commands and scripts (report I.5, I.6). Global commands change the whole; robot
 /// commands work on the selected robots, at the start all of them.
@@ -65,8 +66,10 @@ class Console {
   /// Executes a script, one command per line, up to the first error: it names file and line.
   /// Scripts of the folder scenes/ need neither folder nor extension (.con).
   Result<void> call(const std::string& path);
-  /// Executes the script that the scene names, or console.con beside it if there is one (report
-  /// I.4).
+  /// The script that a scene begins with: the one that it names, which needs no extension, or
+  /// console.con beside it if there is one (report I.4); empty if there is none.
+  static std::string startScript(const SceneDescription& scene);
+  /// Executes it.
   Result<void> callStartScript();
   /// Ends the scripts that run and the program.
   void end() { ended_ = true; }
@@ -105,9 +108,18 @@ class Console {
   /// What was offered since it was asked for last.
   std::vector<std::string> takeOffers() { return std::exchange(offers_, {}); }
 
+  /// The views that there are: those of the report, and those that were defined (command view).
+  std::vector<std::shared_ptr<const View>> views() const;
+  /// Defines a view, or a defined one anew.
+  void define(std::shared_ptr<const View> view);
+  /// Forgets a defined view; false if there is none of this name.
+  bool forgetView(std::string_view name);
+  /// What views show now.
+  ViewSubject viewSubject();
+
   Joystick& joystick() { return joystick_; }
   /// What is recorded over time (commands plot and film).
-  Recording& recording() { return *recording_; }
+  ViewRecorder& recorder() { return *recorder_; }
   /// Whether a condition did not hold that was expected to: a script that is a test has failed.
   bool expectationFailed() const { return expectationFailed_; }
   void failExpectation() { expectationFailed_ = true; }
@@ -121,7 +133,8 @@ class Console {
   std::optional<MotionNet> motions_;
   std::optional<xabsl::Behavior> behavior_;
   Joystick joystick_;
-  std::unique_ptr<Recording> recording_;
+  std::vector<std::shared_ptr<const View>> definedViews_;
+  std::unique_ptr<ViewRecorder> recorder_;
   std::shared_ptr<const void> afterSteps_;
   int depth_ = 0;  ///< Scripts that call each other.
   bool noting_ = true, ended_ = false;

@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "match/SimulatedRobot.h"
+#include "robot/LocalLink.h"
 #include "robot/logs/LogPlatform.h"
 #include "robot/logs/ReplayPlatform.h"
 #include "streams/Mcap.h"
@@ -15,97 +16,74 @@ namespace {
 class RobotOfScene : public ConsoleRobot {
  public:
   RobotOfScene(SimulatedRobot& robot, std::size_t index)
-      : ConsoleRobot{robot.name()}, robot_{robot}, index_{index} {
+      : ConsoleRobot{robot.name(), robot.link()}, robot_{robot}, index_{index} {
     robot_.sendOracle(true);
-    robot_.observe([this](const RobotInput& input, const MessageQueue& messages) {
-      memory().take(messages, input.image);
-    });
+    robot_.observe([this](const MessageQueue& messages) { observed().take(messages); });
   }
-  Robot* robot() override { return &robot_.robot(); }
   std::optional<std::size_t> index() const override { return index_; }
   SimulatedRobot* simulated() override { return &robot_; }
-  MessageQueue& fromTools() override { return robot_.robot().fromTools(); }
 
  private:
   SimulatedRobot& robot_;
   std::size_t index_;
 };
 
-/// What both kinds of logs have in common.
+/// A robot on a log; the session's time tells how far it has come.
+template <typename Platform>
 class RobotOnLog : public ConsoleRobot {
  public:
-  RobotOnLog(const std::string& name, Time begin) : ConsoleRobot{name}, begin_{begin} {}
-  MessageQueue& fromTools() override { return robot()->fromTools(); }
+  RobotOnLog(const std::string& name, Time begin, std::unique_ptr<Platform> platform)
+      : ConsoleRobot{name, std::make_unique<LocalLink>(platform->robot())},
+        platform_{std::move(platform)},
+        begin_{begin} {}
 
- protected:
-  /// Takes what the robot told, and the picture that it saw.
-  void listen(const Image* picture) {
-    memory().take(robot()->toTools(), picture);
-    robot()->toTools().clear();
-  }
-  /// How long the log has been running, ms.
-  std::int64_t played(Time now) const { return now - begin_; }
-
- private:
-  Time begin_;
-};
-
-class RobotOnRecordedLog : public RobotOnLog {
- public:
-  RobotOnRecordedLog(const std::string& name, Time begin, ReplayPlatform platform)
-      : RobotOnLog{name, begin}, platform_{std::move(platform)} {}
-  Robot* robot() override { return &platform_.robot(); }
   Result<void> step(Time now) override {
-    while (!ended_ && (!first_ || platform_.now() - *first_ < played(now))) {
-      const auto more = platform_.step();
+    while (!ended_ && (!first_ || platform_->now() - *first_ < now - begin_)) {
+      const auto more = platform_->step();
       ended_ = !more || !*more;
       if (!more) return more.error();
-      if (ended_) break;
-      if (!first_) first_ = platform_.now();
-      const auto picture = robot()->value("Image");
-      listen(picture ? static_cast<const Image*>(picture->data()) : nullptr);
+      if (ended_) return Error{.field = name(), .what = "its log has ended"};
+      if (!first_) first_ = platform_->now();
+      observed().take(platform_->robot().toTools());
+      platform_->robot().toTools().clear();
     }
     return {};
   }
 
  private:
-  ReplayPlatform platform_;
+  std::unique_ptr<Platform> platform_;
+  Time begin_;
   std::optional<Time> first_;
   bool ended_ = false;
 };
 
-class RobotOnNaoLog : public RobotOnLog {
+/// The platform of a log of 2009 with its log.
+class NaoPlatform {
  public:
-  static Result<std::unique_ptr<ConsoleRobot>> make(
-      const std::string& name, Time begin, const std::string& file,
-      const std::shared_ptr<const Configuration>& configuration, const Layout& layout) {
+  static Result<std::unique_ptr<NaoPlatform>> make(
+      const std::string& file, const std::shared_ptr<const Configuration>& configuration,
+      const Layout& layout) {
     auto log = readNaoLog(file);
     if (!log) return log.error();
-    std::unique_ptr<RobotOnNaoLog> robot{new RobotOnNaoLog{name, begin, std::move(*log)}};
-    auto platform = LogPlatform::make(robot->log_, {configuration, layout, {}});
+    std::unique_ptr<NaoPlatform> made{new NaoPlatform{std::move(*log)}};
+    auto platform = LogPlatform::make(made->log_, {configuration, layout, {}});
     if (!platform) return platform.error();
-    robot->platform_.emplace(std::move(*platform));
-    return std::unique_ptr<ConsoleRobot>{std::move(robot)};
+    made->platform_.emplace(std::move(*platform));
+    return made;
   }
-  Robot* robot() override { return &platform_->robot(); }
-  Result<void> step(Time now) override {
-    while (!platform_->finished() && (!first_ || time_ - *first_ < played(now))) {
-      if (auto done = platform_->step(); !done) return done;
-      time_ = platform_->image().time;
-      if (!first_) first_ = time_;
-      listen(&platform_->image());
-    }
-    return {};
+  Robot& robot() { return platform_->robot(); }
+  Time now() const { return platform_->image().time; }
+  Result<bool> step() {
+    if (platform_->finished()) return false;
+    if (auto done = platform_->step(); !done) return done.error();
+    return true;
   }
 
  private:
-  RobotOnNaoLog(const std::string& name, Time begin, NaoLog log)
-      : RobotOnLog{name, begin}, log_{std::move(log)} {}
+  explicit NaoPlatform(NaoLog log) : log_{std::move(log)} {}
 
   NaoLog log_;
   std::optional<LogPlatform> platform_;
-  std::optional<Time> first_;
-  Time time_;
 };
 
 /// What of a configuration concerns the tasks of a layout.
@@ -141,6 +119,13 @@ Result<std::shared_ptr<const Configuration>> naoConfiguration(const std::string&
 
 }  // namespace
 
+ConsoleRobot::ConsoleRobot(std::string name, std::unique_ptr<RobotLink> link)
+    : observed_{std::move(name), std::move(link)} {
+  observed_.passTo([this](const MessageQueue& messages) {
+    if (!recording.take(messages)) observed_.addText("the recording is full and ends");
+  });
+}
+
 std::unique_ptr<ConsoleRobot> makeSimulatedRobot(SimulatedRobot& robot, std::size_t index) {
   return std::make_unique<RobotOfScene>(robot, index);
 }
@@ -154,15 +139,18 @@ Result<std::unique_ptr<ConsoleRobot>> makeLogRobot(const std::string& name, cons
   if (!McapReader::open(file)) {
     const auto nao = naoConfiguration(file);
     if (!nao) return nao.error();
-    return RobotOnNaoLog::make(name, begin, file, *nao, *layout);
+    auto platform = NaoPlatform::make(file, *nao, *layout);
+    if (!platform) return platform.error();
+    return std::unique_ptr<ConsoleRobot>{
+        std::make_unique<RobotOnLog<NaoPlatform>>(name, begin, std::move(*platform))};
   }
   // As the log's own robot was, or else as far as what was recorded suffices.
   auto platform = ReplayPlatform::make({file});
   if (!platform)
     platform = ReplayPlatform::make({file, configurationFor(*layout, configuration), replayLayout});
   if (!platform) return platform.error();
-  return std::unique_ptr<ConsoleRobot>{
-      std::make_unique<RobotOnRecordedLog>(name, begin, std::move(*platform))};
+  return std::unique_ptr<ConsoleRobot>{std::make_unique<RobotOnLog<ReplayPlatform>>(
+      name, begin, std::make_unique<ReplayPlatform>(std::move(*platform)))};
 }
 
 }  // namespace gt

@@ -10,14 +10,15 @@ Result<void> tellElsewhere(Console& console, GameState state, std::optional<Team
                            std::array<int, 2> score) {
   for (const auto& known : console.session().robots()) {
     if (known->index()) continue;
-    TeamColor team = TeamColor::red;
-    if (Robot* here = known->robot()) team = here->setup().player.teamColor;
+    const auto player = known->observed().value<Player>();
+    if (!player) return player.error();
+    const TeamColor team = (*player)->teamColor;
     GameControlData data;
     data.state = state;
     if (kickOff) data.kickOff = *kickOff == team ? KickOff::own : KickOff::opponent;
     data.ownScore = score[static_cast<std::size_t>(team)];
     data.opponentScore = score[static_cast<std::size_t>(opponent(team))];
-    if (auto done = known->send(data); !done) return done;
+    if (auto done = known->observed().send(data); !done) return done;
   }
   return {};
 }
@@ -92,7 +93,7 @@ Result<void> pr(Console& console, const Words& words) {
     GameControlData data;
     data.state = penalty == Penalty::none ? GameState::playing : GameState::penalized;
     data.penalty = penalty;
-    return robot.send(data);
+    return robot.observed().send(data);
   });
 }
 

@@ -33,9 +33,9 @@ Result<void> moveRobots(Console& console) {
     if (walk) {
       robot.motion.type = MotionType::walk;
       robot.motion.walk = *walk;
-      if (auto done = robot.send(robot.motion); !done) return done;
+      if (auto done = robot.observed().send(robot.motion); !done) return done;
     }
-    return head ? robot.send(*head) : Result<void>{};
+    return head ? robot.observed().send(*head) : Result<void>{};
   });
 }
 

@@ -1,6 +1,7 @@
 #include "console/Manual.h"
 
-#include "console/Views.h"
+#include "console/Commands.h"
+#include "views/Views.h"
 
 namespace gt {
 namespace {
@@ -12,7 +13,7 @@ Made by `simgt commands` from the table of commands; a test holds both together.
 `simgt console SCENE` runs a scene with a console: commands are typed (with history, and completion by the tab key), piped in, or
 stand in scripts (`--script FILE`, `-c COMMAND`), one a line; `#` begins a comment. A scene names the script that it begins with; if
 it does not, `console.con` beside it is executed where there is one. After an error a script ends, and so does the program, with exit
-status 2, or 1 if a condition did not hold that was expected to: a script is a test.
+status 2, 1 if a condition did not hold that was expected to (a script is a test), or 130 after Ctrl-C.
 
     robot red4
     sr BallLocator disabled
@@ -22,7 +23,8 @@ status 2, or 1 if a condition did not hold that was expected to: a script is a t
 
 Arguments: `|` stands between alternatives, `[ ]` around what may be missing, `{ }` around what may be repeated. A backslash takes
 the next character as it is; quotes keep words together. Names of symbols, options and elements may be written as in the report,
-with hyphens. Simulated time stands while nothing is asked of it: `run` and `until` let it pass.
+with hyphens. Simulated time stands while nothing is asked of it: `run` and `until` let it pass, and `start` while lines are typed.
+Ctrl-C stops it, and nothing is lost. `help` lists the commands by topic.
 
 ## Values and conditions
 
@@ -35,9 +37,10 @@ with hyphens. Simulated time stands while nothing is asked of it: `run` and `unt
 | `red1.x`, `.y`, `.rotation`, `.height`, `.tilt`, `.roll`, `.walked`, `.posture` | of a robot's body, truly, in mm and degrees |
 | `red1.RobotPose.pose.rotation`, `RobotPose.pose.rotation` | of a representation; without a name of the selected robot |
 | `red1.WalkingEngine.maxStepSizeX`, `WalkingEngine.InvKin.maxStepSizeX` | a parameter, of the solution that runs or another one |
-| `robots/red1/joints/headPan`, `emitters/ambient`, `radio/loss`, `fidelity` | an object of the scene, in mm and degrees: `get ?` lists them |
+| `robots.red1.joints.headPan`, `emitters.ambient`, `radio.loss`, `fidelity` | an object of the scene, in mm and degrees: `get ?` lists them |
 
-In conditions objects are written with dots; a number behind one counts its numbers: `robots.red1.0` is x.
+A number behind an object counts its numbers: `robots.red1.0` is x. `get` also takes the beginning of a path, and prints all values
+below it: `get RobotPose`.
 
 Conditions compare values (`<`, `<=`, `>`, `>=`, `==`, `!=`) with each other, numbers, names and sums (`+ - * /`, `abs(a)`,
 `min(a, b)`, `max(a, b)`, `distance(red1, ball)`), joined by `and`, `or`, `not` and parentheses.
@@ -60,10 +63,10 @@ std::string consoleManual() {
   add(text, Command::Kind::initialization, "Commands for the beginning (report I.5.1)");
   add(text, Command::Kind::global, "Global commands (report I.5.2)");
   add(text, Command::Kind::robot, "Commands for the selected robots (report I.5.3)");
-  text += "\n## Views\n\nOf `picture` and `film`; [simulator.md](simulator.md) shows each.\n\n";
+  text += "\n## Views\n\nOf `picture` and `film`; `view` defines more. [simulator.md](simulator.md) shows each.\n\n";
   text += "| view | what it shows |\n| --- | --- |\n";
-  for (const View& view : views())
-    text += "| `" + std::string{view.name} + "` | " + std::string{view.help} + " |\n";
+  for (const auto& view : builtInViews())
+    text += "| `" + view->name() + "` | " + view->help() + " |\n";
   return text;
 }
 

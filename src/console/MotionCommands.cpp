@@ -41,19 +41,16 @@ std::optional<MotionRequest> motionOf(std::string_view name, const MotionNet& mo
 
 /// Commands of a person last while nobody else decides.
 void warnIfDecided(Console& console, ConsoleRobot& robot) {
-  if (!robot.robot()) return;
-  for (const auto& process : robot.robot()->processes()) {
-    const std::string active = process->activeSolution("BehaviorControl");
-    if (active.empty() || active == SolutionTable::disabled) continue;
-    console.print(robot.name() + ": BehaviorControl decides; sr BehaviorControl disabled lets you");
-  }
+  const auto task = robot.observed().task("BehaviorControl");
+  if (!task || (*task)->active == SolutionTable::disabled) return;
+  console.print(robot.name() + ": BehaviorControl decides; sr BehaviorControl disabled lets you");
 }
 
 Result<void> sendMotion(Console& console, const std::function<void(MotionRequest&)>& change) {
   return console.forEachRobot([&](ConsoleRobot& robot) {
     warnIfDecided(console, robot);
     change(robot.motion);
-    return robot.send(robot.motion);
+    return robot.observed().send(robot.motion);
   });
 }
 
@@ -119,7 +116,7 @@ Result<void> hcm(Console& console, const Words& words) {
   return console.forEachRobot([&](ConsoleRobot& robot) {
     warnIfDecided(console, robot);
     robot.headMode = *mode;
-    return robot.send(HeadControlMode{*mode, point});
+    return robot.observed().send(HeadControlMode{*mode, point});
   });
 }
 
@@ -143,7 +140,7 @@ Result<void> hmr(Console& console, const Words& words) {
   return console.forEachRobot([&](ConsoleRobot& robot) {
     warnIfDecided(console, robot);
     warnIfHeadIsMoved(console, robot);
-    return robot.send(HeadMotionRequest{angles[0], angles[1], angles[2], angles[3]});
+    return robot.observed().send(HeadMotionRequest{angles[0], angles[1], angles[2], angles[3]});
   });
 }
 

@@ -1,74 +1,89 @@
 #include "console/Recording.h"
 
-#include "console/Console.h"
-#include "console/FilmWriter.h"
-#include "console/Values.h"
-#include "console/Views.h"
+#include <filesystem>
+#include <map>
+
+#include "representations/All.h"
+#include "robot/RobotLog.h"
+#include "robot/Solutions.h"
+#include "robot/logs/LogPlatform.h"
 
 namespace gt {
 namespace {
 
-constexpr std::int64_t period = 1000 / FilmWriter::picturesPerSecond;  // ms, also of values
-constexpr std::size_t mostSamples = 1'000'000;
-constexpr std::size_t mostSeries = 100;
+constexpr std::size_t mostRecorded = 512u << 20;  // bytes
+
+/// The channels of a log, made as messages of their types turn up.
+class RecordWriter {
+ public:
+  explicit RecordWriter(McapWriter& file) : file_{file} {
+    for (const auto& [name, task] : solutions().tasks())
+      for (const RepresentationType* type : task.outputs) types_[type->id] = {type, "/"};
+    for (const RepresentationType* type :
+         {&representation<Text>(), &representation<Drawing>(), &representation<Plot>(),
+          &representation<StopwatchTime>(), &representation<DroppedMessages>(),
+          &representation<BehaviorState>()})
+      types_[type->id] = {type, "/"};
+    for (const auto* list : {&platformRepresentations(), &LogPlatform::representations()})
+      for (const RepresentationType* type : *list) types_[type->id] = {type, inputTopic};
+  }
+
+  void write(const Message& message) {
+    const auto type = types_.find(message.id);
+    if (type == types_.end()) return;
+    auto channel = channels_.find(message.id);
+    if (channel == channels_.end()) {
+      const std::string topic = type->second.topic + std::string{type->second.type->name};
+      channel =
+          channels_.emplace(message.id, file_.addChannel(topic, type->second.type->schema())).first;
+    }
+    file_.write(channel->second, nanoseconds(message.time), message.bytes);
+  }
+
+ private:
+  struct Known {
+    const RepresentationType* type;
+    std::string topic;
+  };
+  McapWriter& file_;
+  std::map<std::uint32_t, Known> types_;
+  std::map<std::uint32_t, McapWriter::ChannelId> channels_;
+};
 
 }  // namespace
 
-struct Recording::Film {
-  std::string file;
-  std::unique_ptr<FilmWriter> writer;
-  const View& view;
-  std::vector<double> numbers;
-};
-
-Recording::Recording() = default;
-Recording::~Recording() = default;
-
-Result<void> Recording::record(Console& console, const std::string& path) {
-  const auto value = valueAt(console, path);
-  if (!value) return value.error();
-  if (!value->number) return Error{"", 0, path, "is no number, so it cannot be plotted"};
-  if (series_.size() >= mostSeries) return Error{"", 0, path, "too many values are plotted"};
-  series_.try_emplace(path);
-  return {};
+bool Recording::take(const MessageQueue& messages) {
+  if (!on_) return true;
+  on_ = bytes_ + messages.size() <= mostRecorded;
+  if (!on_) return false;
+  const auto bytes = messages.bytes();
+  queues_.emplace_back(bytes.begin(), bytes.end());
+  bytes_ += bytes.size();
+  messages.handleAllMessages([this](const Message&) { ++messages_; });
+  return true;
 }
 
-Result<void> Recording::startFilm(Console& console, const std::string& file, const View& view,
-                                  std::vector<double> numbers) {
-  if (film_) return Error{"", 0, "film", film_->file + " is being made; film stop ends it"};
-  const auto first = view.show(console, numbers);
-  if (!first) return first.error();
-  auto writer = FilmWriter::open(file, first->width(), first->height());
-  if (!writer) return writer.error();
-  film_.reset(new Film{file, std::move(*writer), view, std::move(numbers)});
-  return {};
+void Recording::clear() {
+  queues_.clear();
+  bytes_ = messages_ = 0;
 }
 
-Result<std::string> Recording::stopFilm() {
-  if (!film_) return Error{"", 0, "film", "none is being made"};
-  const auto film = std::move(film_);
-  const auto done = film->writer->close();
-  return done ? Result<std::string>{film->file} : done.error();
-}
-
-void Recording::step(Console& console) {
-  const Time now = console.session().time();
-  if (now.ms % period != 0) return;
-  for (auto& [path, samples] : series_) {
-    const auto value = samples.size() < mostSamples ? valueAt(console, path) : Error{};
-    if (value && value->number) samples.push_back({now, *value->number});
+Result<void> Recording::save(const std::string& file, const std::string& robot) const {
+  std::error_code ignored;  // then opening the file tells what is wrong
+  std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
+  auto log = RobotLog::open(file, {{"robot", robot}});
+  if (!log) return log.error();
+  RecordWriter writer{log->file()};
+  for (const std::vector<std::byte>& bytes : queues_) {
+    MessageQueue queue{bytes.size()};
+    if (!queue.assign(bytes)) continue;
+    queue.handleAllMessages([&](const Message& message) {
+      writer.write(message);
+      Image image;
+      if (message.is<Image>() && message.read(image)) log->write(image);
+    });
   }
-  if (!film_) return;
-  const auto sheet = film_->view.show(console, film_->numbers);
-  const auto done = sheet ? film_->writer->add(sheet->pixels()) : Result<void>{sheet.error()};
-  if (done) return;
-  console.print("film: " + done.error().text());
-  static_cast<void>(stopFilm());
-}
-
-void Recording::clear(Console& console) {
-  series_.clear();
-  if (const auto film = film_ ? stopFilm() : Error{}) console.print("written: " + *film);
+  return log->close();
 }
 
 }  // namespace gt

@@ -1,48 +1,30 @@
 #pragma once
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/Result.h"
-#include "console/RobotMemory.h"
+#include "streams/MessageQueue.h"
 
 namespace gt {
 
-class Console;
-class FilmWriter;
-struct View;
-
-/// What a console records while time passes: values (command plot) and a film of a view.
+/// What a robot has sent since the recording was started (report I.5.3: log).
 class Recording {
  public:
-  using Series = std::map<std::string, std::vector<RobotMemory::Sample>>;
+  /// Keeps what comes, if the recording is on. Some hundred megabytes are kept at most: false if it
+  /// is full and has ended.
+  bool take(const MessageQueue& messages);
 
-  Recording();
-  ~Recording();  ///< Closes the film.
-
-  /// Has a value recorded from now on, by its path; nothing changes if it is already.
-  Result<void> record(Console& console, const std::string& path);
-  /// Ends that, and forgets what was recorded; false if the value was not recorded.
-  bool forget(const std::string& path) { return series_.erase(path) > 0; }
-  /// The recorded values, by their paths.
-  const Series& series() const { return series_; }
-
-  /// Films a view from now on, 25 pictures a simulated second.
-  Result<void> startFilm(Console& console, const std::string& file, const View& view,
-                         std::vector<double> numbers);
-  /// Ends the film; returns its file.
-  Result<std::string> stopFilm();
-
-  /// Called after each step.
-  void step(Console& console);
-  /// Forgets the values, and ends the film.
-  void clear(Console& console);
+  void record(bool on) { on_ = on; }
+  void clear();
+  std::size_t messages() const { return messages_; }
+  /// Writes what was recorded as a log (MCAP) that viewers show and `sl` replays: what a robot gets
+  /// from its platform goes to /input/NAME, all else to /NAME, pictures also as JPEG.
+  Result<void> save(const std::string& file, const std::string& robot) const;
 
  private:
-  struct Film;
-  Series series_;
-  std::unique_ptr<Film> film_;
+  bool on_ = false;
+  std::vector<std::vector<std::byte>> queues_;
+  std::size_t bytes_ = 0, messages_ = 0;
 };
 
 }  // namespace gt

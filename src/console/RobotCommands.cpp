@@ -99,37 +99,22 @@ Result<DebugKeyRequest> debugKeyRequest(const Words& words) {
   return DebugKeyRequest{mode, static_cast<std::int64_t>(*n)};
 }
 
-Result<void> watch(ConsoleRobot& robot, const std::string& representation,
-                   const DebugKeyRequest& often) {
-  if (Robot* here = robot.robot()) {
-    const auto type = here->watch(representation, often);
-    return type ? Result<void>{} : type.error();
-  }
-  return robot.send(WatchRequest{representation, "", often.mode, often.n});
-}
-
-Result<void> request(ConsoleRobot& robot, const std::string& key, const DebugKeyRequest& often) {
-  robot.memory().showDrawing(key, often.mode != DebugKeyMode::disabled);
-  return robot.request(DebugRequest{key, often.mode, often.n});
-}
-
-Result<void> setKey(ConsoleRobot& robot, const std::string& name, const DebugKeyRequest& often) {
+Result<void> setKey(ObservedRobot& robot, const std::string& name, const DebugKeyRequest& often) {
   const auto known =
       std::ranges::find_if(reportKeys(), [&](const ReportKey& key) { return key.name == name; });
   if (known != reportKeys().end()) {
     for (const std::string& key : known->keys)
-      if (auto done = request(robot, key, often); !done) return done;
+      if (auto done = robot.request(DebugRequest{key, often.mode, often.n}); !done) return done;
     // A robot on a log has only some of the representations.
     for (const std::string& representation : known->representations)
-      if (const auto done = watch(robot, representation, often);
+      if (const auto done = robot.watch(representation, often);
           !done && known->representations.size() == 1)
         return done;
     return {};
   }
   if (!DebugKey::find(name) && name.starts_with("send") && name.size() > 4)
-    return watch(robot, name.substr(4), often);
-  if (!DebugKey::find(name)) return Error{"", 0, name, "there is no such debug key; try dk ?"};
-  return request(robot, name, often);
+    return robot.watch(name.substr(4), often);
+  return robot.request(DebugRequest{name, often.mode, often.n});
 }
 
 Result<void> dk(Console& console, const Words& words) {
@@ -143,19 +128,8 @@ Result<void> dk(Console& console, const Words& words) {
   if (words.size() < 3) return wrongArguments(words);
   const auto often = debugKeyRequest(words);
   if (!often) return often.error();
-  return console.forEachRobot([&](ConsoleRobot& robot) { return setKey(robot, words[1], *often); });
-}
-
-/// What a robot that lives elsewhere can do, as far as this program knows.
-ProcessDescription knownHere() {
-  ProcessDescription all;
-  for (const auto& [name, task] : solutions().tasks()) {
-    TaskDescription& description = all.tasks.emplace_back();
-    description.name = name;
-    for (const Solution& solution : task.solutions)
-      description.solutions.push_back({solution.name, {}, {}});
-  }
-  return all;
+  return console.forEachRobot(
+      [&](ConsoleRobot& robot) { return setKey(robot.observed(), words[1], *often); });
 }
 
 std::vector<std::string> taskNames(Console&, const Words& before) {
@@ -206,7 +180,7 @@ Result<void> switchSolution(Console& console, ConsoleRobot& robot, const std::st
   }
   if (known && !here)
     return Error{"", 0, task, "there is no solution '" + solution + "'; try sr " + task + " ?"};
-  return robot.request(SolutionRequest{task, solution});
+  return robot.observed().request(SolutionRequest{task, solution});
 }
 
 std::vector<std::string> tasksOf(ConsoleRobot& robot) {
@@ -288,7 +262,7 @@ Result<void> sg(Console& console, const Words& words) {
     if (!number) return number.error();
     data.data.push_back(*number);
   }
-  return console.forEachRobot([&](ConsoleRobot& robot) { return robot.request(data); });
+  return console.forEachRobot([&](ConsoleRobot& robot) { return robot.observed().request(data); });
 }
 
 Result<void> qfr(Console& console, const Words& words) {
@@ -303,7 +277,8 @@ Result<void> qfr(Console& console, const Words& words) {
     if (*seconds < 0 || *seconds > 86400) return wrongArguments(words);
     request.seconds = *seconds;
   }
-  return console.forEachRobot([&](ConsoleRobot& robot) { return robot.request(request); });
+  return console.forEachRobot(
+      [&](ConsoleRobot& robot) { return robot.observed().request(request); });
 }
 
 Result<void> ci(Console& console, const Words& words) {
@@ -338,8 +313,8 @@ Result<void> saveLog(Console& console, const std::string& file) {
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     const std::string path =
         withDefaults(several ? file + "-" + robot.name() : file, "out/logs", ".mcap");
-    if (auto done = robot.memory().saveRecord(path, robot.name()); !done) return done;
-    console.print(robot.name() + ": " + std::to_string(robot.memory().recordedMessages()) +
+    if (auto done = robot.recording.save(path, robot.name()); !done) return done;
+    console.print(robot.name() + ": " + std::to_string(robot.recording.messages()) +
                   " messages in " + path);
     return {};
   });
@@ -352,9 +327,9 @@ Result<void> log(Console& console, const Words& words) {
   if (what != "start" && what != "stop" && what != "clear") return wrongArguments(words);
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     if (what == "clear")
-      robot.memory().clearRecord();
+      robot.recording.clear();
     else
-      robot.memory().record(what == "start");
+      robot.recording.record(what == "start");
     return {};
   });
 }
@@ -381,25 +356,25 @@ Result<void> layout(Console& console, const Words& words) {
   const std::string file = withDefaults(words[1], "layouts", ".layout");
   const auto text = readFile(file);
   if (!text) return text.error();
-  // A wrong layout is told at once; a right one is taken with the robot's next step.
   const auto parsed = parseLayout(*text, file);
   if (!parsed) return parsed.error();
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (robot.robot())
-      if (const auto plan = robotPlan(*parsed, robot.robot()->platform()); !plan)
-        return plan.error();
-    return robot.send(LayoutRequest{file, *text});
+    return robot.observed().request(LayoutRequest{file, *text});
   });
 }
 
 }  // namespace
 
+std::vector<std::string> drawingKeys(const std::string& name) {
+  if (DebugKey::find(name)) return {name};
+  for (const ReportKey& key : reportKeys())
+    if (key.name == "send_" + name + "_drawing") return key.keys;
+  return {};
+}
+
 std::vector<ProcessDescription> describe(ConsoleRobot& robot) {
-  Robot* here = robot.robot();
-  if (!here) return {knownHere()};
-  std::vector<ProcessDescription> all;
-  for (const auto& process : here->processes()) all.push_back(process->describe());
-  return all;
+  const auto processes = robot.observed().processes();
+  return processes ? **processes : std::vector<ProcessDescription>{};
 }
 
 std::vector<Command> robotCommands() {

@@ -7,22 +7,33 @@ namespace {
 
 constexpr int robotPort = 15000;
 
-/// A robot elsewhere, by its port at the router.
-class ConnectedRobot : public ConsoleRobot {
+/// The message queues of a robot elsewhere, by its port at the router.
+class ConnectionLink : public RobotLink {
  public:
-  ConnectedRobot(const std::string& name, std::unique_ptr<ToolConnection> connection)
-      : ConsoleRobot{name}, connection_{std::move(connection)} {}
-  MessageQueue& fromTools() override { return connection_->out(); }
-  Result<void> step(Time) override {
+  ConnectionLink(Router& router, std::unique_ptr<ToolConnection> connection)
+      : router_{router}, connection_{std::move(connection)} {}
+  MessageQueue& toRobot() override { return connection_->out(); }
+  void exchange(const Taker& take) override {
+    router_.step(0);
     connection_->update(messages_);
-    memory().take(messages_, nullptr);
+    take(messages_);
     messages_.clear();
-    return {};
   }
+  std::chrono::milliseconds patience() const override { return std::chrono::milliseconds{1500}; }
 
  private:
+  Router& router_;
   std::unique_ptr<ToolConnection> connection_;
   MessageQueue messages_{2 * toolQueueSize};
+};
+
+class ConnectedRobot : public ConsoleRobot {
+ public:
+  using ConsoleRobot::ConsoleRobot;
+  Result<void> step(Time) override {
+    observed().update();
+    return {};
+  }
 };
 
 /// The report names a robot by the least significant byte of its address.
@@ -56,8 +67,9 @@ Result<std::unique_ptr<RobotConnection>> RobotConnection::open(
   for (std::size_t i = 0; i < options.robots.size(); ++i) {
     auto tool = ToolConnection::open(connection->network_, connection->router_->endpointOf(i));
     if (!tool) return tool.error();
-    connection->robots_.push_back(
-        std::make_unique<ConnectedRobot>(shortName(options.robots[i].name), std::move(*tool)));
+    connection->robots_.push_back(std::make_unique<ConnectedRobot>(
+        shortName(options.robots[i].name),
+        std::make_unique<ConnectionLink>(*connection->router_, std::move(*tool))));
   }
   connection->connected_.resize(options.robots.size(), false);
   return connection;

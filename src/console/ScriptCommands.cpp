@@ -30,8 +30,8 @@ void printHelp(Console& console, const Command& command) {
 /// The topics, with the names of their commands.
 void printTopics(Console& console) {
   std::size_t widest = 0;
-  for (const Topic& topic : topics()) widest = std::max(widest, topic.name.size());
-  for (const Topic& topic : topics()) {
+  for (const HelpTopic& topic : topics()) widest = std::max(widest, topic.name.size());
+  for (const HelpTopic& topic : topics()) {
     std::string begin{topic.name};
     begin.resize(widest + 2, ' ');
     std::string names;
@@ -45,7 +45,7 @@ void printTopics(Console& console) {
 
 std::vector<std::string> helpNames(Console&, const Words&) {
   std::vector<std::string> names{"all"};
-  for (const Topic& topic : topics()) names.emplace_back(topic.name);
+  for (const HelpTopic& topic : topics()) names.emplace_back(topic.name);
   for (const Command& command : Console::commands()) names.emplace_back(command.name);
   return names;
 }

@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include "views/ViewText.h"
+
 namespace gt {
 namespace {
 
@@ -13,12 +15,6 @@ constexpr std::chrono::milliseconds farBehind{100};
 constexpr std::chrono::milliseconds connecting{1500};
 
 }  // namespace
-
-std::string clockText(Time time) {
-  const std::int64_t seconds = time.ms / 1000;
-  const std::string s = std::to_string(seconds % 60);
-  return std::to_string(seconds / 60) + (s.size() < 2 ? ":0" : ":") + s;
-}
 
 Result<std::unique_ptr<Session>> Session::make(const MatchOptions& options, Screen& screen) {
   std::unique_ptr<Session> session{new Session{screen}};
@@ -75,7 +71,9 @@ bool Session::tick() {
   if (simulation().finished()) return false;
   if (input_) input_();
   state_.match->step();
-  listen();
+  if (state_.connection) state_.connection->step();
+  for (const auto& robot : state_.robots)
+    if (const auto done = robot->step(time()); !done) screen_.print(done.error().text());
   std::erase_if(listeners_, [](const auto& listener) { return listener.expired(); });
   for (std::size_t i = 0; i < listeners_.size(); ++i)
     if (const auto work = listeners_[i].lock()) (*work)();
@@ -140,7 +138,7 @@ std::shared_ptr<const void> Session::afterSteps(std::function<void()> work) {
 void Session::listen() {
   if (state_.connection) state_.connection->step();
   for (const auto& robot : state_.robots)
-    if (const auto done = robot->step(time()); !done) screen_.print(done.error().text());
+    if (!robot->index()) robot->observed().update();
 }
 
 void Session::tellNews() {
@@ -149,7 +147,7 @@ void Session::tellNews() {
     screen_.print(clockText(events[state_.toldEvents].time) + "  " +
                   describe(events[state_.toldEvents]));
   for (const auto& robot : state_.robots)
-    for (const std::string& text : robot->memory().takeTexts())
+    for (const std::string& text : robot->observed().takeTexts())
       if (robot->printsTexts) screen_.print(robot->name() + ": " + text);
   if (state_.connection)
     for (const std::string& line : state_.connection->news()) screen_.print(line);

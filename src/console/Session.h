@@ -111,7 +111,7 @@ class Session {
   void work(Match& match);
   /// One step, without waiting for the clock.
   bool tick();
-  /// Passes on and takes what robots elsewhere and on logs send.
+  /// Passes on and takes what robots elsewhere send while time stands.
   void listen();
   void tellNews();
   /// When the next step is due; nothing if steps are taken as fast as possible.
@@ -128,8 +128,5 @@ class Session {
   std::function<void()> input_;
   std::vector<std::weak_ptr<const std::function<void()>>> listeners_;
 };
-
-/// Minutes and seconds, as in 2:05.
-std::string clockText(Time time);
 
 }  // namespace gt

@@ -4,6 +4,7 @@
 
 #include "console/Commands.h"
 #include "console/Condition.h"
+#include "views/ViewText.h"
 
 namespace gt {
 namespace {

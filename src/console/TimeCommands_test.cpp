@@ -8,7 +8,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-class SimulationCommands : public SessionTest {
+class TimeCommands : public SessionTest {
  protected:
   bool holds(const std::string& text) {
     const auto condition = Condition::parse(text);
@@ -20,20 +20,59 @@ class SimulationCommands : public SessionTest {
   std::string value(const std::string& path) { return told("get " + path).back(); }
 };
 
-TEST_F(SimulationCommands, TimeGoesByInAnyUnit) {
+TEST_F(TimeCommands, TimeGoesByInAnyUnit) {
   for (const auto& [line, ms] : {std::pair{"run 1", 1000},
                                  {"run 0.5 s", 1504},
                                  {"run 80 ms", 1584},
                                  {"run 2 steps", 1600},
-                                 {"run 0.01 min", 2200}}) {
+                                 {"run 0.01 min", 2200},
+                                 {"run 0.3s", 2504},
+                                 {"run 80ms", 2584},
+                                 {"step", 2592},
+                                 {"step 3", 2616}}) {
     expectFine(line);
     EXPECT_EQ(session->time().ms, ms) << line;
   }
   expectError("run 1 year", "year", "no unit of time");
+  expectError("run 3x", "x", "no unit of time");
   expectError("run -1", "-1", "is not from");
+  expectError("step 1.5", "step", "expected");
 }
 
-TEST_F(SimulationCommands, ConditionsCompareWhatIsTrue) {
+TEST_F(TimeCommands, LiveSessionsGoOnUntilStopped) {
+  using std::chrono::milliseconds;
+  session->live(milliseconds{20});
+  EXPECT_EQ(session->time().ms, 0);
+  expectFine("start");
+  session->live(milliseconds{100});
+  const Time then = session->time();
+  EXPECT_GT(then.ms, 0);
+  expectFine("stop");
+  session->live(milliseconds{20});
+  EXPECT_EQ(session->time(), then);
+  // At the pace of the clock.
+  expectFine("st on 1");
+  expectFine("start");
+  const auto begin = std::chrono::steady_clock::now();
+  while (session->time() < then + 160) session->live(milliseconds{20});
+  EXPECT_GT(std::chrono::steady_clock::now() - begin, milliseconds{120});
+}
+
+TEST_F(TimeCommands, RunsAreInterruptedAndKeepEverything) {
+  int steps = 0;
+  const auto counting = session->afterSteps([&] {
+    if (++steps == 10) session->interrupt();
+  });
+  expectError("run 1000", "run", "stopped at 0:00");
+  EXPECT_EQ(session->time().ms, 80);
+  expectFine("run 80ms");
+  EXPECT_EQ(session->time().ms, 160);
+  steps = 0;
+  expectError("until ball.x > 3000", "until", "stopped at 0:00");
+  EXPECT_FALSE(console->expectationFailed());
+}
+
+TEST_F(TimeCommands, ConditionsCompareWhatIsTrue) {
   EXPECT_TRUE(holds("1 + 2 * 3 == 7 and not 1 > 2"));
   EXPECT_TRUE(holds("(1 + 2) * 3 = 9 || 1 < 0"));
   EXPECT_TRUE(holds("2 - 1 - 1 == 0 && -min(1, 2) <= -1"));
@@ -58,7 +97,7 @@ TEST_F(SimulationCommands, ConditionsCompareWhatIsTrue) {
   EXPECT_FALSE(Condition::parse(longText));
 }
 
-TEST_F(SimulationCommands, ScriptsWaitAndExpect) {
+TEST_F(TimeCommands, ScriptsWaitAndExpect) {
   expectFine("place ball 0 0 500 0");
   expectFine("until ball.x > 200");
   EXPECT_GT(session->time().ms, 300);
@@ -71,7 +110,7 @@ TEST_F(SimulationCommands, ScriptsWaitAndExpect) {
   expectError("expect nothing", "nothing", "no such value");
 }
 
-TEST_F(SimulationCommands, ThingsAreMovedByHand) {
+TEST_F(TimeCommands, ThingsAreMovedByHand) {
   expectFine("place red4 100 -200 90");
   EXPECT_EQ(value("red4.x"), "100");
   EXPECT_TRUE(holds("red4.y == -200 and abs(red4.rotation - 90) < 0.001"));
@@ -97,13 +136,16 @@ TEST_F(SimulationCommands, ThingsAreMovedByHand) {
   expectError("press nose", "press", "expected");
 }
 
-TEST_F(SimulationCommands, ObjectsAreListedWatchedAndMovedByPath) {
+TEST_F(TimeCommands, ObjectsAreListedWatchedAndMovedByPath) {
   EXPECT_THAT(
-      told("get ? robots/blue1"),
-      Contains("robots/blue1 2000 0 0  // x y in mm, and the angle in deg; the robot is put on "
+      told("get ? robots.blue1"),
+      Contains("robots.blue1 2000 0 0  // x y in mm, and the angle in deg; the robot is put on "
                "its feet there"));
-  EXPECT_THAT(told("get ? robots/blue1"), testing::Not(Contains(HasSubstr("red1"))));
-  EXPECT_THAT(told("get ?"), Contains(HasSubstr("robots/red1/sensors/psd")));
+  EXPECT_THAT(told("get ? robots.blue1"), testing::Not(Contains(HasSubstr("red1"))));
+  EXPECT_THAT(told("get ?"), Contains(HasSubstr("robots.red1.sensors.psd")));
+  EXPECT_THAT(told("get RobotPose"), Contains(HasSubstr("red1: RobotPose.pose.rotation ")));
+  EXPECT_THAT(told("get ball"), Contains("ball.x 200"));
+  expectError("get ball.speeed", "ball.speeed", "did you mean 'ball.speed'?");
   expectFine("set robots/blue1 500 100");
   EXPECT_EQ(value("robots/blue1"), "500 100 0");
   EXPECT_TRUE(holds("robots.blue1.1 == 100 and blue1.x == 500"));
@@ -117,18 +159,18 @@ TEST_F(SimulationCommands, ObjectsAreListedWatchedAndMovedByPath) {
   expectError("set robots/red1/height 5", "robots/red1/height", "only be watched");
   expectError("set robots/red1 here", "robots/red1", "expected numbers");
   expectError("get robots/red9", "robots/red9", "no such value");
-  EXPECT_THAT(console->completions("set robots/red1/po"),
-              testing::ElementsAre("robots/red1/posture"));
-  EXPECT_THAT(console->completions("get robots/red1/he"),
-              testing::ElementsAre("robots/red1/height"));
-  EXPECT_THAT(console->completions("set robots/red1/he"), testing::IsEmpty());
+  EXPECT_THAT(console->completions("set robots.red1.po"),
+              testing::ElementsAre("robots.red1.posture"));
+  EXPECT_THAT(console->completions("get robots.red1.he"),
+              testing::ElementsAre("robots.red1.height"));
+  EXPECT_THAT(console->completions("set robots.red1.he"), testing::IsEmpty());
   for (const char* line : {"place ?", "throw ?", "stand ?"})
     EXPECT_THAT(told(line), Contains("blue1")) << line;
   EXPECT_THAT(told("place ?"), Contains("ball"));
   EXPECT_THAT(told("press ?"), Contains("headFront"));
 }
 
-TEST_F(SimulationCommands, TheFidelityChangesWhileTheSceneGoesOn) {
+TEST_F(TimeCommands, TheFidelityChangesWhileTheSceneGoesOn) {
   EXPECT_EQ(told("fidelity"), std::vector<std::string>{"kinematic"});
   EXPECT_EQ(told("fidelity ?"), (std::vector<std::string>{"kinematic", "dynamic"}));
   expectFine("run 2");
@@ -149,7 +191,7 @@ TEST_F(SimulationCommands, TheFidelityChangesWhileTheSceneGoesOn) {
   expectError("fidelity dreamlike", "fidelity", "expected");
 }
 
-TEST_F(SimulationCommands, SameSeedSameSimulation) {
+TEST_F(TimeCommands, SameSeedSameSimulation) {
   expectFine("run 2");
   const auto before = session->simulation().fingerprint();
   expectFine("seed 5");
@@ -166,7 +208,7 @@ TEST_F(SimulationCommands, SameSeedSameSimulation) {
   EXPECT_EQ(session->robots().size(), 2u) << "a wrong scene changes nothing";
 }
 
-TEST_F(SimulationCommands, LoadedStatesGoOnAsIfNothingHadHappened) {
+TEST_F(TimeCommands, LoadedStatesGoOnAsIfNothingHadHappened) {
   expectFine("robot red1");
   expectFine("set BehaviorControl.movement.maxForward 100");
   expectFine("run 1");
@@ -198,7 +240,7 @@ TEST_F(SimulationCommands, LoadedStatesGoOnAsIfNothingHadHappened) {
   EXPECT_FALSE(console->execute("load " + file("d.state")));
 }
 
-TEST_F(SimulationCommands, SituationsAreTriedManyTimes) {
+TEST_F(TimeCommands, SituationsAreTriedManyTimes) {
   expectFine("place ball 0 0 900 0");
   expectFine("robot all");
   expectFine("ci off");

@@ -81,9 +81,8 @@ Result<void> get(Console& console, const Words& words) {
   // What a robot has is printed for each selected one; what there is once, once.
   const std::string path = words[1], first = path.substr(0, path.find('.'));
   const auto robots = console.selected();
-  const bool ofRobots = !robots.empty() && !console.session().find(first) &&
-                        (solutions().find(first) ||
-                         (robots.front()->robot() && robots.front()->robot()->value(first)));
+  const bool ofRobots =
+      !robots.empty() && !console.session().find(first) && robots.front()->observed().has(first);
   if (ofRobots)
     return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
       if (printValues(console, robot.name(), path)) return {};
@@ -99,11 +98,8 @@ Result<void> set(Console& console, const Words& words) {
   for (std::size_t i = 3; i < words.size(); ++i) value += " " + words[i];
   if (const auto object = objectPath(console.session(), words[1]))
     return console.session().tree().set(*object, value);
-  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    const auto name = parameterName(robot, words[1]);
-    if (!name) return name.error();
-    return robot.request(ParameterRequest{name->task, name->solution, name->path, value});
-  });
+  return console.forEachRobot(
+      [&](ConsoleRobot& robot) -> Result<void> { return robot.observed().set(words[1], value); });
 }
 
 /// Parameters, and objects of the scene.

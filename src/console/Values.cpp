@@ -4,7 +4,6 @@
 #include <charconv>
 
 #include "console/Commands.h"
-#include "streams/Config.h"
 
 namespace gt {
 namespace {
@@ -104,16 +103,9 @@ std::optional<ConsoleValue> bodyValue(const RobotBody& body, const std::string& 
 }
 
 Result<ConsoleValue> valueOfRobot(ConsoleRobot& robot, const std::string& path) {
-  const auto [first, field] = splitPath(path);
-  if (!robot.robot()) return Error{"", 0, path, "runs elsewhere, so it cannot be read"};
-  if (const auto value = robot.robot()->value(first)) {
-    const auto text = detail::getByPath(*value, field);
-    return text ? Result<ConsoleValue>{ofText(*text)} : Error{"", 0, path, text.error().what};
-  }
-  const auto name = parameterName(robot, path);
-  if (!name) return Error{"", 0, path, "there is no such value; try get ?"};
-  const auto text = parameterOf(robot, *name);
-  return text ? Result<ConsoleValue>{ofText(*text)} : text.error();
+  auto text = robot.observed().get(path);
+  if (!text) return text.error();
+  return ofText(std::move(*text));
 }
 
 /// An object of the scene tree, or one of its numbers.
@@ -138,28 +130,6 @@ std::optional<std::string> objectPath(Session& session, std::string path) {
   if (path.find('/') != path.npos) return path;
   std::ranges::replace(path, '.', '/');
   return session.tree().get(path) ? std::optional{path} : std::nullopt;
-}
-
-Result<ParameterName> parameterName(ConsoleRobot& robot, const std::string& name) {
-  const auto [task, rest] = splitPath(name);
-  if (rest.empty()) return Error{"", 0, name, "expected TASK.PATH or TASK.SOLUTION.PATH"};
-  for (const ProcessDescription& process : describe(robot))
-    for (const TaskDescription& known : process.tasks) {
-      if (known.name != task) continue;
-      for (const SolutionDescription& solution : known.solutions)
-        if (rest.starts_with(solution.name + "."))
-          return ParameterName{task, solution.name, rest.substr(solution.name.size() + 1)};
-      return ParameterName{task, known.active, rest};
-    }
-  return Error{"", 0, task, "no process solves this task"};
-}
-
-Result<std::string> parameterOf(ConsoleRobot& robot, const ParameterName& name) {
-  if (robot.robot())
-    for (const auto& process : robot.robot()->processes())
-      if (process->solves(name.task))
-        return process->parameter(name.task, name.solution, name.path);
-  return Error{"", 0, robot.name(), "runs elsewhere, so its parameters cannot be read"};
 }
 
 Result<ConsoleValue> valueAt(Console& console, const std::string& path) {
@@ -202,14 +172,11 @@ std::vector<std::string> valueNames(Console& console) {
            {"x", "y", "rotation", "height", "tilt", "roll", "walked", "posture"})
         names.push_back(robot.name + "." + field);
   const auto first = console.firstRobot();
-  if (!first || !(*first)->robot()) return names;
-  for (const Plan::Process& process : (*first)->robot()->plan().processes)
-    for (const Plan::Step& step : process.order)
-      for (const RepresentationType* type : step.task->outputs)
-        if (const auto value = (*first)->robot()->value(type->name))
-          for (const PathInfo& part :
-               detail::paths(Value{&value->type(), const_cast<void*>(value->data())}))
-            names.push_back(std::string{type->name} + "." + part.path);
+  if (!first) return names;
+  ObservedRobot& robot = (*first)->observed();
+  for (const std::string& representation : robot.representations())
+    if (const auto paths = robot.paths(representation))
+      names.insert(names.end(), paths->begin(), paths->end());
   return names;
 }
 

@@ -38,13 +38,4 @@ std::optional<Vector2d> placeOf(Console& console, std::string_view name);
 /// The paths that begin a value, for completion and `get ?`.
 std::vector<std::string> valueNames(Console& console);
 
-/// A parameter's task, solution and path by its name: TASK.SOLUTION.PATH, or TASK.PATH for the
-/// solution that runs.
-struct ParameterName {
-  std::string task, solution, path;
-};
-Result<ParameterName> parameterName(ConsoleRobot& robot, const std::string& name);
-/// A parameter as text; an error if the robot runs elsewhere.
-Result<std::string> parameterOf(ConsoleRobot& robot, const ParameterName& name);
-
 }  // namespace gt

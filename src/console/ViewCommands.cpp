@@ -2,7 +2,6 @@
 
 #include "console/Commands.h"
 #include "console/Values.h"
-#include "console/Views.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -12,16 +11,15 @@ bool isPicture(const std::string& word) {
   return word.ends_with(".png") || word.ends_with(".svg");
 }
 
-std::vector<std::string> viewNames(Console&, const Words&) {
+std::vector<std::string> viewNames(Console& console, const Words&) {
   std::vector<std::string> names;
-  for (const View& view : views()) names.emplace_back(view.name);
+  for (const auto& view : console.views()) names.push_back(view->name());
   return names;
 }
 
-Result<const View*> viewOf(Console& console, const std::string& name) {
-  const auto found =
-      std::ranges::find_if(views(), [&](const View& known) { return known.name == name; });
-  if (found != views().end()) return &*found;
+Result<std::shared_ptr<const View>> viewOf(Console& console, const std::string& name) {
+  for (const auto& view : console.views())
+    if (view->name() == name) return view;
   return Error{"", 0, name,
                "there is no such view; try picture ?" + suggestion(name, viewNames(console, {}))};
 }
@@ -40,8 +38,7 @@ Result<std::vector<double>> numbersOf(const Words& words, std::size_t first) {
 /// picture [VIEW] FILE {NUMBER}: the scene without a view's name.
 Result<void> picture(Console& console, const Words& words) {
   if (words.size() == 2 && words[1] == "?") {
-    for (const View& view : views())
-      console.print(std::string{view.name} + "  " + std::string{view.help});
+    for (const auto& view : console.views()) console.print(view->name() + "  " + view->help());
     return {};
   }
   const bool named = words.size() > 2 && !isPicture(words[1]);
@@ -52,7 +49,7 @@ Result<void> picture(Console& console, const Words& words) {
   if (!view) return view.error();
   const auto numbers = numbersOf(words, fileWord + 1);
   if (!numbers) return numbers.error();
-  const auto sheet = (*view)->show(console, *numbers);
+  const auto sheet = (*view)->show(console.viewSubject(), *numbers);
   if (!sheet) return sheet.error();
   const std::string file = withDefaults(words[fileWord], "out", ".png");
   if (auto done = sheet->write(file); !done) return done;
@@ -64,14 +61,14 @@ Result<void> picture(Console& console, const Words& words) {
 Result<void> writeValues(Console& console, const std::string& file) {
   std::map<std::int64_t, std::map<std::string, double>> rows;
   std::string text = "time";
-  for (const auto& [name, samples] : console.recording().series()) {
+  for (const auto& [name, samples] : console.recorder().series()) {
     text += "," + name;
     for (const auto& [time, value] : samples) rows[time.ms][name] = value;
   }
   text += "\n";
   for (const auto& [time, values] : rows) {
     text += std::to_string(time);
-    for (const auto& [name, samples] : console.recording().series()) {
+    for (const auto& [name, samples] : console.recorder().series()) {
       const auto value = values.find(name);
       text += value == values.end() ? "," : "," + std::to_string(value->second);
     }
@@ -87,7 +84,9 @@ Result<void> savePlots(Console& console, const Words& words) {
   } else {
     const auto seconds = numbersOf(words, 3);
     if (!seconds) return seconds.error();
-    const auto sheet = plotView(console, *seconds);
+    const auto view = viewOf(console, "plot");
+    if (!view) return view.error();
+    const auto sheet = (*view)->show(console.viewSubject(), *seconds);
     if (!sheet) return sheet.error();
     if (auto done = sheet->write(file); !done) return done;
   }
@@ -97,7 +96,7 @@ Result<void> savePlots(Console& console, const Words& words) {
 
 Result<void> plot(Console& console, const Words& words) {
   if (words.size() == 2 && words[1] == "?") {
-    for (const auto& [name, samples] : console.recording().series())
+    for (const auto& [name, samples] : console.recorder().series())
       console.print(name + " " + std::to_string(samples.size()) + " values");
     return {};
   }
@@ -105,14 +104,14 @@ Result<void> plot(Console& console, const Words& words) {
   if (words.size() != 3) return wrongArguments(words);
   const auto on = switchOf(words, 2);
   if (!on) return on.error();
-  if (*on) return console.recording().record(console, words[1]);
-  if (console.recording().forget(words[1])) return {};
+  if (*on) return console.recorder().record(console, words[1]);
+  if (console.recorder().forget(words[1])) return {};
   return Error{"", 0, words[1], "is not recorded; try plot ?"};
 }
 
 Result<void> film(Console& console, const Words& words) {
   if (words.size() == 2 && words[1] == "stop") {
-    const auto file = console.recording().stopFilm();
+    const auto file = console.recorder().stopFilm();
     if (!file) return file.error();
     printWritten(console, *file);
     return {};
@@ -122,30 +121,56 @@ Result<void> film(Console& console, const Words& words) {
   if (!view) return view.error();
   const auto numbers = numbersOf(words, std::min<std::size_t>(words.size(), 4));
   if (!numbers) return numbers.error();
-  return console.recording().startFilm(console, withDefaults(words[2], "out", ".mp4"), **view,
-                                       *numbers);
+  return console.recorder().startFilm(console, withDefaults(words[2], "out", ".mp4"), *view,
+                                      *numbers);
+}
+
+/// view NAME image|field ELEMENT…: a view by the list of what is painted (report I.3.3).
+Result<void> defineView(Console& console, const std::string& name, const Words& words) {
+  const bool image = words[2] == "image";
+  const auto& parts = image ? imageViewElements : fieldViewElements;
+  std::vector<std::string> elements;
+  for (std::size_t i = 3; i < words.size(); ++i) {
+    const auto keys = drawingKeys(words[i]);
+    if (std::ranges::find(parts, words[i]) != parts.end())
+      elements.push_back(words[i]);
+    else if (!keys.empty())
+      elements.insert(elements.end(), keys.begin(), keys.end());
+    else
+      return Error{"", 0, words[i], "there is no such drawing" + suggestion(words[i], parts)};
+  }
+  const std::string help = "defined: " + words.rest;
+  console.define(image ? makeImageView(name, help, std::move(elements))
+                       : makeFieldView(name, help, std::move(elements)));
+  return {};
+}
+
+Result<void> view(Console& console, const Words& words) {
+  if (words.size() == 2 && words[1] == "?") {
+    for (const auto& known : console.views()) console.print(known->name() + "  " + known->help());
+    return {};
+  }
+  if (words.size() < 3) return wrongArguments(words);
+  const std::string& name = words[1];
+  if (words.size() == 3 && words[2] == "off") {
+    if (console.forgetView(name)) return {};
+    return Error{"", 0, name, "no view was defined by this name"};
+  }
+  if (words.size() < 4 || (words[2] != "image" && words[2] != "field"))
+    return wrongArguments(words);
+  if (std::ranges::any_of(builtInViews(), [&](const auto& known) { return known->name() == name; }))
+    return Error{"", 0, name, "is a view already"};
+  return defineView(console, name, words);
+}
+
+std::vector<std::string> elementNames(Console&, const Words& before) {
+  if (before.size() < 3) return {};
+  auto names = before[2] == "image" ? imageViewElements : fieldViewElements;
+  for (const DebugKey& key : DebugKey::all()) names.emplace_back(key.name());
+  return names;
 }
 
 }  // namespace
-
-const std::vector<View>& views() {
-  static const std::vector<View> list{
-      {"scene", sceneView,
-       "the scene from a side; X Y Z and X Y Z in mm may say from where and at what"},
-      {"robot", robotView, "the robot from near, with its LEDs; a direction in degrees may follow"},
-      {"facette", facetteView,
-       "all around the robot's camera, or around X Y Z in mm, each degree a pixel"},
-      {"image", imageView, "the camera's picture with the image drawings"},
-      {"colorClassImage", colorClassImageView, "the same in colour classes"},
-      {"colorSpace", colorSpaceView, "how the picture uses the colour space"},
-      {"field", fieldView, "the field from above with the field drawings, and where all truly are"},
-      {"radar", radarView, "what lies around the robot; how far in mm may follow"},
-      {"xabsl", xabslView, "options, basic behavior and symbols"},
-      {"sensors", sensorView, "joints, acceleration, distance and switches"},
-      {"times", timeView, "how long each module takes"},
-      {"plot", plotView, "what plot records, and the robot's plots; seconds back may follow"}};
-  return list;
-}
 
 std::vector<Command> viewCommands() {
   using enum Command::Kind;
@@ -161,7 +186,12 @@ std::vector<Command> viewCommands() {
       {robot, "plot", "? | VALUE (on | off) | save FILE [SECONDS]",
        "Records a value over time, or no more; saves all that is recorded as a chart (.png, .svg) "
        "of the last seconds, or as numbers (.csv).",
-       plot, valueChoices}};
+       plot, valueChoices},
+      {global, "view", "? | NAME off | NAME (image | field) ELEMENT {ELEMENT}",
+       "Defines a view by what is painted on one another: image or colorClassImage, and image "
+       "drawings; or fieldPolygons, fieldLines, flags, truth, and drawings on the field. Drawings "
+       "are named by their debug keys or as in the report; drawings stands for all that come.",
+       view, elementNames}};
 }
 
 }  // namespace gt

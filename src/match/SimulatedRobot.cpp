@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "representations/modeling/PlayersCollection.h"
+#include "robot/LocalLink.h"
 #include "robot/Solutions.h"
 
 namespace gt {
@@ -45,6 +46,7 @@ void SimulatedRobot::saveTo(const std::string& base) {
 }
 
 void SimulatedRobot::bind() {
+  if (layoutChanges_ == robot_->layoutChanges()) return;
   layoutChanges_ = robot_->layoutChanges();
   joints_ = robot_->provided<JointData>();
   odometry_ = robot_->provided<OdometryData>();
@@ -72,6 +74,10 @@ Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::M
   picturePeriod_ = settings.picturePeriod;
   log_ = std::move(*log);
   return {};
+}
+
+std::unique_ptr<RobotLink> SimulatedRobot::link() {
+  return std::make_unique<LocalLink>(*robot_, [this] { bind(); });
 }
 
 Result<void> SimulatedRobot::closeLog() {
@@ -115,7 +121,7 @@ void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
   } else {
     live(input, picture);
   }
-  if (robot_->layoutChanges() != layoutChanges_) bind();
+  bind();
   if (joints_) output.joints = *joints_;
   if (odometry_) output.odometry = *odometry_;
   if (leds_) output.leds = *leds_;
@@ -138,7 +144,7 @@ void SimulatedRobot::handleMessages(const RobotInput& input) {
       nextPicture_ = input.now + picturePeriod_;
     }
   }
-  if (observer_) observer_(input, messages);
+  if (observer_) observer_(messages);
   messages.clear();
 }
 

@@ -7,6 +7,7 @@
 
 #include "match/MatchRobot.h"
 #include "match/MatchSummary.h"
+#include "observer/RobotLink.h"
 #include "robot/RecordedSetup.h"
 #include "robot/Robot.h"
 #include "robot/RobotLog.h"
@@ -30,8 +31,10 @@ class SimulatedRobot : public MatchRobot {
 
   void cycle(const RobotInput& input, RobotOutput& output) override;
 
+  /// The robot's message queues, between its cycles. The robot must outlive it.
+  std::unique_ptr<RobotLink> link();
   /// Called after each cycle with what the robot sends to its tools, in the thread of the cycle.
-  using Observer = std::function<void(const RobotInput& input, const MessageQueue& messages)>;
+  using Observer = std::function<void(const MessageQueue& messages)>;
   void observe(Observer observer) { observer_ = std::move(observer); }
   /// Whether what disabled tasks would provide comes from the oracle: oracled world states
   /// (report I.5.3: so). A console has them sent; without one they are not.
@@ -67,7 +70,7 @@ class SimulatedRobot : public MatchRobot {
   std::string name_;
   std::unique_ptr<Robot> robot_;
   // What the robot provides, until its layout changes.
-  int layoutChanges_ = 0;
+  int layoutChanges_ = -1;
   const JointData* joints_ = nullptr;
   const OdometryData* odometry_ = nullptr;
   const LedValue* leds_ = nullptr;

@@ -1,14 +1,20 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
-#include "console/Views.h"
-#include "representations/modeling/BallModel.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/perception/LandmarksPercept.h"
 #include "simulation/Oracle.h"
+#include "views/ViewText.h"
+#include "views/Views.h"
 
 namespace gt {
 namespace {
 
 constexpr Color grass{30, 110, 50}, lineColor{235, 235, 235};
 constexpr double fieldScale = 0.18;  // pixels a mm
+constexpr double margin = 150;       // mm around the field
 
 void addPolygon(Drawing& drawing, std::vector<Vector2d> corners, Color color, bool filled) {
   drawing.elements.push_back(
@@ -19,18 +25,28 @@ std::vector<Vector2d> rectangle(double left, double right, double low, double hi
   return {{left, low}, {right, low}, {right, high}, {left, high}};
 }
 
-/// fieldPolygons and fieldLines of the report.
-Drawing fieldDrawing(const FieldDimensions& f) {
+/// The report's fieldPolygons, as a team sees them: it defends the goal on the left.
+Drawing fieldPolygons(const FieldDimensions& f, TeamColor team) {
   Drawing drawing;
   const double x = f.xGroundline, y = f.ySideline;
+  const bool red = team == TeamColor::red;
   addPolygon(drawing, rectangle(-x, x, -y, y), grass, true);
-  addPolygon(drawing, rectangle(-f.xGoalBack, -x, -f.yGoal, f.yGoal), colors::yellow, true);
-  addPolygon(drawing, rectangle(x, f.xGoalBack, -f.yGoal, f.yGoal), colors::skyblue, true);
+  addPolygon(drawing, rectangle(-f.xGoalBack, -x, -f.yGoal, f.yGoal),
+             red ? colors::yellow : colors::skyblue, true);
+  addPolygon(drawing, rectangle(x, f.xGoalBack, -f.yGoal, f.yGoal),
+             red ? colors::skyblue : colors::yellow, true);
   for (const double sx : {-1.0, 1.0})
     for (const double sy : {-1.0, 1.0})
       addPolygon(drawing,
                  {{sx * x, sy * y}, {sx * f.xSideCorner, sy * y}, {sx * x, sy * f.ySideCorner}},
                  colors::white, true);
+  return drawing;
+}
+
+/// The report's fieldLines.
+Drawing fieldLines(const FieldDimensions& f) {
+  Drawing drawing;
+  const double x = f.xGroundline, y = f.ySideline;
   addPolygon(drawing, rectangle(-x, x, -y, y), lineColor, false);
   addPolygon(drawing, rectangle(-x, -f.xPenaltyArea, -f.yPenaltyArea, f.yPenaltyArea), lineColor,
              false);
@@ -39,6 +55,38 @@ Drawing fieldDrawing(const FieldDimensions& f) {
   drawing.elements.push_back({ElementType::line, {{0, -y}, {0, y}}, 0, lineColor, 1.5, ""});
   drawing.elements.push_back(
       {ElementType::circle, {{0, 0}}, f.centerCircleRadius, lineColor, 1.5, ""});
+  return drawing;
+}
+
+/// The upper and the lower color of a flag.
+std::pair<Color, Color> colorsOf(FlagType type) {
+  switch (type) {
+    case FlagType::pinkAboveYellow:
+      return {colors::pink, colors::yellow};
+    case FlagType::pinkAboveGreen:
+      return {colors::pink, colors::green};
+    case FlagType::pinkAboveSkyblue:
+      return {colors::pink, colors::skyblue};
+    case FlagType::yellowAbovePink:
+      return {colors::yellow, colors::pink};
+    case FlagType::greenAbovePink:
+      return {colors::green, colors::pink};
+    case FlagType::skyblueAbovePink:
+      return {colors::skyblue, colors::pink};
+  }
+  return {};
+}
+
+/// The flags from above: the lower color around the upper one.
+Drawing flags(const FieldDimensions& f, TeamColor team) {
+  Drawing drawing;
+  for (std::size_t i = 0; i < enumCount<FlagType>; ++i) {
+    const auto type = static_cast<FlagType>(i);
+    const Vector2d at = positionOf(type, team, f);
+    const auto [upper, lower] = colorsOf(type);
+    drawing.elements.push_back({ElementType::disk, {at}, f.flagRadius, lower, 1, ""});
+    drawing.elements.push_back({ElementType::disk, {at}, 0.55 * f.flagRadius, upper, 1, ""});
+  }
   return drawing;
 }
 
@@ -73,69 +121,71 @@ Drawing truthDrawing(Simulation& simulation, TeamColor team) {
   return drawing;
 }
 
-TeamColor teamOf(ConsoleRobot* robot) {
-  return robot && robot->robot() ? robot->robot()->setup().player.teamColor : TeamColor::red;
+/// A drawing around a robot, moved to where the robot thinks that it is.
+Drawing onField(Drawing drawing, const Pose2D& pose) {
+  for (DrawingElement& element : drawing.elements)
+    for (Vector2d& point : element.points) point = pose * point;
+  return drawing;
 }
+
+class FieldView : public View {
+ public:
+  FieldView(std::string name, std::string help, std::vector<std::string> elements)
+      : View{std::move(name), std::move(help)}, elements_{std::move(elements)} {}
+
+  Result<Sheet> show(const ViewSubject& subject, std::span<const double>) const override {
+    const FieldDimensions& f = subject.field;
+    const int width = static_cast<int>(2 * (f.xGoalBack + margin) * fieldScale);
+    const int height = static_cast<int>(2 * (f.ySideline + margin) * fieldScale);
+    Sheet sheet{width, height, {70, 70, 75}};
+    const Placement placement{{width / 2.0, height / 2.0}, fieldScale, true};
+    ObservedRobot* first = subject.robots.empty() ? nullptr : subject.robots.front();
+    const TeamColor team = first ? teamOf(*first) : TeamColor::red;
+    for (const std::string& element : elements_) {
+      if (element == "fieldPolygons")
+        sheet.paint(fieldPolygons(f, team), placement);
+      else if (element == "fieldLines")
+        sheet.paint(fieldLines(f), placement);
+      else if (element == "flags")
+        sheet.paint(flags(f, team), placement);
+      else if (element == "truth" && subject.simulation)
+        sheet.paint(truthDrawing(*subject.simulation, team), placement);
+      else
+        for (ObservedRobot* robot : subject.robots)
+          if (teamOf(*robot) == team) paintDrawings(sheet, placement, *robot, element);
+    }
+    sheet.text({8, 16},
+               clockText(subject.now) + (first ? "  drawings of " + first->name() : "") +
+                   (subject.robots.size() > 1 ? " and its selected teammates" : ""),
+               colors::white);
+    return sheet;
+  }
+
+ private:
+  static void paintDrawings(Sheet& sheet, const Placement& placement, ObservedRobot& robot,
+                            const std::string& element) {
+    const auto known = robot.value<RobotPose>();
+    const Pose2D pose = known ? (*known)->pose : Pose2D{};
+    for (const auto& [key, drawing] : robot.drawings()) {
+      if (key != element && element != "drawings") continue;
+      if (drawing.space == DrawingSpace::field)
+        sheet.paint(drawing, placement);
+      else if (drawing.space == DrawingSpace::robot && known)
+        sheet.paint(onField(drawing, pose), placement);
+    }
+  }
+
+  std::vector<std::string> elements_;
+};
 
 }  // namespace
 
-Result<Sheet> fieldView(Console& console, const std::vector<double>&) {
-  const FieldDimensions& field = *console.session().match().configuration().field;
-  const int width = static_cast<int>(2 * (field.xGoalBack + 150) * fieldScale);
-  const int height = static_cast<int>(2 * (field.ySideline + 150) * fieldScale);
-  Sheet sheet{width, height, {70, 70, 75}};
-  const Placement placement{{width / 2.0, height / 2.0}, fieldScale, true};
-  sheet.paint(fieldDrawing(field), placement);
-  const auto robots = console.selected();
-  ConsoleRobot* first = robots.empty() ? nullptr : robots.front();
-  sheet.paint(truthDrawing(console.session().simulation(), teamOf(first)), placement);
-  for (ConsoleRobot* robot : robots) {
-    if (teamOf(robot) != teamOf(first)) continue;
-    const auto pose = robot->robot() ? robot->robot()->value("RobotPose") : std::nullopt;
-    for (const auto& [key, drawing] : robot->memory().drawings())
-      if (drawing.space == DrawingSpace::field) {
-        sheet.paint(drawing, placement);
-      } else if (drawing.space == DrawingSpace::robot && pose) {
-        const Pose2D at = static_cast<const RobotPose*>(pose->data())->pose;
-        Drawing onField = drawing;
-        for (DrawingElement& element : onField.elements)
-          for (Vector2d& point : element.points) point = at * point;
-        sheet.paint(onField, placement);
-      }
-  }
-  sheet.text({8, 16},
-             clockText(console.session().time()) + (first ? "  drawings of " + first->name() : "") +
-                 (robots.size() > 1 ? " and its selected mates" : ""),
-             colors::white);
-  return sheet;
-}
+const std::vector<std::string> fieldViewElements{"fieldPolygons", "fieldLines", "flags", "truth",
+                                                 "drawings"};
 
-Result<Sheet> radarView(Console& console, const std::vector<double>& numbers) {
-  const auto robot = console.firstRobot();
-  if (!robot) return robot.error();
-  if (numbers.size() > 1 || (!numbers.empty() && !(numbers[0] >= 100 && numbers[0] <= 10000)))
-    return Error{"", 0, "radar", "expected no number, or how far it looks: 100 to 10000 mm"};
-  const double range = numbers.empty() ? 2400 : numbers[0];
-  constexpr int size = 480;
-  Sheet sheet{size, size, {20, 40, 25}};
-  const Placement placement{{size / 2.0, size / 2.0}, size / 2.0 / range, true};
-  Drawing rings;
-  for (int i = 1; i <= 3; ++i)
-    rings.elements.push_back({ElementType::circle, {{0, 0}}, i * range / 3, {70, 120, 80}, 1, ""});
-  rings.elements.push_back({ElementType::line, {{0, 0}, {range, 0}}, 0, {70, 120, 80}, 1, ""});
-  rings.elements.push_back({ElementType::area,
-                            rectangle(-range / 14, range / 14, -range / 28, range / 28), 0,
-                            teamOf(*robot) == TeamColor::red ? colors::red : colors::blue, 1, ""});
-  if (Robot* here = (*robot)->robot())
-    if (const auto ball = here->value("BallModel")) {
-      const auto& model = *static_cast<const BallModel*>(ball->data());
-      rings.elements.push_back({ElementType::disk, {model.position}, 43, colors::orange, 1, ""});
-    }
-  sheet.paint(rings, placement);
-  for (const auto& [key, drawing] : (*robot)->memory().drawings())
-    if (drawing.space == DrawingSpace::robot) sheet.paint(drawing, placement);
-  sheet.text({8, 16}, (*robot)->name() + " looks to the right", colors::white);
-  return sheet;
+std::unique_ptr<View> makeFieldView(std::string name, std::string help,
+                                    std::vector<std::string> elements) {
+  return std::make_unique<FieldView>(std::move(name), std::move(help), std::move(elements));
 }
 
 }  // namespace gt

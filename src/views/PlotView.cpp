@@ -2,52 +2,16 @@
 #include <cmath>
 #include <limits>
 
-#include "console/Views.h"
-#include "match/SimulatedRobot.h"
-#include "representations/infrastructure/SensorData.h"
+#include "views/ViewText.h"
+#include "views/Views.h"
 
 namespace gt {
 namespace {
 
-constexpr Color faint{120, 120, 120}, bar{90, 140, 210}, grid{225, 225, 225};
-constexpr std::array lineColors{colors::red,    colors::blue, colors::green,
-                                colors::orange, colors::pink, colors::skyblue};
-
-std::string decimal(double value, int digits = 1) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-/// Text in lines and columns, from the top.
-class Lines {
- public:
-  Lines(Sheet& sheet, double left) : sheet_{sheet}, left_{left} {}
-  void add(const std::vector<std::pair<double, std::string>>& columns,
-           Color color = colors::black) {
-    y_ += 18;
-    for (const auto& [x, text] : columns) sheet_.text({left_ + x, y_}, text, color);
-  }
-  void heading(const std::string& text) {
-    y_ += 6;
-    add({{0, text}}, faint);
-  }
-
- private:
-  Sheet& sheet_;
-  double left_;
-  double y_ = 10;
-};
-
-int heightOf(std::size_t lines) {
-  return static_cast<int>(std::min<std::size_t>(lines, 200)) * 18 + 60;
-}
-
-/// The symbols that were asked for, of one kind.
-void addSymbols(Lines& lines, const BehaviorState& state) {
-  for (const BehaviorValue& symbol : state.symbols)
-    lines.add({{12, symbol.name}, {330, symbol.value}});
-}
+constexpr Color grid{225, 225, 225};
+constexpr std::array curveColors{colors::red,    colors::blue, colors::green,
+                                 colors::orange, colors::pink, colors::skyblue};
+constexpr std::size_t mostInLegend = 100;
 
 /// A round step that divides a range into about five.
 double niceStep(double range) {
@@ -59,7 +23,7 @@ double niceStep(double range) {
 
 struct Curve {
   std::string name;
-  std::vector<RobotMemory::Sample> samples;
+  std::vector<ObservedRobot::Point> points;
 };
 
 /// Axes of a plot: which times and values lie where.
@@ -73,15 +37,23 @@ struct Axes {
   }
 };
 
-double secondsOf(Time time) {
-  return static_cast<double>(time.ms) / 1000;
+/// What was recorded, and what the robots plot.
+std::vector<Curve> curvesOf(const ViewSubject& subject) {
+  std::vector<Curve> curves;
+  if (subject.recorded)
+    for (const auto& [name, points] : *subject.recorded) curves.push_back({name, points});
+  for (const ObservedRobot* robot : subject.robots)
+    for (const auto& [key, points] : robot->plots())
+      curves.push_back({robot->name() + " " + key, {points.begin(), points.end()}});
+  std::erase_if(curves, [](const Curve& curve) { return curve.points.empty(); });
+  return curves;
 }
 
 Axes axesOf(const std::vector<Curve>& curves, double seconds, Time now) {
   const double infinity = std::numeric_limits<double>::infinity();
   Axes axes{infinity, secondsOf(now), infinity, -infinity};
   for (const Curve& curve : curves)
-    for (const auto& [time, value] : curve.samples) {
+    for (const auto& [time, value] : curve.points) {
       axes.fromTime = std::min(axes.fromTime, secondsOf(time));
       axes.low = std::min(axes.low, value);
       axes.high = std::max(axes.high, value);
@@ -100,142 +72,53 @@ void paintGrid(Sheet& sheet, const Axes& axes) {
   for (double value = std::ceil(axes.low / step) * step; value <= axes.high; value += step) {
     const Vector2d at = axes.of(axes.fromTime, value);
     sheet.line(at, at + Vector2d{axes.size.x(), 0}, grid);
-    sheet.text(at + Vector2d{-52, 4}, decimal(value, step < 1 ? 2 : 0), faint, 11);
+    sheet.text(at + Vector2d{-52, 4}, decimal(value, step < 1 ? 2 : 0), faintText, 11);
   }
   const double timeStep = niceStep(axes.toTime - axes.fromTime);
   for (double time = std::ceil(axes.fromTime / timeStep) * timeStep; time <= axes.toTime;
        time += timeStep) {
     const Vector2d at = axes.of(time, axes.low);
     sheet.line(at, at - Vector2d{0, axes.size.y()}, grid);
-    sheet.text(at + Vector2d{-8, 16}, decimal(time, timeStep < 1 ? 2 : 0) + " s", faint, 11);
+    sheet.text(at + Vector2d{-8, 16}, decimal(time, timeStep < 1 ? 2 : 0) + " s", faintText, 11);
   }
 }
 
-std::vector<Curve> curvesOf(Console& console) {
-  std::vector<Curve> curves;
-  for (const auto& [name, samples] : console.recording().series())
-    curves.push_back({name, samples});
-  for (ConsoleRobot* robot : console.selected())
-    for (const auto& [key, samples] : robot->memory().plots())
-      curves.push_back({robot->name() + " " + key, {samples.begin(), samples.end()}});
-  std::erase_if(curves, [](const Curve& curve) { return curve.samples.empty(); });
-  return curves;
-}
+class PlotView : public View {
+ public:
+  PlotView()
+      : View{"plot", "what plot records, and the robot's plots; how many seconds back may follow"} {
+  }
+
+  Result<Sheet> show(const ViewSubject& subject, std::span<const double> numbers) const override {
+    if (numbers.size() > 1 || (!numbers.empty() && !(numbers[0] > 0)))
+      return Error{"", 0, name(), "expected no number, or how many seconds back"};
+    const std::vector<Curve> curves = curvesOf(subject);
+    if (curves.empty()) return Error{"", 0, name(), "nothing was recorded; try plot VALUE on"};
+    const Axes axes = axesOf(curves, numbers.empty() ? 1e9 : numbers[0], subject.now);
+    Sheet sheet{800, 350 + static_cast<int>(std::min(curves.size(), mostInLegend)) * 16};
+    paintGrid(sheet, axes);
+    Drawing drawing;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const Color color = curveColors[i % curveColors.size()];
+      std::vector<Vector2d> points;
+      for (const auto& [time, value] : curves[i].points)
+        if (secondsOf(time) >= axes.fromTime) points.push_back(axes.of(secondsOf(time), value));
+      drawing.elements.push_back({ElementType::path, std::move(points), 0, color, 1.5, ""});
+      const Vector2d legend{axes.corner.x(),
+                            axes.corner.y() + axes.size.y() + 36.0 + 16.0 * static_cast<double>(i)};
+      sheet.box(legend - Vector2d{0, 9}, {12, 10}, color);
+      sheet.text(legend + Vector2d{18, 0},
+                 curves[i].name + "   now " + decimal(curves[i].points.back().value, 2));
+    }
+    sheet.paint(drawing);
+    return sheet;
+  }
+};
 
 }  // namespace
 
-Result<Sheet> xabslView(Console& console, const std::vector<double>&) {
-  const auto robot = console.firstRobot();
-  if (!robot) return robot.error();
-  const BehaviorState& state = (*robot)->memory().behavior();
-  std::size_t parameters = 0;
-  for (const auto& activation : state.activations) parameters += activation.parameters.size();
-  Sheet sheet{640, heightOf(state.activations.size() + parameters + state.symbols.size() + 3)};
-  Lines lines{sheet, 16};
-  lines.add({{0, (*robot)->name() + "   Agent: " + state.agent}});
-  lines.heading("Option Activation Path");
-  for (const auto& a : state.activations) {
-    if (a.state.empty()) lines.heading("Active Basic Behavior");
-    lines.add(
-        {{12.0 + 12 * a.depth, a.name},
-         {250, a.state.empty() ? "" : decimal(static_cast<double>(a.optionTime) / 1000) + " s"},
-         {330, a.state},
-         {520, a.state.empty() ? "" : decimal(static_cast<double>(a.stateTime) / 1000) + " s"}});
-    for (const BehaviorValue& p : a.parameters)
-      lines.add({{36.0 + 12 * a.depth, p.name + " = " + p.value}}, faint);
-  }
-  lines.heading("Symbols");
-  addSymbols(lines, state);
-  if (state.activations.empty()) lines.add({{12, "nothing yet: dk sendXabsl2DebugMessages on"}});
-  return sheet;
-}
-
-Result<Sheet> sensorView(Console& console, const std::vector<double>&) {
-  const auto robot = console.firstRobot();
-  if (!robot) return robot.error();
-  const auto value =
-      (*robot)->robot() ? (*robot)->robot()->value("SensorDataBuffer") : std::nullopt;
-  if (!value) return Error{"", 0, (*robot)->name(), "has no sensor data here"};
-  const SensorData& data = static_cast<const SensorDataBuffer*>(value->data())->newest();
-  Sheet sheet{640, 470};
-  Lines lines{sheet, 16};
-  lines.add({{0, (*robot)->name() + " at " + clockText(data.time)}});
-  lines.heading("Joints, degrees");
-  constexpr double zero = 240, perDegree = 1;
-  for (std::size_t i = 0; i < enumCount<Joint>; ++i) {
-    const double degrees = toDegrees(data.joints.values[i]);
-    const double y = 58 + 18 * static_cast<double>(i);
-    sheet.box({zero + std::min(0.0, degrees * perDegree), y + 3},
-              {std::abs(degrees) * perDegree, 10}, bar);
-    lines.add({{0, std::string{enumNames<Joint>[i]}}, {90, decimal(degrees)}});
-  }
-  Lines right{sheet, 400};
-  right.heading("");
-  right.heading("Acceleration, m/s2");
-  constexpr std::array axes{"ahead", "left", "up"};
-  for (int i = 0; i < 3; ++i)
-    right.add(
-        {{0, axes[static_cast<std::size_t>(i)]}, {90, decimal(data.acceleration[i] / 1000, 2)}});
-  right.heading("Distance, mm");
-  right.add({{0, "psd"}, {90, decimal(data.psd, 0)}});
-  right.heading("Switches");
-  for (std::size_t i = 0; i < enumCount<Switch>; ++i)
-    right.add(
-        {{0, std::string{enumNames<Switch>[i]}}, {90, data.switches.values[i] ? "pressed" : "-"}},
-        data.switches.values[i] ? colors::red : faint);
-  return sheet;
-}
-
-Result<Sheet> timeView(Console& console, const std::vector<double>&) {
-  const auto robot = console.firstRobot();
-  if (!robot) return robot.error();
-  if (!(*robot)->robot()) return Error{"", 0, (*robot)->name(), "runs elsewhere"};
-  std::vector<const Stopwatch*> watches;
-  for (const auto& process : (*robot)->robot()->processes())
-    for (const Stopwatch& watch : process->times()) watches.push_back(&watch);
-  double longest = 1e-9;
-  const auto mean = [](const Stopwatch& watch) {
-    return watch.count > 0 ? watch.totalMs / static_cast<double>(watch.count) : 0;
-  };
-  for (const Stopwatch* watch : watches) longest = std::max(longest, mean(*watch));
-  Sheet sheet{720, heightOf(watches.size() + 1)};
-  Lines lines{sheet, 16};
-  lines.add({{0, (*robot)->name() + ": mean time of each module, times a second"}});
-  const double seconds = std::max(secondsOf(console.session().time()), 1e-3);
-  double y = 37;
-  for (const Stopwatch* watch : watches) {
-    sheet.box({190, y}, {std::max(1.0, 260 * mean(*watch) / longest), 11}, bar);
-    lines.add({{0, watch->name},
-               {450, decimal(mean(*watch), 3) + " ms"},
-               {560, decimal(static_cast<double>(watch->count) / seconds) + " /s"}});
-    y += 18;
-  }
-  return sheet;
-}
-
-Result<Sheet> plotView(Console& console, const std::vector<double>& numbers) {
-  if (numbers.size() > 1 || (!numbers.empty() && !(numbers[0] > 0)))
-    return Error{"", 0, "plot", "expected no number, or how many seconds back"};
-  const std::vector<Curve> curves = curvesOf(console);
-  if (curves.empty()) return Error{"", 0, "plot", "nothing was recorded; try plot VALUE on"};
-  const Axes axes = axesOf(curves, numbers.empty() ? 1e9 : numbers[0], console.session().time());
-  Sheet sheet{800, 350 + static_cast<int>(std::min<std::size_t>(curves.size(), 100)) * 16};
-  paintGrid(sheet, axes);
-  Drawing drawing;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const Color color = lineColors[i % lineColors.size()];
-    std::vector<Vector2d> points;
-    for (const auto& [time, value] : curves[i].samples)
-      if (secondsOf(time) >= axes.fromTime) points.push_back(axes.of(secondsOf(time), value));
-    drawing.elements.push_back({ElementType::path, std::move(points), 0, color, 1.5, ""});
-    const Vector2d legend{axes.corner.x(),
-                          axes.corner.y() + axes.size.y() + 36.0 + 16.0 * static_cast<double>(i)};
-    sheet.box(legend - Vector2d{0, 9}, {12, 10}, color);
-    sheet.text(legend + Vector2d{18, 0},
-               curves[i].name + "   now " + decimal(curves[i].samples.back().value, 2));
-  }
-  sheet.paint(drawing);
-  return sheet;
+std::unique_ptr<View> makePlotView() {
+  return std::make_unique<PlotView>();
 }
 
 }  // namespace gt

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "simulation/camera/CameraRenderer.h"
 
@@ -11,6 +12,8 @@ namespace {
 /// A pixel of the picture is the mean of so many pixels of the camera's in each direction: smooth
 /// edges.
 constexpr int fineness = 3;
+/// Geoms of this group are not seen (CameraScene).
+constexpr int unseenGroup = 5;
 
 CameraView viewOf(const SceneCamera& camera) {
   const Vector3d ahead = camera.at - camera.from;
@@ -46,8 +49,18 @@ RgbPicture reduced(const RgbPicture& fine) {
 
 }  // namespace
 
-RgbPicture scenePicture(const World& world, const SceneCamera& camera) {
-  const CameraScene scene{world.model()};
+RgbPicture scenePicture(const World& world, const SceneCamera& camera, std::string_view hidden) {
+  using OwnModel = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
+  OwnModel changed{nullptr, mj_deleteModel};
+  if (!hidden.empty()) {
+    changed.reset(mj_copyModel(nullptr, &world.model()));
+    for (int geom = 0; geom < changed->ngeom; ++geom) {
+      const char* const name = mj_id2name(changed.get(), mjOBJ_GEOM, geom);
+      if (name && std::string_view{name}.starts_with(hidden))
+        changed->geom_group[geom] = unseenGroup;
+    }
+  }
+  const CameraScene scene{changed ? *changed : world.model()};
   Image image;
   CameraRenderer{scene}.render(world.data(), viewOf(camera), CameraEffects::none(), 0, image);
   return reduced(rgbOf(image));

@@ -12,7 +12,9 @@ struct SceneCamera {
   int width = 1280, height = 720;  ///< pixels
 };
 
-/// A picture of the world for people, with smooth edges and without a camera's faults.
-RgbPicture scenePicture(const World& world, const SceneCamera& camera);
+/// A picture of the world for people, with smooth edges and without a camera's faults. Geoms whose
+/// names begin with `hidden` are left out, if it is not empty.
+RgbPicture scenePicture(const World& world, const SceneCamera& camera,
+                        std::string_view hidden = {});
 
 }  // namespace gt

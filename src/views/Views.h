@@ -1,43 +1,35 @@
 #pragma once
-#include "console/Console.h"
-#include "views/painting/Sheet.h"
+#include <memory>
+
+#include "views/View.h"
 
 namespace gt {
 
-// The views of report I.3 and J.3 without a window, of the first selected robot as it is now. What
-// debug drawings show must have been asked for (`dk`).
+/// All views of report I.3 and J.3.
+const std::vector<std::shared_ptr<const View>>& builtInViews();
 
-/// Report I.3.1: the scene from a side.
-Result<Sheet> sceneView(Console& console, const std::vector<double>& numbers);
-/// Report I.3.2: the robot, centred, from the front left.
-Result<Sheet> robotView(Console& console, const std::vector<double>& numbers);
-/// Report 5.1.1: what a spherical camera sees, in the place of the robot's or at a point in mm.
-Result<Sheet> facetteView(Console& console, const std::vector<double>& numbers);
-/// Report I.3.3.1: the camera's picture with image drawings upon it.
-Result<Sheet> imageView(Console& console, const std::vector<double>&);
-/// Report I.3.3.1: the same, segmented into colour classes.
-Result<Sheet> colorClassImageView(Console& console, const std::vector<double>&);
-/// Report J.3.4: how the picture uses the colour space YUV.
-Result<Sheet> colorSpaceView(Console& console, const std::vector<double>&);
-/// Report I.3.3.2: the field with drawings, from above, and where all robots and balls truly are.
-Result<Sheet> fieldView(Console& console, const std::vector<double>&);
-/// Report J.3.2: the radar viewer, what lies around the robot.
-Result<Sheet> radarView(Console& console, const std::vector<double>& numbers);
-/// Report I.3.3.3: what the behavior does.
-Result<Sheet> xabslView(Console& console, const std::vector<double>&);
-/// What the body's sensors tell.
-Result<Sheet> sensorView(Console& console, const std::vector<double>&);
-/// Report J.3.6: how long each module takes.
-Result<Sheet> timeView(Console& console, const std::vector<double>&);
-/// Report J.3.5: values over time, those that `plot` records and those that the robot plots.
-Result<Sheet> plotView(Console& console, const std::vector<double>& numbers);
+// A file each.
+std::unique_ptr<View> makeSceneView();       ///< Report I.3.1: the scene from a side.
+std::unique_ptr<View> makeRobotView();       ///< Report I.3.2: a robot from near, with its LEDs.
+std::unique_ptr<View> makeFacetteView();     ///< Report 5.1.1: what a spherical camera sees.
+std::unique_ptr<View> makeColorSpaceView();  ///< Report J.3.4: how the image uses the space YUV.
+std::unique_ptr<View> makeRadarView();       ///< Report J.3.2: what lies around the robot.
+std::unique_ptr<View> makeXabslView();       ///< Report I.3.3.3: what the behavior does.
+std::unique_ptr<View> makeSensorView();      ///< What the body's sensors measure.
+std::unique_ptr<View> makeTimeView();        ///< Report J.3.6: how long each module takes.
+std::unique_ptr<View> makePlotView();        ///< Report J.3.5: values over time.
 
-/// A view by the name that the command `picture` knows it by.
-struct View {
-  std::string_view name;
-  Result<Sheet> (*show)(Console& console, const std::vector<double>& numbers);
-  std::string_view help;
-};
-const std::vector<View>& views();
+/// Report I.3.3.1: an image view, defined by its name and what is painted on one another: `image`,
+/// `colorClassImage`, image drawings by their debug keys, and `drawings` for all that come.
+std::unique_ptr<View> makeImageView(std::string name, std::string help,
+                                    std::vector<std::string> elements);
+/// Report I.3.3.2: a field view, defined likewise: `fieldPolygons`, `fieldLines`, `flags`, `truth`
+/// (where robots and balls truly are), drawings on the field or around the robot by their debug
+/// keys, and `drawings`.
+std::unique_ptr<View> makeFieldView(std::string name, std::string help,
+                                    std::vector<std::string> elements);
+
+/// What an image view or a field view may consist of beside drawings.
+extern const std::vector<std::string> imageViewElements, fieldViewElements;
 
 }  // namespace gt

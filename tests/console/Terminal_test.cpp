@@ -1,8 +1,11 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <linux/joystick.h>
 #include <poll.h>
 #include <pty.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,26 +15,29 @@
 #include <cstdlib>
 #include <string>
 
+#include "streams/TemporaryFolder.h"
+
 namespace gt {
 namespace {
 
 using ::testing::HasSubstr;
 
 constexpr const char *program = GT_PROGRAMS "/simgt", *scene = "scenes/one-robot.scene";
-constexpr const char *upKey = "\033[A", *clearKey = "\025", *prompt = "simgt> ";
+constexpr const char *upKey = "\033[A", *clearKey = "\025", *interruptKey = "\003",
+                     *prompt = "simgt> ";
 /// How long the program may take for anything; under a sanitizer it takes long.
 constexpr std::chrono::minutes patience{2};
 
 /// The program with its console in a terminal of 24 lines.
 class Terminal {
  public:
-  Terminal() {
+  explicit Terminal(const char* joystick = nullptr) {
     const winsize size{24, 100, 0, 0};
     pid_ = forkpty(&terminal_, nullptr, nullptr, &size);
     if (pid_ != 0) return;
     setenv("TERM", "xterm", 1);
     unsetenv("INPUTRC");
-    execl(program, program, "console", scene, nullptr);
+    execl(program, program, "console", scene, joystick ? "--joystick" : nullptr, joystick, nullptr);
     _exit(127);
   }
   ~Terminal() {
@@ -99,7 +105,9 @@ TEST(Terminal, CompletesCommandsKeysSolutionsAndOptions) {
         {"sr BallLocator PID\t", "PIDSmoothed "},
         {"xo search_b\t", "search_ball "},
         {"get ball.spe\t", "ball.speed "},
-        {"set emitters/am\t", "emitters/ambient "},
+        {"set emitters.am\t", "emitters.ambient "},
+        {"layout sin\t", "layout single "},
+        {"jbc 1 xo search_b\t", "search_ball "},
         {"call remo\t", "remote-control "}}) {
     terminal.type(typed);
     terminal.until(completed);
@@ -155,6 +163,103 @@ TEST(Terminal, ShowsTimeScoreAndFactorInALiveLine) {
   EXPECT_EQ(terminal.exit(), 0) << "what was typed wrongly was told then";
 }
 
+TEST(Terminal, TimePassesWhileLinesAreTyped) {
+  Terminal terminal;
+  terminal.until(prompt);
+  terminal.type("start\n");
+  terminal.until("simgt 0:0");
+  terminal.type("place ball 500 100\n");
+  terminal.until("simgt 0:0");
+  terminal.type("echo still here\n");
+  EXPECT_THAT(terminal.until("\rstill here"), HasSubstr("echo still here"));
+  terminal.type("stop\n");
+  terminal.until(prompt);
+  terminal.type("expect time > 0\necho it has passed\n");
+  terminal.until("\rit has passed");
+  terminal.until(prompt);
+  terminal.type("get time\n");
+  const std::string first = terminal.until(prompt);
+  terminal.type("get time\n");
+  EXPECT_EQ(terminal.until(prompt), first);
+  terminal.type("robot red3\n");
+  terminal.until("simgt red3> ");
+  EXPECT_EQ(terminal.exit(), 0);
+}
+
+TEST(Terminal, InterruptsKeepEverything) {
+  Terminal terminal;
+  terminal.until(prompt);
+  terminal.type("place ball 500 100\n");
+  terminal.until(prompt);
+  terminal.type("run 1000000\n");
+  terminal.until("times real time");
+  terminal.type(interruptKey);
+  terminal.until("run: stopped at 0:");
+  terminal.until(prompt);
+  terminal.type("expect time > 0 and time < 1000000\nget ball.y\n");
+  terminal.until("\r100\r\n");
+  terminal.type("start\n");
+  terminal.until("simgt 0:");
+  terminal.type(interruptKey);
+  terminal.until("stopped at 0:");
+  terminal.until(prompt);
+  terminal.type("nonsense that is not meant");
+  terminal.type(interruptKey);  // a line that is typed is thrown away
+  terminal.until(prompt);
+  EXPECT_EQ(terminal.exit(), 0);
+}
+
+/// A pipe in the place of a joystick's device: the program reads the same events from it.
+class JoystickPipe {
+ public:
+  JoystickPipe() {
+    EXPECT_EQ(mkfifo(path().c_str(), 0600), 0);
+    pipe_ = open(path().c_str(), O_RDWR | O_NONBLOCK);
+  }
+  ~JoystickPipe() { close(pipe_); }
+  JoystickPipe(const JoystickPipe&) = delete;
+  JoystickPipe& operator=(const JoystickPipe&) = delete;
+
+  std::string path() const { return (folder_.path() / "js0").string(); }
+  void send(int type, int number, int value) {
+    const js_event event{0, static_cast<std::int16_t>(value), static_cast<std::uint8_t>(type),
+                         static_cast<std::uint8_t>(number)};
+    ASSERT_EQ(write(pipe_, &event, sizeof event), static_cast<ssize_t>(sizeof event));
+  }
+
+ private:
+  TemporaryFolder folder_;
+  int pipe_ = -1;
+};
+
+TEST(Terminal, AJoystickSteersDuringARun) {
+  JoystickPipe joystick;
+  const std::string path = joystick.path();
+  Terminal terminal{path.c_str()};
+  terminal.until(prompt);
+  terminal.type("sr BehaviorControl disabled\njbc 2 place ball 1234 0\n");
+  terminal.type("until red3.walked > 200 and ball.x == 1234 within 100000\n");
+  terminal.until("times real time");
+  joystick.send(JS_EVENT_AXIS, 1, -32767);
+  joystick.send(JS_EVENT_BUTTON, 1, 1);
+  joystick.send(JS_EVENT_BUTTON, 1, 0);
+  terminal.until(prompt);
+  terminal.type("expect red3.walked > 200\nget MotionRequest.walk.translation.x\n");
+  terminal.until("red3: 200");
+  // Released within the time in which no second command is sent, it stops nevertheless.
+  joystick.send(JS_EVENT_AXIS, 1, -16000);
+  joystick.send(JS_EVENT_AXIS, 1, 0);
+  terminal.until(prompt);
+  terminal.type("until MotionRequest.walk.translation.x == 0 within 1000\necho stands\n");
+  terminal.until("\rstands");
+  EXPECT_EQ(terminal.exit(), 0);
+}
+
+TEST(Terminal, AJoystickThatIsNotThereIsAnError) {
+  Terminal terminal{"/nowhere/js0"};
+  terminal.until("/nowhere/js0: cannot be opened");
+}
+
 /// What the program prints if lines are piped in, and its exit status.
 std::pair<std::string, int> piped(const std::string& lines) {
   const std::string command = "printf '" + lines + "' | " + program + " console " + scene + " 2>&1";
@@ -174,6 +279,18 @@ TEST(Terminal, APipeIsPlain) {
   EXPECT_EQ(failed, "one\nsimgt: input:2: expect: does not hold: time == 1\n");
   EXPECT_EQ(failure, 1);
   EXPECT_EQ(piped("nonsense\\n").second, 2);
+  EXPECT_EQ(piped("run 80ms\\nexit\\nnonsense\\n"), (std::pair{std::string{}, 0}));
+}
+
+TEST(Terminal, ACommandOfTheCommandLineThatFailsIsNamed) {
+  const std::string command =
+      std::string{program} + " console " + scene + " -c 'echo one' -c 'run 3x' 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  std::array<char, 512> bytes{};
+  std::string text;
+  while (fgets(bytes.data(), bytes.size(), pipe)) text += bytes.data();
+  EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 2);
+  EXPECT_THAT(text, HasSubstr("one\nsimgt: -c \"run 3x\": x: is no unit of time"));
 }
 
 }  // namespace

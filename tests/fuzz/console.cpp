@@ -49,6 +49,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     at = end + 1;
   }
   session->step();
-  for (const auto& robot : session->robots()) robot->fromTools().clear();
+  for (const auto& robot : session->robots()) robot->observed().update();
   return 0;
 }

@@ -9,7 +9,7 @@
 
 #include "match/report/PageFiles.h"
 #include "match/report/SampleMatch.h"
-#include "views/painting/PicturePainter.h"
+#include "views/painting/Sheet.h"
 #include "streams/File.h"
 #include "streams/Json.h"
 
@@ -196,10 +196,9 @@ TEST_F(ReportTest, LongMatchesAreThinnedAndKeepTheirLargestErrors) {
 
 TEST(SampleMatch, PicturesShowTheBallWhereTheySay) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
-    const PicturePainter painter{sampleImage(seed, {60, 90}, 10), 1};
-    const auto rgb = painter.rgb();
-    const auto* ball = &rgb[static_cast<std::size_t>(3 * (90 * painter.width() + 60))];
-    const auto* carpet = &rgb[static_cast<std::size_t>(3 * (120 * painter.width() + 60))];
+    const auto [width, height, rgb] = rgbOf(sampleImage(seed, {60, 90}, 10));
+    const auto* ball = &rgb[static_cast<std::size_t>(3 * (90 * width + 60))];
+    const auto* carpet = &rgb[static_cast<std::size_t>(3 * (120 * width + 60))];
     EXPECT_GT(ball[0], ball[2] + 60);
     EXPECT_GT(carpet[1], carpet[0] + 20);
   }

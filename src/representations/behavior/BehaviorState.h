@@ -11,9 +11,11 @@ namespace gt {
 struct BehaviorValue {
   std::string name;
   std::string value;
+  std::string unit{};
 
   static constexpr auto fields() {
-    return Fields{field("name", &BehaviorValue::name), field("value", &BehaviorValue::value)};
+    return Fields{field("name", &BehaviorValue::name), field("value", &BehaviorValue::value),
+                  field("unit", &BehaviorValue::unit, "", "as the behavior declares it")};
   }
 };
 
@@ -42,13 +44,15 @@ struct BehaviorState {
 
   std::string agent;
   std::vector<Activation> activations;
-  std::vector<BehaviorValue> symbols;
+  std::vector<BehaviorValue> inputs;
+  std::vector<BehaviorValue> outputs;
 
   static constexpr auto fields() {
     return Fields{
         field("agent", &BehaviorState::agent),
         field("activations", &BehaviorState::activations, "", "in the order of execution"),
-        field("symbols", &BehaviorState::symbols, "", "that were asked for")};
+        field("inputs", &BehaviorState::inputs, "", "input symbols that were asked for"),
+        field("outputs", &BehaviorState::outputs, "", "output symbols that were asked for")};
   }
 };
 

@@ -1,7 +1,5 @@
 #include "modules/behavior/control/GT2003BehaviorControl.h"
 
-#include <charconv>
-
 #include "motionnet/Listing.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
@@ -14,16 +12,6 @@ const DebugKey sendActivations{"BehaviorControl/activations"};
 const DebugKey sendTrace{"BehaviorControl/trace"};
 const DebugKey engineTime{"BehaviorControl/engine"};
 
-/// A number as the engine reads it, for a parameter of any type: 0 or 1 for one that is true or
-/// false.
-bool setParameter(xabsl::Engine& engine, const xabsl::Parameter& parameter, double value) {
-  if (parameter.type.kind == xabsl::ValueKind::boolean)
-    return engine.setParameter(parameter.name, value != 0 ? "true" : "false");
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return engine.setParameter(parameter.name, {text, end});
-}
-
 /// The parameters of an option or a basic behavior; null if there is none of that name.
 template <typename T>
 const std::vector<xabsl::Parameter>* parametersOf(const std::vector<T>& list,
@@ -33,16 +21,34 @@ const std::vector<xabsl::Parameter>* parametersOf(const std::vector<T>& list,
   return nullptr;
 }
 
+std::string unitOf(const std::vector<xabsl::Parameter>* declared, const std::string& name) {
+  if (declared)
+    for (const xabsl::Parameter& parameter : *declared)
+      if (parameter.name == name) return parameter.unit;
+  return "";
+}
+
 BehaviorState stateOf(const xabsl::Engine& engine, const std::vector<std::string>& shown) {
+  const xabsl::Model& model = engine.model();
   BehaviorState state;
   state.agent = engine.selectedAgent();
   for (const xabsl::Activation& a : engine.activations()) {
+    const auto* declared = a.kind == xabsl::Activation::Kind::option
+                               ? parametersOf(model.options, a.name)
+                               : parametersOf(model.behaviors, a.name);
     state.activations.push_back({a.name, a.state, a.depth, a.optionTime, a.stateTime, {}});
     for (const xabsl::NamedValue& value : a.parameters)
-      state.activations.back().parameters.push_back({value.name, value.text});
+      state.activations.back().parameters.push_back(
+          {value.name, value.text, unitOf(declared, value.name)});
   }
-  for (const std::string& name : shown)
-    if (const auto value = engine.symbol(name)) state.symbols.push_back({name, value->text});
+  for (const std::string& name : shown) {
+    const auto value = engine.symbol(name);
+    if (!value) continue;
+    const int output = model.findOutput(name);
+    const auto index = static_cast<std::size_t>(output >= 0 ? output : model.findInput(name));
+    (output >= 0 ? state.outputs : state.inputs)
+        .push_back({name, value->text, model.symbols[index].unit});
+  }
   return state;
 }
 
@@ -88,7 +94,7 @@ void GT2003BehaviorControl::obey(const BehaviorControlRequest& control, Debug& d
               (control.basicBehavior ? engine_->selectBehavior(control.root)
                                      : engine_->selectRootOption(control.root));
   for (std::size_t i = 0; done && i < control.parameters.size(); ++i)
-    done = setParameter(*engine_, (*declared)[i], control.parameters[i]);
+    done = engine_->setParameter((*declared)[i].name, control.parameters[i]);
   if (!done) debug.warn("the behavior has no " + control.root + " with these parameters");
 }
 

@@ -1,4 +1,4 @@
-#include "views/painting/FilmWriter.h"
+#include "views/FilmWriter.h"
 
 #include <algorithm>
 #include <filesystem>

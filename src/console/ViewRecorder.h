@@ -1,0 +1,44 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/Result.h"
+#include "views/View.h"
+
+namespace gt {
+
+class Console;
+class FilmWriter;
+
+/// What a console records while time passes: values (command plot) and a film of a view.
+class ViewRecorder {
+ public:
+  ViewRecorder();
+  ~ViewRecorder();  ///< Closes the film.
+
+  /// Has a value recorded from now on, by its path; nothing changes if it is already.
+  Result<void> record(Console& console, const std::string& path);
+  /// Ends that, and forgets what was recorded; false if the value was not recorded.
+  bool forget(const std::string& path) { return series_.erase(path) > 0; }
+  /// The recorded values, by their paths.
+  const ViewSubject::Series& series() const { return series_; }
+
+  /// Films a view from now on, 25 pictures a simulated second.
+  Result<void> startFilm(Console& console, const std::string& file,
+                         std::shared_ptr<const View> view, std::vector<double> numbers);
+  /// Ends the film; returns its file.
+  Result<std::string> stopFilm();
+
+  /// Called after each step.
+  void step(Console& console);
+  /// Forgets the values, and ends the film.
+  void clear(Console& console);
+
+ private:
+  struct Film;
+  ViewSubject::Series series_;
+  std::unique_ptr<Film> film_;
+};
+
+}  // namespace gt
