@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "console/Recording.h"
 #include "modules/behavior/control/BehaviorControlRequest.h"
 #include "observer/ObservedRobot.h"
-#include "console/Recording.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"
 #include "robot/Configuration.h"

@@ -63,7 +63,9 @@ std::string consoleManual() {
   add(text, Command::Kind::initialization, "Commands for the beginning (report I.5.1)");
   add(text, Command::Kind::global, "Global commands (report I.5.2)");
   add(text, Command::Kind::robot, "Commands for the selected robots (report I.5.3)");
-  text += "\n## Views\n\nOf `picture` and `film`; `view` defines more. [simulator.md](simulator.md) shows each.\n\n";
+  text +=
+      "\n## Views\n\nOf `picture` and `film`; `view` defines more. [simulator.md](simulator.md) "
+      "shows each.\n\n";
   text += "| view | what it shows |\n| --- | --- |\n";
   for (const auto& view : builtInViews())
     text += "| `" + view->name() + "` | " + view->help() + " |\n";

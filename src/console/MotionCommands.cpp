@@ -64,8 +64,9 @@ Result<void> mr(Console& console, const Words& words) {
   }
   auto request = motionOf(words[1], **motions);
   if (!request)
-    return Error{"", 0, words[1],
-                 "there is no such motion; try mr ?" + suggestion(words[1], motionNames(**motions))};
+    return Error{
+        "", 0, words[1],
+        "there is no such motion; try mr ?" + suggestion(words[1], motionNames(**motions))};
   const bool walk = request->type == MotionType::walk;
   if (words.size() != (walk ? 5u : 2u)) return wrongArguments(words);
   if (walk) {

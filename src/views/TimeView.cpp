@@ -28,7 +28,8 @@ class TimeView : public View {
       lines.add({{0, watch.name},
                  {450, decimal(watch.meanMs(), 3) + " ms"},
                  {560, decimal(static_cast<double>(watch.count) / seconds) + " /s"}});
-      sheet.box({190, lines.y() - 9}, {std::max(1.0, 260 * watch.meanMs() / longest), 11}, barColor);
+      sheet.box({190, lines.y() - 9}, {std::max(1.0, 260 * watch.meanMs() / longest), 11},
+                barColor);
     }
     return sheet;
   }

@@ -27,7 +27,8 @@ class WrittenLink : public RobotLink {
       if (message.is<DescriptionRequest>()) {
         ProcessDescription description;
         description.process = "Robby";
-        description.representations.push_back({"Player", RepresentationOrigin::configuration, true, 0});
+        description.representations.push_back(
+            {"Player", RepresentationOrigin::configuration, true, 0});
         queue.write({}, description);
       }
       if (message.is<WatchRequest>()) queue.write({}, Player{team, PlayerRole::goalie});
