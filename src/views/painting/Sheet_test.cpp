@@ -105,7 +105,7 @@ TEST(Sheet, SvgHasEveryElementAndPictures) {
   EXPECT_EQ(count("<polyline"), 4);  // line, path, arrow and its head
   EXPECT_EQ(count("<polygon"), 4);   // the page, ellipse, polygon, area
   EXPECT_EQ(count("<path"), 1);      // sector
-  EXPECT_EQ(count("-opacity=\"0.2\""), 11);
+  EXPECT_EQ(count("-opacity=\"0.2\""), 12);
   EXPECT_EQ(count("stroke-dasharray=\"8 6\""), 6);
   EXPECT_EQ(count("<image x=\"3\" y=\"4\" width=\"5\" height=\"5\""), 1);
   EXPECT_EQ(count("data:image/png;base64,iVBORw0KGgo"), 1);

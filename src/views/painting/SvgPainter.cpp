@@ -114,7 +114,8 @@ void SvgPainter::text(const Vector2d& at, std::string_view text, const Font& fon
   const Color seam = c.r + c.g + c.b > 380 ? colors::black : colors::white;
   svg_ += "<text" + place("x", "y", at) + attribute("font-size", number(font.height)) +
           (font.bold ? attribute("font-weight", "bold") : "") + paint("fill", c) +
-          (font.seam ? paint("stroke", {seam.r, seam.g, seam.b, 178}) +
+          (font.seam ? paint("stroke",
+                             {seam.r, seam.g, seam.b, static_cast<std::uint8_t>(c.a * 7 / 10)}) +
                            attribute("stroke-width", number(std::max(2.0, font.height / 6))) +
                            attribute("paint-order", "stroke")
                      : "") +
