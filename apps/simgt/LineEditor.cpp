@@ -18,7 +18,7 @@ constexpr int historyLines = 1000;
 // Readline calls plain functions, so what they work on lies here while an editor lives.
 Console* console = nullptr;
 std::vector<std::string> choices;
-bool reading = false, complete = false;
+bool reading = false, lineTaken = false;
 std::optional<std::string> typed;
 
 char* nextChoice(const char*, int state) {
@@ -37,7 +37,7 @@ char** completeLine(const char* text, int, int end) {
 void takeLine(char* line) {
   rl_callback_handler_remove();
   reading = false;
-  complete = true;
+  lineTaken = true;
   if (line) typed = line;
   std::free(line);
 }
@@ -73,10 +73,10 @@ LineEditor::Key LineEditor::read(std::string& line, const std::string& prompt,
                                  const std::function<bool()>& interrupted) {
   for (const std::string& offer : console->takeOffers()) add_history(offer.c_str());
   typed.reset();
-  complete = false;
+  lineTaken = false;
   reading = true;
   rl_callback_handler_install(prompt.c_str(), takeLine);
-  while (!complete) {
+  while (!lineTaken) {
     const bool pressed = keyPressed(live());
     if (interrupted()) {
       rl_callback_sigcleanup();
@@ -88,7 +88,7 @@ LineEditor::Key LineEditor::read(std::string& line, const std::string& prompt,
     }
     if (pressed) do
         rl_callback_read_char();
-      while (!complete && keyPressed(0));
+      while (!lineTaken && keyPressed(0));
   }
   if (!typed) return Key::end;
   line = *typed;
