@@ -16,7 +16,7 @@ struct Word {
   std::string text;
   bool quoted = false;
 
-  friend bool operator==(const Word& word, std::string_view text) { return word.text == text; }
+  friend bool operator==(const Word& word, std::string_view other) { return word.text == other; }
 };
 
 /// A line that holds more than a comment.
