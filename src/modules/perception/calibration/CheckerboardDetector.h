@@ -7,10 +7,9 @@
 
 namespace gt {
 
-/// Finds a checkerboard and nothing else, and calibrates camera and body by it while the robot
-/// stands before it and looks around; tells what it found under the debug key
-/// `ImageProcessor/calibration`, a CameraCalibration. The solution CheckerboardDetector of the
-/// ImageProcessor.
+/// Solution *CheckerboardDetector* of ImageProcessor: finds a checkerboard and nothing else, and
+/// calibrates camera and body by it while the robot stands before it and looks around. Sends what
+/// it found under the debug key `ImageProcessor/calibration`, a CameraCalibration.
 class CheckerboardDetector {
  public:
   struct Parameters {
@@ -25,6 +24,8 @@ class CheckerboardDetector {
   };
   Parameters parameters;
 
+  /// Provides the percepts of an image that shows nothing. Images with an invalid camera matrix,
+  /// and those that the head took while it turned, do not count.
   void update(const Image& image, const CameraMatrix& matrix, const SensorDataBuffer& sensors,
               const RobotDimensions& robot, const RobotCalibration& calibration, BallPercept& ball,
               LandmarksPercept& landmarks, LinesPercept& lines, PlayersPercept& players,

@@ -146,7 +146,7 @@ const Vector2d* CheckerboardFinder::nearest(const Vector2d& from, const Vector2d
   return best;
 }
 
-// From the corner in the middle on, whose neighbours on the right and below lie about there.
+// From the corner in the middle on, whose neighbors on the right and below lie about there.
 bool CheckerboardFinder::grow(const Horizon& horizon) {
   Vector2d middle = Vector2d::Zero();
   for (const Vector2d& candidate : candidates_)
@@ -157,7 +157,7 @@ bool CheckerboardFinder::grow(const Horizon& horizon) {
                          return (a - middle).squaredNorm() < (b - middle).squaredNorm();
                        }) -
       candidates_.begin());
-  const auto neighbour = [&](const Vector2d& direction) {
+  const auto neighbor = [&](const Vector2d& direction) {
     Vector2d best = Vector2d::Zero();
     for (const Vector2d& candidate : candidates_) {
       const Vector2d way = candidate - candidates_[seed];
@@ -168,7 +168,7 @@ bool CheckerboardFinder::grow(const Horizon& horizon) {
     }
     return best;
   };
-  const Vector2d right = neighbour(horizon.along), down = neighbour(horizon.down);
+  const Vector2d right = neighbor(horizon.along), down = neighbor(horizon.down);
   if (right.norm() == 0 || down.norm() == 0) return false;
   used_.assign(candidates_.size(), false);
   used_[seed] = true;

@@ -27,7 +27,7 @@ struct Checkerboard {
 };
 
 /// Finds the inner corners of a checkerboard, to a fraction of a pixel. A corner is where two
-/// squares of each colour meet: around it brightness changes four times (after Bennett and Lasenby,
+/// squares of each color meet: around it brightness changes four times (after Bennett and Lasenby,
 /// ChESS: Quick and Robust Detection of Chess-board Features, 2014).
 class CheckerboardFinder {
  public:

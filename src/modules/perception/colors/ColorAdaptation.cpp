@@ -6,8 +6,8 @@
 namespace gt {
 namespace {
 
-// What is known of the colours before anything was seen: their order around gray, and how strong
-// paints of such colours are.
+// What is known of the colors before anything was seen: their order around gray, and how strong
+// paints of such colors are.
 struct KnownTone {
   ColorClass color;
   double hue, strength;  // Degrees; chroma over brightness.
@@ -18,12 +18,12 @@ constexpr std::array knownTones{
     KnownTone{ColorClass::red, 109, 1.2},      KnownTone{ColorClass::blue, -9, 1.6},
     KnownTone{ColorClass::green, -118, 0.8}};
 
-constexpr double hueSpread = fromDegrees(15), strengthSpread = 0.4;  // Of a colour.
+constexpr double hueSpread = fromDegrees(15), strengthSpread = 0.4;  // Of a color.
 constexpr double noise = 3;           // Of a pixel's cb and cr, with the table's steps.
-constexpr double minChroma = 7;       // Below it nothing has a colour.
+constexpr double minChroma = 7;       // Below it nothing has a color.
 constexpr double minStrength = 0.13;  // Likewise, of chroma over brightness.
 constexpr double darkest = 4;         // Brightness below which strengths mean nothing.
-constexpr double farthest = 6.5;      // Distance up to which a colour belongs to a class.
+constexpr double farthest = 6.5;      // Distance up to which a color belongs to a class.
 constexpr double farthestToLearn = 4;
 constexpr double mostHueDrift = fromDegrees(30), mostStrengthDrift = 0.7;
 
@@ -54,7 +54,7 @@ Tone ColorAdaptation::toneOf(double y, double cb, double cr) const {
   return {std::atan2(v, u), std::log(std::max(std::hypot(u, v), 0.5) / std::max(y, darkest))};
 }
 
-// In units of the spread; noise turns weak colours more.
+// In units of the spread; noise turns weak colors more.
 double ColorAdaptation::distance(ColorClass color, const Tone& tone, double chroma) const {
   const Tone& own = tones_[color];
   const double blurred = squared(noise / chroma);
@@ -192,7 +192,7 @@ void ColorAdaptation::addBright(const Pixel& pixel) {
   grayCr_ += grayRate * (pixel.cr - grayCr_);
 }
 
-// Lines, walls and feet of flags are brighter than most else that has no colour.
+// Lines, walls and feet of flags are brighter than most else that has no color.
 void ColorAdaptation::findWhite() {
   constexpr double share = 0.8, memory = 0.99;
   double sum = 0, below = 0;

@@ -8,18 +8,18 @@
 
 namespace gt {
 
-/// A colour whatever the light: which way it lies from gray, and how far for its brightness. Light
-/// and shade move a colour along the line from black to it, which changes neither.
+/// A color whatever the light: which way it lies from gray, and how far for its brightness. Light
+/// and shade move a color along the line from black to it, which changes neither.
 struct Tone {
   double hue = 0;       ///< rad, the angle of (cb, cr) around gray.
   double strength = 0;  ///< The logarithm of its distance from gray over its brightness.
 };
 
-/// A colour table that makes itself while a robot plays (report 6.2.1; Jüngel, Hoffmann, Lötzsch: A
-/// Real-Time Auto-Adjusting Vision System for Robotic Soccer, 2003). Nobody tells it a colour, but
+/// A color table that makes itself while a robot plays (report 6.2.1; Jüngel, Hoffmann, Lötzsch: A
+/// Real-Time Auto-Adjusting Vision System for Robotic Soccer, 2003). Nobody tells it a color, but
 /// heuristics about the environment do: most of what is seen below the horizon is green. Green's
-/// brightness tells the light, what is brighter than it and has no colour is white and tells gray;
-/// the other colours lie around gray in a known order, and move to where recognized objects have
+/// brightness tells the light, what is brighter than it and has no color is white and tells gray;
+/// the other colors lie around gray in a known order, and move to where recognized objects have
 /// them.
 class ColorAdaptation {
  public:
@@ -27,7 +27,7 @@ class ColorAdaptation {
 
   /// Looks for green and white in a picture: a few hundred pixels of it.
   void observe(const Image& image, const Horizon& horizon);
-  /// A pixel of something that was recognized and must have this colour; one that is too far away
+  /// A pixel of something that was recognized and must have this color; one that is too far away
   /// from it is none of it.
   void learn(ColorClass color, const Pixel& pixel);
   /// Brings a part of the table up to date; all of it within eight calls.
@@ -65,7 +65,7 @@ class ColorAdaptation {
   void noteChanges();
 
   ColorTable64 table_;
-  EnumArray<ColorClass, Tone> tones_;  ///< Of the colours proper.
+  EnumArray<ColorClass, Tone> tones_;  ///< Of the colors proper.
   double grayCb_ = 128, grayCr_ = 128;
   bool greenKnown_ = false;
   double greenY_ = 0, whiteRatio_ = 0;

@@ -14,7 +14,7 @@
 namespace gt {
 namespace {
 
-/// Pictures full of colours make the lists of an image processor as long as they get; then they
+/// Pictures full of colors make the lists of an image processor as long as they get; then they
 /// keep their memory.
 class ColorfulPictures : public testing::Test {
  protected:

@@ -10,7 +10,7 @@ namespace {
 
 const DebugKey drawHorizon{"ImageProcessor/horizon"};
 const DebugKey drawIndications{"ImageProcessor/indications"};
-const DebugKey drawSpecialistsWays{"ImageProcessor/specialists"};
+const DebugKey drawSpecialistsPaths{"ImageProcessor/specialists"};
 const DebugKey drawOnGround{"ImageProcessor/ground"};
 const DebugKey drawFreeGround{"ImageProcessor/freeGround"};
 const DebugKey drawFound{"ImageProcessor/percepts"};
@@ -34,16 +34,15 @@ GridSpacing GT2003ImageProcessor::spacing(const CameraMatrix& matrix,
   return spacing;
 }
 
-void GT2003ImageProcessor::update(const Image& image, const CameraMatrix& matrix,
-                                  const ColorTable64& colors, const FieldDimensions& field,
-                                  BallPercept& ball, LandmarksPercept& landmarks,
-                                  LinesPercept& lines, PlayersPercept& players,
-                                  ObstaclesPercept& obstacles, Debug& debug) {
+void GT2003ImageProcessor::look(const Image& image, const CameraMatrix& matrix,
+                                const ColorTable64& colors, const FieldDimensions& field,
+                                const Percepts& percepts, Debug& debug, const FindBall& findBall) {
+  auto& [ball, landmarks, lines, players, obstacles] = percepts;
   fetch(image);
   const Horizon horizon = horizonOf(matrix);
-  ways_.clear();
-  const bool watched = debug.isActive(drawSpecialistsWays);
-  const Picture picture{image, colors, matrix, horizon, watched ? &ways_ : nullptr};
+  paths_.clear();
+  const bool watched = debug.isActive(drawSpecialistsPaths);
+  const Picture picture{image, colors, matrix, horizon, watched ? &paths_ : nullptr};
   grid_.build(image.info, horizon, spacing(matrix, field));
   scanner_.clear();
   edgeScanner_.clear();
@@ -54,7 +53,7 @@ void GT2003ImageProcessor::update(const Image& image, const CameraMatrix& matrix
   for (const ScanLine& row : grid_.rows()) edgeScanner_.scanAcross(picture, row, field);
   for (const GoalIndication& goal : scanner_.goals) edgeScanner_.addGoal(picture, goal);
 
-  ballSpecialist_.find(picture, scanner_.balls, field.ballRadius, ball);
+  findBall(picture, scanner_.balls);
   landmarks.cameraOffset = matrix.pose.translation;
   flagSpecialist_.find(picture, scanner_.flags, field, landmarks);
   goalSpecialist_.find(picture, scanner_.goals, field, landmarks);
@@ -64,8 +63,8 @@ void GT2003ImageProcessor::update(const Image& image, const CameraMatrix& matrix
   ball.time = landmarks.time = lines.time = players.time = obstacles.time = image.time;
   drawScan(picture, debug);
   drawSpecialists(debug);
-  drawPercepts(picture, ball, landmarks, players, debug);
-  drawGround(ball, lines, players, obstacles, debug);
+  drawPercepts(picture, percepts, debug);
+  drawGround(percepts, debug);
 }
 
 void GT2003ImageProcessor::findFreeGround(const Picture& picture, ObstaclesPercept& percept) const {
@@ -101,11 +100,11 @@ void GT2003ImageProcessor::drawScan(const Picture& picture, Debug& debug) const 
       canvas.line(green.end, green.begin, colors::green);
 }
 
-void GT2003ImageProcessor::drawPercepts(const Picture& picture, const BallPercept& ball,
-                                        const LandmarksPercept& landmarks,
-                                        const PlayersPercept& players, Debug& debug) const {
+void GT2003ImageProcessor::drawPercepts(const Picture& picture, const Percepts& found,
+                                        Debug& debug) const {
   auto canvas = debug.onImage(drawFound);
   if (!canvas) return;
+  const auto& [ball, landmarks, lines, players, obstacles] = found;
   if (ball.seen) canvas.circle(ball.centerInImage, ball.radiusInImage, colors::red, 2);
   const auto outline = [&](const ConditionalBoundary& b, Color color) {
     const auto corner = [&](double azimuth, double elevation) {
@@ -130,20 +129,19 @@ void GT2003ImageProcessor::drawPercepts(const Picture& picture, const BallPercep
 // The pixels that the specialists have touched, and the edges that they have found there
 // (report, figure 3.3c).
 void GT2003ImageProcessor::drawSpecialists(Debug& debug) const {
-  auto canvas = debug.onImage(drawSpecialistsWays);
+  auto canvas = debug.onImage(drawSpecialistsPaths);
   if (!canvas) return;
-  for (const ScanWay& way : ways_) canvas.line(way.start, way.end.point, colors::gray);
-  for (const ScanWay& way : ways_)
-    if (!way.end.onBorder) canvas.point(way.end.point, colors::green, 0.7);
+  for (const ScanPath& path : paths_) canvas.line(path.start, path.end.point, colors::gray);
+  for (const ScanPath& path : paths_)
+    if (!path.end.onBorder) canvas.point(path.end.point, colors::green, 0.7);
   for (const Vector2d& foot : playerSpecialist_.feet()) canvas.point(foot, colors::pink, 0.7);
 }
 
 // What was found as it lies on the ground around the robot (report, figure 3.1b).
-void GT2003ImageProcessor::drawGround(const BallPercept& ball, const LinesPercept& lines,
-                                      const PlayersPercept& players,
-                                      const ObstaclesPercept& obstacles, Debug& debug) const {
+void GT2003ImageProcessor::drawGround(const Percepts& found, Debug& debug) const {
   auto canvas = debug.onRobot(drawOnGround);
   if (!canvas) return;
+  const auto& [ball, landmarks, lines, players, obstacles] = found;
   for (const FreeGround& line : obstacles.lines) {
     canvas.line(line.nearPoint, line.farPoint, colors::green);
     if (!line.farOnBorder) canvas.point(line.farPoint, colors::black, 15);

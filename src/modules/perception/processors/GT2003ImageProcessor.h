@@ -1,8 +1,12 @@
 #pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
 #include "debug/Debug.h"
 #include "modules/perception/Tasks.h"
 #include "modules/perception/scanning/EdgeScanner.h"
-#include "modules/perception/scanning/LineScanner.h"
+#include "modules/perception/scanning/IndicationScanner.h"
 #include "modules/perception/scanning/ScanGrid.h"
 #include "modules/perception/specialists/BallSpecialist.h"
 #include "modules/perception/specialists/FlagSpecialist.h"
@@ -12,8 +16,8 @@
 
 namespace gt {
 
-/// Finds ball, flags, goals, edges, robots and free ground on a horizon-aligned grid with a colour
-/// table (report 3.2), the solution GT2003 of the ImageProcessor.
+/// Solution *GT2003* of ImageProcessor: finds ball, flags, goals, edges, robots and free ground on
+/// a horizon-aligned grid with a color table (report 3.2).
 class GT2003ImageProcessor {
  public:
   struct Parameters {
@@ -21,35 +25,56 @@ class GT2003ImageProcessor {
 
     static constexpr auto fields() {
       return Fields{field("denseSpacing", &Parameters::denseSpacing, "pixel",
-                          "between scan lines next to the horizon", {1, 16})};
+                          "distance of scan lines next to the horizon", {1, 16})};
     }
   };
   Parameters parameters;
 
+  /// Provides all percepts of an image. Without a valid camera matrix they are as good as that is;
+  /// only the ball's place is judged by its size then. An image without pixels shows nothing.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
               LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,
-              Debug& debug);
+              Debug& debug) {
+    const auto findBall = [&](const Picture& picture, std::span<const BallSegment> segments) {
+      ballSpecialist_.find(picture, segments, field.ballRadius, ball);
+    };
+    look(image, matrix, colors, field, {ball, landmarks, lines, players, obstacles}, debug,
+         std::cref(findBall));
+  }
+
+  /// What an image processor provides.
+  struct Percepts {
+    BallPercept& ball;
+    LandmarksPercept& landmarks;
+    LinesPercept& lines;
+    PlayersPercept& players;
+    ObstaclesPercept& obstacles;
+  };
+  /// Passed as std::cref, so that nothing is allocated.
+  using FindBall = std::function<void(const Picture&, std::span<const BallSegment>)>;
+
+  /// The same with another ball's specialist.
+  void look(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
+            const FieldDimensions& field, const Percepts& percepts, Debug& debug,
+            const FindBall& findBall);
 
  private:
   GridSpacing spacing(const CameraMatrix& matrix, const FieldDimensions& field) const;
   void findFreeGround(const Picture& picture, ObstaclesPercept& percept) const;
   void drawScan(const Picture& picture, Debug& debug) const;
   void drawSpecialists(Debug& debug) const;
-  void drawPercepts(const Picture& picture, const BallPercept& ball,
-                    const LandmarksPercept& landmarks, const PlayersPercept& players,
-                    Debug& debug) const;
-  void drawGround(const BallPercept& ball, const LinesPercept& lines, const PlayersPercept& players,
-                  const ObstaclesPercept& obstacles, Debug& debug) const;
+  void drawPercepts(const Picture& picture, const Percepts& found, Debug& debug) const;
+  void drawGround(const Percepts& found, Debug& debug) const;
 
   ScanGrid grid_;
-  LineScanner scanner_;
+  IndicationScanner scanner_;
   BallSpecialist ballSpecialist_;
   FlagSpecialist flagSpecialist_;
   GoalSpecialist goalSpecialist_;
   EdgeScanner edgeScanner_;
   PlayerSpecialist playerSpecialist_;
-  std::vector<ScanWay> ways_;  ///< Of the specialists, if somebody wants to see them.
+  std::vector<ScanPath> paths_;  ///< Of the specialists, if somebody wants to see them.
 };
 
 }  // namespace gt

@@ -1,8 +1,7 @@
 #include "modules/perception/processors/GridImageProcessor2.h"
 
-#include <utility>
-
 #include "colors/ClassColors.h"
+#include "modules/perception/specialists/FlagColors.h"
 
 namespace gt {
 namespace {
@@ -11,26 +10,6 @@ const DebugKey drawClasses{"ImageProcessor/adaptation/classes"};
 const DebugKey drawLearned{"ImageProcessor/adaptation/learned"};
 const DebugKey plotGreen{"ImageProcessor/adaptation/greenY"};
 const DebugKey plotWhite{"ImageProcessor/adaptation/whiteY"};
-
-/// The colours of a flag, the upper one first; noColor for green, which on flags is not the
-/// carpet's.
-std::pair<ColorClass, ColorClass> colorsOf(FlagType type) {
-  switch (type) {
-    case FlagType::pinkAboveYellow:
-      return {ColorClass::pink, ColorClass::yellow};
-    case FlagType::pinkAboveSkyblue:
-      return {ColorClass::pink, ColorClass::skyblue};
-    case FlagType::pinkAboveGreen:
-      return {ColorClass::pink, ColorClass::noColor};
-    case FlagType::yellowAbovePink:
-      return {ColorClass::yellow, ColorClass::pink};
-    case FlagType::skyblueAbovePink:
-      return {ColorClass::skyblue, ColorClass::pink};
-    case FlagType::greenAbovePink:
-      return {ColorClass::noColor, ColorClass::pink};
-  }
-  return {};
-}
 
 /// A place within a boundary: 0 is left and top, 1 right and bottom.
 Vector2d within(const Picture& picture, const ConditionalBoundary& b, double x, double y) {
@@ -51,6 +30,7 @@ void GridImageProcessor2::update(const Image& image, const CameraMatrix& matrix,
   vision_.update(image, matrix, colors_.table(), field, ball, landmarks, lines, players, obstacles,
                  debug);
   learned_.clear();
+  watched_ = debug.isActive(drawLearned);
   const Picture picture{image, colors_.table(), matrix, horizon};
   learn(picture, ball);
   learn(picture, landmarks);
@@ -62,7 +42,7 @@ void GridImageProcessor2::update(const Image& image, const CameraMatrix& matrix,
 void GridImageProcessor2::learnAt(const Picture& picture, const Vector2d& point, ColorClass color) {
   if (!picture.contains(point) || color == ColorClass::noColor) return;
   colors_.learn(color, picture.image.at(static_cast<int>(point.x()), static_cast<int>(point.y())));
-  learned_.emplace_back(point, color);
+  if (watched_) learned_.emplace_back(point, color);
 }
 
 void GridImageProcessor2::learn(const Picture& picture, const BallPercept& ball) {
@@ -81,7 +61,12 @@ void GridImageProcessor2::learn(const Picture& picture, const LandmarksPercept& 
   for (int i = 0; i < landmarks.numberOfFlags; ++i) {
     const FlagPercept& flag = landmarks.flags[static_cast<std::size_t>(i)];
     if (flag.boundary.topOnBorder || flag.boundary.bottomOnBorder) continue;
-    const auto [upper, lower] = colorsOf(flag.type);
+    // Green on flags is not the carpet's.
+    const auto learned = [](ColorClass c) {
+      return c == ColorClass::green ? ColorClass::noColor : c;
+    };
+    const ColorClass upper = learned(colorsOf(flag.type).upper);
+    const ColorClass lower = learned(colorsOf(flag.type).lower);
     for (const double x : {0.35, 0.5, 0.65})
       for (const double y : {0.15, 0.3}) {
         learnAt(picture, within(picture, flag.boundary, x, y), upper);
@@ -98,7 +83,7 @@ void GridImageProcessor2::learn(const Picture& picture, const LandmarksPercept& 
   }
 }
 
-// Where a tricot is within a robot only its colour tells: whatever looks like it around there.
+// Where a tricot is within a robot only its color tells: whatever looks like it around there.
 void GridImageProcessor2::learn(const Picture& picture, const PlayersPercept& players) {
   constexpr double height = 100;  // mm
   for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {

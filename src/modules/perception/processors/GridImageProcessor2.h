@@ -4,11 +4,12 @@
 
 namespace gt {
 
-/// Finds what GT2003 finds without a colour table made by hand: it adapts to the colours of the
-/// environment while the robot plays (report 6.2.1), the solution GridImageProcessor2 of the
-/// ImageProcessor.
+/// Solution *GridImageProcessor2* of ImageProcessor: finds what GT2003 finds without a color table
+/// made by hand. It adapts to the colors of the environment while the robot plays (report 6.2.1).
 class GridImageProcessor2 {
  public:
+  /// Provides what GT2003 provides, with the same limits; nothing until it knows the carpet's
+  /// green.
   void update(const Image& image, const CameraMatrix& matrix, const FieldDimensions& field,
               BallPercept& ball, LandmarksPercept& landmarks, LinesPercept& lines,
               PlayersPercept& players, ObstaclesPercept& obstacles, Debug& debug);
@@ -24,7 +25,8 @@ class GridImageProcessor2 {
 
   ColorAdaptation colors_;
   GT2003ImageProcessor vision_;
-  std::vector<std::pair<Vector2d, ColorClass>> learned_;  ///< Of the last picture, for drawings.
+  std::vector<std::pair<Vector2d, ColorClass>> learned_;  ///< Of the image, if somebody watches.
+  bool watched_ = false;
 };
 
 }  // namespace gt

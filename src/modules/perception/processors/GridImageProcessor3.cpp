@@ -12,11 +12,11 @@ void GridImageProcessor3::update(const Image& image, const CameraMatrix& matrix,
                                  BallPercept& ball, LandmarksPercept& landmarks,
                                  LinesPercept& lines, PlayersPercept& players,
                                  ObstaclesPercept& obstacles, Random& random, Debug& debug) {
-  vision_.update(image, matrix, colors, field, ball, landmarks, lines, players, obstacles, debug);
-  const Horizon horizon = horizonOf(matrix);
-  const Picture picture{image, colors, matrix, horizon};
-  ballSpecialist_.find(picture, field.ballRadius, random, ball);
-  ball.time = image.time;
+  const auto findBall = [&](const Picture& picture, std::span<const BallSegment>) {
+    ballSpecialist_.find(picture, field.ballRadius, random, ball);
+  };
+  vision_.look(image, matrix, colors, field, {ball, landmarks, lines, players, obstacles}, debug,
+               std::cref(findBall));
   auto canvas = debug.onImage(drawBall);
   if (!canvas) return;
   for (const BlackWhiteBallSpecialist::Edge& edge : ballSpecialist_.edges())

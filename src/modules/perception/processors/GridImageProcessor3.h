@@ -4,10 +4,11 @@
 
 namespace gt {
 
-/// Finds a black and white ball instead of an orange one (report 4.1), all else as GT2003 does, the
-/// solution GridImageProcessor3 of the ImageProcessor.
+/// Solution *GridImageProcessor3* of ImageProcessor: finds a black and white ball instead of an
+/// orange one (report 4.1), all else as GT2003 does.
 class GridImageProcessor3 {
  public:
+  /// Provides what GT2003 provides, with the same limits.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
               LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,

@@ -4,10 +4,11 @@
 
 namespace gt {
 
-/// Finds what GT2003 finds with colour classes in the TSL space (report J.6.3), which suffer less
-/// from other light; the solution GridImageProcessorTSL of the ImageProcessor.
+/// Solution *GridImageProcessorTSL* of ImageProcessor: finds what GT2003 finds with color classes
+/// in the TSL space (report J.6.3), which suffer less from other light.
 class GridImageProcessorTSL {
  public:
+  /// Provides what GT2003 provides, with the same limits.
   void update(const Image& image, const CameraMatrix& matrix, const TslColors& colors,
               const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
               LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,

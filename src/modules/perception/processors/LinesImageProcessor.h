@@ -2,16 +2,18 @@
 #include "debug/Debug.h"
 #include "modules/perception/Tasks.h"
 #include "modules/perception/scanning/EdgeScanner.h"
-#include "modules/perception/scanning/LineScanner.h"
+#include "modules/perception/scanning/IndicationScanner.h"
 #include "modules/perception/scanning/ScanGrid.h"
 #include "representations/infrastructure/FieldDimensions.h"
 
 namespace gt {
 
-/// Finds points on edges of lines, border and goals and nothing else (report 3.2.2), which is all
-/// that the LinesSelfLocator needs; the solution Lines of the ImageProcessor.
+/// Solution *Lines* of ImageProcessor: finds points on edges of lines, field border and goals and
+/// nothing else (report 3.2.2), which is all that the self-locator Lines needs.
 class LinesImageProcessor {
  public:
+  /// Provides the points on edges; all other percepts are those of an image that shows nothing. The
+  /// points are as good as the camera matrix, valid or not.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
               LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,
@@ -19,7 +21,7 @@ class LinesImageProcessor {
 
  private:
   ScanGrid grid_;
-  LineScanner scanner_;
+  IndicationScanner scanner_;
   EdgeScanner edgeScanner_;
 };
 

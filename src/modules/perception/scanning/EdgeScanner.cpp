@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "modules/perception/scanning/FieldView.h"
-#include "modules/perception/scanning/LineScanner.h"
+#include "modules/perception/scanning/IndicationScanner.h"
 
 namespace gt {
 namespace {
@@ -110,7 +110,7 @@ void EdgeScanner::scanAcross(const Picture& picture, const ScanLine& line,
   }
 }
 
-// A line lies on green, the border does not: where size and colours contradict each other, the line
+// A line lies on green, the border does not: where size and colors contradict each other, the line
 // was seen lengthwise or the border in part.
 void EdgeScanner::classify(const Picture& picture, const ScanLine& line, const Bright& bright,
                            double longestLine) {

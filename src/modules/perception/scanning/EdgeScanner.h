@@ -11,7 +11,7 @@ namespace gt {
 struct GoalIndication;
 
 /// Finds points on the edges of field lines, the border and goals (report 3.2.2). Edges of white
-/// are places where the y channel changes much between neighbouring pixels; how far increase and
+/// are places where the y channel changes much between neighboring pixels; how far increase and
 /// decrease lie apart tells lines from the border.
 class EdgeScanner {
  public:

@@ -31,7 +31,7 @@ Vector3d Picture::colorAt(const Vector2d& p) const {
 Vector2d Picture::refineEdge(const Vector2d& start, const Vector2d& direction, int last) const {
   constexpr double reach = 2, step = 0.5;
   const Vector2d at = start + direction * last;
-  // Both sides' colours, far enough away not to be mixed by blur.
+  // Both sides' colors, far enough away not to be mixed by blur.
   const Vector3d inside = colorAt(at - direction * std::min<double>(reach, last));
   const Vector3d outside = colorAt(at + direction * (reach + 1));
   const Vector3d axis = outside - inside;

@@ -10,7 +10,7 @@
 
 namespace gt {
 
-/// A set of colour classes.
+/// A set of color classes.
 class ColorSet {
  public:
   constexpr ColorSet() = default;
@@ -23,14 +23,14 @@ class ColorSet {
   std::uint32_t bits_ = 0;
 };
 
-/// Where a colour ends on a way through the picture.
+/// Where a color ends on a path through the picture.
 struct ColorEdge {
   Vector2d point = Vector2d::Zero();  ///< To a fraction of a pixel; pixels are squares of size 1.
-  bool onBorder = false;              ///< The colour reaches to the picture's border.
+  bool onBorder = false;              ///< The color reaches to the picture's border.
 };
 
-/// A way that was followed through the picture, for drawings.
-struct ScanWay {
+/// A path that was followed through the picture, for drawings.
+struct ScanPath {
   Vector2d start;
   ColorEdge end;
 };
@@ -48,13 +48,13 @@ inline void fetch(const Image& image) {
 /// point forward.
 Vector2d pointIn(const CameraMatrix& matrix, const Vector3d& ray);
 
-/// A camera picture with all that it takes to look at it: its colours, its camera, its horizon.
+/// A camera picture with all that it takes to look at it: its colors, its camera, its horizon.
 struct Picture {
   const Image& image;
   const ColorTable64& colors;
   const CameraMatrix& matrix;
   const Horizon& horizon;
-  std::vector<ScanWay>* ways = nullptr;  ///< Takes down all ways, where somebody wants to see them.
+  std::vector<ScanPath>* paths = nullptr;  ///< Takes all paths, if somebody watches.
 
   bool contains(const Vector2d& p) const { return image.info.contains(p.x(), p.y()); }
   ColorClass classAt(const Vector2d& p) const {
@@ -65,9 +65,9 @@ struct Picture {
   /// Where a direction in the robot's system is seen; its ray must point forward.
   Vector2d pointOf(const Vector3d& ray) const { return pointIn(matrix, ray); }
 
-  /// Follows a way from a point in a colour to where the colour ends (report 3.2.4, 3.2.5): the
+  /// Follows a path from a point in a color to where the color ends (report 3.2.4, 3.2.5): the
   /// last pixel of one of the classes, gaps of up to maxGap pixels accepted; then to a fraction of
-  /// a pixel where the picture is halfway between the colours of both sides.
+  /// a pixel where the picture is halfway between the colors of both sides.
   ColorEdge findEdge(const Vector2d& start, const Vector2d& direction, ColorSet classes,
                      int maxGap) const {
     return findEdgeOf(start, direction, maxGap,
@@ -82,7 +82,7 @@ struct Picture {
     int last = 0;
     for (int i = 0;; ++i, p += direction) {
       if (!contains(p)) {
-        // The border cuts the colour off where the colour was seen next to it.
+        // The border cuts the color off where the color was seen next to it.
         edge.onBorder = i - last <= 2;
         break;
       }
@@ -96,11 +96,11 @@ struct Picture {
     }
     edge.point =
         edge.onBorder ? Vector2d{start + direction * last} : refineEdge(start, direction, last);
-    if (ways) ways->push_back({start, edge});
+    if (paths) paths->push_back({start, edge});
     return edge;
   }
 
-  /// The colour (Y, Cb, Cr) between pixel centres, interpolated.
+  /// The color (Y, Cb, Cr) between pixel centres, interpolated.
   Vector3d colorAt(const Vector2d& p) const;
 
  private:

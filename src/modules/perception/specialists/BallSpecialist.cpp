@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-constexpr int maxGap = 3;              // Pixels within the ball that may have another colour.
+constexpr int maxGap = 3;              // Pixels within the ball that may have another color.
 constexpr int traceRays = 24;          // Ways from within the ball to its boundary.
 constexpr std::size_t minForCone = 8;  // Boundary points, a third of the circle.
 

@@ -79,7 +79,7 @@ void BlackWhiteBallSpecialist::scanRow(const Picture& picture, int y, int from, 
   const Pixel *above = &image.at(0, y - 1), *below = &image.at(0, y + 1);
   const auto difference = [&](int x) { return std::abs(row[x + 1].y - row[x - 1].y); };
   for (int x = from; x < to; ++x) {
-    // Most pixels are not near any edge, which their two neighbours tell, for many at once.
+    // Most pixels are not near any edge, which their two neighbors tell, for many at once.
     if (x + block <= to) {
       bool any = false;
       for (int i = 0; i < block; ++i) any |= difference(x + i) >= minDifference;

@@ -3,34 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/perception/specialists/FlagColors.h"
+
 namespace gt {
 namespace {
 
 constexpr int maxGap = 2;
-// Where rows and columns are scanned, as parts of a colour's height and the flag's width.
+// Where rows and columns are scanned, as parts of a color's height and the flag's width.
 constexpr std::array parts{0.25, 0.5, 0.75};
 // Scans whose edges differ by less than this many pixels met the same edge.
 constexpr double sameEdge = 1.2;
 constexpr double farthestFlag = 5500;  // mm: nothing on a field is further away
 constexpr double straight = 0.5;       // The part of the scans that has to meet an edge.
-
-bool pinkIsAbove(FlagType type) {
-  return type == FlagType::pinkAboveYellow || type == FlagType::pinkAboveGreen ||
-         type == FlagType::pinkAboveSkyblue;
-}
-
-ColorClass otherColor(FlagType type) {
-  switch (type) {
-    case FlagType::pinkAboveYellow:
-    case FlagType::yellowAbovePink:
-      return ColorClass::yellow;
-    case FlagType::pinkAboveSkyblue:
-    case FlagType::skyblueAbovePink:
-      return ColorClass::skyblue;
-    default:
-      return ColorClass::green;
-  }
-}
 
 }  // namespace
 
@@ -84,10 +68,11 @@ void FlagSpecialist::cluster(const Picture& picture, std::span<const FlagIndicat
 bool FlagSpecialist::measure(const Picture& picture, const Vector2d& start,
                              const FieldDimensions& field, FlagPercept& flag) {
   Measurement m;
-  m.pinkAbove = pinkIsAbove(flag.type);
+  const FlagColors colors = colorsOf(flag.type);
+  m.pinkAbove = colors.pinkIsAbove();
   m.pink = ColorSet{ColorClass::pink};
-  m.other = ColorSet{otherColor(flag.type)};
-  m.otherIsGreen = otherColor(flag.type) == ColorClass::green;
+  m.other = ColorSet{colors.other()};
+  m.otherIsGreen = colors.other() == ColorClass::green;
   m.upper = m.pinkAbove ? m.pink : m.other;
   m.lower = m.pinkAbove ? m.other : m.pink;
   if (!picture.contains(start) || !measureHeights(picture, start, m)) return false;
@@ -114,13 +99,13 @@ bool FlagSpecialist::measureHeights(const Picture& picture, const Vector2d& star
   m.aboveOnBorder = above.onBorder;
   m.belowOnBorder = below.onBorder;
   if (std::min(m.heightAbove, m.heightBelow) < 1) return false;
-  // Both colours are equally high, as far as they are in the picture.
+  // Both colors are equally high, as far as they are in the picture.
   constexpr double mostUneven = 2.5;
   if (m.heightAbove > mostUneven * m.heightBelow && !m.belowOnBorder) return false;
   return m.heightBelow <= mostUneven * m.heightAbove || m.aboveOnBorder;
 }
 
-// Rows of one colour; `offset` is where its far end lies from the start along the horizon's down.
+// Rows of one color; `offset` is where its far end lies from the start along the horizon's down.
 void FlagSpecialist::scanRows(const Picture& picture, const Vector2d& start, double offset,
                               ColorSet colors, double& widest) {
   const Vector2d along = picture.horizon.along;
@@ -130,7 +115,7 @@ void FlagSpecialist::scanRows(const Picture& picture, const Vector2d& start, dou
     const ColorEdge left = picture.findEdge(p, -along, colors, maxGap);
     const ColorEdge right = picture.findEdge(p, along, colors, maxGap);
     const double l = along.dot(left.point - start), r = along.dot(right.point - start);
-    // Behind a part of the flag there may be more of its colour: pink, scanned first, is rare.
+    // Behind a part of the flag there may be more of its color: pink, scanned first, is rare.
     constexpr double margin = 2;
     const bool first = widest == 0;
     if (!first && (l < leftmost_ - margin || r > rightmost_ + margin)) continue;
@@ -154,7 +139,7 @@ bool FlagSpecialist::scanWidth(const Picture& picture, const Vector2d& start,
   return !left_.empty() && widest >= 1.5;
 }
 
-// Blurred edges between other colours look like a flag's, but not like both of its fields.
+// Blurred edges between other colors look like a flag's, but not like both of its fields.
 bool FlagSpecialist::isSolid(const Picture& picture, const Vector2d& start,
                              const Measurement& m) const {
   for (const bool upper : {true, false}) {
@@ -208,7 +193,7 @@ bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double
   if (wide && height > 1.6 * proportion * width) return false;
 
   // The edges at top and bottom are seen on the side that faces the camera; of what the picture
-  // cuts off one of the two colours may still be whole.
+  // cuts off one of the two colors may still be whole.
   const double half = !b.topOnBorder      ? std::tan(b.top) - std::tan(middle)
                       : !b.bottomOnBorder ? std::tan(middle) - std::tan(b.bottom)
                                           : 0;

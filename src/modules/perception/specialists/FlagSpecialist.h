@@ -2,7 +2,7 @@
 #include <array>
 #include <span>
 
-#include "modules/perception/scanning/LineScanner.h"
+#include "modules/perception/scanning/IndicationScanner.h"
 #include "modules/perception/specialists/EdgeAngles.h"
 
 namespace gt {
@@ -25,7 +25,7 @@ class FlagSpecialist {
   struct Measurement {
     ColorSet upper, lower, pink, other;
     bool pinkAbove = false, otherIsGreen = false;
-    double heightAbove = 0, heightBelow = 0;  ///< Of the two colours from where they meet, pixels.
+    double heightAbove = 0, heightBelow = 0;  ///< Of the two colors from where they meet, pixels.
     bool aboveOnBorder = false, belowOnBorder = false;
   };
 
@@ -45,7 +45,7 @@ class FlagSpecialist {
   double leftmost_ = 0, rightmost_ = 0;  ///< Pixels along the horizon from the start.
 };
 
-/// Where a flag stands as its boundary and the elevation at which its colours meet tell: fills in
+/// Where a flag stands as its boundary and the elevation at which its colors meet tell: fills in
 /// distance and angle (report 3.2.4); false if no flag can look like that.
 bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double middle,
                 FlagPercept& flag);

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "modules/perception/scanning/LineScanner.h"
+#include "modules/perception/scanning/IndicationScanner.h"
 #include "modules/perception/specialists/EdgeAngles.h"
 
 namespace gt {

@@ -101,7 +101,7 @@ void PlayerSpecialist::follow(const Picture& picture, double u, double v, double
     white += color == ColorClass::white ? 1 : 0;
     if (color == others || (aboveHorizon && white >= minWall)) return;
     green = color == ColorClass::green ? green + 1 : 0;
-    // At a line of the field colours are mixed that look like a leg's.
+    // At a line of the field colors are mixed that look like a leg's.
     if (which == Which::last && color == ColorClass::white) body = 0;
     body += isBody(color) ? 1 : 0;
     if (green < minGreen) continue;

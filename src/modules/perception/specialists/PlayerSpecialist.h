@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "modules/perception/scanning/LineScanner.h"
+#include "modules/perception/scanning/IndicationScanner.h"
 #include "representations/perception/PlayersPercept.h"
 
 namespace gt {

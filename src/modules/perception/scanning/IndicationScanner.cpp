@@ -1,4 +1,4 @@
-#include "modules/perception/scanning/LineScanner.h"
+#include "modules/perception/scanning/IndicationScanner.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,8 +11,8 @@ namespace gt {
 namespace {
 
 constexpr int maxGap = 2;      // Pixels of a wrong class accepted within an object.
-constexpr int minPink = 2;     // Pixels of each of a flag's colours.
-constexpr int minGoal = 3;     // Pixels of a goal's colour.
+constexpr int minPink = 2;     // Pixels of each of a flag's colors.
+constexpr int minGoal = 3;     // Pixels of a goal's color.
 constexpr int minHidden = 8;   // The same, of a goal whose foot is hidden.
 constexpr int minBall = 2;     // Orange pixels.
 constexpr int maxToField = 6;  // Pixels from a goal's lower end to the green.
@@ -21,7 +21,7 @@ static_assert(sizeof(ColorClass) == 1 && std::endian::native == std::endian::lit
 
 }  // namespace
 
-void LineScanner::clear() {
+void IndicationScanner::clear() {
   balls.clear();
   flags.clear();
   goals.clear();
@@ -29,7 +29,8 @@ void LineScanner::clear() {
   greens.clear();
 }
 
-void LineScanner::scan(const Picture& picture, const ScanLine& line, const FieldDimensions& field) {
+void IndicationScanner::scan(const Picture& picture, const ScanLine& line,
+                             const FieldDimensions& field) {
   findRuns(picture, line);
   if (line.whole) findGreen(picture, line, field);
   for (std::size_t i = 0; i < runs_.size();) {
@@ -61,7 +62,7 @@ void LineScanner::scan(const Picture& picture, const ScanLine& line, const Field
 
 // First the classes of all pixels, none of which waits for the one before, then where they change:
 // eight pixels at a time, few of which differ.
-void LineScanner::findRuns(const Picture& picture, const ScanLine& line) {
+void IndicationScanner::findRuns(const Picture& picture, const ScanLine& line) {
   const int length = line.length;
   if (classes_.size() < static_cast<std::size_t>(length))
     classes_.resize(static_cast<std::size_t>(length));
@@ -92,7 +93,8 @@ void LineScanner::findRuns(const Picture& picture, const ScanLine& line) {
   endRun(length);
 }
 
-LineScanner::Stretch LineScanner::stretchFrom(std::size_t first, ColorSet classes, int gap) const {
+IndicationScanner::Stretch IndicationScanner::stretchFrom(std::size_t first, ColorSet classes,
+                                                          int gap) const {
   Stretch stretch{first, first, runs_[first].length()};
   for (std::size_t i = first + 1; i < runs_.size(); ++i) {
     if (runs_[i].begin - runs_[stretch.last].end > gap) break;
@@ -103,9 +105,9 @@ LineScanner::Stretch LineScanner::stretchFrom(std::size_t first, ColorSet classe
   return stretch;
 }
 
-// Colour tables leave holes in balls: unclassified pixels between orange ones are bridged as long
+// Color tables leave holes in balls: unclassified pixels between orange ones are bridged as long
 // as they are not many more than the orange ones.
-LineScanner::Stretch LineScanner::ballFrom(std::size_t first) const {
+IndicationScanner::Stretch IndicationScanner::ballFrom(std::size_t first) const {
   constexpr ColorSet classes{ColorClass::orange, ColorClass::red};
   Stretch stretch{first, first, runs_[first].length()};
   int wrong = 0;
@@ -124,7 +126,7 @@ LineScanner::Stretch LineScanner::ballFrom(std::size_t first) const {
 }
 
 // Shaded orange often appears as red: red counts as ball where there is at least as much orange.
-std::size_t LineScanner::findBall(const ScanLine& line, std::size_t first) {
+std::size_t IndicationScanner::findBall(const ScanLine& line, std::size_t first) {
   const Stretch stretch = ballFrom(first);
   const std::size_t next = stretch.last + 1;
   int orange = 0;
@@ -147,8 +149,8 @@ std::size_t LineScanner::findBall(const ScanLine& line, std::size_t first) {
   return next;
 }
 
-// The colours next to pink tell the flag. Single wrong pixels between the colours are skipped.
-void LineScanner::findFlag(const ScanLine& line, std::size_t first) {
+// The colors next to pink tell the flag. Single wrong pixels between the colors are skipped.
+void IndicationScanner::findFlag(const ScanLine& line, std::size_t first) {
   const Stretch pink = stretchFrom(first, ColorSet{ColorClass::pink}, maxGap);
   const auto partner = [&](std::size_t from, int direction) -> const Run* {
     int skipped = 0;
@@ -164,22 +166,19 @@ void LineScanner::findFlag(const ScanLine& line, std::size_t first) {
     return nullptr;
   };
   if (const Run* below = partner(pink.last + 1, 1)) {
-    const FlagType type = below->color == ColorClass::yellow    ? FlagType::pinkAboveYellow
-                          : below->color == ColorClass::skyblue ? FlagType::pinkAboveSkyblue
-                                                                : FlagType::pinkAboveGreen;
-    flags.push_back({type, line.at((runs_[pink.last].end + below->begin - 1) / 2.0)});
+    const auto type = flagOf({ColorClass::pink, below->color});
+    flags.push_back({*type, line.at((runs_[pink.last].end + below->begin - 1) / 2.0)});
   }
   if (const Run* above = first > 0 ? partner(first - 1, -1) : nullptr) {
-    const FlagType type = above->color == ColorClass::yellow    ? FlagType::yellowAbovePink
-                          : above->color == ColorClass::skyblue ? FlagType::skyblueAbovePink
-                                                                : FlagType::greenAbovePink;
-    flags.push_back({type, line.at((runs_[pink.first].begin + above->end - 1) / 2.0)});
+    const auto type = flagOf({above->color, ColorClass::pink});
+    flags.push_back({*type, line.at((runs_[pink.first].begin + above->end - 1) / 2.0)});
   }
 }
 
-// A goal stands on the field: below its colour comes green, perhaps after a line, or the picture's
+// A goal stands on the field: below its color comes green, perhaps after a line, or the picture's
 // border, or a robot that hides the rest.
-std::size_t LineScanner::findGoal(const Picture& picture, const ScanLine& line, std::size_t first) {
+std::size_t IndicationScanner::findGoal(const Picture& picture, const ScanLine& line,
+                                        std::size_t first) {
   const ColorClass color = runs_[first].color;
   const Stretch stretch = stretchFrom(first, ColorSet{color}, maxGap);
   const std::size_t next = stretch.last + 1;
@@ -194,7 +193,7 @@ std::size_t LineScanner::findGoal(const Picture& picture, const ScanLine& line, 
     const Run& run = runs_[i];
     if (run.begin - end > maxToField) break;
     onField = run.color == ColorClass::green && run.length() >= minPink;
-    // Between both colours may lie some pixels that are mixed of them.
+    // Between both colors may lie some pixels that are mixed of them.
     goal.meetsField = onField && run.begin - end <= maxGap;
     goal.foot = line.at((run.begin + end - 1) / 2.0);
   }
@@ -205,7 +204,7 @@ std::size_t LineScanner::findGoal(const Picture& picture, const ScanLine& line, 
 
 // Below it comes a robot down to the green or the end of the line, and nothing that belongs to a
 // flag is near: what is seen above a wall is no goal.
-bool LineScanner::isHidden(const Stretch& goal) const {
+bool IndicationScanner::isHidden(const Stretch& goal) const {
   constexpr ColorSet flag{ColorClass::pink, ColorClass::white};
   const int end = runs_[goal.last].end;
   if (goal.pixels < minHidden || runs_.back().end - end < maxToField) return false;
@@ -218,7 +217,7 @@ bool LineScanner::isHidden(const Stretch& goal) const {
   return true;
 }
 
-void LineScanner::findPlayer(const ScanLine& line, const Stretch& tricot, TeamColor team) {
+void IndicationScanner::findPlayer(const ScanLine& line, const Stretch& tricot, TeamColor team) {
   PlayerIndication player;
   player.team = team;
   player.u = line.u;
@@ -230,14 +229,14 @@ void LineScanner::findPlayer(const ScanLine& line, const Stretch& tricot, TeamCo
 }
 
 // From the bottom upwards: green, with gaps that field lines could make (report 3.2.7).
-void LineScanner::findGreen(const Picture& picture, const ScanLine& line,
-                            const FieldDimensions& field) {
+void IndicationScanner::findGreen(const Picture& picture, const ScanLine& line,
+                                  const FieldDimensions& field) {
   int begin = line.length;
   for (std::size_t i = runs_.size(); i-- > 0;) {
     const Run& run = runs_[i];
     if (run.color == ColorClass::green && run.length() >= minPink) begin = run.begin;
     if (begin == run.begin) continue;
-    // What has a colour of its own is no line.
+    // What has a color of its own is no line.
     constexpr ColorSet lineColors{ColorClass::white, ColorClass::green};
     if (!lineColors.contains(run.color) && run.length() > maxGap) break;
     if (begin - run.begin <= maxGap) continue;

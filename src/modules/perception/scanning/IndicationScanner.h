@@ -3,6 +3,7 @@
 
 #include "modules/perception/scanning/Picture.h"
 #include "modules/perception/scanning/ScanGrid.h"
+#include "modules/perception/specialists/FlagColors.h"
 #include "representations/perception/LandmarksPercept.h"
 
 namespace gt {
@@ -19,7 +20,7 @@ struct BallSegment {
 /// A place on a scan line that looks like the middle of a flag (report 3.2.1).
 struct FlagIndication {
   FlagType type = FlagType::pinkAboveYellow;
-  Vector2d position = Vector2d::Zero();  ///< Between the two colours.
+  Vector2d position = Vector2d::Zero();  ///< Between the two colors.
 };
 
 /// A piece of goal on a scan line that ends on the field (report 3.2.1).
@@ -46,7 +47,7 @@ struct GreenSection {
 };
 
 /// Scans lines of a grid pixel by pixel and collects what looks like something (report 3.2.1).
-class LineScanner {
+class IndicationScanner {
  public:
   std::vector<BallSegment> balls;
   std::vector<FlagIndication> flags;
@@ -59,14 +60,14 @@ class LineScanner {
   void scan(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
 
  private:
-  /// Neighbouring pixels of one class.
+  /// Neighboring pixels of one class.
   struct Run {
     ColorClass color;
     int begin, end;  ///< The first pixel and the one after the last.
 
     int length() const { return end - begin; }
   };
-  /// Neighbouring runs of a class with small gaps.
+  /// Neighboring runs of a class with small gaps.
   struct Stretch {
     std::size_t first, last;  ///< Runs.
     int pixels;               ///< Without the gaps.

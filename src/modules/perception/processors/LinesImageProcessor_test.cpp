@@ -1,0 +1,60 @@
+#include "modules/perception/processors/LinesImageProcessor.h"
+
+#include <gtest/gtest.h>
+
+#include "modules/perception/processors/GT2003ImageProcessor.h"
+#include "modules/perception/testing/DrawnField.h"
+
+namespace gt {
+namespace {
+
+TEST(LinesImageProcessor, FindsTheSameEdgesAsGT2003AndNothingElse) {
+  Random random{5};
+  DrawnField scene{-0.2, 0.1};
+  scene.draw(fieldAt, 1, 2, random);
+  const ColorTable64 table = blackWhiteTable();
+  Percepts own, all;
+  own.ball.seen = true;
+  own.landmarks.numberOfFlags = own.landmarks.numberOfGoals = 1;
+  LinesImageProcessor lines;
+  lines.update(scene.image, scene.matrix, table, {}, own.ball, own.landmarks, own.lines,
+               own.players, own.obstacles, own.debug);
+  GT2003ImageProcessor gt2003;
+  gt2003.update(scene.image, scene.matrix, table, {}, all.ball, all.landmarks, all.lines,
+                all.players, all.obstacles, all.debug);
+  EXPECT_GT(own.lines.points[EdgeType::line].size(), 10u);
+  for (const EdgeType type : {EdgeType::line, EdgeType::border})
+    EXPECT_EQ(own.lines.points[type], all.lines.points[type]);
+  EXPECT_FALSE(own.ball.seen);
+  EXPECT_EQ(own.landmarks.numberOfFlags + own.landmarks.numberOfGoals, 0);
+  EXPECT_TRUE(own.obstacles.lines.empty());
+}
+
+TEST(LinesImageProcessor, DrawsItsGridAndTheEdgesOnIt) {
+  Random random{5};
+  DrawnField scene{-0.2, 0.1};
+  scene.draw(fieldAt, 1, 2, random);
+  Percepts found;
+  LinesImageProcessor lines;
+  const auto drawn = [&](std::string_view key, bool on) {
+    found.debug.keys().set(*DebugKey::find(key),
+                           {on ? DebugKeyMode::always : DebugKeyMode::disabled});
+    found.debug.out().clear();
+    lines.update(scene.image, scene.matrix, blackWhiteTable(), {}, found.ball, found.landmarks,
+                 found.lines, found.players, found.obstacles, found.debug);
+    Drawing drawing;
+    found.debug.out().handleAllMessages(
+        [&](const Message& message) { EXPECT_TRUE(message.read(drawing)); });
+    return drawing.elements;
+  };
+  const auto grid = drawn("ImageProcessor/grid", true);
+  EXPECT_TRUE(drawn("ImageProcessor/grid", false).empty());
+  const auto edges = drawn("ImageProcessor/edges", true);
+  ASSERT_GT(grid.size(), 10u);
+  for (const DrawingElement& element : grid) EXPECT_EQ(element.type, ElementType::line);
+  EXPECT_GT(edges.size(), 10u);
+  for (const DrawingElement& element : edges) EXPECT_EQ(element.type, ElementType::point);
+}
+
+}  // namespace
+}  // namespace gt

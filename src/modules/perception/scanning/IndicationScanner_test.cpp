@@ -1,0 +1,94 @@
+#include "modules/perception/scanning/IndicationScanner.h"
+
+#include <gtest/gtest.h>
+
+#include "modules/perception/testing/DrawnImage.h"
+
+namespace gt {
+namespace {
+
+/// A column of an image below the horizon, with color classes from top to bottom.
+class Column {
+ public:
+  Column() {
+    matrix_ = cameraAt({0, 0, 180}, 0, -0.3, 0);
+    image_.info = matrix_.info;
+    image_.allocate();
+    for (std::size_t c = 0; c < enumCount<ColorClass>; ++c)
+      colors_.classes[ColorTable64::index(static_cast<std::uint8_t>(8 * c), 128, 128)] =
+          static_cast<ColorClass>(c);
+    line_.start = {80.5, 0.5};
+    line_.step = {0, 1};
+    line_.length = image_.info.height;
+    line_.whole = line_.fromBorder = line_.toBorder = true;
+  }
+
+  /// Scans so many pixels of each class; the last one goes on to the end.
+  const IndicationScanner& scan(const std::vector<std::pair<ColorClass, int>>& runs) {
+    int y = 0;
+    for (const auto& [color, length] : runs)
+      for (int i = 0; (i < length || &color == &runs.back().first) && y < line_.length; ++i, ++y)
+        image_.at(80, y) = {static_cast<std::uint8_t>(8 * static_cast<int>(color)), 128, 128, 0};
+    const Horizon horizon = horizonOf(matrix_);
+    scanner_.clear();
+    scanner_.scan({image_, colors_, matrix_, horizon}, line_, FieldDimensions{});
+    return scanner_;
+  }
+
+ private:
+  CameraMatrix matrix_;
+  Image image_;
+  ColorTable64 colors_;
+  ScanLine line_;
+  IndicationScanner scanner_;
+};
+
+using enum ColorClass;
+
+TEST(IndicationScanner, FindsABallOfAtLeastAsMuchOrangeAsRed) {
+  Column column;
+  const auto& found = column.scan({{white, 50}, {orange, 8}, {red, 6}, {green, 1}});
+  ASSERT_EQ(found.balls.size(), 1u);
+  EXPECT_EQ(found.balls[0].orange, 8);
+  EXPECT_NEAR(found.balls[0].upper.y(), 50, 1e-9);
+  EXPECT_NEAR(found.balls[0].lower.y(), 64, 1e-9);
+  EXPECT_EQ(found.balls[0].above, white);
+  EXPECT_EQ(found.balls[0].below, green);
+  EXPECT_TRUE(found.players.empty());
+  EXPECT_TRUE(column.scan({{white, 50}, {orange, 4}, {red, 12}, {green, 1}}).balls.empty());
+  EXPECT_EQ(column.scan({{white, 50}, {orange, 4}, {red, 12}, {green, 1}}).players.size(), 1u);
+}
+
+TEST(IndicationScanner, TellsFlagsByTheColorNextToPink) {
+  Column column;
+  for (const FlagColors& flag : flagColors) {
+    const auto& found = column.scan({{noColor, 20}, {flag.upper, 8}, {flag.lower, 8}, {white, 1}});
+    ASSERT_EQ(found.flags.size(), 1u);
+    EXPECT_EQ(colorsOf(found.flags[0].type), flag);
+    EXPECT_NEAR(found.flags[0].position.y(), 28, 0.6);
+  }
+  EXPECT_TRUE(
+      column.scan({{noColor, 20}, {pink, 8}, {noColor, 9}, {yellow, 8}, {white, 1}}).flags.empty())
+      << "too far from each other";
+}
+
+TEST(IndicationScanner, AGoalStandsOnTheField) {
+  Column column;
+  const auto& found = column.scan({{noColor, 20}, {skyblue, 40}, {green, 1}});
+  ASSERT_EQ(found.goals.size(), 1u);
+  EXPECT_EQ(found.goals[0].color, GoalColor::skyblue);
+  EXPECT_TRUE(found.goals[0].meetsField);
+  EXPECT_NEAR(found.goals[0].foot.y(), 60, 0.6);
+  EXPECT_TRUE(column.scan({{noColor, 20}, {yellow, 2}, {green, 1}}).goals.empty()) << "too small";
+}
+
+TEST(IndicationScanner, GreenReachesUpToWhatIsNeitherGreenNorALine) {
+  Column column;
+  ASSERT_EQ(column.scan({{gray, 60}, {green, 1}}).greens.size(), 1u);
+  EXPECT_NEAR(column.scan({{gray, 60}, {green, 1}}).greens[0].begin.y(), 61.5, 1);
+  const auto begin = column.scan({{gray, 60}, {green, 30}, {white, 2}, {green, 1}}).greens[0].begin;
+  EXPECT_NEAR(begin.y(), 61.5, 1) << "a line is a gap";
+}
+
+}  // namespace
+}  // namespace gt

@@ -1,0 +1,46 @@
+#include "modules/perception/specialists/FlagSpecialist.h"
+
+#include <gtest/gtest.h>
+
+#include "modules/perception/testing/DrawnLandmarks.h"
+
+namespace gt {
+namespace {
+
+using FlagSpecialistTest = DrawnLandmarks;
+
+TEST_F(FlagSpecialistTest, MeasuresEachFlag) {
+  random_ = Random{8};
+  for (int i = 0; i < 30; ++i) {
+    flagType_ = static_cast<FlagType>(i % 6);
+    flag_ = direction(random_.uniform(-0.3, 0.3)) * random_.uniform(800, 3200);
+    look(random_.uniform(-0.2, 0.2), random_.uniform(-0.1, 0.1), random_.uniform(-0.2, 0.2));
+    const Vector2d to = *flag_ - camera().head<2>();
+    const double half = std::asin(field_.flagRadius / to.norm());
+    ASSERT_EQ(landmarks_.numberOfFlags, 1) << enumName(flagType_) << " " << flag_->transpose();
+    const FlagPercept& seen = landmarks_.flags[0];
+    EXPECT_EQ(seen.type, flagType_);
+    if (!seen.boundary.leftOnBorder) {
+      EXPECT_NEAR(seen.boundary.left, angleOf(to) + half, fromDegrees(0.3));
+    }
+    if (!seen.boundary.rightOnBorder) {
+      EXPECT_NEAR(seen.boundary.right, angleOf(to) - half, fromDegrees(0.3));
+    }
+    EXPECT_NEAR(seen.distance / flag_->norm(), 1, 0.06);
+    EXPECT_NEAR(seen.angle, angleOf(*flag_), fromDegrees(0.5));
+  }
+}
+
+TEST_F(FlagSpecialistTest, TellsAFlagsEdgeThatIsNotInThePicture) {
+  random_ = Random{9};
+  flag_ = Vector2d{1200, 0};
+  look(image_.info.openingAngleX() / 2 - 0.01, 0.05, 0);
+  ASSERT_EQ(landmarks_.numberOfFlags, 1);
+  const ConditionalBoundary& b = landmarks_.flags[0].boundary;
+  EXPECT_TRUE(b.rightOnBorder);
+  EXPECT_FALSE(b.leftOnBorder || b.topOnBorder || b.bottomOnBorder);
+  EXPECT_NEAR(landmarks_.flags[0].angle, 0, fromDegrees(0.5));
+}
+
+}  // namespace
+}  // namespace gt

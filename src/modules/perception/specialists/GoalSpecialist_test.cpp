@@ -1,0 +1,54 @@
+#include "modules/perception/specialists/GoalSpecialist.h"
+
+#include <gtest/gtest.h>
+
+#include "modules/perception/testing/DrawnBoxes.h"
+#include "modules/perception/testing/DrawnLandmarks.h"
+
+namespace gt {
+namespace {
+
+using GoalSpecialistTest = DrawnLandmarks;
+using GoalBehindARobot = DrawnBoxes;
+
+TEST_F(GoalSpecialistTest, MeasuresTheGoal) {
+  random_ = Random{10};
+  for (int i = 0; i < 20; ++i) {
+    goal_ = random_.uniform(1000, 3000);
+    look(random_.uniform(-0.1, 0.1), random_.uniform(-0.1, 0.02), random_.uniform(-0.15, 0.15));
+    ASSERT_EQ(landmarks_.numberOfGoals, 1) << *goal_;
+    const GoalPercept& seen = landmarks_.goals[0];
+    EXPECT_EQ(seen.color, GoalColor::yellow);
+    const auto bearing = [&](double y) {
+      return angleOf(Vector2d{*goal_, y} - camera().head<2>());
+    };
+    if (!seen.boundary.leftOnBorder) {
+      EXPECT_NEAR(seen.boundary.left, bearing(field_.yGoal), fromDegrees(0.4));
+    }
+    if (!seen.boundary.rightOnBorder) {
+      EXPECT_NEAR(seen.boundary.right, bearing(-field_.yGoal), fromDegrees(0.4));
+    }
+  }
+}
+
+TEST_F(GoalSpecialistTest, LeavesTheEndOfAGoalOutsideThePictureOpen) {
+  random_ = Random{11};
+  goal_ = 800;
+  look(0.5, 0, 0);
+  ASSERT_EQ(landmarks_.numberOfGoals, 1);
+  EXPECT_TRUE(landmarks_.goals[0].boundary.rightOnBorder);
+  EXPECT_FALSE(landmarks_.goals[0].boundary.leftOnBorder);
+}
+
+TEST_F(GoalBehindARobot, ARobotHidesTheFootOfAGoalButNotTheGoal) {
+  boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+            {{600, -200, 0}, {700, 150, 170}, ColorClass::gray}};
+  look(0, 0.05);
+  ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1);
+  const ConditionalBoundary& b = percepts_.landmarks.goals[0].boundary;
+  EXPECT_NEAR(toDegrees(b.left), toDegrees(std::atan2(290, 1410)), 1);
+  EXPECT_NEAR(toDegrees(b.right), toDegrees(std::atan2(-310, 1410)), 1);
+}
+
+}  // namespace
+}  // namespace gt
