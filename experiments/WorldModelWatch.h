@@ -6,7 +6,7 @@
 #include "measure/Tally.h"
 #include "modules/modeling/OracledLocators.h"
 #include "modules/modeling/ball/BallChallengeBallLocator.h"
-#include "modules/modeling/ball/PidSmoothedBallLocator.h"
+#include "modules/modeling/ball/PIDSmoothedBallLocator.h"
 #include "modules/modeling/ball/ProbabilisticBallLocator.h"
 #include "modules/modeling/obstacles/DefaultObstaclesLocator.h"
 #include "modules/modeling/players/GO2003PlayersLocator.h"
@@ -26,7 +26,7 @@ class BallWatch {
   const BallModel& probabilistic() const { return models_[2]; }
 
  private:
-  PidSmoothedBallLocator pidSmoothed_;
+  PIDSmoothedBallLocator pidSmoothed_;
   BallChallengeBallLocator challenge_;
   ProbabilisticBallLocator probabilistic_;
   BallModel models_[3];

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "modules/motion/control/DefaultMotionControl.h"
+#include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
-#include "modules/motion/specialactions/MotionNetSpecialActions.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "streams/Config.h"
 
@@ -12,7 +12,7 @@ namespace gt {
 /// The modules of the motion in the order in which they run, for tests.
 struct MotionHarness {
   InvKinWalkingEngine walkingEngine;
-  MotionNetSpecialActions specialActions;
+  GT2003MotionNetSpecialActions specialActions;
   DefaultMotionControl motionControl;
   RobotDimensions robot;
   MotionNet net;

@@ -1,7 +1,7 @@
 #include "modules/modeling/OracledLocators.h"
 #include "modules/modeling/Tasks.h"
 #include "modules/modeling/ball/BallChallengeBallLocator.h"
-#include "modules/modeling/ball/PidSmoothedBallLocator.h"
+#include "modules/modeling/ball/PIDSmoothedBallLocator.h"
 #include "modules/modeling/ball/ProbabilisticBallLocator.h"
 #include "modules/modeling/obstacles/DefaultObstaclesLocator.h"
 #include "modules/modeling/players/GO2003PlayersLocator.h"
@@ -29,7 +29,7 @@ void addModelingSolutions(SolutionTable& table) {
   table.add<SelfLocator, LinesSelfLocator>("Lines");
   table.add<SelfLocator, SingleLandmarkSelfLocator>("SingleLandmark");
   table.add<SelfLocator, OracledSelfLocator>("Oracled");
-  table.add<BallLocator, PidSmoothedBallLocator>("PIDSmoothed");
+  table.add<BallLocator, PIDSmoothedBallLocator>("PIDSmoothed");
   table.add<BallLocator, BallChallengeBallLocator>("BallChallenge");
   table.add<BallLocator, ProbabilisticBallLocator>("Probabilistic");
   table.add<BallLocator, OracledBallLocator>("Oracled");

@@ -3,7 +3,7 @@
 #include "modules/motion/control/DefaultLedControl.h"
 #include "modules/motion/control/DefaultMotionControl.h"
 #include "modules/motion/head/GT2003HeadControl.h"
-#include "modules/motion/specialactions/MotionNetSpecialActions.h"
+#include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "robot/Solutions.h"
 
@@ -13,7 +13,7 @@ void addMotionSolutions(SolutionTable& table) {
   table.add<HeadControl, GT2003HeadControl>("GT2003");
   table.add<LEDControl, DefaultLedControl>("Default");
   table.add<WalkingEngine, InvKinWalkingEngine>("InvKin");
-  table.add<SpecialActions, MotionNetSpecialActions>("GT2003MotionNet");
+  table.add<SpecialActions, GT2003MotionNetSpecialActions>("GT2003MotionNet");
   table.add<MotionControl, DefaultMotionControl>("Default");
   table.add<CollisionDetector, DefaultCollisionDetector>("Default");
 }

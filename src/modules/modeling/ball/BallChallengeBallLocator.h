@@ -12,8 +12,9 @@
 
 namespace gt {
 
-/// The ball as report 3.4.1 words it: its position is that of the percepts, its speed follows from
-/// the last two of them, and both are floating averages. A solution of BallLocator.
+/// Solution *BallChallenge* of BallLocator: the ball as report 3.4.1 words it. Its position is that
+/// of the percepts, its speed follows from the last two of them, and both are floating averages. A
+/// solution of BallLocator.
 class BallChallengeBallLocator {
  public:
   static constexpr int mostPercepts = 32;
@@ -26,17 +27,21 @@ class BallChallengeBallLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("positions", &P::positions, "", "over which the position is averaged",
+          field("positions", &P::positions, "",
+                "number of percepts over which the position is averaged", {1, mostPercepts}),
+          field("speeds", &P::speeds, "", "number of speeds over which the speed is averaged",
                 {1, mostPercepts}),
-          field("speeds", &P::speeds, "", "over which the speed is averaged", {1, mostPercepts}),
           field("longestGap", &P::longestGap, "ms",
-                "not perceived for a short period of time: without the ball so long, the "
-                "averages and the consecutive time seen go on",
+                "longest time without the ball that does not end the averages and the consecutive "
+                "time seen",
                 {0, 10000})};
     }
   };
   Parameters parameters;
 
+  /// Provides the ball relative to the robot. Without a new percept it moves with the odometry
+  /// only; a ball never seen has the time never(). The percept's own place counts, so an invalid
+  /// camera matrix is the ImageProcessor's matter.
   void update(const BallPercept& percept, const OdometryData& odometry, const FrameInfo& frame,
               BallModel& model, Debug& debug);
 

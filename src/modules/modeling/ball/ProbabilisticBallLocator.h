@@ -74,6 +74,9 @@ class ProbabilisticBallLocator {
   };
   Parameters parameters;
 
+  /// Provides the ball relative to the robot. Without a new percept it moves with the odometry and
+  /// by its speed. Only with a valid camera matrix does a ball that should be in the image and is
+  /// not seen lose weight.
   void update(const BallPercept& percept, const CameraMatrix& camera, const OdometryData& odometry,
               const FrameInfo& frame, BallModel& model, Debug& debug);
 

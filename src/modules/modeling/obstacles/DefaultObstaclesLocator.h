@@ -46,6 +46,9 @@ class DefaultObstaclesLocator {
   };
   Parameters parameters;
 
+  /// Provides the obstacles around the robot. Without new percepts they move with the odometry and
+  /// are forgotten with age. The distance sensor counts with a valid camera matrix only, free
+  /// ground also without.
   void update(const ObstaclesPercept& percept, const PsdPercept& psd,
               const LandmarksPercept& landmarks, const BallModel& ball, const CameraMatrix& camera,
               const OdometryData& odometry, const FrameInfo& frame, ObstaclesModel& model,

@@ -20,6 +20,7 @@ class DefaultRobotStateDetector {
   };
   Parameters parameters;
 
+  /// Provides the body's state and the switches. Without new sensor readings the state stays.
   void update(const BodyPercept& body, const FrameInfo& frame, RobotState& state);
 
  private:

@@ -20,7 +20,7 @@ class FusionSelfLocator {
   };
   Parameters parameters;
 
-  /// Provides the pose; without landmarks, also for want of a valid camera matrix, by odometry.
+  /// Provides the pose. Without a new percept it follows the odometry; see ParticleLocalization.
   void update(const LandmarksPercept& landmarks, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
               Random& random, Debug& debug) {

@@ -28,7 +28,7 @@ class GT2003SelfLocator {
   };
   Parameters parameters;
 
-  /// Provides the pose; without percepts, also for want of a valid camera matrix, by odometry.
+  /// Provides the pose. Without a new percept it follows the odometry; see ParticleLocalization.
   void update(const LandmarksPercept& landmarks, const LinesPercept& lines,
               const CameraMatrix& camera, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,

@@ -73,7 +73,9 @@ class KalmanSelfLocator {
   };
   Parameters parameters;
 
-  /// `hypotheses` is the only parameter whose change allocates.
+  /// Provides the pose of the best hypothesis. Without a new percept all follow the odometry.
+  /// Percepts count whether or not the camera matrix is valid; what contradicts a hypothesis is
+  /// gated. `hypotheses` is the only parameter whose change allocates.
   void update(const LandmarksPercept& landmarks, const LinesPercept& lines,
               const CameraMatrix& camera, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,

@@ -17,9 +17,11 @@ class LandmarkModel {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("steepness", &P::steepness, "", "of the similarity of bearings, (3.11)", {0, 1e5}),
-          field("rise", &P::rise, "", "of a probability in one picture at most, (3.13)", {0, 1}),
-          field("fall", &P::fall, "", "of a probability in one picture at most, (3.13)", {0, 1})};
+          field("steepness", &P::steepness, "", "steepness of the similarity of bearings, (3.11)",
+                {0, 1e5}),
+          field("rise", &P::rise, "", "greatest rise of a likelihood in one image, (3.13)", {0, 1}),
+          field("fall", &P::fall, "", "greatest fall of a likelihood in one image, (3.13)",
+                {0, 1})};
     }
   };
 

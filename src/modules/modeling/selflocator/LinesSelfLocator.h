@@ -27,8 +27,7 @@ class LinesSelfLocator {
   };
   Parameters parameters;
 
-  /// Provides the pose; without points on edges, also for want of a valid camera matrix, by
-  /// odometry.
+  /// Provides the pose. Without a new percept it follows the odometry; see ParticleLocalization.
   void update(const LinesPercept& lines, const CameraMatrix& camera, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
               Random& random, Debug& debug) {

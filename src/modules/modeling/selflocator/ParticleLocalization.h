@@ -35,10 +35,11 @@ class ParticleLocalization {
   /// Particles with a filtered probability for each of these.
   explicit ParticleLocalization(std::initializer_list<Likelihood> kinds) : particles_{kinds} {}
 
-  /// Provides the pose after a picture, or after a step without one: a percept counts once, by its
-  /// time. What was seen without a valid camera matrix is empty, and then only the odometry counts.
-  /// A candidate is a pose that another method has found: improbable particles make room for it, as
-  /// often as it is valid. A change of `Models::particles` is all that allocates.
+  /// Provides the pose after an image, or after a step without one: a percept counts once, by its
+  /// time, and without a new one the pose follows the odometry. Percepts count whether or not their
+  /// camera matrix was valid, since a wrong one is outweighed soon. A candidate is a pose that
+  /// another method has found: improbable particles make room for it, as often as it is valid. A
+  /// change of `Models::particles` is all that allocates.
   void update(const Models& models, const Percepts& percepts, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, const RobotPose* candidate,
               RobotPose& robotPose, Random& random, Debug& debug);

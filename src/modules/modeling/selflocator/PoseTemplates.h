@@ -70,8 +70,8 @@ struct TemplateReplacement {
               "how often an improbable particle makes room for a template", {0, 1}),
         field("randomReplacement", &T::randomReplacement, "",
               "how often a particle that no template replaces becomes a random one", {0, 1}),
-        field("newProbability", &T::newProbability, "", "of a template or random particle",
-              {0, 1})};
+        field("newProbability", &T::newProbability, "",
+              "likelihood of landmarks of a template or random particle", {0, 1})};
   }
 };
 

@@ -10,8 +10,9 @@
 
 namespace gt {
 
-/// Finds the robot's pose by drawing one estimate towards what each landmark says, by itself, about
-/// distance and direction (report 3.3.1): cheap, but never exact. A solution of SelfLocator.
+/// Solution *SingleLandmark* of SelfLocator: finds the robot's pose by drawing one estimate towards
+/// what each landmark says, by itself, about distance and direction (report 3.3.1): cheap, but
+/// never exact.
 class SingleLandmarkSelfLocator {
  public:
   struct Parameters {
@@ -31,24 +32,34 @@ class SingleLandmarkSelfLocator {
       using P = Parameters;
       return Fields{
           field("progressiveness", &P::progressiveness, "",
-                "how fast the estimate follows: 0 stalls, 1 follows each measurement", {0, 1}),
-          field("minimumQuality", &P::minimumQuality, "", "of landmarks that count", {0, 1}),
+                "share of a correction that is made: 0 stalls, 1 follows each measurement", {0, 1}),
+          field("minimumQuality", &P::minimumQuality, "", "least quality of a landmark that counts",
+                {0, 1}),
           field("distanceRange", &P::distanceRange, "mm",
-                "at which the quality of a flag's distance is a half", {100, 10000}),
-          field("flagAngleQuality", &P::flagAngleQuality, "", "of a flag seen whole", {0, 1}),
-          field("goalDistanceQuality", &P::goalDistanceQuality, "", "", {0, 1}),
-          field("goalAngleQuality", &P::goalAngleQuality, "", "of a goal seen whole", {0, 1}),
+                "distance of a flag at which the quality of its distance is a half", {100, 10000}),
+          field("flagAngleQuality", &P::flagAngleQuality, "",
+                "quality of the direction of a flag that is seen whole", {0, 1}),
+          field("goalDistanceQuality", &P::goalDistanceQuality, "", "quality of a goal's distance",
+                {0, 1}),
+          field("goalAngleQuality", &P::goalAngleQuality, "",
+                "quality of the direction of a goal that is seen whole", {0, 1}),
           field("positionTolerance", &P::positionTolerance, "mm",
-                "a correction by so much lets the reliability drop", {1, 10000}),
-          field("angleTolerance", &P::angleTolerance, "rad", "the same for the orientation",
+                "correction by which the reliability drops to nothing", {1, 10000}),
+          field("angleTolerance", &P::angleTolerance, "rad",
+                "correction of the orientation by which its reliability drops to nothing",
                 {0.01, 3}),
-          field("lossByTime", &P::lossByTime, "1/s", "of reliability", {0, 10}),
-          field("lossByDistance", &P::lossByDistance, "1/mm", "of reliability, walking", {0, 1}),
-          field("lossByAngle", &P::lossByAngle, "1/rad", "of reliability, turning", {0, 10})};
+          field("lossByTime", &P::lossByTime, "1/s",
+                "share of the reliability that is lost in a second", {0, 10}),
+          field("lossByDistance", &P::lossByDistance, "1/mm",
+                "share of the reliability of the position lost for each mm walked", {0, 1}),
+          field("lossByAngle", &P::lossByAngle, "1/rad",
+                "share of the reliability of the orientation lost for each rad turned", {0, 10})};
     }
   };
   Parameters parameters;
 
+  /// Provides the pose and how reliable it is. Without a new percept it follows the odometry and
+  /// becomes less reliable; whether the camera matrix was valid is not asked.
   void update(const LandmarksPercept& percept, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
               Debug& debug);

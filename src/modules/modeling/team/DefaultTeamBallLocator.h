@@ -9,9 +9,9 @@
 
 namespace gt {
 
-/// Tells where the team knows the ball to be: the robot's own ball while it sees it or has seen it
-/// a short time ago, otherwise the best of the team mates' balls (report 3.4.2). A solution of
-/// TeamBallLocator.
+/// Solution *Default* of TeamBallLocator: where the team knows the ball to be, the robot's own ball
+/// while it sees it or has seen it a short time ago, otherwise the best of the teammates' balls
+/// (report 3.4.2).
 class DefaultTeamBallLocator {
  public:
   struct Parameters {
@@ -24,18 +24,20 @@ class DefaultTeamBallLocator {
       using P = Parameters;
       return Fields{
           field("ownBallTime", &P::ownBallTime, "ms",
-                "since the ball was seen, for which the own one counts alone", {0, 1000000}),
-          field("oldestBall", &P::oldestBall, "ms", "age of a team mate's ball that still counts",
+                "time since the ball was seen for which the robot's own counts alone",
                 {0, 1000000}),
-          field("silence", &P::silence, "ms", "after which a team mate is taken to be gone",
+          field("oldestBall", &P::oldestBall, "ms", "greatest age of a teammate's ball that counts",
                 {0, 1000000}),
+          field("silence", &P::silence, "ms",
+                "time without a message after which a teammate is taken to be gone", {0, 1000000}),
           field("costOfDoubt", &P::costOfDoubt, "ms",
-                "by which the ball of a team mate that does not know its pose seems older",
-                {0, 1000000})};
+                "age added to the ball of a teammate that does not know its pose", {0, 1000000})};
     }
   };
   Parameters parameters;
 
+  /// Provides the team's ball on the field; one that nobody has seen has the time never() and is
+  /// seen by player 0. Messages older than `silence` do not count.
   void update(const BallModel& ball, const RobotPose& robotPose, const TeamMessages& messages,
               const FrameInfo& frame, const Player& player, TeamBallModel& teamBall, Debug& debug);
 

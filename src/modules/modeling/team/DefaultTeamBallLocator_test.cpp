@@ -2,42 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include "modules/modeling/testing/TeamScene.h"
+
 namespace gt {
 namespace {
 
-struct Team {
-  Team() {
-    frame.time = {100000};
-    player.role = PlayerRole::striker1;
-    robotPose = {{pi / 2, 500, 0}, 0.9};
-  }
-  /// Player n says that it saw the ball `age` ms before its message, which came in `ago` ms ago.
+struct Team : TeamScene<DefaultTeamBallLocator> {
+  Team() { robotPose.validity = 0.9; }
+  /// The same with a message that came in `ago` ms ago.
   void tell(int n, const Vector2d& where, std::int64_t age, std::int64_t ago, double validity) {
-    TeamMessages::Received& received = messages.byPlayer[static_cast<std::size_t>(n - 1)];
-    received.timeReceived = frame.time - ago;
-    received.message.playerNumber = n;
-    received.message.timeSent = {777777 * n};  // Each robot's clock is its own.
-    received.message.ballLastSeen = received.message.timeSent - age;
-    received.message.ballPosition = where;
-    received.message.robotPoseValidity = validity;
+    TeamScene::tell(n, where, age, validity).timeReceived = frame.time - ago;
   }
   void seeBall(std::int64_t ago) {
     ball.position = {300, 0};
     ball.lastSeen = frame.time - ago;
   }
-  TeamBallModel locate() {
-    TeamBallModel result;
-    locator.update(ball, robotPose, messages, frame, player, result, debug);
-    return result;
-  }
-
-  DefaultTeamBallLocator locator;
-  BallModel ball;
-  RobotPose robotPose;
-  TeamMessages messages;
-  FrameInfo frame;
-  Player player;
-  Debug debug{1024};
 };
 
 TEST(DefaultTeamBallLocator, NobodyKnowsTheBall) {

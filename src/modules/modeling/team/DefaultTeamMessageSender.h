@@ -11,6 +11,8 @@ namespace gt {
 /// TeamMessageSender.
 class DefaultTeamMessageSender {
  public:
+  /// Provides the message. A ball never seen is sent as such; how sure the pose is is sent beside
+  /// it.
   void update(const RobotPose& robotPose, const BallModel& ball,
               const BehaviorTeamMessage& behavior, const FrameInfo& frame, const Player& player,
               TeamMessage& message);

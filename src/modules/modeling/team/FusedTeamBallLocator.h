@@ -31,24 +31,31 @@ class FusedTeamBallLocator {
       constexpr Range any{0, 1e6};
       return Fields{
           field("ownBallTime", &P::ownBallTime, "ms",
-                "since the ball was seen, for which nothing counts that the own one contradicts",
+                "time since the ball was seen for which nothing counts that contradicts the "
+                "robot's own",
                 any),
-          field("oldestBall", &P::oldestBall, "ms", "age of a ball that still counts", any),
-          field("silence", &P::silence, "ms", "after which a team mate is taken to be gone", any),
-          field("leastNoise", &P::leastNoise, "mm", "of a seen ball, at least", any),
+          field("oldestBall", &P::oldestBall, "ms", "greatest age of a ball that counts", any),
+          field("silence", &P::silence, "ms",
+                "time without a message after which a teammate is taken to be gone", any),
+          field("leastNoise", &P::leastNoise, "mm", "least standard deviation of a seen ball", any),
           field("distanceShare", &P::distanceShare, "",
-                "of its distance, that is its noise where its locator does not tell it", any),
-          field("poseNoise", &P::poseNoise, "mm", "of a pose that is certain", any),
-          field("doubtNoise", &P::doubtNoise, "mm", "more than that, of one that is not", any),
+                "standard deviation as a share of the distance, where its locator gives none", any),
+          field("poseNoise", &P::poseNoise, "mm", "standard deviation of a pose that is certain",
+                any),
+          field("doubtNoise", &P::doubtNoise, "mm", "addition to that for a pose of validity 0",
+                any),
           field("directionNoise", &P::directionNoise, "rad",
-                "of a pose, that moves what is far away", any),
-          field("drift", &P::drift, "mm/s", "by which a ball becomes uncertain with age", any),
-          field("deceleration", &P::deceleration, "mm/s^2", "of a rolling ball", any),
-          field("gate", &P::gate, "", "standard deviations within which two balls agree", any)};
+                "standard deviation of a pose's rotation, which moves what is far away", any),
+          field("drift", &P::drift, "mm/s", "growth of a ball's standard deviation with age", any),
+          field("deceleration", &P::deceleration, "mm/s^2", "deceleration of a rolling ball", any),
+          field("gate", &P::gate, "", "number of standard deviations within which two balls agree",
+                any)};
     }
   };
   Parameters parameters;
 
+  /// Provides the team's ball on the field; one that nobody has seen has the time never() and is
+  /// seen by player 0. Messages older than `silence` do not count.
   void update(const BallModel& ball, const RobotPose& robotPose, const TeamMessages& messages,
               const FrameInfo& frame, const Player& player, TeamBallModel& teamBall, Debug& debug);
 

@@ -64,6 +64,8 @@ class DefaultCollisionDetector {
   };
   static Place placeOf(const MotionRequest& motion);
 
+  /// Provides what the legs bump into. Without enough sensor readings, and during special actions,
+  /// there is none.
   void update(const SensorDataBuffer& sensors, const JointData& joints, const MotionInfo& motion,
               CollisionPercept& percept, Debug& debug);
 

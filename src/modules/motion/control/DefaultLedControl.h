@@ -17,7 +17,8 @@ class DefaultLedControl {
   };
   Parameters parameters;
 
-  void update(const LedRequest&, const FrameInfo&, LedValue&);
+  /// Provides the LEDs: those that are requested, blinking by the time of the frame.
+  void update(const LedRequest& request, const FrameInfo& frame, LedValue& value);
 };
 
 }  // namespace gt

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "modules/kinematics/LegKinematics.h"
-#include "modules/motion/specialactions/MotionNetSpecialActions.h"
+#include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 
 namespace gt {
 namespace {
@@ -98,7 +98,7 @@ void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& r
 
   joints.angles = angles_;
   odometry.pose = odometry_;
-  tell(wanted, walking, special, info);
+  report(wanted, walking, special, info);
 }
 
 void DefaultMotionControl::choose(const MotionRequest& wanted, const WalkingEngineOutput& walking,
@@ -129,8 +129,8 @@ void DefaultMotionControl::protect(const JointAngles& target) {
     }
 }
 
-void DefaultMotionControl::tell(const MotionRequest& wanted, const WalkingEngineOutput& walking,
-                                const SpecialActionsOutput& special, MotionInfo& info) const {
+void DefaultMotionControl::report(const MotionRequest& wanted, const WalkingEngineOutput& walking,
+                                  const SpecialActionsOutput& special, MotionInfo& info) const {
   static const MotionRequest nothing;
   info.executed = nothing;
   if (special_) {

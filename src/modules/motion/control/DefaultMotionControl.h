@@ -18,25 +18,33 @@ class DefaultMotionControl {
 
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{field("headTiltSpeed", &P::headTiltSpeed, "rad/s", "fastest", {0.1, 10}),
-                    field("headPanSpeed", &P::headPanSpeed, "rad/s", "fastest", {0.1, 10}),
-                    field("headRollSpeed", &P::headRollSpeed, "rad/s", "fastest", {0.1, 10}),
-                    field("changeSpeed", &P::changeSpeed, "rad/s",
-                          "fastest of a leg until a new motion's angles are reached", {0.1, 10})};
+      return Fields{
+          field("headTiltSpeed", &P::headTiltSpeed, "rad/s", "greatest speed of the head's tilt",
+                {0.1, 10}),
+          field("headPanSpeed", &P::headPanSpeed, "rad/s", "greatest speed of the head's pan",
+                {0.1, 10}),
+          field("headRollSpeed", &P::headRollSpeed, "rad/s", "greatest speed of the head's roll",
+                {0.1, 10}),
+          field("changeSpeed", &P::changeSpeed, "rad/s",
+                "greatest speed of a leg until a new motion's angles are reached", {0.1, 10})};
     }
   };
   Parameters parameters;
 
-  void update(const FrameInfo&, const MotionRequest&, const WalkingEngineOutput&,
-              const SpecialActionsOutput&, const HeadMotionRequest&, JointData&, OdometryData&,
-              MotionInfo&);
+  /// Provides the joints' angles, the odometry, and what is being done. A request that is too old
+  /// is one to stand.
+  void update(const FrameInfo& frame, const MotionRequest& request,
+              const WalkingEngineOutput& walking, const SpecialActionsOutput& special,
+              const HeadMotionRequest& head, JointData& joints, OdometryData& odometry,
+              MotionInfo& info);
 
  private:
-  void choose(const MotionRequest&, const WalkingEngineOutput&, const SpecialActionsOutput&);
+  void choose(const MotionRequest& wanted, const WalkingEngineOutput& walking,
+              const SpecialActionsOutput& special);
   /// Brings the angles as near to the target as the joints' speeds allow.
   void protect(const JointAngles& target);
-  void tell(const MotionRequest&, const WalkingEngineOutput&, const SpecialActionsOutput&,
-            MotionInfo&) const;
+  void report(const MotionRequest& wanted, const WalkingEngineOutput& walking,
+              const SpecialActionsOutput& special, MotionInfo& info) const;
 
   bool special_ = false;
   bool changing_ = true;  ///< The legs are still on their way to where the walk has them.

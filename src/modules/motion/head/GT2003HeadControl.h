@@ -47,9 +47,11 @@ class GT2003HeadControl {
   };
   Parameters parameters;
 
-  void update(const HeadControlMode&, const BallModel&, const SensorDataBuffer&,
-              const RobotDimensions&, const RobotCalibration&, const FrameInfo&,
-              HeadMotionRequest&);
+  /// Provides where the head shall be. It is where the newest sensor readings say, whatever their
+  /// age; a ball that was never seen is searched.
+  void update(const HeadControlMode& mode, const BallModel& ball, const SensorDataBuffer& sensors,
+              const RobotDimensions& robot, const RobotCalibration& calibration,
+              const FrameInfo& frame, HeadMotionRequest& request);
 
  private:
   enum class State { idle, lookAtBall, scanBesideBall, searchForBall, searchForLandmarks };

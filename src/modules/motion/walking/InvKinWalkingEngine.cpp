@@ -61,7 +61,7 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
                                  WalkingEngineOutput& output) {
   const auto executed = motion->executed.type;
   const bool active = executed == MotionType::walk || executed == MotionType::stand;
-  const MotionRequest request = motionRequest.validAt(frame.time);
+  const MotionRequest& request = motionRequest.validAt(frame.time);
   output.odometryStep = {};
   if (!active || frame_ < 0) {
     reset(robot);

@@ -95,8 +95,10 @@ class InvKinWalkingEngine {
   using Parameters = WalkParameters;
   Parameters parameters;
 
-  void update(const FrameInfo&, const MotionRequest&, const RobotDimensions&, Previous<MotionInfo>,
-              WalkingEngineOutput&);
+  /// Provides the legs' angles and the step that they make; those of standing while another module
+  /// moves the robot, or if the request is too old.
+  void update(const FrameInfo& frame, const MotionRequest& request, const RobotDimensions& robot,
+              Previous<MotionInfo> motion, WalkingEngineOutput& output);
 
  private:
   struct Foot {

@@ -37,6 +37,9 @@ class DefaultSensorDataProcessor {
   };
   Parameters parameters;
 
+  /// Provides the camera matrix of the image, the body's state and the distance sensor's place. The
+  /// matrix is invalid while the robot kicks, gets up or lies; without sensor readings it is that
+  /// of the last ones.
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
               const RobotDimensions& robot, const RobotCalibration& calibration,
               const MotionInfo& motion, const OdometryData& odometry, CameraMatrix& matrix,

@@ -1,4 +1,4 @@
-#include "modules/modeling/ball/PidSmoothedBallLocator.h"
+#include "modules/modeling/ball/PIDSmoothedBallLocator.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ struct Scene {
   Vector2d truth() const { return relative(odometry.pose, ball); }
   Vector2d trueSpeed() const { return rotated(ballSpeed, -odometry.pose.rotation); }
 
-  PidSmoothedBallLocator locator;
+  PIDSmoothedBallLocator locator;
   Vector2d ball{800, 100}, ballSpeed{0, 0};
   OdometryData odometry;
   BallPercept percept;
@@ -32,21 +32,21 @@ struct Scene {
 
 const Pose2D standing{}, walking{0.02, 6, 2};
 
-TEST(PidSmoothedBallLocator, ABallNeverSeenWasNeverSeen) {
+TEST(PIDSmoothedBallLocator, ABallNeverSeenWasNeverSeen) {
   Scene scene;
   scene.step(standing, {0, 0}, false);
   EXPECT_EQ(scene.model.lastSeen, never());
   EXPECT_EQ(scene.model.consecutiveTimeSeen, 0);
 }
 
-TEST(PidSmoothedBallLocator, TheFirstPerceptIsTakenAsItIs) {
+TEST(PIDSmoothedBallLocator, TheFirstPerceptIsTakenAsItIs) {
   Scene scene;
   scene.step(standing);
   EXPECT_EQ(scene.model.position, scene.truth());
   EXPECT_EQ(scene.model.lastSeen, scene.frame.time);
 }
 
-TEST(PidSmoothedBallLocator, OdometryMovesAnUnseenBallExactly) {
+TEST(PIDSmoothedBallLocator, OdometryMovesAnUnseenBallExactly) {
   Scene scene;
   scene.step(standing);
   for (int i = 0; i < 200; ++i) scene.step(walking, {0, 0}, false);
@@ -54,7 +54,7 @@ TEST(PidSmoothedBallLocator, OdometryMovesAnUnseenBallExactly) {
   EXPECT_EQ(scene.model.lastSeen, scene.frame.time - 200 * 40);
 }
 
-TEST(PidSmoothedBallLocator, SpeedConvergesWhileTheRobotWalksAndTurns) {
+TEST(PIDSmoothedBallLocator, SpeedConvergesWhileTheRobotWalksAndTurns) {
   Scene scene;
   scene.locator.parameters.slowDown = 0;
   scene.ballSpeed = {150, -120};
@@ -63,13 +63,13 @@ TEST(PidSmoothedBallLocator, SpeedConvergesWhileTheRobotWalksAndTurns) {
   EXPECT_LT((scene.model.position - scene.truth()).norm(), 5);
 }
 
-TEST(PidSmoothedBallLocator, SpeedOfARestingBallIsZeroHoweverTheRobotMoves) {
+TEST(PIDSmoothedBallLocator, SpeedOfARestingBallIsZeroHoweverTheRobotMoves) {
   Scene scene;
   for (int i = 0; i < 100; ++i) scene.step(walking);
   EXPECT_LT(scene.model.speed.norm(), 1e-6);
 }
 
-TEST(PidSmoothedBallLocator, SmoothsNoise) {
+TEST(PIDSmoothedBallLocator, SmoothsNoise) {
   double raw = 0, smoothed = 0, speed = 0;
   int n = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -89,7 +89,7 @@ TEST(PidSmoothedBallLocator, SmoothsNoise) {
   EXPECT_LT(speed / n, 120);  // From picture to picture the noise alone makes 1200 mm/s.
 }
 
-TEST(PidSmoothedBallLocator, NoticesAKick) {
+TEST(PIDSmoothedBallLocator, NoticesAKick) {
   Scene scene;
   scene.ball = {200, 0};
   for (int i = 0; i < 25; ++i) scene.step(standing);
@@ -99,7 +99,7 @@ TEST(PidSmoothedBallLocator, NoticesAKick) {
   EXPECT_LT((scene.model.position - scene.truth()).norm(), 200);
 }
 
-TEST(PidSmoothedBallLocator, OneWrongPerceptChangesNothing) {
+TEST(PIDSmoothedBallLocator, OneWrongPerceptChangesNothing) {
   Scene scene;
   for (int i = 0; i < 25; ++i) scene.step(standing);
   const Time before = scene.frame.time;
@@ -110,7 +110,7 @@ TEST(PidSmoothedBallLocator, OneWrongPerceptChangesNothing) {
   EXPECT_LT((scene.model.position - scene.truth()).norm(), 1);
 }
 
-TEST(PidSmoothedBallLocator, SeveralPerceptsElsewhereAreBelieved) {
+TEST(PIDSmoothedBallLocator, SeveralPerceptsElsewhereAreBelieved) {
   Scene scene;
   for (int i = 0; i < 25; ++i) scene.step(standing);
   scene.ball = {300, -1200};
@@ -119,14 +119,14 @@ TEST(PidSmoothedBallLocator, SeveralPerceptsElsewhereAreBelieved) {
   EXPECT_EQ(scene.model.lastSeen, scene.frame.time);
 }
 
-TEST(PidSmoothedBallLocator, WrongPerceptsAtDifferentPlacesAreNotBelieved) {
+TEST(PIDSmoothedBallLocator, WrongPerceptsAtDifferentPlacesAreNotBelieved) {
   Scene scene;
   for (int i = 0; i < 25; ++i) scene.step(standing);
   for (int i = 0; i < 6; ++i) scene.step(standing, {0, i % 2 == 0 ? 1500.0 : -1500.0});
   EXPECT_LT((scene.model.position - scene.truth()).norm(), 1);
 }
 
-TEST(PidSmoothedBallLocator, AfterALongTimeThePerceptIsBelievedAtOnce) {
+TEST(PIDSmoothedBallLocator, AfterALongTimeThePerceptIsBelievedAtOnce) {
   Scene scene;
   for (int i = 0; i < 25; ++i) scene.step(standing);
   for (int i = 0; i < 100; ++i) scene.step(standing, {0, 0}, false);
@@ -135,7 +135,7 @@ TEST(PidSmoothedBallLocator, AfterALongTimeThePerceptIsBelievedAtOnce) {
   EXPECT_EQ(scene.model.position, scene.truth());
 }
 
-TEST(PidSmoothedBallLocator, ConsecutiveTimeSeenForgivesShortGaps) {
+TEST(PIDSmoothedBallLocator, ConsecutiveTimeSeenForgivesShortGaps) {
   Scene scene;
   for (int i = 0; i < 26; ++i) scene.step(standing);
   EXPECT_EQ(scene.model.consecutiveTimeSeen, 1000);

@@ -1,4 +1,4 @@
-#include "modules/motion/specialactions/MotionNetSpecialActions.h"
+#include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ std::string data(int tilt, int interpolate, int frames) {
 
 /// Special actions on a small net, with what they read.
 struct Actions {
-  MotionNetSpecialActions module;
+  GT2003MotionNetSpecialActions module;
   MotionNet net;
   MotionRequest request;
   MotionInfo info;
@@ -54,7 +54,7 @@ struct Actions {
   double tilt() const { return output.joints.angles[Joint::headTilt]; }
 };
 
-TEST(MotionNetSpecialActions, InterpolatesAndRepeats) {
+TEST(GT2003MotionNetSpecialActions, InterpolatesAndRepeats) {
   Actions actions;
   actions.joints.angles[Joint::headTilt] = 0.1;
   actions.perform("chestKick");
@@ -75,7 +75,7 @@ TEST(MotionNetSpecialActions, InterpolatesAndRepeats) {
   }
 }
 
-TEST(MotionNetSpecialActions, GoesOnByTheTransitionsToWhereItMayBeLeft) {
+TEST(GT2003MotionNetSpecialActions, GoesOnByTheTransitionsToWhereItMayBeLeft) {
   Actions actions;
   actions.perform("chestKick");
   actions.step();
@@ -94,7 +94,7 @@ TEST(MotionNetSpecialActions, GoesOnByTheTransitionsToWhereItMayBeLeft) {
   EXPECT_EQ(actions.output.action, "");
 }
 
-TEST(MotionNetSpecialActions, StaysWhileItIsRequested) {
+TEST(GT2003MotionNetSpecialActions, StaysWhileItIsRequested) {
   Actions actions;
   actions.perform("stand");
   for (int i = 0; i < 50; ++i) {
@@ -106,7 +106,7 @@ TEST(MotionNetSpecialActions, StaysWhileItIsRequested) {
   EXPECT_EQ(actions.output.action, "chestKick");
 }
 
-TEST(MotionNetSpecialActions, DoesNothingWhileAnotherModuleMoves) {
+TEST(GT2003MotionNetSpecialActions, DoesNothingWhileAnotherModuleMoves) {
   Actions actions;
   actions.perform("chestKick");
   actions.step();
@@ -116,7 +116,7 @@ TEST(MotionNetSpecialActions, DoesNothingWhileAnotherModuleMoves) {
   EXPECT_EQ(actions.output.action, "");
 }
 
-TEST(MotionNetSpecialActions, ReportsAnUnknownMotionOnce) {
+TEST(GT2003MotionNetSpecialActions, ReportsAnUnknownMotionOnce) {
   Actions actions;
   actions.perform("moonwalk");
   for (int i = 0; i < 10; ++i) actions.step();
@@ -129,7 +129,7 @@ TEST(MotionNetSpecialActions, ReportsAnUnknownMotionOnce) {
   EXPECT_EQ(actions.output.action, "chestKick");
 }
 
-TEST(MotionNetSpecialActions, AWrongNetDoesNotHangTheRobot) {
+TEST(GT2003MotionNetSpecialActions, AWrongNetDoesNotHangTheRobot) {
   Actions actions;
   actions.perform("chestKick");
   actions.net.nodes.assign(3, {});

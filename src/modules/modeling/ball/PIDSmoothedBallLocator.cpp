@@ -1,4 +1,4 @@
-#include "modules/modeling/ball/PidSmoothedBallLocator.h"
+#include "modules/modeling/ball/PIDSmoothedBallLocator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace gt {
 
-void PidSmoothedBallLocator::update(const BallPercept& percept, const OdometryData& odometry,
+void PIDSmoothedBallLocator::update(const BallPercept& percept, const OdometryData& odometry,
                                     const FrameInfo& frame, BallModel& model, Debug& debug) {
   const bool first = lastUpdate_ == never();
   const Pose2D step = first ? Pose2D{} : odometry.pose.relativeTo(lastOdometry_.pose);
@@ -40,7 +40,7 @@ void PidSmoothedBallLocator::update(const BallPercept& percept, const OdometryDa
   draw(model, debug);
 }
 
-void PidSmoothedBallLocator::predict(const Pose2D& step, double seconds, bool seen) {
+void PIDSmoothedBallLocator::predict(const Pose2D& step, double seconds, bool seen) {
   position_ = relative(step, position_);
   doubted_ = relative(step, doubted_);
   speed_ = rotated(speed_, -step.rotation);
@@ -48,12 +48,12 @@ void PidSmoothedBallLocator::predict(const Pose2D& step, double seconds, bool se
   speed_ *= std::exp(-(seen ? parameters.slowDown : parameters.slowDownUnseen) * seconds);
 }
 
-bool PidSmoothedBallLocator::isFar(const Vector2d& offset, const Vector2d& expected) const {
+bool PIDSmoothedBallLocator::isFar(const Vector2d& offset, const Vector2d& expected) const {
   const double allowed = parameters.outlierDistance + parameters.outlierShare * expected.norm();
   return (offset - expected).norm() > allowed;
 }
 
-void PidSmoothedBallLocator::doubt(const BallPercept& percept) {
+void PIDSmoothedBallLocator::doubt(const BallPercept& percept) {
   // Wrong percepts lie here and there; a ball that was moved is seen again where it is now.
   const bool agrees =
       percept.time - lastDoubted_ <= parameters.longestGap && !isFar(percept.offset, doubted_);
@@ -63,7 +63,7 @@ void PidSmoothedBallLocator::doubt(const BallPercept& percept) {
   if (outliers_ >= parameters.outliersBelieved) restart(percept.offset);
 }
 
-void PidSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
+void PIDSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
   outliers_ = 0;
   // A small error of the camera's tilt is a large one of the distance, the more the farther the
   // ball lies; its direction is always measured well.
@@ -79,7 +79,7 @@ void PidSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
   if (length > parameters.fastestBall) speed_ *= parameters.fastestBall / length;
 }
 
-void PidSmoothedBallLocator::restart(const Vector2d& offset) {
+void PIDSmoothedBallLocator::restart(const Vector2d& offset) {
   outliers_ = 0;
   position_ = offset;
   speed_ = Vector2d::Zero();

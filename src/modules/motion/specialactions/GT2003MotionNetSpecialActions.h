@@ -19,7 +19,7 @@ std::string_view specialActionOf(const MotionRequest&);
 
 /// Solution *GT2003MotionNet* of SpecialActions: walks through the motion net, from one data node
 /// to the next, along the transitions that the request selects (report 3.9.2).
-class MotionNetSpecialActions {
+class GT2003MotionNetSpecialActions {
  public:
   /// Provides the joints of the action being performed, all "don't care" at extern. A request that
   /// is too old or names no motion of the net is none; the latter is reported once.

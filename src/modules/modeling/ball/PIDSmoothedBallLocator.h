@@ -10,9 +10,10 @@
 
 namespace gt {
 
-/// Smooths the ball percepts by a controller that follows them: its proportional part moves the
-/// position, its integral part is the speed (report 3.4.1). A solution of BallLocator.
-class PidSmoothedBallLocator {
+/// Solution *PIDSmoothed* of BallLocator: smooths the ball percepts by a controller that follows
+/// them: its proportional part moves the position, its integral part is the speed (report 3.4.1). A
+/// solution of BallLocator.
+class PIDSmoothedBallLocator {
  public:
   struct Parameters {
     double proportional = 0.35;
@@ -31,33 +32,42 @@ class PidSmoothedBallLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("proportional", &P::proportional, "", "of a deviation that moves the position",
-                {0, 1}),
-          field("integral", &P::integral, "", "of a deviation per picture that becomes speed",
-                {0, 1}),
+          field("proportional", &P::proportional, "",
+                "share of a difference by which the position moves", {0, 1}),
+          field("integral", &P::integral, "",
+                "share of a difference that becomes speed, from image to image", {0, 1}),
           field("trustedDistance", &P::trustedDistance, "mm",
-                "where a percept's distance counts half, since its noise grows with it", {1, 1e5}),
+                "distance at which a percept's distance counts half, since its noise grows with it",
+                {1, 1e5}),
           field("outlierDistance", &P::outlierDistance, "mm",
-                "deviation from which on a percept is doubted", {0, 1e4}),
-          field("outlierShare", &P::outlierShare, "", "of the distance, added to outlierDistance",
-                {0, 2}),
+                "difference beyond which a percept is doubted", {0, 1e4}),
+          field("outlierShare", &P::outlierShare, "",
+                "share of the distance that is added to outlierDistance", {0, 2}),
           field("outliersBelieved", &P::outliersBelieved, "",
-                "so many doubted percepts in a row are believed", {1, 100}),
+                "number of doubted percepts in a row that are believed", {1, 100}),
           field("forgetPosition", &P::forgetPosition, "ms",
-                "after which the next percept is believed if it is near", {0, 100000}),
+                "time without the ball after which the next percept is believed if it is near",
+                {0, 100000}),
           field("believedAtOnce", &P::believedAtOnce, "mm",
-                "nearer than that: what is farther away is small in the picture and often wrong",
+                "greatest distance at which it is: what is farther away is small in the image and "
+                "often wrong",
                 {0, 1e5}),
-          field("slowDown", &P::slowDown, "1/s", "of a rolling ball", {0, 10}),
-          field("slowDownUnseen", &P::slowDownUnseen, "1/s", "of a ball that is not seen",
+          field("slowDown", &P::slowDown, "1/s",
+                "share of its speed that a rolling ball loses in a second", {0, 10}),
+          field("slowDownUnseen", &P::slowDownUnseen, "1/s", "the same for a ball that is not seen",
                 {0, 100}),
-          field("fastestBall", &P::fastestBall, "mm/s", "that is believed", {1, 1e5}),
+          field("fastestBall", &P::fastestBall, "mm/s", "greatest speed that is believed",
+                {1, 1e5}),
           field("longestGap", &P::longestGap, "ms",
-                "without the ball that does not end the consecutive time seen", {0, 10000})};
+                "longest time without the ball that does not end the consecutive time seen",
+                {0, 10000})};
     }
   };
   Parameters parameters;
 
+  /// Provides the ball relative to the robot. Without a new percept it moves with the odometry and
+  /// by its speed; a ball never seen has the time never(). The percept's own place counts, so an
+  /// invalid camera matrix is the ImageProcessor's matter.
   void update(const BallPercept& percept, const OdometryData& odometry, const FrameInfo& frame,
               BallModel& model, Debug& debug);
 

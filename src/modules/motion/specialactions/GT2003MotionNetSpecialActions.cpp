@@ -1,4 +1,4 @@
-#include "modules/motion/specialactions/MotionNetSpecialActions.h"
+#include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 
 #include <algorithm>
 
@@ -19,10 +19,10 @@ std::string_view specialActionOf(const MotionRequest& request) {
                                                    : std::string_view{};
 }
 
-void MotionNetSpecialActions::update(const FrameInfo& frame, const MotionRequest& request,
-                                     const MotionNet& net, Previous<MotionInfo> motion,
-                                     Previous<JointData> joints, SpecialActionsOutput& output,
-                                     Debug& debug) {
+void GT2003MotionNetSpecialActions::update(const FrameInfo& frame, const MotionRequest& request,
+                                           const MotionNet& net, Previous<MotionInfo> motion,
+                                           Previous<JointData> joints, SpecialActionsOutput& output,
+                                           Debug& debug) {
   const auto executed = motion->executed.type;
   const bool active = executed == MotionType::specialAction || executed == MotionType::getup;
   if (!active || !contains(net, node_)) node_ = -1;  // a net put in for another may be shorter
@@ -36,8 +36,8 @@ void MotionNetSpecialActions::update(const FrameInfo& frame, const MotionRequest
   if (node_ >= 0) play(net, output);
 }
 
-int MotionNetSpecialActions::requestedMotion(const MotionNet& net, std::string_view name,
-                                             Debug& debug) {
+int GT2003MotionNetSpecialActions::requestedMotion(const MotionNet& net, std::string_view name,
+                                                   Debug& debug) {
   const auto isIndex = [&] { return static_cast<std::size_t>(requested_) < net.motions.size(); };
   if (name == name_ && isIndex()) return requested_;
   name_ = name;
@@ -49,7 +49,8 @@ int MotionNetSpecialActions::requestedMotion(const MotionNet& net, std::string_v
   return requested_;
 }
 
-void MotionNetSpecialActions::advance(const MotionNet& net, int requested, const JointAngles& now) {
+void GT2003MotionNetSpecialActions::advance(const MotionNet& net, int requested,
+                                            const JointAngles& now) {
   const bool entering = node_ < 0;
   int next = entering ? net.entry : node_ + 1;
   if (entering) speed_ = {};
@@ -74,7 +75,7 @@ void MotionNetSpecialActions::advance(const MotionNet& net, int requested, const
   }
 }
 
-void MotionNetSpecialActions::play(const MotionNet& net, SpecialActionsOutput& output) {
+void GT2003MotionNetSpecialActions::play(const MotionNet& net, SpecialActionsOutput& output) {
   const MotionNet::Node& node = net.nodes[static_cast<std::size_t>(node_)];
   --framesLeft_;
   const double share =

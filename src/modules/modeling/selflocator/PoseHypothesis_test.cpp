@@ -1,0 +1,59 @@
+#include "modules/modeling/selflocator/PoseHypothesis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gt {
+namespace {
+
+/// What the linear filter knows in closed form: two measurements of one coordinate.
+TEST(PoseHypothesis, WeighsByVariances) {
+  PoseHypothesis hypothesis{{0, 0, 0}, 20, 0.1};
+  const auto measure = [&](double x, double deviation) {
+    return hypothesis.correct(
+        {x - hypothesis.pose().translation.x(), {1, 0, 0}, deviation * deviation}, 3);
+  };
+  const double likelihood = measure(30, 20);
+  EXPECT_NEAR(hypothesis.pose().translation.x(), 15, 1e-9);
+  EXPECT_NEAR(hypothesis.covariance()(0, 0), 200, 1e-9);
+  EXPECT_NEAR(hypothesis.covariance()(1, 1), 400, 1e-9);
+  EXPECT_NEAR(likelihood, std::sqrt(0.5) * std::exp(-900 / 800. / 2), 1e-9);
+  measure(-500, 20);  // no one believes that
+  EXPECT_NEAR(hypothesis.pose().translation.x(), 15, 1e-9);
+}
+
+TEST(PoseHypothesis, WhatIsNoNumberIsNotBelieved) {
+  PoseHypothesis hypothesis{{0, 0, 0}, 20, 0.1};
+  EXPECT_EQ(hypothesis.correct({std::nan(""), {1, 0, 0}, 400}, 3), 0);
+  EXPECT_EQ(hypothesis.pose().translation, (Vector2d{0, 0}));
+}
+
+TEST(PoseHypothesis, AnUnknownRotationMakesAWalkUncertainSideways) {
+  PoseHypothesis hypothesis{{pi / 2, 0, 0}, 10, 0.1};
+  hypothesis.move({0, 1000, 0}, {0, 0, 0});
+  EXPECT_NEAR(hypothesis.pose().translation.y(), 1000, 1e-9);
+  EXPECT_NEAR(hypothesis.covariance()(0, 0), 100 + 10000, 1e-6);
+  EXPECT_NEAR(hypothesis.covariance()(1, 1), 100, 1e-6);
+}
+
+TEST(PoseHypothesis, RotationsAreCorrectedAcrossTheSeam) {
+  PoseHypothesis hypothesis{{pi - 0.01, 0, 0}, 10, 0.1};
+  hypothesis.correct({0.04, {0, 0, 1}, 0.01}, 3);
+  EXPECT_NEAR(hypothesis.pose().rotation, -pi + 0.01, 1e-9);
+}
+
+TEST(PoseHypothesis, IsItselfWhenMirroredTwice) {
+  PoseHypothesis hypothesis{{1, 700, -300}, 10, 0.1};
+  hypothesis.move({0.2, 500, 100}, {1, 2, 0.01});
+  PoseHypothesis mirrored = hypothesis;
+  mirrored.mirror();
+  EXPECT_NEAR((mirrored.pose().translation + hypothesis.pose().translation).norm(), 0, 1e-9);
+  EXPECT_NEAR(mirrored.covariance()(0, 1), hypothesis.covariance()(0, 1), 1e-9);
+  EXPECT_NEAR(mirrored.covariance()(0, 2), -hypothesis.covariance()(0, 2), 1e-9);
+  mirrored.mirror();
+  EXPECT_TRUE(mirrored.isNear(hypothesis.pose(), 1e-6, 1e-9));
+}
+
+}  // namespace
+}  // namespace gt
