@@ -1,6 +1,6 @@
 #include "modules/motion/Tasks.h"
 #include "modules/motion/control/DefaultCollisionDetector.h"
-#include "modules/motion/control/DefaultLedControl.h"
+#include "modules/motion/control/DefaultLEDControl.h"
 #include "modules/motion/control/DefaultMotionControl.h"
 #include "modules/motion/head/GT2003HeadControl.h"
 #include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
@@ -11,7 +11,7 @@ namespace gt {
 
 void addMotionSolutions(SolutionTable& table) {
   table.add<HeadControl, GT2003HeadControl>("GT2003");
-  table.add<LEDControl, DefaultLedControl>("Default");
+  table.add<LEDControl, DefaultLEDControl>("Default");
   table.add<WalkingEngine, InvKinWalkingEngine>("InvKin");
   table.add<SpecialActions, GT2003MotionNetSpecialActions>("GT2003MotionNet");
   table.add<MotionControl, DefaultMotionControl>("Default");

@@ -1,4 +1,4 @@
-#include "modules/motion/control/DefaultLedControl.h"
+#include "modules/motion/control/DefaultLEDControl.h"
 
 namespace gt {
 namespace {
@@ -9,7 +9,7 @@ bool onInPeriod(Time now, int period) {
 
 }  // namespace
 
-void DefaultLedControl::update(const LedRequest& request, const FrameInfo& frame, LedValue& value) {
+void DefaultLEDControl::update(const LedRequest& request, const FrameInfo& frame, LedValue& value) {
   for (std::size_t i = 0; i < request.modes.size(); ++i) {
     const auto mode = request.modes.values[i];
     value.lit.values[i] =

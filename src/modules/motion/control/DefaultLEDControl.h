@@ -5,7 +5,7 @@
 namespace gt {
 
 /// Solution *Default* of LEDControl: lights what the behaviour asks for, blinking with the clock.
-class DefaultLedControl {
+class DefaultLEDControl {
  public:
   struct Parameters {
     int slowPeriod = 1000, fastPeriod = 250;

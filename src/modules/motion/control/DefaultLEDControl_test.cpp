@@ -1,12 +1,12 @@
-#include "modules/motion/control/DefaultLedControl.h"
+#include "modules/motion/control/DefaultLEDControl.h"
 
 #include <gtest/gtest.h>
 
 namespace gt {
 namespace {
 
-TEST(DefaultLedControl, LightsAndBlinks) {
-  DefaultLedControl control;
+TEST(DefaultLEDControl, LightsAndBlinks) {
+  DefaultLEDControl control;
   LedRequest request;
   request.modes[Led::top] = LedMode::on;
   request.modes[Led::tailBlue] = LedMode::slowBlink;
