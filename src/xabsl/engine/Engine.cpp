@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t mostWarnings = 100;
 
 template <typename T>
-double valueOf(const void* variable) {
+double numberAt(const void* variable) {
   T value;
   std::memcpy(&value, variable, sizeof(value));
   return static_cast<double>(value);
@@ -100,9 +100,9 @@ void Engine::runBehavior(int index) {
   keepParameters(memory_.data() + layout_.behaviorParameters[at(index)], count);
 }
 
-/// Goes through a program from the root option until that returns. What decides and calls is here,
-/// in one switch, so that a condition costs but its comparison and a jump; all else is in compute()
-/// and recordEvent().
+/// Executes a program from the root option until that returns. Decisions and calls are here, in one
+/// switch, so that a condition costs only its comparison and a jump. All else is in valueOf(),
+/// act() and recordEvent(). Operations that compute a value come first, up to `conflict`.
 void Engine::run(const Program& program) {
   const Instruction* const code = program.code.data();
   const Program::StateCode* const states = program.states.data();
@@ -179,65 +179,16 @@ void Engine::run(const Program& program) {
         --frame;
         break;
       default:
-        compute(i, *option, depth);
+        if (i.operation <= Operation::conflict)
+          memory_[at(i.to)] = valueOf(i, *option);
+        else
+          act(i, *option, depth);
     }
   }
 }
 
-void Engine::compute(const Instruction& i, const OptionState& option, int depth) {
-  double& result = memory_[at(i.to)];
+void Engine::act(const Instruction& i, const OptionState& option, int depth) {
   switch (i.operation) {
-    case Operation::copy:
-      result = *i.a;
-      return;
-    case Operation::one:
-      result = 1;
-      return;
-    case Operation::zero:
-      result = 0;
-      return;
-    case Operation::negate:
-      result = 0 - *i.a;  // as in intermediate code, where 0 has no sign
-      return;
-    case Operation::add:
-      result = *i.a + *i.b;
-      return;
-    case Operation::subtract:
-      result = *i.a - *i.b;
-      return;
-    case Operation::multiply:
-      result = *i.a * *i.b;
-      return;
-    case Operation::divide:
-      result = divide(i);
-      return;
-    case Operation::modulo:
-      result = modulo(i);
-      return;
-    case Operation::readSingle:
-      result = valueOf<float>(i.variable);
-      return;
-    case Operation::readBoolean:
-      result = valueOf<bool>(i.variable);
-      return;
-    case Operation::readByte:
-      result = valueOf<std::uint8_t>(i.variable);
-      return;
-    case Operation::readInteger:
-      result = valueOf<std::int32_t>(i.variable);
-      return;
-    case Operation::stateTime:
-      result = static_cast<double>(since(option.stateActivation, now_));
-      return;
-    case Operation::optionTime:
-      result = static_cast<double>(since(option.activation, now_));
-      return;
-    case Operation::actionDone:
-      result = actionDone(option);
-      return;
-    case Operation::conflict:
-      result = cooperation_.conflict(option.state);
-      return;
     case Operation::keepParameters:
       return keepParameters(i.a, at(i.index));
     case Operation::markOption:
@@ -245,13 +196,52 @@ void Engine::compute(const Instruction& i, const OptionState& option, int depth)
     case Operation::set:
       return set(at(i.index));
     case Operation::pass:
-      parametersChanged_ |= std::exchange(result, *i.a) != *i.a;
+      parametersChanged_ |= std::exchange(memory_[at(i.to)], *i.a) != *i.a;
       return;
-    case Operation::tellChanges:
-      if (std::exchange(parametersChanged_, false)) tellChanges(at(i.index));
+    case Operation::notifyOfChanges:
+      if (std::exchange(parametersChanged_, false)) notifyOfChanges(at(i.index));
       return;
     default:
       recordEvent(i, option, depth);
+  }
+}
+
+double Engine::valueOf(const Instruction& i, const OptionState& option) {
+  switch (i.operation) {
+    case Operation::copy:
+      return *i.a;
+    case Operation::one:
+      return 1;
+    case Operation::negate:
+      return 0 - *i.a;  // as in intermediate code, where 0 has no sign
+    case Operation::add:
+      return *i.a + *i.b;
+    case Operation::subtract:
+      return *i.a - *i.b;
+    case Operation::multiply:
+      return *i.a * *i.b;
+    case Operation::divide:
+      return divide(i);
+    case Operation::modulo:
+      return modulo(i);
+    case Operation::readSingle:
+      return numberAt<float>(i.variable);
+    case Operation::readBoolean:
+      return numberAt<bool>(i.variable);
+    case Operation::readByte:
+      return numberAt<std::uint8_t>(i.variable);
+    case Operation::readInteger:
+      return numberAt<std::int32_t>(i.variable);
+    case Operation::stateTime:
+      return static_cast<double>(since(option.stateActivation, now_));
+    case Operation::optionTime:
+      return static_cast<double>(since(option.activation, now_));
+    case Operation::actionDone:
+      return actionDone(option);
+    case Operation::conflict:
+      return cooperation_.conflict(option.state);
+    default:
+      return 0;  // Operation::zero
   }
 }
 
@@ -301,7 +291,7 @@ void Engine::keepParameters(const double* first, std::size_t count) {
   executedValues_.insert(executedValues_.end(), first, first + count);
 }
 
-void Engine::tellChanges(std::size_t behavior) const {
+void Engine::notifyOfChanges(std::size_t behavior) const {
   const auto& changed = bindings_.behaviors[behavior].parametersChanged;
   if (changed) changed(memory_.data() + layout_.behaviorParameters[behavior]);
 }

@@ -27,8 +27,8 @@ class Engine {
  public:
   struct Creation;
 
-  /// Joins a behavior with what is registered. Without an engine the diagnostics say what is
-  /// missing.
+  /// Links a behavior with the registered symbols. If that fails, there is no engine, and the
+  /// diagnostics name what is missing.
   static Creation create(const Behavior& behavior, const Symbols& symbols);
 
   Engine(Engine&&) = default;
@@ -36,59 +36,59 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// One cycle: the options from the root option of the selected agent down, each with at most one
-  /// transition. `now` in ms.
+  /// Runs one cycle: the options from the root option of the selected agent down, each with at most
+  /// one transition. `now` is in ms.
   void execute(std::int64_t now);
 
-  /// Selects the agent, from the next cycle on; false: there is none of that name.
+  /// Selects the agent, from the next cycle on. Returns false if there is none of that name.
   bool selectAgent(std::string_view name);
   const std::string& selectedAgent() const;
 
   /// Selects what cycles execute instead of the agent's root option, until the next selection: an
   /// option with all that it calls, or a basic behavior alone (report H.8). Parameters start with
-  /// 0, false or the first element; false: there is none of that name.
+  /// 0, false or the first element. Returns false if there is none of that name.
   bool selectRootOption(std::string_view name);
   bool selectBehavior(std::string_view name);
   /// What cycles execute first: the name of an option or a basic behavior.
   const std::string& root() const;
 
-  /// Sets a parameter of what is executed first. Values are written as NamedValue::text shows them;
-  /// false: no such parameter, or no value of its type.
+  /// Sets a parameter of the root. Values are written as NamedValue::text shows them. Returns false
+  /// if there is no such parameter, or the value is not of its type.
   bool setParameter(std::string_view name, std::string_view value);
 
-  /// Sets an output or internal symbol by hand, at once, until the behavior sets it again; false as
+  /// Sets an output or internal symbol at once, until the behavior sets it again. Returns false as
   /// above.
   bool setOutput(std::string_view name, std::string_view value);
 
-  /// Goes on where another engine is, with its behavior as it was edited: what has the same name
-  /// stays as it is. That are active options in states that are still there, with their times;
-  /// parameters and the values of output and internal symbols of the same type; the selected agent
-  /// and what is executed instead of its root option; how the team cooperates. All else begins
-  /// anew. To be called before the first cycle.
-  void goOnFrom(const Engine& other);
+  /// Resumes from another engine, after its behavior was edited. What has the same name keeps its
+  /// state: active options whose state still exists, with their times; parameters and the values of
+  /// output and internal symbols of the same type; the selected agent and root; how the team
+  /// cooperates. Everything else starts as in a new engine. Must be called before the first
+  /// cycle.
+  void resumeFrom(const Engine& other);
 
-  /// Where the host sets priorities and carries messages between the engines of a team. Without
+  /// The host sets priorities here and carries messages between the engines of a team. Without
   /// messages an engine acts as if it were alone.
   TeamCooperation& cooperation() { return cooperation_; }
   const TeamCooperation& cooperation() const { return cooperation_; }
 
-  /// Has all later cycles recorded, or none (null). The recorder must outlive that. The first time,
-  /// the behavior is compiled once more, with all that a recorder wants to know; so it costs
-  /// nothing where nobody records.
+  /// Records all later cycles, or none (null). The recorder must outlive them. The first call
+  /// compiles the behavior once more, with instructions for the recorder. Engines that are not
+  /// recorded pay nothing.
   void record(TraceRecorder* recorder);
 
   const Model& model() const { return *model_; }
 
   /// The registered value of each element of an enumeration.
   const std::vector<double>& elementValues(int enumeration) const {
-    return bindings_.elements[static_cast<std::size_t>(enumeration)];
+    return bindings_.elements[at(enumeration)];
   }
 
   /// What the last cycle executed, in its order.
   std::vector<Activation> activations() const;
 
-  /// The value of a symbol now; nothing for functions with parameters and unknown names. Of an
-  /// output and an input symbol with the same name, that of the output.
+  /// The present value of a symbol. Empty for functions with parameters and unknown names. If an
+  /// output and an input symbol have the same name, the value of the output.
   std::optional<NamedValue> symbol(std::string_view name) const;
 
   /// An argument for a symbol with parameters, written as NamedValue::text shows it.
@@ -96,17 +96,17 @@ class Engine {
     std::string_view parameter;
     std::string_view value;
   };
-  /// The value of a symbol with parameters now; those not given are 0, false or the first element.
-  /// Nothing if there is no such symbol, parameter or value.
+  /// The present value of a symbol with parameters. Parameters not given are 0, false or the first
+  /// element. Empty if there is no such symbol, parameter or value.
   std::optional<NamedValue> symbol(std::string_view name,
                                    const std::vector<Argument>& arguments) const;
 
-  /// What went wrong while running, each once: division by zero and what was executed twice in a
-  /// cycle.
+  /// What went wrong while running, each problem once: divisions by zero, and options and basic
+  /// behaviors executed twice in a cycle.
   std::vector<Diagnostic> warnings() const;
 
  private:
-  /// What the engine remembers of an option.
+  /// The state of an option from cycle to cycle.
   struct OptionState {
     int option = -1;
     int state = -1;  // the one that is active, or was last
@@ -129,7 +129,7 @@ class Engine {
     int index = 0;  // in the memory
   };
 
-  /// Where an option's caller goes on.
+  /// Where execution continues in the caller of an option.
   struct Frame {
     const Instruction* next;
     OptionState* caller;
@@ -154,13 +154,14 @@ class Engine {
   const std::vector<Parameter>& rootParameters() const;
   double& rootSlot(std::size_t parameter);
   std::optional<double> read(Type type, std::string_view text) const;
-  void goOnFrom(const Engine& other, OptionState& option);
+  void resumeFrom(const Engine& other, OptionState& option);
   void take(const Engine& other, Type oldType, double oldValue, Type type, double& value);
   std::map<std::string, ParameterPlace> parameterPlaces() const;
 
   void runBehavior(int index);
   void run(const Program& program);
-  void compute(const Instruction& instruction, const OptionState& option, int depth);
+  void act(const Instruction& instruction, const OptionState& option, int depth);
+  double valueOf(const Instruction& instruction, const OptionState& option);
   void recordEvent(const Instruction& instruction, const OptionState& option, int depth);
   void recordState(const OptionState& option);
   void recordBehavior(int index, int depth);
@@ -171,7 +172,7 @@ class Engine {
   void note(const OptionState& option, int depth);
   void keepParameters(const double* first, std::size_t count);
   void change(OptionState& option, int state);
-  void tellChanges(std::size_t behavior) const;
+  void notifyOfChanges(std::size_t behavior) const;
   void callBehavior(int index, int depth);
   void set(std::size_t symbol);
   void apply(std::size_t symbol);
@@ -213,7 +214,7 @@ class Engine {
   std::vector<char> warnedBehaviors_;
 };
 
-/// What creating an engine yields: an engine if there is no error, and what there is to say.
+/// The result of creating an engine: the engine if there is no error, and all messages.
 struct Engine::Creation {
   std::optional<Engine> engine;
   std::vector<Diagnostic> diagnostics;

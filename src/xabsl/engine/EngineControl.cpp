@@ -26,15 +26,15 @@ bool Engine::selectAgent(std::string_view name) {
   return true;
 }
 
-void Engine::goOnFrom(const Engine& other) {
+void Engine::resumeFrom(const Engine& other) {
   cycle_ = other.cycle_;
   now_ = other.now_;
-  for (OptionState& option : options_) goOnFrom(other, option);
+  for (OptionState& option : options_) resumeFrom(other, option);
   for (std::size_t i = 0; i < model_->symbols.size(); ++i) {
     const Symbol& symbol = model_->symbols[i];
     const int before = other.model_->findOutput(symbol.name);
     if (symbol.kind == SymbolKind::input || before < 0) continue;
-    const Symbol& old = other.model_->symbols[static_cast<std::size_t>(before)];
+    const Symbol& old = other.model_->symbols[at(before)];
     if (old.kind == symbol.kind)
       take(other, old.type, other.variable(static_cast<std::size_t>(before)), symbol.type,
            variable(i));
@@ -44,26 +44,26 @@ void Engine::goOnFrom(const Engine& other) {
   cooperation_.countTeammatesOnly(other.cooperation_.countsTeammatesOnly());
   selectAgent(other.selectedAgent());
   if (other.rootKind_ == Activation::Kind::behavior)
-    selectBehavior(other.model_->behaviors[static_cast<std::size_t>(other.root_)].name);
+    selectBehavior(other.model_->behaviors[at(other.root_)].name);
   else if (other.root_ != other.model_->agents[other.agent_].rootOption)
-    selectRootOption(other.model_->options[static_cast<std::size_t>(other.root_)].name);
+    selectRootOption(other.model_->options[at(other.root_)].name);
   const auto oldPlaces = other.parameterPlaces();
   for (const auto& [name, parameter] : parameterPlaces())
     if (const auto old = oldPlaces.find(name); old != oldPlaces.end())
-      take(other, old->second.type, other.memory_[static_cast<std::size_t>(old->second.index)],
-           parameter.type, memory_[static_cast<std::size_t>(parameter.index)]);
+      take(other, old->second.type, other.memory_[at(old->second.index)], parameter.type,
+           memory_[at(parameter.index)]);
 }
 
 /// An option that was active in a state that is still there.
-void Engine::goOnFrom(const Engine& other, OptionState& option) {
-  const Option& declared = model_->options[static_cast<std::size_t>(option.option)];
+void Engine::resumeFrom(const Engine& other, OptionState& option) {
+  const Option& declared = model_->options[at(option.option)];
   const int before = indexOf(other.model_->options, declared.name);
   if (before < 0) return;
-  const OptionState& old = other.options_[static_cast<std::size_t>(before)];
+  const OptionState& old = other.options_[at(before)];
   if (old.state < 0) return;
-  const std::string& state = other.model_->states[static_cast<std::size_t>(old.state)].name;
+  const std::string& state = other.model_->states[at(old.state)].name;
   for (int i = declared.states.first; i < declared.states.first + declared.states.count; ++i) {
-    if (model_->states[static_cast<std::size_t>(i)].name != state) continue;
+    if (model_->states[at(i)].name != state) continue;
     const int index = option.option;
     option = old;
     option.option = index;
@@ -128,7 +128,7 @@ double& Engine::rootSlot(std::size_t parameter) {
       rootKind_ == Activation::Kind::option
           ? layout_.optionParameters[index] + static_cast<int>(parameter)
           : layout_.behaviorParameters[index] + bindings_.behaviors[index].order[parameter];
-  return memory_[static_cast<std::size_t>(place)];
+  return memory_[at(place)];
 }
 
 bool Engine::setParameter(std::string_view name, std::string_view value) {
@@ -140,7 +140,7 @@ bool Engine::setParameter(std::string_view name, std::string_view value) {
   if (!number) return false;
   const double before = std::exchange(rootSlot(parameter), *number);
   if (rootKind_ == Activation::Kind::behavior && before != *number)
-    tellChanges(static_cast<std::size_t>(root_));
+    notifyOfChanges(static_cast<std::size_t>(root_));
   return true;
 }
 
@@ -158,21 +158,21 @@ bool Engine::setOutput(std::string_view name, std::string_view value) {
 std::optional<NamedValue> Engine::symbol(std::string_view name,
                                          const std::vector<Argument>& arguments) const {
   const int index = model_->findInput(name);
-  if (index < 0 || model_->symbols[static_cast<std::size_t>(index)].parameters.empty())
+  if (index < 0 || model_->symbols[at(index)].parameters.empty())
     return arguments.empty() ? this->symbol(name) : std::nullopt;
   const auto i = static_cast<std::size_t>(index);
   const Symbol& symbol = model_->symbols[i];
   std::vector<double> values(symbol.parameters.size());
   const std::vector<int>& order = bindings_.symbols[i].order;
   for (std::size_t p = 0; p < values.size(); ++p)
-    values[static_cast<std::size_t>(order[p])] = firstValue(symbol.parameters[p].type);
+    values[at(order[p])] = firstValue(symbol.parameters[p].type);
   for (const Argument& argument : arguments) {
     const int parameter = indexOf(symbol.parameters, argument.parameter);
     if (parameter < 0) return std::nullopt;
     const auto p = static_cast<std::size_t>(parameter);
     const std::optional<double> value = read(symbol.parameters[p].type, argument.value);
     if (!value) return std::nullopt;
-    values[static_cast<std::size_t>(order[p])] = *value;
+    values[at(order[p])] = *value;
   }
   return named(symbol.name, symbol.type, callInput(i, values.data()));
 }
@@ -186,7 +186,7 @@ std::optional<double> Engine::read(Type type, std::string_view text) const {
     const auto enumeration = static_cast<std::size_t>(type.enumeration);
     const int element = indexOf(model_->enumerations[enumeration].elements, text);
     if (element < 0) return std::nullopt;
-    return bindings_.elements[enumeration][static_cast<std::size_t>(element)];
+    return bindings_.elements[enumeration][at(element)];
   }
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

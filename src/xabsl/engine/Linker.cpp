@@ -141,9 +141,9 @@ class Linker {
   /// Says besides which option needs what is wrong.
   void error(Location location, Use use, std::string message, const std::string& suggestion = {}) {
     if (use.option >= 0)
-      message += ", needed by option " + model_.options[static_cast<std::size_t>(use.option)].name +
-                 " (" + model_.files[static_cast<std::size_t>(use.location.file)] + ":" +
-                 std::to_string(use.location.line) + ")";
+      message += ", needed by option " + model_.options[at(use.option)].name + " (" +
+                 model_.files[at(use.location.file)] + ":" + std::to_string(use.location.line) +
+                 ")";
     reporter_.error(location, message + suggestion);
   }
 

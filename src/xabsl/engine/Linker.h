@@ -25,9 +25,9 @@ struct Bindings {
   std::vector<double> firstElements;
 };
 
-/// Looks up all that a model declares among what is registered. What is missing or of another type
-/// is an error at the place of its declaration, with the option that needs it. The bindings are of
-/// use only without errors.
+/// Looks up all declarations of a model among the registered symbols. A symbol that is missing or
+/// of another type is an error at its declaration, which names the option that needs it. The
+/// bindings are valid only if there is no error.
 Bindings link(const Model& model, const Symbols& symbols, std::vector<Diagnostic>& diagnostics);
 
 }  // namespace xabsl

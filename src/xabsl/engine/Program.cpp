@@ -362,7 +362,7 @@ class ProgramWriter {
       else
         compute(operand, first + behavior.order[p]);
     }
-    if (tell) emit(Operation::tellChanges).index = action.target;
+    if (tell) emit(Operation::notifyOfChanges).index = action.target;
     if (recorded_) emit(Operation::recordBehavior).index = action.target;
     emit(Operation::callBehavior).index = action.target;
     keepParameters(first, behavior.order.size());

@@ -50,13 +50,13 @@ enum class Operation : std::uint8_t {
   decideInState,
   actInState,
   // Actions
-  keepParameters,  // a: the first one; index: how many
-  markOption,      // for the team
-  set,             // index: the symbol, which has its new value
-  pass,            // *a as a parameter in `to`, noticing whether it changed
-  tellChanges,     // index: the basic behavior
-  callBehavior,    // index
-  callOption,      // index
+  keepParameters,   // a: the first one; index: how many
+  markOption,       // for the team
+  set,              // index: the symbol, which has its new value
+  pass,             // *a as a parameter in `to`, noticing whether it changed
+  notifyOfChanges,  // index: the basic behavior
+  callBehavior,     // index
+  callOption,       // index
   back,
   // What a recorder wants to know besides
   recordOption,     // begins to decide

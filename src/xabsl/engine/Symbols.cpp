@@ -17,7 +17,7 @@ void Symbols::place(std::vector<std::string>& names, int value, const std::strin
   constexpr int largest = 10'000;
   assert(value >= 0 && value <= largest && "values of enumerations are indices");
   names.resize(std::max(names.size(), static_cast<std::size_t>(value) + 1));
-  names[static_cast<std::size_t>(value)] = name;
+  names[at(value)] = name;
 }
 
 void Symbols::addEnumeration(const std::string& name, std::vector<std::string> elements,

@@ -46,11 +46,11 @@ struct RegisteredEnumeration {
 template <typename T>
 constexpr bool isVariable = std::is_pointer_v<T> && !std::is_function_v<std::remove_pointer_t<T>>;
 
-/// What the surroundings offer to behaviors: variables, functions, enumerations and basic
+/// What a program registers for behaviors: variables, functions, enumerations and basic
 /// behaviors, by the names used in XABSL (report H.3 to H.5). Types follow from C++: bool is bool,
 /// an enum class is the enumeration registered for it, any other number is float. Registering a
-/// name twice replaces what it stood for. What is registered by pointer must outlive the engines
-/// that use it.
+/// name again replaces the earlier entry. Objects registered by pointer must outlive the engines
+/// that use them.
 class Symbols {
  public:
   /// The names of an enum's values 0, 1, ..., as XABSL calls them.

@@ -15,9 +15,9 @@ TeamCooperation::TeamCooperation(const Model& model) : memberOfState_(model.stat
   for (std::size_t option = 0; option < model.options.size(); ++option) {
     const Span states = model.options[option].states;
     for (int state = states.first; state < states.first + states.count; ++state) {
-      const Cooperation& cooperation = model.states[static_cast<std::size_t>(state)].cooperation;
+      const Cooperation& cooperation = model.states[at(state)].cooperation;
       if (cooperation.kind == Cooperation::Kind::none) continue;
-      memberOfState_[static_cast<std::size_t>(state)] = static_cast<int>(members_.size());
+      memberOfState_[at(state)] = static_cast<int>(members_.size());
       Member member;
       member.option = static_cast<int>(option);
       member.state = state;
@@ -74,9 +74,9 @@ void TeamCooperation::markOption(int option, int state) {
 }
 
 bool TeamCooperation::mayEnter(int state) {
-  const int index = memberOfState_[static_cast<std::size_t>(state)];
+  const int index = memberOfState_[at(state)];
   if (index < 0) return true;
-  Member& member = members_[static_cast<std::size_t>(index)];
+  Member& member = members_[at(index)];
   return member.cooperation.kind == Cooperation::Kind::capacity ? hasPlace(member)
                                                                 : isTogether(member);
 }
@@ -102,9 +102,9 @@ bool TeamCooperation::isTogether(Member& member) const {
 }
 
 bool TeamCooperation::conflict(int state) const {
-  const int index = memberOfState_[static_cast<std::size_t>(state)];
+  const int index = memberOfState_[at(state)];
   if (index < 0) return false;
-  const Member& member = members_[static_cast<std::size_t>(index)];
+  const Member& member = members_[at(index)];
   return member.cooperation.kind == Cooperation::Kind::capacity &&
          member.othersExecuting >= member.cooperation.agents;
 }

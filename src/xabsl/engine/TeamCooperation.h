@@ -8,8 +8,8 @@
 
 namespace xabsl {
 
-/// What an engine tells the engines of its team mates after each cycle. All must run the same
-/// behavior: the marks stand in the order of its cooperative states.
+/// What an engine sends to the engines of its teammates after each cycle. All must run the same
+/// behavior: the marks are in the order of its cooperative states.
 struct CooperationMessage {
   enum Mark : std::uint8_t {
     optionExecuted = 1,  // the option that the state belongs to was active
@@ -21,15 +21,15 @@ struct CooperationMessage {
   std::vector<std::uint8_t> marks;
 };
 
-/// Agrees with team mates about who enters a cooperative state. The engine asks it, the host
+/// Agrees with teammates about who enters a cooperative state. The engine asks it, the host
 /// carries the messages. Nothing is allocated after construction.
 class TeamCooperation {
  public:
   explicit TeamCooperation(const Model& model);
 
-  /// Where several want the last places of a state, the largest priority comes first; of equal ones
-  /// none does, so let them differ. A state with a capacity is entered after it was announced for
-  /// `synchronizationTicks` cycles, a synchronized one after more than half of them.
+  /// If several robots want the last places of a state, the largest priority comes first. Equal
+  /// priorities keep all of them out, so they must differ. A state with a capacity is entered after
+  /// it was announced for `synchronizationTicks` cycles, a synchronized one after more than half.
   void configure(double priority, int synchronizationTicks);
   int synchronizationTicks() const { return synchronizationTicks_; }
 
@@ -39,7 +39,7 @@ class TeamCooperation {
   void countTeammatesOnly(bool only) { countsTeammatesOnly_ = only; }
   bool countsTeammatesOnly() const { return countsTeammatesOnly_; }
 
-  /// The latest message of each team mate, replacing those given before. Missing marks are clear.
+  /// Takes the latest message of each teammate and replaces all earlier ones. Missing marks are 0.
   void receive(const std::vector<CooperationMessage>& messages);
 
   const CooperationMessage& message() const { return message_; }

@@ -30,8 +30,8 @@ struct TraceEvent {
   bool operator==(const TraceEvent&) const = default;
 };
 
-/// Remembers what an engine did in its last cycles, in memory that is allocated once: the oldest
-/// events give way to new ones.
+/// Keeps what an engine did in its last cycles, in memory that is allocated once. New events
+/// replace the oldest ones.
 class TraceRecorder {
  public:
   /// A cycle is some ten events for each active option.
@@ -43,7 +43,7 @@ class TraceRecorder {
     if (count_ < ring_.size()) ++count_;
   }
 
-  /// What is remembered, oldest first; begins with the first cycle that is there whole.
+  /// The recorded events, oldest first, from the first complete cycle on.
   std::vector<TraceEvent> events() const {
     std::vector<TraceEvent> events;
     for (std::size_t i = 0; i < count_; ++i) {

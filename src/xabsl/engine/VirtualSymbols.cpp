@@ -12,7 +12,7 @@ RegisteredType typeOf(const Model& model, Type type) {
   registered.kind = type.kind;
   if (type.kind != ValueKind::enumeration) return registered;
   registered.type = typeid(void);
-  registered.enumeration = model.enumerations[static_cast<std::size_t>(type.enumeration)].name;
+  registered.enumeration = model.enumerations[at(type.enumeration)].name;
   return registered;
 }
 

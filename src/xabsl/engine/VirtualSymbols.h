@@ -9,8 +9,8 @@
 
 namespace xabsl {
 
-/// Surroundings for a behavior that has none: all that a model declares, as data. Elements have
-/// their indices as values. For tools and tests; must outlive the engines that use it.
+/// Registers all declarations of a model as data, for tools and tests without a robot. Elements
+/// have their indices as values. Must outlive the engines that use it.
 class VirtualSymbols {
  public:
   /// The value of an input symbol with parameters; arguments in the order of the declaration.
@@ -23,7 +23,7 @@ class VirtualSymbols {
   const Symbols& symbols() const { return symbols_; }
 
   /// The value of an input symbol, or what an output symbol was set to last.
-  double& value(int symbol) { return entries_[static_cast<std::size_t>(symbol)].value; }
+  double& value(int symbol) { return entries_[at(symbol)].value; }
 
  private:
   struct Entry {

@@ -436,36 +436,6 @@ TEST(Compile, WantsAnAgent) {
             "root_option);'\n");
 }
 
-TEST(Compile, RefusesOptionsThatCallOneAnother) {
-  EXPECT_EQ(errorsInMain("option main { initial state s { action { a(); } } }\n"
-                         "option a { initial state s { action { b(); } } }\n"
-                         "option b { common action { a(); } initial state s { action { } } }"),
-            "2:39: options call one another in a cycle: a -> b -> a\n");
-  EXPECT_EQ(errorsInMain("option main { initial state s { action { main(); } } }"),
-            "1:42: options call one another in a cycle: main -> main\n");
-}
-
-TEST(Compile, RefusesOptionsThatMultiplyWithoutBound) {
-  std::string text = "option o0 { initial state s { action { } } }\n";
-  for (int i = 1; i < 40; ++i) {
-    const std::string callee = "o" + std::to_string(i - 1) + "(); ";
-    text += "option o" + std::to_string(i) + " { initial state s { action { " + callee + callee +
-            "} } }\n";
-  }
-  EXPECT_THAT(errorsInMain("option main { initial state s { action { } } }\n" + text),
-              HasSubstr("may execute more than 100000 options and behaviors in a cycle"));
-}
-
-TEST(Compile, RefusesPathsOfOptionsThatAreTooLong) {
-  std::string text =
-      "option main { initial state s { action { } } }\n"
-      "option o0 { initial state s { action { } } }\n";
-  for (int i = 1; i < 300; ++i)
-    text += "option o" + std::to_string(i) + " { initial state s { action { o" +
-            std::to_string(i - 1) + "(); } } }\n";
-  EXPECT_THAT(errorsInMain(text), HasSubstr("the path of options from o200 is longer than 200"));
-}
-
 TEST(Compile, TellsAtMostAHundredErrors) {
   std::string text;
   for (int i = 0; i < 1000; ++i) text += "speed = unknown;\n";

@@ -12,15 +12,15 @@ namespace xabsl {
 /// The forms in which a behavior may be written.
 enum class Form { xml21, xml31, text31 };
 
-/// What converting yields: the files, named relative to that with the agents, or what is wrong.
+/// The result of converting: the files, named relative to that with the agents, or errors.
 struct Conversion {
   std::optional<VirtualFiles> files;
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Writes a behavior anew, in another form or the same, without changing what it means. Comments,
-/// titles, units and ranges are kept, with a file for each option and each group of symbols; what
-/// the other form cannot say is an error at its place. `root` names the new file with the agents.
+/// Writes a behavior in another form or in the same one, without changing its meaning. Comments,
+/// titles, units and ranges are kept. Each option and each group of symbols gets a file. What the
+/// other form cannot express is an error at its place. `root` names the new file with the agents.
 Conversion convert(const std::string& path, Form form, const std::string& root);
 
 /// The same from files in memory.

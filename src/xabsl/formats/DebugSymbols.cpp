@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/formats/Lowering.h"
 
 namespace xabsl {
 
@@ -34,13 +34,6 @@ class Writer {
     line("");
   }
 
-  std::string typed(Type type, const std::string& name) const {
-    if (type.kind == ValueKind::number) return "d " + name + " ";
-    if (type.kind == ValueKind::boolean) return "b " + name + " ";
-    return "e " + model_.enumerations[static_cast<std::size_t>(type.enumeration)].name + " " +
-           name + " ";
-  }
-
   void enumerations() {
     line("// number of enumerations");
     line(std::to_string(model_.enumerations.size()));
@@ -64,14 +57,14 @@ class Writer {
     line("// " + kind + " symbols");
     line("// (d decimal-" + kind + "-symbol | b boolean-" + kind + "-symbol | e enum-name " +
          "enumerated-" + kind + "-symbol)+");
-    for (const Symbol* symbol : chosen) line(typed(symbol->type, symbol->name));
+    for (const Symbol* symbol : chosen) line(typedName(model_, symbol->type, symbol->name) + " ");
     endSection();
   }
 
   void owner(const std::string& name, const std::vector<Parameter>& parameters) {
     std::string text = name + " " + std::to_string(parameters.size()) + " ";
     for (const Parameter& parameter : parameters)
-      text += typed(parameter.type, name + "." + parameter.name);
+      text += typedName(model_, parameter.type, name + "." + parameter.name) + " ";
     line(text);
   }
 
@@ -81,16 +74,8 @@ class Writer {
     line(
         "//options: (name num-of-parameters (d decimal-parameter | b boolean_parameter | e "
         "enum-name enumerated-parameter)*)+");
-    std::vector<const Option*> options;
-    for (const Option& option : model_.options) options.push_back(&option);
-    std::sort(options.begin(), options.end(), [](const Option* a, const Option* b) {
-      return std::lexicographical_compare(
-          a->name.begin(), a->name.end(), b->name.begin(), b->name.end(), [](char x, char y) {
-            const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c + 0; };
-            return lower(x) < lower(y);
-          });
-    });
-    for (const Option* option : options) owner(option->name, option->parameters);
+    for (const int option : sortedByName(model_.options))
+      owner(model_.options[at(option)].name, model_.options[at(option)].parameters);
     endSection();
   }
 

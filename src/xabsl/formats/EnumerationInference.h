@@ -36,14 +36,14 @@ class EnumerationInference {
   /// Notes that an element was written where a domain is expected; returns its number.
   int mention(int domain, std::string_view text, Location location);
 
-  /// Ends the inference: the enumerations of the model. Says what is unknown.
+  /// Ends the inference: the enumerations of the model. Reports what is unknown.
   std::vector<Enumeration> resolve();
 
   /// After `resolve`: the enumeration of a domain.
   int enumeration(int domain);
 
   /// After `resolve`: the element of its enumeration that was mentioned.
-  int element(int mention) const { return mentions_[static_cast<std::size_t>(mention)].element; }
+  int element(int mention) const { return mentions_[at(mention)].element; }
 
  private:
   struct Domain {

@@ -13,7 +13,7 @@ namespace xabsl {
 
 class Symbols;
 
-/// What writing intermediate code yields: the text, or what cannot be said in that dialect.
+/// The result of writing intermediate code: the text, or what the dialect cannot express.
 struct IntermediateCode {
   std::optional<std::string> text;
   std::vector<Diagnostic> diagnostics;
@@ -28,9 +28,9 @@ IntermediateCode writeIntermediateCode(const Model& model, Dialect dialect = Dia
 /// symbols, options and basic behaviors with their parameters.
 std::string writeDebugSymbols(const Model& model);
 
-/// Reads intermediate code of XABSL 3.1 or 3.0; which one it is, is seen from the code. It says
-/// nothing of the parameters and elements that are never used: what is registered completes them,
-/// so an engine's symbols should be given.
+/// Reads intermediate code of XABSL 3.1 or 3.0, which it detects from the code. Intermediate code
+/// lacks the parameters and elements that are never used. Registered symbols complete them, so an
+/// engine's symbols should be given.
 Compilation readIntermediateCode(const std::string& name, std::string_view text,
                                  const Symbols* registered = nullptr);
 

@@ -10,25 +10,6 @@ namespace {
 
 constexpr std::string_view lineEnd = "\r\n";
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
-/// The indices of those elements that are wanted, in the order of their names without regard to
-/// case.
-template <typename Element, typename Wanted>
-std::vector<int> sorted(const std::vector<Element>& elements, Wanted wanted) {
-  std::vector<std::pair<std::string, int>> names;
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    if (wanted(elements[i])) names.emplace_back(lower(elements[i].name), static_cast<int>(i));
-  std::sort(names.begin(), names.end());
-  std::vector<int> indices;
-  for (const auto& [name, index] : names) indices.push_back(index);
-  return indices;
-}
-
 class Writer {
  public:
   Writer(const Model& model, Dialect dialect) : model_(model), dialect_(dialect) {}
@@ -38,7 +19,7 @@ class Writer {
     endLine();
     endLine();
     internals();
-    const std::vector<int> options = sorted(model_.options, [](const Option&) { return true; });
+    const std::vector<int> options = sortedByName(model_.options);
     line(std::to_string(options.size()));
     for (const int option : options) declare(model_.options[at(option)]);
     endLine();
@@ -63,14 +44,8 @@ class Writer {
                             what + " cannot be said in intermediate code of XABSL 3.0"});
   }
 
-  const std::string& enumeration(Type type) const {
-    return model_.enumerations[at(type.enumeration)].name;
-  }
-
   std::string typed(Type type, const std::string& name) const {
-    if (type.kind == ValueKind::number) return "d " + name;
-    if (type.kind == ValueKind::boolean) return "b " + name;
-    return "e " + enumeration(type) + " " + name;
+    return typedName(model_, type, name);
   }
 
   std::string element(int index, int element) const {
@@ -81,7 +56,7 @@ class Writer {
 
   void internals() {
     const std::vector<int> enumerations =
-        sorted(model_.enumerations, [](const Enumeration& one) { return one.internal; });
+        sortedByName(model_.enumerations, [](const Enumeration& one) { return one.internal; });
     line(std::to_string(enumerations.size()));
     for (const int index : enumerations) {
       const Enumeration& one = model_.enumerations[at(index)];
@@ -90,7 +65,7 @@ class Writer {
         text_ += " " + element(index, static_cast<int>(i));
       endLine();
     }
-    const std::vector<int> symbols = sorted(
+    const std::vector<int> symbols = sortedByName(
         model_.symbols, [](const Symbol& symbol) { return symbol.kind == SymbolKind::internal; });
     line(std::to_string(symbols.size()));
     for (const int index : symbols)
@@ -149,10 +124,9 @@ class Writer {
   void action(const Action& action) {
     if (action.kind == Action::Kind::assignment) {
       const Symbol& symbol = model_.symbols[at(action.target)];
-      const char* type = symbol.type.kind == ValueKind::number    ? "d "
-                         : symbol.type.kind == ValueKind::boolean ? "b "
-                                                                  : "e ";
-      line(type + symbol.name);
+      // Here, unlike elsewhere, the enumeration is left out.
+      const bool enumerated = symbol.type.kind == ValueKind::enumeration;
+      line(enumerated ? "e " + symbol.name : typed(symbol.type, symbol.name));
       expression(action.operand);
     } else if (action.kind == Action::Kind::option) {
       const Option& option = model_.options[at(action.target)];

@@ -5,6 +5,12 @@
 
 namespace xabsl {
 
+std::string typedName(const Model& model, Type type, const std::string& name) {
+  if (type.kind == ValueKind::number) return "d " + name;
+  if (type.kind == ValueKind::boolean) return "b " + name;
+  return "e " + model.enumerations[at(type.enumeration)].name + " " + name;
+}
+
 std::string decimalText(double number) {
   constexpr double largestWritten = 1e22;  // above that, a whole number is not exact anyway
   constexpr double smallestFixed = 1e-4;

@@ -1,13 +1,42 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "xabsl/language/Model.h"
 
 /// What the public compilers make of expressions, in intermediate code and in XML alike.
 namespace xabsl {
+
+/// `d name`, `b name` or `e enumeration name`.
+std::string typedName(const Model& model, Type type, const std::string& name);
+
+/// The indices of those elements that are wanted, in the order of their names without regard to
+/// case.
+template <typename Element, typename Wanted>
+std::vector<int> sortedByName(const std::vector<Element>& elements, Wanted wanted) {
+  std::vector<std::pair<std::string, int>> names;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (!wanted(elements[i])) continue;
+    std::string name = elements[i].name;
+    for (char& c : name)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    names.emplace_back(std::move(name), static_cast<int>(i));
+  }
+  std::sort(names.begin(), names.end());
+  std::vector<int> indices;
+  for (const auto& [name, index] : names) indices.push_back(index);
+  return indices;
+}
+
+/// The same for all of them.
+template <typename Element>
+std::vector<int> sortedByName(const std::vector<Element>& elements) {
+  return sortedByName(elements, [](const Element&) { return true; });
+}
 
 /// Whole numbers without a point, all others with as many digits as they need.
 std::string decimalText(double number);

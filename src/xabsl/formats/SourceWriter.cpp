@@ -109,8 +109,7 @@ std::string folderOf(const Program& program, Location location) {
   const std::filesystem::path root =
       std::filesystem::path(program.files.front().path).parent_path();
   const std::filesystem::path folder =
-      std::filesystem::path(program.files[static_cast<std::size_t>(location.file)].path)
-          .parent_path();
+      std::filesystem::path(program.files[at(location.file)].path).parent_path();
   const std::filesystem::path inside =
       folder.lexically_relative(root.empty() ? std::filesystem::path(".") : root);
   if (inside.empty() || inside == "." || *inside.begin() == "..") return {};
@@ -125,7 +124,7 @@ std::vector<Collection> collectionsOf(const Program& program) {
   std::vector<Collection> collections;
   std::map<std::pair<std::string_view, bool>, std::size_t> known;
   const auto add = [&](const auto& member, bool behaviors) {
-    const Namespace& space = program.namespaces[static_cast<std::size_t>(member.space)];
+    const Namespace& space = program.namespaces[at(member.space)];
     const auto [found, added] =
         known.emplace(std::pair(space.name.text, behaviors), collections.size());
     if (added) collections.push_back({&space, behaviors, {}});

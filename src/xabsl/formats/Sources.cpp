@@ -14,6 +14,7 @@
 #include "xabsl/formats/XmlSchema.h"
 #include "xabsl/formats/XmlSources.h"
 #include "xabsl/language/Parser.h"
+#include "xabsl/language/Utf8.h"
 
 namespace xabsl {
 
@@ -30,43 +31,6 @@ bool isText(const std::string& text) {
     return static_cast<unsigned char>(c) < ' ' &&
            std::string_view("\t\n\v\f\r").find(c) == std::string_view::npos;
   });
-}
-
-/// The number of bytes of the letter in UTF-8 that a text begins with; 0: it begins with none.
-std::size_t letterLength(std::string_view text) {
-  const unsigned first = static_cast<unsigned char>(text.front());
-  const std::size_t length = first < 0x80   ? 1
-                             : first < 0xC2 ? 0
-                             : first < 0xE0 ? 2
-                             : first < 0xF0 ? 3
-                             : first < 0xF5 ? 4
-                                            : 0;
-  if (length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((static_cast<unsigned char>(text[i]) & 0xC0u) != 0x80u) return 0;
-  return length;
-}
-
-/// Older teams wrote their comments in Latin-1: bytes that are no UTF-8 are taken for that.
-std::string toUtf8(std::string text) {
-  const auto plain = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
-  if (std::all_of(text.begin(), text.end(), plain)) return text;
-  std::string_view rest = text;
-  while (!rest.empty() && letterLength(rest) > 0) rest.remove_prefix(letterLength(rest));
-  if (rest.empty()) return text;
-  std::string result(text, 0, text.size() - rest.size());
-  while (!rest.empty()) {
-    const std::size_t length = letterLength(rest);
-    if (length > 0) {
-      result += rest.substr(0, length);
-    } else {
-      const unsigned letter = static_cast<unsigned char>(rest.front());
-      result += static_cast<char>(0xC0u | letter >> 6);
-      result += static_cast<char>(0x80u | (letter & 0x3Fu));
-    }
-    rest.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return result;
 }
 
 /// The path of what a file includes.

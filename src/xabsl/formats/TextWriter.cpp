@@ -121,11 +121,8 @@ class TextWriter {
   }
 
   void declare(const Symbol& symbol) {
-    text_ += type(symbol.type) +
-             (symbol.kind == SymbolKind::input    ? "input "
-              : symbol.kind == SymbolKind::output ? "output "
-                                                  : "internal ") +
-             name(symbol.name) + details(symbol.range, symbol.unit);
+    text_ += type(symbol.type) + wordOf(symbol.kind) + " " + name(symbol.name) +
+             details(symbol.range, symbol.unit);
     if (!symbol.parameters.empty()) {
       text_ += " (\n";
       parameters(symbol.parameters, "");

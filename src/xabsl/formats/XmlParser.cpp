@@ -102,7 +102,7 @@ void Parser::comments() {
         std::string text(element.text);
         for (std::size_t end = text.find("*/"); end != std::string::npos; end = text.find("*/"))
           text.replace(end, 2, "* /");
-        program_.files[static_cast<std::size_t>(element.location.file)].comments.push_back(
+        program_.files[at(element.location.file)].comments.push_back(
             {Comment::Kind::block,
              program_.keep("/* " + text + " */"),
              {element.location, element.location}});
@@ -148,7 +148,7 @@ bool Parser::isNew(const Element& collection, const std::string& key) {
   if (added || known->second == &collection || same(*known->second, collection)) return added;
   const Location& other = known->second->location;
   reporter_.error(collection.location, inQuotes(key) + " is declared otherwise in " +
-                                           files_[static_cast<std::size_t>(other.file)].path + ":" +
+                                           files_[at(other.file)].path + ":" +
                                            std::to_string(other.line));
   return false;
 }
@@ -176,7 +176,7 @@ void Parser::declare(const Element& collection) {
 /// The report asks for it, though everything works without.
 void Parser::checkFileName(const Element& element, std::string_view name,
                            const std::string& attribute) {
-  const File& file = files_[static_cast<std::size_t>(element.location.file)];
+  const File& file = files_[at(element.location.file)];
   if (file.roots.size() > 0 && &file.roots.back() != &element) return;
   std::string_view stem = file.path;
   stem = stem.substr(stem.rfind('/') + 1);

@@ -339,8 +339,7 @@ void Parser::unknown(const Element& element, std::string_view kind) {
     if (declared || (collection->is(kind) && collection->attribute("name") == name))
       return error(element, "ref",
                    inQuotes(name) + " is not included by option " + std::string(option_) +
-                       ", but declared in " +
-                       files_[static_cast<std::size_t>(collection->location.file)].path);
+                       ", but declared in " + files_[at(collection->location.file)].path);
   }
   error(element, "ref", "unknown " + std::string(kind) + " " + inQuotes(name) + suggestion.text());
 }

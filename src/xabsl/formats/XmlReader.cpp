@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "xabsl/language/Utf8.h"
+
 namespace xabsl::xml {
 
 namespace {
@@ -63,7 +65,7 @@ class Lines {
       if (text[i] == '\n') starts_.push_back(i + 1);
   }
 
-  Location at(std::size_t offset) const {
+  Location place(std::size_t offset) const {
     offset = std::min(offset, text_.size());
     const auto next = std::upper_bound(starts_.begin(), starts_.end(), offset);
     // A file may be one line: what was counted for the last place is not counted again.
@@ -72,8 +74,7 @@ class Lines {
       letters_ = 0;
     }
     // Columns count letters, not bytes.
-    for (; last_ < offset; ++last_)
-      letters_ += (static_cast<unsigned char>(text_[last_]) & 0xC0u) != 0x80u;
+    for (; last_ < offset; ++last_) letters_ += !continuesLetter(text_[last_]);
     return {file_, static_cast<int>(next - starts_.begin()), letters_ + 1};
   }
 
@@ -120,7 +121,7 @@ class Reader {
     for (std::size_t i = text_.find('<'); i != std::string_view::npos; i = text_.find('<', end)) {
       end = std::min(text_.find('>', i), text_.size());
       if (text_.substr(i, 2) != "<!" && end - i > longestTag)
-        return fail(lines_.at(i), "the tag is longer than 16 KiB");
+        return fail(lines_.place(i), "the tag is longer than 16 KiB");
     }
   }
 
@@ -180,14 +181,14 @@ class Reader {
                 ? keep(trimmed(view(node->content)))
                 : keep(std::string(parent.text) + " " + std::string(trimmed(view(node->content))));
       }
-      if (node->_private) place = lines_.at(offset(*node));
+      if (node->_private) place = lines_.place(offset(*node));
     }
   }
 
   void element(const xmlNode& node, Element& parent, Location place, int depth) {
     Element element;
     element.name = keep(view(node.name));
-    element.location = node._private ? lines_.at(offset(node)) : place;
+    element.location = node._private ? lines_.place(offset(node)) : place;
     for (const xmlAttr* attribute = node.properties; attribute; attribute = attribute->next)
       addAttribute(node, *attribute, element);
     if (isInclude(node)) {
@@ -261,12 +262,12 @@ class Reader {
       found = found.substr(found.find(':') + 1);
       const std::size_t quote = text_.find_first_of("\"'>", i);
       if (quote == std::string_view::npos || text_[quote] == '>') break;
-      if (found == name) return lines_.at(quote + 1);
+      if (found == name) return lines_.place(quote + 1);
       i = text_.find(text_[quote], quote + 1);
       if (i == std::string_view::npos) break;
       ++i;
     }
-    return lines_.at(tag);
+    return lines_.place(tag);
   }
 
   /// `&name;` stands for an external file, or for what was declared inside of this one.
@@ -291,7 +292,7 @@ class Reader {
 
   Location referenceLocation(std::string_view name, Location place) const {
     const std::size_t found = text_.find("&" + std::string(name) + ";");
-    return found == std::string_view::npos ? place : lines_.at(found);
+    return found == std::string_view::npos ? place : lines_.place(found);
   }
 
   void fail(Location location, const std::string& message) {

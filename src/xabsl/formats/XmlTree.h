@@ -76,7 +76,7 @@ void forEach(const Files& files, const std::vector<Element>& elements, Follow fo
     if (!entered)
       visit(element);
     else if (element.file >= 0)
-      forEach(files, files[static_cast<std::size_t>(element.file)].roots, follow, visit);
+      forEach(files, files[at(element.file)].roots, follow, visit);
   }
 }
 

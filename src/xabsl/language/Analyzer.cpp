@@ -15,10 +15,6 @@ constexpr std::size_t maximalParameters = 100;
 // What the reader of public XABSL engines has room for.
 constexpr std::size_t longestPortableName = 99;
 
-std::string describe(SymbolKind kind) {
-  return kind == SymbolKind::input ? "input" : kind == SymbolKind::output ? "output" : "internal";
-}
-
 }  // namespace
 
 Analyzer::Analyzer(const syntax::Program& program, Reporter& reporter, References* references)
@@ -101,7 +97,7 @@ void Analyzer::declareSymbols() {
   for (const syntax::Symbol& source : program_.symbols) {
     const bool input = source.kind == SymbolKind::input;
     declare(input ? names_.inputs : names_.outputs, source.name,
-            static_cast<int>(model_.symbols.size()), describe(source.kind) + " symbol");
+            static_cast<int>(model_.symbols.size()), std::string(wordOf(source.kind)) + " symbol");
     Symbol symbol;
     symbol.kind = source.kind;
     symbol.name = source.name.text;
@@ -341,7 +337,7 @@ bool Analyzer::assignment(const syntax::Action& source, int option, ExpressionAn
     return false;
   }
   refer({Entity::Kind::symbol, action.target}, source.name);
-  Symbol& symbol = model_.symbols[static_cast<std::size_t>(action.target)];
+  Symbol& symbol = model_.symbols[at(action.target)];
   if (symbol.firstUse.option < 0) symbol.firstUse = {option, source.name.location};
   action.operand =
       expressions.expression(*source.value, symbol.type, "value of " + inQuotes(source.name.text));
@@ -365,13 +361,13 @@ bool Analyzer::call(const syntax::Action& source, int option, ExpressionAnalyzer
     action.kind = Action::Kind::option;
     action.target = called;
     refer({Entity::Kind::option, called}, source.name);
-    action.operand = expressions.arguments(
-        source.arguments, model_.options[static_cast<std::size_t>(called)].parameters,
-        source.name.text, "option " + name, {Entity::Kind::option, called});
+    action.operand =
+        expressions.arguments(source.arguments, model_.options[at(called)].parameters,
+                              source.name.text, "option " + name, {Entity::Kind::option, called});
     return true;
   }
   if (behavior >= 0 && source.kind != Kind::callOption) {
-    BasicBehavior& prototype = model_.behaviors[static_cast<std::size_t>(behavior)];
+    BasicBehavior& prototype = model_.behaviors[at(behavior)];
     if (prototype.firstUse.option < 0) prototype.firstUse = {option, source.name.location};
     action.kind = Action::Kind::behavior;
     action.target = behavior;

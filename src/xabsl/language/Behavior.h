@@ -23,7 +23,7 @@ class Behavior {
   std::shared_ptr<const Model> model_;
 };
 
-/// What compiling yields: a behavior if there is no error, and what there is to say.
+/// The result of compiling: a behavior if there is no error, and all messages.
 struct Compilation {
   std::optional<Behavior> behavior;
   std::vector<Diagnostic> diagnostics;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "xabsl/language/Utf8.h"
+
 namespace xabsl {
 
 std::string toString(const Diagnostic& diagnostic) {
@@ -21,7 +23,7 @@ std::string toStringWithSource(const Diagnostic& diagnostic) {
   int column = 1;
   for (const char c : diagnostic.source) {
     if (column >= diagnostic.column) break;
-    if ((static_cast<unsigned char>(c) & 0xC0u) == 0x80u) continue;  // columns count letters
+    if (continuesLetter(c)) continue;  // columns count letters
     pad += c == '\t' ? '\t' : ' ';
     ++column;
   }

@@ -29,10 +29,10 @@ struct Diagnostic {
 /// One line: `file:line:column: message`, with `warning: ` before the message of a warning.
 std::string toString(const Diagnostic& diagnostic);
 
-/// The same, and below it the line itself with a caret under the place.
+/// The same, followed by the line of the source with a caret under the place.
 std::string toStringWithSource(const Diagnostic& diagnostic);
 
-/// A name or a piece of source as messages tell it: in quotes, and cut where it gets long.
+/// A name or a piece of source for a message: in quotes, and cut after 80 bytes.
 std::string inQuotes(std::string_view text);
 
 /// Whether there is an error, or, if `strict`, anything at all.

@@ -67,7 +67,7 @@ int findElement(const Enumeration& enumeration, std::string_view name) {
 std::string describe(const Model& model, Type type) {
   if (type.kind == ValueKind::number) return "float";
   if (type.kind == ValueKind::boolean) return "bool";
-  return "enum " + model.enumerations[static_cast<std::size_t>(type.enumeration)].name;
+  return "enum " + model.enumerations[at(type.enumeration)].name;
 }
 
 int findParameter(const std::vector<Parameter>& parameters, std::string_view name,
@@ -88,7 +88,7 @@ void ExpressionAnalyzer::refer(const Entity& entity, const syntax::Expression& s
 }
 
 void ExpressionAnalyzer::error(Location location, const std::string& message) {
-  const std::string& option = model_.options[static_cast<std::size_t>(option_)].name;
+  const std::string& option = model_.options[at(option_)].name;
   // A hint stays the end of the sentence.
   const std::size_t end = std::min(message.find("; "), message.size());
   reporter_.error(location, message.substr(0, end) + " in option " + option + message.substr(end));
@@ -183,7 +183,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& sou
     return add(source,
                {.operation = Operator::constant,
                 .a = constant,
-                .number = model_.constants[static_cast<std::size_t>(constant)].value},
+                .number = model_.constants[at(constant)].value},
                number);
   }
   if (input >= 0 || output >= 0) return symbol(source, std::max(input, output));
@@ -216,7 +216,7 @@ void ExpressionAnalyzer::ambiguous(const syntax::Expression& source, bool consta
 
 ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& source, int index) {
   refer({Entity::Kind::symbol, index}, source);
-  Symbol& symbol = model_.symbols[static_cast<std::size_t>(index)];
+  Symbol& symbol = model_.symbols[at(index)];
   if (symbol.firstUse.option < 0) symbol.firstUse = {option_, source.location};
   if (symbol.kind != SymbolKind::input)
     return add(source, {.operation = Operator::variable, .a = index}, symbol.type);
@@ -228,11 +228,10 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& s
 
 ExpressionAnalyzer::Typed ExpressionAnalyzer::element(const syntax::Expression& source,
                                                       int enumeration) {
-  const int index =
-      findElement(model_.enumerations[static_cast<std::size_t>(enumeration)], source.name);
+  const int index = findElement(model_.enumerations[at(enumeration)], source.name);
   if (index < 0) return {};
-  const Enumeration& found = model_.enumerations[static_cast<std::size_t>(enumeration)];
-  const bool qualified = source.name != found.elements[static_cast<std::size_t>(index)].name;
+  const Enumeration& found = model_.enumerations[at(enumeration)];
+  const bool qualified = source.name != found.elements[at(index)].name;
   if (references_)
     references_->addQualified({Entity::Kind::enumeration, enumeration},
                               {Entity::Kind::element, enumeration, index}, source.name,
@@ -242,8 +241,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::element(const syntax::Expression& 
 }
 
 ExpressionAnalyzer::Typed ExpressionAnalyzer::parameter(const syntax::Expression& source) {
-  const std::vector<Parameter>& parameters =
-      model_.options[static_cast<std::size_t>(option_)].parameters;
+  const std::vector<Parameter>& parameters = model_.options[at(option_)].parameters;
   const int index = findParameter(parameters, source.name);
   if (index >= 0) {
     if (references_) {
@@ -252,7 +250,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::parameter(const syntax::Expression
       references_->add({Entity::Kind::optionParameter, option_, index}, source.name, name);
     }
     return add(source, {.operation = Operator::parameter, .a = option_, .b = index},
-               parameters[static_cast<std::size_t>(index)].type);
+               parameters[at(index)].type);
   }
   Suggestion suggestion(source.name);
   for (const Parameter& parameter : parameters) suggestion.offer(parameter.name);
@@ -378,14 +376,14 @@ void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enume
   Suggestion suggestion(source.name);
   std::string message = "unknown input symbol " + inQuotes(source.name);
   if (enumeration >= 0) {
-    const Enumeration& expected = model_.enumerations[static_cast<std::size_t>(enumeration)];
+    const Enumeration& expected = model_.enumerations[at(enumeration)];
     for (const EnumerationElement& element : expected.elements) suggestion.offer(element.name);
     message = "enumeration " + inQuotes(expected.name) + " has no element " +
               inQuotes(source.name) + ", nor is there a symbol of that name";
   }
   if (source.name == "conflict" && model_.dialect == Dialect::xabsl30)
     return error(source.location, "'conflict' is of XABSL 3.1");
-  if (findParameter(model_.options[static_cast<std::size_t>(option_)].parameters, source.name) >= 0)
+  if (findParameter(model_.options[at(option_)].parameters, source.name) >= 0)
     return error(source.location, message + "; did you mean '@" + std::string(source.name) + "'?");
   for (const Names::Table* table : {&names_.inputs, &names_.outputs, &names_.constants})
     for (const auto& [candidate, index] : *table) suggestion.offer(candidate);

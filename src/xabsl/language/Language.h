@@ -16,6 +16,11 @@ enum class ValueKind { number, boolean, enumeration };
 
 enum class SymbolKind { input, output, internal };
 
+/// The keyword of the language.
+constexpr const char* wordOf(SymbolKind kind) {
+  return kind == SymbolKind::input ? "input" : kind == SymbolKind::output ? "output" : "internal";
+}
+
 /// The versions of the language. In 2.1 output symbols are set after the whole graph was executed
 /// (report H.7), in 3.0 and 3.1 at once.
 enum class Dialect { xabsl21, xabsl30, xabsl31 };

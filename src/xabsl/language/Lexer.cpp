@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "xabsl/language/Utf8.h"
+
 namespace xabsl {
 
 namespace {
@@ -33,9 +35,6 @@ bool isNamePart(char c) {
 }
 bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
-}
-bool continuesUtf8(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -121,7 +120,7 @@ void Lexer::advance() {
   }
   ++position_;
   // Columns count letters, not bytes.
-  if (!continuesUtf8(peek())) ++location_.column;
+  if (!continuesLetter(peek())) ++location_.column;
 }
 
 void Lexer::skipBlanks() {

@@ -29,8 +29,7 @@ class GraphCheck {
  private:
   template <typename Visit>
   void forEachAction(Span span, Visit visit) const {
-    for (int i = span.first; i < span.first + span.count; ++i)
-      visit(model_.actions[static_cast<std::size_t>(i)]);
+    for (int i = span.first; i < span.first + span.count; ++i) visit(model_.actions[at(i)]);
   }
 
   void findCallees() {
@@ -41,7 +40,7 @@ class GraphCheck {
       const Option& option = model_.options[i];
       forEachAction(option.commonActions, collect);
       for (int s = option.states.first; s < option.states.first + option.states.count; ++s)
-        forEachAction(model_.states[static_cast<std::size_t>(s)].actions, collect);
+        forEachAction(model_.states[at(s)].actions, collect);
     }
   }
 
@@ -54,17 +53,17 @@ class GraphCheck {
       open[i] = callees_[i].size();
       if (open[i] == 0) order.push_back(static_cast<int>(i));
       for (const Action* call : callees_[i])
-        callers[static_cast<std::size_t>(call->target)].push_back(static_cast<int>(i));
+        callers[at(call->target)].push_back(static_cast<int>(i));
     }
     for (std::size_t next = 0; next < order.size(); ++next)
-      for (const int caller : callers[static_cast<std::size_t>(order[next])])
-        if (--open[static_cast<std::size_t>(caller)] == 0) order.push_back(caller);
+      for (const int caller : callers[at(order[next])])
+        if (--open[at(caller)] == 0) order.push_back(caller);
     return order;
   }
 
   void reportCycle(const std::vector<int>& order) {
     std::vector<bool> sound(callees_.size(), false);
-    for (const int option : order) sound[static_cast<std::size_t>(option)] = true;
+    for (const int option : order) sound[at(option)] = true;
     // Whatever is left calls something else that is left: following the calls leads round the
     // cycle.
     std::size_t option = 0;
@@ -73,9 +72,9 @@ class GraphCheck {
     std::vector<bool> visited(callees_.size(), false);
     while (!visited[option]) {
       visited[option] = true;
-      const auto call = std::find_if(
-          callees_[option].begin(), callees_[option].end(),
-          [&](const Action* action) { return !sound[static_cast<std::size_t>(action->target)]; });
+      const auto call =
+          std::find_if(callees_[option].begin(), callees_[option].end(),
+                       [&](const Action* action) { return !sound[at(action->target)]; });
       path.push_back(*call);
       option = static_cast<std::size_t>((*call)->target);
     }
@@ -90,7 +89,7 @@ class GraphCheck {
         text += " -> ...";
         break;
       }
-      text += " -> " + model_.options[static_cast<std::size_t>((*step)->target)].name;
+      text += " -> " + model_.options[at((*step)->target)].name;
     }
     reporter_.error(location, "options call one another in a cycle: " + text);
   }
@@ -111,16 +110,15 @@ class GraphCheck {
   }
 
   void measure(int index) {
-    const Option& option = model_.options[static_cast<std::size_t>(index)];
+    const Option& option = model_.options[at(index)];
     int length = 0;
     const std::size_t common = weight(option.commonActions, length);
     std::size_t largest = 0;
     for (int s = option.states.first; s < option.states.first + option.states.count; ++s)
-      largest =
-          std::max(largest, weight(model_.states[static_cast<std::size_t>(s)].actions, length));
+      largest = std::max(largest, weight(model_.states[at(s)].actions, length));
     const std::size_t total = 1 + option.parameters.size() + common + largest;
-    weights_[static_cast<std::size_t>(index)] = std::min(total, maximalActivation + 1);
-    lengths_[static_cast<std::size_t>(index)] = length + 1;
+    weights_[at(index)] = std::min(total, maximalActivation + 1);
+    lengths_[at(index)] = length + 1;
   }
 
   void checkLimits(std::size_t index) {

@@ -42,8 +42,7 @@ std::string hintAt(const Token& token, const std::string& expected) {
 Parser::Parser(int file, std::string_view text, Reporter& reporter, Program& program)
     : reporter_(reporter),
       program_(program),
-      lexer_(file, text, reporter, &program.files[static_cast<std::size_t>(file)].comments,
-             program.dialect),
+      lexer_(file, text, reporter, &program.files[at(file)].comments, program.dialect),
       file_(file) {
   token_ = lexer_.next();
 }
@@ -75,7 +74,7 @@ void Parser::header() {
     if (line.size() >= 2 && line.substr(line.size() - 2) == "*/") line.remove_suffix(2);
     return line.substr(0, line.find_last_not_of(" \t*") + 1);
   };
-  for (const Comment& comment : program_.files[static_cast<std::size_t>(file_)].comments) {
+  for (const Comment& comment : program_.files[at(file_)].comments) {
     if (comment.kind != Comment::Kind::header) continue;
     Header& header = program_.header;
     if (header.title.empty()) header.title = value(comment.text, "Title:");
@@ -144,7 +143,7 @@ Name Parser::expectName(const std::string& what) {
 
 /// People look for an option in the file of its name.
 void Parser::warnFileName(const std::string& what, const Name& name) {
-  std::string_view stem = reporter_.files()[static_cast<std::size_t>(name.location.file)];
+  std::string_view stem = reporter_.files()[at(name.location.file)];
   stem = stem.substr(stem.rfind('/') + 1);
   stem = stem.substr(0, stem.rfind('.'));
   if (stem != name.text)
@@ -197,7 +196,7 @@ void Parser::include() {
   if (token_.kind != TokenKind::string) failExpected("the path of a file in quotes");
   const Token path = take();
   expectSemicolon();
-  program_.files[static_cast<std::size_t>(file_)].includes.push_back({path.text, path.location});
+  program_.files[at(file_)].includes.push_back({path.text, path.location});
 }
 
 void Parser::agent() {

@@ -83,6 +83,8 @@ class Parser {
   syntax::ExpressionPtr expression();
   syntax::ExpressionPtr disjunction();
   syntax::ExpressionPtr conjunction();
+  syntax::ExpressionPtr connection(std::string_view sign, Operator op,
+                                   syntax::ExpressionPtr (Parser::*operand)());
   syntax::ExpressionPtr comparison();
   syntax::ExpressionPtr sum();
   syntax::ExpressionPtr product();

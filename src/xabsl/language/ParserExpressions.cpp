@@ -144,23 +144,23 @@ ExpressionPtr Parser::expression() {
 }
 
 ExpressionPtr Parser::disjunction() {
-  ExpressionPtr first = conjunction();
-  if (!token_.is("||")) return first;
-  const Location location = token_.location;
-  std::vector<ExpressionPtr> operands;
-  operands.push_back(std::move(first));
-  while (accept("||")) operands.push_back(conjunction());
-  return operation(Operator::logicalOr, location, std::move(operands));
+  return connection("||", Operator::logicalOr, &Parser::conjunction);
 }
 
 ExpressionPtr Parser::conjunction() {
-  ExpressionPtr first = comparison();
-  if (!token_.is("&&")) return first;
+  return connection("&&", Operator::logicalAnd, &Parser::comparison);
+}
+
+/// Operands with one sign between them become one operation.
+ExpressionPtr Parser::connection(std::string_view sign, Operator op,
+                                 ExpressionPtr (Parser::*operand)()) {
+  ExpressionPtr first = (this->*operand)();
+  if (!token_.is(sign)) return first;
   const Location location = token_.location;
   std::vector<ExpressionPtr> operands;
   operands.push_back(std::move(first));
-  while (accept("&&")) operands.push_back(comparison());
-  return operation(Operator::logicalAnd, location, std::move(operands));
+  while (accept(sign)) operands.push_back((this->*operand)());
+  return operation(op, location, std::move(operands));
 }
 
 namespace {

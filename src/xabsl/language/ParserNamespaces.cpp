@@ -47,7 +47,7 @@ void Parser::namespaceMembers() {
 /// A namespace holds symbols or basic behaviors, never both (they are files of different kinds in
 /// XML).
 void Parser::enterNamespace(Namespace::Kind kind, Location location) {
-  Namespace& space = program_.namespaces[static_cast<std::size_t>(space_)];
+  Namespace& space = program_.namespaces[at(space_)];
   if (space.kind != Namespace::Kind::empty && space.kind != kind)
     reporter_.warning(location, "namespace '" + std::string(space.name.text) +
                                     "' has symbols and basic behaviors, expected one kind only");

@@ -160,16 +160,6 @@ TEST(Parser, KnowsThe30ThatHasNoCooperation) {
             "main.xabsl:2:48: 'conflict' is of XABSL 3.1 in option main\n");
 }
 
-TEST(Diagnostic, ShowsTheLineWithACaret) {
-  const Compilation compilation =
-      compile("main.xabsl", {{"main.xabsl", "option main {\n\tinitial ställe s { } }"}});
-  ASSERT_GE(compilation.diagnostics.size(), 2u);
-  EXPECT_EQ(toStringWithSource(compilation.diagnostics[1]),
-            "main.xabsl:2:12: unexpected character with code 195\n"
-            " 2 | \tinitial ställe s { } }\n"
-            "   | \t          ^");
-}
-
 /// All that is reported for a file, without warnings about the names of files.
 std::string reported(const std::string& text) {
   std::string all;

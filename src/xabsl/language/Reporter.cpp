@@ -52,7 +52,7 @@ void Reporter::add(Diagnostic::Severity severity, Location location, const std::
   std::size_t& count = severity == Diagnostic::Severity::error ? errors_ : warnings_;
   if (count >= maximum) return;
   const bool last = ++count == maximum;
-  const std::string& file = files_[static_cast<std::size_t>(location.file)];
+  const std::string& file = files_[at(location.file)];
   entries_.push_back({location,
                       {severity, file, location.line, location.column,
                        last ? message + " (no more are shown)" : message, line(location)}});
@@ -61,7 +61,7 @@ void Reporter::add(Diagnostic::Severity severity, Location location, const std::
 /// The line a message is about, unless it is longer than anybody would read.
 std::string Reporter::line(Location location) {
   constexpr std::size_t longestLine = 300;
-  std::string_view text = texts_[static_cast<std::size_t>(location.file)];
+  std::string_view text = texts_[at(location.file)];
   for (int skipped = 1; skipped < location.line; ++skipped) {
     const std::size_t end = text.find('\n');
     if (end == std::string_view::npos) return {};

@@ -6,17 +6,18 @@
 #include <vector>
 
 #include "xabsl/language/Diagnostic.h"
+#include "xabsl/language/Language.h"
 
 namespace xabsl {
 
-/// Collects what the passes of the compiler have to say. Keeps at most `maximum` errors and as many
-/// warnings.
+/// Collects the errors and warnings of the compiler's passes. Keeps at most `maximum` errors and as
+/// many warnings.
 class Reporter {
  public:
   static constexpr std::size_t maximum = 100;
 
-  /// The index of a new file in `files()`. With its text messages show the line they are about; it
-  /// must stay as long as the reporter.
+  /// Adds a file and returns its index in `files()`. If the text is given, messages show the line
+  /// they are about. The text must outlive the reporter.
   int addFile(const std::string& name, std::string_view text = {});
   const std::vector<std::string>& files() const { return files_; }
 

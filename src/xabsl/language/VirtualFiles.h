@@ -11,7 +11,7 @@ namespace xabsl {
 /// disk.
 using VirtualFiles = std::map<std::string, std::string>;
 
-/// Puts the text of a file into its last argument; otherwise returns why it cannot.
+/// Stores the text of a file in its last argument, or returns the reason why it cannot.
 using FileReader =
     std::function<std::optional<std::string>(const std::string& path, std::string& text)>;
 

@@ -272,9 +272,7 @@ std::vector<Unused> unusedOptions(const Model& model) {
 std::vector<Unused> unusedDeclarations(const Model& model) {
   std::vector<Unused> unused;
   for (const Symbol& symbol : model.symbols) {
-    const std::string kind = symbol.kind == SymbolKind::input    ? "input"
-                             : symbol.kind == SymbolKind::output ? "output"
-                                                                 : "internal";
+    const std::string kind = wordOf(symbol.kind);
     if (symbol.firstUse.option < 0)
       unused.push_back(
           {symbol.space, kind + " symbol", symbol.name, symbol.location, "never used"});

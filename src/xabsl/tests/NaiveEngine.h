@@ -103,14 +103,14 @@ class NaiveEngine {
       memory.state = end.index;
       memory.stateBegan = now_;
     }
-    tellTeam(option, index);
+    informTeam(option, index);
     noteStep(index);
     const int state = memory.state;
     act(option.commonActions, index, depth);
     act(in(model_.states, state).actions, index, depth);
   }
 
-  void tellTeam(const Option& option, int index) {
+  void informTeam(const Option& option, int index) {
     message_.options.insert(index);
     const int active = memories_[index].state;
     for (int s = option.states.first; s < option.states.first + option.states.count; ++s) {

@@ -69,7 +69,7 @@ void GT2003BehaviorControl::load(const Behavior& behavior, const MotionNet& moti
   auto creation = xabsl::Engine::create(*behavior.compiled, symbols(motions));
   for (const xabsl::Diagnostic& diagnostic : creation.diagnostics) debug.warn(toString(diagnostic));
   if (!creation.engine) return;
-  if (engine_) creation.engine->goOnFrom(*engine_);
+  if (engine_) creation.engine->resumeFrom(*engine_);
   engine_ = std::move(creation.engine);
   recording_ = false;
   obeyed_ = {};

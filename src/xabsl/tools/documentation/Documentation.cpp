@@ -49,14 +49,12 @@ class Writer {
     const Content content{model_, usage_, links_, charts_};
     page("index.html", "Overview", overviewPage(content));
     for (int i = 0; i < static_cast<int>(model_.agents.size()); ++i)
-      page(links_.agent(i), model_.agents[static_cast<std::size_t>(i)].name, agentPage(content, i));
+      page(links_.agent(i), model_.agents[at(i)].name, agentPage(content, i));
     for (int i = 0; i < static_cast<int>(model_.options.size()); ++i)
-      page(links_.option(i), model_.options[static_cast<std::size_t>(i)].name,
-           optionPage(content, i));
+      page(links_.option(i), model_.options[at(i)].name, optionPage(content, i));
     if (holdsAnything(model_, -1)) page(links_.space(-1), "none", namespacePage(content, -1));
     for (int i = 0; i < static_cast<int>(model_.namespaces.size()); ++i)
-      page(links_.space(i), model_.namespaces[static_cast<std::size_t>(i)].name,
-           namespacePage(content, i));
+      page(links_.space(i), model_.namespaces[at(i)].name, namespacePage(content, i));
     write("entries.js", searchEntries(content));
   }
 

@@ -12,7 +12,6 @@
 
 #include "xabsl/tests/TestBehavior.h"
 #include "xabsl/tools/documentation/Html.h"
-#include "xabsl/tools/documentation/Usage.h"
 
 namespace xabsl {
 namespace {
@@ -144,42 +143,6 @@ TEST(Documentation, SaysWhatCannotBeWritten) {
   const auto failure = writeDocumentation(behavior.model(), "/dev/null/docs");
   ASSERT_TRUE(failure);
   EXPECT_EQ(toString(*failure), "/dev/null/docs: cannot make the folder");
-}
-
-TEST(Usage, FindsWhatIsUsedDirectlyAndThroughSubsequentOptions) {
-  const Behavior behavior = test::compiled(
-      "namespace s(\"S\") { float input x; float input y; float output o; float const c = 1; "
-      "enum e output { k, l }; enum e output m; float input f(float p; float q;); }"
-      "option low { initial state s { decision { if (f(q = y) > c) stay; else stay; } action { m = "
-      "l; } } }"
-      "option top { common decision { if (x > 0) goto t; } initial state s { decision { else stay; "
-      "} "
-      "action { low(); } } state t { decision { else goto s; } action { o = x; low(); } } }"
-      "agent a(\"A\", top);");
-  using documentation::Place;
-  using documentation::Thing;
-  using Kind = Thing::Kind;
-  const documentation::Usage usage(behavior.model());
-  const int x = 0, y = 1, o = 2, m = 3, f = 4, low = 0, top = 1;
-  EXPECT_EQ(usage.direct(top).at({Kind::read, x}), (std::vector<int>{-1, 2}));
-  EXPECT_EQ(usage.direct(top).at({Kind::option, low}), (std::vector<int>{1, 2}));
-  EXPECT_EQ(usage.direct(top).count({Kind::read, y}), 0u);
-  EXPECT_EQ(usage.all(low), (std::set<Thing>{{Kind::read, y},
-                                             {Kind::read, f},
-                                             {Kind::written, m},
-                                             {Kind::constant, 0},
-                                             {Kind::element, 0, 1}}));
-  for (const Thing& thing : usage.all(low)) EXPECT_EQ(usage.all(top).count(thing), 1u);
-  EXPECT_EQ(usage.places({Kind::written, o}), (std::vector<Place>{{top, 2}}));
-  EXPECT_EQ(usage.places({Kind::element, 0, 0}), std::vector<Place>{});
-}
-
-TEST(Html, TurnsWhatIsNoUtf8IntoLetters) {
-  EXPECT_EQ(documentation::utf8("f\xFCr \xC3\xBC\x01 \xED\xA0\x80"),
-            "f\xC3\xBCr \xC3\xBC \xC3\xAD\xC2\xA0\xC2\x80");
-  EXPECT_EQ(documentation::escaped("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
-  EXPECT_EQ(documentation::encoded("a.b-c/d~"), "a.b-c~2Fd~7E");
-  EXPECT_EQ(documentation::plainDoc("* one\n   * two\n\n three "), "one\ntwo\n\nthree");
 }
 
 TEST(Documentation, MarksStatesThatAreNeverEntered) {

@@ -1,34 +1,14 @@
 #include "xabsl/tools/documentation/Html.h"
 
 #include <algorithm>
-#include <array>
+#include <string>
 
 #include "xabsl/formats/XmlOutput.h"
+#include "xabsl/language/Utf8.h"
 
 namespace xabsl::documentation {
 
 namespace {
-
-unsigned char byteOf(char c) {
-  return static_cast<unsigned char>(c);
-}
-
-/// How many bytes the letter at the beginning of a text has in UTF-8; 0: it is none.
-std::size_t letterSize(std::string_view text) {
-  const unsigned char first = byteOf(text[0]);
-  if (first < 0x80) return 1;
-  const std::size_t size = first >= 0xC2 && first < 0xE0   ? 2
-                           : first >= 0xE0 && first < 0xF0 ? 3
-                           : first >= 0xF0 && first < 0xF5 ? 4
-                                                           : 0;
-  if (size == 0 || text.size() < size) return 0;
-  for (std::size_t i = 1; i < size; ++i)
-    if ((byteOf(text[i]) & 0xC0u) != 0x80u) return 0;
-  const unsigned char second = byteOf(text[1]);
-  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool outside = (first == 0xED && second >= 0xA0) || (first == 0xF4 && second >= 0x90);
-  return overlong || outside ? 0 : size;
-}
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
@@ -40,18 +20,11 @@ std::string_view trimmed(std::string_view text) {
 }  // namespace
 
 std::string utf8(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t size = letterSize(text);
-    const unsigned char c = byteOf(text[0]);
-    if (size == 0) {
-      result += static_cast<char>(0xC0u | (c >> 6));
-      result += static_cast<char>(0x80u | (c & 0x3Fu));
-    } else if (size > 1 || (c >= ' ' && c != 0x7F) || c == '\n' || c == '\t') {
-      result += text.substr(0, size);
-    }
-    text.remove_prefix(std::max<std::size_t>(size, 1));
-  }
+  std::string result = toUtf8(std::string(text));
+  std::erase_if(result, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < ' ' && c != '\n' && c != '\t') || byte == 0x7F;
+  });
   return result;
 }
 
@@ -81,7 +54,8 @@ std::string encoded(std::string_view name) {
     if (plain.find(c) != std::string_view::npos)
       result += c;
     else
-      result += {'~', digits[byteOf(c) / 16], digits[byteOf(c) % 16]};
+      result += {'~', digits[static_cast<unsigned char>(c) / 16],
+                 digits[static_cast<unsigned char>(c) % 16]};
   }
   return result;
 }

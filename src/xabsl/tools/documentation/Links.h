@@ -28,7 +28,7 @@ class Links {
   std::string target(const Thing& thing) const;
 
   /// The option that a state belongs to.
-  int optionOf(int state) const { return optionOfState_[static_cast<std::size_t>(state)]; }
+  int optionOf(int state) const { return optionOfState_[at(state)]; }
 
   /// What the fragment of a symbol begins with: an input and an output may have the same name.
   static std::string_view kindOf(const Symbol& symbol);

@@ -26,9 +26,7 @@ std::string signature(const std::string& type, const std::string& measure) {
 
 std::string symbolEntry(const Content& content, int index) {
   const Symbol& symbol = content.model.symbols[at(index)];
-  const std::string kind = symbol.kind == SymbolKind::input    ? "input"
-                           : symbol.kind == SymbolKind::output ? "output"
-                                                               : "internal";
+  const std::string kind = wordOf(symbol.kind);
   return begin(Links::kindOf(symbol), symbol.name) +
          signature(kind + " " + typeText(content, symbol.type),
                    measure(symbol.range, symbol.unit)) +

@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "xabsl/formats/Lowering.h"
 #include "xabsl/tools/documentation/Html.h"
 #include "xabsl/tools/documentation/Pages.h"
 
@@ -7,20 +6,6 @@
 namespace xabsl::documentation {
 
 namespace {
-
-/// The indices of a list in the order of its names, as people look them up.
-template <typename List>
-std::vector<int> sorted(const List& list) {
-  std::vector<int> order(list.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c + 0; };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    const std::string &x = list[at(a)].name, &y = list[at(b)].name;
-    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(),
-                                        [&](char c, char d) { return lower(c) < lower(d); });
-  });
-  return order;
-}
 
 std::string table(const std::string& rows) {
   return rows.empty() ? rows : "<table class=\"list\"><tbody>\n" + rows + "</tbody></table>\n";
@@ -52,7 +37,7 @@ std::string agentPage(const Content& content, int index) {
   const Model& model = content.model;
   const Agent& agent = model.agents[at(index)];
   std::vector<int> reached;
-  for (const int option : sorted(model.options))
+  for (const int option : sortedByName(model.options))
     if (option == agent.rootOption ||
         content.usage.all(agent.rootOption).count({Thing::Kind::option, option}) > 0)
       reached.push_back(option);
@@ -79,7 +64,7 @@ std::string overviewPage(const Content& content) {
   text += table(agents);
   if (!model.agents.empty())
     text += chart(content.charts.agents[0], "Option graph of " + model.agents[0].name);
-  text += "<h2>Options</h2>\n" + table(optionRows(content, sorted(model.options))) +
+  text += "<h2>Options</h2>\n" + table(optionRows(content, sortedByName(model.options))) +
           "<h2>Symbols and basic behaviors</h2>\n";
   std::string spaces = holdsAnything(model, -1) ? namespaceRow(content, -1) : "";
   for (std::size_t i = 0; i < model.namespaces.size(); ++i)
@@ -95,12 +80,12 @@ std::string searchEntries(const Content& content) {
             "],\n";
   };
   const auto addAll = [&](const char* kind, const auto& list, auto address) {
-    for (const int i : sorted(list)) add(kind, list[at(i)].name, address(i));
+    for (const int i : sortedByName(list)) add(kind, list[at(i)].name, address(i));
   };
   const Links& links = content.links;
   addAll("agent", model.agents, [&](int i) { return links.agent(i); });
   addAll("option", model.options, [&](int i) { return links.option(i); });
-  for (const int i : sorted(model.states))
+  for (const int i : sortedByName(model.states))
     add("state", model.options[at(links.optionOf(i))].name + "." + model.states[at(i)].name,
         links.state(i));
   addAll("behavior", model.behaviors, [&](int i) { return links.behavior(i); });

@@ -215,7 +215,7 @@ class Completer {
   void expression() {
     const Type wanted = expectedType();
     if (wanted.kind == ValueKind::enumeration && wanted.enumeration >= 0) {
-      const Enumeration& found = model_.enumerations[static_cast<std::size_t>(wanted.enumeration)];
+      const Enumeration& found = model_.enumerations[at(wanted.enumeration)];
       for (const EnumerationElement& element : found.elements)
         add(Kind::element, element.name, element.name, "enum " + found.name);
     }
@@ -254,7 +254,7 @@ class Completer {
 
   static Type typeOf(const std::vector<Parameter>& parameters, std::string_view name) {
     const int index = findParameter(parameters, name);
-    return index < 0 ? Type{} : parameters[static_cast<std::size_t>(index)].type;
+    return index < 0 ? Type{} : parameters[at(index)].type;
   }
 
   const Project& project_;

@@ -10,9 +10,7 @@ using Kind = Entity::Kind;
 /// An element of a list, or null: after errors lists may be shorter than what is referred to.
 template <typename List>
 auto find(const List& list, int index) -> decltype(list.data()) {
-  return index >= 0 && static_cast<std::size_t>(index) < list.size()
-             ? &list[static_cast<std::size_t>(index)]
-             : nullptr;
+  return index >= 0 && static_cast<std::size_t>(index) < list.size() ? &list[at(index)] : nullptr;
 }
 
 std::string measure(const std::string& range, const std::string& unit) {
@@ -44,9 +42,7 @@ struct About {
 };
 
 About aboutSymbol(const Model& model, const Symbol& symbol) {
-  const std::string kind = symbol.kind == SymbolKind::input    ? " input "
-                           : symbol.kind == SymbolKind::output ? " output "
-                                                               : " internal ";
+  const std::string kind = std::string(" ") + wordOf(symbol.kind) + " ";
   std::string text =
       describe(model, symbol.type) + kind + symbol.name + measure(symbol.range, symbol.unit);
   if (!symbol.parameters.empty()) text += " (" + list(model, symbol.parameters) + " )";

@@ -3,15 +3,12 @@
 #include <algorithm>
 
 #include "xabsl/language/Analyzer.h"
+#include "xabsl/language/Utf8.h"
 #include "xabsl/language/Warnings.h"
 
 namespace xabsl::server {
 
 namespace {
-
-bool continuesLetter(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
-}
 
 /// Units of UTF-16 of the letter that begins with a byte.
 int unitsOf(char c) {
@@ -27,7 +24,7 @@ Lines::Lines(std::string_view text) : text_(text), begins_{0} {
 
 std::string_view Lines::line(int line) const {
   if (line < 0 || static_cast<std::size_t>(line) >= begins_.size()) return {};
-  const std::string_view rest = text_.substr(begins_[static_cast<std::size_t>(line)]);
+  const std::string_view rest = text_.substr(begins_[xabsl::at(line)]);
   return rest.substr(0, rest.find('\n'));
 }
 
@@ -57,7 +54,7 @@ Location Lines::location(Position position, int file) const {
 std::size_t Lines::offset(Position position) const {
   if (position.line < 0) return 0;
   if (static_cast<std::size_t>(position.line) >= begins_.size()) return text_.size();
-  std::size_t offset = begins_[static_cast<std::size_t>(position.line)];
+  std::size_t offset = begins_[xabsl::at(position.line)];
   int units = 0;
   for (const char c : line(position.line)) {
     if (!continuesLetter(c)) {

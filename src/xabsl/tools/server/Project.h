@@ -50,7 +50,7 @@ class Project {
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
   bool failed() const { return failed_; }
   const std::vector<Reference>& references() const { return references_.all(); }
-  const Lines& lines(int file) const { return lines_[static_cast<std::size_t>(file)]; }
+  const Lines& lines(int file) const { return lines_[xabsl::at(file)]; }
 
   /// The index of a file, or -1.
   int file(const std::string& path) const;

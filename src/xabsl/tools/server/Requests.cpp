@@ -69,8 +69,7 @@ Json Server::rangeOf(const Project& project, const Reference& reference) const {
 }
 
 Json Server::locationOf(const Project& project, const Reference& reference) const {
-  const std::string& path =
-      project.program().files[static_cast<std::size_t>(reference.location.file)].path;
+  const std::string& path = project.program().files[at(reference.location.file)].path;
   return {{"uri", uriOf(path)}, {"range", rangeOf(project, reference)}};
 }
 
@@ -183,8 +182,7 @@ Json Server::rename(const Json& parameters) {
             [](const Reference* a, const Reference* b) { return a->text.data() > b->text.data(); });
   for (const Reference* reference :
        places) {  // the last first, so that the others stay where they are
-    const syntax::File& file =
-        place.project.program().files[static_cast<std::size_t>(reference->location.file)];
+    const syntax::File& file = place.project.program().files[at(reference->location.file)];
     std::string& text = texts.emplace(file.path, file.text).first->second;
     text.replace(static_cast<std::size_t>(reference->text.data() - file.text.data()),
                  reference->text.size(), name);

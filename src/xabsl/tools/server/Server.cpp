@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "xabsl/formats/XmlReader.h"
+#include "xabsl/language/Utf8.h"
 #include "xabsl/tools/server/Protocol.h"
 #include "xabsl/tools/server/Uri.h"
 
@@ -37,9 +38,8 @@ Location wordEnd(std::string_view line, Location location) {
   };
   std::size_t i = 0;
   int column = 1;
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; };
   for (; i < line.size() && column < location.column; ++i)
-    if (i + 1 >= line.size() || !continues(line[i + 1])) ++column;
+    if (i + 1 >= line.size() || !continuesLetter(line[i + 1])) ++column;
   const int first = location.column;
   for (; i < line.size() && inWord(line[i]); ++i) ++location.column;
   if (location.column == first) ++location.column;

@@ -41,10 +41,9 @@ void Recording::findSymbols(const Trace& trace) {
 
 Recording::Place Recording::place(const TraceSubject& subject, const Symbol& symbol) const {
   const auto sameType = [&](Type a, Type b) {
-    return a.kind == b.kind &&
-           (a.kind != ValueKind::enumeration ||
-            subject.model.enumerations[static_cast<std::size_t>(a.enumeration)].name ==
-                model_.enumerations[static_cast<std::size_t>(b.enumeration)].name);
+    return a.kind == b.kind && (a.kind != ValueKind::enumeration ||
+                                subject.model.enumerations[at(a.enumeration)].name ==
+                                    model_.enumerations[at(b.enumeration)].name);
   };
   for (std::size_t i = 0; i < model_.symbols.size(); ++i) {
     const Symbol& own = model_.symbols[i];
@@ -54,9 +53,7 @@ Recording::Place Recording::place(const TraceSubject& subject, const Symbol& sym
     Place place{static_cast<int>(i), {}};
     for (const Parameter& parameter : symbol.parameters) {
       const int index = findParameter(own.parameters, parameter.name, own.name);
-      if (index < 0 ||
-          !sameType(parameter.type, own.parameters[static_cast<std::size_t>(index)].type))
-        return {};
+      if (index < 0 || !sameType(parameter.type, own.parameters[at(index)].type)) return {};
       place.parameters.push_back(index);
     }
     return place;
@@ -67,7 +64,7 @@ Recording::Place Recording::place(const TraceSubject& subject, const Symbol& sym
 double Recording::translated(const TraceSubject& subject, Type from, Type to, double value) const {
   if (from.kind != ValueKind::enumeration) return value;
   const std::string name = subject.valueText(from, value);
-  const auto& elements = model_.enumerations[static_cast<std::size_t>(to.enumeration)].elements;
+  const auto& elements = model_.enumerations[at(to.enumeration)].elements;
   const auto found =
       std::find_if(elements.begin(), elements.end(),
                    [&](const EnumerationElement& element) { return element.name == name; });
@@ -81,12 +78,12 @@ void Recording::take(const Trace& trace, const TraceEvent& event) {
   }
   if (event.kind != TraceEvent::Kind::read) return;
   const auto arguments = std::exchange(arguments_, {});
-  const int read = trace.subject.reads[static_cast<std::size_t>(event.index)].symbol;
+  const int read = trace.subject.reads[at(event.index)].symbol;
   if (read < 0) return;
-  const Place& place = places_[static_cast<std::size_t>(read)];
+  const Place& place = places_[at(read)];
   if (place.symbol < 0) return;
-  const Symbol& from = trace.subject.model.symbols[static_cast<std::size_t>(read)];
-  const Symbol& to = model_.symbols[static_cast<std::size_t>(place.symbol)];
+  const Symbol& from = trace.subject.model.symbols[at(read)];
+  const Symbol& to = model_.symbols[at(place.symbol)];
   const double value = translated(trace.subject, from.type, to.type, event.value);
   if (to.parameters.empty()) {
     inputs_.emplace_back(place.symbol, value);

@@ -118,7 +118,7 @@ class TestRun {
     }
   }
 
-  Type typeOf(int symbol) const { return model_.symbols[static_cast<std::size_t>(symbol)].type; }
+  Type typeOf(int symbol) const { return model_.symbols[at(symbol)].type; }
 
   /// The input symbol of a name, or -1 with an error: one with parameters is defined as a function,
   /// all others get a value.
@@ -154,7 +154,7 @@ class TestRun {
   void prepareFunction(const TestStatement& statement, Prepared& prepared) {
     prepared.symbol = input(statement.name, true);
     if (prepared.symbol < 0) return;
-    const auto& parameters = model_.symbols[static_cast<std::size_t>(prepared.symbol)].parameters;
+    const auto& parameters = model_.symbols[at(prepared.symbol)].parameters;
     prepared.arguments = std::make_shared<std::vector<double>>(parameters.size());
     std::vector<Question::Variable> variables;
     for (const TestText& name : statement.arguments) {
@@ -304,7 +304,7 @@ class TestRun {
       return driver.question->answer().value_or(0);
     }
     if (recording_) return recording_->call(symbol, arguments);
-    const std::string& name = model_.symbols[static_cast<std::size_t>(symbol)].name;
+    const std::string& name = model_.symbols[at(symbol)].name;
     if (result_.errors.empty())
       error(file_.behavior.location, "the behavior calls '" + name +
                                          "', which needs a definition: function " + name +

@@ -21,14 +21,14 @@ Coverage::Coverage(const TraceSubject& subject)
 void Coverage::collect(Branch branch, int option, int from, int decision, bool held,
                        std::vector<bool>& seen) {
   if (branch.kind == Branch::Kind::state && branch.index != from) {
-    if (decision >= 0) waysOfDecision_[static_cast<std::size_t>(decision)].push_back(ways_.size());
+    if (decision >= 0) waysOfDecision_[at(decision)].push_back(ways_.size());
     ways_.push_back({option, from, branch.index, decision, held, 0});
   }
   // A chain of decisions may be long: its end is followed in a loop.
-  while (branch.kind == Branch::Kind::decision && !seen[static_cast<std::size_t>(branch.index)]) {
-    seen[static_cast<std::size_t>(branch.index)] = true;
+  while (branch.kind == Branch::Kind::decision && !seen[at(branch.index)]) {
+    seen[at(branch.index)] = true;
     const int index = branch.index;
-    const Decision& next = subject_.model.decisions[static_cast<std::size_t>(index)];
+    const Decision& next = subject_.model.decisions[at(index)];
     collect(next.then, option, from, index, true, seen);
     branch = next.otherwise;
     if (branch.kind != Branch::Kind::decision) collect(branch, option, from, index, false, seen);
@@ -58,12 +58,11 @@ void Coverage::add(const std::vector<TraceEvent>& events) {
 }
 
 std::string Coverage::describe(const Way& way) const {
-  const Option& option = subject_.model.options[static_cast<std::size_t>(way.option)];
+  const Option& option = subject_.model.options[at(way.option)];
   std::string text = option.name + ": " + (way.from < 0 ? "any" : subject_.state(way.from).name) +
                      " -> " + subject_.state(way.to).name;
   if (way.decision < 0) return text;
-  const TraceSubject::Condition& condition =
-      subject_.conditions[static_cast<std::size_t>(way.decision)];
+  const TraceSubject::Condition& condition = subject_.conditions[at(way.decision)];
   return text + (way.held ? " if " : " if not ") + condition.text;
 }
 
@@ -72,18 +71,17 @@ std::string Coverage::report() const {
   for (std::size_t i = 0; i < subject_.model.options.size(); ++i) {
     const Option& option = subject_.model.options[i];
     for (int s = option.states.first; s < option.states.first + option.states.count; ++s) {
-      if (active_[static_cast<std::size_t>(s)] == 0) {
+      if (active_[at(s)] == 0) {
         text += subject_.place(subject_.state(s).location) + ": state " + option.name + "/" +
                 subject_.state(s).name + " was never active\n";
         continue;
       }
       for (const Way& way : ways_)
         if (way.from == s && way.taken == 0)
-          text += subject_.place(
-                      way.decision < 0
-                          ? subject_.state(s).location
-                          : subject_.conditions[static_cast<std::size_t>(way.decision)].location) +
-                  ": never " + describe(way) + "\n";
+          text +=
+              subject_.place(way.decision < 0 ? subject_.state(s).location
+                                              : subject_.conditions[at(way.decision)].location) +
+              ": never " + describe(way) + "\n";
     }
     for (const Way& way : ways_)
       if (way.from < 0 && way.option == static_cast<int>(i) && way.taken == 0)

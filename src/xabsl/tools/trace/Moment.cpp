@@ -34,7 +34,7 @@ void Moment::take(const TraceEvent* first, const TraceEvent* last) {
         symbols_[index] = event->value;
         break;
       case TraceEvent::Kind::state:
-        option = &options_[static_cast<std::size_t>(subject_.optionOf(event->index))];
+        option = &options_[at(subject_.optionOf(event->index))];
         option->state = event->index;
         option->stateTime = event->value;
         break;

@@ -30,17 +30,13 @@ class Moment {
   /// Goes on to the next cycle.
   void take(const TraceEvent* first, const TraceEvent* last);
   /// The value of a symbol, as it would be after reading it.
-  void set(int symbol, double value) { symbols_[static_cast<std::size_t>(symbol)] = value; }
+  void set(int symbol, double value) { symbols_[at(symbol)] = value; }
 
   double now() const { return now_; }
   /// Nothing: it was neither read nor set yet.
-  std::optional<double> symbol(int index) const {
-    return symbols_[static_cast<std::size_t>(index)];
-  }
-  const OptionMoment& option(int index) const { return options_[static_cast<std::size_t>(index)]; }
-  const BehaviorMoment& behavior(int index) const {
-    return behaviors_[static_cast<std::size_t>(index)];
-  }
+  std::optional<double> symbol(int index) const { return symbols_[at(index)]; }
+  const OptionMoment& option(int index) const { return options_[at(index)]; }
+  const BehaviorMoment& behavior(int index) const { return behaviors_[at(index)]; }
   const TraceSubject& subject() const { return subject_; }
 
  private:

@@ -8,6 +8,7 @@
 #include "xabsl/engine/Engine.h"
 #include "xabsl/engine/Symbols.h"
 #include "xabsl/formats/Compile.h"
+#include "xabsl/language/ExpressionAnalyzer.h"
 #include "xabsl/language/Lexer.h"
 
 namespace xabsl {
@@ -74,15 +75,11 @@ bool Question::Inside::isFree(const std::string& name) {
 }
 
 std::string Question::Inside::typeName(Type of) const {
-  if (of.kind == ValueKind::number) return "float";
-  if (of.kind == ValueKind::boolean) return "bool";
-  return "enum " +
-         moment.subject().model.enumerations[static_cast<std::size_t>(of.enumeration)].name;
+  return describe(moment.subject().model, of);
 }
 
 int Question::Inside::element(int enumeration, double value) const {
-  const std::vector<double>& values =
-      moment.subject().elementValues[static_cast<std::size_t>(enumeration)];
+  const std::vector<double>& values = moment.subject().elementValues[at(enumeration)];
   const auto found = std::find(values.begin(), values.end(), value);
   return found == values.end() ? -1 : static_cast<int>(found - values.begin());
 }
@@ -102,8 +99,7 @@ bool Question::Inside::declareEnumeration(const std::string& name,
 void Question::Inside::declare(const std::string& name, Type of, std::function<double()> read) {
   if (!isFree(name)) return;
   if (of.kind == ValueKind::enumeration &&
-      !symbols.findEnumeration(
-          moment.subject().model.enumerations[static_cast<std::size_t>(of.enumeration)].name))
+      !symbols.findEnumeration(moment.subject().model.enumerations[at(of.enumeration)].name))
     return;
   declarations += typeName(of) + " input " + name + ";\n";
   if (of.kind == ValueKind::number)
@@ -111,11 +107,10 @@ void Question::Inside::declare(const std::string& name, Type of, std::function<d
   else if (of.kind == ValueKind::boolean)
     symbols.input(name, [read = std::move(read)] { return read() != 0; });
   else
-    symbols.inputIndex(
-        name, moment.subject().model.enumerations[static_cast<std::size_t>(of.enumeration)].name,
-        [this, read = std::move(read), enumeration = of.enumeration] {
-          return element(enumeration, read());
-        });
+    symbols.inputIndex(name, moment.subject().model.enumerations[at(of.enumeration)].name,
+                       [this, read = std::move(read), enumeration = of.enumeration] {
+                         return element(enumeration, read());
+                       });
 }
 
 void Question::Inside::declareState(const std::string& name, const std::string& states, Span span,
@@ -192,7 +187,7 @@ void Question::Inside::declareAnswer() {
                         [this, index](int value) {
                           const auto& values = moment.subject().elementValues[index];
                           if (value >= 0 && static_cast<std::size_t>(value) < values.size())
-                            result = values[static_cast<std::size_t>(value)];
+                            result = values[at(value)];
                         });
   }
 }

@@ -31,7 +31,7 @@ TraceSubject::Read readOf(const Model& model, std::size_t index) {
   read.text = expressionText(model, static_cast<int>(index));
   const auto a = static_cast<std::size_t>(expression.a);
   if (expression.operation == Operator::parameter) {
-    read.type = model.options[a].parameters[static_cast<std::size_t>(expression.b)].type;
+    read.type = model.options[a].parameters[at(expression.b)].type;
   } else if (expression.operation == Operator::input ||
              expression.operation == Operator::variable) {
     read.type = model.symbols[a].type;
@@ -51,9 +51,8 @@ TraceSubject TraceSubject::of(const Engine& engine) {
   for (std::size_t i = 0; i < model.enumerations.size(); ++i)
     subject.elementValues.push_back(engine.elementValues(static_cast<int>(i)));
   for (const Decision& decision : model.decisions)
-    subject.conditions.push_back(
-        {expressionText(model, decision.condition),
-         model.expressionLocations[static_cast<std::size_t>(decision.condition)]});
+    subject.conditions.push_back({expressionText(model, decision.condition),
+                                  model.expressionLocations[at(decision.condition)]});
   for (std::size_t i = 0; i < model.expressions.size(); ++i)
     subject.reads.push_back(readOf(model, i));
   subject.model.files = model.files;
@@ -79,7 +78,7 @@ std::string TraceSubject::valueText(Type type, double value) const {
 }
 
 std::string TraceSubject::place(Location location) const {
-  return model.files[static_cast<std::size_t>(location.file)] + ":" + std::to_string(location.line);
+  return model.files[at(location.file)] + ":" + std::to_string(location.line);
 }
 
 int TraceSubject::optionOf(int state) const {

@@ -36,7 +36,7 @@ struct TraceSubject {
   std::string valueText(Type type, double value) const;
   /// `file:line`
   std::string place(Location location) const;
-  const State& state(int index) const { return model.states[static_cast<std::size_t>(index)]; }
+  const State& state(int index) const { return model.states[at(index)]; }
   /// The option that a state belongs to.
   int optionOf(int state) const;
 };

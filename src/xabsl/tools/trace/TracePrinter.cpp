@@ -23,7 +23,7 @@ class CyclePrinter {
   }
 
  private:
-  void take(const TraceEvent& event, const TraceEvent* at, const TraceEvent* last) {
+  void take(const TraceEvent& event, const TraceEvent* place, const TraceEvent* last) {
     switch (event.kind) {
       case Kind::cycle:
         text_ += subject_.valueText({}, event.value) + " ms\n";
@@ -35,7 +35,7 @@ class CyclePrinter {
         from_ = -1;
         break;
       case Kind::read:
-        read(subject_.reads[static_cast<std::size_t>(event.index)], event.value);
+        read(subject_.reads[at(event.index)], event.value);
         break;
       case Kind::decide:
         decide(event);
@@ -44,10 +44,10 @@ class CyclePrinter {
         from_ = event.index;
         break;
       case Kind::state:
-        state(event, at, last);
+        state(event, place, last);
         break;
       case Kind::behavior:
-        behavior(event, at, last);
+        behavior(event, place, last);
         break;
       case Kind::assign:
         assign(event);
@@ -66,8 +66,7 @@ class CyclePrinter {
   }
 
   void decide(const TraceEvent& event) {
-    const TraceSubject::Condition& condition =
-        subject_.conditions[static_cast<std::size_t>(event.index)];
+    const TraceSubject::Condition& condition = subject_.conditions[at(event.index)];
     std::string line = event.value != 0 ? "yes: " : "no:  ";
     line += condition.text + "  (" + subject_.place(condition.location) + ")\n";
     asked_.push_back(line);
@@ -90,10 +89,9 @@ class CyclePrinter {
     return "(" + text + ")";
   }
 
-  void state(const TraceEvent& event, const TraceEvent* at, const TraceEvent* last) {
-    const Option& option =
-        subject_.model.options[static_cast<std::size_t>(subject_.optionOf(event.index))];
-    const TraceEvent* behind = at + 1;
+  void state(const TraceEvent& event, const TraceEvent* place, const TraceEvent* last) {
+    const Option& option = subject_.model.options[at(subject_.optionOf(event.index))];
+    const TraceEvent* behind = place + 1;
     if (behind != last && behind->kind == Kind::optionTime) ++behind;
     std::string line = option.name + arguments(option.parameters, behind, last) + ": ";
     if (from_ >= 0) line += subject_.state(from_).name + " -> ";
@@ -109,16 +107,16 @@ class CyclePrinter {
     }
   }
 
-  void behavior(const TraceEvent& event, const TraceEvent* at, const TraceEvent* last) {
-    const BasicBehavior& behavior = subject_.model.behaviors[static_cast<std::size_t>(event.index)];
+  void behavior(const TraceEvent& event, const TraceEvent* place, const TraceEvent* last) {
+    const BasicBehavior& behavior = subject_.model.behaviors[at(event.index)];
     depth_ = event.value;
     indent(0);
-    text_ += behavior.name + arguments(behavior.parameters, at + 1, last) + "\n";
+    text_ += behavior.name + arguments(behavior.parameters, place + 1, last) + "\n";
   }
 
   void assign(const TraceEvent& event) {
     if (!all_) return;
-    const Symbol& symbol = subject_.model.symbols[static_cast<std::size_t>(event.index)];
+    const Symbol& symbol = subject_.model.symbols[at(event.index)];
     indent(1);
     text_ += symbol.name + " = " + shown(symbol.type, event.value) + "\n";
   }

@@ -17,7 +17,7 @@ class SubjectWriter {
     for (const std::string& file : model_.files) line("file " + oneLine(file));
     enumerations();
     for (const Symbol& symbol : model_.symbols) {
-      line("symbol " + kind(symbol.kind) + type(symbol.type) + symbol.name);
+      line(std::string("symbol ") + wordOf(symbol.kind) + " " + type(symbol.type) + symbol.name);
       parameters(symbol.parameters);
     }
     for (const BasicBehavior& behavior : model_.behaviors) {
@@ -69,11 +69,6 @@ class SubjectWriter {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return text;
-  }
-  static std::string kind(SymbolKind kind) {
-    return kind == SymbolKind::input    ? "input "
-           : kind == SymbolKind::output ? "output "
-                                        : "internal ";
   }
   static std::string type(Type type) {
     return type.kind == ValueKind::number    ? "float "
