@@ -10,13 +10,14 @@ PREFIX  ?= /usr/local
 SECONDS ?= 60
 JOBS    ?= $(shell nproc)
 
-.PHONY: help install play film play-remote kill-test test replay bench experiments docs build packages format check-format lint sanitize sanitize-layers fuzz clean
+.PHONY: help install play film play-remote robots kill-test test replay bench experiments docs build packages format check-format lint sanitize sanitize-layers fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make film          films half a minute of a match: out/match.mp4'
 	@echo 'make test          builds everything and runs all tests'
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
+	@echo 'make robots        builds the programs of robots, with their source lines beside them for crashlog'
 	@echo 'make play-remote   plays a minute against a team whose robots consist of three programs each'
 	@echo 'make kill-test     kills each program of a robot 50 times during a match'
 	@echo 'make bench         measures speed, also against other libraries: out/bench.json; one part with ONLY=camera'
@@ -58,11 +59,14 @@ test: build
 replay: build
 	@$(BUILD)/bin/replay --out out/replay
 
-# The full test of a robot's programs: each is killed 50 times in a match.
-kill-install: build
-	@cmake --install $(BUILD) --prefix $(PREFIX)
+# As they go to a robot: stripped, their source lines beside them.
+robots: packages
+	@cmake --preset symbols >/dev/null
+	@cmake --build --preset robots-symbols --parallel $(JOBS)
+	@echo 'Programs: build/symbols/bin/gtrobot-*; for crashlog --symbols: build/symbols/bin/symbols'
 
-test: build
+# The full test of a robot's programs: each is killed 50 times in a match.
+kill-test: build
 	@GT_KILLS=50 $(BUILD)/bin/robot_programs_test --gtest_filter=*AnyProcess*
 
 # A whole team of programs, three a robot, in real time.

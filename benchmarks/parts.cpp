@@ -84,7 +84,7 @@ void xabslCycle(benchmark::State& state) {
   Debug debug;
   for ([[maybe_unused]] auto _ : state) {
     ball.lastSeen = frame.time = frame.time + 40;
-    control.update(frame, (*configuration)->behavior, {}, {}, *(*configuration)->field, game, {},
+    control.update(frame, *(*configuration)->behavior, {}, {}, *(*configuration)->field, game, {},
                    ball, {}, {}, {}, {}, {}, {}, motion, head, leds, message, debug);
   }
 }

@@ -38,6 +38,14 @@ if(GT_SANITIZE)
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread> $<$<CXX_COMPILER_ID:GNU>:-Wno-tsan>)
 endif()
 
+# Programs without symbols, as they go to a robot, and beside them these, of the same build id, for crashlog --symbols.
+option(GT_SPLIT_SYMBOLS "Source lines of all programs as bin/symbols/*.debug" OFF)
+if(GT_SPLIT_SYMBOLS)
+  find_program(OBJCOPY objcopy REQUIRED)
+  add_compile_options(-g1)
+  add_link_options(-Wl,--build-id)
+endif()
+
 option(GT_DEBUGGING "Debug keys, drawings, plots and texts; off takes them out of the program" ON)
 if(NOT GT_DEBUGGING)
   add_compile_definitions(GT_NO_DEBUGGING)
@@ -159,6 +167,14 @@ function(gt_program name)
   endif()
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
   install(TARGETS ${name} OPTIONAL COMPONENT programs)
+  if(GT_SPLIT_SYMBOLS)
+    set(symbols ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/symbols)
+    add_custom_command(TARGET ${name} POST_BUILD
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${symbols}
+      COMMAND ${OBJCOPY} --only-keep-debug $<TARGET_FILE:${name}> ${symbols}/${name}.debug
+      COMMAND ${OBJCOPY} --strip-debug --add-gnu-debuglink=${symbols}/${name}.debug $<TARGET_FILE:${name}>
+      VERBATIM)
+  endif()
 endfunction()
 
 # gt_embed(output.cpp HEADER header.h NAMESPACE name FILES name=path ...): files as a part of the program: a source file in

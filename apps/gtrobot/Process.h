@@ -1,5 +1,5 @@
 #pragma once
-#include "framework/SolutionTable.h"
+#include "robot/Solutions.h"
 
 namespace gt {
 
@@ -7,6 +7,6 @@ namespace gt {
 extern const char* const processName;
 
 /// All tasks, and the solutions of those that this process may run in some layout.
-SolutionTable processSolutions();
+RobotModules processModules();
 
 }  // namespace gt

@@ -124,6 +124,8 @@ int main(int argc, char** argv) {
     if (failed) return gt::Error{crashes, 0, "", failed.message()};
     gt::installCrashHandler({std::string{"gtrobot-"} + gt::processName, crashes});
     if (auto done = readFiles(app, options, arguments); !done) return done;
-    return gt::runRobotProgram(options, gt::processSolutions());
+    // The configuration tells of its parts where in these they are.
+    const gt::RobotModules modules = gt::processModules();
+    return gt::runRobotProgram(options, modules);
   });
 }

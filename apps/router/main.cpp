@@ -68,11 +68,15 @@ void tellOf(const gt::RoutedRobot& robot) {
              robot.team.empty() ? "" : ", team " + robot.team);
 }
 
+std::string state(const gt::Router::Statistics& s) {
+  if (s.connected) return "connected";
+  return s.trouble.empty() ? "not there" : "not there (" + s.trouble + ")";
+}
+
 void tell(const gt::Router& router) {
   for (const auto& s : router.statistics())
     fmt::print("{}: {}, {} tools; {} messages to tools, {} to the robot, {} dropped, {} rejected\n",
-               s.robot, s.connected ? "connected" : "not there", s.tools, s.toTools, s.toRobot,
-               s.dropped, s.rejected);
+               s.robot, state(s), s.tools, s.toTools, s.toRobot, s.dropped, s.rejected);
   if (router.routers() > 0) fmt::print("{} other routers\n", router.routers());
   std::fflush(stdout);
 }

@@ -93,7 +93,7 @@ class TreeCheck {
     paths.behavior = behavior;
     paths.location = location;
     std::shared_ptr<const Configuration> configuration;
-    findings_.add(gt::checkConfiguration(paths, solutions(), &configuration));
+    findings_.add(gt::checkConfiguration(paths, allModules(), &configuration));
     logs_.push_back(configuration->log);
   }
 
@@ -108,7 +108,7 @@ class TreeCheck {
     if (!text) return findings_.add(text.error());
     // A robot on a log gets from it what others work out for themselves.
     const auto check = [&](const std::vector<const RepresentationType*>& platform) {
-      return checkLayoutText(*text, file, solutions(), platform, givenRepresentations());
+      return checkLayoutText(*text, file, solutions(), platform, allModules().given());
     };
     Findings findings = check(platformRepresentations());
     if (findings.empty())

@@ -53,6 +53,7 @@ struct HsiColors {
   friend bool operator==(const HsiColors& a, const HsiColors& b) {
     return a.ranges.values == b.ranges.values;
   }
+  static constexpr auto fields() { return Fields{field("ranges", &HsiColors::ranges)}; }
 };
 
 /// Reads the text of a `.hsi` file: for each class a section [CLASS] with lines `hue MIN MAX`,

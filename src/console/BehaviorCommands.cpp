@@ -82,10 +82,12 @@ Result<void> xlb(Console& console, const Words& words) {
     console.session().behavior = before;
     return model.error();
   }
+  const auto request = readBehaviorTexts(path);
+  if (!request) return request.error();
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     robot.behavior = {};
     if (auto done = robot.observed().send(robot.behavior); !done) return done;
-    return robot.observed().request(BehaviorRequest{path, {}});
+    return robot.observed().request(*request);
   });
 }
 

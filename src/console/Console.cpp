@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "console/Commands.h"
+#include "modules/behavior/control/Behavior.h"
+#include "modules/behavior/control/BehaviorRequest.h"
 #include "robot/Configuration.h"
 #include "streams/File.h"
 

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "robot/Solutions.h"
+
 namespace gt {
 namespace {
 
@@ -65,7 +67,8 @@ Result<std::unique_ptr<RobotConnection>> RobotConnection::open(
   if (!router) return router.error();
   connection->router_ = std::move(*router);
   for (std::size_t i = 0; i < options.robots.size(); ++i) {
-    auto tool = ToolConnection::open(connection->network_, connection->router_->endpointOf(i));
+    auto tool = ToolConnection::open(connection->network_, connection->router_->endpointOf(i), {},
+                                     &robotVocabulary());
     if (!tool) return tool.error();
     connection->robots_.push_back(std::make_unique<ConnectedRobot>(
         shortName(options.robots[i].name),

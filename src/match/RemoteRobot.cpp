@@ -32,23 +32,14 @@ bool isSane(const TeamMessage& message) {
          !std::isnan(message.behavior.estimatedTimeToReachBall);
 }
 
-/// The process that provides a representation; empty if none does.
-std::string providerOf(const Plan& plan, const RepresentationType& type) {
-  for (const Plan::Process& process : plan.processes)
-    for (const Plan::Step& step : process.order)
-      if (std::ranges::find(step.task->outputs, &type) != step.task->outputs.end())
-        return process.layout.name;
-  return "";
-}
-
 }  // namespace
 
 RemoteRobot::RemoteRobot() : wire_{network_, platformProcess} {}
 
 template <typename T>
 void RemoteRobot::receive(In<T>& in, const Plan& plan) {
-  in.from = providerOf(plan, representation<T>());
-  if (!in.from.empty()) wire_.receive(in.from, in.receiver);
+  if (const std::string from = senderOf(plan, representation<T>()); !from.empty())
+    wire_.receive(from, in.receiver);
 }
 
 Result<std::unique_ptr<RemoteRobot>> RemoteRobot::make(const RobotAddresses& addresses,
@@ -59,13 +50,8 @@ Result<std::unique_ptr<RemoteRobot>> RemoteRobot::make(const RobotAddresses& add
   if (auto done = makePrivateFolder(addresses.folder); !done) return done.error();
   if (auto done = robot->wire_.listen(addresses.endpoint(platformProcess), keys); !done)
     return done.error();
-  for (PackageSender* sender : {&robot->sensors_.sender, &robot->image_.sender,
-                                &robot->game_.sender, &robot->team_.sender, &robot->oracle_.sender})
-    robot->wire_.provide(*sender);
-  robot->receive(robot->joints_, plan);
-  robot->receive(robot->odometry_, plan);
-  robot->receive(robot->leds_, plan);
-  robot->receive(robot->message_, plan);
+  std::apply([&](auto&... inputs) { (robot->wire_.provide(inputs.sender), ...); }, robot->inputs_);
+  std::apply([&](auto&... commands) { (robot->receive(commands, plan), ...); }, robot->commands_);
   robot->receive(robot->pose_, plan);
   robot->receive(robot->ball_, plan);
   robot->receive(robot->state_, plan);
@@ -83,27 +69,25 @@ void RemoteRobot::cycle(const RobotInput& input, RobotOutput& output) {
 }
 
 void RemoteRobot::send(const RobotInput& input) {
-  sensors_.value = input.sensors;
-  sensors_.sender.send();
-  if (input.image) {
-    game_.value = input.game;
-    team_.value = input.team;
-    oracle_.value = input.oracle;
-    image_.value = *input.image;
-    // The picture last: it starts a cycle, which shall have all that belongs to it.
-    for (PackageSender* sender : {&game_.sender, &team_.sender, &oracle_.sender, &image_.sender})
-      sender->send();
-  }
-  for (PackageSender* sender :
-       {&sensors_.sender, &game_.sender, &team_.sender, &oracle_.sender, &image_.sender})
-    sender->sendLater();
+  input.forEach([this]<typename T>(const T& package) {
+    Out<T>& out = std::get<Out<T>>(inputs_);
+    out.value = package;
+    out.sender.send();
+  });
+  std::apply([](auto&... inputs) { (inputs.sender.sendLater(), ...); }, inputs_);
 }
 
 void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
-  const bool newJoints = joints_.take();
-  if (newJoints && isSane(joints_.value)) output.joints = joints_.value;
-  if (leds_.take()) output.leds = leds_.value;
-  if (odometry_.take() && isSane(odometry_.value.pose)) walk(input, output);
+  auto& joints = command<JointData>();
+  auto& odometry = command<OdometryData>();
+  auto& leds = command<LedValue>();
+  auto& message = command<TeamMessage>();
+  const bool newJoints = joints.take();
+  if (newJoints && isSane(joints.value)) output.joints = joints.value;
+  if (leds.take()) output.leds = leds.value;
+  if (odometry.take() && isSane(odometry.value.pose)) walk(odometry.value, input, output);
+  if (auto& camera = command<CameraSettings>(); camera.take() && camera_ != camera.value)
+    output.camera = camera_ = camera.value;
   pose_.take();
   ball_.take();
   state_.take();
@@ -113,10 +97,10 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
     statistics_.missedFrames += !newJoints;
   }
 
-  newMessage_ |= message_.take();
+  newMessage_ |= message.take();
   if (!input.image) return;
-  if (newMessage_ && isSane(message_.value) && ++pictures_ % picturesPerTeamMessage == 0)
-    output.message = message_.value;
+  if (newMessage_ && isSane(message.value) && ++pictures_ % picturesPerTeamMessage == 0)
+    output.message = message.value;
   if (statistics_.pictures > 0 || newMessage_) {
     ++statistics_.pictures;
     statistics_.missedPictures += !newMessage_;
@@ -125,13 +109,13 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
 }
 
 /// Goes on from where the robot is: after a new start its own odometry begins at the origin.
-void RemoteRobot::walk(const RobotInput& input, RobotOutput& output) {
-  const Pose2D step = odometry_.value.pose.relativeTo(walked_);
+void RemoteRobot::walk(const OdometryData& odometry, const RobotInput& input, RobotOutput& output) {
+  const Pose2D step = odometry.pose.relativeTo(walked_);
   const auto time = static_cast<double>(input.now - walkedAt_);
   const bool possible = isSane(step.translation.norm(), mostSpeed * std::min(time, 200.0)) &&
                         isSane(step.rotation, mostTurning * std::min(time, 200.0));
   if (possible && walkedAt_ != never()) output.odometry.pose = output.odometry.pose * step;
-  walked_ = odometry_.value.pose;
+  walked_ = odometry.pose;
   walkedAt_ = input.now;
 }
 

@@ -47,7 +47,6 @@ class RemoteRobot : public MatchRobot {
   struct In {
     T value;
     PackageReceiver receiver{representation<T>(), &value};
-    std::string from;
     bool take() {
       receiver.receive();
       receiver.request();
@@ -58,22 +57,20 @@ class RemoteRobot : public MatchRobot {
   RemoteRobot();
   template <typename T>
   void receive(In<T>& in, const Plan& plan);
+  template <typename T>
+  In<T>& command() {
+    return std::get<In<T>>(commands_);
+  }
   void send(const RobotInput& input);
   void takeCommands(const RobotInput& input, RobotOutput& output);
-  void walk(const RobotInput& input, RobotOutput& output);
+  void walk(const OdometryData& odometry, const RobotInput& input, RobotOutput& output);
 
   std::string name_;
   Network network_;
   Wire wire_;
-  Out<SensorDataBuffer> sensors_;
-  Out<Image> image_;
-  Out<GameControlData> game_;
-  Out<TeamMessages> team_;
-  Out<OracledWorldState> oracle_;
-  In<JointData> joints_;
-  In<OdometryData> odometry_;
-  In<LedValue> leds_;
-  In<TeamMessage> message_;
+  InputSlots<Out> inputs_;
+  CommandSlots<In> commands_;
+  std::optional<CameraSettings> camera_;  ///< As the robot told it last.
   In<RobotPose> pose_;
   In<BallModel> ball_;
   In<RobotState> state_;

@@ -35,6 +35,7 @@ void layOracle(const OracledWorldState& truth, Robot& robot) {
 SimulatedRobot::SimulatedRobot(std::string name, std::unique_ptr<Robot> robot)
     : name_{std::move(name)}, robot_{std::move(robot)} {
   bind();
+  if (const auto* camera = command<CameraSettings>()) camera_ = *camera;
 }
 
 void SimulatedRobot::saveTo(const std::string& base) {
@@ -48,10 +49,8 @@ void SimulatedRobot::saveTo(const std::string& base) {
 void SimulatedRobot::bind() {
   if (layoutChanges_ == robot_->layoutChanges()) return;
   layoutChanges_ = robot_->layoutChanges();
-  joints_ = robot_->provided<JointData>();
-  odometry_ = robot_->provided<OdometryData>();
-  leds_ = robot_->provided<LedValue>();
-  message_ = robot_->provided<TeamMessage>();
+  const auto look = [this]<typename T>(const T*& command) { command = robot_->provided<T>(); };
+  std::apply([&](auto&... commands) { (look(commands), ...); }, commands_);
   pose_ = robot_->provided<RobotPose>();
   ball_ = robot_->provided<BallModel>();
   state_ = robot_->provided<RobotState>();
@@ -96,15 +95,9 @@ void SimulatedRobot::send(Time now, const T& package) {
 }
 
 void SimulatedRobot::live(const RobotInput& input, bool picture) {
-  send(input.now, input.sensors);
-  if (picture) {
-    send(input.now, input.game);
-    send(input.now, input.team);
-    send(input.now, input.oracle);
-    send(input.now, *input.image);
-    if (oracle_) layOracle(input.oracle, *robot_);
-    ++pictures_;
-  }
+  input.forEach([&](const auto& package) { send(input.now, package); }, picture);
+  if (picture && oracle_) layOracle(input.oracle, *robot_);
+  pictures_ += picture;
   robot_->step(input.now);
 }
 
@@ -122,10 +115,14 @@ void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
     live(input, picture);
   }
   bind();
-  if (joints_) output.joints = *joints_;
-  if (odometry_) output.odometry = *odometry_;
-  if (leds_) output.leds = *leds_;
-  if (message_ && picture && pictures_ % picturesPerTeamMessage == 0) output.message = *message_;
+  if (const auto* joints = command<JointData>()) output.joints = *joints;
+  if (const auto* odometry = command<OdometryData>()) output.odometry = *odometry;
+  if (const auto* leds = command<LedValue>()) output.leds = *leds;
+  if (const auto* message = command<TeamMessage>();
+      message && picture && pictures_ % picturesPerTeamMessage == 0)
+    output.message = *message;
+  if (const auto* camera = command<CameraSettings>(); camera && *camera != camera_)
+    output.camera = camera_ = *camera;
   handleMessages(input);
 }
 

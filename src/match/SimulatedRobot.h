@@ -65,16 +65,20 @@ class SimulatedRobot : public MatchRobot {
   void send(Time now, const T& package);
   bool isBusy(Time now) const { return static_cast<double>(now.ms) < busyUntil_; }
   void live(const RobotInput& input, bool picture);
+  template <typename T>
+  const T* command() const {
+    return std::get<const T*>(commands_);
+  }
   void handleMessages(const RobotInput& input);
 
   std::string name_;
   std::unique_ptr<Robot> robot_;
   // What the robot provides, until its layout changes.
   int layoutChanges_ = -1;
-  const JointData* joints_ = nullptr;
-  const OdometryData* odometry_ = nullptr;
-  const LedValue* leds_ = nullptr;
-  const TeamMessage* message_ = nullptr;
+  template <typename T>
+  using Provided = const T*;
+  CommandSlots<Provided> commands_;
+  CameraSettings camera_;  ///< As the camera is set.
   const RobotPose* pose_ = nullptr;
   const BallModel* ball_ = nullptr;
   const RobotState* state_ = nullptr;

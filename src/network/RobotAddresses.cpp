@@ -17,6 +17,19 @@ std::string RobotAddresses::endpoint(const std::string& process) const {
   return told != elsewhere.end() ? told->second : "ipc://" + folder + "/" + robot + "." + process;
 }
 
+Result<void> checkEndpoint(const std::string& endpoint) {
+  const std::string_view text{endpoint};
+  const auto port = text.rfind(':');
+  const bool local = text.starts_with("ipc://") && text.size() > 6;
+  const bool reachable =
+      text.starts_with("tcp://") && port > 6 && port + 1 < text.size() &&
+      (text.substr(port + 1) == "*" || text.find_first_not_of("0123456789", port + 1) == text.npos);
+  if (local || reachable) return {};
+  return Error{.file = "network",
+               .field = endpoint,
+               .what = "expected an endpoint, as tcp://10.0.1.100:5001 or ipc:///tmp/robot.Tools"};
+}
+
 std::string machineAddress() {
   std::set<std::string> addresses;  // by interface, so the first is always the same
   std::error_code failed;

@@ -20,6 +20,9 @@ struct RobotAddresses {
 /// What the other processes know a robot's hardware by, or who takes its place.
 constexpr const char* platformProcess = "Platform";
 
+/// Whether a text can be an endpoint: tcp://HOST:PORT or ipc://PATH.
+Result<void> checkEndpoint(const std::string& endpoint);
+
 /// The hardware address of this machine's first network interface, as robot.cfg has it
 /// (00022D1F626B); empty if there is none.
 std::string machineAddress();

@@ -73,7 +73,10 @@ void Router::passFromRobot(Route& route) {
     route.clock = std::max(route.clock, message.time);
     if (!route.robot.team.empty() && message.is<TeamMessage>()) passTeamMessage(route, message);
   });
-  if (route.tools) route.tools->send(route.fromRobot);
+  if (route.tools) {
+    route.tools->relay(route.connection->theirs());
+    route.tools->send(route.fromRobot);
+  }
   if (all_) all_->send(route.fromRobot);
   route.fromRobot.clear();
 }
@@ -143,6 +146,7 @@ std::vector<Router::Statistics> Router::statistics() const {
     Statistics& s = list.emplace_back();
     s.robot = route->robot.name;
     s.connected = route->connection->connected();
+    s.trouble = route->connection->trouble();
     s.toTools = route->toTools;
     s.toRobot = route->toRobot;
     s.dropped = route->connection->out().dropped();

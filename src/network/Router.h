@@ -53,6 +53,7 @@ class Router {
   struct Statistics {
     std::string robot;
     bool connected = false;
+    std::string trouble{};  ///< Why it is not, as far as it is known.
     std::size_t tools = 0;
     std::uint64_t toTools = 0, toRobot = 0, dropped = 0, rejected = 0;  ///< Messages so far.
   };

@@ -49,6 +49,8 @@ class Socket {
   virtual bool receive(Received& received) = 0;
   /// Where it listens; for tcp with the port that was chosen if it was asked for port 0.
   virtual std::string endpoint() const = 0;
+  /// Why nobody could be connected, as far as it is known; empty otherwise.
+  virtual std::string trouble() { return ""; }
   /// How many messages were no frames.
   std::uint64_t rejected() const { return rejected_; }
 

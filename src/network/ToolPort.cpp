@@ -15,14 +15,31 @@ constexpr int framesPerUpdate = 64;
 /// A frame holds a tool's queue at most; few wait, so a flood finds little room.
 constexpr SocketLimits limits{8, static_cast<std::int64_t>(toolQueueSize + Frame::headerSize)};
 
-const Topic& queues() {
-  static const Topic topic{representation<MessageQueue>()};
+/// What frames of queues are about, written by a vocabulary.
+Topic queuesBy(std::uint32_t vocabulary) {
+  Topic topic{representation<MessageQueue>()};
+  topic.schema = vocabulary;
   return topic;
 }
 
 /// Takes a frame's queue; false if it is none.
 bool takeQueue(const Frame& frame, MessageQueue& queue) {
-  return frame.type == queues().type->id && queue.assign(frame.bytes);
+  return frame.type == messageId<MessageQueue>() && queue.assign(frame.bytes);
+}
+
+/// Takes the description of a vocabulary; false if the frame is another one.
+bool takeTypes(const Frame& frame, Interpreter& interpreter) {
+  TypeDescriptions types;
+  if (frame.type != messageId<TypeDescriptions>() || !decode(frame.bytes, types)) return false;
+  interpreter.learn(std::move(types));
+  return true;
+}
+
+/// Whether it is time to say something again.
+bool isDue(std::int64_t& last, std::int64_t now) {
+  if (last >= 0 && now - last < repeatAfter) return false;
+  last = now;
+  return true;
 }
 
 /// A robot's queue is asked for only while a small part of the place for it is in use.
@@ -33,10 +50,31 @@ bool hasRoom(const MessageQueue& messages) {
 }  // namespace
 
 Result<std::unique_ptr<ToolPort>> ToolPort::open(Network& network, const std::string& endpoint,
-                                                 const std::optional<Keys>& keys) {
+                                                 const std::optional<Keys>& keys,
+                                                 const Vocabulary* vocabulary) {
   const auto socket = network.listen(endpoint, keys, limits);
   if (!socket) return socket.error();
-  return std::unique_ptr<ToolPort>{new ToolPort{network, **socket}};
+  return std::unique_ptr<ToolPort>{new ToolPort{network, **socket, vocabulary}};
+}
+
+ToolPort::ToolPort(Network& network, Socket& socket, const Vocabulary* vocabulary)
+    : network_{network},
+      socket_{&socket},
+      vocabulary_{vocabulary},
+      types_{vocabulary ? vocabulary->descriptions() : TypeDescriptions{}},
+      topic_{queuesBy(types_.vocabulary)} {}
+
+void ToolPort::relay(const TypeDescriptions& types) {
+  if (types.vocabulary == types_.vocabulary) return;
+  types_ = types;
+  topic_ = queuesBy(types.vocabulary);
+}
+
+std::vector<std::string> ToolPort::takeNews() {
+  std::vector<std::string> news;
+  for (const auto& tool : tools_)
+    for (const std::string& line : tool->interpreter.takeNews()) news.push_back("a tool: " + line);
+  return news;
 }
 
 void ToolPort::send(const MessageQueue& messages) {
@@ -57,7 +95,10 @@ ToolPort::Tool* ToolPort::find(std::string_view name) {
   for (const auto& tool : tools_)
     if (tool->name == name) return tool.get();
   if (tools_.size() >= mostTools) return nullptr;
-  return tools_.emplace_back(std::make_unique<Tool>(Tool{.name = std::string{name}})).get();
+  return tools_
+      .emplace_back(std::make_unique<Tool>(
+          Tool{.name = std::string{name}, .interpreter = Interpreter{vocabulary_}}))
+      .get();
 }
 
 void ToolPort::take(const Received& received, MessageQueue& messages) {
@@ -67,19 +108,30 @@ void ToolPort::take(const Received& received, MessageQueue& messages) {
     return;
   }
   tool->heard = network_.elapsed();
-  if (received.frame.kind != FrameKind::package) {
-    tool->mayGet = true;
+  const Frame& frame = received.frame;
+  if (frame.kind == FrameKind::describe) {
+    socket_->send(tool->name, FrameKind::package, representation<TypeDescriptions>(), &types_);
     return;
   }
+  if (frame.kind != FrameKind::package) {
+    tool->mayGet = true;
+    if (vocabulary_ && !tool->interpreter.knows(frame.schema) &&
+        isDue(tool->wondered, network_.elapsed()))
+      socket_->send(tool->name, FrameKind::describe, topic_, nullptr);
+    return;
+  }
+  if (takeTypes(frame, tool->interpreter)) return;
   MessageQueue queue{toolQueueSize};
-  if (!tool->maySend || !takeQueue(received.frame, queue)) {
+  // One that is not understood yet is asked for its vocabulary when it asks for messages.
+  const bool understood = !vocabulary_ || tool->interpreter.knows(frame.schema);
+  if (!tool->maySend || !understood || !takeQueue(frame, queue)) {
     ++rejected_;
     return;
   }
   tool->maySend = false;
   tool->asked = -1;
   heed(queue);
-  queue.moveAllMessages(messages);  // there is room: it was asked for
+  tool->interpreter.take(queue, messages);  // there is room: it was asked for
 }
 
 /// What the robot was asked to do with its queue holds for the tools' queues, too.
@@ -93,7 +145,7 @@ void ToolPort::heed(const MessageQueue& requests) {
 
 void ToolPort::serve(Tool& tool) {
   if (tool.mayGet && !tool.out.empty()) {
-    socket_->send(tool.name, FrameKind::package, queues(), &tool.out);
+    socket_->send(tool.name, FrameKind::package, topic_, &tool.out);
     tool.out.clear();
     tool.mayGet = false;
     dropped_ += tool.out.dropped();
@@ -113,43 +165,66 @@ void ToolPort::update(MessageQueue& messages) {
   for (const auto& tool : tools_) {
     serve(*tool);
     // One tool at a time may fill what is left, and each is told that the robot is there.
-    if (!hasRoom(messages) || (tool->asked >= 0 && now - tool->asked < repeatAfter)) continue;
-    socket_->send(tool->name, FrameKind::request, queues(), nullptr);
+    if (!hasRoom(messages) || !isDue(tool->asked, now)) continue;
+    socket_->send(tool->name, FrameKind::request, topic_, nullptr);
     tool->maySend = true;
-    tool->asked = now;
   }
 }
 
 Result<std::unique_ptr<ToolConnection>> ToolConnection::open(Network& network,
                                                              const std::string& endpoint,
-                                                             const std::optional<Keys>& keys) {
+                                                             const std::optional<Keys>& keys,
+                                                             const Vocabulary* vocabulary) {
   const auto socket = network.connect(endpoint, "", keys, limits);
   if (!socket) return socket.error();
-  return std::unique_ptr<ToolConnection>{new ToolConnection{network, **socket}};
+  return std::unique_ptr<ToolConnection>{new ToolConnection{network, **socket, vocabulary}};
+}
+
+ToolConnection::ToolConnection(Network& network, Socket& socket, const Vocabulary* vocabulary)
+    : network_{network},
+      socket_{&socket},
+      vocabulary_{vocabulary},
+      topic_{queuesBy(vocabulary ? vocabulary->id() : 0)},
+      interpreter_{vocabulary} {}
+
+void ToolConnection::take(const Frame& frame, MessageQueue& messages) {
+  if (frame.kind == FrameKind::describe) {
+    if (vocabulary_)
+      socket_->send("", FrameKind::package, representation<TypeDescriptions>(),
+                    &vocabulary_->descriptions());
+    return;
+  }
+  if (frame.kind == FrameKind::package && takeTypes(frame, interpreter_)) return;
+  understood_ = interpreter_.knows(frame.schema);
+  if (frame.kind != FrameKind::package) {
+    maySend_ = true;
+    return;
+  }
+  MessageQueue queue{toolQueueSize};
+  if ((vocabulary_ && !understood_) || !takeQueue(frame, queue)) {
+    ++rejected_;
+    return;
+  }
+  interpreter_.take(queue, messages);  // there is room: it was asked for
+  asked_ = -1;
 }
 
 void ToolConnection::update(MessageQueue& messages) {
   Received received;
-  MessageQueue queue{toolQueueSize};
   for (int i = 0; i < framesPerUpdate && socket_->receive(received); ++i) {
     heard_ = network_.elapsed();
-    if (received.frame.kind != FrameKind::package) {
-      maySend_ = true;
-    } else if (takeQueue(received.frame, queue)) {
-      queue.moveAllMessages(messages);  // there is room: it was asked for
-      asked_ = -1;
-    } else {
-      ++rejected_;
-    }
+    take(received.frame, messages);
   }
   if (maySend_ && !out_.empty()) {
-    socket_->send("", FrameKind::package, queues(), &out_);
+    socket_->send("", FrameKind::package, topic_, &out_);
     out_.clear();
     maySend_ = false;
   }
   const std::int64_t now = network_.elapsed();
+  if (!understood_ && isDue(wondered_, now))
+    socket_->send("", FrameKind::describe, topic_, nullptr);
   if (!hasRoom(messages) || (asked_ >= 0 && now - asked_ < repeatAfter)) return;
-  if (socket_->send("", FrameKind::request, queues(), nullptr)) asked_ = now;
+  if (socket_->send("", FrameKind::request, topic_, nullptr)) asked_ = now;
 }
 
 }  // namespace gt

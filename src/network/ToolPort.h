@@ -5,6 +5,7 @@
 
 #include "framework/QueueFill.h"
 #include "network/Network.h"
+#include "network/Vocabulary.h"
 #include "streams/MessageQueue.h"
 
 namespace gt {
@@ -16,17 +17,25 @@ constexpr std::size_t toolQueueSize = 2 << 20;
 /// messages. Memory is bounded for each tool: what one does not take in time is dropped for that
 /// one, and one that sends without being asked is not listened to (report 5.3). A tool that takes
 /// what was kept for it late gets the newest only, if the queues were asked to be filled so
-/// (QueueFillRequest).
+/// (QueueFillRequest). Both sides tell by which vocabulary they write, and ask for one that they do
+/// not know before they take messages.
 class ToolPort {
  public:
+  /// Without a vocabulary messages are passed on as they are.
   static Result<std::unique_ptr<ToolPort>> open(Network& network, const std::string& endpoint,
-                                                const std::optional<Keys>& keys = {});
+                                                const std::optional<Keys>& keys = {},
+                                                const Vocabulary* vocabulary = nullptr);
 
   /// Passes messages to all tools.
   void send(const MessageQueue& messages);
   /// Takes what tools sent to `messages`, and serves tools that ask. What has no room there is left
   /// with the tools.
   void update(MessageQueue& messages);
+
+  /// From now on the messages are written by another program's vocabulary.
+  void relay(const TypeDescriptions& types);
+  /// What a person should know of the tools and has not been told yet.
+  std::vector<std::string> takeNews();
 
   std::size_t tools() const { return tools_.size(); }
   std::string endpoint() const { return socket_->endpoint(); }
@@ -42,9 +51,11 @@ class ToolPort {
     bool mayGet = false;   ///< It requested a queue.
     bool maySend = false;  ///< It was asked for a queue.
     MessageQueue out{toolQueueSize};
+    Interpreter interpreter;
+    std::int64_t wondered = -1;  ///< When it was asked for its vocabulary.
   };
 
-  ToolPort(Network& network, Socket& socket) : network_{network}, socket_{&socket} {}
+  ToolPort(Network& network, Socket& socket, const Vocabulary* vocabulary);
   Tool* find(std::string_view name);
   void take(const Received& received, MessageQueue& messages);
   void heed(const MessageQueue& requests);
@@ -52,6 +63,9 @@ class ToolPort {
 
   Network& network_;
   Socket* socket_;
+  const Vocabulary* vocabulary_;
+  TypeDescriptions types_;  ///< By which messages to tools are written.
+  Topic topic_;
   bool newestOnly_ = false;
   NewestMessages newest_;
   std::vector<std::unique_ptr<Tool>> tools_;
@@ -62,8 +76,10 @@ class ToolPort {
 /// A tool's end: connects to a robot's port, or to the router's for that robot.
 class ToolConnection {
  public:
+  /// Without a vocabulary messages are passed on as they are.
   static Result<std::unique_ptr<ToolConnection>> open(Network& network, const std::string& endpoint,
-                                                      const std::optional<Keys>& keys = {});
+                                                      const std::optional<Keys>& keys = {},
+                                                      const Vocabulary* vocabulary = nullptr);
 
   /// Messages for the robot; they leave when it asks for them.
   MessageQueue& out() { return out_; }
@@ -72,12 +88,24 @@ class ToolConnection {
   /// Something came from the robot within the last second.
   bool connected() const { return heard_ >= 0 && network_.elapsed() - heard_ < 1000; }
   std::uint64_t rejected() const { return rejected_ + socket_->rejected(); }
+  /// The vocabulary by which the robot writes, as far as it is another one.
+  const TypeDescriptions& theirs() const { return interpreter_.theirs(); }
+  /// What a person should know of the robot and has not been told yet.
+  std::vector<std::string> takeNews() { return interpreter_.takeNews(); }
+  /// Why the robot is not reached, as far as it is known; empty otherwise.
+  std::string trouble() const { return connected() ? "" : socket_->trouble(); }
 
  private:
-  ToolConnection(Network& network, Socket& socket) : network_{network}, socket_{&socket} {}
+  ToolConnection(Network& network, Socket& socket, const Vocabulary* vocabulary);
+  void take(const Frame& frame, MessageQueue& messages);
 
   Network& network_;
   Socket* socket_;
+  const Vocabulary* vocabulary_;
+  Topic topic_;
+  Interpreter interpreter_;
+  std::int64_t wondered_ = -1;
+  bool understood_ = true;  ///< The vocabulary of the last frame is known.
   std::int64_t heard_ = -1;
   std::int64_t asked_ = -1;
   bool maySend_ = false;

@@ -1,6 +1,7 @@
 #include "network/ToolPort.h"
 
 #include <netinet/in.h>
+#include <sys/fsuid.h>
 #include <sys/socket.h>
 
 #include <fstream>
@@ -218,6 +219,30 @@ FileDescriptor speaker(const std::string& endpoint) {
     answer.append(bytes, static_cast<std::size_t>(n));
   }
   return socket;
+}
+
+/// Where no key is needed, on this machine, only programs of the same user are let in.
+TEST_F(ToolPortTest, AProgramOfAnotherUserIsNotListenedTo) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can be another user";
+  port = *ToolPort::open(robotNetwork, "tcp://127.0.0.1:*");
+  const auto requests = [&](uid_t user) {
+    const auto before = static_cast<uid_t>(setfsuid(user));
+    const FileDescriptor socket = speaker(port->endpoint());
+    setfsuid(before);
+    const auto header =
+        frameHeader({FrameKind::request, representation<MessageQueue>().id, 1, {}, {}});
+    std::string frame{'\0', static_cast<char>(header.size())};
+    frame.append(reinterpret_cast<const char*>(header.data()), header.size());
+    return eventually([&] { return port->tools() > 0; },
+                      [&] {
+                        (void)!send(socket.number(), frame.data(), frame.size(),
+                                    MSG_DONTWAIT | MSG_NOSIGNAL);
+                        port->update(fromTools);
+                      },
+                      500);
+  };
+  EXPECT_FALSE(requests(65534));
+  EXPECT_TRUE(requests(0));
 }
 
 TEST_F(ToolPortTest, AMessageOfEndlesslyManyPartsIsCutOff) {

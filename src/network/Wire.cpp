@@ -2,28 +2,18 @@
 
 #include <algorithm>
 
+#include "network/Vocabulary.h"
 #include "streams/RecordedMessage.h"
 
 namespace gt {
 namespace {
 
-/// The answer to a frame that asks for a description: how packages of a type are written.
-struct TypeDescription {
-  std::uint32_t type = 0;
-  std::string name, schema;
-
-  static constexpr auto fields() {
-    return Fields{field("type", &TypeDescription::type, "", "its id"),
-                  field("name", &TypeDescription::name, "", "of its schema"),
-                  field("schema", &TypeDescription::schema, "", "its text")};
-  }
-};
-static_assert(complete<TypeDescription>);
-
 /// Who has not been heard of for so long is not there any more, in ms.
 constexpr std::int64_t lostAfter = 1000;
 /// A request is repeated, in case that it or its answer was lost with a process, in ms.
 constexpr std::int64_t repeatAfter = 100;
+/// Who has not answered for so long is waited for in vain, in ms.
+constexpr std::int64_t missedAfter = 3000;
 /// A robot has less processes, and none of them more receivers of one type.
 constexpr std::size_t mostPeers = 64;
 constexpr std::uint32_t mostReceivers = 16;
@@ -80,7 +70,7 @@ Result<void> Wire::connect(const std::string& peer, const std::string& endpoint,
                            const std::optional<Keys>& keys) {
   const auto socket = network_.connect(endpoint, name_, keys);
   if (!socket) return socket.error();
-  peers_.push_back(std::make_unique<Peer>(Peer{peer, *socket, {}}));
+  peers_.push_back(std::make_unique<Peer>(Peer{peer, *socket, {}, endpoint}));
   return {};
 }
 
@@ -122,6 +112,19 @@ void Wire::takeIn() {
 
 void Wire::askForMore() {
   for (Inbound& inbound : inbound_) ask(inbound);
+  for (const auto& peer : peers_)
+    if (!peer->endpoint.empty()) lookFor(*peer);
+}
+
+/// Tells once that somebody does not answer, and again when he does.
+void Wire::lookFor(Peer& peer) {
+  const bool there = peer.clock.session != 0;
+  if (there == !peer.missed || (!there && network_.elapsed() < missedAfter)) return;
+  peer.missed = !there;
+  if (there) return news_.push_back("'" + peer.name + "' answers now");
+  const std::string trouble = peer.socket->trouble();
+  news_.push_back("'" + peer.name + "' does not answer at " + peer.endpoint +
+                  (trouble.empty() ? "" : ": " + trouble));
 }
 
 void Wire::take(Socket& socket, const Received& received) {
@@ -164,8 +167,7 @@ Wire::Link* Wire::linkFor(Peer& peer, const Frame& frame) {
 void Wire::describe(Peer& peer, const Frame& frame) {
   const PackageSender* sender = senderOf(frame.type);
   if (!sender) return;
-  const Schema schema = sender->type().schema();
-  const TypeDescription description{frame.type, schema.name, schema.text};
+  const TypeDescription description = TypeDescription::of(sender->type());
   peer.socket->send(peer.name, FrameKind::package, representation<TypeDescription>(), &description);
 }
 

@@ -50,7 +50,7 @@ class Wire {
   /// Packages and requests that came in and could not be used.
   std::uint64_t rejected() const { return rejected_; }
   /// What a person should know of the other programs and has not been told yet, line by line:
-  /// packages of another version, and those that nobody sends.
+  /// who does not answer where he is expected, and whose packages are of another version.
   std::vector<std::string> takeNews() { return std::exchange(news_, {}); }
 
  private:
@@ -59,6 +59,8 @@ class Wire {
     std::string name;
     Socket* socket;
     Clock clock;
+    std::string endpoint{};  ///< Where it is expected; empty if it came by itself.
+    bool missed = false;     ///< That it does not answer was told.
   };
   /// How a peer writes packages of a type, if otherwise than this program.
   struct Foreign {
@@ -86,6 +88,7 @@ class Wire {
   PackageSender* senderOf(std::uint32_t type) const;
   Link* linkFor(Peer& peer, const Frame& frame);
   void ask(Inbound& inbound);
+  void lookFor(Peer& peer);
   void tell(const std::string& line);
 
   Network& network_;

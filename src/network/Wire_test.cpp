@@ -314,5 +314,49 @@ TEST(Network, LetsInOnlyWhoHoldsTheKey) {
   EXPECT_FALSE(comesThrough(robot, stranger)) << "who knows the robot's public key only";
 }
 
+TEST(Network, TellsThatAKeyDoesNotFit) {
+  const TestFolder folder;
+  ASSERT_TRUE(makeKeys(folder.file("ours")));
+  ASSERT_TRUE(makeKeys(folder.file("theirs")));
+  Network here, there;
+  const auto server = here.listen("tcp://127.0.0.1:0", *loadKeys(folder.file("ours/robot.key")));
+  ASSERT_TRUE(server);
+  const auto troubled = [&](const std::optional<Keys>& keys) {
+    const auto client = there.connect((*server)->endpoint(), "", keys);
+    Received received;
+    return eventually([&] { return !(*client)->trouble().empty(); },
+                      [&] {
+                        here.wait(0);
+                        (*server)->receive(received);
+                      },
+                      1500);
+  };
+  EXPECT_TRUE(troubled(std::nullopt));
+  Keys stranger = *loadKeys(folder.file("theirs/tool.key"));
+  EXPECT_TRUE(troubled(stranger));
+  EXPECT_FALSE(troubled(*loadKeys(folder.file("ours/tool.key"))));
+}
+
+/// Who waits in vain for another program says so, once.
+TEST(Wire, TellsWhoDoesNotAnswer) {
+  const TestFolder folder;
+  Sink sink{folder.endpoint("a")};
+  std::vector<std::string> news;
+  const auto step = [&] {
+    sink.step();
+    for (const std::string& line : sink.wire.takeNews()) news.push_back(line);
+  };
+  ASSERT_TRUE(eventually([&] { return !news.empty(); }, step));
+  EXPECT_EQ(news[0], "'Source' does not answer at " + folder.endpoint("a"));
+  EXPECT_FALSE(eventually([&] { return news.size() > 1; }, step, 300));
+  Source source{folder.endpoint("a")};
+  ASSERT_TRUE(eventually([&] { return news.size() > 1; },
+                         [&] {
+                           source.step();
+                           step();
+                         }));
+  EXPECT_EQ(news[1], "'Source' answers now");
+}
+
 }  // namespace
 }  // namespace gt

@@ -3,9 +3,14 @@
 #include <linux/tcp.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 
 #include "network/Network.h"
 
@@ -16,6 +21,35 @@ std::string binaryKey(const std::string& text) {
   std::string bytes(32, '\0');
   zmq_z85_decode(reinterpret_cast<std::uint8_t*>(bytes.data()), text.c_str());
   return bytes;
+}
+
+/// An end of a connection over the loopback device, as /proc/net/tcp tells it.
+std::string endOf(int file, decltype(&getpeername) name) {
+  sockaddr_in address{};
+  socklen_t size = sizeof address;
+  if (name(file, reinterpret_cast<sockaddr*>(&address), &size) != 0 ||
+      address.sin_family != AF_INET)
+    return "";
+  std::array<char, 14> text{};
+  std::snprintf(text.data(), text.size(), "%08X:%04X", address.sin_addr.s_addr,
+                static_cast<unsigned>(ntohs(address.sin_port)));
+  return text.data();
+}
+
+/// Whether the program at the other end of a connection within this machine is of this user or the
+/// administrator.
+bool isUsers(int file) {
+  const std::string peer = endOf(file, getpeername), own = endOf(file, getsockname);
+  std::ifstream connections{"/proc/net/tcp"};
+  for (std::string line; std::getline(connections, line);) {
+    std::istringstream words{line};
+    std::string number, local, remote, state, queues, timer, retransmits;
+    uid_t user = 0;
+    if (words >> number >> local >> remote >> state >> queues >> timer >> retransmits >> user &&
+        local == peer && remote == own)
+      return user == geteuid() || user == 0;
+  }
+  return false;
 }
 
 Error wrong(const std::string& endpoint, const std::string& what) {
@@ -55,37 +89,49 @@ void ZeroMq::answerKeyQuestions() {
   }
 }
 
-ConnectionGuard::ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits)
-    : limits_{limits}, events_{zeroMq.context(), zmq::socket_type::pair} {
+SocketEvents::SocketEvents(ZeroMq& zeroMq, zmq::socket_t& watched, int kinds)
+    : events_{zeroMq.context(), zmq::socket_type::pair} {
   const std::string place =
       "inproc://events-" + std::to_string(reinterpret_cast<std::uintptr_t>(this));
   events_.set(zmq::sockopt::linger, 0);
-  if (zmq_socket_monitor(watched.handle(), place.c_str(),
-                         ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_DISCONNECTED) == 0)
-    events_.connect(place);
+  if (zmq_socket_monitor(watched.handle(), place.c_str(), kinds) == 0) events_.connect(place);
 }
 
+std::optional<SocketEvents::Event> SocketEvents::next() {
+  zmq::message_t message, address;
+  while (events_.recv(message, zmq::recv_flags::dontwait)) {
+    if (message.more() && !events_.recv(address)) return {};
+    Event event;
+    if (message.size() != sizeof event.kind + sizeof event.value) continue;
+    std::memcpy(&event.kind, message.data(), sizeof event.kind);
+    std::memcpy(&event.value, message.data<std::byte>() + sizeof event.kind, sizeof event.value);
+    return event;
+  }
+  return {};
+}
+
+ConnectionGuard::ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits,
+                                 bool usersOnly)
+    : limits_{limits},
+      usersOnly_{usersOnly},
+      events_{zeroMq, watched, ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_DISCONNECTED} {}
+
 void ConnectionGuard::takeEvents() {
-  zmq::message_t event, address;
-  while (events_.recv(event, zmq::recv_flags::dontwait)) {
-    if (event.more() && !events_.recv(address)) return;
-    std::uint16_t kind = 0;
-    std::int32_t file = -1;
-    if (event.size() != sizeof kind + sizeof file) continue;
-    std::memcpy(&kind, event.data(), sizeof kind);
-    std::memcpy(&file, event.data<std::byte>() + sizeof kind, sizeof file);
-    std::erase_if(connections_, [&](const Connection& c) { return c.file == file; });
-    if (kind != ZMQ_EVENT_ACCEPTED) continue;
-    if (connections_.size() < limits_.peers)
-      connections_.push_back({file});
+  while (const auto event = events_.next()) {
+    std::erase_if(connections_, [&](const Connection& c) { return c.file == event->value; });
+    if (event->kind != ZMQ_EVENT_ACCEPTED) continue;
+    if (connections_.size() < limits_.peers && (!usersOnly_ || isUsers(event->value)))
+      connections_.push_back({event->value});
     else
-      shutdown(file, SHUT_RDWR);
+      shutdown(event->value, SHUT_RDWR);
   }
 }
 
-void ConnectionGuard::heard(int connection) {
+bool ConnectionGuard::admits(int connection) {
+  takeEvents();
   const auto found = std::ranges::find(connections_, connection, &Connection::file);
-  if (found != connections_.end()) found->heard = true;
+  if (found == connections_.end()) return false;
+  return found->heard = true;
 }
 
 bool ConnectionGuard::isTolerable(Connection& connection) const {
@@ -125,7 +171,8 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::listen(const Network& network, Zer
   // A program that was started again takes the place of the one before it.
   socket->socket_.set(zmq::sockopt::router_handover, true);
   if (keys) zeroMq.guard(socket->socket_, *keys);
-  if (endpoint.substr(0, 6) == "tcp://") socket->guard_.emplace(zeroMq, socket->socket_, limits);
+  if (endpoint.substr(0, 6) == "tcp://")
+    socket->guard_.emplace(zeroMq, socket->socket_, limits, !keys);
   try {
     socket->socket_.bind(endpoint);
   } catch (const zmq::error_t& error) {
@@ -151,12 +198,24 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::connect(const Network& network, Ze
     raw.set(zmq::sockopt::curve_publickey, keys->clientPublic);
     raw.set(zmq::sockopt::curve_secretkey, keys->clientSecret);
   }
+  socket->handshakes_.emplace(zeroMq, raw,
+                              ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_HANDSHAKE_FAILED_AUTH |
+                                  ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
+                                  ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL);
   try {
     raw.connect(endpoint);
   } catch (const zmq::error_t& error) {
     return wrong(endpoint, error.what());
   }
   return std::unique_ptr<Socket>{std::move(socket)};
+}
+
+std::string ZeroMqSocket::trouble() {
+  while (const auto event = handshakes_ ? handshakes_->next() : std::nullopt)
+    trouble_ = event->kind == ZMQ_EVENT_HANDSHAKE_SUCCEEDED
+                   ? ""
+                   : "the key does not fit, or one of both sides has none";
+  return trouble_;
 }
 
 bool ZeroMqSocket::send(std::string_view peer, FrameKind kind, const Topic& topic,
@@ -191,9 +250,7 @@ bool ZeroMqSocket::receive(Received& received) {
       guard_->check();
       checked_ = network_.elapsed();
     }
-    if (!receiveFrame(received)) return false;
-    if (guard_) guard_->heard(message_.get(ZMQ_SRCFD));
-    return true;
+    return receiveFrame(received);
   } catch (const zmq::error_t&) {
     return false;  // interrupted by a signal
   }
@@ -207,15 +264,15 @@ bool ZeroMqSocket::receiveFrame(Received& received) {
       if (!receivePart(message_)) return false;
       bool whole = !message_.more();
       for (zmq::message_t rest; message_.more() && receivePart(rest) && rest.more();) whole = false;
+      const bool admitted = !guard_ || guard_->admits(message_.get(ZMQ_SRCFD));
       const auto parsed = parseFrame({message_.data<std::byte>(), message_.size()});
-      if (whole && parsed) {
+      if (admitted && whole && parsed) {
         received.peer = listens_ ? peer_.to_string_view() : std::string_view{};
         received.frame = *parsed;
         return true;
       }
     }
     ++rejected_;
-    if (guard_) guard_->heard(message_.get(ZMQ_SRCFD));
   }
   return false;
 }

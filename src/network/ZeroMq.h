@@ -28,14 +28,30 @@ class ZeroMq {
   std::optional<zmq::socket_t> keyKeeper_;
 };
 
+/// What ZeroMQ tells of a socket's connections.
+class SocketEvents {
+ public:
+  SocketEvents(ZeroMq& zeroMq, zmq::socket_t& watched, int kinds);
+  struct Event {
+    std::uint16_t kind = 0;
+    std::int32_t value = -1;  ///< The connection's file descriptor, or the reason of a failure.
+  };
+  std::optional<Event> next();
+
+ private:
+  zmq::socket_t events_;
+};
+
 /// Watches who is connected with a listening socket over tcp. ZeroMQ limits the parts of a message,
 /// but not their number, nor that of connections: who sends more bytes without an end of a message
-/// than a frame has, or comes when all places are taken, is cut off.
+/// than a frame has, or comes when all places are taken, is cut off. So is, where no key is needed,
+/// who is not of this user (or the administrator): as with sockets of the file system.
 class ConnectionGuard {
  public:
-  ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits);
-  /// A whole message came in by this connection.
-  void heard(int connection);
+  ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits,
+                  bool usersOnly);
+  /// A whole message came in by this connection; false if it is to be passed over.
+  bool admits(int connection);
   /// To be called often.
   void check();
 
@@ -50,7 +66,8 @@ class ConnectionGuard {
   bool isTolerable(Connection& connection) const;
 
   SocketLimits limits_;
-  zmq::socket_t events_;
+  bool usersOnly_;
+  SocketEvents events_;
   std::vector<Connection> connections_;
 };
 
@@ -69,6 +86,7 @@ class ZeroMqSocket : public Socket {
 
   bool send(std::string_view peer, FrameKind kind, const Topic& topic, const void* value) override;
   bool receive(Received& received) override;
+  std::string trouble() override;
   std::string endpoint() const override { return socket_.get(zmq::sockopt::last_endpoint); }
   void* zeroMq() const override { return const_cast<zmq::socket_t&>(socket_).handle(); }
 
@@ -82,6 +100,8 @@ class ZeroMqSocket : public Socket {
   zmq::socket_t socket_;
   zmq::message_t peer_, message_;
   std::optional<ConnectionGuard> guard_;
+  std::optional<SocketEvents> handshakes_;
+  std::string trouble_;
   std::int64_t checked_ = 0;
 };
 

@@ -5,12 +5,11 @@
 #include <set>
 
 #include "base/Lines.h"
-#include "modules/behavior/control/GT2003BehaviorControl.h"
-#include "motionnet/Listing.h"
+#include "network/RobotAddresses.h"
 #include "robot/Processes.h"
+#include "robot/Solutions.h"
 #include "streams/Config.h"
 #include "streams/File.h"
-#include "xabsl/formats/Compile.h"
 
 namespace gt {
 namespace {
@@ -41,6 +40,9 @@ void readNetwork(const std::string& path, NetworkSettings& network, Findings& fi
   readOptional(path, network, findings);
   if (!network.address.empty() && !isHardwareAddress(network.address))
     findings.add({.file = path, .field = "address", .what = "expected 12 digits, as 00022D1F626B"});
+  if (!network.tools.empty())
+    if (const auto done = checkEndpoint(network.tools); !done)
+      findings.add({.file = path, .field = "tools", .what = done.error().text()});
 }
 
 Result<void> checkSolution(const SolutionTable& table, const std::string& task,
@@ -88,17 +90,20 @@ void readSolutions(const SolutionTable& table, const std::string& path,
             });
 }
 
-/// Whether a robot can have a representation of that name.
-bool isKnown(const SolutionTable& table, const std::string& name) {
+/// Whether a robot can have a representation of that name: where modules are not linked into this
+/// program, another one knows it.
+bool isKnown(const RobotModules& modules, const std::string& name) {
   const auto named = [&](const RepresentationType* type) { return type->name == name; };
   const auto holds = [&](const auto& list) { return std::any_of(list.begin(), list.end(), named); };
-  return holds(platformRepresentations()) || holds(givenRepresentations()) ||
-         std::any_of(table.tasks().begin(), table.tasks().end(),
-                     [&](const auto& task) { return holds(task.second.outputs); });
+  return holds(platformRepresentations()) || holds(modules.given()) ||
+         std::any_of(modules.solutions.tasks().begin(), modules.solutions.tasks().end(),
+                     [&](const auto& task) {
+                       return task.second.solutions.empty() || holds(task.second.outputs);
+                     });
 }
 
 /// log.cfg: lines `representation NAME` and `pictures MS`.
-void readLog(const SolutionTable& table, const std::string& path, Configuration::LogSettings& log,
+void readLog(const RobotModules& modules, const std::string& path, Configuration::LogSettings& log,
              Findings& findings) {
   constexpr const char* expected = "expected: representation NAME, or: pictures MS";
   log.file = path;
@@ -108,7 +113,8 @@ void readLog(const SolutionTable& table, const std::string& path, Configuration:
                 return Error{.file = path, .line = line, .field = field, .what = std::move(text)};
               };
               if (what == "representation") {
-                if (!isKnown(table, value)) return wrong(value, "there is no such representation");
+                if (!isKnown(modules, value))
+                  return wrong(value, "there is no such representation");
                 log.representations.push_back(value);
                 log.lines[value] = line;
                 return {};
@@ -151,61 +157,10 @@ void readParameters(const SolutionTable& table, const ConfigFolder& folder,
     findings.add(readParameterFile(table, folder.path("modules/" + name), files));
 }
 
-void add(const std::vector<xabsl::Diagnostic>& diagnostics, Findings& findings) {
-  for (const xabsl::Diagnostic& diagnostic : diagnostics) {
-    const bool isError = diagnostic.severity == xabsl::Diagnostic::Severity::error;
-    findings.add({.file = diagnostic.file,
-                  .line = diagnostic.line,
-                  .field = "column " + std::to_string(diagnostic.column),
-                  .what = diagnostic.message,
-                  .severity = isError ? Severity::error : Severity::warning});
-  }
-}
-
-/// Compiles a behavior, and links it: that finds missing symbols before a robot runs. The file that
-/// declares the special actions is made from the motions, whatever the one in the folder says.
-Behavior readBehavior(const BehaviorRequest& request, const MotionNet& motions,
-                      Findings& findings) {
-  xabsl::VirtualFiles files;
-  for (const auto& [path, text] : request.files) files[path] = text;
-  const xabsl::FileReader read = files.empty() ? xabsl::diskReader() : xabsl::readerOf(files);
-  const bool motionsFailed = motions.motions.empty();
-  std::vector<std::string> names;
-  for (std::size_t i = 1; i < motions.motions.size(); ++i) names.push_back(motions.motions[i].name);
-  xabsl::Compilation compilation = xabsl::compile(
-      request.path, [&](const std::string& path, std::string& text) -> std::optional<std::string> {
-        if (motionsFailed || fs::path{path}.filename() != "special_actions.xabsl")
-          return read(path, text);
-        text = motionnet::listing(names);
-        return std::nullopt;
-      });
-  const std::size_t before = findings.errors();
-  add(compilation.diagnostics, findings);
-  if (findings.errors() > before || motionsFailed) return {};
-  GT2003BehaviorControl control;
-  add(xabsl::Engine::create(*compilation.behavior, control.symbols(motions)).diagnostics, findings);
-  return Behavior{std::move(compilation.behavior)};
-}
-
-void readMotions(const std::string& folder, MotionNet& motions, Findings& findings) {
-  const auto compilation = motionnet::compileFolder(folder, motionRules());
-  for (const motionnet::Diagnostic& error : compilation.errors)
-    findings.add(
-        {.file = error.file, .line = error.line, .field = error.field, .what = error.message});
-  if (!compilation) return;
-  auto net = motionNetOf(compilation.net, folder);
-  if (net)
-    motions = std::move(*net);
-  else
-    findings.add(net.error());
-}
-
-void readTsl(const std::string& file, TslColors& colors, Findings& findings) {
-  auto read = readTslColors(file);
-  if (read)
-    colors = std::move(*read);
-  else
-    findings.add(read.error());
+template <typename T>
+void readShared(const std::string& path, std::shared_ptr<T>& value, Findings& findings) {
+  value = std::make_shared<T>();
+  readOptional(path, *value, findings);
 }
 
 Result<ConfigFolder> openFolder(const ConfigurationPaths& paths) {
@@ -213,37 +168,31 @@ Result<ConfigFolder> openFolder(const ConfigurationPaths& paths) {
   return ConfigFolder{paths.config, paths.location};
 }
 
+bool contains(const std::vector<const RepresentationType*>& types, const RepresentationType* type) {
+  return std::ranges::find(types, type) != types.end();
+}
+
 /// Reads everything, and goes on after errors.
-std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const SolutionTable& table,
+std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const RobotModules& modules,
+                                    const std::vector<const RepresentationType*>* wanted,
                                     Findings& findings) {
   auto configuration = std::make_shared<Configuration>();
   Configuration& c = *configuration;
-  const auto folder = openFolder(paths);
+  auto folder = openFolder(paths);
   if (!folder) {
     findings.add(folder.error());
     return configuration;
   }
-  c.field = std::make_shared<FieldDimensions>();
-  c.robot = std::make_shared<RobotDimensions>();
-  c.motions = std::make_shared<MotionNet>();
-  readOptional(folder->path("field.cfg"), *c.field, findings);
-  readOptional(folder->path("dimensions.cfg"), *c.robot, findings);
-  readOptional(folder->path("robot.cfg"), c.calibration, findings);
-  readOptional(folder->path("camera.cfg"), c.camera, findings);
-  auto colorTable = readColorTable(
-      paths.colorTable.empty() ? folder->path("coltable.c64") : paths.colorTable, paths.colorOrder);
-  if (colorTable)
-    c.colorTable = std::make_shared<ColorTable64>(std::move(*colorTable));
-  else
-    findings.add(colorTable.error());
-  c.tslColors = std::make_shared<TslColors>();
-  if (const std::string file = folder->path("coltable.tsl"); fs::exists(file))
-    readTsl(file, *c.tslColors, findings);
-  readMotions(paths.motions, *c.motions, findings);
-  c.behavior = readBehavior({paths.behavior, {}}, *c.motions, findings);
-  readSolutions(table, folder->path("modules.cfg"), c.solutions, findings);
-  readLog(table, folder->path("log.cfg"), c.log, findings);
-  readParameters(table, *folder, c.parameters, findings);
+  c.files = {paths, std::move(*folder)};
+  for (const ConfigurationPart& part : modules.parts) {
+    if (wanted && !contains(*wanted, part.type)) continue;
+    part.read(c.files, c, findings);
+    c.parts.push_back(&part);
+  }
+  const ConfigFolder& files = c.files.folder;
+  readSolutions(modules.solutions, files.path("modules.cfg"), c.solutions, findings);
+  readLog(modules, files.path("log.cfg"), c.log, findings);
+  readParameters(modules.solutions, files, c.parameters, findings);
   return configuration;
 }
 
@@ -270,11 +219,33 @@ Result<T> loadOne(const std::string& folder, const char* file, Read read) {
 
 }  // namespace
 
-Result<Behavior> loadBehavior(const BehaviorRequest& request, const MotionNet& motions) {
-  Findings findings;
-  Behavior behavior = readBehavior(request, motions, findings);
-  if (auto done = findings.firstError(); !done) return done.error();
-  return behavior;
+const std::vector<ConfigurationPart>& commonParts() {
+  static const std::vector<ConfigurationPart> parts{
+      {&representation<FieldDimensions>(),
+       [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
+         readShared(files.folder.path("field.cfg"), c.field, findings);
+       },
+       [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.field); }},
+      {&representation<RobotDimensions>(),
+       [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
+         readShared(files.folder.path("dimensions.cfg"), c.robot, findings);
+       },
+       [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.robot); }},
+      {&representation<RobotCalibration>(),
+       [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
+         readOptional(files.folder.path("robot.cfg"), c.calibration, findings);
+       },
+       [](const Configuration& c, const std::string& address, Blackboard& b) {
+         b.get<RobotCalibration>() = c.calibration.of(address);
+       }},
+      {&representation<CameraSettings>(),
+       [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
+         readOptional(files.folder.path("camera.cfg"), c.camera, findings);
+       },
+       [](const Configuration& c, const std::string& address, Blackboard& b) {
+         b.get<CameraSettings>() = c.camera.of(address);
+       }}};
+  return parts;
 }
 
 Error Configuration::LogSettings::missing(const std::string& representation) const {
@@ -286,37 +257,24 @@ Error Configuration::LogSettings::missing(const std::string& representation) con
 }
 
 void Configuration::share(Blackboard& blackboard, const std::string& address) const {
-  blackboard.share(field);
-  blackboard.share(robot);
-  blackboard.share(colorTable);
-  blackboard.share(tslColors);
-  blackboard.share(motions);
-  blackboard.get<Behavior>() = behavior;
-  blackboard.get<RobotCalibration>() = calibration.of(address);
-  blackboard.get<CameraSettings>() = camera.of(address);
+  for (const ConfigurationPart* part : parts) part->share(*this, address, blackboard);
 }
 
-std::vector<const RepresentationType*> Configuration::representations() {
-  return {&representation<FieldDimensions>(),  &representation<RobotDimensions>(),
-          &representation<ColorTable64>(),     &representation<TslColors>(),
-          &representation<MotionNet>(),        &representation<Behavior>(),
-          &representation<RobotCalibration>(), &representation<CameraSettings>()};
-}
-
-Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths,
-                                                               const SolutionTable& table) {
+Result<std::shared_ptr<const Configuration>> loadConfiguration(
+    const ConfigurationPaths& paths, const RobotModules& modules,
+    const std::vector<const RepresentationType*>* wanted) {
   Findings findings;
-  auto configuration = read(paths, table, findings);
+  auto configuration = read(paths, modules, wanted, findings);
   if (auto done = findings.firstError(); !done) return done.error();
   return std::shared_ptr<const Configuration>{std::move(configuration)};
 }
 
-Findings checkConfiguration(const ConfigurationPaths& paths, const SolutionTable& table,
+Findings checkConfiguration(const ConfigurationPaths& paths, const RobotModules& modules,
                             std::shared_ptr<const Configuration>* configuration) {
   Findings findings;
-  const auto found = read(paths, table, findings);
+  const auto found = read(paths, modules, nullptr, findings);
   for (const Configuration::ParameterFile& file : found->parameters) {
-    const Task* task = table.find(file.task);
+    const Task* task = modules.solutions.find(file.task);
     const Solution* solution = task ? task->find(file.solution) : nullptr;
     if (solution) checkParameters(*solution, file, findings);
   }

@@ -6,12 +6,8 @@
 
 #include "base/DataRoot.h"
 #include "colors/ColorTableFile.h"
-#include "colors/TslColors.h"
 #include "framework/Blackboard.h"
 #include "framework/SolutionTable.h"
-#include "modules/behavior/control/Behavior.h"
-#include "modules/behavior/control/BehaviorRequest.h"
-#include "modules/motion/specialactions/MotionNetLoader.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/Player.h"
@@ -21,6 +17,35 @@
 #include "robot/ConfigFolder.h"
 
 namespace gt {
+
+struct Behavior;
+struct BehaviorRequest;
+struct ConfigurationPart;
+struct MotionNet;
+struct RobotModules;
+struct TslColors;
+class ModuleProcess;
+
+/// The folders and files that a configuration is read from.
+struct ConfigurationPaths {
+  std::string config = "config";                   ///< Folder.
+  std::string motions = "motions";                 ///< Folder of `.mof` files.
+  std::string behavior = "behavior/GT2003.xabsl";  ///< The agents file.
+  std::string colorTable{};  ///< Instead of the folder's coltable.c64, if not empty.
+  ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the colour table's classes.
+  std::string location{};  ///< Instead of what location.cfg says, if not empty.
+
+  /// Those of a root; the defaults are those of the working directory.
+  static ConfigurationPaths in(const DataRoot& root) {
+    return {root.path("config"), root.path("motions"), root.path("behavior/GT2003.xabsl")};
+  }
+};
+
+/// Where the files of a configuration are.
+struct ConfigurationFiles {
+  ConfigurationPaths paths;
+  ConfigFolder folder{"", ""};
+};
 
 /// What a robot reads from files when it starts (report B.4), loaded once and shared by all robots
 /// that have the same. In the configuration folder:
@@ -36,8 +61,9 @@ namespace gt {
 ///     modules/TASK.SOLUTION.cfg  the parameters of that solution
 ///     log.cfg                    what is recorded
 ///
-/// Every file but coltable.c64 may be missing: then the defaults hold. Who the robot is and how it
-/// is reached are its program's matter: `loadPlayer`, `loadNetwork`.
+/// Every file but coltable.c64 may be missing: then the defaults hold. What none of a program's
+/// modules reads is not loaded, and null (ConfigurationPart). Who the robot is and how it is
+/// reached are its program's matter: `loadPlayer`, `loadNetwork`.
 struct Configuration {
   /// A line of modules.cfg.
   struct SolutionChoice {
@@ -66,45 +92,54 @@ struct Configuration {
   std::shared_ptr<ColorTable64> colorTable;
   std::shared_ptr<TslColors> tslColors;
   std::shared_ptr<MotionNet> motions;
-  Behavior behavior;  ///< Each robot has its own: it may be edited while it runs.
+  std::shared_ptr<const Behavior> behavior;
   std::vector<SolutionChoice> solutions;
   std::vector<ParameterFile> parameters;
   LogSettings log;
+  std::vector<const ConfigurationPart*> parts;  ///< That were read.
+  ConfigurationFiles files;
 
   /// Lays the shared values on a blackboard, and those of the robot with a hardware address.
   void share(Blackboard& blackboard, const std::string& address) const;
-  static std::vector<const RepresentationType*> representations();
 };
 
 /// Compiles a behavior and links it with what this robot offers; the first error tells file, line
-/// and column.
+/// and column. Without texts it is read from the file.
 Result<Behavior> loadBehavior(const BehaviorRequest& request, const MotionNet& motions);
+/// A request with the texts of a behavior: those of its file and of all that this includes.
+Result<BehaviorRequest> readBehaviorTexts(const std::string& file);
 
-/// The folders and files that a configuration is read from.
-struct ConfigurationPaths {
-  std::string config = "config";                   ///< Folder.
-  std::string motions = "motions";                 ///< Folder of `.mof` files.
-  std::string behavior = "behavior/GT2003.xabsl";  ///< The agents file.
-  std::string colorTable{};  ///< Instead of the folder's coltable.c64, if not empty.
-  ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the colour table's classes.
-  std::string location{};  ///< Instead of what location.cfg says, if not empty.
-
-  /// Those of a root; the defaults are those of the working directory.
-  static ConfigurationPaths in(const DataRoot& root) {
-    return {root.path("config"), root.path("motions"), root.path("behavior/GT2003.xabsl")};
-  }
+/// A part of the configuration: a representation that modules read, and how it gets on their
+/// blackboards. Each area of modules brings its own, so that a program neither links nor reads what
+/// none of its modules needs.
+struct ConfigurationPart {
+  const RepresentationType* type;
+  /// Reads it from files; adds what is wrong with them.
+  void (*read)(const ConfigurationFiles& files, Configuration& configuration, Findings& findings);
+  /// Lays it on the blackboard of a robot with a hardware address.
+  void (*share)(const Configuration& configuration, const std::string& address,
+                Blackboard& blackboard);
+  /// Carries out a message of the tools that replaces it while the robot runs; false if the message
+  /// is another one's. The representation itself needs no such function.
+  bool (*handle)(const Message& message, ModuleProcess& process,
+                 const ConfigurationFiles& files) = nullptr;
 };
 
-/// Reads everything; the first error tells file, line and field. Names of solutions are checked
-/// where the table holds solutions of the task.
-Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths,
-                                                               const SolutionTable& table);
+/// What all processes may read: the dimensions of field and robot, its calibration, how its camera
+/// is set.
+const std::vector<ConfigurationPart>& commonParts();
+
+/// Reads all parts that are in `wanted`, or all that the modules know; the first error tells file,
+/// line and field. Names of solutions are checked where there are solutions of the task.
+Result<std::shared_ptr<const Configuration>> loadConfiguration(
+    const ConfigurationPaths& paths, const RobotModules& modules,
+    const std::vector<const RepresentationType*>* wanted = nullptr);
 /// For programs that hold all solutions.
 Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths);
 
 /// The same, but reads on after an error and returns all; warnings are about what is not used. What
 /// could be read is stored in `configuration`, if that is given.
-Findings checkConfiguration(const ConfigurationPaths& paths, const SolutionTable& table,
+Findings checkConfiguration(const ConfigurationPaths& paths, const RobotModules& modules,
                             std::shared_ptr<const Configuration>* configuration = nullptr);
 
 /// player.cfg and network.cfg of a robot's own program; each may be missing.

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "colors/TslColors.h"
 #include "robot/Solutions.h"
 #include "streams/File.h"
 
@@ -79,7 +80,7 @@ TEST_F(ConfigurationTest, CheckTellsAllErrorsOfAFile) {
   fs::create_directories(root / "config/modules");
   write("config/modules/BallLocator.PIDSmoothed.cfg", "nothing 1\nnowhere 2\n");
   std::vector<std::string> told;
-  const Findings findings = checkConfiguration(paths, solutions());
+  const Findings findings = checkConfiguration(paths, allModules());
   for (const Error& error : findings.list())
     told.push_back(fs::path{error.file}.stem().string() + ":" + std::to_string(error.line) + " " +
                    error.field);
@@ -233,14 +234,14 @@ TEST_F(ConfigurationTest, PlayerAndNetwork) {
 }
 
 TEST_F(ConfigurationTest, CheckTellsAllErrorsAtOnce) {
-  EXPECT_TRUE(checkConfiguration(paths, solutions()).empty());
+  EXPECT_TRUE(checkConfiguration(paths, allModules()).empty());
   write("config/modules.cfg", "SelfLocater MonteCarlo\nBallLocator Wrong\n");
   write("config/log.cfg", "representation BallMoodel\npictures often\n");
   write("config/camera.cfg", "gain loud\n");
   write("config/coltable.c64", "garbage, not a colour table at all");
   write("config/modules/SelfLocator.MonteCarlo.cfg", "nonsense 1\n");
   write("motions/postures/stand.mof", "garbage\n");
-  EXPECT_GE(checkConfiguration(paths, solutions()).errors(), 8u);
+  EXPECT_GE(checkConfiguration(paths, allModules()).errors(), 8u);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ Arrows arrowsOf(const Plan& plan) {
   for (const Plan::Process& process : plan.processes) {
     for (const Plan::Step& step : process.order)
       for (const RepresentationType* type : step.task->outputs)
-        if (std::ranges::find(commandRepresentations(), type) != commandRepresentations().end())
+        if (isCommand(*type))
           arrows[{process.layout.name, platformName}].types.emplace_back(type->name);
     if (!process.layout.collectsMessages) continue;
     for (const Plan::Process& other : plan.processes)

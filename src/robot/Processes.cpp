@@ -1,42 +1,18 @@
 #include "robot/Processes.h"
 
-#include "modules/behavior/control/BehaviorControlRequest.h"
-#include "representations/behavior/LedRequest.h"
-#include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/FrameInfo.h"
-#include "representations/infrastructure/GameControlData.h"
-#include "representations/infrastructure/Image.h"
-#include "representations/infrastructure/Joints.h"
-#include "representations/infrastructure/OracledWorldState.h"
-#include "representations/infrastructure/SensorData.h"
-#include "representations/motion/OdometryData.h"
 
 namespace gt {
 
-const std::vector<const RepresentationType*>& platformRepresentations() {
-  static const std::vector<const RepresentationType*> list{
-      &representation<Image>(), &representation<SensorDataBuffer>(),
-      &representation<GameControlData>(), &representation<TeamMessages>(),
-      &representation<OracledWorldState>()};
-  return list;
-}
-
-const std::vector<const RepresentationType*>& commandRepresentations() {
-  static const std::vector<const RepresentationType*> list{
-      &representation<JointData>(), &representation<OdometryData>(), &representation<LedValue>(),
-      &representation<TeamMessage>()};
-  return list;
-}
-
-const std::vector<const RepresentationType*>& givenRepresentations() {
-  static const std::vector<const RepresentationType*> list = [] {
-    std::vector<const RepresentationType*> types = Configuration::representations();
-    types.push_back(&representation<Player>());
-    types.push_back(&representation<FrameInfo>());
-    types.push_back(&representation<BehaviorControlRequest>());
-    return types;
-  }();
-  return list;
+std::vector<const RepresentationType*> configurationOf(const ProcessLayout& process,
+                                                       const SolutionTable& table) {
+  std::vector<const RepresentationType*> types{&representation<CameraSettings>()};
+  for (const ProcessLayout::Group& group : process.groups)
+    for (const std::string& name : group.tasks)
+      if (const Task* task = table.find(name))
+        for (const Solution& solution : task->solutions)
+          for (const Port& port : solution.ports) types.push_back(port.type);
+  return types;
 }
 
 std::unique_ptr<ModuleProcess> makeProcess(const Plan::Process& plan, const RobotSetup& setup) {

@@ -5,14 +5,9 @@
 #include "framework/ModuleProcess.h"
 #include "representations/infrastructure/Player.h"
 #include "robot/Configuration.h"
+#include "robot/platform/Platform.h"
 
 namespace gt {
-
-/// What the platform sends to a robot where it senses for itself: in a simulator or on hardware.
-const std::vector<const RepresentationType*>& platformRepresentations();
-
-/// What such a platform takes from the robot: its commands, and what it says to its team.
-const std::vector<const RepresentationType*>& commandRepresentations();
 
 /// What makes a robot: its configuration, its layout, who it is, the seed of its chance, what its
 /// platform sends, and the hardware address by which files know it (report B.4.5).
@@ -25,8 +20,9 @@ struct RobotSetup {
   std::string address{};
 };
 
-/// What lies on every blackboard from the start: the configuration and the process's clock.
-const std::vector<const RepresentationType*>& givenRepresentations();
+/// The parts of the configuration that the modules of a process read, and how its camera is set.
+std::vector<const RepresentationType*> configurationOf(const ProcessLayout& process,
+                                                       const SolutionTable& table);
 
 /// One process of a robot, with the configuration on its blackboard.
 std::unique_ptr<ModuleProcess> makeProcess(const Plan::Process& plan, const RobotSetup& setup);

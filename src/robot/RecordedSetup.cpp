@@ -108,7 +108,7 @@ Result<void> attachSetup(const RecordedSetup& setup, McapWriter& log) {
 }
 
 Result<RobotSetup> readSetup(const McapReader& log, const std::string& file,
-                             const SolutionTable& table) {
+                             const RobotModules& modules) {
   const auto& all = log.metadata();
   const auto metadata = std::find_if(
       all.begin(), all.end(), [](const McapReader::Metadata& m) { return m.name == metadataName; });
@@ -123,7 +123,7 @@ Result<RobotSetup> readSetup(const McapReader& log, const std::string& file,
   paths.config = (folder.path() / "config").string();
   paths.motions = (folder.path() / "motions").string();
   paths.behavior = (folder.path() / "behavior" / *agents).string();
-  auto configuration = loadConfiguration(paths, table);
+  auto configuration = loadConfiguration(paths, modules);
   if (!configuration) return configuration.error();
   auto layout = loadLayout((folder.path() / "robot.layout").string());
   if (!layout) return layout.error();

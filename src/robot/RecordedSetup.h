@@ -22,7 +22,7 @@ Result<void> attachSetup(const RecordedSetup& setup, McapWriter& log);
 /// Makes a setup of what a log holds, for a program with these solutions. An error if it does not
 /// hold all of it.
 Result<RobotSetup> readSetup(const McapReader& log, const std::string& file,
-                             const SolutionTable& table);
+                             const RobotModules& modules);
 
 /// The commit from which this program was built, with -dirty behind it if the sources had changed;
 /// empty if they were in no repository.

@@ -1,43 +1,122 @@
 #include "robot/Robot.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
+#include "colors/HsiColors.h"
+#include "modules/behavior/control/BehaviorRequest.h"
+#include "network/RobotAddresses.h"
+#include "network/Wire.h"
 #include "robot/Solutions.h"
 
 namespace gt {
+namespace {
 
-Result<Plan> robotPlan(const Layout& layout,
-                       const std::vector<const RepresentationType*>& platform) {
-  return makePlan(layout, solutions(), platform, givenRepresentations());
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
 }
 
-Result<std::unique_ptr<Robot>> Robot::make(const RobotSetup& setup) {
-  auto plan = robotPlan(setup.layout, setup.platform);
+}  // namespace
+
+Result<std::unique_ptr<Robot>> Robot::make(const RobotSetup& setup, const RobotModules& modules,
+                                           const std::vector<std::string>& here) {
+  auto plan = makePlan(setup.layout, modules.solutions, setup.platform, modules.given());
   if (!plan) return plan.error();
-  std::unique_ptr<Robot> robot{new Robot{setup}};
-  robot->build(std::move(*plan));
-  if (const auto done = robot->configure(*setup.configuration); !done) return done.error();
+  for (const std::string& process : here)
+    if (std::ranges::none_of(plan->processes,
+                             [&](const auto& planned) { return planned.layout.name == process; }))
+      return Error{
+          .file = setup.layout.file, .field = process, .what = "the layout has no such process"};
+  std::unique_ptr<Robot> robot{new Robot{setup, modules, here}};
+  if (auto done = robot->build(std::move(*plan)); !done) return done.error();
+  if (auto done = robot->configure(*setup.configuration); !done) return done.error();
   return robot;
 }
 
-void Robot::build(Plan plan) {
+bool Robot::runsHere(const std::string& process) const {
+  return here_.empty() || contains(here_, process);
+}
+
+Result<void> Robot::build(Plan plan) {
   plan_ = std::move(plan);
-  for (const Plan::Process& process : plan_.processes)
-    if (!process.layout.collectsMessages) processes_.push_back(makeProcess(process, setup_));
-  debug_ = std::make_unique<DebugProcess>("Debug");
+  std::string debug = here_.empty() ? "Debug" : "";
+  for (const Plan::Process& process : plan_.processes) {
+    if (!runsHere(process.layout.name)) continue;
+    for (const Plan::Step& step : process.order)
+      if (step.task->solutions.empty())
+        return Error{.file = setup_.layout.file,
+                     .line = process.layout.line,
+                     .field = step.task->name,
+                     .what = "this program was linked without solutions of this task"};
+    if (process.layout.collectsMessages)
+      debug = process.layout.name;
+    else
+      addProcess(process);
+  }
+  if (!debug.empty()) debug_ = std::make_unique<DebugProcess>(debug);
   connect();
+  return {};
+}
+
+void Robot::addProcess(const Plan::Process& plan) {
+  ModuleProcess& process = *processes_.emplace_back(makeProcess(plan, setup_));
+  process.onMessage([this, &process](const Message& message) { return handle(message, process); });
+}
+
+/// Connects the processes that run here with each other and with the platform.
+void Robot::connect() {
+  for (const Connection& connection : plan_.connections) {
+    ModuleProcess* to = find(connection.to);
+    ModuleProcess* from = find(connection.from);
+    if (to && from)
+      from->sender(*connection.type).connect(to->receiver(*connection.type, connection.blocking));
+    else if (to && connection.from.empty())
+      links_.push_back({connection.type, &to->receiver(*connection.type, connection.blocking)});
+  }
+  for (const auto& process : processes_)
+    if (debug_) debug_->connect(process->debugSender(), process->debugReceiver());
+}
+
+void Robot::join(Wire& wire) {
+  wire_ = &wire;
+  for (const PlatformLink& link : links_) wire.receive(platformProcess, *link.receiver);
+  for (const Connection& connection : plan_.connections)
+    if (ModuleProcess* to = find(connection.to);
+        to && !connection.from.empty() && !find(connection.from))
+      wire.receive(connection.from, to->receiver(*connection.type, connection.blocking));
+  for (const Plan::Process& planned : plan_.processes)
+    if (ModuleProcess* process = find(planned.layout.name))
+      for (const Plan::Step& step : planned.order)
+        for (const RepresentationType* type : step.task->outputs)
+          if (type->encodedSize) wire.provide(process->sender(*type));
+  for (const RepresentationType* command : commandRepresentations())
+    if (ModuleProcess* process = find(senderOf(plan_, *command)))
+      wire.provide(process->sender(*command));
+  if (debug_ && processes_.empty()) wire.provide(debug_->sender());
+  for (const Plan::Process& other : plan_.processes) {
+    if (runsHere(other.layout.name)) continue;
+    if (debug_ && !other.layout.collectsMessages)
+      wire.receive(other.layout.name, debug_->addReceiver());
+    if (debug_ || !other.layout.collectsMessages) continue;
+    for (const auto& process : processes_) {
+      wire.provide(process->debugSender());
+      wire.receive(other.layout.name, process->debugReceiver());
+    }
+  }
 }
 
 Result<void> Robot::changeLayout(const Layout& layout) {
-  auto plan = robotPlan(layout, setup_.platform);
+  if (wire_)
+    return Error{
+        .file = layout.file,
+        .what = "the robot's processes are programs of their own: start those of the layout"};
+  auto plan = makePlan(layout, modules_->solutions, setup_.platform, modules_->given());
   if (!plan) return plan.error();
   const auto oldProcesses = std::exchange(processes_, {});
   const auto oldDebug = std::move(debug_);
   links_.clear();
   setup_.layout = layout;
-  build(std::move(*plan));
+  if (auto done = build(std::move(*plan)); !done) return done;
   for (const auto& process : processes_) {
     // What a process reads from the platform, then what others have provided, then its own.
     for (const auto& old : oldProcesses) process->blackboard().copyFrom(old->blackboard());
@@ -52,57 +131,15 @@ Result<void> Robot::changeLayout(const Layout& layout) {
   return {};
 }
 
-Result<void> Robot::carryOut(const LayoutRequest& request) {
-  const auto layout = parseLayout(request.text, request.name);
-  return layout ? changeLayout(*layout) : Result<void>{layout.error()};
-}
-
-Result<void> Robot::request(const BehaviorRequest& request) {
-  for (const auto& process : processes_) {
-    Blackboard& blackboard = process->blackboard();
-    if (!blackboard.find(representation<Behavior>().name)) continue;
-    auto behavior = loadBehavior(request, blackboard.get<MotionNet>());
-    if (!behavior) return behavior.error();
-    blackboard.get<Behavior>() = *std::move(behavior);
-  }
-  return {};
-}
-
-/// Requests that concern the robot as a whole: the last of a kind that came counts.
-template <typename Request, typename CarryOut>
-void Robot::carryOutLast(Time now, CarryOut carryOut) {
-  std::optional<Message> last;
-  Request wanted;
-  Result<void> done;
-  fromTools().handleAllMessages([&](const Message& message) {
-    if (!message.is<Request>()) return;
-    last = message;
-    done = message.read(wanted);
-  });
-  if (!last) return;
-  fromTools().removeIf([](const Message& message) { return message.is<Request>(); });
-  if (done) done = carryOut(wanted);
-  toTools().write(now, answerTo(*last, "robot", done));
-}
-
-void Robot::connect() {
-  for (const Connection& connection : plan_.connections) {
-    PackageReceiver& receiver =
-        find(connection.to)->receiver(*connection.type, connection.blocking);
-    if (connection.from.empty())
-      links_.push_back({connection.type, &receiver});
-    else
-      find(connection.from)->sender(*connection.type).connect(receiver);
-  }
-  for (const auto& process : processes_)
-    debug_->connect(process->debugSender(), process->debugReceiver());
-}
-
 Result<void> Robot::configure(const Configuration& configuration) {
   for (const Configuration::SolutionChoice& choice : configuration.solutions)
-    if (std::none_of(processes_.begin(), processes_.end(),
-                     [&](const auto& process) { return process->solves(choice.task); }))
-      return Error{choice.file, choice.line, choice.task, "no process solves this task"};
+    if (here_.empty() && std::ranges::none_of(processes_, [&](const auto& process) {
+          return process->solves(choice.task);
+        }))
+      return Error{.file = choice.file,
+                   .line = choice.line,
+                   .field = choice.task,
+                   .what = "no process solves this task"};
   for (const auto& process : processes_)
     if (auto done = configureProcess(*process, configuration); !done) return done;
   return {};
@@ -114,56 +151,77 @@ ModuleProcess* Robot::find(std::string_view name) const {
   return nullptr;
 }
 
-ModuleProcess* Robot::providerOf(std::string_view representation) const {
+/// The process that provides a representation, or the first that reads it.
+ModuleProcess* Robot::holderOf(std::string_view representation) const {
   for (const Plan::Process& process : plan_.processes)
     for (const Plan::Step& step : process.order)
       for (const RepresentationType* output : step.task->outputs)
         if (output->name == representation) return find(process.layout.name);
+  for (const auto& process : processes_)
+    if (process->blackboard().find(representation)) return process.get();
   return nullptr;
 }
 
 Result<const RepresentationType*> Robot::watch(const std::string& representation,
                                                DebugKeyRequest often) {
-  ModuleProcess* process = providerOf(representation);
-  for (const auto& reader : processes_)
-    if (!process && reader->blackboard().find(representation)) process = reader.get();
-  if (!process) return Error{"", 0, representation, "no process of the robot has it"};
+  ModuleProcess* process = holderOf(representation);
+  if (!process) return Error{.field = representation, .what = "no process of the robot has it"};
   const WatchRequest request{representation, process->name(), often.mode, often.n};
   if (auto done = process->request(request); !done) return done.error();
   return process->blackboard().find(representation);
 }
 
 std::optional<ConstValue> Robot::value(std::string_view representation) const {
-  ModuleProcess* process = providerOf(representation);
-  for (const auto& reader : processes_)
-    if (!process && reader->blackboard().find(representation)) process = reader.get();
+  ModuleProcess* process = holderOf(representation);
   const RepresentationType* type = process ? process->blackboard().find(representation) : nullptr;
   if (!type || !type->type()) return std::nullopt;
   return ConstValue{*type->type(), process->blackboard().get(*type)};
 }
 
 const void* Robot::provided(const RepresentationType& type) const {
-  ModuleProcess* process = providerOf(type.name);
+  ModuleProcess* process = find(senderOf(plan_, type));
   return process ? process->blackboard().get(type) : nullptr;
 }
 
-/// Of the messages of the tools, those that concern the robot as a whole.
-void Robot::carryOutWhole(Time now) {
-  if (fromTools().empty()) return;
-  carryOutLast<LayoutRequest>(now,
-                              [this](const LayoutRequest& wanted) { return carryOut(wanted); });
-  carryOutLast<BehaviorRequest>(now,
-                                [this](const BehaviorRequest& wanted) { return request(wanted); });
+bool Robot::step(Time now) {
+  bool ran = false;
+  for (const auto& process : processes_) ran |= process->step(now);
+  if (!debug_) return ran;
+  if (!fromTools().empty()) handleLayoutRequest(now);
+  return debug_->step(now) || ran;
 }
 
-void Robot::step(Time now) {
-  for (const auto& process : processes_) process->step(now);
-  carryOutWhole(now);
-  debug_->step(now);
+/// The last one that came counts.
+void Robot::handleLayoutRequest(Time now) {
+  std::optional<Message> last;
+  LayoutRequest wanted;
+  Result<void> done;
+  fromTools().handleAllMessages([&](const Message& message) {
+    if (!message.is<LayoutRequest>()) return;
+    last = message;
+    done = message.read(wanted);
+  });
+  if (!last) return;
+  fromTools().removeIf([](const Message& message) { return message.is<LayoutRequest>(); });
+  if (done) {
+    const auto layout = parseLayout(wanted.text, wanted.name);
+    done = layout ? changeLayout(*layout) : Result<void>{layout.error()};
+  }
+  toTools().write(now, answerTo(*last, "robot", done));
+}
+
+/// What the framework does not know but some part of the configuration does.
+bool Robot::handle(const Message& message, ModuleProcess& process) const {
+  for (const ConfigurationPart& part : modules_->parts)
+    if (part.handle && part.handle(message, process, setup_.configuration->files)) return true;
+  // Another process may have the part that knows it.
+  if (!message.is<BehaviorRequest>() && !message.is<HsiColors>()) return false;
+  process.answerNotConcerned(message);
+  return true;
 }
 
 void Robot::answer() {
-  carryOutWhole(processes_.front()->now());
+  handleLayoutRequest(processes_.front()->now());
   debug_->handleRequests();
   for (const auto& process : processes_) process->carryOut(fromTools(), toTools());
   fromTools().clear();

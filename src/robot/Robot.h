@@ -1,5 +1,4 @@
 #pragma once
-#include <cassert>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,12 +9,24 @@
 
 namespace gt {
 
+class Wire;
+
 /// A robot: the processes of its layout, connected to each other and to a platform, which sends it
 /// sensor readings and takes its commands. It does not know whether the platform is a simulator,
-/// hardware or a log. One thread at a time.
+/// hardware or a log. All of its processes run in this program, or some of them, joined with the
+/// others by a wire; which makes no difference to what it does and answers. One thread at a time.
 class Robot {
  public:
+  /// A robot in one program, with all modules that there are.
   static Result<std::unique_ptr<Robot>> make(const RobotSetup& setup);
+  /// The processes of a robot that run `here`, by their names in the layout (all, without a name),
+  /// with the modules that are linked into this program.
+  static Result<std::unique_ptr<Robot>> make(const RobotSetup& setup, const RobotModules& modules,
+                                             const std::vector<std::string>& here = {});
+
+  /// Connects the processes with those that run in other programs and, if it is one, the platform.
+  /// The wire bears the name of the process that runs here.
+  void join(Wire& wire);
 
   /// Sends a package to every process that reads it, as the platform.
   template <typename T>
@@ -47,13 +58,13 @@ class Robot {
     for (const auto& process : processes_) process->layIfDisabled(representation<T>(), &value);
   }
 
-  /// Has the robot go on with another behavior from its next cycle on; see BehaviorRequest.
+  /// Has the robot go on with another behavior from its next cycle on; see BehaviorRequest. Who
+  /// calls it may name any file.
   Result<void> request(const BehaviorRequest& request);
 
-  /// Gives each process, in the order of the layout, the chance to run once. Then carries out a
-  /// LayoutRequest or BehaviorRequest that came from the tools; what is wrong with it is told by a
-  /// text.
-  void step(Time now);
+  /// Gives each process, in the order of the layout, the chance to run once. Then carries out or
+  /// refuses a LayoutRequest of the tools. Returns whether a process ran.
+  bool step(Time now);
   /// Carries out at once, between two steps, what the tools have sent; the answers are in
   /// `toTools`.
   void answer();
@@ -61,12 +72,14 @@ class Robot {
   /// Regroups the modules to the processes of another layout, between two steps. They go on with
   /// all that they remember; solutions, parameters, debug keys and representations stay as they
   /// are. References to what `provided` returned before are no longer valid. An error leaves all as
-  /// it was.
+  /// it was. Only for robots in one program.
   Result<void> changeLayout(const Layout& layout);
 
-  /// Messages from and to the robot's processes.
+  /// Messages from and to the robot's processes, where the Debug process runs.
   MessageQueue& toTools() { return debug_->toTools(); }
   MessageQueue& fromTools() { return debug_->fromTools(); }
+  /// When the Debug process has its next cycle.
+  Time nextDebugCycle() const { return debug_->next(); }
   /// Hands a request to all processes that it concerns, at once; an error if it concerns none.
   template <typename Request>
   Result<void> request(const Request& request);
@@ -88,24 +101,29 @@ class Robot {
     PackageReceiver* receiver;
   };
 
-  explicit Robot(RobotSetup setup) : setup_{std::move(setup)} {}
-  void build(Plan plan);
+  Robot(RobotSetup setup, const RobotModules& modules, std::vector<std::string> here)
+      : setup_{std::move(setup)}, modules_{&modules}, here_{std::move(here)} {}
+  Result<void> build(Plan plan);
+  void addProcess(const Plan::Process& plan);
   void connect();
-  void carryOutWhole(Time now);
-  Result<void> carryOut(const LayoutRequest& request);
-  template <typename Request, typename CarryOut>
-  void carryOutLast(Time now, CarryOut carryOut);
   Result<void> configure(const Configuration& configuration);
+  bool runsHere(const std::string& process) const;
   ModuleProcess* find(std::string_view process) const;
-  ModuleProcess* providerOf(std::string_view representation) const;
+  ModuleProcess* holderOf(std::string_view representation) const;
   const void* provided(const RepresentationType& type) const;
 
+  void handleLayoutRequest(Time now);
+  bool handle(const Message& message, ModuleProcess& process) const;
+
   RobotSetup setup_;
+  const RobotModules* modules_;
+  std::vector<std::string> here_;  ///< Empty: all.
   Plan plan_;
   std::vector<std::unique_ptr<ModuleProcess>> processes_;
   std::unique_ptr<DebugProcess> debug_;
   std::vector<PlatformLink> links_;
   int layoutChanges_ = 0;
+  Wire* wire_ = nullptr;
 };
 
 template <typename Request>

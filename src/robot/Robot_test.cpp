@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "modules/behavior/control/BehaviorControlRequest.h"
+#include "modules/behavior/control/BehaviorRequest.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"

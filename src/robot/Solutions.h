@@ -1,19 +1,41 @@
 #pragma once
+#include <vector>
+
 #include "framework/SolutionTable.h"
+#include "network/Vocabulary.h"
+#include "robot/Configuration.h"
 
 namespace gt {
 
-/// All tasks of the robot, without solutions.
-SolutionTable tasks();
+/// What a program has of a robot: all tasks, with the solutions that are linked into it, and the
+/// parts of the configuration that these read.
+struct RobotModules {
+  SolutionTable solutions;
+  std::vector<ConfigurationPart> parts;
+
+  /// What lies on every blackboard from the start: the configuration, who the robot is and the
+  /// process's clock.
+  std::vector<const RepresentationType*> given() const;
+  /// All types of messages between a robot with these modules and its tools.
+  std::vector<const RepresentationType*> messageTypes() const;
+};
+
+/// All tasks of the robot, without solutions, and what every process may read.
+RobotModules tasks();
 /// The solutions of one area's tasks, the first of a task is its default (report, chapter 3's
 /// table). Each in a file of its own, so that a process's program links only what it needs (report
 /// 2.2.4).
-void addPerceptionSolutions(SolutionTable& table);
-void addModelingSolutions(SolutionTable& table);
-void addBehaviorSolutions(SolutionTable& table);
-void addMotionSolutions(SolutionTable& table);
+void addPerception(RobotModules& modules);
+void addModeling(RobotModules& modules);
+void addBehavior(RobotModules& modules);
+void addMotion(RobotModules& modules);
+/// The motion descriptions, which motion and behavior read.
+void addMotionNet(RobotModules& modules);
 
 /// All tasks of the robot and all their solutions.
+const RobotModules& allModules();
 const SolutionTable& solutions();
+/// What a tool knows of robots.
+const Vocabulary& robotVocabulary();
 
 }  // namespace gt

@@ -4,6 +4,7 @@
 
 #include "base/Hash.h"
 #include "simulation/Oracle.h"
+#include "simulation/camera/CameraEffects.h"
 
 namespace gt {
 namespace {
@@ -135,6 +136,7 @@ void Simulation::step() {
     sense(robot);
     if (picture) takePicture(robot, renderers_[worker]);
     r.output.message.reset();
+    r.output.camera.reset();
     // If one robot's program fails, the others play on, and it stands as it stood.
     try {
       r.controller->cycle(r.input, r.output);
@@ -186,6 +188,7 @@ void Simulation::act() {
     commands_[i].step = r.output.odometry.pose.relativeTo(r.odometry);
     r.odometry = r.output.odometry.pose;
     if (r.output.message) radio_.send(i, *r.output.message, world_->time());
+    if (r.output.camera) r.camera = withSettings(scene_.camera, *r.output.camera);
   }
 }
 

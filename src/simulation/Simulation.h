@@ -4,14 +4,8 @@
 #include <vector>
 
 #include "debug/Stopwatch.h"
-#include "representations/behavior/LedRequest.h"
-#include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/FieldDimensions.h"
-#include "representations/infrastructure/GameControlData.h"
-#include "representations/infrastructure/Image.h"
-#include "representations/infrastructure/OracledWorldState.h"
-#include "representations/infrastructure/SensorData.h"
-#include "representations/motion/OdometryData.h"
+#include "robot/platform/Body.h"
 #include "simulation/Radio.h"
 #include "simulation/WorkerPool.h"
 #include "simulation/camera/CameraRenderer.h"
@@ -25,25 +19,6 @@
 namespace gt {
 
 class Simulation;
-
-/// What a robot gets from its hardware in one tick: packages, as from sensors, camera and network.
-struct RobotInput {
-  Time now;
-  SensorDataBuffer sensors;
-  const Image* image = nullptr;  ///< Null in ticks without a picture; valid during the cycle only.
-  GameControlData game;
-  TeamMessages team;
-  OracledWorldState oracle;
-};
-
-/// What a robot gives to its hardware. It stays as it is until a cycle changes it; `message` is
-/// empty before each cycle.
-struct RobotOutput {
-  JointData joints;
-  OdometryData odometry;  ///< Moves the robot, in the kinematic fidelity: its change is the step.
-  LedValue leds;
-  std::optional<TeamMessage> message;
-};
 
 /// The controller of one robot (report 5.1.3): senses, thinks and acts once a tick.
 class RobotController {

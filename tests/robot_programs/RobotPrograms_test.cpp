@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,6 +21,7 @@
 #include "network/TestWire.h"
 #include "network/ToolPort.h"
 #include "representations/behavior/BehaviorState.h"
+#include "streams/File.h"
 #include "streams/Mcap.h"
 #include "streams/TemporaryFolder.h"
 #include "support/OtherMachine.h"
@@ -240,6 +242,51 @@ TEST_F(RobotProgramsTest, MotionHoldsASafeStandWithoutCognition) {
   EXPECT_TRUE(playUntil([&] { return joined(); }));
 }
 
+/// A program reads only what its modules need.
+TEST_F(RobotProgramsTest, ABrokenBehaviorStopsCognitionOnly) {
+  auto words = command("motion", folder);
+  words.insert(words.end(), {"--behavior", folder + "/broken.xabsl"});
+  for (const auto& process : processes) process->kill();
+  processes[1] = std::make_unique<ChildProgram>(words);
+  ASSERT_TRUE(playUntil([&] { return robot().statistics().frames > 50; }));
+  EXPECT_TRUE(processes[1]->runs());
+  words[0] = GT_PROGRAMS "/gtrobot-cognition";
+  processes[0] = std::make_unique<ChildProgram>(words);
+  EXPECT_TRUE(playUntil([&] { return !processes[0]->runs(); }));
+  EXPECT_EQ(WEXITSTATUS(processes[0]->status()), 2);
+  EXPECT_TRUE(processes[1]->runs());
+}
+
+/// What a program says until something is in it, or for some seconds.
+std::string said(const std::vector<std::string>& words, const std::string& wanted) {
+  const TemporaryFolder place;
+  const std::string file = (place.path() / "said").string();
+  std::string line = "exec";
+  for (const std::string& word : words) line += " " + word;
+  ChildProgram program{{"/bin/sh", "-c", line + " 2>" + file}};
+  std::string text;
+  for (int i = 0; i < 100 && text.find(wanted) == text.npos; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{100});
+    if (const auto read = readFile(file)) text = *read;
+  }
+  return text;
+}
+
+TEST(RobotPrograms, SayWhatIsWrongInALine) {
+  const TemporaryFolder place;
+  const std::string folder = place.path().string(), config = folder + "/config";
+  const std::string waiting = "'Platform' does not answer at ipc://" + folder + "/robot.Platform";
+  EXPECT_THAT(
+      said({GT_PROGRAMS "/gtrobot-motion", "--sockets", folder, "--crashes", folder}, waiting),
+      ::testing::HasSubstr("gtrobot Motion: " + waiting + "\n"));
+
+  fs::copy("config", config, fs::copy_options::recursive);
+  ASSERT_TRUE(writeFile(config + "/network.cfg", "tools 5\n"));
+  EXPECT_THAT(
+      said({GT_PROGRAMS "/gtrobot-debug", "--config", config, "--crashes", folder}, "tools"),
+      ::testing::HasSubstr("network.cfg: tools: network: 5: expected an endpoint"));
+}
+
 /// How many messages of a channel a log holds.
 std::size_t countIn(const fs::path& path, const std::string& topic) {
   auto log = McapReader::open(path.string());
@@ -338,7 +385,8 @@ TEST_F(OtherMachineTest, ARobotOnAnotherMachinePlaysInTheTeamIfItHoldsTheKey) {
   EXPECT_GE(pictures, 2u);
 }
 
-/// All of the robot, its body too, on another machine: a tool of this one reaches it with a key only.
+/// All of the robot, its body too, on another machine: a tool of this one reaches it with a key
+/// only.
 TEST(RobotElsewhere, AnswersAToolOfThisMachineThatHoldsTheKey) {
   const testing::RobotElsewhere robot{GT_PROGRAMS};
   ASSERT_TRUE(robot.made());
@@ -348,17 +396,17 @@ TEST(RobotElsewhere, AnswersAToolOfThisMachineThatHoldsTheKey) {
   tool->out().write({}, WatchRequest{"JointData", ""});
   bool answered = false;
   MessageQueue messages, none;
-  EXPECT_TRUE(testing::eventually(
-      [&] { return answered; },
-      [&] {
-        network.wait(10);
-        tool->update(messages);
-        stranger->update(none);
-        messages.handleAllMessages(
-            [&](const Message& message) { answered |= message.id == hashOf("JointData"); });
-        messages.clear();
-      },
-      20'000));
+  EXPECT_TRUE(testing::eventually([&] { return answered; },
+                                  [&] {
+                                    network.wait(10);
+                                    tool->update(messages);
+                                    stranger->update(none);
+                                    messages.handleAllMessages([&](const Message& message) {
+                                      answered |= message.id == hashOf("JointData");
+                                    });
+                                    messages.clear();
+                                  },
+                                  20'000));
   EXPECT_FALSE(stranger->connected());
 }
 

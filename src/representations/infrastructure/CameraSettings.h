@@ -16,6 +16,7 @@ struct CameraSettings {
   Gain gain = Gain::gain_mid;
   ShutterSpeed shutterSpeed = ShutterSpeed::shutter_mid;
 
+  friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
   static constexpr auto fields() {
     return Fields{field("whiteBalance", &CameraSettings::whiteBalance),
                   field("gain", &CameraSettings::gain),

@@ -9,8 +9,10 @@
 namespace gt {
 
 Result<std::unique_ptr<Recorder>> Recorder::open(const RobotProgramOptions& options,
-                                                 const Layout& layout, const SolutionTable& table) {
-  const auto configuration = loadConfiguration(options.paths, table);
+                                                 const Layout& layout,
+                                                 const RobotModules& modules) {
+  const std::vector<const RepresentationType*> none;
+  const auto configuration = loadConfiguration(options.paths, modules, &none);
   if (!configuration) return configuration.error();
   auto log = RobotLog::open(freeLogFile(options.logs + "/" + options.addresses.robot),
                             {{"robot", options.addresses.robot}});
@@ -19,7 +21,7 @@ Result<std::unique_ptr<Recorder>> Recorder::open(const RobotProgramOptions& opti
                             options.hardwareAddress};
   if (auto done = attachSetup(setup, log->file()); !done) return done.error();
   std::unique_ptr<Recorder> recorder{new Recorder{std::move(*log), layout}};
-  recorder->choose((*configuration)->log, table);
+  recorder->choose((*configuration)->log, modules.solutions);
   return recorder;
 }
 

@@ -18,7 +18,7 @@ class Wire;
 class Recorder {
  public:
   static Result<std::unique_ptr<Recorder>> open(const RobotProgramOptions& options,
-                                                const Layout& layout, const SolutionTable& table);
+                                                const Layout& layout, const RobotModules& modules);
 
   /// Has come in what the platform sends.
   void connect(Wire& wire);

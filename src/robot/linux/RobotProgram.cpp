@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 
 #include "crash/CrashHandler.h"
-#include "framework/DebugProcess.h"
 #include "network/ToolPort.h"
 #include "network/Wire.h"
+#include "robot/Robot.h"
 #include "robot/RobotLog.h"
 #include "robot/linux/Recorder.h"
 
@@ -50,167 +51,143 @@ Result<void> checkAddresses(const RobotProgramOptions& options, const Layout& la
                        std::ranges::any_of(layout.processes, [&, &process = name](const auto& p) {
                          return p.name == process;
                        });
-    if (!known) return Error{options.layout, 0, name, "the layout has no such process"};
-    if (endpoint.find("://") == endpoint.npos)
-      return Error{"network", 0, endpoint, "is no endpoint, such as tcp://10.0.1.100:5001"};
+    if (!known)
+      return Error{.file = options.layout, .field = name, .what = "the layout has no such process"};
+    if (auto done = checkEndpoint(endpoint); !done) return done;
   }
+  if (!options.tools.empty()) return checkEndpoint(options.tools);
   return {};
 }
 
-std::string debugProcessOf(const Layout& layout) {
-  for (const ProcessLayout& process : layout.processes)
-    if (process.collectsMessages) return process.name;
-  return "";
-}
-
-void connect(Wire& wire, ModuleProcess& process, const Plan& plan, const Plan::Process& planned,
-             const std::string& debugProcess) {
-  for (const Connection& connection : plan.connections)
-    if (connection.to == process.name())
-      wire.receive(connection.from.empty() ? platformProcess : connection.from,
-                   process.receiver(*connection.type, connection.blocking));
-  for (const Plan::Step& step : planned.order)
-    for (const RepresentationType* type : step.task->outputs)
-      if (type->encodedSize) wire.provide(process.sender(*type));
-  wire.provide(process.debugSender());
-  if (!debugProcess.empty()) wire.receive(debugProcess, process.debugReceiver());
-}
-
-/// Carries out a BehaviorRequest where behavior is decided.
-bool changeBehavior(ModuleProcess& process, const Message& message) {
-  if (!message.is<BehaviorRequest>()) return false;
-  if (!process.solves("BehaviorControl")) {
-    process.answerNotConcerned(message);
-    return true;
+/// What the program of the Debug process serves besides: tools at a port, and a log.
+class ToolServer {
+ public:
+  static Result<std::unique_ptr<ToolServer>> open(const RobotProgramOptions& options, Robot& robot,
+                                                  const RobotModules& modules, Network& network,
+                                                  Wire& wire) {
+    const std::string endpoint =
+        options.tools.empty() ? options.addresses.endpoint("Tools") : options.tools;
+    std::unique_ptr<ToolServer> server{new ToolServer{robot, wire, modules}};
+    auto port = ToolPort::open(network, endpoint, options.listenKeys, &server->vocabulary_);
+    if (!port) return port.error();
+    server->port_ = std::move(*port);
+    if (!options.logs.empty()) {
+      auto recorder = Recorder::open(options, robot.setup().layout, modules);
+      if (!recorder) return recorder.error();
+      server->recorder_ = std::move(*recorder);
+      server->recorder_->connect(wire);
+    }
+    robot.onSave([&options, &robot, &network, &modules](const MessageQueue& messages) {
+      const std::string folder = options.logs.empty() ? "." : options.logs;
+      const auto file =
+          saveQueue(messages, folder + "/" + options.addresses.robot, modules.solutions);
+      robot.toTools().write(network.now, Text{file ? "saved " + *file : file.error().text()});
+    });
+    return server;
   }
-  BehaviorRequest request;
-  Result<void> done = message.read(request);
-  if (done) {
-    if (const auto behavior = loadBehavior(request, process.blackboard().get<MotionNet>()))
-      process.blackboard().get<Behavior>() = *behavior;
-    else
-      done = behavior.error();
+
+  /// To be called before each cycle of the process, and after it.
+  void ask() {
+    if (recorder_) recorder_->ask(wire_, robot_.fromTools());
   }
-  process.answer(message, done);
-  return true;
+  std::vector<std::string> takeNews() { return port_->takeNews(); }
+  void serve(std::int64_t elapsed) {
+    if (recorder_) recorder_->write(wire_, robot_.toTools(), elapsed);
+    port_->send(robot_.toTools());
+    robot_.toTools().clear();
+    // What tools want shall reach all processes, also those that start a little later.
+    if (isComplete(elapsed)) port_->update(robot_.fromTools());
+  }
+
+ private:
+  ToolServer(Robot& robot, Wire& wire, const RobotModules& modules)
+      : robot_{robot}, wire_{wire}, vocabulary_{modules.messageTypes()} {}
+
+  /// Whether all the robot's processes have been heard of, or have had their time to start.
+  bool isComplete(std::int64_t elapsed) const {
+    constexpr std::int64_t timeToStart = 3000;  // ms
+    return elapsed > timeToStart ||
+           std::ranges::all_of(robot_.setup().layout.processes, [&](const auto& process) {
+             return process.collectsMessages || wire_.clockOf(process.name).session != 0;
+           });
+  }
+
+  Robot& robot_;
+  Wire& wire_;
+  Vocabulary vocabulary_;
+  std::unique_ptr<ToolPort> port_;
+  std::unique_ptr<Recorder> recorder_;
+};
+
+void print(const RobotProgramOptions& options, const std::vector<std::string>& news) {
+  for (const std::string& line : news)
+    std::fprintf(stderr, "gtrobot %s: %s\n", options.process.c_str(), line.c_str());
 }
 
-/// Lives by the platform's clock. Returns when the program shall end, or the platform began anew:
-/// then so does the robot.
-Result<void> runModules(const RobotProgramOptions& options, const Layout& layout,
-                        const SolutionTable& table, const RobotSetup& setup) {
-  const auto plan = makePlan(layout, table, setup.platform, givenRepresentations());
-  if (!plan) return plan.error();
-  const auto planned = std::ranges::find_if(plan->processes, [&](const Plan::Process& process) {
-    return process.layout.name == options.process;
-  });
-  for (const Plan::Step& step : planned->order)
-    if (step.task->solutions.empty())
-      return Error{options.layout, planned->layout.line, step.task->name,
-                   "this program was linked without solutions of this task"};
-
-  const auto process = makeProcess(*planned, setup);
-  if (auto done = configureProcess(*process, *setup.configuration); !done) return done;
+/// A life of the process: it ends when the program shall end, or, as modules live by the platform's
+/// clock, when that began anew.
+Result<void> live(const RobotProgramOptions& options, const RobotModules& modules,
+                  const RobotSetup& setup, bool servesTools) {
+  const auto robot = Robot::make(setup, modules, {options.process});
+  if (!robot) return robot.error();
   Network network;
   Wire wire{network, options.process};
-  if (auto done = join(wire, options, layout); !done) return done;
-  connect(wire, *process, *plan, *planned, debugProcessOf(layout));
-  process->onMessage([&](const Message& message) { return changeBehavior(*process, message); });
+  if (auto done = join(wire, options, setup.layout); !done) return done;
+  (*robot)->join(wire);
+  std::unique_ptr<ToolServer> tools;
+  if (servesTools) {
+    auto opened = ToolServer::open(options, **robot, modules, network, wire);
+    if (!opened) return opened.error();
+    tools = std::move(*opened);
+  }
 
   std::uint64_t session = 0;
   while (!stopped) {
-    network.wait(longestWait);
+    if (tools)
+      network.wait(std::clamp<std::int64_t>((*robot)->nextDebugCycle().ms - network.elapsed(), 0,
+                                            longestWait),
+                   shortestTurn);
+    else
+      network.wait(longestWait);
     wire.takeIn();
-    const Wire::Clock clock = wire.clockOf(platformProcess);
-    if (session != 0 && clock.session != session) return {};
-    session = clock.session;
-    network.now = clock.time;
-    if (process->step(clock.time))
-      noteForCrashReport("cycle at " + std::to_string(clock.time.ms) + " ms");
+    const Wire::Clock platform = wire.clockOf(platformProcess);
+    if (!tools && session != 0 && platform.session != session) return {};
+    session = platform.session;
+    network.now = tools ? Time{network.elapsed()} : platform.time;
+    if (tools) tools->ask();
+    if ((*robot)->step(network.now))
+      noteForCrashReport("cycle at " + std::to_string(network.now.ms) + " ms");
     wire.askForMore();
-  }
-  return {};
-}
-
-/// Saves messages beside the robot's log, and tells the tools where.
-void tellSaved(const RobotProgramOptions& options, const MessageQueue& messages,
-               const SolutionTable& table, Time now, MessageQueue& toTools) {
-  const std::string folder = options.logs.empty() ? "." : options.logs;
-  const auto file = saveQueue(messages, folder + "/" + options.addresses.robot, table);
-  toTools.write(now, Text{file ? "saved " + *file : file.error().text()});
-}
-
-/// Whether all the robot's processes have been heard of, or have had their time to start.
-bool isComplete(const Wire& wire, const Layout& layout, std::int64_t elapsed) {
-  constexpr std::int64_t timeToStart = 3000;  // ms
-  return elapsed > timeToStart || std::ranges::all_of(layout.processes, [&](const auto& process) {
-           return process.collectsMessages || wire.clockOf(process.name).session != 0;
-         });
-}
-
-/// Passes messages between the robot's other processes and the tools.
-Result<void> runDebug(const RobotProgramOptions& options, const Layout& layout,
-                      const SolutionTable& table) {
-  DebugProcess debug{options.process};
-  Network network;
-  Wire wire{network, options.process};
-  if (auto done = join(wire, options, layout); !done) return done;
-  const std::string tools =
-      options.tools.empty() ? options.addresses.endpoint("Tools") : options.tools;
-  const auto port = ToolPort::open(network, tools, options.listenKeys);
-  if (!port) return port.error();
-  debug.onSave([&](const MessageQueue& messages) {
-    tellSaved(options, messages, table, network.now, debug.toTools());
-  });
-  std::unique_ptr<Recorder> recorder;
-  if (!options.logs.empty()) {
-    auto opened = Recorder::open(options, layout, table);
-    if (!opened) return opened.error();
-    recorder = std::move(*opened);
-    recorder->connect(wire);
-  }
-  wire.provide(debug.sender());
-  for (const ProcessLayout& process : layout.processes)
-    if (!process.collectsMessages) wire.receive(process.name, debug.addReceiver());
-
-  while (!stopped) {
-    network.wait(std::clamp<std::int64_t>(debug.next().ms - network.elapsed(), 0, longestWait),
-                 shortestTurn);
-    wire.takeIn();
-    network.now = Time{network.elapsed()};
-    if (recorder) recorder->ask(wire, debug.fromTools());
-    debug.step(network.now);
-    wire.askForMore();
-    if (recorder) recorder->write(wire, debug.toTools(), network.elapsed());
-    (*port)->send(debug.toTools());
-    debug.toTools().clear();
-    // What tools want shall reach all processes, also those that start a little later.
-    if (isComplete(wire, layout, network.elapsed())) (*port)->update(debug.fromTools());
+    if (tools) tools->serve(network.elapsed());
+    print(options, wire.takeNews());
+    if (tools) print(options, tools->takeNews());
   }
   return {};
 }
 
 }  // namespace
 
-Result<void> runRobotProgram(const RobotProgramOptions& options, const SolutionTable& table) {
+Result<void> runRobotProgram(const RobotProgramOptions& options, const RobotModules& modules) {
   stopOnSignals();
   const auto layout = loadLayout(options.layout);
   if (!layout) return layout.error();
   const auto process = std::ranges::find_if(
       layout->processes, [&](const ProcessLayout& p) { return p.name == options.process; });
   if (process == layout->processes.end())
-    return Error{options.layout, 0, options.process, "the layout has no such process"};
+    return Error{
+        .file = options.layout, .field = options.process, .what = "the layout has no such process"};
   if (auto done = checkAddresses(options, *layout); !done) return done;
   if (auto done = makePrivateFolder(options.addresses.folder); !done) return done;
-  if (process->collectsMessages) return runDebug(options, *layout, table);
 
-  const auto configuration = loadConfiguration(options.paths, table);
+  const auto wanted = configurationOf(*process, modules.solutions);
+  const auto configuration = loadConfiguration(options.paths, modules, &wanted);
   if (!configuration) return configuration.error();
   const RobotSetup setup{
       *configuration,         *layout, options.player, options.seed, platformRepresentations(),
       options.hardwareAddress};
-  while (!stopped)
-    if (auto done = runModules(options, *layout, table, setup); !done) return done;
+  do {
+    if (auto done = live(options, modules, setup, process->collectsMessages); !done) return done;
+  } while (!stopped);
   return {};
 }
 

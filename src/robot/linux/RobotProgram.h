@@ -5,6 +5,7 @@
 #include "network/Keys.h"
 #include "network/RobotAddresses.h"
 #include "robot/Processes.h"
+#include "robot/Solutions.h"
 
 namespace gt {
 
@@ -23,9 +24,10 @@ struct RobotProgramOptions {
 };
 
 /// Runs one process of a robot as a program of its own (report 2.2.4) until it is told to end
-/// (SIGTERM, SIGINT). `table` holds the solutions that are linked into the program: at least those
-/// of the process. What it reads from and sends to the robot's other processes and the platform
-/// follows from the layout. Errors are those of a wrong start.
-Result<void> runRobotProgram(const RobotProgramOptions& options, const SolutionTable& table);
+/// (SIGTERM, SIGINT). `modules` are those that are linked into the program: at least those of the
+/// process; only the configuration that they need is read. What it reads from and sends to the
+/// robot's other processes and the platform follows from the layout. Errors are those of a wrong
+/// start; whom it waits for and cannot understand is told on stderr.
+Result<void> runRobotProgram(const RobotProgramOptions& options, const RobotModules& modules);
 
 }  // namespace gt

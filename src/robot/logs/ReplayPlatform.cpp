@@ -52,7 +52,7 @@ Result<void> ReplayPlatform::findInputs() {
 Result<void> ReplayPlatform::makeRobot(const ReplayOptions& options) {
   RobotSetup setup;
   if (!options.configuration || options.layout.empty()) {
-    auto recorded = readSetup(log_, path_, solutions());
+    auto recorded = readSetup(log_, path_, allModules());
     if (!recorded) return recorded.error();
     setup = std::move(*recorded);
   }

@@ -20,7 +20,8 @@
 
 namespace gt {
 
-void addModelingSolutions(SolutionTable& table) {
+void addModeling(RobotModules& modules) {
+  SolutionTable& table = modules.solutions;
   table.add<SelfLocator, MonteCarloSelfLocator>("MonteCarlo");
   table.add<SelfLocator, FusionSelfLocator>("Fusion");
   table.add<SelfLocator, Fusion2003SelfLocator>("Fusion2003");

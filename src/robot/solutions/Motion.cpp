@@ -9,7 +9,9 @@
 
 namespace gt {
 
-void addMotionSolutions(SolutionTable& table) {
+void addMotion(RobotModules& modules) {
+  addMotionNet(modules);
+  SolutionTable& table = modules.solutions;
   table.add<HeadControl, GT2003HeadControl>("GT2003");
   table.add<LEDControl, DefaultLEDControl>("Default");
   table.add<WalkingEngine, InvKinWalkingEngine>("InvKin");

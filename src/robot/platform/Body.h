@@ -1,0 +1,104 @@
+#pragma once
+#include <optional>
+#include <tuple>
+#include <type_traits>
+
+#include "representations/behavior/LedRequest.h"
+#include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/CameraSettings.h"
+#include "representations/infrastructure/GameControlData.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/OracledWorldState.h"
+#include "representations/infrastructure/SensorData.h"
+#include "representations/motion/OdometryData.h"
+
+namespace gt {
+
+/// What a robot gets from its body in one tick: packages, as from sensors, camera and network. The
+/// one list of them: simulator, programs on a wire, logs and recorders follow from it.
+struct RobotInput {
+  Time now;
+  SensorDataBuffer sensors;
+  const Image* image = nullptr;  ///< Null in ticks without a picture; valid during the cycle only.
+  GameControlData game;
+  TeamMessages team;
+  OracledWorldState oracle;
+
+  /// What comes in each tick, and what comes with each picture; the picture last: it starts a
+  /// cycle, which shall have all that belongs to it.
+  static constexpr auto eachTick() { return std::tuple{&RobotInput::sensors}; }
+  static constexpr auto eachPicture() {
+    return std::tuple{&RobotInput::game, &RobotInput::team, &RobotInput::oracle,
+                      &RobotInput::image};
+  }
+
+  /// Hands over the packages of this tick in their order, take(package); those of a picture only if
+  /// there is one and it is wanted.
+  template <typename Take>
+  void forEach(Take&& take, bool withPicture = true) const;
+};
+
+/// What a robot gives to its body. It stays as it is until a cycle changes it; `message` and
+/// `camera` are empty before each cycle.
+struct RobotOutput {
+  JointData joints;
+  OdometryData odometry;  ///< Moves the robot, in the kinematic fidelity: its change is the step.
+  LedValue leds;
+  std::optional<TeamMessage> message;
+  std::optional<CameraSettings> camera;  ///< If the camera shall be set in another way.
+
+  static constexpr auto commands() {
+    return std::tuple{&RobotOutput::joints, &RobotOutput::odometry, &RobotOutput::leds,
+                      &RobotOutput::message, &RobotOutput::camera};
+  }
+};
+
+namespace detail {
+
+template <typename T>
+struct Package {
+  using Type = T;
+};
+template <typename T>
+struct Package<const T*> {
+  using Type = T;
+};
+template <typename T>
+struct Package<std::optional<T>> {
+  using Type = T;
+};
+template <typename Member>
+struct PackageOfMember;
+template <typename Body, typename T>
+struct PackageOfMember<T Body::*> : Package<T> {};
+
+template <typename T>
+const T& packageIn(const T& value) {
+  return value;
+}
+template <typename T>
+const T& packageIn(const T* value) {
+  return *value;
+}
+
+template <template <typename> class Slot, typename... Members>
+std::tuple<Slot<typename PackageOfMember<Members>::Type>...> slotsFor(std::tuple<Members...>);
+
+}  // namespace detail
+
+/// A tuple with a Slot<T> for each package that a body sends or takes.
+template <template <typename> class Slot>
+using InputSlots = decltype(detail::slotsFor<Slot>(
+    std::tuple_cat(RobotInput::eachTick(), RobotInput::eachPicture())));
+template <template <typename> class Slot>
+using CommandSlots = decltype(detail::slotsFor<Slot>(RobotOutput::commands()));
+
+template <typename Take>
+void RobotInput::forEach(Take&& take, bool withPicture) const {
+  const auto all = [&](auto... members) { (take(detail::packageIn(this->*members)), ...); };
+  std::apply(all, eachTick());
+  if (image && withPicture) std::apply(all, eachPicture());
+}
+
+}  // namespace gt

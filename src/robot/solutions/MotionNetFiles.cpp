@@ -1,0 +1,35 @@
+#include <algorithm>
+
+#include "modules/motion/specialactions/MotionNetLoader.h"
+#include "robot/Solutions.h"
+
+namespace gt {
+namespace {
+
+void read(const ConfigurationFiles& files, Configuration& configuration, Findings& findings) {
+  configuration.motions = std::make_shared<MotionNet>();
+  const auto compilation = motionnet::compileFolder(files.paths.motions, motionRules());
+  for (const motionnet::Diagnostic& error : compilation.errors)
+    findings.add(
+        {.file = error.file, .line = error.line, .field = error.field, .what = error.message});
+  if (!compilation) return;
+  auto net = motionNetOf(compilation.net, files.paths.motions);
+  if (net)
+    *configuration.motions = std::move(*net);
+  else
+    findings.add(net.error());
+}
+
+void share(const Configuration& configuration, const std::string&, Blackboard& blackboard) {
+  blackboard.share(configuration.motions);
+}
+
+}  // namespace
+
+void addMotionNet(RobotModules& modules) {
+  const ConfigurationPart part{&representation<MotionNet>(), read, share};
+  if (std::ranges::find(modules.parts, part.type, &ConfigurationPart::type) == modules.parts.end())
+    modules.parts.push_back(part);
+}
+
+}  // namespace gt
