@@ -16,8 +16,8 @@ TEST(SymbolsHeader, MakesNamesOfCppThatDoNotMeet) {
       "/** how\n * it is\\ */ float input new(float new \"deg\"; bool class;); }"
       "namespace b(\"B\") { behavior go_to { enum do_it what; bool execute; } }"
       "option o { initial state s { action { } } } agent a(\"A\", o);");
-  const std::string header =
-      writeSymbolsHeader(named.model(), {"robot", {{"inputs", "our::Inputs"}}, {"our/Inputs.h"}});
+  const std::string header = writeSymbolsHeader(
+      named.model(), {"robot", {{"inputs", "our::Inputs"}}, {}, {"our/Inputs.h"}});
   for (const std::string expected :
        {"#include \"our/Inputs.h\"", "namespace robot {",
         "enum class DoIt { switch_, aB, aB_2, x2 };", "using Inputs_ = our::Inputs;",

@@ -37,10 +37,10 @@ TEST(References, FindAllPlacesOfAName) {
       "option child { bool @p; initial state s { decision { if (@p) stay; else goto s; }\n"
       "  action { gait = slow; } } }";
   EXPECT_EQ(referencesIn(text, {Entity::Kind::option, 0}), "3:8 main! 1:14 main ");
-  EXPECT_EQ(referencesIn(text, {Entity::Kind::symbol, 0}), "2:72 gait! 4:12 gait 6:12 gait ");
-  EXPECT_EQ(referencesIn(text, {Entity::Kind::element, 0, 1}), "2:49 fast! 4:24 fast ");
+  EXPECT_EQ(referencesIn(text, {Entity::Kind::symbol, 0}), "2:75 gait! 4:12 gait 6:12 gait ");
+  EXPECT_EQ(referencesIn(text, {Entity::Kind::element, 0, 1}), "2:50 fast! 4:24 fast ");
   EXPECT_EQ(referencesIn(text, {Entity::Kind::optionParameter, 1, 0}), "5:22 p! 4:36 p 5:59 p ");
-  EXPECT_EQ(referencesIn(text, {Entity::Kind::state, 1}), "5:39 s! 5:79 s ");
+  EXPECT_EQ(referencesIn(text, {Entity::Kind::state, 1}), "5:39 s! 5:78 s ");
 }
 
 }  // namespace
