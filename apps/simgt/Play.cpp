@@ -20,6 +20,14 @@ void tellRemote(const Match& match) {
   }
 }
 
+/// Prints what the robots reported as wrong.
+Findings tellWarnings(const Session& session) {
+  Findings all;
+  for (const auto& robot : session.robots()) all.add(robot->observed().warnings());
+  for (const Error& finding : all.list()) fmt::print(stderr, "simgt: {}\n", finding.text());
+  return all;
+}
+
 int fail(const Error& error, int status = 2) {
   fmt::print(stderr, "simgt: {}\n", error.text());
   return status;
@@ -97,7 +105,7 @@ int play(PlayOptions options) {
   fmt::print("Report: {}\n", (out / "report.html").string());
   fmt::print("Data:   {}, {}{}\n", (out / "match.json").string(), (out / "times.json").string(),
              options.logs ? ", logs beside them (*.mcap)" : "");
-  return 0;
+  return tellWarnings(session).fail(options.strict) ? 1 : 0;
 }
 
 }  // namespace gt

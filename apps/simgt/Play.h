@@ -12,13 +12,15 @@ struct PlayOptions {
   std::string
       script;  ///< Console commands; what they do not take of the match is played after them.
   bool logs = true;
+  bool strict = false;              ///< Fails because of warnings of the robots, too.
   bool realTime = false;            ///< No faster than the clock; so are matches of robots outside.
   std::vector<std::string> remote;  ///< Robots outside: NAME or NAME=ENDPOINT.
   std::string keys;  ///< Key file for those that connect from other machines; none if empty.
 };
 
 /// Plays a match with a progress bar and a line for each event, then writes match.json, times.json
-/// and report.html. Returns the program's exit status: 2 if a file is wrong.
+/// and report.html. Returns the program's exit status: 2 if a file is wrong, 1 if an
+/// expectation of the script failed, or a robot warned and the run is strict.
 int play(PlayOptions options);
 
 }  // namespace gt

@@ -37,6 +37,7 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
                    "Log all that the robots sense, too, for gtlog replay (large)");
   command.add_flag("--trace", play.match.trace,
                    "Log all that the behavior decides, for gtlog export LOG OUT.trace");
+  command.add_flag("--strict", play.strict, "Fails if a robot warned of something");
   command.add_flag("--real-time", play.realTime, "No faster than the clock");
   command.add_option("--remote", play.remote,
                      "Robots whose processes connect from outside (gtrobot-*), in real time: NAME, "
@@ -123,10 +124,9 @@ int main(int argc, char** argv) {
     return 0;
   });
   gt::CheckOptions check{root.path(".")};
-  CLI::App& checking =
-      line.command("check",
-                   "Loads every configuration, layout, scene, motion and behavior; reports errors",
-                   [&] { return gt::checkTree(check); });
+  CLI::App& checking = line.command(
+      "check", "Loads every configuration, layout, scene, motion and behavior; reports errors",
+      [&] { return gt::checkTree(check); });
   checking.add_option("root", check.root, "Folder of the tree")->capture_default_str();
   checking.add_flag("--strict", check.strict, "Fails because of warnings, too");
   return line.run();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <thread>
 
+#include "framework/Warnings.h"
 #include "observer/MessageTypes.h"
 #include "streams/Config.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t mostPoints = 100'000;
 constexpr std::size_t mostTexts = 1000;
+constexpr std::size_t mostWarnings = 1000;
 /// All processes of a robot elsewhere have answered for the first time if no other did for so long.
 constexpr std::chrono::milliseconds quiet{200};
 
@@ -48,6 +50,7 @@ ObservedRobot::ObservedRobot(std::string name, std::unique_ptr<RobotLink> link)
 
 void ObservedRobot::take(const MessageQueue& messages) {
   messages.handleAllMessages([this](const Message& message) { take(message); });
+  if (warnings_.list().size() < mostWarnings) warnings_.add(warningsIn(messages, name_));
   if (taker_ && !messages.empty()) taker_(messages);
 }
 

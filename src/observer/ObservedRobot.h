@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/Result.h"
+#include "base/Findings.h"
 #include "debug/DebugKey.h"
 #include "debug/Drawing.h"
 #include "framework/Description.h"
@@ -124,6 +124,9 @@ class ObservedRobot {
   /// The texts that came since this was called last.
   std::vector<std::string> takeTexts() { return std::exchange(texts_, {}); }
   void addText(std::string text);
+  /// All that the robot has reported as wrong, up to a thousand findings: texts that are warnings,
+  /// requests that it refused, messages for which it had no room.
+  const Findings& warnings() const { return warnings_; }
 
   /// Also hands all messages to something else, such as a recorder.
   void passTo(RobotLink::Taker taker) { taker_ = std::move(taker); }
@@ -177,6 +180,7 @@ class ObservedRobot {
   std::set<std::string> hidden_;  ///< Keys of drawings that are not kept.
   std::map<std::string, std::deque<Point>> plots_;
   std::vector<std::string> texts_;
+  Findings warnings_;
   RobotLink::Taker taker_;
 
   Time asked_;                                 ///< Time stamp of the last message to the robot.

@@ -116,6 +116,16 @@ TEST_F(ObservedRobotTest, TakesNoPictureThatIsNotWhole) {
   EXPECT_EQ(robot.newest<Image>(), nullptr);
 }
 
+TEST_F(ObservedRobotTest, CollectsWhatTheRobotReportsAsWrong) {
+  MessageQueue queue;
+  queue.write({8}, Text{"hello"});
+  queue.write({16}, Text{"no ball at all", Severity::warning});
+  robot.take(queue);
+  EXPECT_EQ(robot.warnings().warnings(), 1u);
+  EXPECT_TRUE(robot.warnings().fail(true));
+  EXPECT_NE(robot.warnings().text().find("at 16 ms: warning: no ball at all"), std::string::npos);
+}
+
 TEST_F(ObservedRobotTest, TellsWhatTheRobotRefuses) {
   EXPECT_EQ(robot.request(SolutionRequest{"ImageProcessor", "Poet"}).error().what, "not now");
   EXPECT_EQ(robot.request(DebugRequest{"Ears/heard", DebugKeyMode::always}).error().what,
