@@ -13,11 +13,12 @@ namespace fs = std::filesystem;
 /// The report's name of the behavior that plays.
 constexpr std::string_view reportBehavior = "gt03";
 
-/// The agents files of the folder behavior/, without extension.
-std::vector<std::string> behaviorNames() {
+/// The agents files of the root's folder behavior/, without extension.
+std::vector<std::string> behaviorNames(Console& console) {
   std::vector<std::string> names;
   std::error_code failed;
-  for (const auto& entry : fs::directory_iterator{"behavior", failed}) {
+  for (const auto& entry :
+       fs::directory_iterator{console.session().options().root.path("behavior"), failed}) {
     const auto text = entry.path().extension() == ".xabsl" ? readFile(entry.path().string())
                                                            : Result<std::string>{Error{}};
     if (text && (text->starts_with("agent ") || text->find("\nagent ") != text->npos))
@@ -70,12 +71,12 @@ Result<void> sendControl(Console& console,
 Result<void> xlb(Console& console, const Words& words) {
   if (words.size() != 2) return wrongArguments(words);
   if (words[1] == "?") {
-    list(console, behaviorNames());
+    list(console, behaviorNames(console));
     return {};
   }
   const std::string name = words[1] == reportBehavior ? "GT2003" : words[1];
   const std::string path =
-      fs::is_regular_file(name) ? name : withDefaults(name, "behavior", ".xabsl");
+      fs::is_regular_file(name) ? name : dataFile(console, name, "behavior", ".xabsl");
   const std::string before = std::exchange(console.session().behavior, path);
   console.forgetBehavior();
   if (const auto model = console.behavior(); !model) {
@@ -244,8 +245,8 @@ std::vector<std::string> choices(Console& console, const Words& before) {
   return list;
 }
 
-std::vector<std::string> behaviorChoices(Console&, const Words&) {
-  auto names = behaviorNames();
+std::vector<std::string> behaviorChoices(Console& console, const Words&) {
+  auto names = behaviorNames(console);
   names.emplace_back("?");
   return names;
 }

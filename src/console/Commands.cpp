@@ -48,6 +48,11 @@ std::string withDefaults(const std::string& file, const std::string& folder,
   return path.string();
 }
 
+std::string dataFile(Console& console, const std::string& file, const std::string& folder,
+                     const std::string& extension) {
+  return withDefaults(file, console.session().options().root.path(folder), extension);
+}
+
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
   xabsl::Suggestion best{word};
   for (const std::string& name : known) best.offer(name);

@@ -28,6 +28,9 @@ Error wrongArguments(const Words& words);
 /// A file's name with a folder and an extension if it has none.
 std::string withDefaults(const std::string& file, const std::string& folder,
                          const std::string& extension);
+/// The same, with a folder of the data root.
+std::string dataFile(Console& console, const std::string& file, const std::string& folder,
+                     const std::string& extension);
 /// The names of an enumeration's values.
 template <typename E>
 std::vector<std::string> namesOf() {

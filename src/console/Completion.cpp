@@ -12,19 +12,21 @@ namespace fs = std::filesystem;
 /// Placeholders for files: those of a folder may be named without it and without their extension.
 struct FileKind {
   std::string_view placeholder, folder, extension;
+  bool data = false;  ///< Whether the folder is one of the data root.
 };
 constexpr FileKind fileKinds[] = {{"FILE", "", ""},
-                                  {"LAYOUT", "layouts", ".layout"},
+                                  {"LAYOUT", "layouts", ".layout", true},
                                   {"LOG", "out/logs", ".mcap"},
-                                  {"SCENE", "scenes", ".scene"},
-                                  {"SCRIPT", "scenes", ".con"},
+                                  {"SCENE", "scenes", ".scene", true},
+                                  {"SCRIPT", "scenes", ".con", true},
                                   {"STATE", "out/states", ".state"},
                                   {"TABLE", "out", ".csv"}};
 
 constexpr std::size_t mostFiles = 500;
 
 /// The files and folders that a word may become.
-void addFiles(std::vector<std::string>& found, const std::string& word, const FileKind& kind) {
+void addFiles(std::vector<std::string>& found, const std::string& word, const FileKind& kind,
+              const DataRoot& root) {
   const fs::path begun{word};
   std::error_code failed;
   const auto look = [&](const fs::path& folder, const auto& take) {
@@ -33,9 +35,11 @@ void addFiles(std::vector<std::string>& found, const std::string& word, const Fi
       if (entry->path().filename().string().starts_with(begun.filename().string())) take(*entry);
   };
   if (!kind.folder.empty() && !begun.has_parent_path())
-    look(kind.folder, [&](const fs::directory_entry& entry) {
-      if (entry.path().extension() == kind.extension) found.push_back(entry.path().stem().string());
-    });
+    look(kind.data ? root.path(std::string{kind.folder}) : std::string{kind.folder},
+         [&](const fs::directory_entry& entry) {
+           if (entry.path().extension() == kind.extension)
+             found.push_back(entry.path().stem().string());
+         });
   look(begun.parent_path(), [&](const fs::directory_entry& entry) {
     std::error_code ignored;
     const bool folder = entry.is_directory(ignored);
@@ -77,7 +81,7 @@ std::vector<std::string> Console::completions(std::string_view line) {
     for (const std::string& placeholder : next.placeholders) {
       const auto* kind = std::ranges::find(fileKinds, placeholder, &FileKind::placeholder);
       if (kind != std::end(fileKinds))
-        addFiles(choices, word, *kind);
+        addFiles(choices, word, *kind, session_.options().root);
       else
         others = true;
     }

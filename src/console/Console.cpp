@@ -140,7 +140,7 @@ Result<void> Console::execute(std::string_view line) {
 
 Result<void> Console::call(const std::string& path) {
   if (depth_ >= deepest) return Error{path, 0, "call", "scripts call each other too deeply"};
-  const std::string file = withDefaults(path, "scenes", ".con");
+  const std::string file = dataFile(*this, path, "scenes", ".con");
   const auto text = readFile(std::filesystem::exists(path) ? path : file);
   if (!text) return text.error();
   ++depth_;
@@ -164,7 +164,7 @@ std::string Console::startScript(const SceneDescription& scene) {
     return std::filesystem::is_regular_file(usual) ? usual : "";
   }
   const std::string named = scene.resolve(scene.script);
-  return std::filesystem::exists(named) ? named : withDefaults(named, "scenes", ".con");
+  return std::filesystem::exists(named) ? named : withDefaults(named, ".", ".con");
 }
 
 Result<void> Console::callStartScript() {

@@ -101,10 +101,11 @@ std::shared_ptr<const Configuration> configurationFor(const Layout& layout,
 }
 
 /// The configuration for logs of 2009, with the colour table that lies beside the log, if any.
-Result<std::shared_ptr<const Configuration>> naoConfiguration(const std::string& file) {
-  ConfigurationPaths paths;
-  paths.config = "config/nao2009";
-  paths.colorTable = "config/coltable.c64";
+Result<std::shared_ptr<const Configuration>> naoConfiguration(const std::string& file,
+                                                              const DataRoot& root) {
+  ConfigurationPaths paths = ConfigurationPaths::in(root);
+  paths.config = root.path("config/nao2009");
+  paths.colorTable = root.path("config/coltable.c64");
   std::vector<std::string> tables;
   std::error_code failed;
   const auto folder = std::filesystem::absolute(file).parent_path();
@@ -131,13 +132,14 @@ std::unique_ptr<ConsoleRobot> makeSimulatedRobot(SimulatedRobot& robot, std::siz
 }
 
 Result<std::unique_ptr<ConsoleRobot>> makeLogRobot(const std::string& name, const std::string& file,
-                                                   const Configuration& configuration, Time begin) {
+                                                   const Configuration& configuration, Time begin,
+                                                   const DataRoot& root) {
   if (!std::filesystem::is_regular_file(file)) return Error{file, 0, "", "there is no such file"};
-  const std::string replayLayout = "layouts/replay.layout";
+  const std::string replayLayout = root.path("layouts/replay.layout");
   const auto layout = loadLayout(replayLayout);
   if (!layout) return layout.error();
   if (!McapReader::open(file)) {
-    const auto nao = naoConfiguration(file);
+    const auto nao = naoConfiguration(file, root);
     if (!nao) return nao.error();
     auto platform = NaoPlatform::make(file, *nao, *layout);
     if (!platform) return platform.error();

@@ -50,6 +50,7 @@ std::unique_ptr<ConsoleRobot> makeSimulatedRobot(SimulatedRobot& robot, std::siz
 /// A robot that lives on a log from a time of the session on (report I.5.1: sl): a log of this
 /// system (.mcap) or one of a real robot of 2009.
 Result<std::unique_ptr<ConsoleRobot>> makeLogRobot(const std::string& name, const std::string& file,
-                                                   const Configuration& configuration, Time begin);
+                                                   const Configuration& configuration, Time begin,
+                                                   const DataRoot& root);
 
 }  // namespace gt

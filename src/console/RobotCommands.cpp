@@ -353,7 +353,7 @@ Result<void> graph(Console& console, const Words& words) {
 
 Result<void> layout(Console& console, const Words& words) {
   if (words.size() != 2) return wrongArguments(words);
-  const std::string file = withDefaults(words[1], "layouts", ".layout");
+  const std::string file = dataFile(console, words[1], "layouts", ".layout");
   const auto text = readFile(file);
   if (!text) return text.error();
   const auto parsed = parseLayout(*text, file);

@@ -15,9 +15,9 @@ class RobotConnection {
  public:
   /// Robots as the router takes them (RobotList), named by the last number of their address. With
   /// `gameManager` there is a port for tools of all robots, too. Keys for robots of other machines
-  /// are in `config/tool.key`.
+  /// are in `config/tool.key` of the root.
   static Result<std::unique_ptr<RobotConnection>> open(const std::vector<std::string>& robots,
-                                                       bool gameManager);
+                                                       bool gameManager, const DataRoot& root);
 
   /// Passes messages on in both directions.
   void step();

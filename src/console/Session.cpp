@@ -181,7 +181,7 @@ ConsoleRobot* Session::find(std::string_view name) const {
 
 Result<void> Session::replay(const std::string& name, const std::string& file) {
   if (find(name)) return Error{"", 0, name, "there is already a robot of this name"};
-  auto robot = makeLogRobot(name, file, state_.match->configuration(), time());
+  auto robot = makeLogRobot(name, file, state_.match->configuration(), time(), options_.root);
   if (!robot) return robot.error();
   match().spoil("a robot lives on a log");
   state_.robots.push_back(std::move(*robot));
@@ -190,7 +190,7 @@ Result<void> Session::replay(const std::string& name, const std::string& file) {
 
 Result<void> Session::connect(const std::vector<std::string>& robots, bool gameManager) {
   if (state_.connection) return Error{"", 0, "sc", "robots are connected already"};
-  auto connection = RobotConnection::open(robots, gameManager);
+  auto connection = RobotConnection::open(robots, gameManager, options_.root);
   if (!connection) return connection.error();
   auto connected = (*connection)->takeRobots();
   for (const auto& robot : connected)

@@ -162,7 +162,7 @@ Result<void> seed(Console& console, const Words& words) {
 Result<void> scene(Console& console, const Words& words) {
   if (words.size() != 2) return wrongArguments(words);
   MatchOptions options = console.session().options();
-  options.scene = withDefaults(words[1], "scenes", ".scene");
+  options.scene = dataFile(console, words[1], "scenes", ".scene");
   return restart(console, options);
 }
 
