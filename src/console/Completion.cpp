@@ -34,19 +34,20 @@ void addFiles(std::vector<std::string>& found, const std::string& word, const Fi
          !failed && entry != end && found.size() < mostFiles; entry.increment(failed))
       if (entry->path().filename().string().starts_with(begun.filename().string())) take(*entry);
   };
-  if (!kind.folder.empty() && !begun.has_parent_path())
+  // The files of the usual folder are named without it; only if there are none, others are offered.
+  const bool usual = !kind.folder.empty() && !begun.has_parent_path();
+  const std::size_t before = found.size();
+  if (usual)
     look(kind.data ? root.path(std::string{kind.folder}) : std::string{kind.folder},
          [&](const fs::directory_entry& entry) {
            if (entry.path().extension() == kind.extension)
              found.push_back(entry.path().stem().string());
          });
+  if (found.size() > before) return;
   look(begun.parent_path(), [&](const fs::directory_entry& entry) {
     std::error_code ignored;
     const bool folder = entry.is_directory(ignored);
-    // Without a path only folders stand beside the files of the usual one.
-    if (!folder && !kind.folder.empty() &&
-        (!begun.has_parent_path() || entry.path().extension() != kind.extension))
-      return;
+    if (!folder && !kind.folder.empty() && entry.path().extension() != kind.extension) return;
     found.push_back((begun.parent_path() / entry.path().filename()).string() + (folder ? "/" : ""));
   });
 }

@@ -362,8 +362,10 @@ TEST_F(ConsoleTest, ObeysAJoystick) {
 }
 
 TEST_F(ConsoleTest, RobotCommandsNeedARobot) {
-  std::ofstream{file("empty.scene")} << "<scene field='" << std::filesystem::current_path().string()
-                                     << "/models/field2003.xml'/>";
+  const std::string root = std::filesystem::current_path().string();
+  std::ofstream{file("empty.scene")} << "<scene field='" << root
+                                     << "/models/field2003.xml' config='" << root
+                                     << "/config'><game referee='false'/></scene>";
   expectFine("scene " + file("empty.scene"));
   for (const char* line : {"dk ImageProcessor/horizon on", "mr stand", "hcm none", "log start"})
     expectError(line, "robot", "there is none");

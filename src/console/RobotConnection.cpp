@@ -12,8 +12,8 @@ constexpr int robotPort = 15000;
 /// The message queues of a robot elsewhere, by its port at the router.
 class ConnectionLink : public RobotLink {
  public:
-  ConnectionLink(Router& router, std::unique_ptr<ToolConnection> connection)
-      : router_{router}, connection_{std::move(connection)} {}
+  ConnectionLink(Router& router, std::size_t robot, std::unique_ptr<ToolConnection> connection)
+      : router_{router}, robot_{robot}, connection_{std::move(connection)} {}
   MessageQueue& toRobot() override { return connection_->out(); }
   void exchange(const Taker& take) override {
     router_.step(0);
@@ -21,10 +21,14 @@ class ConnectionLink : public RobotLink {
     take(messages_);
     messages_.clear();
   }
-  std::chrono::milliseconds patience() const override { return std::chrono::milliseconds{1500}; }
+  /// A robot that is not connected cannot answer.
+  std::chrono::milliseconds patience() const override {
+    return std::chrono::milliseconds{router_.statistics()[robot_].connected ? 1500 : 0};
+  }
 
  private:
   Router& router_;
+  std::size_t robot_;
   std::unique_ptr<ToolConnection> connection_;
   MessageQueue messages_{2 * toolQueueSize};
 };
@@ -72,7 +76,7 @@ Result<std::unique_ptr<RobotConnection>> RobotConnection::open(
     if (!tool) return tool.error();
     connection->robots_.push_back(std::make_unique<ConnectedRobot>(
         shortName(options.robots[i].name),
-        std::make_unique<ConnectionLink>(*connection->router_, std::move(*tool))));
+        std::make_unique<ConnectionLink>(*connection->router_, i, std::move(*tool))));
   }
   connection->connected_.resize(options.robots.size(), false);
   return connection;

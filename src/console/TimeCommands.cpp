@@ -35,20 +35,20 @@ Result<std::int64_t> durationOf(const Words& words, std::size_t first) {
   return std::llround(*number * ms);
 }
 
-/// Lets time pass until `done` returns true. An error if a person stops it, or the game is over.
+/// Lets time pass until `done` returns true, or the game is over. An error if a person stops it, or
+/// if no time can pass.
 Result<void> pass(Console& console, const std::string& command, const std::function<bool()>& done) {
   Session& session = console.session();
   session.stop();
-  switch (session.run(done)) {
-    case Session::RunEnd::done:
-      return {};
-    case Session::RunEnd::interrupted:
-      return Error{"", 0, command, "stopped at " + clockText(session.time())};
-    case Session::RunEnd::gameOver:
-      return Error{"", 0, command,
-                   "the game is over, so time stands at " + clockText(session.time()) +
-                       "; gc ready or reset begins anew"};
-  }
+  const Time begin = session.time();
+  const Session::RunEnd end = session.run(done);
+  if (end == Session::RunEnd::interrupted)
+    return Error{.field = command, .what = "stopped at " + clockText(session.time())};
+  if (end == Session::RunEnd::gameOver && session.time() == begin)
+    return Error{.field = command,
+                 .what = "the game is over, so no time passes; gc ready or reset begins anew"};
+  if (end == Session::RunEnd::gameOver)
+    console.print(clockText(session.time()) + "  the game is over, so no more time passes");
   return {};
 }
 

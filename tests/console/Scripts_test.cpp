@@ -60,12 +60,16 @@ TEST(Scripts, ThereIsOneForEachCommand) {
   }
 }
 
-TEST(Scripts, TheReportsRunAsPrinted) {
+TEST(Scripts, OfTheReportTellIfTheirRobotDoesNotAnswer) {
   for (const char* script : {"record-log", "remote-control"}) {
     TextScreen screen;
     const auto done = runScript("scenes/empty.scene", script, screen);
-    EXPECT_TRUE(done) << done.error().text() << "\n" << screen.text;
+    EXPECT_NE(screen.text.find("172.21.3.201 does not answer"), std::string::npos) << screen.text;
+    if (!done) EXPECT_NE(done.error().text().find("does not answer"), std::string::npos);
   }
+}
+
+TEST(Scripts, TheReportsLogIsReplayedAsPrinted) {
   // The log that the report replays is recorded first, as the report says.
   TextScreen screen;
   const auto recorded =
