@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/Hash.h"
 #include "robot/Configuration.h"
 #include "streams/File.h"
 #include "streams/Json.h"
@@ -150,13 +151,15 @@ void Match::markIrreproducible(const std::string& why) {
   if (irreproducible_.empty()) irreproducible_ = why;
 }
 
-Fingerprint Match::fingerprint() const {
-  Fingerprint sum = simulation_->fingerprint();
+std::uint64_t Match::fingerprint() const {
+  Fingerprint sum;
+  const std::uint64_t world = simulation_->fingerprint();
+  sum.addBytes(&world, sizeof world);
   for (const MatchRobot* robot : allRobots_) {
     if (robot->pose()) sum.add(robot->pose()->pose.translation.data(), 2);
     if (robot->ball()) sum.add(robot->ball()->position.data(), 2);
   }
-  return sum;
+  return sum.value();
 }
 
 Result<void> Match::save(const std::string& path) const {
@@ -170,7 +173,7 @@ Result<void> Match::save(const std::string& path) const {
                          .seed = options_.seed,
                          .time = time(),
                          .history = history_,
-                         .fingerprint = fingerprint().value()};
+                         .fingerprint = fingerprint()};
   return writeFile(path, toJson(state).dump(1) + "\n");
 }
 
@@ -189,7 +192,7 @@ Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions
   if (!match) return match.error();
   if (const auto done = (*match)->repeat(*state, perform); !done)
     return Error{path, 0, done.error().field, done.error().text()};
-  if ((*match)->fingerprint().value() != state->fingerprint)
+  if ((*match)->fingerprint() != state->fingerprint)
     return Error{path, 0, "fingerprint",
                  "the match went another way: its files or the program have changed"};
   return match;

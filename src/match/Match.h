@@ -108,7 +108,7 @@ class Match {
   Result<void> addRemoteRobot(std::size_t index, const Layout& layout);
   bool isRemote(const std::string& robot) const { return options_.remote.contains(robot); }
   std::string layoutFile(const SceneRobot& robot) const;
-  Fingerprint fingerprint() const;
+  std::uint64_t fingerprint() const;
   Result<void> repeat(const MatchState& state, const Perform& perform);
 
   MatchOptions options_;

@@ -220,7 +220,7 @@ void Simulation::act() {
   }
 }
 
-Fingerprint Simulation::fingerprint() const {
+std::uint64_t Simulation::fingerprint() const {
   Fingerprint sum;
   const mjModel& model = world_->model();
   const mjData& data = world_->data();
@@ -244,7 +244,7 @@ Fingerprint Simulation::fingerprint() const {
     sum.add(robot.output.odometry.pose.rotation);
     sum.add(robot.output.odometry.pose.translation.data(), 2);
   }
-  return sum;
+  return sum.value();
 }
 
 std::vector<const Stopwatch*> Simulation::times() const {

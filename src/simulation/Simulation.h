@@ -126,7 +126,7 @@ class Simulation {
   const Image& image(std::size_t robot) const;
   /// A hash of the state of world, game and radio and of what the robots sense and do. Equal runs
   /// have equal fingerprints; different ones almost never.
-  Fingerprint fingerprint() const;
+  std::uint64_t fingerprint() const;
   /// The time that the parts of the simulator have taken: the world, and for each robot its sensors
   /// and its camera.
   std::vector<const Stopwatch*> times() const;

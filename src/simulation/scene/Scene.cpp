@@ -68,10 +68,13 @@ template <typename T>
 std::optional<std::string> readValue(const std::string& text, const Range& range, T& member) {
   if (text.empty()) return "must not be empty";
   T value = member;
-  auto wrong = setScalar(valueOf(value), text, range);
+  auto done = setScalar(valueOf(value), text, range);
   if constexpr (std::is_floating_point_v<T>)
-    if (!wrong && !std::isfinite(value)) wrong = "expected a number";
-  if (wrong) return wrong->starts_with("expected") ? *wrong + ", found \"" + text + "\"" : *wrong;
+    if (done && !std::isfinite(value)) done = Error{.what = "expected a number"};
+  if (!done) {
+    const std::string& what = done.error().what;
+    return what.starts_with("expected") ? what + ", found \"" + text + "\"" : what;
+  }
   member = std::move(value);
   return std::nullopt;
 }

@@ -40,7 +40,7 @@ Result<std::vector<double>> numbersOf(const std::string& text) {
   std::istringstream words{blanks};
   for (std::string word; words >> word;) {
     double number = 0;
-    if (setScalar(valueOf(number), word, {-farthest, farthest}))
+    if (!setScalar(valueOf(number), word, {-farthest, farthest}))
       return Error{"", 0, "",
                    "expected numbers up to " + textOf({farthest}) + ", found \"" + text + "\""};
     numbers.push_back(number);
@@ -118,8 +118,8 @@ void SceneTree::addValue(const std::string& path, std::string_view help, Get get
   if constexpr (!std::is_null_pointer_v<Set>)
     setText = [set](const std::string& text) -> Result<void> {
       T value{};
-      if (const auto wrong = setScalar(valueOf(value), text))
-        return Error{"", 0, "", *wrong + ", found \"" + text + "\""};
+      if (const auto done = setScalar(valueOf(value), text); !done)
+        return Error{.what = done.error().what + ", found \"" + text + "\""};
       if constexpr (std::is_void_v<std::invoke_result_t<Set, T>>) {
         set(value);
         return {};
