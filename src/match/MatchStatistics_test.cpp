@@ -46,7 +46,8 @@ TEST(MatchStatistics, ComparesEachImageWithTheTruth) {
   auto robot = std::make_unique<Believer>();
   const std::vector<MatchRobot*> robots{robot.get()};
   (*simulation)->attach(0, std::move(robot));
-  MatchStatistics statistics{**simulation, robots};
+  const MotionNet motions;
+  MatchStatistics statistics{**simulation, robots, motions};
   for (int i = 0; i < 250; ++i) {
     (*simulation)->step();
     statistics.update();
