@@ -26,7 +26,7 @@ struct Run {
 /// Has the robots ask the oracle instead of their cameras, which take no pictures.
 Result<void> blindfold(Match& match) {
   for (std::size_t i = 0; i < match.robots().size(); ++i) {
-    match.simulation().takePictures(i, false);
+    match.simulation().takeImages(i, false);
     Robot& robot = match.robots()[i]->robot();
     for (const auto& [task, solution] : {std::pair{"ImageProcessor", "disabled"},
                                          {"SelfLocator", "Oracled"},

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-void takePictures(benchmark::State& state, const CameraEffects& effects) {
+void takeImages(benchmark::State& state, const CameraEffects& effects) {
   const CameraField& field = CameraField::get();
   const CameraScene scene{field.model()};
   CameraRenderer renderer{scene};
@@ -23,16 +23,16 @@ void takePictures(benchmark::State& state, const CameraEffects& effects) {
 
 void cameraPerfect(benchmark::State& state) {
   aim(state, 1e6 / 15000);
-  takePictures(state, CameraEffects::none());
+  takeImages(state, CameraEffects::none());
 }
 void cameraRollingShutter(benchmark::State& state) {
   CameraEffects effects = CameraEffects::none();
   effects.rollingShutter = true;
-  takePictures(state, effects);
+  takeImages(state, effects);
 }
 void cameraNoise(benchmark::State& state) {
   aim(state, 1e6 / 8000);
-  takePictures(state, {});
+  takeImages(state, {});
 }
 
 BENCHMARK(cameraPerfect)->Name("speed.camera.perfect")->Apply(inMicroseconds);

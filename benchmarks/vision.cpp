@@ -13,7 +13,7 @@
 namespace gt {
 namespace {
 
-std::vector<GamePicture> takePictures() {
+std::vector<GamePicture> takeImages() {
   const auto scene = loadScene(dataRoot().path("scenes/match.scene"));
   if (!scene) throw std::runtime_error(scene.error().text());
   auto views = GameViews::make(*scene, 1);
@@ -71,7 +71,7 @@ BENCHMARK(classifyAll)->Name("speed.vision.classifyAll")->Apply(inMicroseconds);
 }  // namespace
 
 const std::vector<GamePicture>& gamePictures() {
-  static const std::vector<GamePicture> pictures = takePictures();
+  static const std::vector<GamePicture> pictures = takeImages();
   return pictures;
 }
 

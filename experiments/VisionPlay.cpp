@@ -95,7 +95,7 @@ Result<PlayTally> watchPlay(std::uint64_t seed, const DataRoot& root) {
     (*match)->step();
     const Simulation& simulation = (*match)->simulation();
     if (!simulation.input(0).image || simulation.referee().state() != GameState::playing) continue;
-    seconds += Simulation::ticksPerPicture * tickSeconds;
+    seconds += Simulation::ticksPerImage * tickSeconds;
     const Phase& now = phases[phase];
     const double part = (seconds - now.from) / (now.to - now.from);
     for (const auto& spectator : spectators)

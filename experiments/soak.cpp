@@ -38,7 +38,7 @@ Result<Measurement> soak(const Job& job, const DataRoot& root) {
   int wrong = 0;
   const auto ticks = static_cast<int>(minutes * 60 / tickSeconds);
   for (int i = 0; i < ticks; ++i) {
-    s.takePictures(i % 500 < 5);  // one each for four seconds
+    s.takeImages(i % 500 < 5);  // one each for four seconds
     chaos.step();
     if (i == ticks / 6) memory = memoryInUse();
     if (const std::string what = chaos.wrong(); !what.empty() && ++wrong == 1)

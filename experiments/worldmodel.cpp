@@ -102,7 +102,7 @@ void look(Match& match, std::vector<std::unique_ptr<Watch>>& watches, int pictur
     const BallModel& ball = watches[i]->ball.probabilistic();
     const Time now = truth->time;
     for (TeamBallWatch& team : watches[i]->team) team.update(ball, pose, *truth, player, tally);
-    if (picture % picturesPerTeamMessage != 0) continue;
+    if (picture % imagesPerTeamMessage != 0) continue;
     for (std::size_t k = 0; k < robots.size(); ++k)
       if (k != i && robots[k]->robot().setup().player.teamColor == player.teamColor)
         for (TeamBallWatch& team : watches[k]->team)

@@ -135,16 +135,15 @@ class TreeCheck {
       ++counts_["scenes"];
       std::vector<Error> errors;
       const SceneDescription scene = loadScene(file, errors);
-      if (!scene.file.empty() && errors.empty()) checkModel(scene, errors);
+      if (!scene.file.empty()) {
+        if (errors.empty()) checkModel(scene, errors);
+        findSceneFiles(scene, errors);
+      }
       findings_.add(errors);
       if (scene.file.empty()) continue;  // it is no scene at all
-      for (const SceneRobot& robot : scene.robots) checkLayout(scene.resolve(robot.layout));
-      if (!fs::is_directory(scene.resolve(scene.config)))
-        findings_.add(
-            {.file = file, .field = "config", .what = "there is no folder " + scene.config});
-      if (const std::string script = Console::startScript(scene);
-          !script.empty() && !fs::is_regular_file(script))
-        findings_.add({.file = file, .field = "script", .what = "there is no file " + script});
+      for (const SceneRobot& robot : scene.robots)
+        if (const std::string layout = scene.resolve(robot.layout); fs::exists(layout))
+          checkLayout(layout);
     }
   }
 

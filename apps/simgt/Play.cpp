@@ -15,8 +15,8 @@ namespace {
 void tellRemote(const Match& match) {
   for (const RemoteRobot* robot : match.remoteRobots()) {
     const RemoteStatistics& s = robot->statistics();
-    fmt::print("{}: {} of {} frames and {} of {} pictures without an answer in time\n",
-               robot->name(), s.missedFrames, s.frames, s.missedPictures, s.pictures);
+    fmt::print("{}: {} of {} frames and {} of {} images without an answer in time\n", robot->name(),
+               s.missedFrames, s.frames, s.missedPictures, s.pictures);
   }
 }
 
@@ -46,8 +46,8 @@ MatchTimes timesOf(const Match& match, double seconds, std::size_t threads) {
 Result<void> writeResults(const Match& match, const MatchTimes& times,
                           const std::filesystem::path& out) {
   std::vector<ReportPicture> pictures;
-  for (const Match::Picture& picture : match.pictures())
-    pictures.push_back(reportPicture(picture.title, picture.image, picture.drawings));
+  for (const ReportImage& kept : match.images())
+    pictures.push_back(reportPicture(kept.title, kept.image, kept.drawings));
   const MatchSummary summary = match.summary();
   if (auto done = writeMatchJson((out / "match.json").string(), summary); !done) return done;
   if (auto done = writeTimesJson((out / "times.json").string(), times); !done) return done;
@@ -71,7 +71,7 @@ int play(PlayOptions options) {
   std::filesystem::create_directories(out, failed);
   if (failed) return fail({options.out, 0, "", failed.message()});
   if (options.logs) options.match.logs = options.out;
-  options.match.pictures = 12;
+  options.match.images = 12;
   TerminalScreen screen;
   auto made = Session::make(options.match, screen);
   if (!made) return fail(made.error());
@@ -81,8 +81,8 @@ int play(PlayOptions options) {
     for (SimulatedRobot* robot : session.match().robots()) robot->sendOracle(false);
   if (options.realTime || !options.match.remote.empty()) session.setPace({1, 0});
 
-  fmt::print("{}, {} minutes, seed {}\n", options.match.scene, options.match.minutes,
-             options.match.seed);
+  fmt::print("{}, {} minutes, seed {}\n", options.match.scene,
+             session.simulation().scene().game.minutes, options.match.seed);
   const auto begin = std::chrono::steady_clock::now();
   Console console{session};  // what its script has recorded goes on
   if (!options.script.empty()) {

@@ -27,9 +27,10 @@ void addMatchOptions(CLI::App& command, gt::MatchOptions& match) {
 
 void addPlay(CLI::App& command, gt::PlayOptions& play) {
   addMatchOptions(command, play.match);
-  command.add_option("--minutes", play.match.minutes, "Both halves together, simulated")
-      ->check(CLI::Range(0.01, 1e4))
-      ->capture_default_str();
+  command
+      .add_option("--minutes", play.match.minutes,
+                  "Both halves together, instead of what the scene says")
+      ->check(CLI::Range(0.01, 1e4));
   command.add_option("--out", play.out, "Folder for the results")->capture_default_str();
   command.add_option("--script", play.script, "Console commands to begin with, one per line");
   command.add_flag("!--no-logs", play.logs, "Do not write the robots' logs");
@@ -53,9 +54,10 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
 
 void addConsole(CLI::App& command, gt::ConsoleOptions& console) {
   addMatchOptions(command, console.match);
-  command.add_option("--minutes", console.match.minutes, "Both halves together, simulated")
-      ->check(CLI::Range(0.01, 1e4))
-      ->capture_default_str();
+  command
+      .add_option("--minutes", console.match.minutes,
+                  "Both halves together, instead of what the scene says")
+      ->check(CLI::Range(0.01, 1e4));
   command.add_option("--script", console.scripts, "Scripts to execute instead of what is typed");
   command.add_option("-c,--command", console.commands, "Commands to execute, behind the scripts")
       ->allow_extra_args(false);

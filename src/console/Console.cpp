@@ -158,17 +158,8 @@ Result<void> Console::call(const std::string& path) {
   return done;
 }
 
-std::string Console::startScript(const SceneDescription& scene) {
-  if (scene.script.empty()) {
-    const std::string usual = scene.resolve("console.con");
-    return std::filesystem::is_regular_file(usual) ? usual : "";
-  }
-  const std::string named = scene.resolve(scene.script);
-  return std::filesystem::exists(named) ? named : withDefaults(named, ".", ".con");
-}
-
 Result<void> Console::callStartScript() {
-  const std::string script = startScript(session_.simulation().scene());
+  const std::string script = session_.simulation().scene().startScript();
   return script.empty() ? Result<void>{} : call(script);
 }
 

@@ -66,10 +66,7 @@ class Console {
   /// Executes a script, one command per line, up to the first error: it names file and line.
   /// Scripts of the folder scenes/ need neither folder nor extension (.con).
   Result<void> call(const std::string& path);
-  /// The script that a scene begins with: the one that it names, which needs no extension, or
-  /// console.con beside it if there is one (report I.4); empty if there is none.
-  static std::string startScript(const SceneDescription& scene);
-  /// Executes it.
+  /// Executes the script that the scene begins with, if there is one.
   Result<void> callStartScript();
   /// Ends the scripts that run and the program.
   void end() { ended_ = true; }

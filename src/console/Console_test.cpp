@@ -327,16 +327,16 @@ TEST_F(ConsoleTest, LetsRobotsLiveOnTheOracle) {
 
 TEST_F(ConsoleTest, LosesPicturesOnlyIfAskedTo) {
   expectFine("run 400 ms");
-  EXPECT_EQ(session->match().robots()[0]->lostPictures(), 0);
+  EXPECT_EQ(session->match().robots()[0]->lostImages(), 0);
   expectFine("st off 100000");
   expectFine("run 400 ms");
-  EXPECT_GT(session->match().robots()[0]->lostPictures(), 5);
+  EXPECT_GT(session->match().robots()[0]->lostImages(), 5);
   expectFine("st on 2");
   EXPECT_EQ(session->pace().factor, 2);
   expectFine("st on");
-  const auto lost = session->match().robots()[0]->lostPictures();
+  const auto lost = session->match().robots()[0]->lostImages();
   expectFine("run 400 ms");
-  EXPECT_EQ(session->match().robots()[0]->lostPictures(), lost);
+  EXPECT_EQ(session->match().robots()[0]->lostImages(), lost);
   expectError("st maybe", "st", "expected");
 }
 

@@ -60,7 +60,7 @@ Result<void> gc(Console& console, const Words& words) {
   }
   referee.setScore(TeamColor::red, score[0], now);
   referee.setScore(TeamColor::blue, score[1], now);
-  referee.changeState(state, now);
+  referee.order(state, console.session().simulation().world());
   if (state == GameState::ready)  // report J.2.6
     for (std::size_t i = 0; i < console.session().simulation().world().activeRobots(); ++i)
       referee.setPenalty(i, Penalty::none, now);

@@ -285,7 +285,7 @@ Result<void> ci(Console& console, const Words& words) {
   const auto on = switchOf(words, 1);
   if (!on) return on.error();
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (robot.index()) console.session().simulation().takePictures(*robot.index(), *on);
+    if (robot.index()) console.session().simulation().takeImages(*robot.index(), *on);
     return {};
   });
 }

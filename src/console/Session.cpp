@@ -167,7 +167,8 @@ std::optional<Session::Clock::time_point> Session::due() {
 
 void Session::setPace(const Pace& pace) {
   pace_ = pace;
-  if (pace.slowness > 0) match().spoil("how long robots took was measured by the clock");
+  if (pace.slowness > 0)
+    match().markIrreproducible("how long robots took was measured by the clock");
   paceBegin_ = Clock::now();
   paceTime_ = time();
   for (SimulatedRobot* robot : state_.match->robots()) robot->setSlowness(pace.slowness);
@@ -183,7 +184,7 @@ Result<void> Session::replay(const std::string& name, const std::string& file) {
   if (find(name)) return Error{"", 0, name, "there is already a robot of this name"};
   auto robot = makeLogRobot(name, file, state_.match->configuration(), time(), options_.root);
   if (!robot) return robot.error();
-  match().spoil("a robot lives on a log");
+  match().markIrreproducible("a robot lives on a log");
   state_.robots.push_back(std::move(*robot));
   return {};
 }
@@ -197,7 +198,7 @@ Result<void> Session::connect(const std::vector<std::string>& robots, bool gameM
     if (find(robot->name()))
       return Error{"", 0, robot->name(), "there is already a robot of this name"};
   state_.connection = std::move(*connection);
-  match().spoil("robots live elsewhere");
+  match().markIrreproducible("robots live elsewhere");
   for (auto& robot : connected) state_.robots.push_back(std::move(robot));
   if (gameManager) screen_.print("game manager: " + state_.connection->gameManager());
   waitFor([&] { return state_.connection->silent().empty(); }, connecting);

@@ -61,7 +61,7 @@ Result<Outcome> runOnce(const Series& series, int index) {
   options.seed += static_cast<std::uint64_t>(index);
   options.threads = 1;
   options.logs.clear();
-  options.pictures = 0;
+  options.images = 0;
   auto session = Session::make(options, screen);
   if (!session) return session.error();
   Console console{**session};

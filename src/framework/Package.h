@@ -71,9 +71,12 @@ class PackageReceiver : public PackageLink {
   bool requested() const override { return !arrived_ && !busy_; }
   bool accepts() const override { return !busy_; }
   void deliver(const void* package) override {
-    type_->copy(package, incoming_.get());
+    if (package != incoming_.get()) type_->copy(package, incoming_.get());
     arrived_ = true;
   }
+  /// Where the next package arrives. What is written there before it is delivered from there is not
+  /// copied. Valid until the next receive().
+  void* place() { return incoming_.get(); }
   /// Hands over a package as bytes; one that cannot be read is dropped.
   Result<void> deliverBytes(std::span<const std::byte> bytes) {
     const auto done = type_->decode(bytes, incoming_.get());

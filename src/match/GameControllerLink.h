@@ -11,7 +11,7 @@
 
 namespace gt {
 
-/// Hears a game controller by UDP, and answers it.
+/// Receives a game controller's messages by UDP, and answers them.
 class GameControllerLink {
  public:
   /// Listens on a port of all interfaces; 0 takes a free one.
@@ -21,7 +21,7 @@ class GameControllerLink {
   GameControllerLink& operator=(const GameControllerLink&) = delete;
 
   int port() const { return port_; }
-  /// The next message, from whoever sent it; none if there is none. Waits for nothing.
+  /// The next message, from any sender. Empty if none is pending. Does not block.
   std::optional<std::vector<std::byte>> receive();
   /// Sends to a port of the machine that the last message came from.
   void answer(std::span<const std::byte> bytes, int port) const;

@@ -1,11 +1,12 @@
 #include "match/Match.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
 
+#include "base/Hash.h"
 #include "robot/Configuration.h"
+#include "streams/File.h"
+#include "streams/Json.h"
 
 namespace gt {
 namespace {
@@ -17,137 +18,69 @@ MatchEvent toMatchEvent(const GameEvent& event) {
           event.scoreRed,  event.scoreBlue};
 }
 
-std::string clock(Time time) {
-  const auto seconds = time.ms / 1000;
-  const std::string s = std::to_string(seconds % 60);
-  return std::to_string(seconds / 60) + (s.size() < 2 ? ":0" : ":") + s;
-}
-
-/// A penalty as people say it: ball holding.
-std::string penaltyText(Penalty penalty) {
-  std::string text;
-  for (const char c : enumName(penalty)) {
-    if (std::isupper(c)) text += ' ';
-    text += static_cast<char>(std::tolower(c));
-  }
-  return text;
-}
-
 }  // namespace
-
-std::string describe(const GameEvent& event) {
-  const std::string team{enumName(event.team)};
-  const std::string score = std::to_string(event.scoreRed) + ":" + std::to_string(event.scoreBlue);
-  const std::string player = event.number > 0 ? " " + std::to_string(event.number) : "";
-  switch (event.type) {
-    case GameEventType::kickOff:
-      return "Kick-off for " + team;
-    case GameEventType::goal:
-      return "Goal for " + team +
-             (event.ownGoal
-                  ? ", an own goal by " + std::string{enumName(opponent(event.team))} + player
-                  : " by player" + player) +
-             ": " + score;
-    case GameEventType::halfTime:
-      return "Half time, " + score;
-    case GameEventType::stuckBall:
-      return "The ball is stuck and put elsewhere";
-    case GameEventType::ballOut:
-      return "The ball is out and put back";
-    case GameEventType::placedRobot:
-      return "The referee puts " + team + player + " in its place";
-    case GameEventType::penalty:
-      return "The referee takes " + team + player + " off the field: " + penaltyText(event.penalty);
-    case GameEventType::returnedRobot:
-      return team + player + " comes back";
-    case GameEventType::shotGoal:
-      return "Penalty shot of " + team + player + ": goal, " + score;
-    case GameEventType::shotMissed:
-      return "Penalty shot of " + team + player + ": missed, " + score;
-    case GameEventType::gameOver:
-      return "The game is over, " + score;
-  }
-  return "";
-}
 
 Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   auto scene = loadScene(options.scene);
   if (!scene) return scene.error();
-  scene->game.minutes = options.minutes;
+  if (auto found = findSceneFiles(*scene); !found) return found.error();
+  if (options.minutes) scene->game.minutes = *options.minutes;
+  std::unique_ptr<Match> match{new Match{options}};
   const auto configuration =
       loadConfiguration({scene->resolve(scene->config), options.motions, options.behavior});
   if (!configuration) return configuration.error();
-  std::unique_ptr<Match> match{new Match{options}};
+  match->configuration_ = *configuration;
   auto simulation =
       Simulation::make(*scene, options.seed, options.threads, *(*configuration)->field);
   if (!simulation) return simulation.error();
   match->simulation_ = std::move(*simulation);
-  match->configuration_ = *configuration;
-  if (const auto done = match->addRobots(*configuration); !done) return done.error();
-  if (options.gameControllerPort != 0) {
-    auto link = GameControllerLink::listen(options.gameControllerPort);
-    if (!link) return link.error();
-    match->gameController_ = std::move(*link);
+  if (const auto done = match->addRobots(); !done) return done.error();
+  if (scene->ceilingCamera && !options.logs.empty()) {
+    auto log = McapWriter::open((std::filesystem::path{options.logs} / "ceiling.mcap").string());
+    if (!log) return log.error();
+    match->ceilingLog_ = std::move(*log);
   }
+  match->gameController_ =
+      std::make_unique<GameControllerFollower>(*match->simulation_, match->allRobots_);
+  if (options.gameControllerPort)
+    if (auto done = match->gameController_->listen(*options.gameControllerPort); !done)
+      return done.error();
   match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_,
                                                          *(*configuration)->motions);
+  match->images_ =
+      std::make_unique<ReportImages>(options.images, scene->game.minutes, match->robots_);
   return match;
 }
 
-Result<void> Match::addRobots(const std::shared_ptr<const Configuration>& configuration) {
-  const SceneDescription& scene = simulation_->scene();
-  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-    const auto layout = loadLayout(options_.layout.empty() ? scene.resolve(scene.robots[i].layout)
-                                                           : options_.layout);
+Result<void> Match::addRobots() {
+  const std::vector<SceneRobot>& robots = simulation_->scene().robots;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const auto layout = loadLayout(layoutFile(robots[i]));
     if (!layout) return layout.error();
-    auto added = isRemote(scene.robots[i].name) ? addRemoteRobot(i, *layout)
-                                                : addRobot(i, *layout, configuration);
+    auto added = isRemote(robots[i].name) ? addRemoteRobot(i, *layout) : addRobot(i, *layout);
     if (!added) return added;
   }
   for (const auto& [name, endpoint] : options_.remote)
-    if (std::none_of(scene.robots.begin(), scene.robots.end(),
-                     [&, &robotName = name](const SceneRobot& r) { return r.name == robotName; }))
+    if (std::ranges::find(robots, name, &SceneRobot::name) == robots.end())
       return Error{options_.scene, 0, name, "the scene has no such robot"};
   return {};
 }
 
-bool Match::isRemote(const std::string& robot) const {
-  return options_.remote.count(robot) > 0;
+std::string Match::layoutFile(const SceneRobot& robot) const {
+  return options_.layout.empty() ? simulation_->scene().resolve(robot.layout) : options_.layout;
 }
 
-Result<void> Match::addRobot(std::size_t index, const Layout& layout,
-                             const std::shared_ptr<const Configuration>& configuration) {
+Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   const SceneRobot& player = simulation_->scene().robots[index];
   const std::uint64_t seed = Random{options_.seed}.fork(player.name)();
   auto robot = Robot::make(
-      {configuration, layout, player.player(), seed, platformRepresentations(), player.address});
+      {configuration_, layout, player.player(), seed, platformRepresentations(), player.address});
   if (!robot) return robot.error();
   auto controller = std::make_unique<SimulatedRobot>(player.name, std::move(*robot));
-  if (!options_.logs.empty()) {
-    controller->saveTo((std::filesystem::path{options_.logs} / player.name).string());
-    const McapWriter::Metadata about{
-        {"scene", std::filesystem::path{options_.scene}.filename().string()},
-        {"seed", std::to_string(options_.seed)},
-        {"robot", player.name},
-        {"minutes", std::to_string(options_.minutes)}};
-    const auto path = std::filesystem::path{options_.logs} / (player.name + ".mcap");
-    const SceneDescription& scene = simulation_->scene();
-    const RecordedSetup setup{
-        {scene.resolve(scene.config), options_.motions, options_.behavior},
-        options_.layout.empty() ? scene.resolve(player.layout) : options_.layout,
-        player.player(),
-        seed,
-        player.address};
-    if (auto done =
-            controller->record(path.string(), about, configuration->log, setup, options_.inputs);
-        !done)
-      return done;
-    const DebugRequest decisions{"BehaviorControl/trace", DebugKeyMode::always, 0};
-    if (options_.trace)
-      if (auto done = controller->robot().request(decisions); !done) return done;
-  }
+  if (!options_.logs.empty())
+    if (auto done = record(*controller, player, seed); !done) return done;
   simulation_->setCamera(
-      index, withSettings(simulation_->scene().camera, configuration->camera.of(player.address)));
+      index, withSettings(simulation_->scene().camera, configuration_->camera.of(player.address)));
   robots_.push_back(controller.get());
   indices_.push_back(index);
   allRobots_.push_back(controller.get());
@@ -155,10 +88,31 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
   return {};
 }
 
+Result<void> Match::record(SimulatedRobot& robot, const SceneRobot& player, std::uint64_t seed) {
+  const SceneDescription& scene = simulation_->scene();
+  const std::string base = (std::filesystem::path{options_.logs} / player.name).string();
+  robot.saveTo(base);
+  const McapWriter::Metadata about{
+      {"scene", std::filesystem::path{options_.scene}.filename().string()},
+      {"seed", std::to_string(options_.seed)},
+      {"robot", player.name},
+      {"minutes", std::to_string(scene.game.minutes)}};
+  const RecordedSetup setup{{scene.resolve(scene.config), options_.motions, options_.behavior},
+                            layoutFile(player),
+                            player.player(),
+                            seed,
+                            player.address};
+  if (auto done = robot.record(base + ".mcap", about, configuration_->log, setup, options_.inputs);
+      !done)
+    return done;
+  const DebugRequest decisions{"BehaviorControl/trace", DebugKeyMode::always, 0};
+  return options_.trace ? robot.robot().request(decisions) : Result<void>{};
+}
+
 Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
   const auto plan = robotPlan(layout, platformRepresentations());
   if (!plan) return plan.error();
-  spoil("robots outside take part");
+  markIrreproducible("robots outside take part");
   const std::string folder = options_.sockets.empty() ? defaultSocketFolder() : options_.sockets;
   RobotAddresses addresses{folder, simulation_->scene().robots[index].name, {}};
   if (const std::string& endpoint = options_.remote.at(addresses.robot); !endpoint.empty())
@@ -172,36 +126,99 @@ Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
 }
 
 void Match::step() {
-  if (options_.pictures > 0) keepPicture();
-  if (gameController_) hearGameController();
+  images_->step(time());
+  gameController_->hear([this](std::span<const std::byte> message) {
+    note(InterventionKind::gameController, hexOf(message));
+  });
   simulation_->step();
+  if (const auto* seen = simulation_->ceilingPercept(); seen && ceilingLog_)
+    ceilingLog_->write(ceilingTopic, time(), *seen);
   statistics_->update();
 }
 
-/// Spread over the match and the robots: when a picture's time has come, the next picture of the
-/// next robot is kept.
-void Match::keepPicture() {
-  if (requestedPicture_ >= 0) {
-    const auto requested = static_cast<std::size_t>(requestedPicture_);
-    auto drawings = robots_[requested]->takeDrawings();
-    if (!drawings.empty()) {
-      const std::size_t index = indices_[requested];
-      pictures_.push_back({simulation_->scene().robots[index].name + " at " + clock(time()),
-                           simulation_->image(index), std::move(drawings)});
-      requestedPicture_ = -1;
+Result<void> Match::control(std::span<const std::byte> message) {
+  const auto changed = gameController_->follow(message);
+  if (!changed) return changed.error();
+  if (*changed) note(InterventionKind::gameController, hexOf(message));
+  return {};
+}
+
+void Match::note(InterventionKind kind, std::string line) {
+  history_.push_back({time(), kind, std::move(line)});
+}
+
+void Match::markIrreproducible(const std::string& why) {
+  if (irreproducible_.empty()) irreproducible_ = why;
+}
+
+std::uint64_t Match::fingerprint() const {
+  Fingerprint sum;
+  const std::uint64_t world = simulation_->fingerprint();
+  sum.addBytes(&world, sizeof world);
+  for (const MatchRobot* robot : allRobots_) {
+    if (robot->pose()) sum.add(robot->pose()->pose.translation.data(), 2);
+    if (robot->ball()) sum.add(robot->ball()->position.data(), 2);
+  }
+  return sum.value();
+}
+
+Result<void> Match::save(const std::string& path) const {
+  if (!irreproducible_.empty())
+    return Error{path, 0, "", "this match cannot be repeated: " + irreproducible_};
+  const MatchState state{.scene = options_.scene,
+                         .layout = options_.layout,
+                         .behavior = options_.behavior,
+                         .motions = options_.motions,
+                         .minutes = simulation_->scene().game.minutes,
+                         .seed = options_.seed,
+                         .time = time(),
+                         .history = history_,
+                         .fingerprint = fingerprint()};
+  return writeFile(path, toJson(state).dump(1) + "\n");
+}
+
+Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions options,
+                                           const Perform& perform) {
+  const auto state = readMatchState(path);
+  if (!state) return state.error();
+  options.scene = state->scene;
+  options.layout = state->layout;
+  options.behavior = state->behavior;
+  options.motions = state->motions;
+  options.minutes = state->minutes;
+  options.seed = state->seed;
+  options.remote.clear();
+  auto match = make(options);
+  if (!match) return match.error();
+  if (const auto done = (*match)->repeat(*state, perform); !done)
+    return Error{path, 0, done.error().field, done.error().text()};
+  if ((*match)->fingerprint() != state->fingerprint)
+    return Error{path, 0, "fingerprint",
+                 "the match went another way: its files or the program have changed"};
+  return match;
+}
+
+Result<void> Match::repeat(const MatchState& state, const Perform& perform) {
+  auto next = state.history.begin();
+  while (true) {
+    for (; next != state.history.end() && next->time == time(); ++next) {
+      const auto done = next->kind == InterventionKind::gameController
+                            ? control(bytesOf(next->line))
+                            : perform(*this, next->line);
+      if (!done) return done;
     }
+    if (time() >= state.time) break;
+    if (finished()) return Error{"", 0, "time", "the match is over before"};
+    step();
   }
-  const double total = options_.minutes * 60'000;
-  const auto due =
-      static_cast<std::size_t>(static_cast<double>(time().ms) / total * options_.pictures);
-  if (requestedPicture_ < 0 && pictures_.size() < due && !robots_.empty()) {
-    requestedPicture_ = static_cast<int>(pictures_.size() * 3 % robots_.size());
-    robots_[static_cast<std::size_t>(requestedPicture_)]->requestDrawings();
-  }
+  history_ = state.history;
+  if (next != state.history.end()) return Error{"", 0, "history", "something between two ticks"};
+  return {};
 }
 
 Result<void> Match::close() {
-  Result<void> first;
+  Result<void> first = ceilingLog_ ? ceilingLog_->close() : Result<void>{};
+  ceilingLog_.reset();
   for (SimulatedRobot* robot : robots_)
     if (auto done = robot->closeLog(); !done && first) first = done;
   return first;

@@ -7,8 +7,8 @@
 
 namespace gt {
 
-/// A robot of a match, wherever its processes run, with what is to be known of it: what it believes
-/// and does, as it is at the end of its last cycle; null if it does not tell.
+/// A robot of a match, wherever its processes run, with what it believes and does, as it is at the
+/// end of its last cycle; null if it does not provide that.
 class MatchRobot : public RobotController {
  public:
   virtual const RobotPose* pose() const = 0;
@@ -17,7 +17,7 @@ class MatchRobot : public RobotController {
   virtual const MotionInfo* motion() const = 0;
 };
 
-/// A robot tells its team mates what it knows with every third picture, some eight times a second.
-constexpr std::int64_t picturesPerTeamMessage = 3;
+/// A robot sends its teammates what it knows with every third image, some eight times a second.
+constexpr std::int64_t imagesPerTeamMessage = 3;
 
 }  // namespace gt

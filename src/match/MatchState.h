@@ -1,8 +1,12 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/Result.h"
 #include "base/Time.h"
 #include "streams/Reflection.h"
 
@@ -31,11 +35,10 @@ struct Intervention {
 /// `Match::save`, continued by `Match::load`.
 ///
 /// All that a match does follows from its files, its seed and what was done to it. So these are its
-/// state; loading lives through them again, without waiting for anybody, and compares what comes
-/// out with the fingerprint. Writing down the memory of the robots' programs instead would need
-/// code in every module, forget what a module's author forgot, and be wrong with each change of a
-/// module; this is right for modules that nobody has written yet. The price is time: a minute of a
-/// match takes some seconds to load.
+/// state; loading plays the match again up to that moment, as fast as it goes, and compares the
+/// fingerprints. Writing down the memory of the robots' programs instead would need code in every
+/// module, and each field that a module's author forgets would be a silent error; this is right for
+/// every module. The price is time: a minute of a match takes some seconds to load.
 struct MatchState {
   std::string scene, layout, behavior, motions;
   double minutes = 0;
@@ -57,5 +60,12 @@ struct MatchState {
         field("fingerprint", &MatchState::fingerprint, "", "of world and robots")};
   }
 };
+
+/// Reads a state from a file. Fails if its times are not those of ticks in their order.
+Result<MatchState> readMatchState(const std::string& path);
+
+/// The bytes of a message as hexadecimal digits, and back. Anything that is no digit counts as 0.
+std::string hexOf(std::span<const std::byte> bytes);
+std::vector<std::byte> bytesOf(std::string_view hex);
 
 }  // namespace gt

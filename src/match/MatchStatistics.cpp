@@ -24,14 +24,13 @@ MatchStatistics::MatchStatistics(const Simulation& simulation,
     : simulation_{simulation}, robots_{robots}, motions_{motions}, records_(robots.size()) {}
 
 void MatchStatistics::update() {
-  const bool picture = !robots_.empty() && simulation_.input(0).image;
   const bool second = simulation_.time().ms % 1000 == 0;
   const GameState state = simulation_.referee().state();
   const bool running =
       state == GameState::ready || state == GameState::set || state == GameState::playing;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     countActions(i);
-    if (picture && running) compare(i);
+    if (simulation_.input(i).image && running) compare(i);
     if (!second) continue;
     RobotSample sample{simulation_.world().robot(i).pose, 0};
     if (const RobotPose* pose = robots_[i]->pose())
@@ -93,7 +92,7 @@ std::vector<double> MatchStatistics::localizationErrors() const {
 double MatchStatistics::longestLost() const {
   double longest = 0;
   for (const RobotRecord& record : records_) longest = std::max(longest, record.longestLost);
-  return longest * tickSeconds * Simulation::ticksPerPicture;
+  return longest * tickSeconds * Simulation::ticksPerImage;
 }
 
 void MatchStatistics::summarize(MatchSummary& summary) const {

@@ -10,8 +10,8 @@
 
 namespace gt {
 
-/// Compares what the robots of a match believe with the truth, picture by picture, while the game
-/// runs (ready, set, playing).
+/// Compares what the robots of a match believe with the truth, image by image, while the game runs
+/// (ready, set, playing).
 class MatchStatistics {
  public:
   /// The motions say which special actions are kicks.
@@ -20,17 +20,17 @@ class MatchStatistics {
 
   /// Looks at the world and the robots after a tick.
   void update();
-  /// Fills in what is to be known about the robots and the ball.
+  /// Fills in what the summary says about the robots and the ball.
   void summarize(MatchSummary& summary) const;
-  /// The distances between believed and true positions in mm, of all robots and pictures.
+  /// The distances between believed and true positions in mm, of all robots and images.
   std::vector<double> localizationErrors() const;
-  /// The longest time in seconds that a robot was wrong by more than a metre.
+  /// The longest time in seconds that a robot was wrong by more than a meter.
   double longestLost() const;
 
  private:
   struct RobotRecord {
     std::vector<double> localization, rotation, ball;
-    double lostFor = 0, longestLost = 0;  // pictures
+    double lostFor = 0, longestLost = 0;  ///< Images.
     std::map<std::string, int> kicks;
     std::string lastAction;
     BodyState lastState = BodyState::standing;

@@ -71,7 +71,7 @@ void RemoteRobot::cycle(const RobotInput& input, RobotOutput& output) {
 void RemoteRobot::send(const RobotInput& input) {
   input.forEach([this]<typename T>(const T& package) {
     Out<T>& out = std::get<Out<T>>(inputs_);
-    out.value = package;
+    if (&out.value != &package) out.value = package;  // the image lies there already
     out.sender.send();
   });
   std::apply([](auto&... inputs) { (inputs.sender.sendLater(), ...); }, inputs_);
@@ -99,7 +99,7 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
 
   newMessage_ |= message.take();
   if (!input.image) return;
-  if (newMessage_ && isSane(message.value) && ++pictures_ % picturesPerTeamMessage == 0)
+  if (newMessage_ && isSane(message.value) && ++images_ % imagesPerTeamMessage == 0)
     output.message = message.value;
   if (statistics_.pictures > 0 || newMessage_) {
     ++statistics_.pictures;

@@ -13,7 +13,7 @@ namespace gt {
 struct RemoteStatistics {
   std::int64_t frames = 0;          ///< Frames of 8 ms since it first gave commands.
   std::int64_t missedFrames = 0;    ///< Of these, without new commands.
-  std::int64_t pictures = 0;        ///< Pictures since it first told its team something.
+  std::int64_t pictures = 0;        ///< Images since it first told its team something.
   std::int64_t missedPictures = 0;  ///< Of these, without a new message to the team.
 };
 
@@ -29,6 +29,8 @@ class RemoteRobot : public MatchRobot {
                                                    const std::optional<Keys>& keys);
 
   void cycle(const RobotInput& input, RobotOutput& output) override;
+  Image* nextImage() override { return &std::get<Out<Image>>(inputs_).value; }
+  const Image* lastImage() const override { return &std::get<Out<Image>>(inputs_).value; }
 
   const RobotPose* pose() const override { return &pose_.value; }
   const BallModel* ball() const override { return &ball_.value; }
@@ -77,7 +79,7 @@ class RemoteRobot : public MatchRobot {
   In<MotionInfo> motion_;
   Pose2D walked_;  ///< By the robot's odometry, when it last told.
   Time walkedAt_ = never();
-  std::int64_t pictures_ = 0;
+  std::int64_t images_ = 0;
   bool newMessage_ = false;
   RemoteStatistics statistics_;
 };

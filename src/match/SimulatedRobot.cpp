@@ -2,35 +2,12 @@
 
 #include <utility>
 
+#include "representations/infrastructure/FrameInfo.h"
 #include "representations/modeling/PlayersCollection.h"
 #include "robot/LocalLink.h"
 #include "robot/Solutions.h"
 
 namespace gt {
-namespace {
-
-/// The drawings of a report page's pictures.
-constexpr const char* pictureKeys[] = {"ImageProcessor/horizon", "ImageProcessor/percepts"};
-
-/// Tells the robot the truth in place of its disabled tasks.
-void layOracle(const OracledWorldState& truth, Robot& robot) {
-  robot.layIfDisabled(RobotPose{truth.robotPose, 1});
-  BallModel ball;
-  ball.position = truth.robotPose.inverse() * truth.ballPosition;
-  ball.speed = rotated(truth.ballSpeed, -truth.robotPose.rotation);
-  ball.lastSeen = truth.time;
-  ball.consecutiveTimeSeen = 1000;
-  robot.layIfDisabled(ball);
-  robot.layIfDisabled(TeamBallModel{truth.ballPosition, truth.time, 0, 0});
-  PlayersCollection players;
-  players.time = truth.time;
-  for (const OracledRobot& other : truth.others)
-    (other.teamColor == robot.setup().player.teamColor ? players.ownTeam : players.opponents)
-        .push_back({other.pose.translation, truth.time, 1, other.number});
-  robot.layIfDisabled(players);
-}
-
-}  // namespace
 
 SimulatedRobot::SimulatedRobot(std::string name, std::unique_ptr<Robot> robot)
     : name_{std::move(name)}, robot_{std::move(robot)} {
@@ -55,6 +32,8 @@ void SimulatedRobot::bind() {
   ball_ = robot_->provided<BallModel>();
   state_ = robot_->provided<RobotState>();
   motion_ = robot_->provided<MotionInfo>();
+  const auto image = robot_->value(representation<Image>().name);
+  image_ = image ? static_cast<const Image*>(image->data()) : nullptr;
 }
 
 Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::Metadata& about,
@@ -70,7 +49,7 @@ Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::M
   }
   if (inputs)
     for (const RepresentationType* type : platformRepresentations()) log->knowInput(*type);
-  picturePeriod_ = settings.picturePeriod;
+  loggedImagePeriod_ = settings.picturePeriod;
   log_ = std::move(*log);
   return {};
 }
@@ -94,65 +73,63 @@ void SimulatedRobot::send(Time now, const T& package) {
   log_->writeInput(now, package);
 }
 
-void SimulatedRobot::live(const RobotInput& input, bool picture) {
-  input.forEach([&](const auto& package) { send(input.now, package); }, picture);
-  if (picture && oracle_) layOracle(input.oracle, *robot_);
-  pictures_ += picture;
-  robot_->step(input.now);
-}
-
 void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
-  const bool picture = input.image && !(slowness_ > 0 && isBusy(input.now));
-  if (input.image && !picture) ++lostPictures_;
-  if (slowness_ > 0 && picture) {
-    Stopwatch watch{"picture"};
-    {
-      const Stopwatch::Lap lap{watch};
-      live(input, picture);
-    }
-    busyUntil_ = static_cast<double>(input.now.ms) + slowness_ * watch.totalMs;
-  } else {
-    live(input, picture);
+  const bool lost = input.image && slowness_ > 0 && isBusy(input.now);
+  const bool withImage = input.image && !lost;
+  lostImages_ += lost;
+  Stopwatch watch{"cycle"};
+  {
+    const Stopwatch::Lap lap{watch};
+    send(input, withImage);
+    robot_->step(input.now);
   }
+  if (withImage && slowness_ > 0)
+    busyUntil_ = static_cast<double>(input.now.ms) + slowness_ * watch.totalMs;
   bind();
   if (const auto* joints = command<JointData>()) output.joints = *joints;
   if (const auto* odometry = command<OdometryData>()) output.odometry = *odometry;
   if (const auto* leds = command<LedValue>()) output.leds = *leds;
   if (const auto* message = command<TeamMessage>();
-      message && picture && pictures_ % picturesPerTeamMessage == 0)
+      message && withImage && images_ % imagesPerTeamMessage == 0)
     output.message = *message;
   if (const auto* camera = command<CameraSettings>(); camera && *camera != camera_)
     output.camera = camera_ = *camera;
-  handleMessages(input);
+  handleMessages();
 }
 
-void SimulatedRobot::handleMessages(const RobotInput& input) {
+void SimulatedRobot::send(const RobotInput& input, bool withImage) {
+  input.forEach([&](const auto& package) { send(input.now, package); }, withImage);
+  if (!withImage) return;
+  if (oracle_) sendOracle(input.oracle);
+  ++images_;
+  if (!log_ || loggedImagePeriod_ == 0 || input.now < nextLoggedImage_) return;
+  const Stopwatch::Lap lap{logTime_};
+  log_->write(*input.image);
+  nextLoggedImage_ = input.now + loggedImagePeriod_;
+}
+
+void SimulatedRobot::sendOracle(const OracledWorldState& truth) {
+  const FrameInfo frame{truth.time};
+  RobotPose pose;
+  oracledPose_.update(truth, pose);
+  robot_->layIfDisabled(pose);
+  BallModel ball;
+  oracledBall_.update(truth, frame, ball);
+  robot_->layIfDisabled(ball);
+  robot_->layIfDisabled(TeamBallModel{truth.ballPosition, truth.time, 0, 0});
+  PlayersCollection players;
+  oracledPlayers_.update(truth, robot_->setup().player, frame, players);
+  robot_->layIfDisabled(players);
+}
+
+void SimulatedRobot::handleMessages() {
   MessageQueue& messages = robot_->toTools();
-  messages.handleAllMessages([this](const Message& message) {
-    Drawing drawing;
-    if (message.is<Drawing>() && message.read(drawing) && drawing.space == DrawingSpace::image)
-      drawings_.push_back(std::move(drawing));
-  });
   if (log_) {
     const Stopwatch::Lap lap{logTime_};
     log_->write(messages);
-    if (input.image && picturePeriod_ > 0 && input.now >= nextPicture_) {
-      log_->write(*input.image);
-      nextPicture_ = input.now + picturePeriod_;
-    }
   }
-  if (observer_) observer_(messages);
+  for (const Observer& observer : observers_) observer(messages);
   messages.clear();
-}
-
-void SimulatedRobot::requestDrawings() {
-  for (const char* key : pictureKeys)
-    if (DebugKey::find(key))
-      static_cast<void>(robot_->request(DebugRequest{key, DebugKeyMode::times, 1}));
-}
-
-std::vector<Drawing> SimulatedRobot::takeDrawings() {
-  return std::exchange(drawings_, {});
 }
 
 }  // namespace gt

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "match/MatchRobot.h"
-#include "match/MatchSummary.h"
+#include "modules/modeling/OracledLocators.h"
 #include "observer/RobotLink.h"
 #include "robot/RecordedSetup.h"
 #include "robot/Robot.h"
@@ -16,12 +16,15 @@ namespace gt {
 
 /// The platform of a robot in the simulator: hands what the simulated hardware measured to the
 /// robot's processes and takes their commands. Writes the robot's log.
+///
+/// The camera writes each image into the package that the process with the ImageProcessor receives
+/// (`nextImage`), so nobody copies it; docs/image-path.md tells the whole path.
 class SimulatedRobot : public MatchRobot {
  public:
   SimulatedRobot(std::string name, std::unique_ptr<Robot> robot);
 
-  /// Records from now on, with all that the platform sends if `inputs`, so that a replay does the
-  /// same again.
+  /// Records from now on, with everything that the platform sends if `inputs`, so that a replay
+  /// computes the same again.
   Result<void> record(const std::string& path, const McapWriter::Metadata& about,
                       const Configuration::LogSettings& settings, const RecordedSetup& setup,
                       bool inputs);
@@ -30,24 +33,22 @@ class SimulatedRobot : public MatchRobot {
   void saveTo(const std::string& base);
 
   void cycle(const RobotInput& input, RobotOutput& output) override;
+  Image* nextImage() override { return robot_->place<Image>(); }
+  const Image* lastImage() const override { return image_; }
 
   /// The robot's message queues, between its cycles. The robot must outlive it.
   std::unique_ptr<RobotLink> link();
-  /// Called after each cycle with what the robot sends to its tools, in the thread of the cycle.
+  /// Called after each cycle with what the robot sends to its tools, in the thread of the cycle, in
+  /// the order in which they were added.
   using Observer = std::function<void(const MessageQueue& messages)>;
-  void observe(Observer observer) { observer_ = std::move(observer); }
-  /// Whether what disabled tasks would provide comes from the oracle: oracled world states
-  /// (report I.5.3: so). A console has them sent; without one they are not.
+  void observe(Observer observer) { observers_.push_back(std::move(observer)); }
+  /// Whether the robot gets the truth in place of what its disabled tasks would provide: oracled
+  /// world states (report I.5.3: so). A console switches it on; it is off at the start.
   void sendOracle(bool on) { oracle_ = on; }
-  /// Gives the robot a computer of its own, so many times slower than this one: pictures that come
+  /// Gives the robot a computer of its own, so many times slower than this one: images that come
   /// while it is busy are lost, as on the real one (report I.5.2: st off). 0: it takes no time.
   void setSlowness(double slowness) { slowness_ = slowness; }
-  std::int64_t lostPictures() const { return lostPictures_; }
-
-  /// Has the percepts of the next picture drawn, for the report page.
-  void requestDrawings();
-  /// The drawings that came since, on the picture.
-  std::vector<Drawing> takeDrawings();
+  std::int64_t lostImages() const { return lostImages_; }
 
   const std::string& name() const { return name_; }
   const Robot& robot() const { return *robot_; }
@@ -61,15 +62,16 @@ class SimulatedRobot : public MatchRobot {
 
  private:
   void bind();
+  bool isBusy(Time now) const { return static_cast<double>(now.ms) < busyUntil_; }
   template <typename T>
   void send(Time now, const T& package);
-  bool isBusy(Time now) const { return static_cast<double>(now.ms) < busyUntil_; }
-  void live(const RobotInput& input, bool picture);
+  void send(const RobotInput& input, bool withImage);
+  void sendOracle(const OracledWorldState& truth);
   template <typename T>
   const T* command() const {
     return std::get<const T*>(commands_);
   }
-  void handleMessages(const RobotInput& input);
+  void handleMessages();
 
   std::string name_;
   std::unique_ptr<Robot> robot_;
@@ -83,16 +85,19 @@ class SimulatedRobot : public MatchRobot {
   const BallModel* ball_ = nullptr;
   const RobotState* state_ = nullptr;
   const MotionInfo* motion_ = nullptr;
-  std::int64_t pictures_ = 0;
-  Observer observer_;
+  const Image* image_ = nullptr;  ///< Of the first process that reads images.
+  std::int64_t images_ = 0;
+  std::vector<Observer> observers_;
   bool oracle_ = false;
+  OracledSelfLocator oracledPose_;
+  OracledBallLocator oracledBall_;
+  OracledPlayersLocator oracledPlayers_;
   double slowness_ = 0;
   double busyUntil_ = 0;  // ms
-  std::int64_t lostPictures_ = 0;
+  std::int64_t lostImages_ = 0;
   std::optional<RobotLog> log_;
-  std::int64_t picturePeriod_ = 0;
-  Time nextPicture_;
-  std::vector<Drawing> drawings_;
+  std::int64_t loggedImagePeriod_ = 0;  ///< ms; 0: none are logged.
+  Time nextLoggedImage_;
   Stopwatch logTime_{"logs"};
 };
 

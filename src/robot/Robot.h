@@ -37,6 +37,14 @@ class Robot {
     for (PlatformLink& link : links_)
       if (link.type == &type) link.receiver->deliver(package);
   }
+  /// Where a package can be written before it is sent, so that sending it copies nothing to the
+  /// first process that reads it; null if none does. Valid until the next step.
+  template <typename T>
+  T* place() {
+    for (PlatformLink& link : links_)
+      if (link.type == &representation<T>()) return static_cast<T*>(link.receiver->place());
+    return nullptr;
+  }
   /// A representation that some process provides, as it is at the end of its last cycle; null if
   /// none does.
   template <typename T>

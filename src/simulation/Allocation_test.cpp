@@ -21,7 +21,7 @@ class Runner : public RobotController {
   }
 };
 
-TEST(Simulation, aTickAllocatesNothing) {
+TEST(Simulation, ATickAllocatesNothing) {
   SceneDescription scene = matchScene();
   scene.noise = {};
   scene.game.referee = false;

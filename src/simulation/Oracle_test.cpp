@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-TEST(Oracle, eachTeamSeesTheFieldFromItsOwnGoal) {
+TEST(Oracle, EachTeamSeesTheFieldFromItsOwnGoal) {
   const SceneDescription scene = matchScene();
   std::vector<Player> players;
   for (const SceneRobot& robot : scene.robots) players.push_back(robot.player());

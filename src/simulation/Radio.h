@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// The wireless network: carries team messages to the sender's team mates, to each with a delay and
+/// The wireless network: carries team messages to the sender's teammates, to each with a delay and
 /// a chance of loss of its own. All robots' clocks are the simulator's, so times need no
 /// conversion.
 class Radio {

@@ -14,7 +14,7 @@ std::vector<Player> twoTeams() {
   return players;
 }
 
-TEST(Radio, onlyTeamMatesHear) {
+TEST(Radio, OnlyTeamMatesHear) {
   Radio radio{{40, 120, 0}, twoTeams(), Random{1}};
   TeamMessage message;
   message.playerNumber = 77;  // the network knows better
@@ -31,7 +31,7 @@ TEST(Radio, onlyTeamMatesHear) {
   }
 }
 
-TEST(Radio, delayAndLossAreAsTheSceneSays) {
+TEST(Radio, DelayAndLossAreAsTheSceneSays) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     Radio radio{{40, 120, 0.05}, twoTeams(), Random{seed}};
     int heard = 0;
@@ -59,12 +59,12 @@ TEST(Radio, delayAndLossAreAsTheSceneSays) {
     EXPECT_LE(least, 42);
     EXPECT_LE(most, 120);
     EXPECT_GE(most, 118);
-    // Three team mates, each of which loses its own 5 %.
+    // Three teammates, each of which loses its own 5 %.
     EXPECT_NEAR(static_cast<double>(radio.lost()) / (3 * n), 0.05, 0.01);
   }
 }
 
-TEST(Radio, anOvertakenMessageIsDropped) {
+TEST(Radio, AnOvertakenMessageIsDropped) {
   Radio radio{{0, 200, 0}, twoTeams(), Random{4}};
   TeamMessages messages;
   Time newest = never();
@@ -79,7 +79,7 @@ TEST(Radio, anOvertakenMessageIsDropped) {
   EXPECT_GT(newest, Time{3800});
 }
 
-TEST(Radio, robotsAreCutOffAndTheNetworkFails) {
+TEST(Radio, RobotsAreCutOffAndTheNetworkFails) {
   Radio radio{{0, 0, 0}, twoTeams(), Random{5}};
   const auto heard = [&](std::size_t sender, std::size_t receiver, std::int64_t ms) {
     TeamMessage message;

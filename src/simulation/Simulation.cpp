@@ -16,12 +16,6 @@ std::vector<Player> playersOf(const SceneDescription& scene) {
   return players;
 }
 
-Pose3D between(const Pose3D& a, const Pose3D& b, double share) {
-  const Eigen::Quaterniond rotation =
-      Eigen::Quaterniond{a.rotation}.slerp(share, Eigen::Quaterniond{b.rotation});
-  return {rotation.toRotationMatrix(), (1 - share) * a.translation + share * b.translation};
-}
-
 }  // namespace
 
 CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& info) {
@@ -29,8 +23,8 @@ CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& i
   const auto whole = static_cast<std::size_t>(ticks);
   CameraView view;
   view.info = info;
-  view.first = between(world.camera(robot, whole), world.camera(robot, whole + 1),
-                       ticks - static_cast<double>(whole));
+  view.first = interpolated(world.camera(robot, whole), world.camera(robot, whole + 1),
+                            ticks - static_cast<double>(whole));
   view.last = world.camera(robot);
   view.hiddenBody = world.parts(robot).headBody;
   return view;
@@ -68,6 +62,8 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
       commands_(scene.robots.size()),
       pool_(threads) {
   prepareCameras();
+  if (scene.ceilingCamera)
+    ceilingCamera_.emplace(*scene.ceilingCamera, players_, random.fork("ceiling camera"));
   for (const SceneRobot& robot : scene.robots)
     robots_.push_back({nullptr,
                        Sensors{scene.noise, random.fork("sensors " + robot.name)},
@@ -86,6 +82,8 @@ Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& sce
   const Random random{seed};
   auto world = makeWorld(scene, random.fork("world"));
   if (!world) return world.error();
+  if (auto done = checkFieldSensors((*world)->model(), scene.resolve(scene.field)); !done)
+    return done.error();
   return std::unique_ptr<Simulation>{
       new Simulation{scene, std::move(*world), random, threads, field}};
 }
@@ -112,11 +110,22 @@ Result<void> Simulation::changeFidelity(Fidelity fidelity) {
 void Simulation::changeNoise(const NoiseParameters& noise) {
   scene_.noise = noise;
   world_->change(noise);
-  for (SimulatedRobot& robot : robots_) robot.sensors.change(noise);
+  for (Hardware& robot : robots_) robot.sensors.change(noise);
 }
 
 void Simulation::attach(std::size_t robot, std::unique_ptr<RobotController> controller) {
   robots_[robot].controller = std::move(controller);
+}
+
+void Simulation::takeImages(std::size_t robot, bool on) {
+  if (!on) robots_[robot].image = image(robot);
+  robots_[robot].cameraOn = on;
+}
+
+const Image& Simulation::image(std::size_t robot) const {
+  const Hardware& r = robots_[robot];
+  const Image* own = r.controller ? r.controller->lastImage() : nullptr;
+  return own ? *own : r.image;
 }
 
 void Simulation::step() {
@@ -127,32 +136,42 @@ void Simulation::step() {
     world_->step(commands_);
     actuators_.hold(*world_);
     referee_.update(*world_);
-    fieldSensors_.step(*world_);
+    fieldSensors_.step(*world_, *cameraScene_);
+    lookFromTheCeiling();
   }
-  const bool picture = takePictures_ && tick_ % ticksPerPicture == 0;
-  const auto work = [&](std::size_t robot, std::size_t worker) {
-    SimulatedRobot& r = robots_[robot];
-    if (!r.controller || !r.failure.empty()) return;
-    sense(robot);
-    if (picture) takePicture(robot, renderers_[worker]);
-    r.output.message.reset();
-    r.output.camera.reset();
-    // If one robot's program fails, the others play on, and it stands as it stood.
-    try {
-      r.controller->cycle(r.input, r.output);
-    } catch (const std::exception& error) {
-      r.failure = std::string{"the controller threw: "} + error.what();
-    } catch (...) {
-      r.failure = "the controller threw something";
-    }
-  };
-  pool_.forEach(robots_.size(), work);
+  const bool imageDue = takeImages_ && tick_ % ticksPerImage == 0;
+  pool_.forEach(robots_.size(), [&](std::size_t robot, std::size_t worker) {
+    run(robot, imageDue ? &renderers_[worker] : nullptr);
+  });
   act();
   ++tick_;
 }
 
+void Simulation::run(std::size_t robot, CameraRenderer* renderer) {
+  Hardware& r = robots_[robot];
+  r.input.image = nullptr;
+  r.output.message.reset();
+  r.output.camera.reset();
+  if (!r.controller || !r.failure.empty()) return;
+  sense(robot);
+  if (renderer) takeImage(robot, *renderer);
+  // If one robot's program fails, the others play on, and it stands as it stood.
+  try {
+    r.controller->cycle(r.input, r.output);
+  } catch (const std::exception& error) {
+    r.failure = std::string{"the controller threw: "} + error.what();
+  } catch (...) {
+    r.failure = "the controller threw something";
+  }
+}
+
+void Simulation::lookFromTheCeiling() {
+  if (ceilingCamera_ && ceilingCamera_->look(*world_, ceilingPercept_))
+    ceilingTracker_.update(ceilingPercept_);
+}
+
 void Simulation::sense(std::size_t robot) {
-  SimulatedRobot& r = robots_[robot];
+  Hardware& r = robots_[robot];
   const Stopwatch::Lap lap{r.sensorTime};
   SensorData readings;
   r.sensors.read(*world_, robot, readings);
@@ -160,29 +179,38 @@ void Simulation::sense(std::size_t robot) {
   if (first) r.input.sensors.frames.fill(readings);
   r.input.sensors.push(readings);
   r.input.now = world_->time();
-  r.input.image = nullptr;
   r.input.game = referee_.dataFor(robot);
   radio_.receive(robot, r.input.now, r.input.team);
-  askOracle(*world_, players_, robot, r.input.oracle);
+  const Player& player = players_[robot];
+  const bool measured =
+      ceilingCamera_ && ceilingCamera_->parameters().oracle &&
+      ceilingTracker_.tell(player.teamColor, player.number(), r.input.now, r.input.oracle);
+  if (!measured) askOracle(*world_, players_, robot, r.input.oracle);
 }
 
-void Simulation::takePicture(std::size_t robot, CameraRenderer& renderer) {
-  SimulatedRobot& r = robots_[robot];
+void Simulation::takeImage(std::size_t robot, CameraRenderer& renderer) {
+  Hardware& r = robots_[robot];
   const Stopwatch::Lap lap{r.cameraTime};
+  Image* const place = r.controller->nextImage();
+  Image& image = place ? *place : r.image;
   if (r.cameraOn) {
     const CameraView view =
         leaning(cameraView(*world_, robot, scene_.optics), *world_, robot, scene_.robots[robot]);
-    renderer.render(world_->data(), view, r.camera.at(r.input.now), r.pictureSeeds(), r.image);
-  } else if (r.image.pixels.empty()) {
-    r.image.allocate();
+    renderer.render(world_->data(), view, r.camera.at(r.input.now), r.imageSeeds(), image);
+  } else {
+    if (r.image.pixels.empty()) {
+      r.image.info = scene_.optics;
+      r.image.allocate();
+    }
+    if (place) image = r.image;
   }
-  r.image.time = r.input.now;
-  r.input.image = &r.image;
+  image.time = r.input.now;
+  r.input.image = &image;
 }
 
 void Simulation::act() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    SimulatedRobot& r = robots_[i];
+    Hardware& r = robots_[i];
     if (!r.controller) continue;
     commands_[i].joints = r.output.joints.angles;
     commands_[i].step = r.output.odometry.pose.relativeTo(r.odometry);
@@ -207,7 +235,7 @@ std::uint64_t Simulation::fingerprint() const {
   sum.add(static_cast<double>(referee_.state()));
   sum.add(static_cast<double>(time().ms));
   sum.add(static_cast<double>(radio_.lost()));
-  for (const SimulatedRobot& robot : robots_) {
+  for (const Hardware& robot : robots_) {
     const SensorData& sensors = robot.input.sensors.newest();
     sum.add(sensors.joints.values.data(), enumCount<Joint>);
     sum.add(sensors.acceleration.data(), 3);
@@ -221,7 +249,7 @@ std::uint64_t Simulation::fingerprint() const {
 
 std::vector<const Stopwatch*> Simulation::times() const {
   std::vector<const Stopwatch*> times{&worldTime_};
-  for (const SimulatedRobot& robot : robots_) {
+  for (const Hardware& robot : robots_) {
     times.push_back(&robot.sensorTime);
     times.push_back(&robot.cameraTime);
   }

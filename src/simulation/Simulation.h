@@ -11,6 +11,8 @@
 #include "simulation/camera/CameraRenderer.h"
 #include "simulation/rules/Referee.h"
 #include "simulation/scene/Scene.h"
+#include "simulation/sensors/CeilingCamera.h"
+#include "simulation/sensors/CeilingTracker.h"
 #include "simulation/sensors/FieldSensors.h"
 #include "simulation/sensors/Sensors.h"
 #include "simulation/world/Actuators.h"
@@ -28,6 +30,12 @@ class RobotController {
   /// Runs with the input of this tick. Controllers of different robots run at the same time on
   /// several threads: they share nothing that changes.
   virtual void cycle(const RobotInput& input, RobotOutput& output) = 0;
+
+  /// Where the camera writes the next image, so that nobody has to copy it; null if it does not
+  /// matter where it lies.
+  virtual Image* nextImage() { return nullptr; }
+  /// The image that the robot works on, if `nextImage` is not null.
+  virtual const Image* lastImage() const { return nullptr; }
 };
 
 /// A controller of the scene itself, beside those of the robots: it may move, switch and watch
@@ -45,14 +53,14 @@ class SceneController {
 ///
 /// A tick of 8 ms: (1) the world moves by the commands of the last tick; (2) the referee looks and
 /// acts; (3) for each robot, in parallel: sensors are read, the radio delivers, if a picture is due
-/// it is taken, the controller runs; the world is only read meanwhile, and a
-/// robot touches only what is its own; (4) in the order of the robots, commands and messages are
-/// taken from the outputs. So a command takes effect in the tick after that whose readings it
-/// answers. Pictures are due every fifth tick (40 ms) for all robots at once; each row sees the
-/// world from where the camera was when the row was exposed.
+/// it is taken, the controller runs; the world is only read meanwhile, and a robot touches only
+/// what is its own; (4) in the order of the robots, commands and messages are taken from the
+/// outputs. So a command takes effect in the tick after that whose readings it answers. Images are
+/// due every fifth tick (40 ms) for all robots at once; each row sees the world from where the
+/// camera was when the row was exposed.
 class Simulation {
  public:
-  static constexpr int ticksPerPicture = 5;
+  static constexpr int ticksPerImage = 5;
 
   /// Fails if the scene's models are wrong. `threads` counts the calling thread.
   static Result<std::unique_ptr<Simulation>> make(const SceneDescription& scene, std::uint64_t seed,
@@ -67,20 +75,20 @@ class Simulation {
   }
   /// What a robot's controller threw, after which it was not called again; empty if it did not.
   const std::string& failure(std::size_t robot) const { return robots_[robot].failure; }
-  /// Goes on in the other fidelity: all stands where it stood. Fails if the scene's models cannot
-  /// be read any more.
+  /// Continues in the other fidelity with everything where it is. Fails if the scene's models
+  /// cannot be read any more.
   Result<void> changeFidelity(Fidelity fidelity);
   void changeNoise(const NoiseParameters& noise);
-  /// Sets an active robot's camera in its own way; at the start all are as the scene says.
+  /// Sets the effects of one active robot's camera; at the start all are as the scene says.
   void setCamera(std::size_t robot, const CameraEffects& effects) {
     robots_[robot].camera = effects;
   }
   const CameraEffects& camera(std::size_t robot) const { return robots_[robot].camera; }
-  /// Pictures are taken unless switched off.
-  void takePictures(bool on) { takePictures_ = on; }
-  /// The same for the camera of one active robot (report I.5.3: ci): instead of new pictures it
-  /// gets its last one again and again, so that what works on pictures goes on.
-  void takePictures(std::size_t robot, bool on) { robots_[robot].cameraOn = on; }
+  /// Switches all cameras. They are on at the start.
+  void takeImages(bool on) { takeImages_ = on; }
+  /// Switches the camera of one active robot (report I.5.3: ci). While it is off, the robot gets
+  /// its last image again and again, so that the processes that wait for images still run.
+  void takeImages(std::size_t robot, bool on);
 
   /// One tick.
   void step();
@@ -99,30 +107,41 @@ class Simulation {
   const Radio& radio() const { return radio_; }
   Actuators& actuators() { return actuators_; }
   FieldSensors& fieldSensors() { return fieldSensors_; }
+  /// What a sensor of the field measured last, or measures now if that is costly.
+  const std::vector<double>& readFieldSensor(std::size_t sensor) {
+    return fieldSensors_.read(sensor, *world_, *cameraScene_);
+  }
+  /// What the scene's camera at the ceiling saw in this tick; null if it has none, or saw nothing.
+  const CeilingCameraPercept* ceilingPercept() const {
+    return ceilingCamera_ && ceilingPercept_.time == time() ? &ceilingPercept_ : nullptr;
+  }
+  /// The last of these, also in ticks without a new one.
+  const CeilingCameraPercept& lastCeilingPercept() const { return ceilingPercept_; }
   Sensors& sensors(std::size_t robot) { return robots_[robot].sensors; }
   RobotController* controller(std::size_t robot) { return robots_[robot].controller.get(); }
-  /// What a robot got and gave in the last tick; `image` is its last picture even between pictures.
+  /// What a robot received and returned in the last tick.
   const RobotInput& input(std::size_t robot) const { return robots_[robot].input; }
   const RobotOutput& output(std::size_t robot) const { return robots_[robot].output; }
-  const Image& image(std::size_t robot) const { return robots_[robot].image; }
-  /// A number that follows from the state of world, game and radio and from what the robots sense
-  /// and do: two runs that are the same have the same, others hardly ever.
+  /// A robot's last image, also in ticks without a new one; without pixels before the first.
+  const Image& image(std::size_t robot) const;
+  /// A hash of the state of world, game and radio and of what the robots sense and do. Equal runs
+  /// have equal fingerprints; different ones almost never.
   std::uint64_t fingerprint() const;
   /// The time that the parts of the simulator have taken: the world, and for each robot its sensors
   /// and its camera.
   std::vector<const Stopwatch*> times() const;
 
  private:
-  /// An active robot's own part of the simulation.
-  struct SimulatedRobot {
+  /// An active robot's own part of the simulation: its controller and its simulated hardware.
+  struct Hardware {
     std::unique_ptr<RobotController> controller;
     Sensors sensors;
     bool cameraOn = true;
-    Random pictureSeeds;
+    Random imageSeeds;
     CameraEffects camera;
     RobotInput input;
     RobotOutput output;
-    Image image;
+    Image image;  ///< The last one, unless it lies at the controller.
     Pose2D odometry;
     Stopwatch sensorTime{"sensors"}, cameraTime{"camera"};
     std::string failure{};
@@ -132,8 +151,11 @@ class Simulation {
              std::size_t threads, const FieldDimensions& field);
 
   void prepareCameras();
+  /// Runs a robot for one tick. `renderer` is null if no image is due.
+  void run(std::size_t robot, CameraRenderer* renderer);
   void sense(std::size_t robot);
-  void takePicture(std::size_t robot, CameraRenderer& renderer);
+  void lookFromTheCeiling();
+  void takeImage(std::size_t robot, CameraRenderer& renderer);
   void act();
 
   SceneDescription scene_;
@@ -144,18 +166,21 @@ class Simulation {
   Radio radio_;
   Actuators actuators_;
   FieldSensors fieldSensors_;
+  std::optional<CeilingCamera> ceilingCamera_;
+  CeilingCameraPercept ceilingPercept_;
+  CeilingTracker ceilingTracker_;
   std::vector<std::unique_ptr<SceneController>> sceneControllers_;
   std::unique_ptr<CameraScene> cameraScene_;
   std::vector<CameraRenderer> renderers_;  ///< One for each thread.
-  std::vector<SimulatedRobot> robots_;
+  std::vector<Hardware> robots_;
   std::vector<RobotCommand> commands_;
   std::int64_t tick_ = 0;
-  bool takePictures_ = true;
+  bool takeImages_ = true;
   Stopwatch worldTime_{"world"};
   WorkerPool pool_;
 };
 
-/// From where a picture is taken whose last row is exposed now.
+/// The view of a robot's camera whose last row is exposed now.
 CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& info);
 
 }  // namespace gt

@@ -91,7 +91,7 @@ Outcome play(std::uint64_t seed, std::size_t threads, int ticks) {
   return outcome;
 }
 
-TEST(Simulation, sameSeedSameBitsWithAnyNumberOfThreads) {
+TEST(Simulation, SameSeedSameBitsWithAnyNumberOfThreads) {
   for (const std::uint64_t seed : {7, 8}) {
     const Outcome one = play(seed, 1, 250);
     EXPECT_EQ(one, play(seed, 1, 250));
@@ -101,18 +101,18 @@ TEST(Simulation, sameSeedSameBitsWithAnyNumberOfThreads) {
   }
 }
 
-TEST(Simulation, picturesComeEveryFortyMilliseconds) {
+TEST(Simulation, PicturesComeEveryFortyMilliseconds) {
   const auto match = simulation(noisyMatch(), 1, 2);
   for (int i = 0; i < 50; ++i) match->step();
   EXPECT_EQ(static_cast<Dribbler*>(match->controller(3))->pictures(), 10);
   EXPECT_EQ(match->image(3).time, Time{46 * tickMs});
   EXPECT_EQ(match->image(3).pixels.size(), 176u * 144u);
-  match->takePictures(false);
+  match->takeImages(false);
   for (int i = 0; i < 50; ++i) match->step();
   EXPECT_EQ(static_cast<Dribbler*>(match->controller(3))->pictures(), 10);
 }
 
-TEST(Simulation, aPictureShowsTheBallWhereTheCameraLooks) {
+TEST(Simulation, APictureShowsTheBallWhereTheCameraLooks) {
   SceneDescription scene = duelScene({0, -800, 0}, {0, 0});
   scene.camera = CameraEffects::none();
   auto made = Simulation::make(scene, 1);
@@ -140,7 +140,7 @@ TEST(Simulation, aPictureShowsTheBallWhereTheCameraLooks) {
   }
 }
 
-TEST(Simulation, sensorBufferReachesBackAndTeamMatesAreHeard) {
+TEST(Simulation, SensorBufferReachesBackAndTeamMatesAreHeard) {
   const auto match = simulation(noisyMatch(), 3, 1);
   for (int i = 0; i < 100; ++i) match->step();
   const SensorDataBuffer& buffer = match->input(0).sensors;
@@ -155,14 +155,14 @@ TEST(Simulation, sensorBufferReachesBackAndTeamMatesAreHeard) {
   EXPECT_EQ(match->input(0).team.byPlayer[0].timeReceived, never());
 }
 
-TEST(Simulation, aRobotWithoutControllerStands) {
+TEST(Simulation, ARobotWithoutControllerStands) {
   auto made = Simulation::make(noisyMatch(), 3);
   ASSERT_TRUE(made);
   for (int i = 0; i < 50; ++i) (*made)->step();
   EXPECT_LT(((*made)->world().robot(0).pose.translation - Vector2d{-2000, 0}).norm(), 1);
 }
 
-TEST(Simulation, aControllerThatComesLaterHasAPast) {
+TEST(Simulation, AControllerThatComesLaterHasAPast) {
   auto made = Simulation::make(noisyMatch(), 3);
   ASSERT_TRUE(made);
   for (int i = 0; i < 20; ++i) (*made)->step();
@@ -173,7 +173,7 @@ TEST(Simulation, aControllerThatComesLaterHasAPast) {
   EXPECT_GT(buffer.frames.front().acceleration.z(), 8000);
 }
 
-TEST(Simulation, extrasAreSeenButNotControlled) {
+TEST(Simulation, ExtrasAreSeenButNotControlled) {
   SceneDescription scene = noisyMatch();
   scene.extras.push_back(scene.robots.back());
   scene.extras.back().name = "extra";

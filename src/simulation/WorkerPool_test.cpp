@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-TEST(WorkerPool, everyIndexIsWorkedOnOnce) {
+TEST(WorkerPool, EveryIndexIsWorkedOnOnce) {
   for (const std::size_t threads : {0, 1, 2, 5}) {
     WorkerPool pool{threads};
     for (int job = 0; job < 300; ++job) {
@@ -22,7 +22,7 @@ TEST(WorkerPool, everyIndexIsWorkedOnOnce) {
   }
 }
 
-TEST(WorkerPool, othersHelp) {
+TEST(WorkerPool, OthersHelp) {
   WorkerPool pool{2};
   // Each of two indices waits for the other: one thread alone would never end.
   std::atomic<int> arrived{0};

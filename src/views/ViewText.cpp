@@ -5,12 +5,6 @@
 
 namespace gt {
 
-std::string clockText(Time time) {
-  const std::int64_t seconds = time.ms / 1000;
-  const std::string s = std::to_string(seconds % 60);
-  return std::to_string(seconds / 60) + (s.size() < 2 ? ":0" : ":") + s;
-}
-
 std::string decimal(double value, int digits) {
   char text[48];
   std::snprintf(text, sizeof text, "%.*f", digits, value);

@@ -4,12 +4,11 @@
 #include <vector>
 
 #include "representations/infrastructure/Player.h"
+#include "simulation/rules/GameEvent.h"
 #include "views/View.h"
 
 namespace gt {
 
-/// Minutes and seconds, as in 2:05.
-std::string clockText(Time time);
 /// A number with some digits behind the point.
 std::string decimal(double value, int digits = 1);
 double secondsOf(Time time);

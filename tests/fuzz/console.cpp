@@ -33,7 +33,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     options.scene = "scenes/one-robot.scene";
     auto made = gt::Session::make(options, screen);
     if (!made) std::abort();
-    (*made)->simulation().takePictures(false);
+    (*made)->simulation().takeImages(false);
     return std::move(*made);
   }();
   static gt::Console console{*session};

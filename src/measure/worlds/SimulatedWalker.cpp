@@ -196,7 +196,7 @@ void SimulatedWalker::step(const Pose2D& speed) {
   body_->order(speed);
   placeOthers();
   const Time before = percept.time;
-  for (int i = 0; i < 2 * Simulation::ticksPerPicture && body_->landmarks.time == before; ++i)
+  for (int i = 0; i < 2 * Simulation::ticksPerImage && body_->landmarks.time == before; ++i)
     simulation_->step();
   time = simulation_->time();
   pose = simulation_->world().robot(0).pose;

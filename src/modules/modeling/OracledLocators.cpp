@@ -3,20 +3,20 @@
 #include <algorithm>
 
 #include "modules/modeling/selflocator/FieldEdges.h"
+#include "representations/infrastructure/RobotFootprint.h"
 
 namespace gt {
 namespace {
 
 /// How far it is from a point on the field to the nearest wall or robot, in mm; negative within.
 double clearance(const Vector2d& point, const FieldEdges& edges, const OracledWorldState& oracle) {
-  constexpr double radius = 78;
-  constexpr double middles[] = {62, -55};
   double least = ObstaclesModel::farAway;
   for (const EdgeType type : {EdgeType::border, EdgeType::yellowGoal, EdgeType::skyblueGoal})
     least = std::min(least, (edges.closest(type, point) - point).norm());
   for (const OracledRobot& robot : oracle.others)
-    for (const double middle : middles)
-      least = std::min(least, (robot.pose * Vector2d{middle, 0} - point).norm() - radius);
+    for (const double middle : RobotFootprint::middles)
+      least = std::min(least,
+                       (robot.pose * Vector2d{middle, 0} - point).norm() - RobotFootprint::radius);
   return least;
 }
 

@@ -28,7 +28,7 @@ struct CameraEffects {
   /// A camera without faults.
   static CameraEffects none() { return {false, 0, 0, 1, 0, 0, 0, 0, 0, false, false}; }
 
-  /// Whether colours change at all.
+  /// Whether colors change at all.
   bool colors() const {
     CameraEffects perfect = none();
     perfect.rollingShutter = rollingShutter;
@@ -49,8 +49,8 @@ struct CameraEffects {
         field("vignetting", &CameraEffects::vignetting, "", "part of the light lost in the corners",
               {0, 0.9}),
         field("brightness", &CameraEffects::brightness, "", "factor on all light", {0, 1.9}),
-        field("shiftCb", &CameraEffects::shiftCb, "", "colour cast, added to cb", {-128, 128}),
-        field("shiftCr", &CameraEffects::shiftCr, "", "colour cast, added to cr", {-128, 128}),
+        field("shiftCb", &CameraEffects::shiftCb, "", "color cast, added to cb", {-128, 128}),
+        field("shiftCr", &CameraEffects::shiftCr, "", "color cast, added to cr", {-128, 128}),
         field("noiseY", &CameraEffects::noiseY, "", "standard deviation of a pixel's noise",
               {0, 60}),
         field("noiseCb", &CameraEffects::noiseCb, "", "", {0, 60}),
@@ -68,7 +68,7 @@ struct CameraEffects {
 
 /// The effects with the camera set in another way (report B.4.3). Effects are as they are told with
 /// the settings by default: gain and shutter speed change the light by a stop's half each, gain the
-/// noise, too, shutter speed the exposure; the other white balances shift the colours as in light
+/// noise, too, shutter speed the exposure; the other white balances shift the colors as in light
 /// that they are not made for.
 CameraEffects withSettings(CameraEffects effects, const CameraSettings& settings);
 

@@ -1,6 +1,7 @@
 #include "simulation/camera/CameraRenderer.h"
 
 #include <cmath>
+#include <limits>
 
 #include "simulation/camera/Lighting.h"
 #include "simulation/camera/ShapeDrawer.h"
@@ -28,7 +29,10 @@ void CameraRenderer::render(const mjData& data, const CameraView& view,
       Lighting{scene_->model()}.shade(data, view, effects.rollingShutter, effects.shadows, *scene_,
                                       rasterizer_);
   }
-  if (truth) tell(*truth);
+  if (truth) {
+    readTruth(*truth);
+    if (truth->withDepths) measureDepths(data, view, effects.rollingShutter, truth->depths);
+  }
   if (effects.exposure > 0 && isFinite(view.first) && isFinite(view.last))
     motionBlur_.apply(view, effects.exposure, rasterizer_);
   if (effects.colors())
@@ -54,7 +58,7 @@ void CameraRenderer::drawScene(const mjData& data, int hiddenBody) {
   }
 }
 
-void CameraRenderer::tell(PictureTruth& truth) const {
+void CameraRenderer::readTruth(PictureTruth& truth) const {
   truth.classes.clear();
   truth.geoms.clear();
   for (int y = 0; y < rasterizer_.height(); ++y) {
@@ -63,6 +67,25 @@ void CameraRenderer::tell(PictureTruth& truth) const {
       truth.classes.push_back(static_cast<ColorClass>(colors[x] >> 24));
     const std::int32_t* geoms = rasterizer_.geomRow(y);
     truth.geoms.insert(truth.geoms.end(), geoms, geoms + rasterizer_.width());
+  }
+}
+
+void CameraRenderer::measureDepths(const mjData& data, const CameraView& view, bool rollingShutter,
+                                   std::vector<float>& depths) const {
+  const Lighting rays{scene_->model()};
+  depths.clear();
+  for (int y = 0; y < rasterizer_.height(); ++y) {
+    const double share = rollingShutter ? static_cast<double>(y) / (rasterizer_.height() - 1) : 0.5;
+    const Pose3D pose = interpolated(view.first, view.last, share);
+    const std::int32_t* geoms = rasterizer_.geomRow(y);
+    for (int x = 0; x < rasterizer_.width(); ++x) {
+      const Vector3d ray = view.info.ray(x + 0.5, y + 0.5);  // 1 along the optical axis
+      const RayHit hit = geoms[x] < 0 ? RayHit{}
+                                      : rays.castAt(data, geoms[x], pose.translation / 1000,
+                                                    (pose.rotation * ray).normalized());
+      depths.push_back(hit.geom < 0 ? std::numeric_limits<float>::infinity()
+                                    : static_cast<float>(1000 * hit.distance / ray.norm()));
+    }
   }
 }
 

@@ -16,27 +16,31 @@
 
 namespace gt {
 
-/// What each pixel of a picture really shows, row by row. Provided by the CameraRenderer.
+/// What each pixel of an image really shows, row by row. Provided by the CameraRenderer.
 struct PictureTruth {
   std::vector<ColorClass> classes;
-  std::vector<int> geoms;  ///< MuJoCo's geom, -1 for the background.
+  std::vector<int> geoms;     ///< MuJoCo's geom, -1 for the background.
+  bool withDepths = false;    ///< Whether depths are wanted, which cost a ray each.
+  std::vector<float> depths;  ///< mm along the optical axis; infinite for the background.
 };
 
-/// Takes the pictures of simulated cameras. Each thread needs one of its own, the scene is shared.
-/// From the second picture of a size on, nothing is allocated.
+/// Takes the images of simulated cameras. Each thread needs one of its own, the scene is shared.
+/// From the second image of a size on, nothing is allocated.
 class CameraRenderer {
  public:
   explicit CameraRenderer(const CameraScene& scene) : scene_{&scene} {}
 
-  /// Takes a picture of the world in `data`, which belongs to the scene's model. The same input and
-  /// seed give the same bytes; a seed should be used for one picture only. Sets all of `image` but
-  /// its time.
+  /// Takes an image of the world in `data`, which belongs to the scene's model. The same input and
+  /// seed give the same bytes; a seed should be used for one image only. Writes each pixel of
+  /// `image` once and sets all of it but its time.
   void render(const mjData& data, const CameraView& view, const CameraEffects& effects,
               std::uint64_t seed, Image& image, PictureTruth* truth = nullptr);
 
  private:
   void drawScene(const mjData& data, int hiddenBody);
-  void tell(PictureTruth& truth) const;
+  void readTruth(PictureTruth& truth) const;
+  void measureDepths(const mjData& data, const CameraView& view, bool rollingShutter,
+                     std::vector<float>& depths) const;
 
   const CameraScene* scene_;
   Projection projection_;

@@ -38,6 +38,37 @@ Blob blobOf(const PictureTruth& truth, const CameraInfo& info, int geom) {
   return blob;
 }
 
+TEST(CameraRenderer, DepthsAreMeasuredAlongTheOpticalAxis) {
+  TestWorld world = TestWorld::fromBodies(
+      floorText +
+      R"(<body pos="1 0 0.25"><geom name="wall" type="box" size="0.01 0.2 0.1"/></body>)");
+  const CameraView view = viewFrom({0, 0, 250}, 0, 0, 0);
+  PictureTruth truth;
+  truth.withDepths = true;
+  world.picture(view, CameraEffects::none(), &truth);
+  ASSERT_EQ(truth.depths.size(), truth.geoms.size());
+  int onWall = 0, onFloor = 0, behind = 0;
+  for (int y = 0; y < view.info.height; ++y)
+    for (int x = 0; x < view.info.width; ++x) {
+      const auto i = static_cast<std::size_t>(y * view.info.width + x);
+      const double down = (y + 0.5 - view.info.centerY) / view.info.focalY;
+      if (truth.geoms[i] == world.geom("wall")) {
+        ++onWall;
+        EXPECT_NEAR(truth.depths[i], 990, 0.1)
+            << "the same all over the wall, as it faces the camera";
+      } else if (truth.geoms[i] < 0) {
+        ++behind;
+        EXPECT_TRUE(std::isinf(truth.depths[i]));
+      } else if (down > 0.1) {
+        ++onFloor;
+        EXPECT_NEAR(truth.depths[i], 250 / down, 0.02 * 250 / down);
+      }
+    }
+  EXPECT_GT(onWall, 500);
+  EXPECT_GT(onFloor, 500);
+  EXPECT_GT(behind, 500);
+}
+
 TEST(CameraRenderer, TheBallsOutlineIsThatOfASphere) {
   TestWorld world = TestWorld::fromBodies(
       floorText + R"(<body name="ball"><freejoint/><geom name="ball" size="0.043"/></body>)");
@@ -55,7 +86,7 @@ TEST(CameraRenderer, TheBallsOutlineIsThatOfASphere) {
     PictureTruth truth;
     world.picture(view, CameraEffects::none(), &truth);
 
-    // A ray meets the sphere if its angle to the centre is small enough.
+    // A ray meets the sphere if its angle to the center is small enough.
     const Vector3d center =
         view.last.inverse() * Vector3d{1000 * Eigen::Map<Vector3d>{world.data().qpos}};
     const double distance2 = center.squaredNorm();
@@ -274,7 +305,7 @@ TEST_P(AgreesWithMuJoCosRays, ForEveryPixel) {
         const Vector3d ray = pose.rotation * view.info.ray(x + 0.5, y + 0.5).normalized();
         int geom = -1;
         mj_ray(&world.model(), &world.data(), from.data(), ray.data(), nullptr, 1, -1, &geom);
-        // Along edges a neighbour may be meant.
+        // Along edges a neighbor may be meant.
         bool seen = false, same = false;
         for (int dy = -1; dy <= 1; ++dy)
           for (int dx = -1; dx <= 1; ++dx) {

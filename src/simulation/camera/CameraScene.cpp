@@ -52,6 +52,10 @@ std::optional<CameraForm> formOf(const mjModel& model, int geom) {
   }
 }
 
+double detailOf(const mjModel& model, int geom) {
+  return model.nuser_geom > 0 ? model.geom_user[model.nuser_geom * geom] : 0;
+}
+
 bool standsStill(const mjModel& model, int body) {
   return model.body_weldid[body] == 0;
 }
@@ -111,12 +115,13 @@ ColorClass classOfRgb(const Eigen::Vector3f& rgb) {
   return hue < 280 ? ColorClass::blue : ColorClass::pink;
 }
 
-CameraScene::CameraScene(const mjModel& model, const Eigen::Vector3f& backgroundRgb)
+CameraScene::CameraScene(const mjModel& model, const Eigen::Vector3f& backgroundRgb, int detail)
     : model_(&model),
       classes_(static_cast<std::size_t>(model.ngeom), ColorClass::noColor),
       background_(packColor(backgroundRgb, ColorClass::noColor)) {
   for (int geom = 0; geom < model.ngeom; ++geom)
-    if (model.geom_group[geom] != hiddenGroup && rgbaOf(model, geom)[3] >= 0.5f)
+    if (model.geom_group[geom] != hiddenGroup && rgbaOf(model, geom)[3] >= 0.5f &&
+        detailOf(model, geom) <= detail)
       addShape(model, geom);
   std::stable_sort(shapes_.begin(), shapes_.end(), [&](const auto& a, const auto& b) {
     return orderOf(model, a) < orderOf(model, b);

@@ -10,23 +10,23 @@
 
 namespace gt {
 
-/// A colour as the camera measures it, y in the lowest byte, then cb, cr and the colour class.
+/// A color as the camera measures it, y in the lowest byte, then cb, cr and the color class.
 using PackedColor = std::uint32_t;
 
-/// Full range YCbCr (JPEG) of a colour, red, green and blue in 0..1.
+/// Full range YCbCr (JPEG) of a color, red, green and blue in 0..1.
 PackedColor packColor(const Eigen::Vector3f& rgb, ColorClass colorClass);
 
-/// The colour class that a person would give a colour, red, green and blue in 0..1.
+/// The color class that a person would give a color, red, green and blue in 0..1.
 ColorClass classOfRgb(const Eigen::Vector3f& rgb);
 
 /// How far any point of a geom can get from the origin of the body at the root of its chain, in
-/// metres, whatever the joints between do; infinite for planes and where something slides.
+/// meters, whatever the joints between do; infinite for planes and where something slides.
 double reachFromRoot(const mjModel& model, int geom);
 
 /// The forms that the cameras draw; a sphere is an ellipsoid.
 enum class CameraForm : std::uint8_t { plane, box, ellipsoid, cylinder, capsule, mesh };
 
-/// What the cameras need to know of one MuJoCo geom beside its pose. Metres.
+/// What the cameras need to know of one MuJoCo geom beside its pose. Meters.
 struct CameraShape {
   static constexpr int shadeCount = 32;
 
@@ -50,9 +50,12 @@ struct CameraCluster {
 /// The immutable part of what the cameras see, prepared from a MuJoCo model and shared by all
 /// robots and threads. Provided by the simulator, used by the CameraRenderer.
 ///
-/// A geom's colour class is the part of its material's name up to the first dot (behind the last
-/// slash), otherwise it is guessed from its colour. Geoms of group 1 are decals, those of group 5
-/// and transparent ones are not seen. The model must live on.
+/// A geom's color class is the part of its material's name up to the first dot (behind the last
+/// slash), otherwise it is guessed from its color. Geoms of group 1 are decals, those of group 5
+/// and transparent ones are not seen. The model must outlive the scene.
+///
+/// A geom's detail level is the first number of its `user` in MJCF, 0 without one (report 5.1.2):
+/// views leave out what is above their own level, 0 to 10; robots' cameras see all.
 class CameraScene {
  public:
   struct Face {
@@ -60,8 +63,11 @@ class CameraScene {
     Eigen::Vector3f normal;
   };
 
+  static constexpr int mostDetail = 10;
+
   explicit CameraScene(const mjModel& model,
-                       const Eigen::Vector3f& backgroundRgb = {0.46f, 0.43f, 0.41f});
+                       const Eigen::Vector3f& backgroundRgb = {0.46f, 0.43f, 0.41f},
+                       int detail = mostDetail);
 
   const std::vector<CameraShape>& shapes() const { return shapes_; }
   const std::vector<CameraCluster>& clusters() const { return clusters_; }

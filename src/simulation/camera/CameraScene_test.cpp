@@ -7,6 +7,20 @@
 namespace gt {
 namespace {
 
+/// Report 5.1.2: parts of the scene can be hidden.
+TEST(CameraScene, ViewsLeaveOutWhatIsAboveTheirDetailLevel) {
+  TestWorld world = TestWorld::fromBodies(
+      R"(<geom name="house" size="1"/><geom name="door" size="0.2" user="3"/>
+         <geom name="handle" size="0.01" user="7"/>)");
+  const auto shapes = [&](int detail) {
+    return CameraScene{world.model(), {0.5f, 0.5f, 0.5f}, detail}.shapes().size();
+  };
+  EXPECT_EQ(shapes(0), 1u);
+  EXPECT_EQ(shapes(3), 2u);
+  EXPECT_EQ(shapes(6), 2u);
+  EXPECT_EQ(shapes(CameraScene::mostDetail), 3u);
+}
+
 TEST(CameraScene, ColorsHaveTheClassesThatPeopleGiveThem) {
   EXPECT_EQ(classOfRgb({1, 0.5f, 0}), ColorClass::orange);
   EXPECT_EQ(classOfRgb({0.98f, 0.36f, 0.03f}), ColorClass::orange);

@@ -4,7 +4,14 @@
 
 namespace gt {
 
-/// From where a picture is taken. Provided by the simulated robot.
+/// A pose on the way from one to another: `share` 0 is the first, 1 the second.
+inline Pose3D interpolated(const Pose3D& a, const Pose3D& b, double share) {
+  const Eigen::Quaterniond rotation =
+      Eigen::Quaterniond{a.rotation}.slerp(share, Eigen::Quaterniond{b.rotation});
+  return {rotation.toRotationMatrix(), (1 - share) * a.translation + share * b.translation};
+}
+
+/// The pose and optics with which an image is taken. Provided by the simulation.
 struct CameraView {
   CameraInfo info;
   Pose3D first;         ///< On the field when row 0 is exposed, mm, x along the optical axis.

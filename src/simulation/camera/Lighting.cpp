@@ -69,12 +69,6 @@ double distanceTo(const mjModel& model, const mjData& data, int geom, const Vect
                      model.geom_type[geom]);
 }
 
-Pose3D between(const Pose3D& a, const Pose3D& b, double share) {
-  const Eigen::Quaterniond rotation =
-      Eigen::Quaterniond{a.rotation}.slerp(share, Eigen::Quaterniond{b.rotation});
-  return {rotation.toRotationMatrix(), (1 - share) * a.translation + share * b.translation};
-}
-
 }  // namespace
 
 RayHit Lighting::castAt(const mjData& data, int geom, const Vector3d& from,
@@ -166,7 +160,7 @@ void Lighting::shade(const mjData& data, const CameraView& view, bool rollingShu
                      const CameraScene& scene, Rasterizer& picture) const {
   for (int y = 0; y < picture.height(); ++y) {
     const double share = rollingShutter ? static_cast<double>(y) / (picture.height() - 1) : 0.5;
-    const Pose3D pose = between(view.first, view.last, share);
+    const Pose3D pose = interpolated(view.first, view.last, share);
     const Vector3d from = pose.translation / 1000;
     const std::int32_t* geoms = picture.geomRow(y);
     PackedColor* colors = picture.row(y);
@@ -174,7 +168,7 @@ void Lighting::shade(const mjData& data, const CameraView& view, bool rollingShu
       if (geoms[x] < 0) continue;
       const Vector3d ray = (pose.rotation * view.info.ray(x + 0.5, y + 0.5)).normalized();
       const RayHit hit = castAt(data, geoms[x], from, ray);
-      // At an edge the ray may pass by what the pixel shows: it keeps its flat colour.
+      // At an edge the ray may pass by what the pixel shows: it keeps its flat color.
       if (hit.geom >= 0) colors[x] = color(data, hit, scene.classOf(hit.geom), shadows);
     }
   }

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// What a ray meets first. Metres.
+/// What a ray meets first. Meters.
 struct RayHit {
   int geom = -1;  ///< -1: nothing.
   Vector3d point = Vector3d::Zero();
@@ -31,7 +31,7 @@ class Lighting {
   /// Where a ray meets one geom.
   RayHit castAt(const mjData& data, int geom, const Vector3d& from,
                 const Vector3d& direction) const;
-  /// The colour of a lit surface; with shadows, only by emitters that nothing hides.
+  /// The color of a lit surface; with shadows, only by emitters that nothing hides.
   PackedColor color(const mjData& data, const RayHit& hit, ColorClass colorClass,
                     bool shadows) const;
 
@@ -47,7 +47,7 @@ class Lighting {
   const mjModel* model_;
 };
 
-/// A camera with a spherical geometry (report 5.1.1): the angles between all neighbouring pixels
+/// A camera with a spherical geometry (report 5.1.1): the angles between all neighboring pixels
 /// are the same. Its picture is lit like those of other cameras with per-pixel shading.
 struct Facette {
   int columns = 64, rows = 32;

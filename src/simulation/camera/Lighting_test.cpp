@@ -25,7 +25,7 @@ int brightness(const TestWorld& world, const Lighting& lighting, const mjData& d
   return static_cast<int>(lighting.color(data, hit, ColorClass::gray, shadows) & 0xff);
 }
 
-TEST(Lighting, raysMeetTheNearestSurface) {
+TEST(Lighting, RaysMeetTheNearestSurface) {
   auto world = litBy("");
   const Lighting lighting{world.model()};
   const RayHit hit = lighting.cast(world.data(), {0, 0, 0.3}, {1, 0, 0}, -1);
@@ -35,7 +35,7 @@ TEST(Lighting, raysMeetTheNearestSurface) {
   EXPECT_EQ(lighting.cast(world.data(), {0, 0, 0.3}, {0, 0, 1}, -1).geom, -1);
 }
 
-TEST(Lighting, normalsPointOutOfEveryForm) {
+TEST(Lighting, NormalsPointOutOfEveryForm) {
   auto world = TestWorld::fromBodies(R"(
     <geom name="box" type="box" size="0.1 0.2 0.3" pos="0 0 1"/>
     <geom name="cylinder" type="cylinder" size="0.1 0.2" pos="0 2 1"/>
@@ -53,14 +53,14 @@ TEST(Lighting, normalsPointOutOfEveryForm) {
   }
 }
 
-TEST(Lighting, ambientRadiationReachesAll) {
+TEST(Lighting, AmbientRadiationReachesAll) {
   auto world = litBy("");
   const Lighting lighting{world.model()};
   EXPECT_NEAR(brightness(world, lighting, world.data(), {1, 0, 0}), 0.2 * 0.5 * 255, 1);
   EXPECT_NEAR(brightness(world, lighting, world.data(), {-2, 1, 0}), 0.2 * 0.5 * 255, 1);
 }
 
-TEST(Lighting, radialEmittersFadeWithTheAngleAndTheDistance) {
+TEST(Lighting, RadialEmittersFadeWithTheAngleAndTheDistance) {
   auto world = litBy(R"(<light pos="0 0 1" dir="0 0 -1" cutoff="180" attenuation="0 0 1"
                                 diffuse="0.8 0.8 0.8"/>)");
   const Lighting lighting{world.model()};
@@ -72,7 +72,7 @@ TEST(Lighting, radialEmittersFadeWithTheAngleAndTheDistance) {
   }
 }
 
-TEST(Lighting, spotEmittersHaveACone) {
+TEST(Lighting, SpotEmittersHaveACone) {
   auto world = litBy(R"(<light pos="0 0 1" dir="0 0 -1" cutoff="30" exponent="2"
                                 diffuse="0.8 0.8 0.8" attenuation="1 0 0"/>)");
   const Lighting lighting{world.model()};
@@ -83,7 +83,7 @@ TEST(Lighting, spotEmittersHaveACone) {
               1);
 }
 
-TEST(Lighting, shadowsLieBehindThings) {
+TEST(Lighting, ShadowsLieBehindThings) {
   auto world = litBy(R"(<light pos="1 0 2" dir="0 0 -1" directional="true"
                                 diffuse="0.6 0.6 0.6"/>)");
   const Lighting lighting{world.model()};
@@ -92,7 +92,7 @@ TEST(Lighting, shadowsLieBehindThings) {
   EXPECT_NEAR(brightness(world, lighting, world.data(), {1.12, 0, 0}), 102, 1);
 }
 
-TEST(Lighting, picturesAreShadedPixelByPixel) {
+TEST(Lighting, PicturesAreShadedPixelByPixel) {
   auto world = litBy(R"(<light pos="1 0 2" dir="0 0 -1" directional="true"
                                 diffuse="0.6 0.6 0.6"/>)");
   CameraEffects effects = CameraEffects::none();
@@ -113,7 +113,7 @@ TEST(Lighting, picturesAreShadedPixelByPixel) {
   EXPECT_NE(flat.at(20, 140).y, image.at(20, 140).y);
 }
 
-TEST(Facette, allAnglesBetweenPixelsAreTheSame) {
+TEST(Facette, AllAnglesBetweenPixelsAreTheSame) {
   auto world = litBy("");
   const Lighting lighting{world.model()};
   Facette facette{360, 180, 2 * pi, pi};

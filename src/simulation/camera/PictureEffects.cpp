@@ -60,7 +60,7 @@ double lost(const CameraEffects& effects, int i, int count) {
   return effects.vignetting / 2 * place * place;
 }
 
-/// Mixes values with their neighbours on both sides; the neighbours' weight is in eighths. Built
+/// Mixes values with their neighbors on both sides; the neighbors' weight is in eighths. Built
 /// from averages of two, which processors have instructions for.
 struct Mix {
   const std::uint8_t *before, *middle, *after;
@@ -83,7 +83,7 @@ struct Mix {
   }
 };
 
-/// Changes the light of a row's values and adds what noise and colour cast add.
+/// Changes the light of a row's values and adds what noise and color cast add.
 struct Shade {
   const std::uint8_t* in;
   const std::int16_t *offset, *gain, *added;

@@ -73,7 +73,7 @@ TEST_F(PictureEffectsTest, NoiseHasTheDeviationAskedFor) {
     EXPECT_NEAR(y.deviation, std::sqrt(25 + 1.0 / 12), 0.15);
     EXPECT_NEAR(cb.deviation, std::sqrt(4 + 1.0 / 12), 0.08);
     EXPECT_NEAR(cr.deviation, std::sqrt(1 + 1.0 / 12), 0.05);
-    // Neighbours, across, along and in the next channel, have nothing to do with each other.
+    // Neighbors, across, along and in the next channel, have nothing to do with each other.
     double across = 0, along = 0, channels = 0;
     const int width = image.info.width, height = image.info.height;
     for (int row = 1; row < height; ++row)

@@ -20,13 +20,13 @@ double widestFactor(const CameraInfo& info) {
 }  // namespace
 
 void Projection::set(const CameraView& view, bool rollingShutter) {
-  constexpr double metres = 0.001;
+  constexpr double meters = 0.001;
   const CameraInfo& info = view.info;
   const Eigen::AngleAxisd turn{view.first.rotation.transpose() * view.last.rotation};
   const Matrix3d middle =
       view.first.rotation * Eigen::AngleAxisd{turn.angle() / 2, turn.axis()}.toRotationMatrix();
   rotation_ = middle.transpose().cast<float>();
-  position_ = (metres * (view.first.translation + view.last.translation) / 2).cast<float>();
+  position_ = (meters * (view.first.translation + view.last.translation) / 2).cast<float>();
   focalX_ = static_cast<float>(info.focalX);
   focalY_ = static_cast<float>(info.focalY);
   centerX_ = static_cast<float>(info.centerX);
@@ -38,7 +38,7 @@ void Projection::set(const CameraView& view, bool rollingShutter) {
   if (rows) {
     // The axis is the same before and after turning about it.
     turning_ = (turn.angle() * turn.axis()).cast<float>();
-    moving_ = (metres * (middle.transpose() * (view.last.translation - view.first.translation)))
+    moving_ = (meters * (middle.transpose() * (view.last.translation - view.first.translation)))
                   .cast<float>();
   }
   moves_ = turning_.norm() > 1e-4f || moving_.norm() > 1e-5f;
@@ -129,7 +129,7 @@ int Projection::clip(Eigen::Vector3f* points, int count) const {
       const float a = distance[static_cast<std::size_t>(i)];
       const float b = distance[static_cast<std::size_t>(j)];
       if (a >= 0) buffer[static_cast<std::size_t>(kept++)] = points[i];
-      // From the inner to the outer end, so that neighbours are cut at the same point.
+      // From the inner to the outer end, so that neighbors are cut at the same point.
       if ((a >= 0) != (b >= 0))
         buffer[static_cast<std::size_t>(kept++)] =
             a >= 0 ? Eigen::Vector3f{points[i] + a / (a - b) * (points[j] - points[i])}

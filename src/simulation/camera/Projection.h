@@ -25,9 +25,9 @@ struct ScreenPlane {
 };
 
 /// Maps points in space to the picture, for a camera that moves while its rows are exposed one
-/// after another. Metres; the camera's system is that of the moment halfway through the exposure.
+/// after another. Meters; the camera's system is that of the moment halfway through the exposure.
 ///
-/// In the picture, the centre of pixel (x, y) is at (x + 0.5, y + 0.5).
+/// In the picture, the center of pixel (x, y) is at (x + 0.5, y + 0.5).
 class Projection {
  public:
   enum class Visibility { hidden, partly, whole };
@@ -39,12 +39,12 @@ class Projection {
     return rotation_ * (point - position_);
   }
   const Eigen::Matrix3f& rotation() const { return rotation_; }
-  /// Pixels per radian in the picture's centre.
+  /// Pixels per radian in the picture's center.
   float focal() const { return focalX_; }
   /// Whether straight edges are bent, by the camera's motion or by its lens.
   bool bends() const { return moves_ || distorts_; }
 
-  /// How much can be seen of a sphere, its centre in the camera's system.
+  /// How much can be seen of a sphere, its center in the camera's system.
   Visibility visibility(const Eigen::Vector3f& center, float radius) const;
 
   /// Where a point in the camera's system, ahead of it, appears: the moment is sought at which the

@@ -33,7 +33,7 @@ int ceiling(float v) {
   const int i = static_cast<int>(v);
   return i + (v > static_cast<float>(i));
 }
-/// The first pixel (row) whose centre does not lie before a place.
+/// The first pixel (row) whose center does not lie before a place.
 int pixelFrom(float v) {
   return ceiling(v - 0.5f);
 }
@@ -80,7 +80,7 @@ void Rasterizer::fill(const ScreenPoint* points, int count, const ScreenPlane& p
 void Rasterizer::addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first,
                          int end) {
   const bool down = a.y < b.y;
-  // Always from above, so that neighbours agree on the points of their common edge.
+  // Always from above, so that neighbors agree on the points of their common edge.
   const ScreenPoint& upper = down ? a : b;
   const ScreenPoint& lower = down ? b : a;
   const int from = std::max(first, pixelFrom(upper.y)), to = std::min(end, pixelFrom(lower.y));

@@ -7,8 +7,8 @@
 
 namespace gt {
 
-/// Fills convex polygons of one colour into a picture with a depth for each pixel. A pixel belongs
-/// to a polygon if its centre lies inside; neighbours that share an edge share no pixel and leave
+/// Fills convex polygons of one color into a picture with a depth for each pixel. A pixel belongs
+/// to a polygon if its center lies inside; neighbors that share an edge share no pixel and leave
 /// none out.
 class Rasterizer {
  public:

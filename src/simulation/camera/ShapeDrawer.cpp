@@ -170,7 +170,7 @@ void ShapeDrawer::lid(float radius, float height) {
 
 void ShapeDrawer::ellipsoid(const Vector& radii, float offset) {
   // Where the ellipsoid is a unit sphere, the camera sees it up to a circle across the line to the
-  // centre; cut into strips by height, for the shade.
+  // center; cut into strips by height, for the shade.
   const Vector eye = (eye_ - Vector{0, 0, offset}).cwiseQuotient(radii);
   const float square = eye.squaredNorm();
   if (square < 1.001f) return;

@@ -73,7 +73,7 @@ inline CameraView viewFrom(const Vector3d& position, double pan = 0, double tilt
   return view;
 }
 
-/// The camera's pose when a row is exposed (a real number: the row's centre is 0.5 behind its
+/// The camera's pose when a row is exposed (a real number: the row's center is 0.5 behind its
 /// number), computed in another way than the renderer does.
 inline Pose3D poseAtRow(const CameraView& view, double row) {
   const double s = (row - 0.5) / (view.info.height - 1);

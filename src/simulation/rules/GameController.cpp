@@ -17,8 +17,8 @@ struct Format {
   int wideVersion;      ///< Bytes of the version.
   int skipped;          ///< Bytes up to the state: packet number, players per team, ...
   bool stopFlag;        ///< The last but one of them tells that the game is stopped.
-  bool kickerByNumber;  ///< The team that kicks off is told by its number, not by its colour.
-  int teamSkipped;      ///< Bytes between a team's colour and its score.
+  bool kickerByNumber;  ///< The team that kicks off is told by its number, not by its color.
+  int teamSkipped;      ///< Bytes between a team's color and its score.
   int afterScore;       ///< Bytes between the score and the players.
   int players, playerSize;
 };

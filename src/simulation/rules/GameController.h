@@ -33,7 +33,7 @@ struct GameControllerMessage {
   EnumArray<TeamColor, Team> teams;
 };
 
-/// Reads a message. Teams are told apart by their colour, or if that is neither red nor blue, by
+/// Reads a message. Teams are told apart by their color, or if that is neither red nor blue, by
 /// their place: blue is the first. Penalties that 2003 did not know become those nearest to them;
 /// whoever is taken off for a reason of its own requests for pick-up. Fails if the bytes are no
 /// such message.

@@ -65,7 +65,7 @@ std::vector<std::byte> message(int version) {
   }
 }
 
-TEST(GameController, allVersionsSayTheSame) {
+TEST(GameController, AllVersionsSayTheSame) {
   for (const int version : {4, 7, 12, 14, 15, 16, 17, 18, 19, 20}) {
     const auto read = parseGameController(message(version));
     ASSERT_TRUE(read) << version << ": " << read.error().text();
@@ -82,10 +82,10 @@ TEST(GameController, allVersionsSayTheSame) {
   }
 }
 
-TEST(GameController, teamsAreToldApartByColour) {
+TEST(GameController, TeamsAreToldApartByColour) {
   auto bytes = message(15);
   bytes[19] = std::byte{8};  // brown, first
-  bytes[69] = std::byte{9};  // grey, second
+  bytes[69] = std::byte{9};  // gray, second
   auto read = parseGameController(bytes);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->teams[TeamColor::blue].number, 5);
@@ -96,7 +96,7 @@ TEST(GameController, teamsAreToldApartByColour) {
   EXPECT_FALSE(parseGameController(bytes)->kickOff);
 }
 
-TEST(GameController, aStoppedGameStands) {
+TEST(GameController, AStoppedGameStands) {
   for (const int version : {19, 20}) {
     auto bytes = message(version);
     bytes[8] = std::byte{1};
@@ -104,7 +104,7 @@ TEST(GameController, aStoppedGameStands) {
   }
 }
 
-TEST(GameController, whatIsNoMessageIsRefused) {
+TEST(GameController, WhatIsNoMessageIsRefused) {
   const auto good = message(12);
   for (std::size_t size = 0; size < good.size(); ++size)
     EXPECT_FALSE(parseGameController(std::span{good}.first(size)));
@@ -117,7 +117,7 @@ TEST(GameController, whatIsNoMessageIsRefused) {
   EXPECT_NE(error.error().text().find("53 bytes instead of 54"), std::string::npos);
 }
 
-TEST(GameController, answersAreWhatEachVersionHears) {
+TEST(GameController, AnswersAreWhatEachVersionHears) {
   const GameControllerAnswer answer{7, 3, true, {0.5, 100, -200}, 2.5, {10, 20}};
   EXPECT_TRUE(answerBytes(answer, 4).empty());
   EXPECT_EQ(answerBytes(answer, 7), Bytes{}.text("RGrt").n(4, {1}).n(2, {7, 3}).n(4, {2}).bytes());

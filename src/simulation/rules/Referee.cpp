@@ -66,6 +66,10 @@ void Referee::changeState(GameState state, Time now) {
   tellRobots(now);
 }
 
+void Referee::order(GameState state, World& world) {
+  state == GameState::ready ? beginReady(world) : changeState(state, world.time());
+}
+
 void Referee::setScore(TeamColor team, int goals, Time now) {
   score_[team] = goals;
   tellRobots(now);
@@ -118,7 +122,7 @@ void Referee::update(World& world) {
 
 void Referee::beginReady(World& world) {
   for (std::size_t i = 0; i < world.activeRobots(); ++i)
-    if (away_[i]) giveBack(world, i);
+    if (away_[i] || penalties_[i] != Penalty::none) giveBack(world, i);
   changeState(GameState::ready, world.time());
 }
 

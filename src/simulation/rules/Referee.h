@@ -9,54 +9,11 @@
 #include "representations/infrastructure/Player.h"
 #include "simulation/rules/Fouls.h"
 #include "simulation/rules/GameController.h"
+#include "simulation/rules/GameEvent.h"
 #include "simulation/rules/ShootOut.h"
 #include "simulation/world/World.h"
 
 namespace gt {
-
-enum class GameEventType {
-  kickOff,
-  goal,
-  halfTime,
-  stuckBall,
-  ballOut,
-  placedRobot,
-  penalty,
-  returnedRobot,
-  shotGoal,
-  shotMissed,
-  gameOver
-};
-
-/// Something that the referee saw or did.
-struct GameEvent {
-  GameEventType type = GameEventType::kickOff;
-  Time time;
-  TeamColor team = TeamColor::red;
-  int number = 0;
-  bool ownGoal = false;
-  Penalty penalty = Penalty::none;
-  Vector2d ballPosition = Vector2d::Zero();
-  int scoreRed = 0;
-  int scoreBlue = 0;
-
-  static constexpr auto fields() {
-    return Fields{
-        field("type", &GameEvent::type),
-        field("time", &GameEvent::time, "ms"),
-        field("team", &GameEvent::team, "",
-              "that kicks off, scores or shoots, or whose robot was put by hand"),
-        field(
-            "number", &GameEvent::number, "",
-            "goal: the player that touched the ball last, of the other team if it is an own goal; "
-            "otherwise the player concerned; 0 nobody"),
-        field("ownGoal", &GameEvent::ownGoal),
-        field("penalty", &GameEvent::penalty, "", "of a robot that is taken off the field"),
-        field("ballPosition", &GameEvent::ballPosition, "mm", "on the field"),
-        field("scoreRed", &GameEvent::scoreRed, "", "shots: of the shoot-out"),
-        field("scoreBlue", &GameEvent::scoreBlue)};
-  }
-};
 
 /// Leads the game by the rules of 2003 (facts, 2.2): initial, ready, set, playing; goals,
 /// kick-offs, halves, balls that are stuck, penalties, and the penalty shoot-out. The clock runs
@@ -97,8 +54,8 @@ class Referee {
   void change(const GameParameters& parameters) { parameters_ = parameters; }
   void change(const RuleParameters& rules) { fouls_.change(rules); }
 
-  /// A person's decisions.
-  void changeState(GameState state, Time now);
+  /// A person's decisions. In ready all penalties are lifted (report J.2.6).
+  void order(GameState state, World& world);
   void setKickOff(TeamColor team) { kickOff_ = team; }
   void setScore(TeamColor team, int goals, Time now);
   /// Tells a robot of a penalty, or of its end, and leaves it where it is.
@@ -112,6 +69,7 @@ class Referee {
  private:
   static constexpr std::size_t nobody = ~std::size_t{0};
 
+  void changeState(GameState state, Time now);
   void beginReady(World& world);
   void updateReady(World& world);
   void updatePlaying(World& world);

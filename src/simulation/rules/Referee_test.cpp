@@ -46,7 +46,7 @@ class RefereeMatch : public testing::Test {
   std::vector<RobotCommand> commands_;
 };
 
-TEST_F(RefereeMatch, initialReadySetPlaying) {
+TEST_F(RefereeMatch, InitialReadySetPlaying) {
   EXPECT_EQ(referee_->dataFor(0).state, GameState::initial);
   ASSERT_TRUE(until(GameState::ready, 2));
   EXPECT_EQ(referee_->dataFor(0).state, GameState::ready);
@@ -63,7 +63,23 @@ TEST_F(RefereeMatch, initialReadySetPlaying) {
   EXPECT_EQ(world_->ball(0).position, Vector2d(0, 0));
 }
 
-TEST_F(RefereeMatch, badlyPlacedRobotsArePutByHand) {
+/// Report J.2.6: in the ready state all penalties are reset.
+TEST_F(RefereeMatch, ReadyLiftsAllPenalties) {
+  referee_->order(GameState::playing, *world_);
+  referee_->penalize(*world_, 1, Penalty::ballHolding);
+  referee_->setPenalty(6, Penalty::obstruction, world_->time());
+  tick();
+  EXPECT_EQ(referee_->dataFor(1).state, GameState::penalized);
+  EXPECT_EQ(referee_->dataFor(6).state, GameState::penalized);
+  referee_->order(GameState::ready, *world_);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(referee_->dataFor(i).state, GameState::ready) << i;
+    EXPECT_EQ(referee_->dataFor(i).penalty, Penalty::none) << i;
+  }
+  EXPECT_LT(std::abs(world_->robot(1).pose.translation.y()), 1350) << "it is back on the field";
+}
+
+TEST_F(RefereeMatch, BadlyPlacedRobotsArePutByHand) {
   ASSERT_TRUE(until(GameState::ready, 2));
   world_->placeRobot(1, {0, 900, 300});     // red in the other half
   world_->placeRobot(7, {pi, 200, 0});      // blue in the circle, though red kicks off
@@ -84,7 +100,7 @@ TEST_F(RefereeMatch, badlyPlacedRobotsArePutByHand) {
                 150);
 }
 
-TEST_F(RefereeMatch, goalsCountForWhoScoresAndTheOtherTeamKicksOff) {
+TEST_F(RefereeMatch, GoalsCountForWhoScoresAndTheOtherTeamKicksOff) {
   ASSERT_TRUE(until(GameState::playing, 30));
   world_->placeRobot(4, {pi, 1500, 900});  // the blue goalie is away
   tick();
@@ -102,7 +118,7 @@ TEST_F(RefereeMatch, goalsCountForWhoScoresAndTheOtherTeamKicksOff) {
   EXPECT_GT(goal.ballPosition.x(), 2143);
 }
 
-TEST_F(RefereeMatch, aBallOnTheLineIsNoGoal) {
+TEST_F(RefereeMatch, ABallOnTheLineIsNoGoal) {
   ASSERT_TRUE(until(GameState::playing, 30));
   world_->placeRobot(4, {pi, 1500, 900});
   world_->placeBall(0, {2140, 0});
@@ -113,7 +129,7 @@ TEST_F(RefereeMatch, aBallOnTheLineIsNoGoal) {
   EXPECT_EQ(referee_->score(TeamColor::red), 1);
 }
 
-TEST_F(RefereeMatch, ownGoalsAreTold) {
+TEST_F(RefereeMatch, OwnGoalsAreTold) {
   ASSERT_TRUE(until(GameState::playing, 30));
   world_->placeRobot(0, {-pi, -1700, 0});  // the red goalie walks to its own goal
   world_->placeBall(0, {-1900, 0});
@@ -128,7 +144,7 @@ TEST_F(RefereeMatch, ownGoalsAreTold) {
   EXPECT_EQ(goal.scoreBlue, 1);
 }
 
-TEST_F(RefereeMatch, aDeflectedShotIsNoOwnGoal) {
+TEST_F(RefereeMatch, ADeflectedShotIsNoOwnGoal) {
   ASSERT_TRUE(until(GameState::playing, 30));
   const std::size_t shooter = 4;  // the blue goalie pushes the ball at the red goal
   world_->placeRobot(0, {0, 0, 1000});
@@ -154,7 +170,7 @@ TEST_F(RefereeMatch, aDeflectedShotIsNoOwnGoal) {
   EXPECT_EQ(goal.number, 1);
 }
 
-TEST_F(RefereeMatch, halvesAndEnd) {
+TEST_F(RefereeMatch, HalvesAndEnd) {
   ASSERT_TRUE(until(GameState::playing, 30));
   EXPECT_EQ(referee_->half(), 1);
   const Time first = world_->time();
@@ -172,7 +188,7 @@ TEST_F(RefereeMatch, halvesAndEnd) {
   EXPECT_EQ(referee_->events().size(), events);
 }
 
-TEST_F(RefereeMatch, aStuckBallIsPutElsewhere) {
+TEST_F(RefereeMatch, AStuckBallIsPutElsewhere) {
   ASSERT_TRUE(until(GameState::playing, 30));
   world_->placeBall(0, {1900, -1000});
   for (int i = 0; i < 2400; ++i) tick();
@@ -182,7 +198,7 @@ TEST_F(RefereeMatch, aStuckBallIsPutElsewhere) {
   EXPECT_EQ(world_->ball(0).position, Vector2d(1050, -675));
 }
 
-TEST_F(RefereeMatch, penaltiesReachTheirRobotOnly) {
+TEST_F(RefereeMatch, PenaltiesReachTheirRobotOnly) {
   ASSERT_TRUE(until(GameState::playing, 30));
   referee_->setPenalty(2, Penalty::obstruction, world_->time());
   EXPECT_EQ(referee_->dataFor(2).state, GameState::penalized);
@@ -192,7 +208,7 @@ TEST_F(RefereeMatch, penaltiesReachTheirRobotOnly) {
   EXPECT_EQ(referee_->dataFor(2).state, GameState::playing);
 }
 
-TEST_F(RefereeMatch, withoutARefereeAllPlay) {
+TEST_F(RefereeMatch, WithoutARefereeAllPlay) {
   scene_.game.referee = false;
   start();
   tick();
@@ -232,7 +248,7 @@ class PenaltyMatch : public RefereeMatch {
   }
 };
 
-TEST_F(PenaltyMatch, fieldPlayersMustNotPush) {
+TEST_F(PenaltyMatch, FieldPlayersMustNotPush) {
   world_->placeRobot(3, {0, -300, 300});
   world_->placeRobot(7, {0, 0, 300});
   world_->placeBall(0, {400, 300});  // blue plays it
@@ -257,14 +273,14 @@ TEST_F(PenaltyMatch, fieldPlayersMustNotPush) {
   EXPECT_EQ(referee_->events().back().type, GameEventType::returnedRobot);
 }
 
-TEST_F(PenaltyMatch, keepersAreSafeInTheirArea) {
+TEST_F(PenaltyMatch, KeepersAreSafeInTheirArea) {
   world_->placeRobot(4, {pi, 1900, 0});
   world_->placeRobot(2, {0, 1650, 0});
   walk(2, 150);
   EXPECT_NEAR(secondsUntil(2, Penalty::keeperCharge), 3.5, 1);
 }
 
-TEST_F(PenaltyMatch, standingInTheWayFarFromTheBallIsObstruction) {
+TEST_F(PenaltyMatch, StandingInTheWayFarFromTheBallIsObstruction) {
   world_->placeRobot(3, {0, -1500, 0});
   world_->placeRobot(7, {0, -1200, 0});
   world_->placeBall(0, {0, 0});
@@ -276,22 +292,22 @@ TEST_F(PenaltyMatch, standingInTheWayFarFromTheBallIsObstruction) {
   EXPECT_GT(std::abs(world_->robot(7).pose.translation.y()), 1000);
 }
 
-TEST_F(PenaltyMatch, onlyTheKeeperDefendsInItsArea) {
+TEST_F(PenaltyMatch, OnlyTheKeeperDefendsInItsArea) {
   world_->placeRobot(0, {0, -2000, 0});
   world_->placeRobot(1, {0, -1800, 300});
   EXPECT_NEAR(secondsUntil(1, Penalty::illegalDefender), 3, 0.1);
   EXPECT_EQ(referee_->penalty(0), Penalty::none);
 }
 
-TEST_F(PenaltyMatch, theOtherTeamsKickOffNeedsAnEmptyCircle) {
+TEST_F(PenaltyMatch, TheOtherTeamsKickOffNeedsAnEmptyCircle) {
   world_->placeBall(0, {0, 0});
-  referee_->changeState(GameState::set, world_->time());
+  referee_->order(GameState::set, *world_);
   ASSERT_TRUE(until(GameState::playing, 10));
   world_->placeRobot(6, {pi, 100, 0});
   EXPECT_NEAR(secondsUntil(6, Penalty::illegalDefense), 3, 0.1);
 }
 
-TEST_F(PenaltyMatch, aHeldBallIsLetGo) {
+TEST_F(PenaltyMatch, AHeldBallIsLetGo) {
   world_->placeRobot(2, {0, -500, 0});
   tick();
   // The ball goes wherever the robot goes, between its forelegs.
@@ -310,13 +326,13 @@ TEST_F(PenaltyMatch, aHeldBallIsLetGo) {
   EXPECT_EQ(referee_->penalty(2), Penalty::ballHolding);
 }
 
-TEST_F(PenaltyMatch, whoLiesIsPickedUp) {
+TEST_F(PenaltyMatch, WhoLiesIsPickedUp) {
   world_->throwOver(5, Posture::onLeftSide);
   EXPECT_NEAR(secondsUntil(5, Penalty::requestForPickup), 15, 0.1);
   EXPECT_EQ(world_->robot(5).posture, Posture::standing);
 }
 
-TEST_F(PenaltyMatch, everyRuleCanBeSwitchedOff) {
+TEST_F(PenaltyMatch, EveryRuleCanBeSwitchedOff) {
   RuleParameters rules;
   rules.illegalDefender = 0;
   referee_->change(rules);
@@ -332,7 +348,7 @@ TEST_F(PenaltyMatch, everyRuleCanBeSwitchedOff) {
   EXPECT_EQ(secondsUntil(2, Penalty::illegalDefender, 6), 99);
 }
 
-TEST_F(PenaltyMatch, allComeBackForAKickOff) {
+TEST_F(PenaltyMatch, AllComeBackForAKickOff) {
   referee_->penalize(*world_, 2, Penalty::ballHolding);
   referee_->penalize(*world_, 6, Penalty::requestForPickup);
   tick();
@@ -346,7 +362,7 @@ TEST_F(PenaltyMatch, allComeBackForAKickOff) {
   }
 }
 
-TEST_F(RefereeMatch, aDrawIsDecidedByPenaltyShots) {
+TEST_F(RefereeMatch, ADrawIsDecidedByPenaltyShots) {
   scene_.game.minutes = 0.2;
   scene_.game.shootOut = ShootOutMode::afterDraw;
   scene_.rules.shots = 2;
@@ -383,7 +399,7 @@ TEST_F(RefereeMatch, aDrawIsDecidedByPenaltyShots) {
   EXPECT_EQ(referee_->score(TeamColor::red), 0);
 }
 
-TEST(ShootOut, goesOnPairByPairUntilItIsDecided) {
+TEST(ShootOut, GoesOnPairByPairUntilItIsDecided) {
   ShootOut even{3, TeamColor::blue};
   for (int i = 0; i < 6; ++i) {
     EXPECT_FALSE(even.over()) << i;
@@ -407,7 +423,7 @@ TEST(ShootOut, goesOnPairByPairUntilItIsDecided) {
   EXPECT_TRUE(early.over());  // it misses one
 }
 
-TEST_F(RefereeMatch, aGameControllerLeads) {
+TEST_F(RefereeMatch, AGameControllerLeads) {
   GameControllerMessage message;
   message.state = GameState::set;
   message.kickOff = TeamColor::blue;

@@ -1,8 +1,9 @@
 #include "simulation/scene/Scene.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -10,6 +11,7 @@
 #include "simulation/scene/Xml.h"
 #include "simulation/world/World.h"
 #include "streams/File.h"
+#include "streams/Type.h"
 
 namespace gt {
 namespace {
@@ -34,8 +36,11 @@ class SceneReader {
 
   template <typename T>
   void readAttributes(const xmlNode* node, T& into);
-  void readOptics(const xmlNode* node, CameraInfo& optics);
+  void checkOptics(const xmlNode* node, CameraInfo& optics);
   void readElement(const xmlNode* node, SceneDescription& scene);
+  /// Calls visit(node) for each element of a group, which has no others than these.
+  template <typename Visit>
+  void forEachMember(const xmlNode* group, const std::string& element, Visit visit);
   void readRobots(const xmlNode* group, std::vector<SceneRobot>& into);
   void readBalls(const xmlNode* group, std::vector<SceneBall>& into);
   void expectEmpty(const xmlNode* node);
@@ -46,52 +51,32 @@ class SceneReader {
   std::vector<Error>& errors_;
 };
 
+/// Calls visit(child) for each child of a node but comments.
+template <typename Visit>
+void forEachChild(const xmlNode* node, const Visit& visit) {
+  for (const xmlNode* child = node->children; child; child = child->next)
+    if (child->type != XML_COMMENT_NODE) visit(child);
+}
+
 /// An element as a person knows it: <robot>.
 std::string tag(const xmlNode* node) {
   return std::string{"<"}.append(nameOf(node)).append(">");
 }
 
-std::optional<std::string> parse(const std::string& text, const Range& range, double& value) {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end || !std::isfinite(number))
-    return "expected a number, found \"" + text + "\"";
-  if (range.bounds() && (number < range.low || number > range.high))
-    return text + " is outside " + std::to_string(range.low) + " .. " + std::to_string(range.high);
-  value = number;
-  return std::nullopt;
-}
-
-std::optional<std::string> parse(const std::string& text, const Range& range, int& value) {
-  double number = 0;
-  if (auto wrong = parse(text, range, number)) return wrong;
-  value = static_cast<int>(number);
-  if (value != number) return "expected a whole number, found \"" + text + "\"";
-  return std::nullopt;
-}
-
-std::optional<std::string> parse(const std::string& text, const Range&, std::string& value) {
+/// Reads an attribute's value. Returns what is wrong with it, and leaves the member as it was then.
+template <typename T>
+std::optional<std::string> readValue(const std::string& text, const Range& range, T& member) {
   if (text.empty()) return "must not be empty";
-  value = text;
-  return std::nullopt;
-}
-
-std::optional<std::string> parse(const std::string& text, const Range&, bool& value) {
-  if (text != "true" && text != "false") return "expected true or false, found \"" + text + "\"";
-  value = text == "true";
-  return std::nullopt;
-}
-
-template <typename E>
-requires std::is_enum_v<E> std::optional<std::string> parse(const std::string& text, const Range&,
-                                                            E& value) {
-  if (const auto e = enumValue<E>(text)) {
-    value = *e;
-    return std::nullopt;
+  T value = member;
+  auto done = setScalar(valueOf(value), text, range);
+  if constexpr (std::is_floating_point_v<T>)
+    if (done && !std::isfinite(value)) done = Error{.what = "expected a number"};
+  if (!done) {
+    const std::string& what = done.error().what;
+    return what.starts_with("expected") ? what + ", found \"" + text + "\"" : what;
   }
-  std::string names;
-  for (const auto name : enumNames<E>) names += (names.empty() ? "" : ", ") + std::string{name};
-  return "expected one of " + names + ", found \"" + text + "\"";
+  member = std::move(value);
+  return std::nullopt;
 }
 
 template <typename T>
@@ -100,95 +85,105 @@ void SceneReader::readAttributes(const xmlNode* node, T& into) {
     if (a->ns) continue;  // xsi:noNamespaceSchemaLocation
     const std::string name = nameOf(reinterpret_cast<const xmlNode*>(a));
     const std::string value = attribute(node, name.c_str());
-    bool known = false;
-    std::optional<std::string> wrong;
+    std::optional<std::string> wrong = tag(node) + " has no such attribute";
     forEachField(into, [&](const auto& f, auto& member) {
-      if (f.name != name) return;
-      known = true;
-      wrong = parse(value, f.range, member);
+      if (f.name == name) wrong = readValue(value, f.range, member);
     });
-    if (!known) error(node, name, tag(node) + " has no such attribute");
     if (wrong) error(node, name, *wrong);
   }
 }
 
-void SceneReader::readOptics(const xmlNode* node, CameraInfo& optics) {
-  readAttributes(node, optics);
+void SceneReader::checkOptics(const xmlNode* node, CameraInfo& optics) {
   if (attribute(node, "centerX").empty()) optics.centerX = optics.width / 2.0;
   if (attribute(node, "centerY").empty()) optics.centerY = optics.height / 2.0;
-  constexpr int largest = 1280;  // Each robot has such pictures.
   for (const auto& [name, size] : {std::pair{"width", optics.width}, {"height", optics.height}})
-    if (size > largest) error(node, name, "expected at most " + std::to_string(largest));
+    if (size > maxImageSize) error(node, name, "expected at most " + std::to_string(maxImageSize));
   constexpr double longest = static_cast<double>((World::cameraHistory - 1) * tickMs);
   if ((optics.height - 1) * optics.rowTime > longest)
     error(node, "rowTime", "all rows together take longer than " + std::to_string(longest) + " ms");
 }
 
 void SceneReader::expectEmpty(const xmlNode* node) {
-  for (const xmlNode* child = node->children; child; child = child->next)
-    if (child->type != XML_COMMENT_NODE) error(child, nameOf(child), tag(node) + " has no content");
+  forEachChild(node, [&](const xmlNode* child) {
+    error(child, nameOf(child), tag(node) + " has no content");
+  });
+}
+
+template <typename Visit>
+void SceneReader::forEachMember(const xmlNode* group, const std::string& element, Visit visit) {
+  forEachChild(group, [&](const xmlNode* node) {
+    if (node->type != XML_ELEMENT_NODE || nameOf(node) != element)
+      return error(node, nameOf(node), "expected <" + element + ">");
+    visit(node);
+    expectEmpty(node);
+  });
 }
 
 void SceneReader::readRobots(const xmlNode* group, std::vector<SceneRobot>& into) {
-  for (const xmlNode* node = group->children; node; node = node->next) {
-    if (node->type == XML_COMMENT_NODE) continue;
-    if (node->type != XML_ELEMENT_NODE || nameOf(node) != "robot") {
-      error(node, nameOf(node), "expected <robot>");
-      continue;
-    }
-    SceneRobot robot;
+  forEachMember(group, "robot", [&](const xmlNode* node) {
+    SceneRobot& robot = into.emplace_back();
     robot.place = places_.of(node);
     readAttributes(node, robot);
-    expectEmpty(node);
     if (robot.name.empty())
       robot.name = std::string{enumName(robot.team)} + std::to_string(robot.player().number());
-    into.push_back(robot);
-  }
+  });
 }
 
 void SceneReader::readBalls(const xmlNode* group, std::vector<SceneBall>& into) {
-  for (const xmlNode* node = group->children; node; node = node->next) {
-    if (node->type == XML_COMMENT_NODE) continue;
-    if (node->type != XML_ELEMENT_NODE || nameOf(node) != "ball") {
-      error(node, nameOf(node), "expected <ball>");
-      continue;
-    }
-    SceneBall ball;
+  forEachMember(group, "ball", [&](const xmlNode* node) {
+    SceneBall& ball = into.emplace_back();
     ball.place = places_.of(node);
     readAttributes(node, ball);
-    expectEmpty(node);
-    into.push_back(ball);
     if (into.size() == maxSceneBalls + 1)
       error(node, "ball", "is one more than " + std::to_string(maxSceneBalls));
-  }
+  });
 }
 
 void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
   const std::string name = nameOf(node);
+  const auto readLeaf = [&](auto& parameters) {
+    readAttributes(node, parameters);
+    expectEmpty(node);
+  };
   struct NoAttributes {
     static constexpr auto fields() { return Fields{}; }
   } none;
-  if (name == "robots" || name == "extras" || name == "balls") {
-    readAttributes(node, none);
-    if (name == "balls") return readBalls(node, scene.balls);
-    return readRobots(node, name == "robots" ? scene.robots : scene.extras);
-  }
-  expectEmpty(node);
-  if (name == "noise") return readAttributes(node, scene.noise);
-  if (name == "camera") return readAttributes(node, scene.camera);
-  if (name == "optics") return readOptics(node, scene.optics);
-  if (name == "physics") return readAttributes(node, scene.physics);
-  if (name == "radio") {
-    readAttributes(node, scene.radio);
-    if (scene.radio.delayMin > scene.radio.delayMax)
-      error(node, "delayMin", "is greater than delayMax");
-    return;
-  }
-  if (name == "game") return readAttributes(node, scene.game);
-  if (name == "rules") return readAttributes(node, scene.rules);
-  return error(node, name,
-               "expected <noise>, <camera>, <optics>, <physics>, <radio>, <game>, <rules>, "
-               "<robots>, <extras> or <balls>");
+  const std::map<std::string, std::function<void()>> readers{
+      {"noise", [&] { readLeaf(scene.noise); }},
+      {"camera", [&] { readLeaf(scene.camera); }},
+      {"optics",
+       [&] {
+         readLeaf(scene.optics);
+         checkOptics(node, scene.optics);
+       }},
+      {"physics", [&] { readLeaf(scene.physics); }},
+      {"radio",
+       [&] {
+         readLeaf(scene.radio);
+         if (scene.radio.delayMin > scene.radio.delayMax)
+           error(node, "delayMin", "is greater than delayMax");
+       }},
+      {"game", [&] { readLeaf(scene.game); }},
+      {"ceilingCamera", [&] { readLeaf(scene.ceilingCamera.emplace()); }},
+      {"rules", [&] { readLeaf(scene.rules); }},
+      {"robots",
+       [&] {
+         readAttributes(node, none);
+         readRobots(node, scene.robots);
+       }},
+      {"extras",
+       [&] {
+         readAttributes(node, none);
+         readRobots(node, scene.extras);
+       }},
+      {"balls", [&] {
+         readAttributes(node, none);
+         readBalls(node, scene.balls);
+       }}};
+  if (const auto reader = readers.find(name); reader != readers.end()) return reader->second();
+  std::string names;
+  for (const auto& [known, read] : readers) names += (names.empty() ? "<" : ", <") + known + ">";
+  error(node, name, "expected one of " + names);
 }
 
 void SceneReader::checkRobots(const SceneDescription& scene) {
@@ -201,6 +196,10 @@ void SceneReader::checkRobots(const SceneDescription& scene) {
         error(robot.place, "robot", "is one more than " + std::to_string(maxSceneRobots));
       if (robot.name.find('/') != std::string::npos)
         error(robot.place, "name", "\"" + robot.name + "\" must not contain a slash");
+      constexpr std::string_view digits = "0123456789ABCDEF";
+      if (!robot.address.empty() && (robot.address.size() != 12 ||
+                                     robot.address.find_first_not_of(digits) != std::string::npos))
+        error(robot.place, "address", "expected 12 digits 0 to F, found \"" + robot.address + "\"");
       if (!names.insert(robot.name).second)
         error(robot.place, "name", "a second robot \"" + robot.name + "\"");
       const bool plays = scene.game.referee && group == &scene.robots;
@@ -214,17 +213,19 @@ void SceneReader::checkRobots(const SceneDescription& scene) {
 SceneDescription SceneReader::read(const xmlNode* root) {
   SceneDescription scene;
   scene.file = path_;
+  scene.fieldPlace = places_.of(root, "field");
+  scene.configPlace = places_.of(root, "config");
+  scene.scriptPlace = places_.of(root, "script");
   readAttributes(root, scene);
   std::set<std::string> seen;
-  for (const xmlNode* node = root->children; node; node = node->next) {
-    if (node->type == XML_COMMENT_NODE) continue;
+  forEachChild(root, [&](const xmlNode* node) {
     if (node->type != XML_ELEMENT_NODE)
       error(node, nameOf(node), "expected an element");
     else if (!seen.insert(nameOf(node)).second)
       error(node, nameOf(node), "a second " + tag(node));
     else
       readElement(node, scene);
-  }
+  });
   checkRobots(scene);
   return scene;
 }
@@ -235,6 +236,16 @@ std::string SceneDescription::resolve(const std::string& path) const {
   const std::filesystem::path p{path};
   if (p.is_absolute()) return path;
   return (std::filesystem::path{file}.parent_path() / p).lexically_normal().string();
+}
+
+std::string SceneDescription::startScript() const {
+  if (script.empty()) {
+    const std::string usual = resolve("console.con");
+    return std::filesystem::is_regular_file(usual) ? usual : "";
+  }
+  std::filesystem::path path{resolve(script)};
+  if (!path.has_extension()) path += ".con";
+  return path.string();
 }
 
 SceneDescription loadScene(const std::string& path, std::vector<Error>& errors) {
@@ -251,6 +262,28 @@ Result<SceneDescription> loadScene(const std::string& path) {
   SceneDescription scene = loadScene(path, errors);
   if (!errors.empty()) return errors.front();
   return scene;
+}
+
+void findSceneFiles(const SceneDescription& scene, std::vector<Error>& errors) {
+  const auto expectFile = [&](const std::string& path, const FilePlace& place, const char* field) {
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(path, code))
+      errors.push_back(errorAt(scene.file, place, field, "there is no file " + path));
+  };
+  const std::string config = scene.resolve(scene.config);
+  std::error_code code;
+  if (!std::filesystem::is_directory(config, code))
+    errors.push_back(
+        errorAt(scene.file, scene.configPlace, "config", "there is no folder " + config));
+  if (!scene.script.empty()) expectFile(scene.startScript(), scene.scriptPlace, "script");
+  for (const SceneRobot& robot : scene.robots)
+    expectFile(scene.resolve(robot.layout), robot.place, "layout");
+}
+
+Result<void> findSceneFiles(const SceneDescription& scene) {
+  std::vector<Error> errors;
+  findSceneFiles(scene, errors);
+  return errors.empty() ? Result<void>{} : errors.front();
 }
 
 }  // namespace gt

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,11 @@ struct NoiseParameters {
 
   static constexpr auto fields() {
     return Fields{
-        field("joints", &NoiseParameters::joints, "deg", "deviation of a measured angle", {0, 90}),
-        field("acceleration", &NoiseParameters::acceleration, "mm/s^2", "deviation", {0, 1e5}),
-        field("psd", &NoiseParameters::psd, "mm", "deviation at 900 mm, less when nearer",
+        field("joints", &NoiseParameters::joints, "deg", "standard deviation of a measured angle",
+              {0, 90}),
+        field("acceleration", &NoiseParameters::acceleration, "mm/s^2", "standard deviation",
+              {0, 1e5}),
+        field("psd", &NoiseParameters::psd, "mm", "standard deviation at 900 mm, less when nearer",
               {0, 1000}),
         field("slip", &NoiseParameters::slip, "",
               "a robot's steps are that share longer or shorter at most, each direction its own",
@@ -76,13 +79,44 @@ struct RadioParameters {
   }
 };
 
+/// A camera at the ceiling that measures where robots and ball are (report 6.2.2). Element
+/// `ceilingCamera`; a scene without it has none.
+struct CeilingCameraParameters {
+  double positionNoise = 6;
+  double rotationNoise = 0.02;
+  double scaleError = 0.002;
+  double offsetError = 8;
+  double overlooked = 0.02;
+  double lowX = -1e4, highX = 1e4;
+  int period = 40;
+  bool oracle = false;
+
+  static constexpr auto fields() {
+    using P = CeilingCameraParameters;
+    return Fields{field("positionNoise", &P::positionNoise, "mm",
+                        "standard deviation of each coordinate in each image", {0, 1000}),
+                  field("rotationNoise", &P::rotationNoise, "rad", "standard deviation", {0, 3}),
+                  field("scaleError", &P::scaleError, "",
+                        "of the calibration: at most, in each direction", {0, 0.5}),
+                  field("offsetError", &P::offsetError, "mm", "likewise", {0, 1000}),
+                  field("overlooked", &P::overlooked, "",
+                        "share of images in which a thing is missed", {0, 1}),
+                  field("lowX", &P::lowX, "mm",
+                        "where its view begins, such as the middle of the field", {-1e4, 1e4}),
+                  field("highX", &P::highX, "mm", "where it ends", {-1e4, 1e4}),
+                  field("period", &P::period, "ms", "from image to image", {8, 10'000}),
+                  field("oracle", &P::oracle, "",
+                        "the oracle tells the robots what this camera saw instead of the truth")};
+  }
+};
+
 /// When there is a penalty shoot-out.
 enum class ShootOutMode { none, afterDraw, only };
 
 /// The game that the referee leads. Element `game`.
 struct GameParameters {
   bool referee = true;
-  double minutes = 20;
+  double minutes = 10;
   TeamColor kickOff = TeamColor::red;
   double readyTime = 20;
   double setTime = 3;
@@ -137,7 +171,7 @@ struct RuleParameters {
         field("illegalDefender", &RuleParameters::illegalDefender, "s",
               "a field player in the own penalty area", seconds),
         field("illegalDefense", &RuleParameters::illegalDefense, "s",
-              "in the centre circle at the other team's kick-off", seconds),
+              "in the center circle at the other team's kick-off", seconds),
         field("obstruction", &RuleParameters::obstruction, "s",
               "standing in an opponent's way, far from the ball", seconds),
         field("requestForPickup", &RuleParameters::requestForPickup, "s",
@@ -160,7 +194,7 @@ struct SceneRobot {
   std::string layout = "../layouts/cmd.layout";
   std::string address;
   double bodyTilt = 0, bodyRoll = 0;
-  FilePlace place;
+  FilePlace place;  ///< Of its element.
 
   Player player() const { return {team, role}; }
   Pose2D pose() const { return {normalize(fromDegrees(rotation)), x, y}; }
@@ -198,10 +232,11 @@ struct SceneBall {
 };
 
 /// A simulation scene: who stands where, and how the world is (report I.4). Read from a `.scene`
-/// file. Its coordinates are the field's: origin at the centre, x to the sky-blue goal, as the red
+/// file. Its coordinates are the field's: origin at the center, x to the sky-blue goal, as the red
 /// team sees it.
 struct SceneDescription {
   std::string file;
+  FilePlace fieldPlace, configPlace, scriptPlace;  ///< Of these attributes, or of the scene.
   std::string field = "../models/field2003.xml";
   std::string config = "../config";
   std::string script;
@@ -216,23 +251,29 @@ struct SceneDescription {
   RadioParameters radio;
   GameParameters game;
   RuleParameters rules;
+  std::optional<CeilingCameraParameters> ceilingCamera;
   std::vector<SceneRobot> robots;
   std::vector<SceneRobot> extras;
   std::vector<SceneBall> balls;
 
   /// A path of the scene as a path from where the program runs.
   std::string resolve(const std::string& path) const;
+  /// The script to begin with, as a path from where the program runs: the scene's, with .con if it
+  /// has no extension, or console.con beside the scene if there is one (report I.4); empty if there
+  /// is none.
+  std::string startScript() const;
 
   static constexpr auto fields() {
     return Fields{
         gt::field("field", &SceneDescription::field, "", "MJCF file, from the scene's folder"),
         gt::field("config", &SceneDescription::config, "", "folder of the configuration files"),
-        gt::field("script", &SceneDescription::script, "", "console script to begin with"),
+        gt::field("script", &SceneDescription::script, "",
+                  "console script to begin with, from the scene's folder"),
         gt::field("fidelity", &SceneDescription::fidelity),
         gt::field("flags", &SceneDescription::flags, "",
                   "whether the field has its flags: what is of the model's class flag"),
         gt::field("audience", &SceneDescription::audience, "",
-                  "people in strong colours behind the outer wall", {0, 200}),
+                  "people in strong colors behind the outer wall", {0, 200}),
         gt::field("referees", &SceneDescription::referees, "",
                   "whose legs stand on the field, beside the walls", {0, 200})};
   }
@@ -241,11 +282,19 @@ struct SceneDescription {
 /// Most robots of a scene, active and passive together.
 constexpr std::size_t maxSceneRobots = 22;
 constexpr std::size_t maxSceneBalls = 100;
+/// Most pixels of an image in each direction: each robot has such images.
+constexpr int maxImageSize = 1280;
 
 /// Reads a scene file; the schema is scenes/scene.xsd. Errors name file, line and element or
 /// attribute. The models that the scene names are read by `composeModel`.
 Result<SceneDescription> loadScene(const std::string& path);
-/// The same, but all errors are added to a list; what was right is returned.
+/// The same, but adds all errors to a list and returns what was right.
 SceneDescription loadScene(const std::string& path, std::vector<Error>& errors);
+
+/// Looks for the files and folders that a scene names beside its models: configuration, script,
+/// layouts. Errors name the scene and the line.
+Result<void> findSceneFiles(const SceneDescription& scene);
+/// The same, but adds all errors to a list.
+void findSceneFiles(const SceneDescription& scene, std::vector<Error>& errors);
 
 }  // namespace gt

@@ -13,10 +13,6 @@
 namespace gt {
 namespace {
 
-void setAttribute(xmlNode* node, const char* name, const std::string& value) {
-  xmlSetProp(node, BAD_CAST name, BAD_CAST value.c_str());
-}
-
 void addPrefix(xmlNode* node, const char* name, const std::string& prefix) {
   const std::string value = attribute(node, name);
   if (!value.empty()) setAttribute(node, name, prefix + value);
@@ -174,7 +170,7 @@ void Composer::separateField() {
 
 std::optional<std::string> Composer::compose() {
   const std::size_t before = errors_.size();
-  document_ = read(scene_.field, {}, "field");
+  document_ = read(scene_.field, scene_.fieldPlace, "field");
   // The models are looked at even if there is no field to put them on.
   if (!document_) document_.reset(xmlNewDoc(BAD_CAST "1.0"));
   root_ = xmlDocGetRootElement(document_.get());

@@ -11,7 +11,7 @@ namespace gt {
 /// balls. MuJoCo 2.2.2 cannot attach one model to another, so the texts are joined: the names
 /// inside a robot begin with the robot's name and a slash ("red1/headPan"), those inside a ball
 /// with "ball0/" and so on. Materials and classes of a model file begin with the file's stem
-/// ("ers210/gray"); the colour class of a material is what stands behind the last slash, up to a
+/// ("ers210/gray"); the color class of a material is what stands behind the last slash, up to a
 /// dot. Robots of the blue team wear "blue" where the model says "red".
 Result<Model> composeModel(const SceneDescription& scene);
 /// Looks for all that keeps a scene's model from being made, and adds it to a list.

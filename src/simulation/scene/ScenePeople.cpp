@@ -3,16 +3,18 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "base/Geometry.h"
 #include "base/Random.h"
+#include "simulation/scene/Xml.h"
 
 namespace gt {
 namespace {
 
 struct Part {
   const char *name, *type, *rgba;
-  Vector3d at, size;  ///< Metres.
+  Vector3d at, size;  ///< Meters.
 };
 
 void add(xmlNode* parent, const std::string& person, const Part& part, bool touchable) {
@@ -22,17 +24,16 @@ void add(xmlNode* parent, const std::string& person, const Part& part, bool touc
     return std::string{numbers};
   };
   xmlNode* geom = xmlNewChild(parent, nullptr, BAD_CAST "geom", nullptr);
-  const auto set = [&](const char* name, const std::string& value) {
-    xmlSetProp(geom, BAD_CAST name, BAD_CAST value.c_str());
-  };
-  set("name", person + "/" + part.name);
-  set("type", part.type);
-  set("pos", text(part.at));
-  set("size", text(part.size));
-  set("rgba", part.rgba);
-  set("group", touchable ? "2" : "0");
-  set("contype", touchable ? "1" : "0");
-  set("conaffinity", "0");
+  for (const auto& [name, value] : std::initializer_list<std::pair<const char*, std::string>>{
+           {"name", person + "/" + part.name},
+           {"type", part.type},
+           {"pos", text(part.at)},
+           {"size", text(part.size)},
+           {"rgba", part.rgba},
+           {"group", touchable ? "2" : "0"},
+           {"contype", touchable ? "1" : "0"},
+           {"conaffinity", "0"}})
+    setAttribute(geom, name, value);
 }
 
 }  // namespace

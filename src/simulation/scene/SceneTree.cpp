@@ -1,7 +1,10 @@
 #include "simulation/scene/SceneTree.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
+#include <sstream>
 
 #include "base/Enum.h"
 #include "streams/Config.h"
@@ -11,7 +14,7 @@ namespace {
 
 constexpr double farthest = 1e5;  // mm: nothing is put further away
 
-std::string textOf(std::initializer_list<double> numbers) {
+std::string textOf(std::span<const double> numbers) {
   std::string text;
   for (const double number : numbers) {
     std::array<char, 32> digits;
@@ -23,51 +26,26 @@ std::string textOf(std::initializer_list<double> numbers) {
   }
   return text;
 }
-
-std::string textOf(bool value) {
-  return value ? "true" : "false";
+std::string textOf(std::initializer_list<double> numbers) {
+  return textOf(std::span{numbers.begin(), numbers.size()});
 }
-
-Error wrong(std::string what) {
-  return {"", 0, "", std::move(what)};
+std::string textOf(const Vector3d& v) {
+  return textOf({v.x(), v.y(), v.z()});
 }
 
 Result<std::vector<double>> numbersOf(const std::string& text) {
   std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (at != end) {
-    if (*at == ' ' || *at == ',') {
-      ++at;
-      continue;
-    }
+  std::string blanks = text;
+  std::ranges::replace(blanks, ',', ' ');
+  std::istringstream words{blanks};
+  for (std::string word; words >> word;) {
     double number = 0;
-    const auto [next, error] = std::from_chars(at, end, number);
-    if (error != std::errc{} || !(std::abs(number) <= farthest))
-      return wrong("expected numbers up to " + textOf({farthest}) + ", found \"" + text + "\"");
+    if (!setScalar(valueOf(number), word, {-farthest, farthest}))
+      return Error{"", 0, "",
+                   "expected numbers up to " + textOf({farthest}) + ", found \"" + text + "\""};
     numbers.push_back(number);
-    at = next;
   }
   return numbers;
-}
-
-template <typename E>
-Result<E> enumOf(const std::string& text) {
-  if (const auto value = enumValue<E>(text)) return *value;
-  std::string names;
-  for (const auto name : enumNames<E>) names += (names.empty() ? "" : ", ") + std::string{name};
-  return wrong("expected one of " + names + ", found \"" + text + "\"");
-}
-
-Result<bool> boolOf(const std::string& text) {
-  if (text == "true" || text == "on" || text == "1") return true;
-  if (text == "false" || text == "off" || text == "0") return false;
-  return wrong("expected on or off, found \"" + text + "\"");
-}
-
-std::string nameOf(const mjModel& model, mjtObj type, int id) {
-  const char* name = mj_id2name(&model, type, id);
-  return name ? name : "";
 }
 
 }  // namespace
@@ -80,6 +58,7 @@ SceneTree::SceneTree(Simulation& simulation) : simulation_(simulation) {
   for (std::size_t ball = 0; ball < simulation_.world().ballCount(); ++ball) addBall(ball);
   addActuators();
   addFieldSensors();
+  addCeilingCamera();
   addEmitters();
   addField();
   addGame();
@@ -123,12 +102,38 @@ void SceneTree::addNumbers(const std::string& path, std::string_view help,
     const auto numbers = numbersOf(text);
     if (!numbers) return numbers.error();
     if (numbers->size() < least || numbers->size() > most)
-      return wrong("expected " + std::to_string(least) +
-                   (most > least ? " to " + std::to_string(most) : "") + " numbers, found " +
-                   std::to_string(numbers->size()));
+      return Error{"", 0, "",
+                   "expected " + std::to_string(least) +
+                       (most > least ? " to " + std::to_string(most) : "") + " numbers, found " +
+                       std::to_string(numbers->size())};
     set(*numbers);
     return {};
   });
+}
+
+template <typename Get, typename Set>
+void SceneTree::addValue(const std::string& path, std::string_view help, Get get, Set set) {
+  using T = std::invoke_result_t<Get>;
+  std::function<Result<void>(const std::string&)> setText;
+  if constexpr (!std::is_null_pointer_v<Set>)
+    setText = [set](const std::string& text) -> Result<void> {
+      T value{};
+      if (const auto done = setScalar(valueOf(value), text); !done)
+        return Error{.what = done.error().what + ", found \"" + text + "\""};
+      if constexpr (std::is_void_v<std::invoke_result_t<Set, T>>) {
+        set(value);
+        return {};
+      } else {
+        return set(value);
+      }
+    };
+  add(
+      path, help,
+      [get] {
+        const T value = get();
+        return scalarText(valueOf(value));
+      },
+      std::move(setText));
 }
 
 template <typename T>
@@ -164,21 +169,16 @@ void SceneTree::addRobot(std::size_t i, const std::string& name) {
             n.size() > 2 ? normalize(fromDegrees(n[2])) : s.world().robot(i).pose.rotation;
         s.world().placeRobot(i, {angle, n[0], n[1]});
       });
-  add(
+  addValue(
       path + "/posture", "standing, onLeftSide or onRightSide: thrown over, and put back",
-      [=] { return std::string{enumName(body().posture)}; },
-      [&s, i](const std::string& text) -> Result<void> {
-        const auto posture = enumOf<Posture>(text);
-        if (!posture) return posture.error();
-        s.world().throwOver(i, *posture);
-        return {};
-      });
+      [=] { return body().posture; },
+      [&s, i](Posture posture) { s.world().throwOver(i, posture); });
   add(path + "/height", "mm: the body's origin above the ground",
       [=] { return textOf({body().height}); });
   add(path + "/tilt", "deg, nose up", [=] { return textOf({toDegrees(body().tilt)}); });
   add(path + "/roll", "deg, right side down", [=] { return textOf({toDegrees(body().roll)}); });
-  add(path + "/executed", "whether the last command met no obstacle",
-      [=] { return textOf(!body().blocked); });
+  addValue(path + "/executed", "whether the last command met no obstacle",
+           [=] { return !body().blocked; });
   for (std::size_t j = 0; j < enumCount<Joint>; ++j)
     addNumbers(
         path + "/joints/" + std::string{enumNames<Joint>[j]},
@@ -194,40 +194,22 @@ void SceneTree::addActiveRobot(std::size_t i, const std::string& path) {
   Simulation& s = simulation_;
   for (std::size_t k = 0; k < enumCount<Switch>; ++k) {
     const auto which = static_cast<Switch>(k);
-    add(
-        path + "/switches/" + std::string{enumName(which)}, "on: pressed by hand",
-        [&s, i, which] { return textOf(s.sensors(i).isPressed(which)); },
-        [&s, i, which](const std::string& text) -> Result<void> {
-          const auto on = boolOf(text);
-          if (!on) return on.error();
-          s.sensors(i).press(which, *on);
-          return {};
-        });
+    addValue(
+        path + "/switches/" + std::string{enumName(which)}, "true: pressed by hand",
+        [&s, i, which] { return s.sensors(i).isPressed(which); },
+        [&s, i, which](bool on) { s.sensors(i).press(which, on); });
   }
   add(path + "/sensors/psd", "mm: as the robot measures it",
       [&s, i] { return textOf({s.input(i).sensors.newest().psd}); });
-  add(path + "/sensors/acceleration", "mm/s^2: as the robot measures it", [&s, i] {
-    const Vector3d& a = s.input(i).sensors.newest().acceleration;
-    return textOf({a.x(), a.y(), a.z()});
-  });
-  add(
-      path + "/radio", "off: the robot is cut off from its team mates",
-      [&s, i] { return textOf(!s.radio().isCut(i)); },
-      [&s, i](const std::string& text) -> Result<void> {
-        const auto on = boolOf(text);
-        if (!on) return on.error();
-        s.radio().cut(i, !*on);
-        return {};
-      });
-  add(
+  add(path + "/sensors/acceleration", "mm/s^2: as the robot measures it",
+      [&s, i] { return textOf(s.input(i).sensors.newest().acceleration); });
+  addValue(
+      path + "/radio", "false: the robot is cut off from its teammates",
+      [&s, i] { return !s.radio().isCut(i); }, [&s, i](bool on) { s.radio().cut(i, !on); });
+  addValue(
       path + "/penalty", "that the referee takes it off the field for; none: it comes back",
-      [&s, i] { return std::string{enumName(s.referee().penalty(i))}; },
-      [&s, i](const std::string& text) -> Result<void> {
-        const auto penalty = enumOf<Penalty>(text);
-        if (!penalty) return penalty.error();
-        s.referee().penalize(s.world(), i, *penalty);
-        return {};
-      });
+      [&s, i] { return s.referee().penalty(i); },
+      [&s, i](Penalty penalty) { s.referee().penalize(s.world(), i, penalty); });
   addFields<CameraEffects>(
       path + "/camera", [&s, i] { return s.camera(i); },
       [&s, i](const CameraEffects& effects) { s.setCamera(i, effects); });
@@ -255,26 +237,21 @@ void SceneTree::addActuators() {
     addNumbers(
         path, "the command: -1 to 1 for each direction",
         [&s, name, directions] {
-          const auto& command = s.actuators().find(name)->command;
-          std::string text;
-          for (std::size_t k = 0; k < directions; ++k)
-            text += (k > 0 ? " " : "") + textOf({command[k]});
-          return text;
+          return textOf(std::span{s.actuators().find(name)->command}.first(directions));
         },
         directions, directions,
         [&s, name](const Numbers& n) {
           auto& command = s.actuators().find(name)->command;
           for (std::size_t k = 0; k < n.size(); ++k) command[k] = std::clamp(n[k], -1., 1.);
         });
-    add(path + "/kind", "rotational, translational, space or vehicle",
-        [kind = actuator.kind] { return std::string{enumName(kind)}; });
-    add(path + "/executed", "whether the last command met no obstacle",
-        [&s, name] { return textOf(s.actuators().find(name)->executed); });
+    addValue(path + "/kind", "rotational, translational, space or vehicle",
+             [kind = actuator.kind] { return kind; });
+    addValue(path + "/executed", "whether the last command met no obstacle",
+             [&s, name] { return s.actuators().find(name)->executed; });
     const int joint = actuator.joint;
     add(path + "/position", "x y z in mm", [&s, joint] {
       const int body = s.world().model().jnt_bodyid[joint];  // each fidelity has its own
-      const Vector3d p = fromMuJoCo(s.world().data().xpos + 3 * body);
-      return textOf({p.x(), p.y(), p.z()});
+      return textOf(fromMuJoCo(s.world().data().xpos + 3 * body));
     });
     if (actuator.kind == ActuatorKind::rotational || actuator.kind == ActuatorKind::translational) {
       const double unit = actuator.kind == ActuatorKind::rotational ? toDegrees(1) : 1000;
@@ -296,16 +273,35 @@ void SceneTree::addFieldSensors() {
   auto& sensors = simulation_.fieldSensors().all();
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     auto* sensor = &sensors[i];
-    add("sensors/" + sensor->name, "what it measured last", [sensor] {
-      std::string text;
-      for (const double value : sensor->value) text += (text.empty() ? "" : " ") + textOf({value});
-      return text;
-    });
+    add("sensors/" + sensor->name, describe(sensor->kind),
+        [this, i] { return textOf(simulation_.readFieldSensor(i)); });
     addNumbers(
         "sensors/" + sensor->name + "/noise", "standard deviation of what it measures",
         [sensor] { return textOf({sensor->noise}); }, 1, 1,
         [sensor](const Numbers& n) { sensor->noise = std::abs(n[0]); });
   }
+}
+
+void SceneTree::addCeilingCamera() {
+  const SceneDescription& scene = simulation_.scene();
+  if (!scene.ceilingCamera) return;
+  Simulation& s = simulation_;
+  add("ceilingCamera/ball", "x y in mm as measured last; none if it was not seen", [&s] {
+    const CeilingCameraPercept& percept = s.lastCeilingPercept();
+    return percept.ballSeen ? textOf({percept.ball.x(), percept.ball.y()}) : "none";
+  });
+  std::size_t i = 0;
+  for (const auto* group : {&scene.robots, &scene.extras})
+    for (const SceneRobot& robot : *group)
+      add("ceilingCamera/" + robot.name,
+          "x y in mm and the angle in deg as measured last; none if it was not seen",
+          [&s, player = s.players()[i++]]() -> std::string {
+            for (const MarkedRobot& seen : s.lastCeilingPercept().robots)
+              if (seen.teamColor == player.teamColor && seen.number == player.number())
+                return textOf({seen.pose.translation.x(), seen.pose.translation.y(),
+                               toDegrees(seen.pose.rotation)});
+            return "none";
+          });
 }
 
 void SceneTree::addEmitters() {
@@ -339,11 +335,7 @@ void SceneTree::addField() {
     if (name.empty() || model.body_weldid[model.geom_bodyid[geom]] != 0) continue;
     addNumbers(
         "field/" + name, "x y z in mm of its middle",
-        [&s, geom] {
-          const Vector3d p = fromMuJoCo(s.world().data().geom_xpos + 3 * geom);
-          return textOf({p.x(), p.y(), p.z()});
-        },
-        3, 3,
+        [&s, geom] { return textOf(fromMuJoCo(s.world().data().geom_xpos + 3 * geom)); }, 3, 3,
         [&s, geom](const Numbers& n) {
           s.world().moveGeom(geom, {n[0], n[1], n[2]});
         });
@@ -365,30 +357,18 @@ void SceneTree::addGame() {
   addFields<NoiseParameters>(
       "noise", [&s] { return s.scene().noise; },
       [&s](const NoiseParameters& p) { s.changeNoise(p); });
-  add(
+  addValue(
       "game/state", "initial, ready, set, playing or finished",
-      [&referee] { return std::string{enumName(referee.state())}; },
-      [&s](const std::string& text) -> Result<void> {
-        const auto state = enumOf<GameState>(text);
-        if (!state) return state.error();
-        s.referee().changeState(*state, s.time());
-        return {};
-      });
+      [&referee] { return referee.state(); },
+      [&s](GameState state) { s.referee().order(state, s.world()); });
   for (const TeamColor team : {TeamColor::red, TeamColor::blue})
-    addNumbers(
+    addValue(
         "game/score/" + std::string{enumName(team)}, "goals",
-        [&referee, team] { return std::to_string(referee.score(team)); }, 1, 1,
-        [&s, team](const Numbers& n) {
-          s.referee().setScore(team, static_cast<int>(std::abs(n[0])), s.time());
-        });
-  add(
-      "fidelity", "kinematic or dynamic",
-      [&s] { return std::string{enumName(s.scene().fidelity)}; },
-      [&s](const std::string& text) -> Result<void> {
-        const auto fidelity = enumOf<Fidelity>(text);
-        if (!fidelity) return fidelity.error();
-        return s.changeFidelity(*fidelity);
-      });
+        [&referee, team] { return static_cast<std::uint16_t>(referee.score(team)); },
+        [&s, team](std::uint16_t goals) { s.referee().setScore(team, goals, s.time()); });
+  addValue(
+      "fidelity", "kinematic or dynamic", [&s] { return s.scene().fidelity; },
+      [&s](Fidelity fidelity) { return s.changeFidelity(fidelity); });
 }
 
 }  // namespace gt

@@ -16,11 +16,11 @@ namespace gt {
 ///
 /// robots/NAME (its pose: x y angle), with joints, switches, sensors, camera, posture, …; balls/N
 /// (x y, and its speed); actuators/NAME (the command, and whether the last one met nothing);
-/// sensors/NAME; emitters/NAME (0 to 1); field/NAME (x y z of what stands there); game, rules,
-/// radio, noise (parameters by name); fidelity.
+/// sensors/NAME; ceilingCamera/NAME (what it measured); emitters/NAME (0 to 1); field/NAME (x y z
+/// of what stands there); game, rules, radio, noise (parameters by name); fidelity.
 class SceneTree {
  public:
-  /// The simulation must live on.
+  /// The simulation must outlive the tree.
   explicit SceneTree(Simulation& simulation);
 
   struct Object {
@@ -49,6 +49,9 @@ class SceneTree {
   /// A node that is set by so many numbers, or by more up to `most`.
   void addNumbers(const std::string& path, std::string_view help, std::function<std::string()> get,
                   std::size_t least, std::size_t most, std::function<void(const Numbers&)> set);
+  /// A node for a bool, a number or an enumeration: `get()` returns it, `set(value)` takes it.
+  template <typename Get, typename Set = std::nullptr_t>
+  void addValue(const std::string& path, std::string_view help, Get get, Set set = nullptr);
   /// A node for each field of a struct.
   template <typename T>
   void addFields(const std::string& path, std::function<T()> get,
@@ -58,6 +61,7 @@ class SceneTree {
   void addBall(std::size_t i);
   void addActuators();
   void addFieldSensors();
+  void addCeilingCamera();
   void addEmitters();
   void addField();
   void addGame();

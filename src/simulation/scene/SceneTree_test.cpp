@@ -90,7 +90,7 @@ class WorkshopTest : public testing::Test {
   std::unique_ptr<SceneTree> tree_;
 };
 
-TEST_F(WorkshopTest, theFourKindsOfActuatorsMove) {
+TEST_F(WorkshopTest, TheFourKindsOfActuatorsMove) {
   for (const char* fidelity : {"kinematic", "dynamic"}) {
     SetUp();
     set("fidelity", fidelity);
@@ -117,7 +117,7 @@ TEST_F(WorkshopTest, theFourKindsOfActuatorsMove) {
   }
 }
 
-TEST_F(WorkshopTest, sensorsMeasure) {
+TEST_F(WorkshopTest, SensorsMeasure) {
   set("field/post", "1002.3 0 200");
   set("sensors/inertia/noise", "0");
   run(0.1);
@@ -149,14 +149,25 @@ TEST_F(WorkshopTest, sensorsMeasure) {
   EXPECT_NEAR(std::sqrt(squares / 495), 500, 60);
 }
 
-TEST_F(WorkshopTest, jointsStopAtTheirLimits) {
+TEST_F(WorkshopTest, NothingGoesThroughTheFloor) {
+  set("actuators/drone", "0 0 -1 0 0 0");
+  run(6);
+  EXPECT_NEAR(numbers("actuators/drone/position")[2], 100, 0.3) << "its radius above the floor";
+  EXPECT_EQ(get("actuators/drone/executed"), "false");
+  set("actuators/drone", "0 0 1 0 0 0");
+  run(0.48);
+  EXPECT_NEAR(numbers("actuators/drone/position")[2], 100 + 0.48 * 300, 0.5);
+  EXPECT_EQ(get("actuators/drone/executed"), "true");
+}
+
+TEST_F(WorkshopTest, JointsStopAtTheirLimits) {
   set("actuators/lift", "1");
   run(3);
   EXPECT_NEAR(numbers("actuators/lift/where")[0], 500, 0.01);
   EXPECT_EQ(get("actuators/lift/executed"), "false");
 }
 
-TEST_F(WorkshopTest, emittersShineAsTheyAreTold) {
+TEST_F(WorkshopTest, EmittersShineAsTheyAreTold) {
   EXPECT_EQ(get("emitters/lamp"), "1");
   set("emitters/lamp", "0.5");
   EXPECT_FLOAT_EQ(simulation_->world().model().light_diffuse[0], 0.25f);
@@ -174,7 +185,7 @@ class DoorKeeper : public SceneController {
   int ticks = 0;
 };
 
-TEST_F(WorkshopTest, severalControllersShareTheScene) {
+TEST_F(WorkshopTest, SeveralControllersShareTheScene) {
   auto first = std::make_unique<DoorKeeper>();
   DoorKeeper* keeper = first.get();
   simulation_->add(std::move(first));
@@ -202,7 +213,7 @@ class MatchTree : public testing::Test {
   std::unique_ptr<SceneTree> tree_;
 };
 
-TEST_F(MatchTree, robotsAndBallsAreMovedThrownAndPutBack) {
+TEST_F(MatchTree, RobotsAndBallsAreMovedThrownAndPutBack) {
   for (const char* fidelity : {"kinematic", "dynamic"}) {
     ASSERT_TRUE(tree_->set("fidelity", fidelity));
     ASSERT_TRUE(tree_->set("robots/red2", "-900 300 90"));
@@ -222,7 +233,7 @@ TEST_F(MatchTree, robotsAndBallsAreMovedThrownAndPutBack) {
   }
 }
 
-TEST_F(MatchTree, switchesRadioCameraAndGameAreSet) {
+TEST_F(MatchTree, SwitchesRadioCameraAndGameAreSet) {
   ASSERT_TRUE(tree_->set("robots/blue1/switches/headFront", "on"));
   EXPECT_TRUE(simulation_->sensors(4).isPressed(Switch::headFront));
   ASSERT_TRUE(tree_->set("robots/blue1/radio", "off"));
@@ -242,7 +253,7 @@ TEST_F(MatchTree, switchesRadioCameraAndGameAreSet) {
   EXPECT_EQ(get("robots/red1/joints/headPan"), "30");
 }
 
-TEST_F(MatchTree, wrongPathsAndValuesChangeNothing) {
+TEST_F(MatchTree, WrongPathsAndValuesChangeNothing) {
   EXPECT_FALSE(tree_->get("robots/green1"));
   EXPECT_FALSE(tree_->set("robots/red1/height", "100"));
   EXPECT_FALSE(tree_->set("robots/red1", "100"));
@@ -255,7 +266,7 @@ TEST_F(MatchTree, wrongPathsAndValuesChangeNothing) {
             "robots/red1: expected 2 to 3 numbers, found 4");
 }
 
-TEST_F(MatchTree, allObjectsAreListedAndHaveValues) {
+TEST_F(MatchTree, AllObjectsAreListedAndHaveValues) {
   const auto all = tree_->list("");
   EXPECT_GT(all.size(), 400u);
   for (const SceneTree::Object& object : all) EXPECT_NE(get(object.path), "") << object.path;
@@ -268,7 +279,7 @@ TEST_F(MatchTree, allObjectsAreListedAndHaveValues) {
 }
 
 /// A short one of what `make experiments` does for half an hour.
-TEST(Chaos, breaksNothing) {
+TEST(Chaos, BreaksNothing) {
   for (const Fidelity fidelity : {Fidelity::kinematic, Fidelity::dynamic}) {
     auto scene = crowdedScene(22, 10);
     ASSERT_TRUE(scene) << scene.error().text();
@@ -278,7 +289,7 @@ TEST(Chaos, breaksNothing) {
     Chaos chaos{**simulation, 7};
     const int ticks = fidelity == Fidelity::kinematic ? 3000 : 500;
     for (int i = 0; i < ticks; ++i) {
-      (*simulation)->takePictures(i % 500 < 5);
+      (*simulation)->takeImages(i % 500 < 5);
       chaos.step();
       ASSERT_EQ(chaos.wrong(), "") << i;
     }
@@ -296,12 +307,13 @@ class Thrower : public RobotController {
   int cycles = 0;
 };
 
-TEST_F(MatchTree, aControllerThatThrowsStopsItsRobotOnly) {
+TEST_F(MatchTree, AControllerThatThrowsStopsItsRobotOnly) {
   auto owned = std::make_unique<Thrower>();
   Thrower* thrower = owned.get();
   simulation_->attach(2, std::move(owned));
   for (int i = 0; i < 50; ++i) simulation_->step();
   EXPECT_EQ(thrower->cycles, 10);
+  EXPECT_EQ(simulation_->input(2).image, nullptr) << "no stale image";
   EXPECT_EQ(simulation_->failure(2), "the controller threw: out of battery");
   EXPECT_EQ(simulation_->failure(3), "");
   EXPECT_EQ(simulation_->time(), Time{400});

@@ -85,7 +85,9 @@ class XmlScan {
 Result<XmlDocument> readXml(const std::string& path, const std::string& root) {
   std::error_code code;
   if (!std::filesystem::is_regular_file(path, code))
-    return Error{path, 0, "", "there is no such file"};
+    return Error{
+        path, 0, "",
+        std::filesystem::is_directory(path, code) ? "is a folder" : "there is no such file"};
   const std::unique_ptr<xmlParserCtxt, ContextDeleter> context{xmlNewParserCtxt()};
   context->sax->serror = [](void*, xmlError*) {};
   XmlDocument document{
@@ -112,6 +114,10 @@ std::string attribute(const xmlNode* node, const char* name) {
   std::string result = text(value);
   xmlFree(value);
   return result;
+}
+
+void setAttribute(xmlNode* node, const char* name, const std::string& value) {
+  xmlSetProp(node, BAD_CAST name, BAD_CAST value.c_str());
 }
 
 int lineOf(const xmlNode* node) {

@@ -27,6 +27,9 @@ std::string nameOf(const xmlNode* node);
 /// The value of an attribute; empty where there is none.
 std::string attribute(const xmlNode* node, const char* name);
 
+/// Sets an attribute's value.
+void setAttribute(xmlNode* node, const char* name, const std::string& value);
+
 /// An element's line in its file.
 int lineOf(const xmlNode* node);
 

@@ -38,7 +38,10 @@ class CeilingTracker {
   Track ball_;
 };
 
-/// All that a log of a camera at the ceiling holds, simulated or real.
+/// The topic of a CeilingCameraPercept in a log.
+constexpr const char* ceilingTopic = "/CeilingCameraPercept";
+
+/// Reads a log of a camera at the ceiling, simulated or real.
 Result<std::vector<CeilingCameraPercept>> readCeilingLog(const std::string& path);
 
 }  // namespace gt

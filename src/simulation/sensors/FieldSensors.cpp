@@ -1,13 +1,109 @@
 #include "simulation/sensors/FieldSensors.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 
+#include "simulation/camera/Lighting.h"
 #include "simulation/sensors/Sensors.h"
 
 namespace gt {
 namespace {
 
-constexpr double farthest = 10;  // m, of a whisker without cutoff
+constexpr double farthest = 10;  // m, of a whisker without a cutoff
+constexpr int receptorRays = 5;  // in each direction
+
+/// The kinds that MJCF does not know, and the numbers that their `numeric` has.
+struct UserKind {
+  FieldSensorKind kind;
+  std::size_t numbers;
+};
+constexpr std::array userKinds{
+    UserKind{FieldSensorKind::ultrasonic, 2}, UserKind{FieldSensorKind::whiskerField, 5},
+    UserKind{FieldSensorKind::receptor, 1}, UserKind{FieldSensorKind::facette, 4}};
+
+std::string sensorName(const mjModel& model, int id) {
+  const char* name = mj_id2name(&model, mjOBJ_SENSOR, id);
+  return name ? name : "sensor" + std::to_string(id);
+}
+
+/// Sets the kind of a `user` sensor by the `numeric` of its name; false if there is none.
+bool setUserKind(const mjModel& model, FieldSensors::Sensor& sensor) {
+  for (const auto& [kind, numbers] : userKinds) {
+    const auto data = customNumbers(model, std::string{enumName(kind)} + "/" + sensor.name);
+    if (data.size() != numbers) continue;
+    sensor.kind = kind;
+    if (numbers >= 4) {
+      sensor.columns = static_cast<int>(std::clamp(data[0], 1., 1000.));
+      sensor.rows = static_cast<int>(std::clamp(data[1], 1., 1000.));
+      sensor.width = fromDegrees(data[2]);
+      sensor.height = fromDegrees(data[3]);
+    } else {
+      sensor.width = sensor.height = fromDegrees(data[0]);
+      if (kind == FieldSensorKind::receptor) sensor.columns = sensor.rows = receptorRays;
+    }
+    sensor.range = data.back() / 1000;
+    return true;
+  }
+  return false;
+}
+
+/// A sensor of the model; nothing if it is of no kind that is known.
+std::optional<FieldSensors::Sensor> sensorOf(const mjModel& model, int id) {
+  FieldSensors::Sensor sensor;
+  sensor.name = sensorName(model, id);
+  sensor.id = id;
+  if (model.sensor_objtype[id] == mjOBJ_SITE) sensor.site = model.sensor_objid[id];
+  double unit = 1;
+  std::size_t numbers = 3;
+  switch (model.sensor_type[id]) {
+    case mjSENS_RANGEFINDER:
+      sensor.kind = FieldSensorKind::whisker;
+      sensor.range = model.sensor_cutoff[id] > 0 ? model.sensor_cutoff[id] : farthest;
+      unit = 1000;
+      numbers = 1;
+      break;
+    case mjSENS_TOUCH:
+      sensor.kind = FieldSensorKind::touch;
+      numbers = 1;
+      break;
+    case mjSENS_ACCELEROMETER:
+      sensor.kind = FieldSensorKind::acceleration;
+      unit = 1000;
+      break;
+    case mjSENS_GYRO:
+      sensor.kind = FieldSensorKind::turning;
+      unit = toDegrees(1);
+      break;
+    case mjSENS_VELOCIMETER:
+      sensor.kind = FieldSensorKind::speed;
+      unit = 1000;
+      break;
+    case mjSENS_MAGNETOMETER:
+      sensor.kind = FieldSensorKind::compass;
+      unit = toDegrees(1);
+      numbers = 1;
+      break;
+    case mjSENS_USER: {
+      if (model.sensor_objtype[id] != mjOBJ_SITE || !setUserKind(model, sensor))
+        return std::nullopt;
+      const bool distance = sensor.kind == FieldSensorKind::ultrasonic ||
+                            sensor.kind == FieldSensorKind::whiskerField;
+      if (distance) unit = 1000;
+      if (sensor.kind == FieldSensorKind::ultrasonic) numbers = 1;
+      if (sensor.kind == FieldSensorKind::whiskerField || sensor.kind == FieldSensorKind::facette)
+        numbers = static_cast<std::size_t>(sensor.columns * sensor.rows) * (distance ? 1 : 3);
+      break;
+    }
+    default:
+      if (model.sensor_needstage[id] != mjSTAGE_POS) return std::nullopt;
+      numbers = static_cast<std::size_t>(model.sensor_dim[id]);
+  }
+  sensor.noise = unit * model.sensor_noise[id];
+  sensor.value.resize(numbers);
+  return sensor;
+}
 
 /// The body that a geom moves with: 0 if it stands still.
 int movedWith(const mjModel& model, int geom) {
@@ -29,67 +125,180 @@ bool isTouched(const World& world, int body) {
   return false;
 }
 
+/// The pose of a sensor that looks along its site's z axis: x ahead, z up.
+Pose3D lookingAhead(const Pose3D& site) {
+  Matrix3d axes;
+  axes << site.rotation.col(2), site.rotation.col(0), site.rotation.col(1);
+  return {axes, site.translation};
+}
+
+/// A unit vector to the left and up of ahead, by these angles.
+Vector3d ray(const Pose3D& pose, double left, double up) {
+  return pose.rotation * (rotationZ(left) * rotationY(-up) * Vector3d::UnitX());
+}
+
+/// The nearest surface in a cone, by rays on rings about its axis.
+template <typename Distance>
+double nearestInCone(const Pose3D& pose, double halfAngle, const Distance& distance) {
+  constexpr int rings = 4, spokes = 12;
+  double nearest = distance(ray(pose, 0, 0));
+  for (int ring = 1; ring <= rings; ++ring)
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      const double off = halfAngle * ring / rings, around = 2 * pi * spoke / spokes;
+      const Vector3d aside =
+          std::cos(around) * pose.rotation.col(1) + std::sin(around) * pose.rotation.col(2);
+      nearest = std::min(nearest, distance(Vector3d{std::cos(off) * pose.rotation.col(0) +
+                                                    std::sin(off) * aside}));
+    }
+  return nearest;
+}
+
+void copyTo(std::vector<double>& value, const Vector3d& numbers) {
+  std::copy_n(numbers.data(), 3, value.begin());
+}
+
+/// What follows from how the site moved in the last tick.
+void measureMotion(const Pose3D& pose, FieldSensors::Sensor& sensor) {
+  const bool known = sensor.seen >= 1;
+  const Vector3d speed =
+      known ? Vector3d{(pose.translation - sensor.before.translation) / tickSeconds}
+            : Vector3d{0, 0, 0};
+  const Matrix3d toSite = pose.rotation.transpose();
+  if (sensor.kind == FieldSensorKind::acceleration) {
+    const Vector3d change =
+        sensor.seen >= 2 ? Vector3d{(speed - sensor.speed) / tickSeconds} : Vector3d{0, 0, 0};
+    copyTo(sensor.value, toSite * (change + Vector3d{0, 0, 9810}));
+  } else if (sensor.kind == FieldSensorKind::speed) {
+    copyTo(sensor.value, toSite * speed);
+  } else {
+    const Eigen::AngleAxisd turn{sensor.before.rotation.transpose() * pose.rotation};
+    copyTo(sensor.value, known ? Vector3d{toDegrees(turn.angle() / tickSeconds) * turn.axis()}
+                               : Vector3d{0, 0, 0});
+  }
+  sensor.before = pose;
+  sensor.speed = speed;
+  sensor.seen = std::min(sensor.seen + 1, 2);
+}
+
 }  // namespace
 
+std::string_view describe(FieldSensorKind kind) {
+  switch (kind) {
+    case FieldSensorKind::whisker:
+      return "mm to what is ahead";
+    case FieldSensorKind::whiskerField:
+      return "mm to what is ahead, row by row from the top left";
+    case FieldSensorKind::ultrasonic:
+      return "mm to the nearest surface in its cone";
+    case FieldSensorKind::receptor:
+      return "y, cb and cr of what is ahead, in the mean";
+    case FieldSensorKind::facette:
+      return "y, cb and cr of each pixel, row by row from the top left";
+    case FieldSensorKind::touch:
+      return "1 if something but the floor touches it";
+    case FieldSensorKind::acceleration:
+      return "mm/s^2 in its own axes, with gravity";
+    case FieldSensorKind::turning:
+      return "deg/s about its own axes";
+    case FieldSensorKind::speed:
+      return "mm/s in its own axes";
+    case FieldSensorKind::compass:
+      return "deg: where its x axis points, 0 to the sky-blue goal";
+    case FieldSensorKind::other:
+      return "as MuJoCo measures it: m, rad";
+  }
+  return "";
+}
+
+Result<void> checkFieldSensors(const mjModel& model, const std::string& file) {
+  for (int id = 0; id < model.nsensor; ++id) {
+    if (sensorOf(model, id)) continue;
+    return Error{file, 0, sensorName(model, id),
+                 model.sensor_type[id] == mjSENS_USER
+                     ? "expected a site, and a <numeric> with the name of a kind and this one's: "
+                       "ultrasonic/, whiskerField/, receptor/ or facette/"
+                     : "is of a kind that the simulator does not know"};
+  }
+  return {};
+}
+
 FieldSensors::FieldSensors(const World& world, const Random& random) {
+  for (int id = 0; id < world.model().nsensor; ++id) {
+    auto sensor = sensorOf(world.model(), id);
+    if (!sensor) continue;
+    sensor->random = random.fork(sensor->name);
+    others_ |= sensor->kind == FieldSensorKind::other;
+    sensors_.push_back(std::move(*sensor));
+  }
+}
+
+void FieldSensors::step(World& world, const CameraScene& scene) {
+  if (others_) world.measureSensors();
+  for (Sensor& sensor : sensors_)
+    if (sensor.kind != FieldSensorKind::facette) measure(world, scene, sensor);
+}
+
+const std::vector<double>& FieldSensors::read(std::size_t sensor, const World& world,
+                                              const CameraScene& scene) {
+  Sensor& s = sensors_[sensor];
+  if (s.kind == FieldSensorKind::facette) measure(world, scene, s);
+  return s.value;
+}
+
+void FieldSensors::measure(const World& world, const CameraScene& scene, Sensor& sensor) {
   const mjModel& model = world.model();
-  for (int i = 0; i < model.nsensor; ++i) {
-    Sensor sensor;
-    double unit = 1000;
-    switch (model.sensor_type[i]) {
-      case mjSENS_RANGEFINDER:
-        sensor.range = model.sensor_cutoff[i] > 0 ? model.sensor_cutoff[i] : farthest;
-        break;
-      case mjSENS_TOUCH:
-        sensor.kind = FieldSensorKind::touch;
-        unit = 1;
-        break;
-      case mjSENS_ACCELEROMETER:
-        sensor.kind = FieldSensorKind::acceleration;
-        break;
-      default:
-        continue;
-    }
-    const char* name = mj_id2name(&model, mjOBJ_SENSOR, i);
-    sensor.name = name ? name : "sensor" + std::to_string(i);
-    sensor.site = model.sensor_objid[i];
-    sensor.noise = unit * model.sensor_noise[i];
-    sensor.random = random.fork(sensor.name);
-    sensor.value.resize(sensor.kind == FieldSensorKind::acceleration ? 3 : 1);
-    sensors_.push_back(std::move(sensor));
-  }
-}
-
-void FieldSensors::step(const World& world) {
-  for (Sensor& sensor : sensors_) {
-    measure(world, sensor);
-    for (double& value : sensor.value) value += sensor.noise * sensor.random.gaussian();
-  }
-}
-
-void FieldSensors::measure(const World& world, Sensor& sensor) const {
-  const Pose3D pose = sitePose(world.data(), sensor.site);
-  const int body = world.model().body_weldid[world.model().site_bodyid[sensor.site]];
+  const Pose3D site = model.nsite > 0 ? sitePose(world.data(), sensor.site) : Pose3D{};
+  const int body = model.nsite > 0 ? model.body_weldid[model.site_bodyid[sensor.site]] : 0;
+  const auto distance = [&](const Vector3d& direction) {
+    return rayDistance(world, site.translation, direction, 1000 * sensor.range,
+                       [&](int geom) { return movedWith(model, geom) == body; });
+  };
+  const Pose3D ahead = lookingAhead(site);
   switch (sensor.kind) {
     case FieldSensorKind::whisker:
-      sensor.value[0] =
-          rayDistance(world, pose.translation, pose.rotation.col(2), 1000 * sensor.range,
-                      [&](int geom) { return movedWith(world.model(), geom) == body; });
-      return;
+      sensor.value[0] = distance(site.rotation.col(2));
+      break;
+    case FieldSensorKind::ultrasonic:
+      sensor.value[0] = nearestInCone(ahead, sensor.width, distance);
+      break;
+    case FieldSensorKind::whiskerField:
+      for (int y = 0; y < sensor.rows; ++y)
+        for (int x = 0; x < sensor.columns; ++x)
+          sensor.value[static_cast<std::size_t>(y * sensor.columns + x)] =
+              distance(ray(ahead, sensor.width * (0.5 - (x + 0.5) / sensor.columns),
+                           sensor.height * (0.5 - (y + 0.5) / sensor.rows)));
+      break;
+    case FieldSensorKind::receptor:
+    case FieldSensorKind::facette: {
+      const Facette camera{sensor.columns, sensor.rows, sensor.width, sensor.height};
+      camera.take(Lighting{model}, scene, world.data(), ahead, model.site_bodyid[sensor.site],
+                  false, image_);
+      // A receptor has the mean of all pixels, a facette three numbers for each.
+      const double share =
+          sensor.kind == FieldSensorKind::receptor ? 1. / static_cast<double>(image_.area()) : 1;
+      std::ranges::fill(sensor.value, 0.);
+      std::size_t next = 0;
+      for (const Pixel& pixel : image_.pixels)
+        for (const std::uint8_t channel : {pixel.y, pixel.cb, pixel.cr})
+          sensor.value[next++ % sensor.value.size()] += share * channel;
+      break;
+    }
     case FieldSensorKind::touch:
       sensor.value[0] = isTouched(world, body);
-      return;
-    case FieldSensorKind::acceleration: {
-      const Vector3d speed = (pose.translation - sensor.before) / tickSeconds;
-      const Vector3d change =
-          sensor.seen >= 2 ? Vector3d{(speed - sensor.speed) / tickSeconds} : Vector3d{0, 0, 0};
-      sensor.before = pose.translation;
-      sensor.speed = speed;
-      sensor.seen = std::min(sensor.seen + 1, 2);
-      const Vector3d felt = pose.rotation.transpose() * (change + Vector3d{0, 0, 9810});
-      std::copy_n(felt.data(), 3, sensor.value.begin());
-    }
+      break;
+    case FieldSensorKind::compass:
+      sensor.value[0] = toDegrees(std::atan2(site.rotation(1, 0), site.rotation(0, 0)));
+      break;
+    case FieldSensorKind::acceleration:
+    case FieldSensorKind::turning:
+    case FieldSensorKind::speed:
+      measureMotion(site, sensor);
+      break;
+    case FieldSensorKind::other:
+      std::copy_n(world.data().sensordata + model.sensor_adr[sensor.id], sensor.value.size(),
+                  sensor.value.begin());
   }
+  for (double& value : sensor.value) value += sensor.noise * sensor.random.gaussian();
 }
 
 }  // namespace gt

@@ -34,7 +34,7 @@ void Sensors::read(const World& world, std::size_t robot, SensorData& readings) 
 
 namespace {
 
-/// A ray through the world, in metres, and how far away is what it meets first.
+/// A ray through the world, in meters, and how far away is what it meets first.
 class Ray {
  public:
   Ray(const World& world, const Vector3d& start, const Vector3d& direction, double range)

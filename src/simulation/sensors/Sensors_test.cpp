@@ -12,7 +12,7 @@ void run(World& world, const RobotCommand& command, int ticks) {
   for (int i = 0; i < ticks; ++i) world.step(commands);
 }
 
-TEST(Sensors, withoutNoiseTheyTellTheTruth) {
+TEST(Sensors, WithoutNoiseTheyTellTheTruth) {
   const SceneDescription scene = duelScene({}, {1500, 1000});
   const auto world = worldOf(scene);
   run(*world, standingCommand(), 200);
@@ -36,7 +36,7 @@ TEST(Sensors, withoutNoiseTheyTellTheTruth) {
   EXPECT_TRUE(readings.switches[Switch::back]);
 }
 
-TEST(Sensors, aFallIsFelt) {
+TEST(Sensors, AFallIsFelt) {
   const SceneDescription scene = duelScene({}, {1500, 1000});
   const auto world = worldOf(scene);
   world->throwOver(0, Posture::onRightSide);
@@ -48,7 +48,7 @@ TEST(Sensors, aFallIsFelt) {
   EXPECT_FALSE(readings.switches[Switch::pawFL]);
 }
 
-TEST(Sensors, theNoiseIsAsTheSceneSays) {
+TEST(Sensors, TheNoiseIsAsTheSceneSays) {
   SceneDescription scene = duelScene({}, {1500, 1000});
   scene.noise.joints = 0.2;
   scene.noise.acceleration = 200;
@@ -72,7 +72,7 @@ TEST(Sensors, theNoiseIsAsTheSceneSays) {
   }
 }
 
-TEST(Sensors, psdMeasuresTheDistanceToWallBallAndFloor) {
+TEST(Sensors, PsdMeasuresTheDistanceToWallBallAndFloor) {
   const SceneDescription scene = duelScene({0, 1000, 700}, {-1500, 1000});
   const auto world = worldOf(scene);
   RobotCommand command = standingCommand();

@@ -9,17 +9,10 @@ namespace {
 
 constexpr double defaultTurning = 90, defaultSpeed = 500;  // deg/s, mm/s
 
-std::string nameOf(const mjModel& model, mjtObj type, int id) {
-  const char* name = mj_id2name(&model, type, id);
-  return name ? name : "";
-}
-
-/// The numbers of a custom field of the model; none if there is no such field.
-std::vector<double> numbersOf(const mjModel& model, const std::string& name) {
-  const int id = mj_name2id(&model, mjOBJ_NUMERIC, name.c_str());
-  if (id < 0) return {};
-  const mjtNum* first = model.numeric_data + model.numeric_adr[id];
-  return {first, first + model.numeric_size[id]};
+/// Whether actuators stop at a geom: floors, walls and what stands on the field, robots, balls.
+bool isSolid(const mjModel& model, int geom) {
+  const int group = model.geom_group[geom];
+  return model.geom_type[geom] == mjGEOM_PLANE || (group >= 2 && group <= 4);
 }
 
 bool isBelow(const mjModel& model, int body, int ancestor) {
@@ -33,7 +26,7 @@ Actuators::Actuator actuatorOf(const mjModel& model, int joint) {
   actuator.body = model.jnt_bodyid[joint];
   actuator.name = nameOf(model, mjOBJ_JOINT, joint);
   if (actuator.name.empty()) actuator.name = nameOf(model, mjOBJ_BODY, actuator.body);
-  std::vector<double> speed = numbersOf(model, "speed/" + actuator.name);
+  std::vector<double> speed = customNumbers(model, "speed/" + actuator.name);
   const auto at = [&](std::size_t i, double otherwise) {
     return i < speed.size() ? speed[i] : otherwise;
   };
@@ -42,7 +35,7 @@ Actuators::Actuator actuatorOf(const mjModel& model, int joint) {
   } else if (model.jnt_type[joint] == mjJNT_SLIDE) {
     actuator.kind = ActuatorKind::translational;
     actuator.speed[0] = at(0, defaultSpeed) / 1000;
-  } else if (const auto vehicle = numbersOf(model, "vehicle/" + actuator.name);
+  } else if (const auto vehicle = customNumbers(model, "vehicle/" + actuator.name);
              vehicle.size() == 3) {
     actuator.kind = ActuatorKind::vehicle;
     actuator.speed = {vehicle[0] / 1000, fromDegrees(std::clamp(vehicle[1], 0., 80.))};
@@ -171,8 +164,7 @@ bool Actuators::collides(const World& world, const Actuator& actuator) const {
   const mjModel& model = world.model();
   const auto& moved = geoms_[static_cast<std::size_t>(&actuator - actuators_.data())];
   for (int other = 0; other < model.ngeom; ++other) {
-    const int group = model.geom_group[other];
-    if (group < 2 || group > 4 || isBelow(model, model.geom_bodyid[other], actuator.body) ||
+    if (!isSolid(model, other) || isBelow(model, model.geom_bodyid[other], actuator.body) ||
         (model.geom_bodyid[other] != 0 && isBelow(model, actuator.body, model.geom_bodyid[other])))
       continue;
     for (const int geom : moved)

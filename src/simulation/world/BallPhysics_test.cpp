@@ -20,7 +20,7 @@ RobotCommand crouching(const Pose2D& step = {}) {
   return command;
 }
 
-TEST(BallPhysics, rollsToRest) {
+TEST(BallPhysics, RollsToRest) {
   SceneDescription scene = duelScene({0, -2000, 0}, {-1500, 300});
   for (const double deceleration : {150., 250., 600.})
     for (const double speed : {200., 500., 900.}) {
@@ -34,7 +34,7 @@ TEST(BallPhysics, rollsToRest) {
     }
 }
 
-TEST(BallPhysics, bouncesOffTheWall) {
+TEST(BallPhysics, BouncesOffTheWall) {
   SceneDescription scene = duelScene({0, -2000, 0}, {0, 0});
   scene.physics.deceleration = 0;
   scene.physics.friction = 0;
@@ -49,7 +49,7 @@ TEST(BallPhysics, bouncesOffTheWall) {
   EXPECT_NEAR(world->ball(0).position.y(), reached - 400 * late, 8);
 }
 
-TEST(BallPhysics, itTurnsAsItRolls) {
+TEST(BallPhysics, ItTurnsAsItRolls) {
   const auto world = worldOf(duelScene({0, -2000, 0}, {0, 0}));
   world->placeBall(0, {0, 0}, {400, 0});
   const mjtNum* rotation = world->data().qpos + world->model().nq - 4;
@@ -59,7 +59,7 @@ TEST(BallPhysics, itTurnsAsItRolls) {
   EXPECT_NEAR(rotation[1], 0, 1e-9);
 }
 
-TEST(BallPhysics, aWalkingRobotPushesIt) {
+TEST(BallPhysics, AWalkingRobotPushesIt) {
   const auto world = worldOf(duelScene({0, -400, 0}, {0, 0}));
   run(*world, crouching({0, 1.6, 0}), 300);
   EXPECT_GT(world->ball(0).position.x(), 100);
@@ -67,7 +67,7 @@ TEST(BallPhysics, aWalkingRobotPushesIt) {
   EXPECT_LE(world->ball(0).lastTouched, world->time());
 }
 
-TEST(BallPhysics, aStandingRobotsChestIsTooLowForItToPassBelow) {
+TEST(BallPhysics, AStandingRobotsChestIsTooLowForItToPassBelow) {
   RobotCommand command = standingCommand({0, 1.2, 0});
   for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft}) {
     command.joints[legJoint(leg, 1)] = isFore(leg) ? -0.726 : -0.799;  // motions/postures/stand.mof
@@ -83,7 +83,7 @@ TEST(BallPhysics, aStandingRobotsChestIsTooLowForItToPassBelow) {
   }
 }
 
-TEST(BallPhysics, aSwingingLegKicksAndTheSpeedIsThatOfTheLeg) {
+TEST(BallPhysics, ASwingingLegKicksAndTheSpeedIsThatOfTheLeg) {
   const Pose2D pose{0, 0, 0};
   const auto world = worldOf(duelScene(pose, {1000, 1000}));
   RobotCommand command = standingCommand();
@@ -114,7 +114,7 @@ TEST(BallPhysics, aSwingingLegKicksAndTheSpeedIsThatOfTheLeg) {
   EXPECT_GT(world->ball(0).position.x(), ball.x() + 20);
 }
 
-TEST(BallPhysics, aSwingingHeadKicks) {
+TEST(BallPhysics, ASwingingHeadKicks) {
   const auto world = worldOf(duelScene({0, 0, 0}, {1000, 1000}));
   RobotCommand command = crouching();
   command.joints[Joint::headTilt] = fromDegrees(-75);
@@ -131,7 +131,7 @@ TEST(BallPhysics, aSwingingHeadKicks) {
   EXPECT_GT(world->ball(0).position.y(), 43 + 30);
 }
 
-TEST(BallPhysics, aRobotThatIsPutBesideItDoesNotKick) {
+TEST(BallPhysics, ARobotThatIsPutBesideItDoesNotKick) {
   const auto world = worldOf(duelScene({0, -1000, 0}, {0, 0}));
   run(*world, standingCommand(), 100);
   world->placeRobot(0, {0, -130, 0});
@@ -148,7 +148,7 @@ bool inside(const Vector2d& p) {
   return (onField || inGoal || atPost) && slope;
 }
 
-TEST(BallPhysics, staysInsideAmongRandomRobots) {
+TEST(BallPhysics, StaysInsideAmongRandomRobots) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     SceneDescription scene = matchScene();
     scene.noise = {};
@@ -181,7 +181,7 @@ TEST(BallPhysics, staysInsideAmongRandomRobots) {
   }
 }
 
-TEST(BallPhysics, squeezedBetweenTwoRobotsItGetsOut) {
+TEST(BallPhysics, SqueezedBetweenTwoRobotsItGetsOut) {
   SceneDescription scene = matchScene();
   scene.robots.resize(2);
   scene.robots[0].x = -400;

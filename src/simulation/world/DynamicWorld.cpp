@@ -26,7 +26,7 @@ Vector3d threeOf(const mjtNum* numbers) {
   return Eigen::Map<const Vector3d>(numbers);
 }
 
-/// How far the lowest point of a geom lies below its centre (m).
+/// How far the lowest point of a geom lies below its center (m).
 double reachDown(const mjModel& model, const mjData& data, int geom) {
   const mjtNum* size = model.geom_size + 3 * geom;
   const mjtNum* toWorld = data.geom_xmat + 9 * geom;
@@ -199,9 +199,7 @@ void DynamicWorld::putByHand() {
 void DynamicWorld::putRobot(std::size_t i) {
   RobotBody& robot = robots_[i];
   robot.tilt = 0;
-  robot.roll = robot.posture == Posture::standing      ? 0
-               : robot.posture == Posture::onRightSide ? pi / 2
-                                                       : -pi / 2;
+  robot.roll = rollOf(robot.posture);
   writeRobot(i);
   updateKinematics();
   robot.height -= 1000 * (lowestPoint(i) + groundGap);

@@ -13,7 +13,7 @@ SceneDescription dynamicDuel(const Pose2D& robot, const Vector2d& ball) {
   return scene;
 }
 
-/// Legs under the body's centre of mass, which lies ahead of its middle.
+/// Legs under the body's center of mass, which lies ahead of its middle.
 JointAngles firmStand() {
   JointAngles angles = standing();
   for (const Leg leg : {Leg::hindRight, Leg::hindLeft}) {
@@ -32,7 +32,7 @@ void run(World& world, const JointAngles& angles, int ticks) {
   for (int i = 0; i < ticks; ++i) world.step(commands);
 }
 
-TEST(DynamicWorld, standsOnItsMotors) {
+TEST(DynamicWorld, StandsOnItsMotors) {
   const auto world = worldOf(dynamicDuel({0.5, -300, 200}, {1000, 0}));
   run(*world, firmStand(), 500);
   const RobotBody& robot = world->robot(0);
@@ -45,7 +45,7 @@ TEST(DynamicWorld, standsOnItsMotors) {
     EXPECT_NEAR(robot.joints.values[j], firmStand().values[j], fromDegrees(4)) << j;
 }
 
-TEST(DynamicWorld, whatARobotBelievesToWalkMovesNothing) {
+TEST(DynamicWorld, WhatARobotBelievesToWalkMovesNothing) {
   const auto world = worldOf(dynamicDuel({}, {1000, 0}));
   run(*world, firmStand(), 250);
   const Vector2d before = world->robot(0).pose.translation;
@@ -54,7 +54,7 @@ TEST(DynamicWorld, whatARobotBelievesToWalkMovesNothing) {
   EXPECT_LT((world->robot(0).pose.translation - before).norm(), 3);
 }
 
-TEST(DynamicWorld, aThrownRobotFeelsItsSide) {
+TEST(DynamicWorld, AThrownRobotFeelsItsSide) {
   const auto world = worldOf(dynamicDuel({}, {1000, 0}));
   run(*world, firmStand(), 250);
   world->throwOver(0, Posture::onLeftSide);
@@ -68,7 +68,7 @@ TEST(DynamicWorld, aThrownRobotFeelsItsSide) {
   EXPECT_GT(world->robot(0).specificForce.z(), 9500);
 }
 
-TEST(DynamicWorld, aRobotPushedOverItsFeetFalls) {
+TEST(DynamicWorld, ARobotPushedOverItsFeetFalls) {
   const auto world = worldOf(dynamicDuel({}, {1000, 0}));
   run(*world, firmStand(), 250);
   JointAngles leaning = firmStand();
@@ -82,7 +82,7 @@ TEST(DynamicWorld, aRobotPushedOverItsFeetFalls) {
   EXPECT_GT(most, fromDegrees(15));  // to its right side
 }
 
-TEST(DynamicWorld, aBallRollsOutAndBounces) {
+TEST(DynamicWorld, ABallRollsOutAndBounces) {
   const auto world = worldOf(dynamicDuel({0, -1500, -800}, {0, 0}));
   const double deceleration = matchScene().physics.deceleration;
   world->placeBall(0, {-1000, 500}, {800, 0});
@@ -97,7 +97,7 @@ TEST(DynamicWorld, aBallRollsOutAndBounces) {
   EXPECT_LT(std::abs(world->ball(0).position.y()), 1310);
 }
 
-TEST(DynamicWorld, legsMoveTheBallAndAreRemembered) {
+TEST(DynamicWorld, LegsMoveTheBallAndAreRemembered) {
   const auto world = worldOf(dynamicDuel({}, {180, -60}));
   run(*world, firmStand(), 250);
   world->placeBall(0, {150, -60});
@@ -109,7 +109,7 @@ TEST(DynamicWorld, legsMoveTheBallAndAreRemembered) {
   EXPECT_EQ(world->ball(0).lastToucher, 0);
 }
 
-TEST(DynamicWorld, survivesAnything) {
+TEST(DynamicWorld, SurvivesAnything) {
   SceneDescription scene = matchScene();
   scene.fidelity = Fidelity::dynamic;
   const auto world = worldOf(scene);
@@ -136,7 +136,7 @@ TEST(DynamicWorld, survivesAnything) {
   }
 }
 
-TEST(DynamicWorld, theSameCommandsGiveTheSameBits) {
+TEST(DynamicWorld, TheSameCommandsGiveTheSameBits) {
   const auto one = worldOf(dynamicDuel({}, {200, 0}), 1);
   const auto other = worldOf(dynamicDuel({}, {200, 0}), 2);  // nothing in it is left to chance
   Random random{6};

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "representations/infrastructure/RobotDimensions.h"
+#include "representations/infrastructure/RobotFootprint.h"
 #include "simulation/world/Stance.h"
 
 namespace gt {
 namespace {
 
-/// A robot seen from above: two discs.
-constexpr double footprintRadius = 78;
-constexpr std::array<double, 2> footprintX{62, -55};
+constexpr double footprintRadius = RobotFootprint::radius;
+constexpr auto footprintX = RobotFootprint::middles;
 
 /// How fast a servo closes in on its target below its top speed.
 constexpr double servoTime = 0.012;
@@ -186,13 +186,12 @@ void KinematicWorld::partRobots() {
 void KinematicWorld::setStance(std::size_t i) {
   RobotBody& robot = robots_[i];
   const RobotParts& parts = parts_[i];
+  robot.roll = rollOf(robot.posture);
   if (robot.posture != Posture::standing) {
     robot.height = 62;  // the trunk lies on the legs of one side
     robot.tilt = 0;
-    robot.roll = robot.posture == Posture::onRightSide ? pi / 2 : -pi / 2;
     robot.footOnGround.fill(false);
   } else {
-    robot.roll = 0;
     std::array<GroundPoint, 5> fore, hind;
     const auto point = [&](std::size_t leg, std::size_t n) -> GroundPoint& {
       return leg < 2 ? fore[2 * leg + n] : hind[2 * (leg - 2) + n];

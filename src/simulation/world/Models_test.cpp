@@ -13,7 +13,7 @@
 namespace gt {
 namespace {
 
-/// The foot ball's centre in the body's system by the lengths of RobotDimensions.
+/// The foot ball's center in the body's system by the lengths of RobotDimensions.
 Vector3d footByHand(Leg leg, const JointAngles& q, const RobotDimensions& d) {
   const double x = isFore(leg) ? 1 : -1, y = isLeft(leg) ? 1 : -1;
   const Vector3d& lower = isFore(leg) ? d.lowerLegFore : d.lowerLegHind;
@@ -65,7 +65,7 @@ class RobotModel : public testing::Test {
   RobotDimensions dimensions_;
 };
 
-TEST_F(RobotModel, feetAreWhereTheLengthsPutThem) {
+TEST_F(RobotModel, FeetAreWhereTheLengthsPutThem) {
   Random random{5};
   for (int i = 0; i < 200; ++i) {
     const JointAngles angles = randomAngles(random);
@@ -79,7 +79,7 @@ TEST_F(RobotModel, feetAreWhereTheLengthsPutThem) {
   }
 }
 
-TEST_F(RobotModel, cameraIsWhereTheReportPutsIt) {
+TEST_F(RobotModel, CameraIsWhereTheReportPutsIt) {
   Random random{6};
   for (int i = 0; i < 200; ++i) {
     const JointAngles angles = randomAngles(random);
@@ -98,7 +98,7 @@ TEST_F(RobotModel, cameraIsWhereTheReportPutsIt) {
   }
 }
 
-TEST_F(RobotModel, signsAreThoseOfJoint) {
+TEST_F(RobotModel, SignsAreThoseOfJoint) {
   const auto site = [&](int id) { return fromMuJoCo(data_->site_xpos + 3 * id); };
   const auto moved = [&](Joint joint, int id) {
     pose({});
@@ -116,7 +116,7 @@ TEST_F(RobotModel, signsAreThoseOfJoint) {
   EXPECT_GT(moved(Joint::legHL2, parts_.footSites[3]).y(), 1);
 }
 
-TEST_F(RobotModel, limitsHoldThoseOfTheJoints) {
+TEST_F(RobotModel, LimitsHoldThoseOfTheJoints) {
   for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
     const std::string name = "red1/" + std::string{enumNames<Joint>[j]};
     const int id = mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
@@ -137,7 +137,7 @@ std::string colorOf(const mjModel& model, int geom) {
   return name.substr(0, name.find('.'));
 }
 
-TEST(FieldModel, flagsStandWhereThePerceptsExpectThem) {
+TEST(FieldModel, FlagsStandWhereThePerceptsExpectThem) {
   const auto model = composeModel(matchScene());
   ASSERT_TRUE(model);
   const ModelData data = makeData(**model);
@@ -165,7 +165,7 @@ TEST(FieldModel, flagsStandWhereThePerceptsExpectThem) {
   }
 }
 
-/// How far it is from a point above the field's centre line to what stands in a direction (mm).
+/// How far it is from a point above the field's center line to what stands in a direction (mm).
 double reach(const mjModel& model, const mjData& data, const Vector3d& from, const Vector3d& along,
              std::string& color) {
   const Vector3d start = from / 1000;
@@ -176,7 +176,7 @@ double reach(const mjModel& model, const mjData& data, const Vector3d& from, con
   return 1000 * distance;
 }
 
-TEST(FieldModel, wallsAndGoalsHaveTheFieldsDimensions) {
+TEST(FieldModel, WallsAndGoalsHaveTheFieldsDimensions) {
   const auto model = composeModel(matchScene());
   ASSERT_TRUE(model);
   const ModelData data = makeData(**model);
@@ -208,7 +208,7 @@ TEST(FieldModel, wallsAndGoalsHaveTheFieldsDimensions) {
   EXPECT_NEAR(measured({f.xSideCorner - 20, 0, 50}, {0, -1, 0}), f.ySideline, 0.02);
 }
 
-TEST(SceneModel, teamsWearTheirColors) {
+TEST(SceneModel, TeamsWearTheirColors) {
   const auto model = composeModel(matchScene());
   ASSERT_TRUE(model);
   std::set<std::string> known{"red",     "blue", "green", "white", "yellow",
@@ -228,7 +228,7 @@ void pose(const mjModel& model, mjData& data, const RobotParts& parts, const Joi
   mj_kinematics(&model, &data);
 }
 
-TEST(RobotParts, aLegAloneIsWhereMuJoCoHasIt) {
+TEST(RobotParts, ALegAloneIsWhereMuJoCoHasIt) {
   const auto world = worldOf(duelScene({0.7, 300, -200}, {1000, 0}));
   const mjModel& model = world->model();
   const RobotParts& parts = world->parts(0);
@@ -249,7 +249,7 @@ TEST(RobotParts, aLegAloneIsWhereMuJoCoHasIt) {
   }
 }
 
-TEST(RobotParts, nothingOfARobotGetsBeyondItsReach) {
+TEST(RobotParts, NothingOfARobotGetsBeyondItsReach) {
   const auto world = worldOf(duelScene({0.7, 300, -200}, {1000, 0}));
   const mjModel& model = world->model();
   const RobotParts& parts = world->parts(0);

@@ -58,6 +58,18 @@ Result<Model> compileModel(const std::string& mjcf, const std::string& file) {
                "MuJoCo: " + what};
 }
 
+std::string nameOf(const mjModel& model, mjtObj type, int id) {
+  const char* name = mj_id2name(&model, type, id);
+  return name ? name : "";
+}
+
+std::vector<double> customNumbers(const mjModel& model, const std::string& name) {
+  const int id = mj_name2id(&model, mjOBJ_NUMERIC, name.c_str());
+  if (id < 0) return {};
+  const mjtNum* first = model.numeric_data + model.numeric_adr[id];
+  return {first, first + model.numeric_size[id]};
+}
+
 ModelData makeData(const mjModel& model) {
   return ModelData{mj_makeData(&model)};
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/Geometry.h"
 #include "base/Result.h"
@@ -24,7 +25,7 @@ Result<Model> compileModel(const std::string& mjcf, const std::string& file);
 /// Data for a model. Its state is the model's default.
 ModelData makeData(const mjModel& model);
 
-/// A position of MuJoCo (metres) in millimetres.
+/// A position of MuJoCo (meters) in millimeters.
 inline Vector3d fromMuJoCo(const mjtNum* position) {
   return 1000 * Eigen::Map<const Vector3d>(position);
 }
@@ -34,7 +35,13 @@ inline Matrix3d rotationFromMuJoCo(const mjtNum* matrix) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(matrix);
 }
 
-/// The pose of a site, in millimetres.
+/// The name of an object of the model; empty if it has none.
+std::string nameOf(const mjModel& model, mjtObj type, int id);
+
+/// The numbers of a custom field of the model (MJCF's `numeric`); none if there is no such field.
+std::vector<double> customNumbers(const mjModel& model, const std::string& name);
+
+/// The pose of a site, in millimeters.
 inline Pose3D sitePose(const mjData& data, int site) {
   return {rotationFromMuJoCo(data.site_xmat + 9 * site), fromMuJoCo(data.site_xpos + 3 * site)};
 }

@@ -45,7 +45,7 @@ bool Obstacles::overlaps(const Obstacle& obstacle, const Vector2d& center, doubl
     normal = away / distance;
     overlap.depth = touching - distance;
   } else {
-    // The centre lies inside: out through the nearest side.
+    // The center lies inside: out through the nearest side.
     const double outX = obstacle.half.x() - std::abs(local.x());
     const double outY = obstacle.half.y() - std::abs(local.y());
     if (outX < outY)

@@ -47,7 +47,7 @@ class Obstacles {
   std::vector<Obstacle> obstacles_;
 };
 
-/// How the first of two discs overlaps the second; equal centres are parted along x.
+/// How the first of two discs overlaps the second; equal centers are parted along x.
 bool discsOverlap(const Vector2d& first, const Vector2d& second, double distance, Overlap& overlap);
 
 }  // namespace gt

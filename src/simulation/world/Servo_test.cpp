@@ -20,7 +20,7 @@ double turn(Servo& servo, double& speed, double angle, double seconds, double lo
   return angle;
 }
 
-TEST(Servo, reachesItsTargetNotFasterThanItsJointCan) {
+TEST(Servo, ReachesItsTargetNotFasterThanItsJointCan) {
   for (std::size_t j = 0; j < static_cast<std::size_t>(Joint::earL); ++j) {
     const auto joint = static_cast<Joint>(j);
     const JointLimits limits = limitsOf(joint);
@@ -37,7 +37,7 @@ TEST(Servo, reachesItsTargetNotFasterThanItsJointCan) {
   }
 }
 
-TEST(Servo, keepsItsLimitsAndIgnoresWhatIsNoNumber) {
+TEST(Servo, KeepsItsLimitsAndIgnoresWhatIsNoNumber) {
   Servo servo{Joint::headTilt};
   servo.rest(0);
   servo.setTarget(100);
@@ -47,7 +47,7 @@ TEST(Servo, keepsItsLimitsAndIgnoresWhatIsNoNumber) {
   EXPECT_EQ(servo.turnFreely(0.01), limitsOf(Joint::headTilt).high);
 }
 
-TEST(Servo, givesWayToALoadAndComesBack) {
+TEST(Servo, GivesWayToALoadAndComesBack) {
   Servo servo{Joint::legFR3};
   double speed = 0;
   servo.rest(0.5);

@@ -111,6 +111,12 @@ void World::turnJoint(std::size_t robot, Joint joint, double angle) {
   placed_[robot] = true;
 }
 
+void World::measureSensors() {
+  mj_comPos(model_.get(), data_.get());
+  mj_camlight(model_.get(), data_.get());
+  mj_sensorPos(model_.get(), data_.get());
+}
+
 void World::continueFrom(const World& other) {
   robots_ = other.robots_;
   balls_ = other.balls_;
@@ -134,10 +140,11 @@ bool geomsTouch(const World& world, int a, int b, double gap) {
   if (model.geom_type[a] > model.geom_type[b]) std::swap(a, b);
   const mjfCollision collide = mjCOLLISIONFUNC[model.geom_type[a]][model.geom_type[b]];
   if (!collide) return false;
+  const bool bounded = model.geom_rbound[a] > 0 && model.geom_rbound[b] > 0;  // no planes
   const double reach = model.geom_rbound[a] + model.geom_rbound[b] + std::max(gap, 0.);
   mjtNum between[3];
   mju_sub3(between, data.geom_xpos + 3 * a, data.geom_xpos + 3 * b);
-  if (mju_dot3(between, between) > reach * reach) return false;
+  if (bounded && mju_dot3(between, between) > reach * reach) return false;
   mjContact contacts[mjMAXCONPAIR];
   const int count = collide(&model, &data, contacts, a, b, std::max(gap, 0.));
   return std::any_of(contacts, contacts + count,

@@ -29,9 +29,14 @@ struct RobotCommand {
 /// How a robot lies or stands.
 enum class Posture { standing, onLeftSide, onRightSide };
 
+/// The roll of a body in a posture: rad, + right side down.
+constexpr double rollOf(Posture posture) {
+  return posture == Posture::standing ? 0 : posture == Posture::onRightSide ? pi / 2 : -pi / 2;
+}
+
 /// Where a robot truly is, in the field's coordinates.
 struct RobotBody {
-  Pose2D pose;           ///< mm, rad: the body's centre on the ground
+  Pose2D pose;           ///< mm, rad: the body's center on the ground
   double height = 150;   ///< mm: the body's origin above the ground
   double tilt = 0;       ///< rad, + nose up
   double roll = 0;       ///< rad, + right side down
@@ -107,6 +112,8 @@ class World {
   void setAmbient(const Vector3d& rgb);
   /// Turns a robot's joint by hand (rad), within its limits.
   void turnJoint(std::size_t robot, Joint joint, double angle);
+  /// Has MuJoCo measure with the model's sensors that depend on positions only.
+  void measureSensors();
   /// How much chance there is in the robots' motions from now on; not all fidelities have any.
   virtual void change(const NoiseParameters&) {}
   /// Takes over how all stands and lies, and the time, from another world of the same scene.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "representations/infrastructure/RobotFootprint.h"
 #include "simulation/TestScenes.h"
 #include "simulation/world/Stance.h"
 
@@ -13,7 +14,7 @@ void run(World& world, const RobotCommand& command, int ticks) {
   for (int i = 0; i < ticks; ++i) world.step(commands);
 }
 
-TEST(World, robotsWalkByTheirOwnMotionModel) {
+TEST(World, RobotsWalkByTheirOwnMotionModel) {
   const auto world = worldOf(duelScene({pi / 2, -500, -300}, {2000, 1000}));
   run(*world, standingCommand({0, 1.5, 0.5}), 200);
   EXPECT_LT((world->robot(0).pose.translation - Vector2d{-600, 0}).norm(), 1e-6);
@@ -22,7 +23,7 @@ TEST(World, robotsWalkByTheirOwnMotionModel) {
   EXPECT_NEAR(world->robot(0).pose.rotation, pi / 2 + 1, 1e-9);
 }
 
-TEST(World, slipAndNoiseComeFromTheSeed) {
+TEST(World, SlipAndNoiseComeFromTheSeed) {
   SceneDescription scene = duelScene({0, -1500, 0}, {0, 1000});
   scene.noise.slip = 0.06;
   scene.noise.motion = 1;
@@ -44,7 +45,7 @@ TEST(World, slipAndNoiseComeFromTheSeed) {
   EXPECT_GT(*least, 850);
 }
 
-TEST(World, jointsFollowWithinTheirSpeed) {
+TEST(World, JointsFollowWithinTheirSpeed) {
   const auto world = worldOf(duelScene({}, {1000, 0}));
   RobotCommand command = standingCommand();
   command.joints[Joint::headPan] = 1.5;
@@ -58,7 +59,7 @@ TEST(World, jointsFollowWithinTheirSpeed) {
   EXPECT_NEAR(world->robot(0).joints[Joint::headPan], limits.high, 1e-6);
 }
 
-TEST(World, badCommandsChangeNothing) {
+TEST(World, BadCommandsChangeNothing) {
   const auto world = worldOf(duelScene({}, {1000, 0}));
   run(*world, standingCommand(), 200);
   const RobotBody before = world->robot(0);
@@ -71,7 +72,7 @@ TEST(World, badCommandsChangeNothing) {
   world->step({});
 }
 
-TEST(World, standsOnAForeAndAHindFoot) {
+TEST(World, StandsOnAForeAndAHindFoot) {
   Random random{3};
   const auto world = worldOf(duelScene({0.7, 100, 200}, {1000, 0}));
   const RobotDimensions dimensions;
@@ -95,7 +96,7 @@ TEST(World, standsOnAForeAndAHindFoot) {
   }
 }
 
-TEST(World, neverSinksIntoTheGround) {
+TEST(World, NeverSinksIntoTheGround) {
   Random random{4};
   const auto world = worldOf(duelScene({}, {1000, 0}));
   for (int i = 0; i < 200; ++i) {
@@ -107,7 +108,7 @@ TEST(World, neverSinksIntoTheGround) {
   }
 }
 
-TEST(World, cameraHistoryIsThePast) {
+TEST(World, CameraHistoryIsThePast) {
   const auto world = worldOf(duelScene({}, {1000, 0}));
   RobotCommand command = standingCommand();
   run(*world, command, 100);
@@ -134,15 +135,15 @@ double disorder(const World& world) {
     worst = std::max(worst, std::abs(p.translation.x()) - 2400 + 75);
     for (std::size_t b = a + 1; b < world.robotCount(); ++b) {
       const Pose2D& q = world.robot(b).pose;
-      for (const double x1 : {62., -55.})
-        for (const double x2 : {62., -55.})
+      for (const double x1 : RobotFootprint::middles)
+        for (const double x2 : RobotFootprint::middles)
           worst = std::max(worst, 156 - (p * Vector2d{x1, 0} - q * Vector2d{x2, 0}).norm());
     }
   }
   return worst;
 }
 
-TEST(World, robotsNeitherOverlapNorLeave) {
+TEST(World, RobotsNeitherOverlapNorLeave) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     SceneDescription scene = matchScene();
     scene.noise = {};
@@ -159,14 +160,14 @@ TEST(World, robotsNeitherOverlapNorLeave) {
   }
 }
 
-TEST(World, aWallStopsARobotAndItsOdometryDoesNotKnow) {
+TEST(World, AWallStopsARobotAndItsOdometryDoesNotKnow) {
   const auto world = worldOf(duelScene({0, 1500, 800}, {-1000, 0}));
   run(*world, standingCommand({0, 2, 0}), 1000);
   EXPECT_LT(world->robot(0).pose.translation.x(), 2100 - 130);
   EXPECT_GT(world->robot(0).pose.translation.x(), 1700);
 }
 
-TEST(World, aRobotPushesAnotherAlong) {
+TEST(World, ARobotPushesAnotherAlong) {
   SceneDescription scene = matchScene();
   scene.robots.resize(2);
   scene.robots[0].x = -800;
@@ -182,7 +183,7 @@ TEST(World, aRobotPushesAnotherAlong) {
   EXPECT_LT(disorder(*world), 5);
 }
 
-TEST(World, throwOverLaysTheRobotOnItsSide) {
+TEST(World, ThrowOverLaysTheRobotOnItsSide) {
   const auto world = worldOf(duelScene({}, {1000, 0}));
   run(*world, standingCommand(), 50);
   world->throwOver(0, Posture::onRightSide);

@@ -1,0 +1,43 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "match/GameControllerLink.h"
+#include "match/MatchRobot.h"
+
+namespace gt {
+
+/// Has a game controller lead a match: passes its messages on to the referee, and answers them for
+/// the robots.
+class GameControllerFollower {
+ public:
+  /// Both must outlive the follower. `robots` are the simulation's active ones, in its order.
+  GameControllerFollower(Simulation& simulation, const std::vector<MatchRobot*>& robots)
+      : simulation_{simulation}, robots_{robots} {}
+
+  /// Listens on a UDP port; 0 takes a free one.
+  Result<void> listen(int port);
+  /// The port on which it listens; nothing if it does not.
+  std::optional<int> port() const { return link_ ? std::optional{link_->port()} : std::nullopt; }
+
+  /// Called with each message that changed the game.
+  using Note = std::function<void(std::span<const std::byte> message)>;
+  /// Carries out and answers what has arrived since the last call. Does not block.
+  void hear(const Note& note);
+  /// Does what a message says. Returns whether it said anything new, or an error if it is no
+  /// message of a game controller.
+  Result<bool> follow(std::span<const std::byte> message);
+
+ private:
+  void answer() const;
+
+  Simulation& simulation_;
+  const std::vector<MatchRobot*>& robots_;
+  std::unique_ptr<GameControllerLink> link_;
+  std::optional<GameControllerMessage> last_;
+};
+
+}  // namespace gt

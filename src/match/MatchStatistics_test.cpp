@@ -1,0 +1,69 @@
+#include "match/MatchStatistics.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/TestScenes.h"
+
+namespace gt {
+namespace {
+
+/// A robot that stands, and believes to be 300 mm beside where it is.
+class Believer : public MatchRobot {
+ public:
+  void cycle(const RobotInput& input, RobotOutput& output) override {
+    output.joints.angles = standing();
+    pose_.pose = input.oracle.robotPose;
+    pose_.pose.translation.y() += 300 + (input.now > Time{lostFrom} ? 1000 : 0);
+    state_.state = input.now > Time{lostFrom} ? BodyState::fallen : BodyState::standing;
+  }
+  const RobotPose* pose() const override { return &pose_; }
+  const BallModel* ball() const override { return nullptr; }
+  const RobotState* state() const override { return &state_; }
+  const MotionInfo* motion() const override { return nullptr; }
+
+  static constexpr std::int64_t lostFrom = 1200;
+
+ private:
+  RobotPose pose_;
+  RobotState state_;
+};
+
+TEST(MatchStatistics, ErrorsAreSummarized) {
+  EXPECT_EQ(statisticsOf({}).maximum, 0);
+  const ErrorStatistics statistics = statisticsOf({4, 1, 3, 2, 10});
+  EXPECT_EQ(statistics.count, 5);
+  EXPECT_EQ(statistics.mean, 4);
+  EXPECT_EQ(statistics.median, 3);
+  EXPECT_EQ(statistics.maximum, 10);
+}
+
+TEST(MatchStatistics, ComparesEachImageWithTheTruth) {
+  SceneDescription scene = duelScene({0, -800, 0}, {0, 0});
+  scene.robots[0].team = TeamColor::blue;
+  scene.game.referee = false;
+  auto simulation = Simulation::make(scene, 1);
+  ASSERT_TRUE(simulation) << simulation.error().text();
+  auto robot = std::make_unique<Believer>();
+  const std::vector<MatchRobot*> robots{robot.get()};
+  (*simulation)->attach(0, std::move(robot));
+  const MotionNet motions;
+  MatchStatistics statistics{**simulation, robots, motions};
+  for (int i = 0; i < 250; ++i) {
+    (*simulation)->step();
+    statistics.update();
+  }
+  MatchSummary summary;
+  statistics.summarize(summary);
+  ASSERT_EQ(summary.robots.size(), 1u);
+  EXPECT_EQ(summary.robots[0].localizationError.count, 50) << "images in two seconds";
+  EXPECT_NEAR(summary.robots[0].localizationError.median, 300, 1);
+  EXPECT_NEAR(summary.robots[0].localizationError.maximum, 1300, 1);
+  EXPECT_NEAR(summary.robots[0].rotationError.maximum, 0, 0.01);
+  EXPECT_EQ(summary.robots[0].falls, 1);
+  EXPECT_EQ(summary.robots[0].samples.size(), 2u) << "one a second";
+  EXPECT_NEAR(statistics.longestLost(), 0.8, 0.05) << "seconds off by more than a metre";
+  EXPECT_EQ(statistics.localizationErrors().size(), 50u);
+}
+
+}  // namespace
+}  // namespace gt

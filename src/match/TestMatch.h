@@ -1,0 +1,79 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "match/Match.h"
+#include "streams/File.h"
+#include "streams/Json.h"
+
+namespace gt {
+
+/// Sanitized programs are 10 to 50 times slower: they see the beginning of a match, in ms.
+#if defined(__SANITIZE_THREAD__)
+constexpr std::int64_t longestMatch = 800;
+#elif defined(__SANITIZE_ADDRESS__)
+constexpr std::int64_t longestMatch = 6000;
+#else
+constexpr std::int64_t longestMatch = std::numeric_limits<std::int64_t>::max();
+#endif
+constexpr bool wholeMatches = longestMatch > 60'000;
+
+inline bool isOver(const Match& match) {
+  return match.finished() || match.time() >= Time{longestMatch};
+}
+
+/// Plays matches into a folder of its own.
+class MatchTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder =
+        std::filesystem::temp_directory_path() / ("gt2003-match-" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  std::unique_ptr<Match> make(const std::string& name, std::uint64_t seed, std::size_t threads,
+                              double minutes, const std::string& scene = "scenes/match.scene") {
+    MatchOptions options;
+    options.scene = scene;
+    options.seed = seed;
+    options.threads = threads;
+    options.minutes = minutes;
+    options.logs = (folder / name).string();
+    options.images = 4;
+    std::filesystem::create_directories(options.logs);
+    auto match = Match::make(options);
+    EXPECT_TRUE(match) << match.error().text();
+    return std::move(*match);
+  }
+  /// Everything that a match leaves, as bytes by name.
+  std::map<std::string, std::string> play(const std::string& name, std::uint64_t seed,
+                                          std::size_t threads, double minutes = 0.5,
+                                          const std::string& scene = "scenes/match.scene") {
+    const auto match = make(name, seed, threads, minutes, scene);
+    while (!isOver(*match)) match->step();
+    EXPECT_TRUE(match->close());
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator{folder / name})
+      files[entry.path().filename()] = *readFile(entry.path().string());
+    files["match.json"] = toJson(match->summary()).dump();
+    return files;
+  }
+
+  std::filesystem::path folder;
+};
+
+/// What a person does to a match in the tests: puts the ball.
+inline Result<void> putBall(Match& match, const std::string& line) {
+  match.simulation().world().placeBall(0, {std::stod(line), 100}, {300, 0});
+  return {};
+}
+
+}  // namespace gt

@@ -1,0 +1,62 @@
+#pragma once
+#include <string>
+
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "representations/infrastructure/GameControlData.h"
+#include "representations/infrastructure/Player.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+enum class GameEventType {
+  kickOff,
+  goal,
+  halfTime,
+  stuckBall,
+  ballOut,
+  placedRobot,
+  penalty,
+  returnedRobot,
+  shotGoal,
+  shotMissed,
+  gameOver
+};
+
+/// Something that the referee saw or did. Provided by the Referee.
+struct GameEvent {
+  GameEventType type = GameEventType::kickOff;
+  Time time;
+  TeamColor team = TeamColor::red;
+  int number = 0;
+  bool ownGoal = false;
+  Penalty penalty = Penalty::none;
+  Vector2d ballPosition = Vector2d::Zero();
+  int scoreRed = 0;
+  int scoreBlue = 0;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("type", &GameEvent::type),
+        field("time", &GameEvent::time, "ms"),
+        field("team", &GameEvent::team, "",
+              "that kicks off, scores or shoots, or whose robot was put by hand"),
+        field(
+            "number", &GameEvent::number, "",
+            "goal: the player that touched the ball last, of the other team if it is an own goal; "
+            "otherwise the player concerned; 0 nobody"),
+        field("ownGoal", &GameEvent::ownGoal),
+        field("penalty", &GameEvent::penalty, "", "of a robot that is taken off the field"),
+        field("ballPosition", &GameEvent::ballPosition, "mm", "on the field"),
+        field("scoreRed", &GameEvent::scoreRed, "", "shots: of the shoot-out"),
+        field("scoreBlue", &GameEvent::scoreBlue)};
+  }
+};
+
+/// What happened, for people: one line.
+std::string describe(const GameEvent& event);
+
+/// Minutes and seconds, as in 2:05.
+std::string clockText(Time time);
+
+}  // namespace gt
