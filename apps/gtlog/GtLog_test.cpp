@@ -6,11 +6,11 @@
 
 #include "gtlog/Check.h"
 #include "gtlog/Export.h"
-#include "gtlog/Import.h"
 #include "gtlog/LogList.h"
-#include "gtlog/Transfer.h"
+#include "observer/LogTransfer.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/modeling/BallModel.h"
+#include "robot/logs/ImportNaoLog.h"
 #include "streams/File.h"
 #include "streams/Json.h"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <string_view>
 
-#include "gtlog/Selection.h"
+#include "observer/LogSelection.h"
 
 namespace gt {
 namespace {
@@ -52,11 +52,10 @@ Result<std::vector<std::string>> record(const ReplayOptions& options, const std:
   if (!platform) return platform.error();
   auto log = RobotLog::open(to, {{"replay of", std::filesystem::path{options.log}.filename()}});
   if (!log) return log.error();
+  platform->watchAll();
   std::vector<std::string> topics;
-  for (const RepresentationType* type : platform->watched()) {
-    log->know(*type);
+  for (const RepresentationType* type : platform->watched())
     topics.push_back("/" + std::string{type->name});
-  }
   for (;;) {
     const auto more = platform->step();
     if (!more) return more.error();

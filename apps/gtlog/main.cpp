@@ -3,10 +3,10 @@
 #include "commandline/CommandLine.h"
 #include "gtlog/Check.h"
 #include "gtlog/Export.h"
-#include "gtlog/Import.h"
 #include "gtlog/LogList.h"
 #include "gtlog/ReplayLog.h"
-#include "gtlog/Transfer.h"
+#include "observer/LogTransfer.h"
+#include "robot/logs/ImportNaoLog.h"
 
 namespace {
 

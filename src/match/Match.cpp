@@ -123,6 +123,13 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
       {configuration, layout, player.player(), seed, platformRepresentations(), player.address});
   if (!robot) return robot.error();
   auto controller = std::make_unique<SimulatedRobot>(player.name, std::move(*robot));
+  const SceneDescription& scene = simulation_->scene();
+  const SetupFiles setup{{scene.resolve(scene.config), options_.motions, options_.behavior},
+                         options_.layout.empty() ? scene.resolve(player.layout) : options_.layout,
+                         player.player(),
+                         seed,
+                         player.address};
+  controller->robot().tellSetup([setup] { return recordSetup(setup); });
   if (!options_.logs.empty()) {
     controller->saveTo((std::filesystem::path{options_.logs} / player.name).string());
     const McapWriter::Metadata about{
@@ -131,13 +138,6 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout,
         {"robot", player.name},
         {"minutes", std::to_string(options_.minutes)}};
     const auto path = std::filesystem::path{options_.logs} / (player.name + ".mcap");
-    const SceneDescription& scene = simulation_->scene();
-    const RecordedSetup setup{
-        {scene.resolve(scene.config), options_.motions, options_.behavior},
-        options_.layout.empty() ? scene.resolve(player.layout) : options_.layout,
-        player.player(),
-        seed,
-        player.address};
     if (auto done =
             controller->record(path.string(), about, configuration->log, setup, options_.inputs);
         !done)

@@ -27,7 +27,7 @@ struct MatchOptions {
   std::size_t threads = 1;  ///< Do not change what happens.
   std::string
       logs{};  ///< Folder for the robots' logs, which must exist; none are written if empty.
-  bool inputs = false;  ///< Whether the logs hold all that the robots sensed, for replays.
+  bool inputs = false;  ///< Whether the logs hold all images without loss, for other vision.
   bool trace = false;   ///< Whether the logs hold what the behavior decided, and why.
   int pictures = 0;     ///< How many camera pictures to keep for the report page.
   std::string behavior = root.path("behavior/GT2003.xabsl");
