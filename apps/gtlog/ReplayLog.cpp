@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "observer/LogSelection.h"
+#include "observer/RobotLog.h"
+#include "robot/SetupFiles.h"
 
 namespace gt {
 namespace {
@@ -56,6 +58,13 @@ Result<std::vector<std::string>> record(const ReplayOptions& options, const std:
   std::vector<std::string> topics;
   for (const RepresentationType* type : platform->watched())
     topics.push_back("/" + std::string{type->name});
+  // So that this log can be replayed, too.
+  if (!platform->recorded().files.empty() && !options.configuration)
+    attach(platform->recorded(), log->file());
+  platform->onInput([&](Time now, const RepresentationType& type, const void* package) {
+    log->writeInput(now, type, package);
+  });
+  log->keepPixels(platform->missingFor(imageTask).empty());
   for (;;) {
     const auto more = platform->step();
     if (!more) return more.error();
