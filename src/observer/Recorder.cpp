@@ -1,6 +1,7 @@
 #include "observer/Recorder.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "observer/LogTransfer.h"
 #include "observer/RecordedSetup.h"
@@ -28,15 +29,23 @@ Result<void> Recorder::start() {
   if (!log_)
     if (auto done = open(); !done) return done;
   for (const std::string& input : robot_.inputs()) inputs_.push_back(robot_.subscribe(input));
+  trace(true);
   recording_ = true;
   robot_.passTo([this](const MessageQueue& messages) { take(messages); });
   return {};
+}
+
+/// What the behavior decides, and why, if the robot has a behavior.
+void Recorder::trace(bool on) {
+  static_cast<void>(robot_.request(DebugRequest{
+      "BehaviorControl/trace", on ? DebugKeyMode::always : DebugKeyMode::disabled, 0}));
 }
 
 void Recorder::stop() {
   if (!recording_) return;
   recording_ = false;
   robot_.passTo({});
+  trace(false);
   inputs_.clear();
 }
 
@@ -48,13 +57,18 @@ void Recorder::clear() {
   if (on) static_cast<void>(start());
 }
 
-/// Answers concern who asked.
+/// Answers concern who asked; an image may be sent again while there is no newer one.
 void Recorder::take(const MessageQueue& messages) {
   messages.handleAllMessages([this](const Message& message) {
-    if (message.is<RequestAnswer>() || message.is<ProcessDescription>()) return;
-    log_->write(message);
+    if (message.is<RequestAnswer>() || message.is<ProcessDescription>() ||
+        message.is<RecordedSetup>())
+      return;
     Image image;
-    if (message.is<Image>() && message.read(image)) log_->write(image);
+    if (message.is<Image>()) {
+      if (!message.read(image) || std::exchange(lastImage_, image.time) == image.time) return;
+      log_->write(image);
+    }
+    log_->write(message);
   });
   messages_ = log_->messages();
 }

@@ -33,6 +33,7 @@ class Recorder {
 
  private:
   Result<void> open();
+  void trace(bool on);
   void take(const MessageQueue& messages);
   std::string path() const { return (folder_->path() / "recording.mcap").string(); }
 
@@ -42,6 +43,7 @@ class Recorder {
   std::vector<ObservedRobot::Subscription> inputs_;
   bool recording_ = false;
   std::uint64_t messages_ = 0;
+  Time lastImage_ = never();
 };
 
 }  // namespace gt
