@@ -89,6 +89,7 @@ class Match {
   /// The index in the simulation of each of them.
   std::size_t robotIndex(std::size_t robot) const { return indices_[robot]; }
   const Configuration& configuration() const { return *configuration_; }
+  const std::shared_ptr<const Configuration>& sharedConfiguration() const { return configuration_; }
   /// Those whose processes run elsewhere.
   const std::vector<RemoteRobot*>& remoteRobots() const { return remoteRobots_; }
   const MatchStatistics& statistics() const { return *statistics_; }

@@ -12,9 +12,10 @@ namespace fs = std::filesystem;
 
 /// The configuration for logs of 2009, with the color table that lies beside the log.
 Result<std::shared_ptr<const Configuration>> naoConfiguration(const std::string& file,
-                                                              const std::string& colorTable) {
-  ConfigurationPaths paths;
-  paths.config = "config/nao2009";
+                                                              const LogRobotOptions& options) {
+  const std::string& colorTable = options.colorTable;
+  ConfigurationPaths paths = ConfigurationPaths::in(options.root);
+  paths.config = options.root.path("config/nao2009");
   paths.colorTable = colorTable;
   paths.colorOrder = nao2009ColorOrder;
   std::vector<std::string> tables;
@@ -31,7 +32,7 @@ Result<std::shared_ptr<const Configuration>> naoConfiguration(const std::string&
   if (colorTable.empty() && tables.size() == 1)
     paths.colorTable = (folder / tables.front()).string();
   if (paths.colorTable.empty()) {
-    paths.colorTable = "config/coltable.c64";
+    paths.colorTable = options.root.path("config/coltable.c64");
     paths.colorOrder = gt2003ColorOrder;
   } else if (!fs::exists(paths.colorTable)) {
     paths.colorTable = (folder / paths.colorTable).string();
@@ -81,24 +82,25 @@ LogRobot::LogRobot(ReplayPlatform platform) : platform_{std::move(platform)} {
 Result<std::unique_ptr<LogRobot>> LogRobot::open(const std::string& file,
                                                  const LogRobotOptions& options) {
   if (!fs::is_regular_file(file)) return Error{.file = file, .what = "there is no such file"};
-  const auto make = [](ReplayOptions replay) -> Result<std::unique_ptr<LogRobot>> {
-    auto platform = ReplayPlatform::make(replay);
+  const auto make = [](const ReplayOptions& how) -> Result<std::unique_ptr<LogRobot>> {
+    auto platform = ReplayPlatform::make(how);
     if (!platform) return platform.error();
     return std::unique_ptr<LogRobot>{new LogRobot{std::move(*platform)}};
   };
+  const std::string replay = options.root.path("layouts/replay.layout");
   if (const auto log = McapReader::open(file)) {
     if (const auto setup = recordedSetup(*log, file); setup && !setup->files.empty())
       return make({file});
     // As far as what was recorded suffices.
-    if (auto robot = make({file, options.configuration, options.layout})) return robot;
-    return make({file, options.configuration, "layouts/replay.layout"});
+    if (auto robot = make({file, options.configuration, options.root.path("layouts/cmd.layout")})) return robot;
+    return make({file, options.configuration, replay});
   }
   auto folder = std::make_unique<TemporaryFolder>();
   const std::string copy = (folder->path() / "log.mcap").string();
   if (auto done = importNaoLog(file, copy); !done) return done.error();
-  const auto configuration = naoConfiguration(file, options.colorTable);
+  const auto configuration = naoConfiguration(file, options);
   if (!configuration) return configuration.error();
-  auto robot = make({copy, *configuration, "layouts/replay.layout"});
+  auto robot = make({copy, *configuration, replay});
   if (robot) (*robot)->converted_ = std::move(folder);
   return robot;
 }

@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "base/DataRoot.h"
 #include "observer/RobotLink.h"
 #include "robot/logs/ReplayPlatform.h"
 #include "streams/TemporaryFolder.h"
@@ -10,8 +11,8 @@ namespace gt {
 
 /// Where logs without a setup have it from.
 struct LogRobotOptions {
-  std::shared_ptr<const Configuration> configuration;
-  std::string layout = "layouts/cmd.layout";
+  DataRoot root{};
+  std::shared_ptr<const Configuration> configuration{};
   /// For logs of 2009, in other formats; empty: the one that lies beside the log.
   std::string colorTable{};
 };
