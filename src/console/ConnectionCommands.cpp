@@ -61,7 +61,8 @@ std::vector<Command> connectionCommands() {
        sc},
       {initialization, "sl", "NAME LOG [COLORTABLE]",
        "Creates a robot of that name whose inputs come from a log, in out/logs/ and with .mcap if "
-       "the file has no folder and extension; logs of real robots of 2009 may name a color table. With st on, which is the default, no image is lost.",
+       "the file has no folder and extension; logs of real robots of 2009 may name a color table. "
+       "With st on, which is the default, no image is lost.",
        sl}};
 }
 

@@ -42,6 +42,7 @@ constexpr CommandPart parts[] = {
     {{"world", "robots and balls moved by hand"}, worldCommands},
     {{"values", "values, parameters, conditions"}, valueCommands},
     {{"debugging", "solutions, debug keys, processes of robots"}, robotCommands},
+    {{"configurations", "writing and reading what robots work with"}, configurationCommands},
     {{"logs", "recording, and playing what was recorded"}, logCommands},
     {{"motion", "robots moved by hand"}, motionCommands},
     {{"joystick", "robots moved by a joystick"}, joystickCommands},

@@ -134,8 +134,8 @@ TEST(RobotElsewhere, IsKnownAndChangedAtThePrompt) {
   ASSERT_TRUE(console.waitFor([&] { return robot.value<Image>() && robot.times(); }));
   EXPECT_EQ((*robot.value<Image>())->pixels.size(), 176u * 144u);
   const Time before = (*robot.value<SensorDataBuffer>())->newest().time;
-  EXPECT_TRUE(console.waitFor(
-      [&] { return (*robot.value<SensorDataBuffer>())->newest().time > before; }));
+  EXPECT_TRUE(
+      console.waitFor([&] { return (*robot.value<SensorDataBuffer>())->newest().time > before; }));
   EXPECT_THAT(console.answer("get RobotPose.pose.rotation"), HasSubstr(nameOf(elsewhere) + ": "));
   EXPECT_THAT(console.answer("get Player.teamColor"), HasSubstr("red"));
   console.expectFine("set ImageProcessor.GT2003.denseSpacing 4");
@@ -224,9 +224,9 @@ std::vector<std::string> answersOf(ConsoleAt& console, const std::string& name) 
   console.expectFine("robot " + name);
   std::vector<std::string> answers;
   for (const std::string& question : questions)
-    answers.push_back(question + "\n" +
-                      std::regex_replace(console.answer(question),
-                                         std::regex{"\\b" + name + "\\b"}, "ROBOT"));
+    answers.push_back(
+        question + "\n" +
+        std::regex_replace(console.answer(question), std::regex{"\\b" + name + "\\b"}, "ROBOT"));
   return answers;
 }
 
