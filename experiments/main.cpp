@@ -11,7 +11,7 @@
 #include "LocalizationPage.h"
 #include "commandline/CommandLine.h"
 #include "measure/RunJobs.h"
-#include "robot/RecordedSetup.h"
+#include "robot/SetupFiles.h"
 #include "streams/File.h"
 
 namespace gt {

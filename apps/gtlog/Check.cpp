@@ -1,6 +1,6 @@
 #include "gtlog/Check.h"
 
-#include "gtlog/Selection.h"
+#include "observer/LogSelection.h"
 #include "streams/RecordedMessage.h"
 
 namespace gt {

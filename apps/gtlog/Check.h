@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "gtlog/Selection.h"
+#include "observer/LogSelection.h"
 
 namespace gt {
 

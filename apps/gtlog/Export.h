@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdio>
 
-#include "gtlog/Selection.h"
+#include "observer/LogSelection.h"
 
 namespace gt {
 

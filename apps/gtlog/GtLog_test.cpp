@@ -3,14 +3,15 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 
 #include "gtlog/Check.h"
 #include "gtlog/Export.h"
-#include "gtlog/Import.h"
 #include "gtlog/LogList.h"
-#include "gtlog/Transfer.h"
+#include "observer/LogTransfer.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/modeling/BallModel.h"
+#include "robot/logs/ImportNaoLog.h"
 #include "streams/File.h"
 #include "streams/Json.h"
 
@@ -92,6 +93,18 @@ TEST_F(GtLog, CutsByTimeAndTopic) {
               HasSubstr("/NoSuchThing: the log has no such topic"));
   EXPECT_FALSE(std::filesystem::exists(path("c.mcap")));
   EXPECT_THAT(cutLog(log, {}, log).error().text(), HasSubstr("is the log that is read"));
+}
+
+TEST_F(GtLog, CutsNoStretchOfTimeThatIsNone) {
+  const std::string log = makeLog("a.mcap");
+  Selection selection;
+  selection.from = 5;
+  selection.to = 1;
+  EXPECT_THAT(cutLog(log, selection, path("b.mcap")).error().text(),
+              HasSubstr("to: lies not behind"));
+  selection.from = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(cutLog(log, selection, path("b.mcap")).error().text(), HasSubstr("from: is no time"));
+  EXPECT_FALSE(std::filesystem::exists(path("b.mcap")));
 }
 
 TEST_F(GtLog, JoinsByTime) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "gtlog/Selection.h"
+#include "observer/LogSelection.h"
 
 namespace gt {
 

@@ -6,7 +6,9 @@
 #include <map>
 #include <string_view>
 
-#include "gtlog/Selection.h"
+#include "observer/LogSelection.h"
+#include "observer/RobotLog.h"
+#include "robot/SetupFiles.h"
 
 namespace gt {
 namespace {
@@ -52,11 +54,20 @@ Result<std::vector<std::string>> record(const ReplayOptions& options, const std:
   if (!platform) return platform.error();
   auto log = RobotLog::open(to, {{"replay of", std::filesystem::path{options.log}.filename()}});
   if (!log) return log.error();
+  platform->watchAll();
+  // What the behavior decided, and why: for a layout that has one.
+  static_cast<void>(
+      platform->robot().request(DebugRequest{"BehaviorControl/trace", DebugKeyMode::always, 0}));
   std::vector<std::string> topics;
-  for (const RepresentationType* type : platform->watched()) {
-    log->know(*type);
+  for (const RepresentationType* type : platform->watched())
     topics.push_back("/" + std::string{type->name});
-  }
+  // So that this log can be replayed, too.
+  if (!platform->recorded().files.empty() && !options.configuration)
+    attach(platform->recorded(), log->file());
+  platform->onInput([&](Time now, const RepresentationType& type, const void* package) {
+    log->writeInput(now, type, package);
+  });
+  log->keepPixels(platform->missingFor(imageTask).empty());
   for (;;) {
     const auto more = platform->step();
     if (!more) return more.error();

@@ -6,75 +6,155 @@
 #include <filesystem>
 
 #include "match/Match.h"
+#include "observer/ObservedRobot.h"
+#include "representations/modeling/RobotPose.h"
+#include "robot/logs/LogRobot.h"
 
 namespace gt {
 namespace {
 
 using testing::HasSubstr;
 
-/// Some seconds of a match, with all that its robots sensed in their logs.
+/// Some seconds of a match, with logs as `make play` writes them, or with all images.
 class ReplayLog : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder() = std::filesystem::path{testing::TempDir()} / "replay_log";
-    std::filesystem::create_directories(folder());
-    MatchOptions options;
-    options.logs = folder().string();
-    options.inputs = true;
-    options.seed = 3;
-    auto match = Match::make(options);
-    ASSERT_TRUE(match) << match.error().text();
-    while ((*match)->time().ms < 2500) (*match)->step();
-    ASSERT_TRUE((*match)->close());
+    play("play", false);
+    play("images", true);
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(folder()); }
 
   static std::string path(const std::string& name) { return (folder() / name).string(); }
 
  private:
-  static std::filesystem::path& folder() {
-    static std::filesystem::path path;
-    return path;
+  static void play(const std::string& name, bool inputs) {
+    MatchOptions options;
+    options.logs = path(name);
+    std::filesystem::create_directories(options.logs);
+    options.inputs = inputs;
+    options.seed = 3;
+    auto match = Match::make(options);
+    ASSERT_TRUE(match) << match.error().text();
+    while ((*match)->time().ms < 2500) (*match)->step();
+    ASSERT_TRUE((*match)->close());
+  }
+  static std::filesystem::path folder() {
+    return std::filesystem::path{testing::TempDir()} / "replay_log";
   }
 };
 
-TEST_F(ReplayLog, ComputesTheSameBitForBit) {
-  for (const char* robot : {"red1", "blue3"}) {
-    const auto topics = replayLog({path(std::string{robot} + ".mcap")}, path("replayed.mcap"));
-    ASSERT_TRUE(topics) << topics.error().text();
-    EXPECT_GE(topics->size(), 10u);
-    for (const ReplayedTopic& topic : *topics) {
-      EXPECT_GT(topic.recorded, 50u) << topic.topic;
-      EXPECT_EQ(topic.recorded, topic.replayed) << topic.topic;
-      EXPECT_EQ(topic.different, 0u) << robot << topic.topic;
-    }
+void expectTheSame(const std::string& log, const std::string& copy) {
+  const auto topics = replayLog({log}, copy);
+  ASSERT_TRUE(topics) << topics.error().text();
+  EXPECT_GE(topics->size(), 14u);
+  for (const ReplayedTopic& topic : *topics) {
+    EXPECT_GT(topic.recorded, 50u) << topic.topic;
+    EXPECT_EQ(topic.recorded, topic.replayed) << log << topic.topic;
+    EXPECT_EQ(topic.different, 0u) << log << topic.topic;
   }
 }
 
+TEST_F(ReplayLog, EveryLogOfAMatchComputesTheSameBitForBit) {
+  for (const char* robot : {"red1", "red2", "red3", "red4", "blue1", "blue2", "blue3", "blue4"}) {
+    const std::string log = path("play/" + std::string{robot} + ".mcap");
+    expectTheSame(log, path("replayed.mcap"));
+    // The whole robot, as it was, out of the log alone.
+    const auto platform = ReplayPlatform::make({log});
+    ASSERT_TRUE(platform) << platform.error().text();
+    const Player& player = platform->robot().setup().player;
+    EXPECT_EQ(std::string{enumName(player.teamColor)} + std::to_string(player.number()), robot);
+  }
+}
+
+TEST_F(ReplayLog, ComputesTheSameFromImagesAndFromReplays) {
+  expectTheSame(path("images/blue3.mcap"), path("replayed.mcap"));
+  expectTheSame(path("replayed.mcap"), path("twice.mcap"));
+}
+
 TEST_F(ReplayLog, SwitchesSolutions) {
-  ReplayOptions options{path("red1.mcap")};
-  options.solutions = {{"ImageProcessor", "disabled", "", 0}};
-  const auto topics = replayLog(options, path("blind.mcap"));
-  ASSERT_TRUE(topics) << topics.error().text();
-  const auto differs = [&](const std::string& name) {
+  const auto differs = [&](const ReplayOptions& options, const std::string& name) {
+    const auto topics = replayLog(options, path("other.mcap"));
+    EXPECT_TRUE(topics) << topics.error().text();
     for (const ReplayedTopic& topic : *topics)
       if (topic.topic == name) return topic.different > 0;
     ADD_FAILURE() << name;
     return false;
   };
-  EXPECT_TRUE(differs("/LandmarksPercept"));
-  EXPECT_FALSE(differs("/GameControlData"));
+  ReplayOptions options{path("images/red1.mcap")};
+  options.solutions = {{"ImageProcessor", "GridImageProcessor2", "", 0}};
+  EXPECT_TRUE(differs(options, "/LandmarksPercept"));
+  EXPECT_FALSE(differs(options, "/GameControlData"));
+  // What is disabled comes from the log.
+  options.solutions = {{"ImageProcessor", "disabled", "", 0}};
+  EXPECT_FALSE(differs(options, "/LandmarksPercept"));
+  EXPECT_FALSE(differs(options, "/RobotPose"));
   options.solutions = {{"ImageProcessor", "NoSuchSolution", "", 0}};
-  EXPECT_THAT(replayLog(options, path("blind.mcap")).error().text(), HasSubstr("NoSuchSolution"));
+  EXPECT_THAT(replayLog(options, path("other.mcap")).error().text(), HasSubstr("NoSuchSolution"));
+  options = {path("play/red1.mcap")};
+  options.solutions = {{"ImageProcessor", "GT2003", "", 0}};
+  EXPECT_THAT(replayLog(options, path("other.mcap")).error().text(),
+              HasSubstr("does not hold the images' pixels"));
 }
 
-TEST_F(ReplayLog, TellsOfLogsWithoutInputs) {
-  const auto again = replayLog({path("red1.mcap")}, path("replayed.mcap"));
-  ASSERT_TRUE(again) << again.error().text();
-  EXPECT_THAT(replayLog({path("replayed.mcap")}, path("twice.mcap")).error().text(),
+TEST_F(ReplayLog, RefusesWhatIsNoLogToReplay) {
+  auto empty = McapWriter::open(path("empty.mcap"));
+  empty->write("/Text", Time{8}, Text{"nothing sensed"});
+  ASSERT_TRUE(empty->close());
+  EXPECT_THAT(replayLog({path("empty.mcap")}, path("twice.mcap")).error().text(),
               HasSubstr("does not hold what its robot sensed"));
-  EXPECT_THAT(replayLog({path("red1.mcap")}, path("red1.mcap")).error().text(),
+  EXPECT_THAT(replayLog({path("play/red1.mcap")}, path("play/red1.mcap")).error().text(),
               HasSubstr("is the log that is read"));
+}
+
+/// What a robot on a log believes, at the moment that was played last.
+RobotPose poseOf(LogRobot& robot) {
+  return *robot.robot().provided<RobotPose>();
+}
+
+TEST_F(ReplayLog, RobotsGoForwardAndBackOnALog) {
+  auto opened = LogRobot::open(path("play/blue2.mcap"), {});
+  ASSERT_TRUE(opened) << opened.error().text();
+  LogRobot& robot = **opened;
+  const auto ignore = [](const MessageQueue&) {};
+  ASSERT_TRUE(robot.pass(2000, ignore));
+  const Time at = robot.player().now();
+  EXPECT_NEAR(static_cast<double>(at - robot.player().begin()), 2000, 40);
+  const Pose2D pose = poseOf(robot).pose;
+  const std::size_t position = robot.player().position();
+  ASSERT_TRUE(robot.step(20, ignore));
+  EXPECT_EQ(robot.player().position(), position + 20);
+  ASSERT_TRUE(robot.step(-20, ignore));
+  EXPECT_EQ(robot.player().now(), at);
+  EXPECT_EQ(poseOf(robot).pose.translation, pose.translation)
+      << "it has lived through the same again";
+  EXPECT_EQ(robot.beginnings(), 1);
+  ASSERT_TRUE(robot.goToTime(robot.player().begin() + 800, ignore));
+  EXPECT_NEAR(static_cast<double>(robot.player().now() - robot.player().begin()), 800, 8);
+  robot.player().setSpeed(2);
+  ASSERT_TRUE(robot.pass(200, ignore));
+  EXPECT_NEAR(static_cast<double>(robot.player().now() - robot.player().begin()), 1200, 16);
+  robot.player().pause();
+  ASSERT_TRUE(robot.pass(1000, ignore));
+  EXPECT_NEAR(static_cast<double>(robot.player().now() - robot.player().begin()), 1200, 16);
+  ASSERT_TRUE(robot.goToMessage(0, ignore));
+  EXPECT_EQ(robot.player().now(), robot.player().begin());
+}
+
+TEST_F(ReplayLog, RobotsOnALogRefuseWhatItDoesNotHold) {
+  auto opened = LogRobot::open(path("play/red1.mcap"), {});
+  ASSERT_TRUE(opened) << opened.error().text();
+  ObservedRobot observed{"LOG1", (*opened)->link()};
+  const auto take = [&](const MessageQueue& messages) { observed.take(messages); };
+  ASSERT_TRUE((*opened)->pass(1000, take));
+  EXPECT_THAT(observed.request(SolutionRequest{"ImageProcessor", "GT2003"}).error().what,
+              HasSubstr("does not hold the images' pixels"));
+  EXPECT_TRUE(observed.request(SolutionRequest{"SelfLocator", "disabled"}));
+  // Also when it begins anew.
+  ASSERT_TRUE((*opened)->step(-10, take));
+  EXPECT_EQ((*observed.task("SelfLocator"))->active, "disabled");
+  EXPECT_EQ((*observed.task("ImageProcessor"))->active, "disabled");
+  ASSERT_TRUE(observed.setup());
+  EXPECT_EQ(observed.setup()->player.role, PlayerRole::goalie);
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include "commandline/CommandLine.h"
 #include "gtlog/Check.h"
 #include "gtlog/Export.h"
-#include "gtlog/Import.h"
 #include "gtlog/LogList.h"
 #include "gtlog/ReplayLog.h"
-#include "gtlog/Transfer.h"
+#include "observer/LogTransfer.h"
+#include "robot/logs/ImportNaoLog.h"
 
 namespace {
 
@@ -53,7 +53,8 @@ Result<int> check(const Arguments& arguments) {
     const auto found = checkLog(path);
     if (!found) return found.error();
     for (const Error& problem : found->problems) fmt::print(stderr, "gtlog: {}\n", problem.text());
-    if (found->problems.empty()) fmt::print("{}: {} messages, all good\n", path, found->messages);
+    if (found->problems.empty())
+      fmt::print("{}: {} messages, all checks passed\n", path, found->messages);
     if (!found->problems.empty()) status = 2;
   }
   return status;
@@ -124,55 +125,67 @@ void addReplay(CLI::App& command, Arguments& a) {
       ->needs(config);
 }
 
+/// What one command reads and writes.
+CLI::App& fromTo(CLI::App& command, Arguments& a) {
+  command.add_option("log", a.log)->required();
+  command.add_option("out", a.out)->required();
+  return command;
+}
+
+void addReading(CommandLine& line, Arguments& a) {
+  line.command("list", "Reports what is in logs: channels, counts, rates, times, metadata",
+               [&a] { return list(a); })
+      .add_option("logs", a.logs)
+      ->required();
+  CLI::App& showing =
+      line.command("show", "Prints messages, one on each line", [&a] { return show(a); });
+  showing.add_option("log", a.log)->required();
+  showing.add_option("--limit", a.limit, "Not more than so many");
+  addSelection(showing, a.selection);
+  line.command("check", "Reads all of logs: index, checksums, and every message by its schema",
+               [&a] { return check(a); })
+      .add_option("logs", a.logs)
+      ->required();
+  addSelection(
+      fromTo(
+          line.command(
+              "export",
+              "Writes messages as JSON lines (OUT.json), CSV (OUT.csv, one topic), a trace of the "
+              "behavior (OUT.trace, for xabsl trace), or into a folder of CSV files",
+              [&a] { return exportTo(a); }),
+          a),
+      a.selection);
+}
+
+void addWriting(CommandLine& line, Arguments& a) {
+  addSelection(fromTo(line.command("cut", "Writes some of a log's messages into a new one",
+                                   [&a] { return tell(cutLog(a.log, a.selection, a.out), a.out); }),
+                      a),
+               a.selection);
+  CLI::App& joining = line.command("join", "Joins logs into one, in the order of time",
+                                   [&a] { return tell(joinLogs(a.logs, a.out), a.out); });
+  joining.add_option("out", a.out, "The new log")->required();
+  joining.add_option("logs", a.logs)->required();
+  fromTo(line.command("repair", "Writes what is whole in a damaged log into a new one",
+                      [&a] { return tell(repairLog(a.log, a.out), a.out); }),
+         a);
+  addReplay(line.command("replay",
+                         "Has a robot live on what a log's robot sensed, and compares what it "
+                         "computes",
+                         [&a] { return replay(a); }),
+            a);
+  fromTo(line.command("import", "Writes a real robot's log of 2009 as a log of ours",
+                      [&a] { return importNaoLog(a.log, a.out); }),
+         a);
+}
+
 }  // namespace
 
 /// gtlog: what is to be done with logs.
 int main(int argc, char** argv) {
   CommandLine line{argc, argv, "Logs of robots: MCAP files, which Foxglove and ROS 2 open, too"};
-  Arguments a;
-  line.command("list", "Tells what is in logs: channels, counts, rates, times, metadata",
-               [&] { return list(a); })
-      .add_option("logs", a.logs)
-      ->required();
-  CLI::App& showing =
-      line.command("show", "Prints messages, one on each line", [&] { return show(a); });
-  showing.add_option("log", a.log)->required();
-  showing.add_option("--limit", a.limit, "Not more than so many");
-  addSelection(showing, a.selection);
-  CLI::App& cutting = line.command("cut", "Writes some of a log's messages into a new one",
-                                   [&] { return tell(cutLog(a.log, a.selection, a.out), a.out); });
-  cutting.add_option("log", a.log)->required();
-  cutting.add_option("out", a.out)->required();
-  addSelection(cutting, a.selection);
-  CLI::App& joining = line.command("join", "Joins logs into one, in the order of time",
-                                   [&] { return tell(joinLogs(a.logs, a.out), a.out); });
-  joining.add_option("out", a.out, "The new log")->required();
-  joining.add_option("logs", a.logs)->required();
-  line.command("check", "Reads all of logs: index, checksums, and every message by its schema",
-               [&] { return check(a); })
-      .add_option("logs", a.logs)
-      ->required();
-  CLI::App& repairing =
-      line.command("repair", "Writes what is whole in a damaged log into a new one",
-                   [&] { return tell(repairLog(a.log, a.out), a.out); });
-  repairing.add_option("log", a.log)->required();
-  repairing.add_option("out", a.out)->required();
-  CLI::App& exporting = line.command(
-      "export",
-      "Writes messages as JSON lines (OUT.json), CSV (OUT.csv, one topic), a trace of the "
-      "behavior (OUT.trace, for xabsl trace), or into a folder of CSV files",
-      [&] { return exportTo(a); });
-  exporting.add_option("log", a.log)->required();
-  exporting.add_option("out", a.out)->required();
-  addSelection(exporting, a.selection);
-  addReplay(line.command("replay",
-                         "Has a robot live on what a log's robot sensed (simgt play --inputs), and "
-                         "compares what it computes",
-                         [&] { return replay(a); }),
-            a);
-  CLI::App& importing = line.command("import", "Writes a real robot's log of 2009 as a log of ours",
-                                     [&] { return importNaoLog(a.log, a.out); });
-  importing.add_option("log", a.log)->required();
-  importing.add_option("out", a.out)->required();
+  Arguments arguments;
+  addReading(line, arguments);
+  addWriting(line, arguments);
   return line.run();
 }

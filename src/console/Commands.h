@@ -11,6 +11,8 @@ std::vector<Command> gameCommands();
 std::vector<Command> worldCommands();
 std::vector<Command> valueCommands();
 std::vector<Command> robotCommands();
+std::vector<Command> configurationCommands();  ///< Of these, that about configurations.
+std::vector<Command> logCommands();            ///< Of these, those about logs.
 std::vector<Command> motionCommands();
 std::vector<Command> joystickCommands();
 std::vector<Command> behaviorCommands();

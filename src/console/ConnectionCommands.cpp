@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include "console/Commands.h"
 
 namespace gt {
@@ -11,8 +13,10 @@ Result<void> sc(Console& console, const Words& words) {
 }
 
 Result<void> sl(Console& console, const Words& words) {
-  if (words.size() != 3) return wrongArguments(words);
-  return console.session().replay(words[1], withDefaults(words[2], "out/logs", ".mcap"));
+  if (words.size() != 3 && words.size() != 4) return wrongArguments(words);
+  const bool there = std::filesystem::is_regular_file(words[2]);
+  const std::string file = there ? words[2] : withDefaults(words[2], "out/logs", ".mcap");
+  return console.session().replay(words[1], file, words.size() == 4 ? words[3] : "");
 }
 
 std::vector<std::string> robotNames(Console& console, const Words&) {
@@ -55,9 +59,10 @@ std::vector<Command> connectionCommands() {
        "it has a port for one. To be used once. A robot is named by the last number of its "
        "address.",
        sc},
-      {initialization, "sl", "NAME LOG",
+      {initialization, "sl", "NAME LOG [COLORTABLE]",
        "Creates a robot of that name whose inputs come from a log, in out/logs/ and with .mcap if "
-       "the file has no folder and extension. With st on, which is the default, no image is lost.",
+       "the file has no folder and extension; logs of real robots of 2009 may name a color table. "
+       "With st on, which is the default, no image is lost.",
        sl}};
 }
 

@@ -3,12 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "console/Recording.h"
 #include "modules/behavior/control/BehaviorControlRequest.h"
 #include "observer/ObservedRobot.h"
+#include "observer/Recorder.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"
-#include "robot/Configuration.h"
+#include "robot/logs/LogRobot.h"
 
 namespace gt {
 
@@ -18,7 +18,8 @@ class SimulatedRobot;
 /// programs elsewhere. Provided by the Session.
 class ConsoleRobot {
  public:
-  ConsoleRobot(std::string name, std::unique_ptr<RobotLink> link);
+  ConsoleRobot(std::string name, std::unique_ptr<RobotLink> link)
+      : observed_{std::move(name), std::move(link)} {}
   virtual ~ConsoleRobot() = default;
   ConsoleRobot(const ConsoleRobot&) = delete;
   ConsoleRobot& operator=(const ConsoleRobot&) = delete;
@@ -30,18 +31,23 @@ class ConsoleRobot {
   virtual std::optional<std::size_t> index() const { return std::nullopt; }
   /// The same as its platform; null if it is none of them.
   virtual SimulatedRobot* simulated() { return nullptr; }
-  /// Lives up to a time of the session; an error if it cannot.
+  /// What it lives on, if that is a log; null otherwise.
+  virtual LogRobot* onLog() { return nullptr; }
+  /// Runs up to a time of the session; an error if it cannot.
   virtual Result<void> step(Time) { return {}; }
+  /// Takes messages from the robot.
+  virtual void take(const MessageQueue& messages) { observed_.take(messages); }
 
-  Recording recording;
+ private:
+  ObservedRobot observed_;
+
+ public:
+  Recorder recorder{observed_};
   /// What was asked of the robot last by hand, so that a part of it can be changed.
   MotionRequest motion;
   BehaviorControlRequest behavior;
   std::optional<HeadMode> headMode;
   bool printsTexts = true;  ///< Report I.5.3: msg.
-
- private:
-  ObservedRobot observed_;
 };
 
 /// A robot of a scene.
@@ -50,7 +56,6 @@ std::unique_ptr<ConsoleRobot> makeSimulatedRobot(SimulatedRobot& robot, std::siz
 /// A robot that lives on a log from a time of the session on (report I.5.1: sl): a log of this
 /// system (.mcap) or one of a real robot of 2009.
 Result<std::unique_ptr<ConsoleRobot>> makeLogRobot(const std::string& name, const std::string& file,
-                                                   const Configuration& configuration, Time begin,
-                                                   const DataRoot& root);
+                                                   const LogRobotOptions& options, Time begin);
 
 }  // namespace gt

@@ -145,12 +145,15 @@ TEST_F(ConsoleTest, FillsTheQueueToTheToolsAsAskedFor) {
     expectFine(line);
     expectFine("log clear");
     expectFine("run " + seconds);
-    return session->robots()[0]->recording.messages();
+    return session->robots()[0]->recorder.messages();
   };
   expectFine("robot red1");
   EXPECT_EQ(messagesAfter("qfr reject", "0.2"), 0u);
-  EXPECT_EQ(messagesAfter("qfr queue", "0.2"), 25u);
-  EXPECT_EQ(messagesAfter("qfr collect 0.1", "0.2"), 12u);
+  const auto all = messagesAfter("qfr queue", "0.2");
+  EXPECT_GE(all, 50u) << "sensor data and odometry of 25 frames";
+  const auto half = messagesAfter("qfr collect 0.1", "0.2");
+  EXPECT_GT(half, all / 3);
+  EXPECT_LT(half, all * 2 / 3);
   EXPECT_GT(messagesAfter("qfr replace", "0.2"), 0u);
   expectError("qfr sometimes", "qfr", "expected: qfr queue");
   expectError("qfr collect", "qfr", "expected");
@@ -476,22 +479,6 @@ TEST_F(ConsoleTest, ScriptsTellFileAndLineOfTheirErrors) {
   std::ofstream{outer} << "call " << outer << "\n";
   EXPECT_FALSE(console->call(outer)) << "a script that calls itself";
   EXPECT_FALSE(console->call(file("nothing.con")));
-}
-
-TEST(Recording, SavesWhatCameAlsoIfAnImageIsNotWhole) {
-  Recording recording;
-  MessageQueue queue;
-  Image image;
-  image.info.width = image.info.height = 2;
-  image.allocate();
-  queue.write({8}, image);
-  image.info.height = 2000;
-  queue.write({16}, image);
-  recording.record(true);
-  EXPECT_TRUE(recording.take(queue));
-  EXPECT_EQ(recording.messages(), 2u);
-  const TemporaryFolder folder;
-  EXPECT_TRUE(recording.save((folder.path() / "whole.mcap").string(), "red1"));
 }
 
 }  // namespace

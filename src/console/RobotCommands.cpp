@@ -308,33 +308,6 @@ Result<void> msg(Console& console, const Words& words) {
   });
 }
 
-Result<void> saveLog(Console& console, const std::string& file) {
-  const bool several = console.selected().size() > 1;
-  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    const std::string path =
-        withDefaults(several ? file + "-" + robot.name() : file, "out/logs", ".mcap");
-    if (auto done = robot.recording.save(path, robot.name()); !done) return done;
-    console.print(robot.name() + ": " + std::to_string(robot.recording.messages()) +
-                  " messages in " + path);
-    return {};
-  });
-}
-
-Result<void> log(Console& console, const Words& words) {
-  if (words.size() == 3 && words[1] == "save") return saveLog(console, words[2]);
-  if (words.size() != 2) return wrongArguments(words);
-  const std::string& what = words[1];
-  if (what != "start" && what != "stop" && what != "clear") return wrongArguments(words);
-  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (what == "clear")
-      robot.recording.clear();
-    else
-      robot.recording.record(what == "start");
-    return {};
-  });
-}
-
-/// Also for a robot elsewhere, as far as this program knows its modules.
 Result<void> graph(Console& console, const Words& words) {
   if (words.size() > 2) return wrongArguments(words);
   const auto robot = console.firstRobot();
@@ -399,11 +372,6 @@ std::vector<Command> robotCommands() {
        "file "
        "has no folder and extension.",
        layout, nullptr, true},
-      {kind, "log", "start | stop | clear | save FILE",
-       "Records all that comes from the robots; saves it to out/logs/ and with .mcap if the file "
-       "has "
-       "no folder and extension. Several robots get a file each.",
-       log},
       {kind, "msg", "off | on", "Prints texts of the robots (the default), or not.", msg, nullptr},
       {kind, "qfr", "queue | replace | reject | collect SECONDS | save SECONDS",
        "Says how the queue of messages to the tools is filled (by default queue).", qfr, nullptr,

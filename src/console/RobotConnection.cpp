@@ -51,7 +51,8 @@ std::string shortName(const std::string& name) {
 }  // namespace
 
 Result<std::unique_ptr<RobotConnection>> RobotConnection::open(
-    const std::vector<std::string>& robots, bool gameManager, const DataRoot& root) {
+    const std::vector<std::string>& robots, bool gameManager, const DataRoot& root,
+    std::optional<Keys> keys) {
   std::unique_ptr<RobotConnection> connection{new RobotConnection};
   const auto routed = RobotList::parse(robots, {"127.0.0.1", robotPort, ""});
   if (!routed) return routed.error();
@@ -62,11 +63,13 @@ Result<std::unique_ptr<RobotConnection>> RobotConnection::open(
   if (gameManager) options.all = "tcp://127.0.0.1:" + std::to_string(robotPort + 300);
   for (RoutedRobot& robot : options.robots)
     robot.tools = "ipc://" + (connection->sockets_.path() / shortName(robot.name)).string();
-  if (const std::string keys = root.path("config/tool.key"); std::filesystem::exists(keys)) {
-    auto loaded = loadKeys(keys);
+  if (const std::string file = root.path("config/tool.key");
+      !keys && std::filesystem::exists(file)) {
+    auto loaded = loadKeys(file);
     if (!loaded) return loaded.error();
-    options.connectKeys = std::move(*loaded);
+    keys = std::move(*loaded);
   }
+  options.connectKeys = std::move(keys);
   auto router = Router::open(options);
   if (!router) return router.error();
   connection->router_ = std::move(*router);

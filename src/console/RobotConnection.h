@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,11 @@ namespace gt {
 class RobotConnection {
  public:
   /// Robots as the router takes them (RobotList), named by the last number of their address. With
-  /// `gameManager` there is a port for tools of all robots, too. Keys for robots of other machines
-  /// are in `config/tool.key` of the root.
+  /// `gameManager` there is a port for tools of all robots, too. Without keys for robots of other
+  /// machines those in `config/tool.key` of the root are taken, if there is that file.
   static Result<std::unique_ptr<RobotConnection>> open(const std::vector<std::string>& robots,
-                                                       bool gameManager, const DataRoot& root);
+                                                       bool gameManager, const DataRoot& root,
+                                                       std::optional<Keys> keys = {});
 
   /// Passes messages on in both directions.
   void step();

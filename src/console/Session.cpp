@@ -180,9 +180,14 @@ ConsoleRobot* Session::find(std::string_view name) const {
   return found == state_.robots.end() ? nullptr : found->get();
 }
 
-Result<void> Session::replay(const std::string& name, const std::string& file) {
+Result<void> Session::replay(const std::string& name, const std::string& file,
+                             const std::string& colorTable) {
   if (find(name)) return Error{"", 0, name, "there is already a robot of this name"};
-  auto robot = makeLogRobot(name, file, state_.match->configuration(), time(), options_.root);
+  LogRobotOptions options;
+  options.configuration = state_.match->sharedConfiguration();
+  options.root = options_.root;
+  options.colorTable = colorTable;
+  auto robot = makeLogRobot(name, file, options, time());
   if (!robot) return robot.error();
   match().markIrreproducible("a robot lives on a log");
   state_.robots.push_back(std::move(*robot));
@@ -191,7 +196,7 @@ Result<void> Session::replay(const std::string& name, const std::string& file) {
 
 Result<void> Session::connect(const std::vector<std::string>& robots, bool gameManager) {
   if (state_.connection) return Error{"", 0, "sc", "robots are connected already"};
-  auto connection = RobotConnection::open(robots, gameManager, options_.root);
+  auto connection = RobotConnection::open(robots, gameManager, options_.root, options_.keys);
   if (!connection) return connection.error();
   auto connected = (*connection)->takeRobots();
   for (const auto& robot : connected)

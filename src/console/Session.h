@@ -83,7 +83,9 @@ class Session {
   ConsoleRobot* find(std::string_view robot) const;
 
   /// Report I.5.1: sl. A name that is in use is an error.
-  Result<void> replay(const std::string& name, const std::string& file);
+  /// `colorTable` is for logs of real robots; see LogRobotOptions.
+  Result<void> replay(const std::string& name, const std::string& file,
+                      const std::string& colorTable = {});
   /// Report I.5.1: sc; only once.
   Result<void> connect(const std::vector<std::string>& robots, bool gameManager);
 

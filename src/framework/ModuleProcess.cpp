@@ -338,14 +338,17 @@ bool ModuleProcess::handlePackage(const Message& message) {
   return report(done);
 }
 
+bool ModuleProcess::isDisabled(const RepresentationType& type) const {
+  return std::ranges::any_of(slots_, [&](const Slot& slot) {
+    return !slot.active &&
+           std::ranges::find(slot.task->outputs, &type) != slot.task->outputs.end();
+  });
+}
+
 bool ModuleProcess::layIfDisabled(const RepresentationType& type, const void* value) {
-  for (const Slot& slot : slots_)
-    if (!slot.active && std::find(slot.task->outputs.begin(), slot.task->outputs.end(), &type) !=
-                            slot.task->outputs.end()) {
-      type.copy(value, blackboard_.get(type));
-      return true;
-    }
-  return false;
+  if (!isDisabled(type)) return false;
+  type.copy(value, blackboard_.get(type));
+  return true;
 }
 
 bool ModuleProcess::isDue(const Slot& slot) const {

@@ -65,6 +65,8 @@ class ModuleProcess : public Process {
   void onMessage(Handler handler) { handler_ = std::move(handler); }
   /// The representations that are sent after cycles, and how often.
   std::vector<WatchRequest> watched() const;
+  /// Whether it has a task that would provide a representation, but is disabled.
+  bool isDisabled(const RepresentationType& type) const;
   /// Sets a representation whose task is disabled.
   bool layIfDisabled(const RepresentationType& type, const void* value);
   /// Copies what its modules provide to another blackboard, as far as that has it.

@@ -4,14 +4,22 @@
 #include <cmath>
 
 #include "debug/Drawing.h"
+#include "framework/Description.h"
+#include "framework/Requests.h"
 
 namespace gt {
 namespace {
 
+/// What tools have asked for once comes in any case.
+bool isAnswer(const Message& message) {
+  return message.is<RequestAnswer>() || message.is<ProcessDescription>() ||
+         message.is<ModuleTimes>();
+}
+
 /// Messages of one kind replace each other: those of one type, and of drawings and plots those of
 /// one key, with which their bytes begin. 0 for messages that none replaces.
 std::uint64_t messageKind(const Message& message) {
-  if (message.is<DroppedMessages>()) return 0;
+  if (message.is<DroppedMessages>() || isAnswer(message)) return 0;
   std::uint32_t key = 0;
   if (message.is<Drawing>() || message.is<Plot>()) {
     constexpr std::size_t begin = cdr::headerSize + sizeof(std::uint32_t);
@@ -53,8 +61,12 @@ void QueueFill::take(const MessageQueue& messages, MessageQueue& toTools) {
     case QueueFillMode::replace:
       return newest_.append(messages, toTools);
     case QueueFillMode::save:
-      return messages.copyAllMessages(saved_);
+      messages.copyAllMessages(saved_);
+      [[fallthrough]];
     case QueueFillMode::reject:
+      messages.handleAllMessages([&](const Message& message) {
+        if (isAnswer(message)) toTools.append(message);
+      });
       return;
   }
 }

@@ -52,6 +52,7 @@ class NewestMessages {
 /// - reject: not at all;
 /// - collect: with all messages for some seconds, then not at all;
 /// - save: not at all; the messages of some seconds go to whoever saves them.
+/// Answers to requests come in any case.
 class QueueFill {
  public:
   using Saver = std::function<void(const MessageQueue&)>;

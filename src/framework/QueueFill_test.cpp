@@ -135,6 +135,17 @@ TEST_F(QueueFillTest, Rejects) {
   EXPECT_EQ(taken(), "b ");
 }
 
+TEST_F(QueueFillTest, AnswersComeInAnyCase) {
+  for (const QueueFillMode mode : {QueueFillMode::replace, QueueFillMode::reject}) {
+    ask(mode);
+    taken();
+    out.write(now, RequestAnswer{1, now, "Eyes", RequestOutcome::refused, "blind"});
+    out.write(now, RequestAnswer{1, now, "Legs", RequestOutcome::refused, "tired"});
+    cycle();
+    EXPECT_EQ(taken(), "Eyes: blind Legs: tired ");
+  }
+}
+
 TEST_F(QueueFillTest, CollectsForSomeSeconds) {
   ask(QueueFillMode::collect, 0.08);
   int sent = 0;

@@ -77,8 +77,15 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
       {configuration_, layout, player.player(), seed, platformRepresentations(), player.address});
   if (!robot) return robot.error();
   auto controller = std::make_unique<SimulatedRobot>(player.name, std::move(*robot));
+  const SceneDescription& scene = simulation_->scene();
+  const SetupFiles setup{{scene.resolve(scene.config), options_.motions, options_.behavior},
+                         layoutFile(player),
+                         player.player(),
+                         seed,
+                         player.address};
+  controller->robot().tellSetup([setup] { return recordSetup(setup); });
   if (!options_.logs.empty())
-    if (auto done = record(*controller, player, seed); !done) return done;
+    if (auto done = record(*controller, setup); !done) return done;
   simulation_->setCamera(
       index, withSettings(simulation_->scene().camera, configuration_->camera.of(player.address)));
   robots_.push_back(controller.get());
@@ -88,20 +95,14 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   return {};
 }
 
-Result<void> Match::record(SimulatedRobot& robot, const SceneRobot& player, std::uint64_t seed) {
-  const SceneDescription& scene = simulation_->scene();
-  const std::string base = (std::filesystem::path{options_.logs} / player.name).string();
+Result<void> Match::record(SimulatedRobot& robot, const SetupFiles& setup) {
+  const std::string base = (std::filesystem::path{options_.logs} / robot.name()).string();
   robot.saveTo(base);
   const McapWriter::Metadata about{
       {"scene", std::filesystem::path{options_.scene}.filename().string()},
       {"seed", std::to_string(options_.seed)},
-      {"robot", player.name},
-      {"minutes", std::to_string(scene.game.minutes)}};
-  const RecordedSetup setup{{scene.resolve(scene.config), options_.motions, options_.behavior},
-                            layoutFile(player),
-                            player.player(),
-                            seed,
-                            player.address};
+      {"robot", robot.name()},
+      {"minutes", std::to_string(simulation_->scene().game.minutes)}};
   if (auto done = robot.record(base + ".mcap", about, configuration_->log, setup, options_.inputs);
       !done)
     return done;

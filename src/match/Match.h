@@ -28,7 +28,7 @@ struct MatchOptions {
   std::size_t threads = 1;  ///< Do not change what happens.
   std::string
       logs{};  ///< Folder for the robots' logs, which must exist; none are written if empty.
-  bool inputs = false;  ///< Whether the logs hold all that the robots sensed, for replays.
+  bool inputs = false;  ///< Whether the logs hold all images without loss, for other vision.
   bool trace = false;   ///< Whether the logs hold what the behavior decided, and why.
   int images = 0;       ///< How many camera images to keep for the report page.
   std::string behavior = root.path("behavior/GT2003.xabsl");
@@ -91,6 +91,7 @@ class Match {
   /// The index in the simulation of each of them.
   std::size_t robotIndex(std::size_t robot) const { return indices_[robot]; }
   const Configuration& configuration() const { return *configuration_; }
+  const std::shared_ptr<const Configuration>& sharedConfiguration() const { return configuration_; }
   /// Those whose processes run elsewhere.
   const std::vector<RemoteRobot*>& remoteRobots() const { return remoteRobots_; }
   const MatchStatistics& statistics() const { return *statistics_; }
@@ -104,7 +105,7 @@ class Match {
   explicit Match(const MatchOptions& options) : options_{options} {}
   Result<void> addRobots();
   Result<void> addRobot(std::size_t index, const Layout& layout);
-  Result<void> record(SimulatedRobot& robot, const SceneRobot& player, std::uint64_t seed);
+  Result<void> record(SimulatedRobot& robot, const SetupFiles& setup);
   Result<void> addRemoteRobot(std::size_t index, const Layout& layout);
   bool isRemote(const std::string& robot) const { return options_.remote.contains(robot); }
   std::string layoutFile(const SceneRobot& robot) const;

@@ -17,7 +17,7 @@ SimulatedRobot::SimulatedRobot(std::string name, std::unique_ptr<Robot> robot)
 
 void SimulatedRobot::saveTo(const std::string& base) {
   robot_->onSave([this, base](const MessageQueue& messages) {
-    const auto file = saveQueue(messages, base, solutions());
+    const auto file = saveQueue(messages, base);
     robot_->toTools().write(robot_->processes().front()->now(),
                             Text{file ? "saved " + *file : file.error().text()});
   });
@@ -38,17 +38,18 @@ void SimulatedRobot::bind() {
 
 Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::Metadata& about,
                                     const Configuration::LogSettings& settings,
-                                    const RecordedSetup& setup, bool inputs) {
+                                    const SetupFiles& files, bool pixels) {
   auto log = RobotLog::open(path, about);
   if (!log) return log.error();
-  if (auto done = attachSetup(setup, log->file()); !done) return done;
-  for (const std::string& name : settings.representations) {
-    const auto type = robot_->watch(name);
-    if (!type) return settings.missing(name);
-    log->know(**type);
-  }
-  if (inputs)
-    for (const RepresentationType* type : platformRepresentations()) log->knowInput(*type);
+  const auto setup = recordSetup(files);
+  if (!setup) return setup.error();
+  attach(*setup, log->file());
+  for (const std::string& name : settings.representations)
+    if (const auto type = robot_->watch(name); !type) return settings.missing(name);
+  log->keepPixels(pixels);
+  if (!pixels)
+    for (const std::string& name : perceptsOfImages(solutions()))
+      static_cast<void>(robot_->watch(name));  // a robot that does not see needs none
   loggedImagePeriod_ = settings.picturePeriod;
   log_ = std::move(*log);
   return {};

@@ -8,9 +8,9 @@
 #include "match/MatchRobot.h"
 #include "modules/modeling/OracledLocators.h"
 #include "observer/RobotLink.h"
-#include "robot/RecordedSetup.h"
+#include "observer/RobotLog.h"
 #include "robot/Robot.h"
-#include "robot/RobotLog.h"
+#include "robot/SetupFiles.h"
 
 namespace gt {
 
@@ -23,11 +23,11 @@ class SimulatedRobot : public MatchRobot {
  public:
   SimulatedRobot(std::string name, std::unique_ptr<Robot> robot);
 
-  /// Records from now on, with everything that the platform sends if `inputs`, so that a replay
-  /// computes the same again.
+  /// Records from now on, so that a replay does the same again: with the images' pixels if
+  /// `pixels`, or else with what is seen in them.
   Result<void> record(const std::string& path, const McapWriter::Metadata& about,
-                      const Configuration::LogSettings& settings, const RecordedSetup& setup,
-                      bool inputs);
+                      const Configuration::LogSettings& settings, const SetupFiles& setup,
+                      bool pixels);
   Result<void> closeLog();
   /// Where messages go that a QueueFillRequest asks to save: BASE.saved.mcap, BASE.saved.2.mcap.
   void saveTo(const std::string& base);

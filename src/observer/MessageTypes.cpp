@@ -5,6 +5,7 @@
 #include "debug/Drawing.h"
 #include "framework/Description.h"
 #include "framework/Requests.h"
+#include "observer/RecordedSetup.h"
 #include "representations/All.h"
 
 namespace gt {
@@ -20,8 +21,9 @@ struct TypeList {
 const std::vector<const RepresentationType*>& messageTypes() {
   static const std::vector<const RepresentationType*> list = [] {
     auto types = AllRepresentations<TypeList>::all();
-    for (const auto* type : TypeList<Text, Drawing, Plot, StopwatchTime, DroppedMessages,
-                                     ProcessDescription, RequestAnswer, ModuleTimes>::all())
+    for (const auto* type :
+         TypeList<Text, Drawing, Plot, StopwatchTime, DroppedMessages, ProcessDescription,
+                  RequestAnswer, ModuleTimes, RecordedSetup>::all())
       types.push_back(type);
     return types;
   }();

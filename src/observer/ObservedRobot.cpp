@@ -119,6 +119,14 @@ void ObservedRobot::keep(const std::string& plot, Point point) {
   if (points.size() > mostPoints) points.pop_front();
 }
 
+void ObservedRobot::forget() {
+  time_ = {};
+  drawings_.clear();
+  drawnAt_.clear();
+  plots_.clear();
+  texts_.clear();
+}
+
 void ObservedRobot::addText(std::string text) {
   if (texts_.size() < mostTexts) texts_.push_back(std::move(text));
 }
@@ -382,6 +390,16 @@ Result<const std::map<std::string, ModuleTimes>*> ObservedRobot::times() {
   if (!await([&] { return times_.size() >= known_; }) && times_.empty())
     return Error{.field = name_, .what = "the robot does not answer"};
   return &times_;
+}
+
+Result<RecordedSetup> ObservedRobot::setup() {
+  const std::uint64_t before = newest_[messageId<RecordedSetup>()].count;
+  if (auto done = request(SetupRequest{name_}); !done) return done.error();
+  if (!await([&] { return newest_[messageId<RecordedSetup>()].count > before; }))
+    return Error{.field = name_, .what = "the robot does not tell how it was made"};
+  const auto* setup = newest<RecordedSetup>();
+  return setup ? Result<RecordedSetup>{*setup}
+               : Error{.field = name_, .what = "its setup is damaged"};
 }
 
 }  // namespace gt

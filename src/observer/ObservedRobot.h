@@ -16,6 +16,7 @@
 #include "framework/Description.h"
 #include "framework/Representation.h"
 #include "framework/Requests.h"
+#include "observer/RecordedSetup.h"
 #include "observer/RobotLink.h"
 
 namespace gt {
@@ -98,6 +99,9 @@ class ObservedRobot {
   /// How long the modules of each process took so far.
   Result<const std::map<std::string, ModuleTimes>*> times();
 
+  /// What makes it, so that a log can keep it.
+  Result<RecordedSetup> setup();
+
   // Messages to the robot.
 
   /// Hands a request to all processes. Returns an error if one of them refuses it, if it concerns
@@ -127,6 +131,8 @@ class ObservedRobot {
   /// All that the robot has reported as wrong, up to a thousand findings: texts that are warnings,
   /// requests that it refused, messages for which it had no room.
   const Findings& warnings() const { return warnings_; }
+  /// Forgets all of that: the robot has begun anew, perhaps at an earlier time.
+  void forget();
 
   /// Also hands all messages to something else, such as a recorder.
   void passTo(RobotLink::Taker taker) { taker_ = std::move(taker); }

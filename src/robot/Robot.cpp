@@ -188,6 +188,7 @@ bool Robot::step(Time now) {
   for (const auto& process : processes_) ran |= process->step(now);
   if (!debug_) return ran;
   if (!fromTools().empty()) handleLayoutRequest(now);
+  if (!fromTools().empty()) handleSetupRequest(now);
   return debug_->step(now) || ran;
 }
 
@@ -210,6 +211,21 @@ void Robot::handleLayoutRequest(Time now) {
   toTools().write(now, answerTo(*last, "robot", done));
 }
 
+void Robot::handleSetupRequest(Time now) {
+  if (!setupOf_) return;
+  fromTools().removeIf([&](const Message& message) {
+    if (!message.is<SetupRequest>()) return false;
+    const auto setup = setupOf_();
+    Result<void> done;
+    if (!setup)
+      done = setup.error();
+    else if (!toTools().write(now, *setup))
+      done = Error{.field = "setup", .what = "is too large to be sent"};
+    toTools().write(now, answerTo(message, "robot", done));
+    return true;
+  });
+}
+
 /// What the framework does not know but some part of the configuration does.
 bool Robot::handle(const Message& message, ModuleProcess& process) const {
   for (const ConfigurationPart& part : modules_->parts)
@@ -222,6 +238,7 @@ bool Robot::handle(const Message& message, ModuleProcess& process) const {
 
 void Robot::answer() {
   handleLayoutRequest(processes_.front()->now());
+  handleSetupRequest(processes_.front()->now());
   debug_->handleRequests();
   for (const auto& process : processes_) process->carryOut(fromTools(), toTools());
   fromTools().clear();

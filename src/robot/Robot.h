@@ -1,10 +1,13 @@
 #pragma once
+#include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/DebugProcess.h"
+#include "observer/RecordedSetup.h"
 #include "robot/Processes.h"
 
 namespace gt {
@@ -63,7 +66,14 @@ class Robot {
   /// oracle does (report I.5.3: so).
   template <typename T>
   void layIfDisabled(const T& value) {
-    for (const auto& process : processes_) process->layIfDisabled(representation<T>(), &value);
+    layIfDisabled(representation<T>(), &value);
+  }
+  void layIfDisabled(const RepresentationType& type, const void* value) {
+    for (const auto& process : processes_) process->layIfDisabled(type, value);
+  }
+  bool isDisabled(const RepresentationType& type) const {
+    return std::ranges::any_of(processes_,
+                               [&](const auto& process) { return process->isDisabled(type); });
   }
 
   /// Has the robot go on with another behavior from its next cycle on; see BehaviorRequest. Who
@@ -76,6 +86,9 @@ class Robot {
   /// Carries out at once, between two steps, what the tools have sent; the answers are in
   /// `toTools`.
   void answer();
+
+  /// Who tells what makes the robot when tools ask for it (SetupRequest).
+  void tellSetup(std::function<Result<RecordedSetup>()> setup) { setupOf_ = std::move(setup); }
 
   /// Regroups the modules to the processes of another layout, between two steps. They go on with
   /// all that they remember; solutions, parameters, debug keys and representations stay as they
@@ -121,6 +134,7 @@ class Robot {
   const void* provided(const RepresentationType& type) const;
 
   void handleLayoutRequest(Time now);
+  void handleSetupRequest(Time now);
   bool handle(const Message& message, ModuleProcess& process) const;
 
   RobotSetup setup_;
@@ -132,6 +146,7 @@ class Robot {
   std::vector<PlatformLink> links_;
   int layoutChanges_ = 0;
   Wire* wire_ = nullptr;
+  std::function<Result<RecordedSetup>()> setupOf_;
 };
 
 template <typename Request>

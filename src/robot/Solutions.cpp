@@ -13,6 +13,7 @@
 #include "modules/modeling/Tasks.h"
 #include "modules/motion/Tasks.h"
 #include "modules/perception/Tasks.h"
+#include "observer/RecordedSetup.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -52,7 +53,9 @@ std::vector<const RepresentationType*> RobotModules::messageTypes() const {
                                                &representation<Plot>(),
                                                &representation<ProcessDescription>(),
                                                &representation<QueueFillRequest>(),
+                                               &representation<RecordedSetup>(),
                                                &representation<RequestAnswer>(),
+                                               &representation<SetupRequest>(),
                                                &representation<SolutionRequest>(),
                                                &representation<Text>(),
                                                &representation<ValueRequest>(),

@@ -7,9 +7,10 @@
 #include "crash/CrashHandler.h"
 #include "network/ToolPort.h"
 #include "network/Wire.h"
+#include "observer/RobotLog.h"
 #include "robot/Robot.h"
-#include "robot/RobotLog.h"
-#include "robot/linux/Recorder.h"
+#include "robot/SetupFiles.h"
+#include "robot/linux/ProgramRecorder.h"
 
 namespace gt {
 namespace {
@@ -72,15 +73,15 @@ class ToolServer {
     if (!port) return port.error();
     server->port_ = std::move(*port);
     if (!options.logs.empty()) {
-      auto recorder = Recorder::open(options, robot.setup().layout, modules);
+      auto recorder = ProgramRecorder::open(options, robot.setup().layout, modules);
       if (!recorder) return recorder.error();
       server->recorder_ = std::move(*recorder);
       server->recorder_->connect(wire);
     }
-    robot.onSave([&options, &robot, &network, &modules](const MessageQueue& messages) {
+    robot.onSave([&options, &robot, &network](const MessageQueue& messages) {
       const std::string folder = options.logs.empty() ? "." : options.logs;
       const auto file =
-          saveQueue(messages, folder + "/" + options.addresses.robot, modules.solutions);
+          saveQueue(messages, folder + "/" + options.addresses.robot);
       robot.toTools().write(network.now, Text{file ? "saved " + *file : file.error().text()});
     });
     return server;
@@ -116,7 +117,7 @@ class ToolServer {
   Wire& wire_;
   Vocabulary vocabulary_;
   std::unique_ptr<ToolPort> port_;
-  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<ProgramRecorder> recorder_;
 };
 
 void print(const RobotProgramOptions& options, const std::vector<std::string>& news) {
@@ -130,6 +131,10 @@ Result<void> live(const RobotProgramOptions& options, const RobotModules& module
                   const RobotSetup& setup, bool servesTools) {
   const auto robot = Robot::make(setup, modules, {options.process});
   if (!robot) return robot.error();
+  (*robot)->tellSetup([&options] {
+    return recordSetup(
+        {options.paths, options.layout, options.player, options.seed, options.hardwareAddress});
+  });
   Network network;
   Wire wire{network, options.process};
   if (auto done = join(wire, options, setup.layout); !done) return done;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include "robot/RecordedSetup.h"
+#include "observer/MessageTypes.h"
+#include "observer/RobotLog.h"
+#include "robot/SetupFiles.h"
 #include "robot/Solutions.h"
 #include "robot/logs/LogPlatform.h"
 #include "streams/RecordedMessage.h"
@@ -10,72 +12,175 @@
 namespace gt {
 namespace {
 
-/// All that a platform may send: a simulator's, and a real robot's log.
-const RepresentationType* inputType(std::string_view name) {
-  for (const auto* list : {&platformRepresentations(), &LogPlatform::representations()})
-    for (const RepresentationType* type : *list)
-      if (type->name == name) return type;
-  return nullptr;
+/// How long a robot lives on a log before the moment that is gone to, in ms.
+constexpr std::int64_t leadIn = 10'000;
+
+bool provides(const Plan& plan, const RepresentationType& type) {
+  return std::ranges::any_of(plan.processes, [&](const Plan::Process& process) {
+    return std::ranges::any_of(process.order, [&](const Plan::Step& step) {
+      return std::ranges::find(step.task->outputs, &type) != step.task->outputs.end();
+    });
+  });
+}
+
+bool contains(const std::vector<const RepresentationType*>& types, std::string_view name) {
+  return std::ranges::find(types, name, &RepresentationType::name) != types.end();
 }
 
 }  // namespace
 
 Result<ReplayPlatform> ReplayPlatform::make(const ReplayOptions& options) {
-  auto log = McapReader::open(options.log);
-  if (!log) return log.error();
-  ReplayPlatform platform{options.log, std::move(*log)};
-  if (auto done = platform.findInputs(); !done) return done.error();
-  if (auto done = platform.makeRobot(options); !done) return done.error();
-  platform.watchAll();
+  auto player = LogPlayer::open(options.log);
+  if (!player) return player.error();
+  ReplayPlatform platform{std::move(*player)};
+  if (auto done = platform.findChannels(); !done) return done.error();
+  if (auto done = platform.chooseSetup(options); !done) return done.error();
+  platform.dropStandingProcesses();
+  platform.disableUnrecorded();
+  if (auto done = platform.makeRobot(); !done) return done.error();
   return platform;
 }
 
-Result<void> ReplayPlatform::findInputs() {
-  bool any = false;
-  for (const McapChannel& channel : log_.channels()) {
-    inputs_.resize(std::max<std::size_t>(inputs_.size(), channel.id + std::size_t{1}));
-    const std::string_view topic = channel.topic;
-    if (!topic.starts_with(inputTopic)) continue;
-    const auto* type = inputType(topic.substr(std::string_view{inputTopic}.size()));
-    if (!type) return Error{path_, 0, channel.topic, "no platform sends this"};
-    Input& input = inputs_[channel.id].emplace(Input{type, std::nullopt, type->make()});
-    any = true;
-    if (channel.schemaText == type->schema().text) continue;
-    auto definition = MessageDefinition::parse(channel.schemaName, channel.schemaText);
-    if (!definition) return Error{path_, 0, channel.topic, definition.error().text()};
-    input.definition = std::move(*definition);
-  }
-  if (any) return {};
-  return Error{path_, 0, inputTopic, "the log does not hold what its robot sensed"};
+Error ReplayPlatform::damaged(std::string field, std::string what) const {
+  return {.file = player_.path(), .field = std::move(field), .what = std::move(what)};
 }
 
-Result<void> ReplayPlatform::makeRobot(const ReplayOptions& options) {
-  RobotSetup setup;
-  if (!options.configuration || options.layout.empty()) {
-    auto recorded = readSetup(log_, path_, allModules());
-    if (!recorded) return recorded.error();
-    setup = std::move(*recorded);
+Result<void> ReplayPlatform::findChannels() {
+  constexpr std::string_view inputs = inputTopic;
+  bool any = false;
+  for (const McapChannel& recorded : player_.log().channels()) {
+    channels_.resize(std::max<std::size_t>(channels_.size(), recorded.id + std::size_t{1}));
+    const std::string_view topic = recorded.topic;
+    const bool input = topic.starts_with(inputs);
+    const std::string_view name =
+        topic.substr(input ? inputs.size() : std::min<std::size_t>(1, topic.size()));
+    const RepresentationType* type =
+        name == "ImageHeader" ? &representation<ImageHeader>() : messageType(name);
+    if (!type && input) return damaged(recorded.topic, "no platform sends this");
+    if (!type) continue;
+    any |= input;
+    Channel& channel =
+        channels_[recorded.id].emplace(Channel{type, std::nullopt, type->make(), input});
+    if (recorded.schemaText == type->schema().text) continue;
+    auto definition = MessageDefinition::parse(recorded.schemaName, recorded.schemaText);
+    if (!definition) return damaged(recorded.topic, definition.error().text());
+    channel.definition = std::move(*definition);
   }
-  if (options.configuration) setup.configuration = options.configuration;
+  pixels_ = isRecorded("Image", true);
+  const bool headers = isRecorded("ImageHeader", true);
+  // A percept of each image tells at least when it was taken.
+  for (const std::string& percept : perceptsOfImages(solutions()))
+    if (!pixels_ && !headers && perceptOfImages_.empty() && isRecorded(percept, false))
+      perceptOfImages_ = percept;
+  if (any || !perceptOfImages_.empty()) return {};
+  return damaged(inputTopic, "the log does not hold what its robot sensed");
+}
+
+bool ReplayPlatform::isRecorded(std::string_view name, bool input) const {
+  return std::ranges::any_of(channels_, [&](const auto& channel) {
+    return channel && channel->input == input && channel->type->name == name;
+  });
+}
+
+/// The setup of the log's robot, with what is wanted instead.
+Result<void> ReplayPlatform::chooseSetup(const ReplayOptions& options) {
+  const bool another = options.configuration && !options.layout.empty();
+  if (auto recorded = recordedSetup(player_.log(), player_.path()))
+    recorded_ = std::move(*recorded);
+  else if (!another)
+    return recorded.error();
+  if (!another) {
+    if (recorded_.files.empty()) return damaged("", "the log does not hold its robot's files");
+    auto made = readSetup(recorded_, allModules());
+    if (!made) return made.error();
+    setup_ = std::move(*made);
+  }
+  setup_.player = recorded_.player;
+  setup_.seed = recorded_.seed;
+  setup_.address = recorded_.address;
+  if (options.configuration) setup_.configuration = options.configuration;
   if (!options.layout.empty()) {
     auto layout = loadLayout(options.layout);
     if (!layout) return layout.error();
-    setup.layout = std::move(*layout);
+    setup_.layout = std::move(*layout);
   }
-  setup.platform.clear();
-  for (const auto& input : inputs_)
-    if (input) setup.platform.push_back(input->type);
+  solutions_ = options.solutions;
   // What another layout asks for and was not recorded stays as it is at a robot's start.
-  if (!options.layout.empty())
-    for (const RepresentationType* type : LogPlatform::representations())
-      if (std::ranges::find(setup.platform, type) == setup.platform.end())
-        setup.platform.push_back(type);
-  auto robot = Robot::make(setup);
+  for (const RepresentationType* type : LogPlatform::representations())
+    if ((isRecorded(type->name, true) || !options.layout.empty()) &&
+        !contains(setup_.platform, type->name))
+      setup_.platform.push_back(type);
+  return {};
+}
+
+/// A process whose cycles nothing begins stands: what its tasks would provide comes from the log,
+/// as from the platform.
+void ReplayPlatform::dropStandingProcesses() {
+  const auto begins = [&](const std::string& trigger) {
+    if (trigger == "Image")
+      return pixels_ || isRecorded("ImageHeader", true) || !perceptOfImages_.empty();
+    if (trigger == "SensorDataBuffer")
+      return isRecorded("SensorDataBuffer", true) || isRecorded("SensorData", true);
+    return !contains(setup_.platform, trigger) || isRecorded(trigger, true);
+  };
+  std::erase_if(setup_.layout.processes, [&](const ProcessLayout& process) {
+    if (process.collectsMessages || begins(process.trigger)) return false;
+    for (const ProcessLayout::Group& group : process.groups)
+      for (const std::string& name : group.tasks)
+        if (const Task* task = solutions().find(name))
+          for (const RepresentationType* output : task->outputs)
+            if (!contains(setup_.platform, output->name)) setup_.platform.push_back(output);
+    return true;
+  });
+  // Only what the other processes solve is configured.
+  auto part = std::make_shared<Configuration>(*setup_.configuration);
+  std::erase_if(part->solutions, [&](const auto& choice) {
+    return std::ranges::none_of(setup_.layout.processes, [&](const ProcessLayout& process) {
+      return std::ranges::any_of(process.groups, [&](const auto& group) {
+        return std::ranges::find(group.tasks, choice.task) != group.tasks.end();
+      });
+    });
+  });
+  setup_.configuration = std::move(part);
+}
+
+std::string ReplayPlatform::missingFor(std::string_view task) const {
+  if (task == imageTask && !pixels_)
+    return "the log does not hold the images' pixels (simgt play --inputs records them)";
+  return {};
+}
+
+/// Disables what cannot be computed on this log, or was not on the robot that recorded it.
+void ReplayPlatform::disableUnrecorded() {
+  for (const ProcessLayout& process : setup_.layout.processes)
+    for (const ProcessLayout::Group& group : process.groups)
+      for (const std::string& name : group.tasks) {
+        const Task* task = solutions().find(name);
+        const bool given =
+            task && std::ranges::any_of(task->outputs, [&](const RepresentationType* output) {
+              return isRecorded(output->name, true);
+            });
+        if (given || !missingFor(name).empty())
+          solutions_.insert(solutions_.begin(),
+                            {name, std::string{SolutionTable::disabled}, "", 0});
+      }
+}
+
+Result<void> ReplayPlatform::makeRobot() {
+  auto robot = Robot::make(setup_);
   if (!robot) return robot.error();
   robot_ = std::move(*robot);
-  for (const Configuration::SolutionChoice& choice : options.solutions)
+  if (!recorded_.files.empty())
+    robot_->tellSetup([setup = recorded_]() -> Result<RecordedSetup> { return setup; });
+  for (auto& channel : channels_)
+    if (channel) channel->provided = provides(robot_->plan(), *channel->type);
+  for (const Configuration::SolutionChoice& choice : solutions_) {
+    if (const std::string missing = missingFor(choice.task);
+        !missing.empty() && choice.solution != SolutionTable::disabled)
+      return damaged(choice.task, missing);
     if (auto done = robot_->request(SolutionRequest{choice.task, choice.solution}); !done)
       return done;
+  }
   return {};
 }
 
@@ -85,43 +190,90 @@ void ReplayPlatform::watchAll() {
     if (type && (*type)->type() && std::ranges::find(watched_, *type) == watched_.end())
       watched_.push_back(*type);
   };
-  for (const McapChannel& channel : log_.channels())
-    if (!inputs_[channel.id] && channel.topic.size() > 1) watch(channel.topic.substr(1));
+  for (const auto& channel : channels_)
+    if (channel && !channel->input) watch(std::string{channel->type->name});
   for (const Plan::Process& process : robot_->plan().processes)
     for (const Plan::Step& step : process.order)
       for (const RepresentationType* output : step.task->outputs) watch(std::string{output->name});
 }
 
-Result<void> ReplayPlatform::send(const McapMessage& message) {
-  Input& input = *inputs_[message.channel];
-  const auto done = input.definition ? readRecorded(*input.definition, message.data,
-                                                    Value{input.type->type(), input.value.get()})
-                                     : input.type->decode(message.data, input.value.get());
-  if (!done) return Error{path_, 0, std::string{input.type->name}, done.error().text()};
-  robot_->send(*input.type, input.value.get());
+Result<void> ReplayPlatform::decode(Channel& channel, const McapMessage& message) const {
+  const auto done = channel.definition
+                        ? readRecorded(*channel.definition, message.data,
+                                       Value{channel.type->type(), channel.value.get()})
+                        : channel.type->decode(message.data, channel.value.get());
+  if (done) return {};
+  return damaged(std::string{channel.type->name}, done.error().text());
+}
+
+void ReplayPlatform::send(const RepresentationType& type, const void* package) {
+  robot_->send(type, package);
+  if (input_) input_(now_, type, package);
+}
+
+/// What was recorded in short is sent whole.
+void ReplayPlatform::send(const Channel& channel) {
+  const void* value = channel.value.get();
+  if (channel.type == &representation<SensorDataBuffer>()) {
+    sensors_ = *static_cast<const SensorDataBuffer*>(value);
+    send(representation<SensorDataBuffer>(), &sensors_);
+  } else if (channel.type == &representation<SensorData>()) {
+    sensors_.push(*static_cast<const SensorData*>(value));
+    send(representation<SensorDataBuffer>(), &sensors_);
+  } else if (channel.type == &representation<ImageHeader>()) {
+    const auto& header = *static_cast<const ImageHeader*>(value);
+    image_.time = header.time;
+    image_.info = header.info;
+    sendImage();
+  } else {
+    send(*channel.type, value);
+  }
+}
+
+void ReplayPlatform::sendImage() {
+  image_.allocate();
+  send(representation<Image>(), &image_);
+}
+
+Result<void> ReplayPlatform::take(const McapChannel& recorded, const McapMessage& message) {
+  auto& channel = channels_[recorded.id];
+  if (!channel) return {};
+  if (channel->type->name == perceptOfImages_) {
+    image_.time = now_;
+    sendImage();
+  }
+  if (channel->input || !channel->provided) {
+    if (auto done = decode(*channel, message); !done) return done;
+    send(*channel);
+  } else if (robot_->isDisabled(*channel->type)) {
+    if (auto done = decode(*channel, message); !done) return done;
+    robot_->layIfDisabled(*channel->type, channel->value.get());
+  }
   return {};
 }
 
 Result<bool> ReplayPlatform::step() {
-  bool any = false;
-  for (;;) {
-    if (!message_) {
-      auto next = log_.next();
-      if (!next) return next.error();
-      message_ = *next;
-      if (!message_) break;
-    }
-    if (inputs_[message_->channel]) {
-      const Time time{message_->time / 1'000'000};
-      if (any && time.ms != now_.ms) break;
-      now_ = time;
-      any = true;
-      if (auto done = send(*message_); !done) return done.error();
-    }
-    message_.reset();
+  if (player_.atEnd()) return false;
+  now_ = player_.moments()[player_.position()].time;
+  const auto more = player_.next([this](const McapChannel& channel, const McapMessage& message) {
+    return take(channel, message);
+  });
+  if (!more || !*more) return more;
+  robot_->step(now_);
+  return true;
+}
+
+Result<void> ReplayPlatform::goTo(std::size_t moment) {
+  if (auto done = makeRobot(); !done) return done;
+  if (newRobot_) newRobot_(*robot_);
+  const std::size_t last = std::min(moment, player_.moments().size() - 1);
+  player_.seekTime(player_.moments()[last].time - leadIn);
+  while (player_.position() <= last) {
+    robot_->toTools().clear();
+    if (const auto more = step(); !more) return more.error();
   }
-  if (any) robot_->step(now_);
-  return any;
+  player_.seek(last + 1);
+  return {};
 }
 
 }  // namespace gt

@@ -1,12 +1,16 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "observer/LogPlayer.h"
+#include "observer/RecordedSetup.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/infrastructure/SensorData.h"
 #include "robot/Robot.h"
-#include "robot/RobotLog.h"
-#include "streams/Mcap.h"
 #include "streams/MessageDefinition.h"
 
 namespace gt {
@@ -23,40 +27,75 @@ struct ReplayOptions {
 
 /// The platform of a robot that lives on a log: sends what the log's robot got from its platform
 /// (/input/…), at the recorded times, into whatever modules the layout has, as fast as it goes.
-/// With the same modules all that they compute is the same, bit for bit. Recorded types may have
-/// changed since: they are read by name.
+/// With the same modules all that they compute is the same, bit for bit. What they cannot compute,
+/// since what it is made of was not recorded, comes from the log, as far as it was recorded itself:
+/// the log stands for tasks that are disabled. Recorded types may have changed since: they are read
+/// by name.
 class ReplayPlatform {
  public:
   static Result<ReplayPlatform> make(const ReplayOptions& options);
 
   /// Sends what belongs to the next moment and lets the robot step; false at the log's end.
   Result<bool> step();
+  /// Begins anew with a new robot, which lives through the log up to a moment from some seconds
+  /// before it on. References to the robot that was are no longer valid.
+  Result<void> goTo(std::size_t moment);
+  /// Called with each such robot before it lives.
+  void onNewRobot(std::function<void(Robot&)> prepare) { newRobot_ = std::move(prepare); }
+  /// Called with all that is sent to the robot, as its platform does.
+  using InputHandler = std::function<void(Time, const RepresentationType&, const void* package)>;
+  void onInput(InputHandler handle) { input_ = std::move(handle); }
+  /// What makes the robot: as recorded, with what is wanted instead.
+  const RecordedSetup& recorded() const { return recorded_; }
+
+  LogPlayer& player() { return player_; }
   Time now() const { return now_; }
   Robot& robot() { return *robot_; }
+  const Robot& robot() const { return *robot_; }
+  /// Why a task cannot be solved on this log; empty if it can.
+  std::string missingFor(std::string_view task) const;
   /// What the robot sends to its tools: the recorded representations that it has, too, and all that
-  /// its modules compute.
+  /// its modules compute, if `watchAll` was called.
   const std::vector<const RepresentationType*>& watched() const { return watched_; }
+  void watchAll();
 
  private:
-  /// A recorded channel that the platform sends.
-  struct Input {
+  /// A recorded channel.
+  struct Channel {
     const RepresentationType* type;
     std::optional<MessageDefinition> definition;  ///< If the recorded type is another one.
     std::shared_ptr<void> value;
+    bool input = false;     ///< From the platform; otherwise what the robot sent.
+    bool provided = false;  ///< By a task of the robot that lives on the log.
   };
 
-  ReplayPlatform(std::string path, McapReader log) : path_{std::move(path)}, log_{std::move(log)} {}
-  Result<void> findInputs();
-  Result<void> makeRobot(const ReplayOptions& options);
-  void watchAll();
-  Result<void> send(const McapMessage& message);
+  explicit ReplayPlatform(LogPlayer player) : player_{std::move(player)} {}
+  Result<void> findChannels();
+  Result<void> chooseSetup(const ReplayOptions& options);
+  void dropStandingProcesses();
+  void disableUnrecorded();
+  Result<void> makeRobot();
+  bool isRecorded(std::string_view name, bool input) const;
+  Result<void> take(const McapChannel& channel, const McapMessage& message);
+  Result<void> decode(Channel& channel, const McapMessage& message) const;
+  void send(const RepresentationType& type, const void* package);
+  void send(const Channel& channel);
+  void sendImage();
+  Error damaged(std::string field, std::string what) const;
 
-  std::string path_;
-  McapReader log_;
+  LogPlayer player_;
+  RecordedSetup recorded_;
+  RobotSetup setup_;
   std::unique_ptr<Robot> robot_;
-  std::vector<std::optional<Input>> inputs_;  ///< By the channels' ids.
+  std::vector<std::optional<Channel>> channels_;  ///< By the channels' ids.
+  std::vector<Configuration::SolutionChoice> solutions_;
   std::vector<const RepresentationType*> watched_;
-  std::optional<McapMessage> message_;  ///< The first of the next moment.
+  std::function<void(Robot&)> newRobot_;
+  InputHandler input_;
+  SensorDataBuffer sensors_;
+  Image image_;                  ///< Without what the robot saw: only its header was recorded.
+  bool pixels_ = true;           ///< Whether whole images were recorded.
+  std::string perceptOfImages_;  ///< Comes with each image, if not even headers were recorded.
   Time now_;
 };
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "framework/Layout.h"
+#include "observer/RobotLog.h"
 #include "representations/infrastructure/Image.h"
-#include "robot/RobotLog.h"
 #include "robot/linux/RobotProgram.h"
 
 namespace gt {
@@ -15,10 +15,11 @@ class Wire;
 
 /// Records a robot's log in its Debug process, as config/log.cfg wants it: what the other processes
 /// tell, and pictures of the platform's camera.
-class Recorder {
+class ProgramRecorder {
  public:
-  static Result<std::unique_ptr<Recorder>> open(const RobotProgramOptions& options,
-                                                const Layout& layout, const RobotModules& modules);
+  static Result<std::unique_ptr<ProgramRecorder>> open(const RobotProgramOptions& options,
+                                                       const Layout& layout,
+                                                       const RobotModules& modules);
 
   /// Has come in what the platform sends.
   void connect(Wire& wire);
@@ -28,7 +29,7 @@ class Recorder {
   void write(const Wire& wire, const MessageQueue& messages, std::int64_t now);
 
  private:
-  Recorder(RobotLog log, const Layout& layout) : log_{std::move(log)}, layout_{layout} {}
+  ProgramRecorder(RobotLog log, const Layout& layout) : log_{std::move(log)}, layout_{layout} {}
   struct Input {
     explicit Input(const RepresentationType& t)
         : type{t}, value{t.make()}, receiver{t, value.get()} {}
@@ -46,7 +47,6 @@ class Recorder {
   std::map<std::string, std::uint64_t> sessions_;
   std::int64_t nextFlush_ = 0;
   std::vector<std::unique_ptr<Input>> inputs_;
-  MessageQueue fromPlatform_;
   Image picture_;
   PackageReceiver pictures_{representation<Image>(), &picture_};
   std::int64_t picturePeriod_ = 0, nextRequest_ = 0;

@@ -1,7 +1,7 @@
-#include "gtlog/Import.h"
+#include "robot/logs/ImportNaoLog.h"
 
 #include "representations/motion/OdometryData.h"
-#include "robot/RobotLog.h"
+#include "observer/RobotLog.h"
 #include "robot/logs/NaoLog.h"
 
 namespace gt {

@@ -14,8 +14,10 @@ namespace gt {
 struct Selection {
   std::vector<std::string> topics;   ///< All if empty.
   std::vector<std::string> without;  ///< But not these.
-  std::optional<double> from, to;    ///< Seconds; the end does not belong to it.
+  std::optional<double> from, to;    ///< Seconds; the end is excluded.
 
+  /// An error if the log has no such topics, or the times are no stretch of time.
+  Result<void> check(const McapReader& log, const std::string& path) const;
   bool holds(const McapChannel& channel) const;
   bool holds(std::int64_t time) const;
   /// Calls visit(channel, message) for each such message, in the order of the file, until it

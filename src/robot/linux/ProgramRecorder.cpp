@@ -1,14 +1,15 @@
-#include "robot/linux/Recorder.h"
+#include "robot/linux/ProgramRecorder.h"
 
-#include <algorithm>
+#include <set>
+#include <string>
 
 #include "framework/Requests.h"
 #include "network/Wire.h"
-#include "robot/RecordedSetup.h"
+#include "robot/SetupFiles.h"
 
 namespace gt {
 
-Result<std::unique_ptr<Recorder>> Recorder::open(const RobotProgramOptions& options,
+Result<std::unique_ptr<ProgramRecorder>> ProgramRecorder::open(const RobotProgramOptions& options,
                                                  const Layout& layout,
                                                  const RobotModules& modules) {
   const std::vector<const RepresentationType*> none;
@@ -17,37 +18,35 @@ Result<std::unique_ptr<Recorder>> Recorder::open(const RobotProgramOptions& opti
   auto log = RobotLog::open(freeLogFile(options.logs + "/" + options.addresses.robot),
                             {{"robot", options.addresses.robot}});
   if (!log) return log.error();
-  const RecordedSetup setup{options.paths, options.layout, options.player, options.seed,
-                            options.hardwareAddress};
-  if (auto done = attachSetup(setup, log->file()); !done) return done.error();
-  std::unique_ptr<Recorder> recorder{new Recorder{std::move(*log), layout}};
+  const auto setup = recordSetup(
+      {options.paths, options.layout, options.player, options.seed, options.hardwareAddress});
+  if (!setup) return setup.error();
+  attach(*setup, log->file());
+  std::unique_ptr<ProgramRecorder> recorder{new ProgramRecorder{std::move(*log), layout}};
   recorder->choose((*configuration)->log, modules.solutions);
   return recorder;
 }
 
-/// What no task provides comes from the platform.
-void Recorder::choose(const Configuration::LogSettings& settings, const SolutionTable& table) {
-  for (const auto& [name, task] : table.tasks())
-    for (const RepresentationType* type : task.outputs) log_.know(*type);
-  for (const std::string& name : settings.representations) {
-    const auto& inputs = platformRepresentations();
-    const auto input = std::ranges::find(inputs, name, &RepresentationType::name);
-    if (input == inputs.end()) {
-      requests_.push_back({name, ""});
-    } else {
-      log_.know(**input);
-      inputs_.push_back(std::make_unique<Input>(**input));
-    }
+/// All that the platform sends but whole images, and what was seen in these: so the log can be
+/// replayed.
+void ProgramRecorder::choose(const Configuration::LogSettings& settings,
+                             const SolutionTable& table) {
+  std::set<std::string> names{settings.representations.begin(), settings.representations.end()};
+  for (const std::string& name : perceptsOfImages(table)) names.insert(name);
+  for (const RepresentationType* input : platformRepresentations()) {
+    names.erase(std::string{input->name});
+    if (input != &representation<Image>()) inputs_.push_back(std::make_unique<Input>(*input));
   }
+  for (const std::string& name : names) requests_.push_back({name, ""});
   picturePeriod_ = settings.picturePeriod;
 }
 
-void Recorder::connect(Wire& wire) {
+void ProgramRecorder::connect(Wire& wire) {
   if (picturePeriod_ > 0) wire.receive(platformProcess, pictures_);
   for (const auto& input : inputs_) wire.receive(platformProcess, input->receiver);
 }
 
-void Recorder::ask(const Wire& wire, MessageQueue& requests) {
+void ProgramRecorder::ask(const Wire& wire, MessageQueue& requests) {
   for (const ProcessLayout& process : layout_.processes) {
     std::uint64_t& known = sessions_[process.name];
     const std::uint64_t session = wire.clockOf(process.name).session;
@@ -57,16 +56,14 @@ void Recorder::ask(const Wire& wire, MessageQueue& requests) {
   }
 }
 
-void Recorder::write(const Wire& wire, const MessageQueue& messages, std::int64_t now) {
+void ProgramRecorder::write(const Wire& wire, const MessageQueue& messages, std::int64_t now) {
   log_.write(messages);
   for (const auto& input : inputs_) {
     input->receiver.receive();
     if (input->receiver.receivedNew())
-      input->type.write(input->value.get(), wire.clockOf(platformProcess).time, fromPlatform_);
+      log_.writeInput(wire.clockOf(platformProcess).time, input->type, input->value.get());
     input->receiver.request();
   }
-  log_.write(fromPlatform_);
-  fromPlatform_.clear();
   if (picturePeriod_ > 0) writePicture(now);
   if (now < nextFlush_) return;
   log_.flush();
@@ -75,7 +72,7 @@ void Recorder::write(const Wire& wire, const MessageQueue& messages, std::int64_
 
 /// The platform is asked for the next picture only when it is due; its clock, which begins anew
 /// when it is started again, may be slower than that of this process.
-void Recorder::writePicture(std::int64_t now) {
+void ProgramRecorder::writePicture(std::int64_t now) {
   pictures_.receive();
   const bool isDue = picture_.time < lastPicture_ || picture_.time - lastPicture_ >= picturePeriod_;
   if (pictures_.receivedNew() && isDue) {

@@ -1,7 +1,8 @@
-#include "gtlog/Selection.h"
+#include "observer/LogSelection.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gt {
 namespace {
@@ -20,14 +21,23 @@ bool Selection::holds(std::int64_t time) const {
   return (!from || seconds(time) >= *from) && (!to || seconds(time) < *to);
 }
 
+Result<void> Selection::check(const McapReader& log, const std::string& path) const {
+  for (const auto* names : {&topics, &without})
+    for (const std::string& name : *names)
+      if (std::none_of(log.channels().begin(), log.channels().end(),
+                       [&](const McapChannel& c) { return c.topic == name; }))
+        return Error{.file = path, .field = name, .what = "the log has no such topic"};
+  for (const auto& [time, name] : {std::pair{from, "from"}, std::pair{to, "to"}})
+    if (time && !std::isfinite(*time)) return Error{.field = name, .what = "is no time"};
+  if (from && to && *to <= *from)
+    return Error{.field = "to", .what = "lies not behind the time from which on"};
+  return {};
+}
+
 Result<void> Selection::forEach(const std::string& path, const Visitor& visit) const {
   auto log = McapReader::open(path);
   if (!log) return log.error();
-  for (const auto* names : {&topics, &without})
-    for (const std::string& name : *names)
-      if (std::none_of(log->channels().begin(), log->channels().end(),
-                       [&](const McapChannel& c) { return c.topic == name; }))
-        return Error{path, 0, name, "the log has no such topic"};
+  if (auto good = check(*log, path); !good) return good;
   if (from) log->seek(static_cast<std::int64_t>(std::clamp(*from, 0.0, 9e9) * 1e9));
   for (;;) {
     const auto message = log->next();

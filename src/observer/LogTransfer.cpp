@@ -1,4 +1,4 @@
-#include "gtlog/Transfer.h"
+#include "observer/LogTransfer.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -82,6 +82,8 @@ Result<Transferred> transfer(const std::vector<std::string>& from, const Selecti
     if (!reader) return reader.error();
     sources.push_back({std::move(*reader)});
   }
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (auto good = selection.check(sources[i].reader, from[i]); !good) return good.error();
   nameRobots(sources);
   auto writer = McapWriter::open(to);
   if (!writer) return writer.error();
@@ -117,12 +119,6 @@ Result<Transferred> transfer(const std::vector<std::string>& from, const Selecti
 
 Result<Transferred> cutLog(const std::string& from, const Selection& selection,
                            const std::string& to) {
-  // Also tells of topics that are not there, before anything is written.
-  Selection nothing = selection;
-  nothing.from = nothing.to = std::numeric_limits<double>::max();
-  if (auto done = nothing.forEach(from, [](const auto&, const auto&) { return Result<void>{}; });
-      !done)
-    return done.error();
   return transfer({from}, selection, to);
 }
 

@@ -1,0 +1,137 @@
+#include <cmath>
+
+#include "console/Commands.h"
+#include "observer/LogTransfer.h"
+
+namespace gt {
+namespace {
+
+Result<void> saveLog(Console& console, const std::string& file) {
+  const bool several = console.selected().size() > 1;
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    const std::string path =
+        withDefaults(several ? file + "-" + robot.name() : file, "out/logs", ".mcap");
+    if (auto done = robot.recorder.save(path); !done) return done;
+    console.print(robot.name() + ": " + std::to_string(robot.recorder.messages()) +
+                  " messages in " + path);
+    return {};
+  });
+}
+
+Result<void> log(Console& console, const Words& words) {
+  if (words.size() == 3 && words[1] == "save") return saveLog(console, words[2]);
+  if (words.size() != 2) return wrongArguments(words);
+  const std::string& what = words[1];
+  if (what != "start" && what != "stop" && what != "clear") return wrongArguments(words);
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (what == "start") return robot.recorder.start();
+    if (what == "stop") robot.recorder.stop();
+    if (what == "clear") robot.recorder.clear();
+    return {};
+  });
+}
+
+std::string decimal(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", value);
+  return text;
+}
+
+void printPlace(Console& console, ConsoleRobot& robot) {
+  const LogPlayer& player = robot.onLog()->player();
+  const auto seconds = [&](Time time) { return decimal(static_cast<double>(time.ms) / 1000); };
+  console.print(robot.name() + ": at " + seconds(player.now()) + " of " + seconds(player.begin()) +
+                " to " + seconds(player.end()) + " s, moment " + std::to_string(player.position()) +
+                " of " + std::to_string(player.moments().size()) + ", " +
+                (player.playing() ? "plays" : "is paused") + ", speed " + decimal(player.speed()) +
+                (player.loop() ? ", loops" : ""));
+}
+
+/// lp cut FILE FROM TO, and lp join FILE LOG {LOG}: of the log that a robot lives on.
+Result<void> transfer(Console& console, ConsoleRobot& robot, const Words& words) {
+  const std::string out = withDefaults(words[2], "out/logs", ".mcap");
+  const std::string& log = robot.onLog()->player().path();
+  Result<Transferred> done = wrongArguments(words);
+  if (words[1] == "cut" && words.size() == 5) {
+    Selection selection;
+    for (const auto& [bound, word] : {std::pair{&selection.from, 3}, std::pair{&selection.to, 4}}) {
+      const auto number = numberOf(words[static_cast<std::size_t>(word)]);
+      if (!number) return number.error();
+      *bound = *number;
+    }
+    done = cutLog(log, selection, out);
+  } else if (words[1] == "join" && words.size() > 3) {
+    std::vector<std::string> logs{log};
+    for (std::size_t i = 3; i < words.size(); ++i)
+      logs.push_back(withDefaults(words[i], "out/logs", ".mcap"));
+    done = joinLogs(logs, out);
+  }
+  if (!done) return done.error();
+  console.print(out + ": " + std::to_string(done->messages) + " messages");
+  return {};
+}
+
+/// What `lp` does with one robot on a log.
+Result<void> playLog(Console& console, ConsoleRobot& robot, const Words& words) {
+  LogRobot& log = *robot.onLog();
+  const auto take = [&](const MessageQueue& messages) { robot.take(messages); };
+  const std::string& what = words[1];
+  if (what == "cut" || what == "join")
+    return words.size() > 2 ? transfer(console, robot, words) : wrongArguments(words);
+  if (what == "loop") {
+    const auto on = switchOf(words, 2);
+    if (!on) return on.error();
+    log.player().setLoop(*on);
+    return {};
+  }
+  if (what == "play" || what == "pause" || what == "?") {
+    if (words.size() != 2) return wrongArguments(words);
+    if (what == "play") log.player().play();
+    if (what == "pause") log.player().pause();
+    if (what == "?") printPlace(console, robot);
+    return {};
+  }
+  const bool step = what == "step" || what == "back";
+  if (words.size() != 3 && !(step && words.size() == 2)) return wrongArguments(words);
+  const auto number = words.size() == 3 ? numberOf(words[2], 0, 1e9) : Result<double>{1.0};
+  if (!number) return number.error();
+  Result<void> done = wrongArguments(words);
+  if (step) done = log.step(static_cast<int>(what == "back" ? -*number : *number), take);
+  if (what == "time") done = log.goToTime(Time{std::llround(1000 * *number)}, take);
+  if (what == "message") done = log.goToMessage(static_cast<std::uint64_t>(*number), take);
+  if (what == "speed" && *number > 0) {
+    log.player().setSpeed(*number);
+    return {};
+  }
+  if (done) printPlace(console, robot);
+  return done;
+}
+
+Result<void> lp(Console& console, const Words& words) {
+  if (words.size() < 2) return wrongArguments(words);
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (!robot.onLog()) return Error{.field = robot.name(), .what = "does not live on a log"};
+    return playLog(console, robot, words);
+  });
+}
+
+}  // namespace
+
+std::vector<Command> logCommands() {
+  constexpr auto kind = Command::Kind::robot;
+  return {
+      {kind, "log", "start | stop | clear | save FILE",
+       "Records all that comes from the robots, with all that it takes to replay that; saves it to "
+       "out/logs/ and with .mcap if the file has no folder and extension. Several robots get a "
+       "file each.",
+       log},
+      {kind, "lp",
+       "? | play | pause | step [NUMBER] | back [NUMBER] | time SECONDS | message NUMBER | speed "
+       "FACTOR | loop (off | on) | cut FILE FROM TO | join FILE LOG {LOG}",
+       "Log player: plays the logs that robots live on while time passes, forward and back by what "
+       "was recorded at one time, from a time or message on, faster; tells where it is. Cuts some "
+       "seconds out of the log, or joins others to it.",
+       lp}};
+}
+
+}  // namespace gt

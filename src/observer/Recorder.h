@@ -1,0 +1,49 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "observer/ObservedRobot.h"
+#include "observer/RobotLog.h"
+#include "streams/TemporaryFolder.h"
+
+namespace gt {
+
+/// Records all that a robot sends, and has it send what its platform gives it and what made it: so
+/// the recording can be replayed (report I.5.3: log). It grows in a temporary file; saving copies
+/// it.
+class Recorder {
+ public:
+  /// The robot must outlive the recorder.
+  explicit Recorder(ObservedRobot& robot) : robot_{robot} {}
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// Records from now on, to what was recorded before.
+  Result<void> start();
+  void stop();
+  bool recording() const { return recording_; }
+  /// Forgets what was recorded.
+  void clear();
+  std::uint64_t messages() const { return messages_; }
+  /// Writes a log of what was recorded; an error if that is nothing.
+  Result<void> save(const std::string& file);
+
+ private:
+  Result<void> open();
+  void trace(bool on);
+  void take(const MessageQueue& messages);
+  std::string path() const { return (folder_->path() / "recording.mcap").string(); }
+
+  ObservedRobot& robot_;
+  std::unique_ptr<TemporaryFolder> folder_;  ///< Once something was recorded.
+  std::optional<RobotLog> log_;
+  std::vector<ObservedRobot::Subscription> inputs_;
+  bool recording_ = false;
+  std::uint64_t messages_ = 0;
+  Time lastImage_ = never();
+};
+
+}  // namespace gt

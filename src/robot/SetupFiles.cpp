@@ -1,0 +1,104 @@
+#include "robot/SetupFiles.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "robot/Commit.h"
+#include "streams/File.h"
+#include "streams/TemporaryFolder.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files beyond this are no configuration.
+constexpr std::uintmax_t largestFile = 4u << 20;
+
+Result<void> addFile(const fs::path& file, const std::string& name, RecordedSetup& setup) {
+  const auto content = readFile(file.string());
+  if (!content) return content.error();
+  setup.files.push_back({name, {content->begin(), content->end()}});
+  return {};
+}
+
+Result<void> addFolder(const fs::path& folder, const std::string& name, RecordedSetup& setup) {
+  std::error_code failure;
+  std::vector<fs::path> files;
+  for (fs::recursive_directory_iterator at{folder, failure}, end; !failure && at != end;
+       at.increment(failure))
+    if (at->is_regular_file() && at->file_size() <= largestFile) files.push_back(at->path());
+  if (failure) return Error{folder.string(), 0, "", failure.message()};
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files)
+    if (auto done = addFile(file, name + "/" + fs::relative(file, folder).generic_string(), setup);
+        !done)
+      return done;
+  return {};
+}
+
+Result<void> unpack(const RecordedSetup& setup, const fs::path& folder) {
+  if (folder.empty()) return Error{.what = "there is no temporary folder"};
+  for (const SetupFile& file : setup.files) {
+    const fs::path path = folder / file.name;
+    std::error_code failure;
+    fs::create_directories(path.parent_path(), failure);
+    if (auto done = writeFile(path.string(), {reinterpret_cast<const char*>(file.content.data()),
+                                              file.content.size()});
+        !done)
+      return done;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<RecordedSetup> recordSetup(const SetupFiles& files) {
+  const fs::path behavior{files.paths.behavior};
+  RecordedSetup setup{files.player,
+                      files.address,
+                      files.seed,
+                      fs::path{files.layout}.filename().string(),
+                      behavior.filename().string(),
+                      commit(),
+                      {}};
+  const fs::path folder = behavior.has_parent_path() ? behavior.parent_path() : fs::path{"."};
+  if (auto done = addFolder(files.paths.config, "config", setup); !done) return done.error();
+  if (auto done = addFolder(files.paths.motions, "motions", setup); !done) return done.error();
+  if (auto done = addFolder(folder, "behavior", setup); !done) return done.error();
+  if (auto done = addFile(files.layout, "robot.layout", setup); !done) return done.error();
+  return setup;
+}
+
+Result<RobotSetup> readSetup(const RecordedSetup& recorded, const RobotModules& modules) {
+  const TemporaryFolder folder;
+  if (auto done = unpack(recorded, folder.path()); !done) return done.error();
+  ConfigurationPaths paths;
+  paths.config = (folder.path() / "config").string();
+  paths.motions = (folder.path() / "motions").string();
+  paths.behavior = (folder.path() / "behavior" / recorded.behavior).string();
+  auto configuration = loadConfiguration(paths, modules);
+  if (!configuration) return configuration.error();
+  auto layout = loadLayout((folder.path() / "robot.layout").string());
+  if (!layout) return layout.error();
+  RobotSetup setup;
+  setup.configuration = std::move(*configuration);
+  setup.layout = std::move(*layout);
+  setup.player = recorded.player;
+  setup.seed = recorded.seed;
+  setup.address = recorded.address;
+  return setup;
+}
+
+std::vector<std::string> perceptsOfImages(const SolutionTable& table) {
+  std::vector<std::string> names;
+  if (const Task* task = table.find(imageTask))
+    for (const RepresentationType* output : task->outputs) names.emplace_back(output->name);
+  return names;
+}
+
+std::string commit() {
+  return builtCommit;
+}
+
+}  // namespace gt

@@ -1,0 +1,170 @@
+#include "robot/logs/LogRobot.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "robot/logs/ImportNaoLog.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The configuration for logs of 2009, with the color table that lies beside the log.
+Result<std::shared_ptr<const Configuration>> naoConfiguration(const std::string& file,
+                                                              const LogRobotOptions& options) {
+  const std::string& colorTable = options.colorTable;
+  ConfigurationPaths paths = ConfigurationPaths::in(options.root);
+  paths.config = options.root.path("config/nao2009");
+  paths.colorTable = colorTable;
+  paths.colorOrder = nao2009ColorOrder;
+  std::vector<std::string> tables;
+  std::error_code failed;
+  const auto folder = fs::absolute(file).parent_path();
+  for (const auto& entry : fs::directory_iterator{folder, failed})
+    if (entry.path().extension() == ".c64") tables.push_back(entry.path().filename().string());
+  std::ranges::sort(tables);
+  if (colorTable.empty() && tables.size() > 1) {
+    std::string names;
+    for (const std::string& table : tables) names += (names.empty() ? "" : ", ") + table;
+    return Error{.file = file, .what = "several color tables lie beside it, name one: " + names};
+  }
+  if (colorTable.empty() && tables.size() == 1)
+    paths.colorTable = (folder / tables.front()).string();
+  if (paths.colorTable.empty()) {
+    paths.colorTable = options.root.path("config/coltable.c64");
+    paths.colorOrder = gt2003ColorOrder;
+  } else if (!fs::exists(paths.colorTable)) {
+    paths.colorTable = (folder / paths.colorTable).string();
+  }
+  return loadConfiguration(paths);
+}
+
+/// What asks for something once, and need not be asked again of a robot that begins anew.
+bool asksOnce(const Message& message) {
+  WatchRequest watch;
+  return message.is<DescriptionRequest>() || message.is<SetupRequest>() ||
+         (message.is<WatchRequest>() && message.read(watch) && watch.mode == DebugKeyMode::times);
+}
+
+}  // namespace
+
+/// Messages wait here until they are exchanged, so that those can be refused that make no sense.
+class LogRobot::Link : public RobotLink {
+ public:
+  explicit Link(LogRobot& robot) : robot_{robot} {}
+  MessageQueue& toRobot() override { return robot_.toRobot_; }
+  void exchange(const Taker& take) override {
+    MessageQueue answers{1 << 16};
+    robot_.toRobot_.handleAllMessages([&](const Message& message) {
+      if (robot_.refuses(message, answers)) return;
+      robot_.robot().fromTools().append(message);
+      if (!asksOnce(message)) robot_.told_.append(message);
+    });
+    robot_.toRobot_.clear();
+    robot_.robot().answer();
+    take(answers);
+    robot_.handOver(take);
+  }
+
+ private:
+  LogRobot& robot_;
+};
+
+LogRobot::LogRobot(ReplayPlatform platform) : platform_{std::move(platform)} {
+  platform_.onNewRobot([this](Robot& robot) {
+    told_.copyAllMessages(robot.fromTools());
+    robot.answer();
+    ++beginnings_;
+  });
+}
+
+Result<std::unique_ptr<LogRobot>> LogRobot::open(const std::string& file,
+                                                 const LogRobotOptions& options) {
+  if (!fs::is_regular_file(file)) return Error{.file = file, .what = "there is no such file"};
+  const auto make = [](const ReplayOptions& how) -> Result<std::unique_ptr<LogRobot>> {
+    auto platform = ReplayPlatform::make(how);
+    if (!platform) return platform.error();
+    return std::unique_ptr<LogRobot>{new LogRobot{std::move(*platform)}};
+  };
+  const std::string replay = options.root.path("layouts/replay.layout");
+  if (const auto log = McapReader::open(file)) {
+    if (const auto setup = recordedSetup(*log, file); setup && !setup->files.empty())
+      return make({file});
+    // As far as what was recorded suffices.
+    if (auto robot = make({file, options.configuration, options.root.path("layouts/cmd.layout")})) return robot;
+    return make({file, options.configuration, replay});
+  }
+  auto folder = std::make_unique<TemporaryFolder>();
+  const std::string copy = (folder->path() / "log.mcap").string();
+  if (auto done = importNaoLog(file, copy); !done) return done.error();
+  const auto configuration = naoConfiguration(file, options);
+  if (!configuration) return configuration.error();
+  auto robot = make({copy, *configuration, replay});
+  if (robot) (*robot)->converted_ = std::move(folder);
+  return robot;
+}
+
+std::unique_ptr<RobotLink> LogRobot::link() {
+  return std::make_unique<Link>(*this);
+}
+
+bool LogRobot::refuses(const Message& message, MessageQueue& answers) const {
+  SolutionRequest request;
+  if (!message.is<SolutionRequest>() || !message.read(request)) return false;
+  const std::string missing = platform_.missingFor(request.task);
+  if (missing.empty() || request.solution == SolutionTable::disabled) return false;
+  answers.write({}, answerTo(message, "log", Error{.field = request.task, .what = missing}));
+  return true;
+}
+
+void LogRobot::handOver(const RobotLink::Taker& take) {
+  take(robot().toTools());
+  robot().toTools().clear();
+}
+
+Result<bool> LogRobot::playNext(const RobotLink::Taker& take) {
+  auto more = platform_.step();
+  handOver(take);
+  return more;
+}
+
+Result<void> LogRobot::goTo(std::size_t moment, const RobotLink::Taker& take) {
+  if (auto done = platform_.goTo(moment); !done) return done;
+  handOver(take);
+  return {};
+}
+
+Result<void> LogRobot::pass(double ms, const RobotLink::Taker& take) {
+  player().pass(ms);
+  while (player().due()) {
+    // At the end of a loop.
+    if (player().position() == 0 && platform_.now() > player().begin()) {
+      if (auto done = goTo(0, take); !done) return done;
+      continue;
+    }
+    if (const auto more = playNext(take); !more) return more.error();
+  }
+  return {};
+}
+
+Result<void> LogRobot::step(int moments, const RobotLink::Taker& take) {
+  for (; moments > 0 && !player().atEnd(); --moments)
+    if (const auto more = playNext(take); !more) return more.error();
+  if (moments >= 0) return {};
+  const auto back = static_cast<std::size_t>(-static_cast<std::int64_t>(moments));
+  const std::size_t last = player().position() == 0 ? 0 : player().position() - 1;
+  return goTo(last - std::min(back, last), take);
+}
+
+Result<void> LogRobot::goToTime(Time time, const RobotLink::Taker& take) {
+  player().seekTime(time);
+  return goTo(player().position(), take);
+}
+
+Result<void> LogRobot::goToMessage(std::uint64_t message, const RobotLink::Taker& take) {
+  player().seekMessage(message);
+  return goTo(player().position(), take);
+}
+
+}  // namespace gt

@@ -1,0 +1,60 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "base/DataRoot.h"
+#include "observer/RobotLink.h"
+#include "robot/logs/ReplayPlatform.h"
+#include "streams/TemporaryFolder.h"
+
+namespace gt {
+
+/// Where logs without a setup have it from.
+struct LogRobotOptions {
+  DataRoot root{};
+  std::shared_ptr<const Configuration> configuration{};
+  /// For logs of 2009, in other formats; empty: the one that lies beside the log.
+  std::string colorTable{};
+};
+
+/// A robot that lives on a log as it is played: played on, back, from elsewhere, faster, again and
+/// again. Whenever it is not simply played on, the robot begins anew some seconds before, with all
+/// that it has been told by messages.
+class LogRobot {
+ public:
+  /// Of a log of this system (.mcap), or of one of a real robot of 2009.
+  static Result<std::unique_ptr<LogRobot>> open(const std::string& file,
+                                                const LogRobotOptions& options);
+
+  /// The robot's message queues. What this log cannot do is refused. The robot must outlive it.
+  std::unique_ptr<RobotLink> link();
+
+  /// Lets time pass, in ms: plays what is due, and hands over what the robot sends.
+  Result<void> pass(double ms, const RobotLink::Taker& take);
+  /// Plays so many moments more; negative: those before the one that was played last.
+  Result<void> step(int moments, const RobotLink::Taker& take);
+  /// Goes to the first moment that is not before a time, or to the one of a message.
+  Result<void> goToTime(Time time, const RobotLink::Taker& take);
+  Result<void> goToMessage(std::uint64_t message, const RobotLink::Taker& take);
+
+  LogPlayer& player() { return platform_.player(); }
+  Robot& robot() { return platform_.robot(); }
+  /// Counts how often the robot began anew.
+  int beginnings() const { return beginnings_; }
+
+ private:
+  class Link;
+
+  explicit LogRobot(ReplayPlatform platform);
+  Result<bool> playNext(const RobotLink::Taker& take);
+  Result<void> goTo(std::size_t moment, const RobotLink::Taker& take);
+  void handOver(const RobotLink::Taker& take);
+  bool refuses(const Message& message, MessageQueue& answers) const;
+
+  std::unique_ptr<TemporaryFolder> converted_;  ///< Of a log of 2009.
+  ReplayPlatform platform_;
+  MessageQueue toRobot_, told_{4 << 20};
+  int beginnings_ = 0;
+};
+
+}  // namespace gt
