@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "support/TestAllocations.h"
 #include "xabsl/engine/Engine.h"
 #include "xabsl/formats/Compile.h"
-#include "xabsl/tests/TestAllocations.h"
 #include "xabsl/tests/TestEngine.h"
 
 namespace xabsl {
@@ -209,9 +209,9 @@ TEST_F(EngineTest, AllocatesNothingInACycle) {
       initial state s { decision { if (option_time > 50 && @v > 0) goto t; else stay; }
                         action { stop(); } }
       target state t { action { result = memory; memory = memory + @v % x; } } })");
-  const long before = test::allocations();
+  const long before = gt::allocations();
   for (int i = 0; i < 1000; ++i) engine->execute(10 * i);
-  EXPECT_EQ(test::allocations(), before);
+  EXPECT_EQ(gt::allocations(), before);
   EXPECT_EQ(engine->warnings().size(), 4u);  // nothing of this was left out
 }
 

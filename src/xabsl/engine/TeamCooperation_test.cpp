@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/TestAllocations.h"
 #include "xabsl/engine/Engine.h"
-#include "xabsl/tests/TestAllocations.h"
 #include "xabsl/tests/TestEngine.h"
 
 namespace xabsl {
@@ -135,13 +135,13 @@ TEST_F(TeamTest, AllocatesNothingToCooperate) {
   start(1, attack, 0);
   const std::vector<CooperationMessage> heard{{1, {}}, {2, {7, 7, 7, 7}}};
   engines[0].execute(0);
-  const long before = test::allocations();
+  const long before = gt::allocations();
   for (int i = 1; i < 100; ++i) {
     worlds[0]->seen = i % 3 == 0;
     engines[0].cooperation().receive(heard);
     engines[0].execute(i);
   }
-  EXPECT_EQ(test::allocations(), before);
+  EXPECT_EQ(gt::allocations(), before);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "xabsl/tests/TestAllocations.h"
+#include "support/TestAllocations.h"
 #include "xabsl/tests/TestEngine.h"
 #include "xabsl/tools/trace/Coverage.h"
 #include "xabsl/tools/trace/Moment.h"
@@ -138,9 +138,9 @@ TEST_F(TraceTest, AllocatesNothingToRecord) {
   load(searching);
   engine->record(&recorder);
   world.seen = true;
-  const long before = test::allocations();
+  const long before = gt::allocations();
   for (int i = 0; i < 1000; ++i) engine->execute(i);
-  EXPECT_EQ(test::allocations(), before);
+  EXPECT_EQ(gt::allocations(), before);
 }
 
 /// What a question about each cycle answers: `1`, `0`, or `-` where a value is unknown.

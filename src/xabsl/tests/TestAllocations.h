@@ -1,8 +1,0 @@
-#pragma once
-
-namespace xabsl::test {
-
-/// How often this program has allocated memory so far.
-long allocations();
-
-}  // namespace xabsl::test
