@@ -88,10 +88,10 @@ Result<void> loadParameters(ObservedRobot& robot, const Configuration::Parameter
 }
 
 /// Has a running robot work with what a folder holds; files that are not there change nothing.
-Result<void> load(ObservedRobot& robot, const fs::path& folder) {
-  ConfigurationPaths paths;
+Result<void> load(ObservedRobot& robot, const fs::path& folder, const DataRoot& root) {
+  ConfigurationPaths paths = ConfigurationPaths::in(root);
   paths.config = folder.string();
-  if (!fs::exists(folder / "coltable.c64")) paths.colorTable = "config/coltable.c64";
+  if (!fs::exists(folder / "coltable.c64")) paths.colorTable = root.path("config/coltable.c64");
   const auto loaded = loadConfiguration(paths);
   if (!loaded) return loaded.error();
   const Configuration& configuration = **loaded;
@@ -115,7 +115,7 @@ Result<void> config(Console& console, const Words& words) {
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     const fs::path named{words[2]};
     const fs::path folder = named.has_parent_path() ? named : fs::path{"out/configs"} / named;
-    if (words[1] == "load") return load(robot.observed(), folder);
+    if (words[1] == "load") return load(robot.observed(), folder, console.session().options().root);
     const fs::path own = several ? folder / robot.name() : folder;
     if (auto done = save(robot.observed(), own); !done) return done;
     printWritten(console, own.string());

@@ -10,8 +10,8 @@
 namespace gt {
 
 Result<std::unique_ptr<ProgramRecorder>> ProgramRecorder::open(const RobotProgramOptions& options,
-                                                 const Layout& layout,
-                                                 const RobotModules& modules) {
+                                                               const Layout& layout,
+                                                               const RobotModules& modules) {
   const std::vector<const RepresentationType*> none;
   const auto configuration = loadConfiguration(options.paths, modules, &none);
   if (!configuration) return configuration.error();

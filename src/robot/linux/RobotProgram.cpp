@@ -80,8 +80,7 @@ class ToolServer {
     }
     robot.onSave([&options, &robot, &network](const MessageQueue& messages) {
       const std::string folder = options.logs.empty() ? "." : options.logs;
-      const auto file =
-          saveQueue(messages, folder + "/" + options.addresses.robot);
+      const auto file = saveQueue(messages, folder + "/" + options.addresses.robot);
       robot.toTools().write(network.now, Text{file ? "saved " + *file : file.error().text()});
     });
     return server;

@@ -92,7 +92,8 @@ Result<std::unique_ptr<LogRobot>> LogRobot::open(const std::string& file,
     if (const auto setup = recordedSetup(*log, file); setup && !setup->files.empty())
       return make({file});
     // As far as what was recorded suffices.
-    if (auto robot = make({file, options.configuration, options.root.path("layouts/cmd.layout")})) return robot;
+    if (auto robot = make({file, options.configuration, options.root.path("layouts/cmd.layout")}))
+      return robot;
     return make({file, options.configuration, replay});
   }
   auto folder = std::make_unique<TemporaryFolder>();
