@@ -6,6 +6,7 @@
 #include "console/Commands.h"
 #include "modules/behavior/control/Behavior.h"
 #include "modules/behavior/control/BehaviorRequest.h"
+#include "modules/motion/specialactions/MotionNetLoader.h"
 #include "robot/Configuration.h"
 #include "streams/File.h"
 

@@ -175,7 +175,8 @@ std::vector<WrongFile> wrongFiles() {
       {"ModelGarbage", model, garbage(), play, "simgt: models/ball.xml"},
       {"ModelTruncated", model, truncated(200), play, "simgt: models/ball.xml"},
 
-      {"LayoutMissing", layout, missing, play, "simgt: " + layout + ": there is no such file"},
+      {"LayoutMissing", layout, missing, play,
+       "simgt: " + scene + ":6: layout: there is no file " + layout},
       {"LayoutTruncated", layout, replaced("  SensorDataProcessor\n", ""), play,
        "simgt: " + layout + ":"},
       {"LayoutGarbage", layout, garbage(), play, "simgt: " + layout + ":1: "},
