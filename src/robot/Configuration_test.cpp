@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "colors/TslColors.h"
+#include "representations/motion/MotionNet.h"
 #include "robot/Solutions.h"
 #include "streams/File.h"
 
@@ -130,6 +131,27 @@ TEST_F(ConfigurationTest, WrongMotions) {
   EXPECT_THAT(error(), ::testing::HasSubstr("stand"));
   fs::remove_all(root / "motions");
   EXPECT_THAT(error(), ::testing::StartsWith("motions"));
+}
+
+// A motion is named by its file only; nothing is built anew.
+TEST_F(ConfigurationTest, ANewKickIsAFile) {
+  const std::string option = "behavior/options/ball/handle_ball.xabsl";
+  std::string text = read(option);
+  const std::string call = "kick(id = chest_kick)";
+  text.replace(text.find(call), call.size(), "kick(id = my_kick)");
+  write(option, text);
+  EXPECT_THAT(error(), ::testing::StartsWith(option + ":"));
+  EXPECT_THAT(error(), ::testing::HasSubstr("my_kick"));
+  std::string kick = read("motions/kicks/chestKick.mof");
+  const std::string name = "motion_id = chestKick";
+  kick.replace(kick.find(name), name.size(), "motion_id = myKick");
+  write("motions/kicks/myKick.mof", kick);
+  EXPECT_EQ(error(), "no error");
+  const auto configuration = loadConfiguration(paths);
+  ASSERT_TRUE(configuration);
+  const MotionNet& motions = *(*configuration)->motions;
+  ASSERT_GT(motions.find("myKick"), 0);
+  EXPECT_TRUE(motions.motions[static_cast<std::size_t>(motions.find("myKick"))].isKick());
 }
 
 TEST_F(ConfigurationTest, WrongBehaviors) {
