@@ -26,6 +26,8 @@ class RobotOnLog : public ConsoleRobot {
   RobotOnLog(const std::string& name, Time begin, std::unique_ptr<LogRobot> robot)
       : ConsoleRobot{name, robot->link()}, robot_{std::move(robot)}, time_{begin} {}
 
+  ~RobotOnLog() override { recorder.stop(); }
+
   LogRobot* onLog() override { return robot_.get(); }
   Result<void> step(Time now) override {
     const auto passed = static_cast<double>(now - std::exchange(time_, now));

@@ -25,6 +25,7 @@ Result<std::unique_ptr<Session>> Session::make(const MatchOptions& options, Scre
 Result<void> Session::restart(const MatchOptions& options) {
   auto match = Match::make(options);
   if (!match) return match.error();
+  state_.robots.clear();  // they still need the match
   state_ = {};
   work(**match);
   state_.owned = std::move(*match);

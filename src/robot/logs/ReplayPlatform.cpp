@@ -38,6 +38,8 @@ Result<ReplayPlatform> ReplayPlatform::make(const ReplayOptions& options) {
   platform.dropStandingProcesses();
   platform.disableUnrecorded();
   if (auto done = platform.makeRobot(); !done) return done.error();
+  if (platform.robot().processes().empty())
+    return platform.damaged(inputTopic, "nothing in the log begins a cycle of a process");
   return platform;
 }
 
@@ -121,7 +123,8 @@ void ReplayPlatform::dropStandingProcesses() {
       return pixels_ || isRecorded("ImageHeader", true) || !perceptOfImages_.empty();
     if (trigger == "SensorDataBuffer")
       return isRecorded("SensorDataBuffer", true) || isRecorded("SensorData", true);
-    return !contains(setup_.platform, trigger) || isRecorded(trigger, true);
+    return !contains(setup_.platform, trigger) || isRecorded(trigger, true) ||
+           isRecorded(trigger, false);
   };
   std::erase_if(setup_.layout.processes, [&](const ProcessLayout& process) {
     if (process.collectsMessages || begins(process.trigger)) return false;
