@@ -22,6 +22,7 @@ const std::vector<std::shared_ptr<const View>>& builtInViews() {
     views.push_back(makeSceneView());
     views.push_back(makeRobotView());
     views.push_back(makeFacetteView());
+    views.push_back(makeDepthView());
     views.push_back(makeImageView("image", "the camera's image with the image drawings",
                                   {"image", "drawings"}));
     views.push_back(makeImageView("colorClassImage", "the same in the robot's color classes",

@@ -9,9 +9,10 @@ namespace gt {
 const std::vector<std::shared_ptr<const View>>& builtInViews();
 
 // A file each.
-std::unique_ptr<View> makeSceneView();       ///< Report I.3.1: the scene from a side.
-std::unique_ptr<View> makeRobotView();       ///< Report I.3.2: a robot from near, with its LEDs.
-std::unique_ptr<View> makeFacetteView();     ///< Report 5.1.1: what a spherical camera sees.
+std::unique_ptr<View> makeSceneView();    ///< Report I.3.1: the scene from a side.
+std::unique_ptr<View> makeRobotView();    ///< Report I.3.2: a robot from near, with its LEDs.
+std::unique_ptr<View> makeFacetteView();  ///< Report 5.1.1: what a spherical camera sees.
+std::unique_ptr<View> makeDepthView();    ///< Report 5.1.2: how far away all is that a camera sees.
 std::unique_ptr<View> makeColorSpaceView();  ///< Report J.3.4: how the image uses the space YUV.
 std::unique_ptr<View> makeRadarView();       ///< Report J.3.2: what lies around the robot.
 std::unique_ptr<View> makeXabslView();       ///< Report I.3.3.3: what the behavior does.

@@ -91,7 +91,7 @@ TEST_F(ViewsTest, WithoutRobotsOrSceneTheyAreErrors) {
     EXPECT_FALSE(known->show(subject, {})) << known->name();
   }
   subject.robots = {robot.get()};
-  for (const char* name : {"scene", "robot", "facette"})
+  for (const char* name : {"scene", "robot", "facette", "depth"})
     EXPECT_FALSE(view(name).show(subject, {})) << name;
 }
 
