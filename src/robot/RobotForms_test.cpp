@@ -68,7 +68,8 @@ class RobotForms : public ::testing::TestWithParam<Form> {
   template <typename Request>
   RequestAnswer answerTo(const Request& request) {
     EXPECT_TRUE(answered(request, 2));
-    RequestAnswer concerned{.outcome = RequestOutcome::notConcerned};
+    RequestAnswer concerned;
+    concerned.outcome = RequestOutcome::notConcerned;
     for (const RequestAnswer& answer : answersTo<Request>())
       if (answer.outcome != RequestOutcome::notConcerned) concerned = answer;
     return concerned;

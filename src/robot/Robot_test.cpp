@@ -183,7 +183,7 @@ TEST(Robot, ExecutesWhatAPersonChoosesOfItsBehavior) {
   BehaviorControlRequest control;
   control.root = "walk";
   control.basicBehavior = true;
-  control.parameters = {120, 0, 10};
+  control.parameters = {"120", "0", "10"};
   control.outputs = {{"head_control_mode", "look_left"}};
   control.shown = {"head_control_mode"};
   robot->fromTools().write({}, control);
