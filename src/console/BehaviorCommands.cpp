@@ -3,6 +3,7 @@
 
 #include "console/Commands.h"
 #include "modules/behavior/control/BehaviorRequest.h"
+#include "robot/Configuration.h"
 #include "streams/File.h"
 
 namespace gt {
