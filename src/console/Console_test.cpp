@@ -5,6 +5,7 @@
 #include "console/Commands.h"
 #include "console/Manual.h"
 #include "console/TestSession.h"
+#include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/modeling/RobotPose.h"
