@@ -143,7 +143,7 @@ TEST_F(TimeCommands, ObjectsAreListedWatchedAndMovedByPath) {
                "its feet there"));
   EXPECT_THAT(told("get ? robots.blue1"), testing::Not(Contains(HasSubstr("red1"))));
   EXPECT_THAT(told("get ?"), Contains(HasSubstr("robots.red1.sensors.psd")));
-  EXPECT_THAT(told("get RobotPose"), Contains(HasSubstr("red1: RobotPose.pose.rotation ")));
+  EXPECT_THAT(told("get RobotPose"), Contains(HasSubstr("red1: RobotPose.pose ")));
   EXPECT_THAT(told("get ball"), Contains("ball.x 200"));
   expectError("get ball.speeed", "ball.speeed", "did you mean 'ball.speed'?");
   expectFine("set robots/blue1 500 100");

@@ -26,7 +26,7 @@ std::vector<std::string> tokensOf(std::string_view text) {
       };
       for (; closes(); word.pop_back()) closing.emplace_back(1, word.back());
       if (!word.empty()) tokens.push_back(word);
-      tokens.insert(tokens.end(), closing.begin(), closing.end());
+      tokens.insert(tokens.end(), closing.rbegin(), closing.rend());
       at = end;
     }
   }

@@ -53,7 +53,7 @@ TEST_F(LocalLinkTest, ValuesAreKnownWithoutACycle) {
   EXPECT_EQ(*observed->get("ImageProcessor.denseSpacing"), "4");
   EXPECT_FALSE(observed->set("ImageProcessor.denseSpacing", "400"));
   EXPECT_FALSE(observed->get("ImageProcessor.nonsense"));
-  EXPECT_THAT(*observed->paths("RobotPose"), Contains("RobotPose.pose.rotation"));
+  EXPECT_THAT(*observed->paths("RobotPose"), Contains("RobotPose.pose"));
   EXPECT_THAT(observed->inputs(), Contains("SensorDataBuffer"));
 }
 

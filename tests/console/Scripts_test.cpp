@@ -65,7 +65,9 @@ TEST(Scripts, OfTheReportTellIfTheirRobotDoesNotAnswer) {
     TextScreen screen;
     const auto done = runScript("scenes/empty.scene", script, screen);
     EXPECT_NE(screen.text.find("172.21.3.201 does not answer"), std::string::npos) << screen.text;
-    if (!done) EXPECT_NE(done.error().text().find("does not answer"), std::string::npos);
+    if (!done) {
+      EXPECT_NE(done.error().text().find("does not answer"), std::string::npos);
+    }
   }
 }
 

@@ -205,6 +205,9 @@ class Editing : public Switching {
       if (topic == "/BehaviorState" && decode((*message)->data, state))
         told.states.emplace_back((*message)->time / 1'000'000, std::move(state));
       if (topic == "/Text" && decode((*message)->data, text)) told.texts += text.text + "\n";
+      RequestAnswer answer;
+      if (topic == "/RequestAnswer" && decode((*message)->data, answer))
+        told.texts += answer.what + "\n";
     }
     return told;
   }

@@ -234,9 +234,9 @@ TEST_F(MatchTree, RobotsAndBallsAreMovedThrownAndPutBack) {
 }
 
 TEST_F(MatchTree, SwitchesRadioCameraAndGameAreSet) {
-  ASSERT_TRUE(tree_->set("robots/blue1/switches/headFront", "on"));
+  ASSERT_TRUE(tree_->set("robots/blue1/switches/headFront", "true"));
   EXPECT_TRUE(simulation_->sensors(4).isPressed(Switch::headFront));
-  ASSERT_TRUE(tree_->set("robots/blue1/radio", "off"));
+  ASSERT_TRUE(tree_->set("robots/blue1/radio", "false"));
   EXPECT_TRUE(simulation_->radio().isCut(4));
   ASSERT_TRUE(tree_->set("robots/blue1/camera/blur", "0.25"));
   EXPECT_EQ(simulation_->camera(4).blur, 0.25);
