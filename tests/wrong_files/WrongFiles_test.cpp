@@ -399,7 +399,7 @@ TEST(Programs, OfTheNetworkRefuseWrongUse) {
            {router + "--keys config/log.cfg", "router: config/log.cfg"},
            {router + "--port " + std::to_string(port - 301), "router: network: " + taken},
            {motion + "--at Motion", "gtrobot-motion: Motion: expected PROCESS=ENDPOINT"},
-           {motion + "--at Motion=there", "gtrobot-motion: network: there: is no endpoint"},
+           {motion + "--at Motion=there", "gtrobot-motion: network: there: expected an endpoint"},
            {motion + "--at Nobody=tcp://127.0.0.1:3", "gtrobot-motion: layouts/cmd.layout: Nobody"},
            {motion + "--at Motion=tcp://0.0.0.0:5001", "gtrobot-motion: network: tcp://0.0.0.0"},
            {motion + "--at Motion=" + taken, "gtrobot-motion: network: " + taken},
