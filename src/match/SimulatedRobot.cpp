@@ -47,9 +47,8 @@ Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::M
   for (const std::string& name : settings.representations)
     if (const auto type = robot_->watch(name); !type) return settings.missing(name);
   log->keepPixels(pixels);
-  if (!pixels)
-    for (const std::string& name : perceptsOfImages(solutions()))
-      static_cast<void>(robot_->watch(name));  // a robot that does not see needs none
+  for (const std::string& name : perceptsOfImages(solutions()))
+    static_cast<void>(robot_->watch(name));  // a robot that does not see needs none
   loggedImagePeriod_ = settings.picturePeriod;
   log_ = std::move(*log);
   return {};

@@ -77,7 +77,7 @@ TEST_F(ConfigurationTest, CheckTellsAllErrorsOfAFile) {
         "bodyTiltOffset 9\n[red1]\nbodyTiltOffset 1\n[00022D1F626B]\n"
         "bodyTiltOffset 0.06\nbodyRollOfset 0\nbodyRollOffset x\n");
   write("config/player.cfg", "teamColor green\nplayerRole keeper\n");
-  write("config/network.cfg", "address 12\ntools 5\n");
+  write("config/network.cfg", "robots x\naddress 12\n");
   fs::create_directories(root / "config/modules");
   write("config/modules/BallLocator.PIDSmoothed.cfg", "nothing 1\nnowhere 2\n");
   std::vector<std::string> told;
@@ -89,8 +89,18 @@ TEST_F(ConfigurationTest, CheckTellsAllErrorsOfAFile) {
                         "field:1 ballRadus", "field:3 ballRadius", "field:4 nowhere",
                         "robot:1 bodyTiltOffset", "robot:2 red1", "robot:6 bodyRollOfset",
                         "robot:7 bodyRollOffset", "player:1 teamColor", "player:2 playerRole",
-                        "network:0 tools", "network:0 address", "BallLocator.PIDSmoothed:1 nothing",
+                        "network:1 robots", "BallLocator.PIDSmoothed:1 nothing",
                         "BallLocator.PIDSmoothed:2 nowhere"));
+}
+
+TEST_F(ConfigurationTest, CheckTellsWrongAddresses) {
+  write("config/network.cfg", "address 12\ntools 5\n");
+  std::vector<std::string> told;
+  const Findings findings = checkConfiguration(paths, allModules());
+  for (const Error& error : findings.list()) told.push_back(error.field + ": " + error.what);
+  EXPECT_THAT(told, ::testing::ElementsAre(
+                        "address: expected 12 digits, as 00022D1F626B",
+                        ::testing::StartsWith("tools: network: 5: expected an endpoint")));
 }
 
 TEST_F(ConfigurationTest, WrongModules) {

@@ -33,8 +33,14 @@ class RobotForms : public ::testing::TestWithParam<Form> {
       robot = std::make_unique<testing::RobotInOneProgram>(setup);
     else
       robot = std::make_unique<testing::RobotAsPrograms>(setup);
-    // All processes are there.
-    EXPECT_TRUE(answered(DescriptionRequest{}, 2));
+    // Programs find each other after a while.
+    for (int i = 0; i < 100 && answersTo<DescriptionRequest>().size() < 2; ++i) {
+      robot->ask(DescriptionRequest{});
+      robot->live(200);
+    }
+    EXPECT_GE(answersTo<DescriptionRequest>().size(), 2u);
+    robot->live(1000);
+    hear();
     messages.clear();
   }
 
@@ -189,14 +195,22 @@ TEST_P(RobotForms, NoFileIsChosenFromOutside) {
 
 /// The shared configuration is replaced for this robot, at once.
 TEST_P(RobotForms, ItsConfigurationIsReplacedWhileItRuns) {
+  // The head is held still, and so is the camera.
+  ASSERT_EQ(answerTo(SolutionRequest{"HeadControl", "disabled"}).outcome, RequestOutcome::done);
+  robot->live(2000);
   ASSERT_EQ(answerTo(WatchRequest{"CameraMatrix", ""}).outcome, RequestOutcome::done);
-  ASSERT_TRUE(arrives<CameraMatrix>());
-  const Matrix3d before = heard<CameraMatrix>().back().pose.rotation;
+  const auto rotation = [&]() -> Matrix3d {
+    messages.clear();
+    EXPECT_TRUE(arrives<CameraMatrix>());
+    return heard<CameraMatrix>().back().pose.rotation;
+  };
+  const Matrix3d before = rotation();
   robot->ask(RobotCalibration{0.2, 0});
   EXPECT_TRUE(robot->liveUntil([&] {
-    const double cosine = (before.transpose() * heard<CameraMatrix>().back().pose.rotation)(0, 0);
-    return std::abs(std::acos(std::min(cosine, 1.0)) - 0.2) < 0.02;
+    const double turned = std::acos(((rotation() * before.transpose()).trace() - 1) / 2);
+    return std::abs(turned - 0.2) < 0.02;
   })) << "the camera leans";
+  robot->ask(WatchRequest{"CameraMatrix", "", DebugKeyMode::disabled});
 
   const auto table = [&] {
     messages.clear();

@@ -305,7 +305,7 @@ TEST_F(RobotProgramsTest, ItsLogHoldsPicturesAndWhatThePlatformTold) {
   EXPECT_GE(countIn(log, "/camera"), 2u);
   EXPECT_LE(countIn(log, "/camera"),
             static_cast<std::size_t>(match->simulation().time().ms / 2000 + 1));
-  EXPECT_GT(countIn(log, "/GameControlData"), 20u);
+  EXPECT_GT(countIn(log, "/input/GameControlData"), 20u);
   EXPECT_GT(countIn(log, "/RobotPose"), 20u);
 }
 
