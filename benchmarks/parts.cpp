@@ -8,6 +8,7 @@
 
 #include "framework/Module.h"
 #include "modules/behavior/control/GT2003BehaviorControl.h"
+#include "modules/behavior/testing/ImaginedWorld.h"
 #include "representations/modeling/BallModel.h"
 #include "representations/perception/BallPercept.h"
 #include "robot/Configuration.h"
@@ -72,20 +73,20 @@ void xabslCycle(benchmark::State& state) {
   const auto configuration = loadConfiguration(ConfigurationPaths::in(dataRoot()));
   if (!configuration) throw std::runtime_error(configuration.error().text());
   GT2003BehaviorControl control;
-  FrameInfo frame;
-  GameControlData game;
-  game.state = GameState::playing;
-  BallModel ball;
-  ball.position = {1000, 0};
+  ImaginedWorld world;
+  world.field = *(*configuration)->field;
+  world.motions = *(*configuration)->motions;
+  world.game.state = GameState::playing;
+  world.ball.position = {1000, 0};
   MotionRequest motion;
   HeadControlMode head;
   LedRequest leds;
   BehaviorTeamMessage message;
   Debug debug;
   for ([[maybe_unused]] auto _ : state) {
-    ball.lastSeen = frame.time = frame.time + 40;
-    control.update(frame, *(*configuration)->behavior, {}, {}, *(*configuration)->field, game, {},
-                   ball, {}, {}, {}, {}, {}, {}, motion, head, leds, message, debug);
+    world.ball.lastSeen = world.frame.time = world.frame.time + 40;
+    control.update(world.state(), *(*configuration)->behavior, {}, motion, head, leds, message,
+                   debug);
   }
 }
 
