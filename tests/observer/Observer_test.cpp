@@ -57,8 +57,7 @@ class ConsoleAt {
   }
   /// Waits at the prompt until something holds.
   bool waitFor(const std::function<bool()>& holds) {
-    for (int i = 0; i < 400 && !holds(); ++i) session_->live(std::chrono::milliseconds{25});
-    return holds();
+    return session_->waitFor(holds, std::chrono::seconds{10});
   }
   ObservedRobot& robot(const std::string& name) { return session_->find(name)->observed(); }
   Session& session() { return *session_; }
@@ -188,14 +187,16 @@ TEST(RobotElsewhere, IsRecordedAndItsLogReplayed) {
   }
   EXPECT_TRUE(sawLines);
   EXPECT_TRUE(robot.drawings().contains("ImageProcessor/horizon"));
-  EXPECT_EQ(*robot.get("Player.role"), "striker1");
+  const auto role = robot.get("Player.playerRole");
+  ASSERT_TRUE(role) << role.error().text();
+  EXPECT_EQ(*role, "striker1");
 }
 
 /// What is asked of each robot, and is not of the moment.
 const std::vector<std::string> questions{"sr ?",
                                          "sr ImageProcessor ?",
                                          "get Player.teamColor",
-                                         "get Player.role",
+                                         "get Player.playerRole",
                                          "get ImageProcessor.GT2003.denseSpacing",
                                          "set ImageProcessor.GT2003.denseSpacing 4",
                                          "get ImageProcessor.denseSpacing",
