@@ -34,8 +34,9 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
   command.add_option("--out", play.out, "Folder for the results")->capture_default_str();
   command.add_option("--script", play.script, "Console commands to begin with, one per line");
   command.add_flag("!--no-logs", play.logs, "Do not write the robots' logs");
-  command.add_flag("--inputs", play.match.inputs,
-                   "Log all images without loss, so that other vision can be replayed on them (large)");
+  command.add_flag(
+      "--inputs", play.match.inputs,
+      "Log all images without loss, so that other vision can be replayed on them (large)");
   command.add_flag("--trace", play.match.trace,
                    "Log all that the behavior decides, for gtlog export LOG OUT.trace");
   command.add_flag("--strict", play.strict, "Fails if a robot warned of something");

@@ -340,8 +340,7 @@ bool ModuleProcess::handlePackage(const Message& message) {
 
 bool ModuleProcess::isDisabled(const RepresentationType& type) const {
   return std::ranges::any_of(slots_, [&](const Slot& slot) {
-    return !slot.active &&
-           std::ranges::find(slot.task->outputs, &type) != slot.task->outputs.end();
+    return !slot.active && std::ranges::find(slot.task->outputs, &type) != slot.task->outputs.end();
   });
 }
 

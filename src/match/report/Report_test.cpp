@@ -9,9 +9,9 @@
 
 #include "match/report/PageFiles.h"
 #include "match/report/SampleMatch.h"
-#include "views/painting/Sheet.h"
 #include "streams/File.h"
 #include "streams/Json.h"
+#include "views/painting/Sheet.h"
 
 namespace gt {
 namespace {

@@ -1,7 +1,7 @@
 #include "robot/logs/ImportNaoLog.h"
 
-#include "representations/motion/OdometryData.h"
 #include "observer/RobotLog.h"
+#include "representations/motion/OdometryData.h"
 #include "robot/logs/NaoLog.h"
 
 namespace gt {

@@ -32,7 +32,8 @@ struct BehaviorControlRequest {
     return Fields{
         field("root", &R::root, "", "executed instead of the agent's root option; empty: that"),
         field("basicBehavior", &R::basicBehavior, "", "whether the root is one, not an option"),
-        field("parameters", &R::parameters, "", "of the root, in the order of its declaration: numbers, true, false, elements"),
+        field("parameters", &R::parameters, "",
+              "of the root, in the order of its declaration: numbers, true, false, elements"),
         field("outputs", &R::outputs, "", "that keep a value"),
         field("shown", &R::shown, "", "symbols whose values BehaviorState tells")};
   }
