@@ -168,7 +168,7 @@ TEST(Terminal, TimePassesWhileLinesAreTyped) {
   terminal.until(prompt);
   terminal.type("start\n");
   terminal.until("simgt 0:0");
-  terminal.type("place ball 500 100\n");
+  terminal.type("set radio.loss 0.25\n");
   terminal.until("simgt 0:0");
   terminal.type("echo still here\n");
   EXPECT_THAT(terminal.until("\rstill here"), HasSubstr("echo still here"));
@@ -189,15 +189,15 @@ TEST(Terminal, TimePassesWhileLinesAreTyped) {
 TEST(Terminal, InterruptsKeepEverything) {
   Terminal terminal;
   terminal.until(prompt);
-  terminal.type("place ball 500 100\n");
+  terminal.type("set radio.loss 0.25\n");
   terminal.until(prompt);
   terminal.type("run 1000000\n");
   terminal.until("times real time");
   terminal.type(interruptKey);
   terminal.until("run: stopped at 0:");
   terminal.until(prompt);
-  terminal.type("expect time > 0 and time < 1000000\nget ball.y\n");
-  terminal.until("\r100\r\n");
+  terminal.type("expect time > 0 and time < 1000000\nget radio.loss\n");
+  terminal.until("\r0.25\r\n");
   terminal.type("start\n");
   terminal.until("simgt 0:");
   terminal.type(interruptKey);
