@@ -310,6 +310,11 @@ bool ModuleProcess::handleAs(const Message& message) {
   return true;
 }
 
+void ModuleProcess::send(RequestAnswer answer) {
+  answer.of = answering_;
+  debug_.send(answer);
+}
+
 void ModuleProcess::handle(const Message& message) {
   handleAs<SolutionRequest>(message) || handleAs<DebugRequest>(message) ||
       handleAs<WatchRequest>(message) || handleAs<ValueRequest>(message) ||

@@ -80,11 +80,13 @@ class ModuleProcess : public Process {
   const std::vector<Stopwatch>& times() const { return times_.modules; }
   /// Answers a message of the tools, for a handler of its own.
   void answer(const Message& message, const Result<void>& done) {
-    debug_.send(answerTo(message, name(), done));
+    send(answerTo(message, name(), done));
   }
   void answerNotConcerned(const Message& message) {
-    debug_.send(RequestAnswer{message.id, message.time, name(), RequestOutcome::notConcerned, {}});
+    send({message.id, message.time, name(), RequestOutcome::notConcerned, {}});
   }
+  /// How many processes of the robot answer each request, so that tools know when all have.
+  void answerAsOneOf(std::uint32_t processes) { answering_ = processes; }
 
  protected:
   int main() override;
@@ -111,6 +113,7 @@ class ModuleProcess : public Process {
   Result<AnyModule*> find(std::string_view task, std::string_view solution);
   bool isDue(const Slot& slot) const;
   void handle(const Message& message);
+  void send(RequestAnswer answer);
   bool handlePackage(const Message& message);
   /// Sends what tools asked for and is due: all of it, or what was asked for so many times.
   void sendWatched(bool onlyTimes);
@@ -133,6 +136,7 @@ class ModuleProcess : public Process {
   std::vector<std::unique_ptr<PackageSender>> ownSenders_;
   std::vector<std::unique_ptr<PackageReceiver>> ownReceivers_;
   Handler handler_;
+  std::uint32_t answering_ = 1;
   MessageQueue debugIn_, debugOut_;
   PackageSender debugSender_;
   PackageReceiver debugReceiver_;

@@ -37,13 +37,15 @@ struct RequestAnswer {
   std::string process;
   RequestOutcome outcome = RequestOutcome::done;
   std::string what;
+  std::uint32_t of = 1;
 
   static constexpr auto fields() {
     return Fields{field("request", &RequestAnswer::request, "", "message id of the request"),
                   field("asked", &RequestAnswer::asked, "ms", "time stamp of the request"),
                   field("process", &RequestAnswer::process),
                   field("outcome", &RequestAnswer::outcome),
-                  field("what", &RequestAnswer::what, "", "why it was refused")};
+                  field("what", &RequestAnswer::what, "", "why it was refused"),
+                  field("of", &RequestAnswer::of, "", "how many answers the request gets")};
   }
 };
 

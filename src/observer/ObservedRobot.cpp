@@ -15,8 +15,6 @@ namespace {
 constexpr std::size_t mostPoints = 100'000;
 constexpr std::size_t mostTexts = 1000;
 constexpr std::size_t mostWarnings = 1000;
-/// All processes of a robot elsewhere have answered for the first time if no other did for so long.
-constexpr std::chrono::milliseconds quiet{200};
 
 /// A message of that type; nothing if it is another one or damaged.
 template <typename T>
@@ -149,29 +147,28 @@ bool ObservedRobot::await(Condition condition) {
   }
 }
 
-bool ObservedRobot::awaitAnswers(bool one) {
-  auto last = std::chrono::steady_clock::now();
-  std::size_t count = 0;
+Result<void> ObservedRobot::awaitAnswers(bool one) {
   const bool answered = await([&] {
-    const auto now = std::chrono::steady_clock::now();
-    if (std::exchange(count, answers_.size()) != answers_.size()) last = now;
-    const bool any = std::ranges::any_of(answers_, [](const RequestAnswer& answer) {
-      return answer.outcome != RequestOutcome::notConcerned;
-    });
-    if (one && any) return true;
-    if (known_ > 0) return count >= known_;
-    return count > 0 && now - last >= std::min(quiet, link_->patience());
+    if (answers_.empty()) return false;
+    return answers_.size() >= answers_.front().of ||
+           (one && std::ranges::any_of(answers_, [](const RequestAnswer& answer) {
+              return answer.outcome != RequestOutcome::notConcerned;
+            }));
   });
-  if (!one || !answered) known_ = answers_.size();
-  return !answers_.empty();
+  if (answered) return {};
+  if (answers_.empty()) return Error{.field = name_, .what = "the robot does not answer"};
+  return Error{.field = name_,
+               .what = "only " + std::to_string(answers_.size()) + " of the robot's " +
+                       std::to_string(answers_.front().of) + " processes answer"};
 }
 
-Result<ObservedRobot::Outcome> ObservedRobot::outcome(bool one) {
-  if (!awaitAnswers(one)) return Outcome::silence;
+/// Whether the last message was carried out by a process; false if it concerns none.
+Result<bool> ObservedRobot::carriedOut(bool one) {
+  const auto all = awaitAnswers(one);
   if (auto refused = refusalOf(asked_); !refused) return refused.error();
-  const bool done = std::ranges::any_of(
+  if (!all) return all.error();
+  return std::ranges::any_of(
       answers_, [](const RequestAnswer& answer) { return answer.outcome == RequestOutcome::done; });
-  return done ? Outcome::done : Outcome::concernsNobody;
 }
 
 Error ObservedRobot::full() const {
@@ -264,7 +261,6 @@ Result<void> ObservedRobot::watch(const std::string& representation, DebugKeyReq
 
 void ObservedRobot::renew() {
   representations_.clear();
-  known_ = 0;
   for (const auto& [id, newest] : newest_) {
     const RepresentationType* type = messageType(id);
     const DebugKeyRequest wanted =
@@ -387,7 +383,7 @@ Result<const std::map<std::string, ModuleTimes>*> ObservedRobot::times() {
   if (auto done = request(WatchRequest{"ModuleTimes", "", DebugKeyMode::times, 1}); !done)
     return done.error();
   // They come with the ends of cycles, after the answers.
-  if (!await([&] { return times_.size() >= known_; }) && times_.empty())
+  if (!await([&] { return times_.size() >= answers_.size(); }) && times_.empty())
     return Error{.field = name_, .what = "the robot does not answer"};
   return &times_;
 }

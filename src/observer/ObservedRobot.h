@@ -105,7 +105,7 @@ class ObservedRobot {
   // Messages to the robot.
 
   /// Hands a request to all processes. Returns an error if one of them refuses it, if it concerns
-  /// none of them, or if none answers.
+  /// none of them, or if they do not all answer.
   template <typename Request>
   Result<void> request(const Request& request);
   /// Also shows or hides what is drawn under the key.
@@ -171,11 +171,10 @@ class ObservedRobot {
   Result<void> refusalOf(Time asked) const;
   template <typename Condition>
   bool await(Condition condition);
-  /// Waits until all processes have answered the last message, or one if only one is concerned;
-  /// false if they do not.
-  bool awaitAnswers(bool one);
-  enum class Outcome { done, concernsNobody, silence };
-  Result<Outcome> outcome(bool one);
+  /// Waits until all processes have answered the last message, or one if only one is concerned.
+  /// Returns an error if they do not.
+  Result<void> awaitAnswers(bool one);
+  Result<bool> carriedOut(bool one);
 
   std::string name_;
   std::unique_ptr<RobotLink> link_;
@@ -191,7 +190,6 @@ class ObservedRobot {
 
   Time asked_;                                 ///< Time stamp of the last message to the robot.
   std::vector<RequestAnswer> answers_;         ///< To it.
-  std::size_t known_ = 0;                      ///< Processes that are known to answer.
   std::vector<ProcessDescription> processes_;  ///< As they were last asked for, by name.
   std::vector<std::string> representations_, inputs_, debugKeys_;
   std::string about_;     ///< What was asked for is one task.
@@ -228,10 +226,9 @@ Result<void> ObservedRobot::request(const Request& request) {
     concernsNobody(request);
   };
   if (const auto asked = write(request); !asked) return asked.error();
-  const auto end = outcome(!toAll);
-  if (!end) return end.error();
-  if (*end == Outcome::silence) return Error{.field = name_, .what = "the robot does not answer"};
-  if (*end == Outcome::done) return {};
+  const auto done = carriedOut(!toAll);
+  if (!done) return done.error();
+  if (*done) return {};
   if constexpr (toAll)
     return concernsNobody(request);
   else

@@ -60,6 +60,8 @@ Result<void> Robot::build(Plan plan) {
 
 void Robot::addProcess(const Plan::Process& plan) {
   ModuleProcess& process = *processes_.emplace_back(makeProcess(plan, setup_));
+  process.answerAsOneOf(static_cast<std::uint32_t>(std::ranges::count(
+      plan_.processes, false, [](const auto& other) { return other.layout.collectsMessages; })));
   process.onMessage([this, &process](const Message& message) { return handle(message, process); });
 }
 
