@@ -23,7 +23,7 @@ struct Run {
   std::vector<PartTime> parts;
 };
 
-/// Has the robots ask the oracle instead of their cameras, which take no pictures.
+/// Has the robots ask the oracle instead of their cameras, which take no images.
 Result<void> blindfold(Match& match) {
   for (std::size_t i = 0; i < match.robots().size(); ++i) {
     match.simulation().takeImages(i, false);

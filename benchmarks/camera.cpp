@@ -1,4 +1,4 @@
-// How long the simulator takes for a camera picture.
+// How long the simulator takes for a camera image.
 #include <cstdint>
 
 #include "CameraField.h"

@@ -1,4 +1,4 @@
-// What a self-locator costs in each picture: by the number of its particles and by what is seen.
+// What a self-locator costs in each image: by the number of its particles and by what is seen.
 #include <string>
 #include <vector>
 
@@ -33,7 +33,7 @@ const std::vector<Moment>& walk() {
   return moments;
 }
 
-/// The same walk, but each picture shows exactly so many flags, well in sight.
+/// The same walk, but each image shows exactly so many flags, well in sight.
 std::vector<Moment> walkSeeing(int flags) {
   std::vector<Moment> moments = walk();
   for (Moment& moment : moments) {

@@ -1,4 +1,4 @@
-// What it costs to pass a picture from one process to another: by senders and receivers, and by the
+// What it costs to pass an image from one process to another: by senders and receivers, and by the
 // bare means below them.
 #include <sys/socket.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@
 namespace gt {
 namespace {
 
-/// A process that sends a picture in each cycle.
+/// A process that sends an image in each cycle.
 class Camera : public Process {
  public:
   Camera() : Process{"Camera"} { picture.allocate(); }
@@ -30,7 +30,7 @@ class Camera : public Process {
   }
 };
 
-/// A process that waits for pictures.
+/// A process that waits for images.
 class Viewer : public Process {
  public:
   Viewer() : Process{"Viewer"} {}
@@ -52,7 +52,7 @@ void processCycle(benchmark::State& state) {
     if (!camera.step(Time{}) || !viewer.step(Time{})) throw std::logic_error("no package");
 }
 
-/// The same two processes joined by wires, a cycle of each; each picture is asked for.
+/// The same two processes joined by wires, a cycle of each; each image is asked for.
 void wireCycle(benchmark::State& state, Network& cameraNetwork, Network& viewerNetwork,
                const std::string& endpoint) {
   Camera camera;
@@ -90,7 +90,7 @@ void wireBetweenPrograms(benchmark::State& state) {
   std::filesystem::remove(file);
 }
 
-/// What ZeroMQ alone needs to do the same: a request, and the picture's bytes copied into a message
+/// What ZeroMQ alone needs to do the same: a request, and the image's bytes copied into a message
 /// and out of it. `looksForMore` is what a process has to do that never waits in a socket, as more
 /// may come: it takes messages until there are none. ZeroMQ then has to wake it for the next one.
 void bareZeroMq(benchmark::State& state, bool looksForMore) {
@@ -117,14 +117,14 @@ void bareZeroMq(benchmark::State& state, bool looksForMore) {
     std::memcpy(answer.data(), picture.pixels.data(), size);
     server.send(peer, zmq::send_flags::sndmore);
     server.send(answer, zmq::send_flags::none);
-    if (!client.recv(arrived)) throw std::logic_error("no picture");
+    if (!client.recv(arrived)) throw std::logic_error("no image");
     demandNoMore(client);
     std::memcpy(received.pixels.data(), arrived.data(), size);
     benchmark::DoNotOptimize(received.pixels.data());
   }
 }
 
-/// What a Unix socket alone needs to pass the picture's bytes.
+/// What a Unix socket alone needs to pass the image's bytes.
 void bareUnixSocket(benchmark::State& state) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends) != 0)
@@ -159,7 +159,7 @@ BENCHMARK_CAPTURE(bareZeroMq, looking, true)
 BENCHMARK(wireInProgram)->Name("speed.process.zeromq.wire")->Apply(inMicroseconds);
 // Between programs other threads work, too: the time of them all. Two messages, the request and the
 // notice, are four calls of the operating system, which alone take longer than the aim where a bare
-// Unix socket does, too; the picture is copied three times, as nobody reads what may change
+// Unix socket does, too; the image is copied three times, as nobody reads what may change
 // meanwhile.
 BENCHMARK(wireBetweenPrograms)
     ->Name("speed.process.ipc.wire")

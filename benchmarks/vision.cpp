@@ -1,10 +1,10 @@
-// How long vision takes for a picture, beside the bare classification of all its pixels. Beside
+// How long vision takes for an image, beside the bare classification of all its pixels. Beside
 // OpenCV: opencv/Segmentation.cpp.
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
 
-#include "GamePictures.h"
+#include "GameImages.h"
 #include "Parts.h"
 #include "colors/ColorTableFile.h"
 #include "measure/worlds/GameViews.h"
@@ -13,12 +13,12 @@
 namespace gt {
 namespace {
 
-std::vector<GamePicture> takeImages() {
+std::vector<GameImage> takeImages() {
   const auto scene = loadScene(dataRoot().path("scenes/match.scene"));
   if (!scene) throw std::runtime_error(scene.error().text());
   auto views = GameViews::make(*scene, 1);
   if (!views) throw std::runtime_error(views.error().text());
-  std::vector<GamePicture> pictures;
+  std::vector<GameImage> pictures;
   for (int moment = 0; moment < 8; ++moment) {
     views->shuffle();
     for (std::size_t robot = 0; robot < views->world().activeRobots(); ++robot) {
@@ -44,11 +44,11 @@ void imageProcessor(benchmark::State& state) {
   PlayersPercept players;
   ObstaclesPercept obstacles;
   Debug debug;
-  const std::vector<GamePicture>& pictures = gamePictures();  // taken before time is measured
+  const std::vector<GameImage>& pictures = gameImages();  // taken before time is measured
   const ColorTable64& colors = gameColors();
   std::size_t i = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const GamePicture& picture = pictures[i++ % pictures.size()];
+    const GameImage& picture = pictures[i++ % pictures.size()];
     processor.update(picture.image, picture.camera, colors, field, ball, landmarks, lines, players,
                      obstacles, debug);
     benchmark::DoNotOptimize(&ball);
@@ -56,10 +56,10 @@ void imageProcessor(benchmark::State& state) {
 }
 
 void classifyAll(benchmark::State& state) {
-  std::vector<ColorClass> classes(gamePictures().front().image.pixels.size());
+  std::vector<ColorClass> classes(gameImages().front().image.pixels.size());
   std::size_t i = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const Image& image = gamePictures()[i++ % gamePictures().size()].image;
+    const Image& image = gameImages()[i++ % gameImages().size()].image;
     for (std::size_t k = 0; k < classes.size(); ++k) classes[k] = gameColors()[image.pixels[k]];
     benchmark::ClobberMemory();
   }
@@ -70,8 +70,8 @@ BENCHMARK(classifyAll)->Name("speed.vision.classifyAll")->Apply(inMicroseconds);
 
 }  // namespace
 
-const std::vector<GamePicture>& gamePictures() {
-  static const std::vector<GamePicture> pictures = takeImages();
+const std::vector<GameImage>& gameImages() {
+  static const std::vector<GameImage> pictures = takeImages();
   return pictures;
 }
 

@@ -20,7 +20,7 @@ Experiment matchExperiment();
 /// 22 robots and 10 balls while everything goes wrong: half an hour in the kinematic fidelity, some
 /// minutes in the dynamic one.
 Experiment soakExperiment();
-/// Opening angles and body offsets from pictures of a checkerboard (report 3, B.4.5).
+/// Opening angles and body offsets from images of a checkerboard (report 3, B.4.5).
 Experiment calibrationExperiment();
 /// The image processors on random views of the simulated field.
 Experiment visionExperiment();

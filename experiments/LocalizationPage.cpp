@@ -45,9 +45,9 @@ constexpr std::array charts{
           0},
     Chart{"Experiment 2: how far off the robot stops (mm)", "experiment2.stop.mean", 94, 40},
     Chart{"Experiment 2: error of the estimate there (mm)", "experiment2.estimate.mean", 84, 30},
-    Chart{"From nothing: pictures until found (median)", "fromNothing.median", 14, 10},
-    Chart{"Carried away: pictures until found (median)", "kidnapped.median", 13, 10},
-    Chart{"From nothing: 95th percentile of pictures", "fromNothing.p95", 40, 0},
+    Chart{"From nothing: images until found (median)", "fromNothing.median", 14, 10},
+    Chart{"Carried away: images until found (median)", "kidnapped.median", 13, 10},
+    Chart{"From nothing: 95th percentile of images", "fromNothing.p95", 40, 0},
     Chart{"Mirror image of the truth, though a goal or beacon was seen (longest, s)",
           "search.mirrored.longest", 0, 2}};
 
@@ -60,7 +60,7 @@ constexpr std::array troubles{std::pair{"", "as in a match"},
                               std::pair{".missing6", "all 6"},
                               std::pair{".misplaced10cm", "misplaced by 10 cm"},
                               std::pair{".wrong10percent", "10 % wrong"},
-                              std::pair{".halfDropped", "half the pictures"},
+                              std::pair{".halfDropped", "half the images"},
                               std::pair{".robotsInTheWay", "robots in the way"},
                               std::pair{".leaningOnWalls", "leaning on walls"},
                               std::pair{".slip30percent", "slip of 30 %"}};
@@ -155,9 +155,9 @@ Result<void> writeLocalizationPage(const std::string& path, const Figures& figur
   std::string html = std::string{head} + "<div class=\"charts\">\n";
   for (const Chart& chart : charts) html += draw(chart, figures);
   html += "</div>\n";
-  html += robustness("Robustness on simulated pictures: mean error (mm)", ".pictures", "error.mean",
+  html += robustness("Robustness on simulated images: mean error (mm)", ".pictures", "error.mean",
                      400, "{:.0f}", figures);
-  html += robustness("Robustness on simulated pictures: longest time off by more than 60 cm (s)",
+  html += robustness("Robustness on simulated images: longest time off by more than 60 cm (s)",
                      ".pictures", "lost.longest", 20, "{:.1f}", figures);
   html += robustness("Robustness on the test bench: mean error (mm)", "", "error.mean", 400,
                      "{:.0f}", figures);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/CameraImage.h"
 
 namespace gt {
 namespace {
@@ -115,7 +115,7 @@ void VisionMeasures::compareFlags(const LandmarksPercept& percept, Tally& tally)
     }
     if (found == end) continue;
     const double error = normalize(found->angle - angleOf(place));
-    // What is seen of a flag that the picture cuts off lies anywhere within it.
+    // What is seen of a flag that the image cuts off lies anywhere within it.
     const double half = std::asin(std::min(1., field_.flagRadius / away));
     const bool wrong = visible < least || std::abs(error) > elsewhere + half;
     tally.count("flags.false", wrong);
@@ -173,7 +173,7 @@ void VisionMeasures::compareEdges(const LinesPercept& percept, const CameraMatri
   }
 }
 
-// A percept belongs to a robot of its colour whose tricot is seen in that direction, if there is
+// A percept belongs to a robot of its color whose tricot is seen in that direction, if there is
 // one.
 void VisionMeasures::comparePlayers(const PlayersPercept& percept, Tally& tally) const {
   constexpr int least = 40;  // Pixels of tricot.

@@ -11,7 +11,7 @@
 
 namespace gt {
 
-/// All that was found in one picture.
+/// All that was found in one image.
 struct VisionPercepts {
   BallPercept ball;
   LandmarksPercept landmarks;
@@ -20,13 +20,13 @@ struct VisionPercepts {
   ObstaclesPercept obstacles;
 };
 
-/// Compares percepts with the truth, picture by picture. Rates are named after what has to be true
+/// Compares percepts with the truth, image by image. Rates are named after what has to be true
 /// (`ball.found`), false ones `false`; all are told for each band of distances, too.
 class VisionMeasures {
  public:
   explicit VisionMeasures(const VisionTruth& truth) : truth_(truth) {}
 
-  /// Edge points are looked up in the picture by the camera matrix that they were made with.
+  /// Edge points are looked up in the image by the camera matrix that they were made with.
   void comparePercepts(const VisionPercepts& percepts, const CameraMatrix& measured, Tally& tally);
   void compareSensors(const RobotBody& body, const CameraMatrix& matrix, const BodyPercept& percept,
                       Tally& tally) const;

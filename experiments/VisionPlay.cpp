@@ -1,4 +1,4 @@
-// Lets GridImageProcessor2 look through the eyes of robots that play, from no colour at all, while
+// Lets GridImageProcessor2 look through the eyes of robots that play, from no color at all, while
 // the light changes, and compares it with GT2003 and its table made by hand.
 #include <array>
 #include <memory>
@@ -33,7 +33,7 @@ VisionPercepts perceptsOf(const Robot& robot) {
           *robot.provided<ObstaclesPercept>()};
 }
 
-/// Looks through the eyes of one robot: it sees its pictures by the light of its scene, the
+/// Looks through the eyes of one robot: it sees its images by the light of its scene, the
 /// adaptive processor the same ones by another light.
 class Spectator {
  public:

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/CameraImage.h"
 
 namespace gt {
 
@@ -63,10 +63,10 @@ const VisionTruth::Object& VisionTruth::objectAt(int x, int y) const {
   return objects_[static_cast<std::size_t>(view_->truth.geoms[i] + 1)];
 }
 
-bool VisionTruth::shows(const Vector2d& inPicture, Kind kind, std::size_t number) const {
+bool VisionTruth::shows(const Vector2d& inImage, Kind kind, std::size_t number) const {
   constexpr int reach = 2;  // Pixels.
-  const int x0 = static_cast<int>(std::floor(inPicture.x()));
-  const int y0 = static_cast<int>(std::floor(inPicture.y()));
+  const int x0 = static_cast<int>(std::floor(inImage.x()));
+  const int y0 = static_cast<int>(std::floor(inImage.y()));
   for (int y = y0 - reach; y <= y0 + reach; ++y)
     for (int x = x0 - reach; x <= x0 + reach; ++x) {
       if (!view_->image.info.contains(x, y)) continue;

@@ -9,7 +9,7 @@
 
 namespace gt {
 
-/// What is true in a picture: what each pixel shows, from the camera that drew it, and where things
+/// What is true in an image: what each pixel shows, from the camera that drew it, and where things
 /// are, from the oracle. Positions are the robot's, in mm.
 class VisionTruth {
  public:
@@ -17,7 +17,7 @@ class VisionTruth {
 
   VisionTruth(const World& world, const SceneDescription& scene);
 
-  /// Takes a picture to tell about.
+  /// Takes an image to tell about.
   void look(const GameView& view);
 
   const CameraMatrix& camera() const { return view_->camera; }
@@ -34,9 +34,9 @@ class VisionTruth {
 
   /// Pixels that show something; flags, goals and robots by their number.
   int pixels(Kind kind, std::size_t number = 0) const;
-  /// Whether one of the pixels around a point of the picture shows it.
-  bool shows(const Vector2d& inPicture, Kind kind, std::size_t number = 0) const;
-  /// What is seen where a point of the ground should be seen; nothing outside of the picture.
+  /// Whether one of the pixels around a point of the image shows it.
+  bool shows(const Vector2d& inImage, Kind kind, std::size_t number = 0) const;
+  /// What is seen where a point of the ground should be seen; nothing outside of the image.
   std::optional<Kind> at(const Vector2d& onGround) const;
 
  private:

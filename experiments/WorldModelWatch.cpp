@@ -62,7 +62,7 @@ void TeamBallWatch::send(const TeamMessage& sent, Time now) {
       messages_.byPlayer[static_cast<std::size_t>(sent.playerNumber - 1)];
   received = {sent, now};
   if (!oneIsLost_ || sent.playerNumber != 2) return;
-  // The second player believes, and is sure, that it stands turned by a right angle, a metre aside.
+  // The second player believes, and is sure, that it stands turned by a right angle, a meter aside.
   const Pose2D wrong{pi / 2, 0, 1000};
   TeamMessage& message = received.message;
   const Pose2D believed = message.robotPose * wrong;

@@ -1,6 +1,6 @@
 // Measures the self-locators against the truth: the report's experiments (3.3.3.4, figure 3.8) in
-// the simulator, with its pictures and the robot's own vision; and how robust they are, there and
-// on a test bench without pictures, where everything goes wrong that can.
+// the simulator, with its images and the robot's own vision; and how robust they are, there and
+// on a test bench without images, where everything goes wrong that can.
 #include <cmath>
 #include <map>
 #include <optional>
@@ -18,9 +18,9 @@
 namespace gt {
 namespace {
 
-constexpr int picturesPerMinute = 60 * 1000 / SyntheticRobot::picturePeriod;
+constexpr int imagesPerMinute = 60 * 1000 / SyntheticRobot::imagePeriod;
 
-/// With so much slip the odometry alone is off by more than a metre within a minute.
+/// With so much slip the odometry alone is off by more than a meter within a minute.
 constexpr double muchSlip = 0.4, muchNoise = 2;
 
 /// What a walk's or a search's figures should be at most.
@@ -66,7 +66,7 @@ class MirrorWatch {
  public:
   void add(bool mirrored, const LandmarksPercept& seen) {
     told_ = mirrored && (told_ || seen.numberOfFlags + seen.numberOfGoals > 0);
-    now_ = told_ ? now_ + SyntheticRobot::picturePeriod / 1000.0 : 0;
+    now_ = told_ ? now_ + SyntheticRobot::imagePeriod / 1000.0 : 0;
     longest_ = std::max(longest_, now_);
   }
   double longest() const { return longest_; }  ///< s
@@ -89,7 +89,7 @@ struct Follower {
     const Pose2D estimate = (*locator)(seenBy(robot)).pose;
     const double error = (estimate.translation - robot.pose.translation).norm();
     mirror.add(isMirrored(estimate, robot.pose), robot.percept);
-    lost = error > 600 ? lost + SyntheticRobot::picturePeriod / 1000.0 : 0;
+    lost = error > 600 ? lost + SyntheticRobot::imagePeriod / 1000.0 : 0;
     longestLost = std::max(longestLost, lost);
     return error;
   }
@@ -128,9 +128,9 @@ Result<Measurement> experiment1(const Job& job, const DataRoot& root) {
   std::vector<Follower> all = followers(".experiment1", beacons, job.seed);
   Pose2D truth, counted;
   std::vector<double> drift;
-  for (int i = 0; i < picturesPerMinute * minutes; ++i) {
+  for (int i = 0; i < imagesPerMinute * minutes; ++i) {
     robot.step();
-    if (i % picturesPerMinute == 0) {
+    if (i % imagesPerMinute == 0) {
       const Pose2D walked = robot.odometry.pose.relativeTo(counted);
       if (i > 0) drift.push_back(((truth * walked).translation - robot.pose.translation).norm());
       truth = robot.pose;
@@ -138,7 +138,7 @@ Result<Measurement> experiment1(const Job& job, const DataRoot& root) {
     }
     for (Follower& follower : all) {
       const double error = follower.look(robot);
-      if (i >= picturesPerMinute / 6) follower.errors.push_back(error);
+      if (i >= imagesPerMinute / 6) follower.errors.push_back(error);
     }
   }
   Measurement run;
@@ -169,7 +169,7 @@ Arrival goTo(const Pose2D& goal, Robot& robot, AnyLocator& locator) {
   goToPoint.angle = toDegrees(goal.rotation);
   goToPoint.maxSpeed = 150;
   int stood = 0;
-  for (int i = 0; i < 2 * picturesPerMinute && stood < 12; ++i) {
+  for (int i = 0; i < 2 * imagesPerMinute && stood < 12; ++i) {
     world.self = locator(seenBy(robot));
     tactics.update(state);
     goToPoint.execute();
@@ -188,7 +188,7 @@ void experiment2(Robot& robot, AnyLocator& locator, std::uint64_t seed, const st
   constexpr int points = 68;
   Random random{seed};
   std::vector<double> stops, estimates;
-  for (int i = 0; i < picturesPerMinute / 6; ++i) {
+  for (int i = 0; i < imagesPerMinute / 6; ++i) {
     robot.step();
     locator(seenBy(robot));
   }
@@ -208,11 +208,11 @@ void experiment2(Robot& robot, AnyLocator& locator, std::uint64_t seed, const st
   add(run, name + ".experiment2.estimate.p95", "mm", quantile(estimates, 0.95));
 }
 
-/// Pictures until each locator's pose is within 20 cm and stays, all seeing the same.
+/// Images until each locator's pose is within 20 cm and stays, all seeing the same.
 void search(SimulatedWalker& robot, std::vector<Follower>& all,
             std::map<std::string, std::vector<double>>& pictures) {
   constexpr int most = 500;
-  std::vector<PicturesUntilLocalized> counters(all.size());
+  std::vector<ImagesUntilLocalized> counters(all.size());
   bool found = false;
   for (int i = 0; i < most && !found; ++i) {
     robot.step();
@@ -259,7 +259,7 @@ Result<Measurement> relocalizing(const Job& job, const DataRoot& root) {
 }
 
 /// What goes wrong in a row of the robustness table, or nothing: on the test bench, and on
-/// simulated pictures.
+/// simulated images.
 struct Trouble {
   std::string name;
   SyntheticWorld bench;
@@ -296,12 +296,12 @@ std::vector<Trouble> troubles() {
 template <typename Robot>
 Measurement followThrough(Robot& robot, const std::string& suffix, const Job& job) {
   std::vector<Follower> all = followers(suffix, true, job.seed);
-  const int pictures = static_cast<int>(picturesPerMinute * job.number("minutes"));
+  const int pictures = static_cast<int>(imagesPerMinute * job.number("minutes"));
   for (int i = 0; i < pictures; ++i) {
     robot.step();
     for (Follower& follower : all) {
       const double error = follower.look(robot);
-      if (i >= std::min(picturesPerMinute / 6, pictures / 2)) follower.errors.push_back(error);
+      if (i >= std::min(imagesPerMinute / 6, pictures / 2)) follower.errors.push_back(error);
     }
   }
   Measurement run;
@@ -321,15 +321,15 @@ std::string suffixOf(const Trouble& trouble) {
   return trouble.name == "none" ? "" : "." + trouble.name;
 }
 
-/// The errors while something goes wrong in a world like a match without pictures.
+/// The errors while something goes wrong in a world like a match without images.
 Result<Measurement> robustnessOnBench(const Job& job, const DataRoot&) {
   const Trouble trouble = troubleOf(job);
   SyntheticRobot robot{job.seed, trouble.bench};
   return followThrough(robot, suffixOf(trouble), job);
 }
 
-/// The same in the simulator with its pictures.
-Result<Measurement> robustnessOnPictures(const Job& job, const DataRoot& root) {
+/// The same in the simulator with its images.
+Result<Measurement> robustnessOnImages(const Job& job, const DataRoot& root) {
   const Trouble trouble = troubleOf(job);
   auto walker = SimulatedWalker::make(root, job.seed, trouble.pictures);
   if (!walker) return walker.error();
@@ -373,15 +373,15 @@ Experiments localizationExperiments() {
            {locator},
            goingToPoints},
           {"localization.robustness.bench",
-           "Errors while something goes wrong, on a test bench without pictures",
+           "Errors while something goes wrong, on a test bench without images",
            {trouble, minutes("6")},
            robustnessOnBench},
           {"localization.robustness.pictures",
-           "Errors while something goes wrong, in the simulator with its pictures",
+           "Errors while something goes wrong, in the simulator with its images",
            {trouble, minutes("3")},
-           robustnessOnPictures},
+           robustnessOnImages},
           {"localization.search",
-           "Pictures until a robot finds where it is, from nothing and carried away (figure 3.8)",
+           "Images until a robot finds where it is, from nothing and carried away (figure 3.8)",
            {beacons},
            relocalizing},
           {"localization.walk",

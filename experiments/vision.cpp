@@ -1,4 +1,4 @@
-// Looks at random moments of matches and compares what is found in the pictures with the truth.
+// Looks at random moments of matches and compares what is found in the images with the truth.
 
 #include "Experiments.h"
 #include "VisionMeasures.h"
@@ -14,11 +14,11 @@
 namespace gt {
 namespace {
 
-/// The colours that image processors know.
+/// The colors that image processors know.
 struct KnownColors {
   ColorTable64 table;    ///< The configuration's.
   ColorTable64 hand;     ///< Of HSI ranges made by hand.
-  ColorTable64 learned;  ///< Of other pictures than those that are measured.
+  ColorTable64 learned;  ///< Of other images than those that are measured.
   TslColors tsl;
 };
 
@@ -77,7 +77,7 @@ Processor lines(const KnownColors& colors) {
   return processor<LinesImageProcessor>(colors.table);
 }
 
-/// How the pictures of a row of the experiment differ from those of the match scene, and who looks
+/// How the images of a row of the experiment differ from those of the match scene, and who looks
 /// at them.
 struct Condition {
   std::string name;    ///< Before the names of its figures.
@@ -126,7 +126,7 @@ std::vector<Condition> conditions() {
            }}};
 }
 
-/// Other colour tables, and another lens.
+/// Other color tables, and another lens.
 std::vector<Condition> cameraConditions() {
   const auto same = [](SceneDescription&) {};
   const auto barrel = [](SceneDescription& scene) { scene.optics.distortion2 = -0.2; };
@@ -208,7 +208,7 @@ struct Eyes {
   }
 };
 
-/// What some pictures show of each colour.
+/// What some images show of each color.
 Result<ColorStatistics> lookAround(const SceneDescription& scene) {
   constexpr std::uint64_t seed = 2003;  // Not one of those that are measured by default.
   constexpr int moments = 60;
@@ -225,7 +225,7 @@ Result<ColorStatistics> lookAround(const SceneDescription& scene) {
   return statistics;
 }
 
-/// Thresholds in the TSL space that hold nearly all that was seen of each colour.
+/// Thresholds in the TSL space that hold nearly all that was seen of each color.
 TslColors learnTsl(const ColorStatistics& statistics) {
   constexpr double share = 0.98;
   TslColors colors = statistics.tsl(share);
@@ -337,7 +337,7 @@ Experiment visionExperiment() {
   return {"vision.pictures",
           "Percepts in random moments of matches against the truth",
           {which,
-           {"moments", "each gives one picture a robot", Parameter::Kind::number, {"250"}},
+           {"moments", "each gives one image a robot", Parameter::Kind::number, {"250"}},
            {"camera",
             "the measured camera pose, or the true one",
             Parameter::Kind::choice,

@@ -84,7 +84,7 @@ class Truth {
   std::optional<McapWriter> log_;
 };
 
-/// Looks at all robots after a picture.
+/// Looks at all robots after an image.
 void look(Match& match, std::vector<std::unique_ptr<Watch>>& watches, int picture, Truth& truths,
           Tally& tally) {
   const auto& robots = match.robots();

@@ -12,9 +12,9 @@ Result<ColorTable64> readColors(const std::string& file, ColorClassOrder order);
 /// Writes a table to a `.c64` file.
 Result<void> writeColors(const std::string& file, const ColorTable64& table);
 
-/// How colours are learnt.
+/// How colors are learnt.
 struct Learning {
-  int growth = 4;        ///< Steps into colours never seen, of tables.
+  int growth = 4;        ///< Steps into colors never seen, of tables.
   double share = 0.995;  ///< Of a class's pixels that shall lie in each range, of HSI and TSL.
 };
 

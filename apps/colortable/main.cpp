@@ -5,7 +5,7 @@
 #include "colors/ColorConfusion.h"
 #include "colors/ColorTableEditor.h"
 #include "colortable/ColorFiles.h"
-#include "colortable/Pictures.h"
+#include "colortable/Images.h"
 #include "commandline/CommandLine.h"
 #include "views/painting/ColorClassViews.h"
 
@@ -15,7 +15,7 @@ using namespace gt;
 
 /// What the command line says; each command uses a part of it.
 struct Arguments {
-  PictureSource source;
+  ImageSource source;
   Learning learning;
   std::string table, other, out;
   bool nao2009 = false;
@@ -36,16 +36,16 @@ void printSizes(const ColorTable64& table) {
 }
 
 /// An error if there is nothing to learn from.
-Result<void> checkLabels(const PictureSource& source) {
+Result<void> checkLabels(const ImageSource& source) {
   if (!source.simulated() && source.labels.empty())
-    return Error{"", 0, "--labels", "must tell what the pictures show"};
+    return Error{"", 0, "--labels", "must tell what the images show"};
   return {};
 }
 
 Result<void> learn(const Arguments& a) {
   if (auto done = checkLabels(a.source); !done) return done;
   ColorStatistics statistics;
-  const auto done = forEachPicture(a.source, [&](const std::string&, const LabelledPicture& p) {
+  const auto done = forEachImage(a.source, [&](const std::string&, const LabeledImage& p) {
     statistics.add(p);
     return true;
   });
@@ -61,7 +61,7 @@ Result<void> confusion(const Arguments& a) {
   const auto table = readColors(a.table, a.order());
   if (!table) return table.error();
   ColorConfusion confusion;
-  const auto done = forEachPicture(a.source, [&](const std::string&, const LabelledPicture& p) {
+  const auto done = forEachImage(a.source, [&](const std::string&, const LabeledImage& p) {
     p.forEachPixel([&](const Pixel& pixel, ColorClass c) { confusion.add(c, (*table)[pixel]); });
     return true;
   });
@@ -107,38 +107,37 @@ Result<void> show(const Arguments& a) {
   return tableSheet(*table).write(a.out);
 }
 
-/// A picture beside its classes.
+/// An image beside its classes.
 Result<void> segment(const Arguments& a) {
   const auto table = readColors(a.table, a.order());
   if (!table) return table.error();
-  Result<void> written = Error{"", 0, "--picture", "there is no picture " + a.picture};
-  const auto done =
-      forEachPicture(a.source, [&](const std::string& name, const LabelledPicture& p) {
-        if (!a.picture.empty() && name != a.picture) return true;
-        const int width = p.image.info.width, height = p.image.info.height;
-        const int scale = std::max(1, std::min(4, 1600 / (2 * width)));
-        Sheet sheet{2 * width * scale + 8, height * scale};
-        sheet.paint(rgbOf(p.image), {0, 0}, scale);
-        sheet.paint(classesOf(p.image, *table), {width * scale + 8.0, 0}, scale);
-        written = sheet.write(a.out);
-        return false;
-      });
+  Result<void> written = Error{"", 0, "--picture", "there is no image " + a.picture};
+  const auto done = forEachImage(a.source, [&](const std::string& name, const LabeledImage& p) {
+    if (!a.picture.empty() && name != a.picture) return true;
+    const int width = p.image.info.width, height = p.image.info.height;
+    const int scale = std::max(1, std::min(4, 1600 / (2 * width)));
+    Sheet sheet{2 * width * scale + 8, height * scale};
+    sheet.paint(rgbOf(p.image), {0, 0}, scale);
+    sheet.paint(classesOf(p.image, *table), {width * scale + 8.0, 0}, scale);
+    written = sheet.write(a.out);
+    return false;
+  });
   return done ? written : done;
 }
 
-void addSource(CLI::App& command, PictureSource& source) {
-  command.add_option("--scene", source.scene, "A scene, whose pictures are simulated")
+void addSource(CLI::App& command, ImageSource& source) {
+  command.add_option("--scene", source.scene, "A scene, whose images are simulated")
       ->capture_default_str();
   command.add_option("--seed", source.seed, "Of chance in the scene");
-  command.add_option("--moments", source.moments, "Of the scene: each gives one picture a robot")
+  command.add_option("--moments", source.moments, "Of the scene: each gives one image a robot")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   command.add_option("--light", source.light, "Of the scene: by which share it grows and shrinks")
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
   auto* log = command.add_option("--log", source.log,
-                                 "A log with pictures (.mcap), or one of the real robot of 2009");
-  auto* files = command.add_option("--pictures", source.files, "Pictures as JPEG")->excludes(log);
+                                 "A log with images (.mcap), or one of the real robot of 2009");
+  auto* files = command.add_option("--pictures", source.files, "Images as JPEG")->excludes(log);
   log->excludes(files);
   command.add_option("--labels", source.labels,
                      "What a log's or files' pictures show: picture,class,left,top,right,bottom");
@@ -157,7 +156,7 @@ CLI::App& addCommand(CommandLine& line, Arguments& a, const char* name, const ch
 
 void addLearning(CommandLine& line, Arguments& a) {
   CLI::App& command = line.command(
-      "learn", "Learns from simulated pictures, whose true classes are known, or from labels",
+      "learn", "Learns from simulated images, whose true classes are known, or from labels",
       [&a] { return learn(a); });
   addSource(command, a.source);
   command.add_option("--out", a.out, "What is learned: .c64, .hsi or .tsl")->required();
@@ -172,8 +171,8 @@ void addLearning(CommandLine& line, Arguments& a) {
 }
 
 void addJudging(CommandLine& line, Arguments& a) {
-  CLI::App& judging = addCommand(
-      line, a, "confusion", "Compares what a table says of pictures with the truth", confusion);
+  CLI::App& judging = addCommand(line, a, "confusion",
+                                 "Compares what a table says of images with the truth", confusion);
   addSource(judging, a.source);
   addCommand(line, a, "compare", "Compares two tables color by color", compare)
       .add_option("other", a.other, "The other one")
@@ -204,7 +203,7 @@ void addPainting(CommandLine& line, Arguments& a) {
       .add_option("out", a.out)
       ->required();
   CLI::App& segmenting =
-      addCommand(line, a, "segment", "Paints a picture beside its classes", segment);
+      addCommand(line, a, "segment", "Paints an image beside its classes", segment);
   segmenting.add_option("out", a.out, "PNG or SVG")->required();
   addSource(segmenting, a.source);
   segmenting.add_option(

@@ -19,7 +19,7 @@ Result<void> exportCsv(const std::string& log, const Selection& selection, const
 Result<void> exportTrace(const std::string& log, const Selection& selection, const std::string& to);
 
 /// By the name of what is written: .json or .jsonl; .trace; .csv for one topic; else a folder with
-/// a CSV file for each topic. Returns what makes no table, such as whole pictures.
+/// a CSV file for each topic. Returns what makes no table, such as whole images.
 Result<std::vector<Error>> exportLog(const std::string& log, const Selection& selection,
                                      const std::string& to);
 

@@ -119,7 +119,7 @@ void addReplay(CLI::App& command, Arguments& a) {
   command.add_option("--layout", a.layout, "Another process layout than the log's");
   auto* config =
       command.add_option("--config", a.config, "Another configuration folder than the log's");
-  command.add_option("--colors", a.colors, "Another colour table than the folder's")->needs(config);
+  command.add_option("--colors", a.colors, "Another color table than the folder's")->needs(config);
   command
       .add_flag("--nao2009-colors", a.naoColors, "Its classes are those of the real robot of 2009")
       ->needs(config);

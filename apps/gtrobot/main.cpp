@@ -12,7 +12,7 @@ void addOptions(CLI::App& app, gt::RobotProgramOptions& options) {
       ->capture_default_str();
   app.add_option("--layout", options.layout, "Process layout; the same for all its processes")
       ->capture_default_str();
-  app.add_option("--team", options.player.teamColor, "Colour of the team")
+  app.add_option("--team", options.player.teamColor, "Color of the team")
       ->transform(CLI::CheckedTransformer(std::map<std::string, gt::TeamColor>{
           {"red", gt::TeamColor::red}, {"blue", gt::TeamColor::blue}}));
   app.add_option("--role", options.player.role, "Role of the player")

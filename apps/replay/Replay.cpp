@@ -3,7 +3,7 @@
 namespace gt {
 namespace {
 
-/// What is drawn on the pictures.
+/// What is drawn on the images.
 constexpr const char* drawings[] = {"ImageProcessor/horizon", "ImageProcessor/percepts"};
 
 Result<LogPlatform> makePlatform(const ReplayFiles& files, const NaoLog& log) {
@@ -28,8 +28,8 @@ Result<LogPlatform> makePlatform(const ReplayFiles& files, const NaoLog& log) {
   return platform;
 }
 
-/// The label of a picture; null if a person did not look at this one.
-const BallLabel* find(const std::vector<BallLabel>& labels, const NaoPicture& picture) {
+/// The label of an image; null if a person did not look at this one.
+const BallLabel* find(const std::vector<BallLabel>& labels, const NaoImage& picture) {
   for (const BallLabel& label : labels)
     if (label.picture == picture.number && label.time == picture.cameraMatrix.time.ms)
       return &label;

@@ -19,7 +19,7 @@ struct ReplayFiles {
 };
 
 /// Lets a robot live on a log, with percepts drawn, and calls `look(platform, ball, label)` after
-/// each picture; the label is null where nobody looked.
+/// each image; the label is null where nobody looked.
 using ReplayVisitor =
     std::function<Result<void>(const LogPlatform&, const BallPercept&, const BallLabel*)>;
 Result<void> replay(const ReplayFiles& files, const ReplayVisitor& look);

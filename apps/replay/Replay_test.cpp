@@ -13,7 +13,7 @@ std::string realFolder() {
   return real ? real : "../shared/real";
 }
 
-TEST(Replay, FindsTheBallInARealRobotsPictures) {
+TEST(Replay, FindsTheBallInARealRobotsImages) {
   const std::string folder = realFolder();
   if (!std::filesystem::exists(folder + "/nao2009.log"))
     GTEST_SKIP() << "no real robot's log in " << folder;

@@ -7,9 +7,9 @@
 namespace gt {
 namespace {
 
-constexpr double scale = 0.12;  // pixels a millimetre
+constexpr double scale = 0.12;  // pixels a millimeter
 constexpr double margin = 400;  // mm around the field
-constexpr double jump = 300;    // mm between two pictures
+constexpr double jump = 300;    // mm between two images
 constexpr Color carpet{46, 120, 60};
 
 /// The field's lines on a sheet.

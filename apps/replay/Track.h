@@ -18,7 +18,7 @@ class Track {
     odometry_.push_back(odometry.pose);
   }
 
-  /// Writes a picture, .svg or .png. The odometry is laid so that it ends where the track does.
+  /// Writes an image, .svg or .png. The odometry is laid so that it ends where the track does.
   Result<void> write(const std::string& path, const FieldDimensions& field) const;
 
  private:

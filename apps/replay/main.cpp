@@ -19,7 +19,7 @@ void printHeading() {
       "difference\n");
 }
 
-void printRow(const NaoPicture& picture, const BallPercept& ball, const BallLabel* label) {
+void printRow(const NaoImage& picture, const BallPercept& ball, const BallLabel* label) {
   fmt::print("{:3} {:7}  {:7}", picture.number, picture.cameraMatrix.time.ms,
              label ? enumName(label->view) : "-");
   if (!ball.seen) {
@@ -101,7 +101,7 @@ Result<void> run(const ReplayFiles& files, const std::string& fieldLabels, const
   watch->comparison().addTo(figures);
   if (auto written = figures.write(json); !written) return written;
   fmt::print("Track: {}, figures: {}{}\n", trackFile, json,
-             pictures ? ", pictures: " + out + "/" : "");
+             pictures ? ", images: " + out + "/" : "");
   return {};
 }
 
@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--field-labels", fieldLabels, "lines and goals that a person saw; empty for none")
       ->capture_default_str();
-  app.add_option("--out", out, "folder for the pictures with percepts; the figures go to OUT.json")
+  app.add_option("--out", out, "folder for the images with percepts; the figures go to OUT.json")
       ->capture_default_str();
   app.add_flag("!--no-pictures", pictures, "write none");
   return line.run([&]() -> Result<void> {

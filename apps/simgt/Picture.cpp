@@ -25,7 +25,7 @@ int takePicture(const PictureOptions& options) {
   Sheet sheet{camera.width, camera.height};
   sheet.paint(scenePicture((*match)->simulation().world(), camera), {0, 0});
   if (const auto done = sheet.write(options.out); !done) return fail(done.error());
-  fmt::print("Picture: {}\n", options.out);
+  fmt::print("Image: {}\n", options.out);
   return 0;
 }
 

@@ -17,7 +17,7 @@ struct PictureOptions {
   std::string out = "out/picture.png";
 };
 
-/// Plays a match up to a time and takes a picture of it from beside the field. Returns the
+/// Plays a match up to a time and takes an image of it from beside the field. Returns the
 /// program's exit status: 2 if a file is wrong.
 int takePicture(const PictureOptions& options);
 

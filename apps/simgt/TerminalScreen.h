@@ -9,7 +9,7 @@
 namespace gt {
 
 /// Where simgt prints. In a terminal a live line at the bottom shows time, score and how many times
-/// faster than real time it goes, above which texts scroll, errors and goals in colour. Anywhere
+/// faster than real time it goes, above which texts scroll, errors and goals in color. Anywhere
 /// else only the texts are printed.
 class TerminalScreen : public Screen {
  public:

@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
       console);
   gt::PictureOptions picture;
   picture.match = match;
-  addPicture(line.command("picture", "Takes a picture of a match from beside the field",
+  addPicture(line.command("picture", "Takes an image of a match from beside the field",
                           [&] { return gt::takePicture(picture); }),
              picture);
   gt::LayoutOptions layout{root.path("layouts/cmd.layout"), ""};

@@ -1,5 +1,5 @@
 // A black and white ball, found by us (report 4.1.1) and by OpenCV's Hough transform for circles,
-// in the same pictures.
+// in the same images.
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>

@@ -1,17 +1,17 @@
-// What vision is without a grid, by OpenCV: the whole picture segmented by colour, then the
-// connected regions of each colour.
+// What vision is without a grid, by OpenCV: the whole image segmented by color, then the
+// connected regions of each color.
 #include <algorithm>
 #include <array>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "benchmarks/GamePictures.h"
+#include "benchmarks/GameImages.h"
 #include "benchmarks/Parts.h"
 
 namespace gt {
 namespace {
 
-/// The Y, Cb and Cr that most entries of a colour class lie between.
+/// The Y, Cb and Cr that most entries of a color class lie between.
 struct ColorRange {
   cv::Scalar low, high;
 };
@@ -46,7 +46,7 @@ void segmentation(benchmark::State& state) {
   cv::Mat mask, labels, regions, middles;
   std::size_t i = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const Image& image = gamePictures()[i++ % gamePictures().size()].image;
+    const Image& image = gameImages()[i++ % gameImages().size()].image;
     const cv::Mat picture(image.info.height, image.info.width, CV_8UC4,
                           const_cast<Pixel*>(image.pixels.data()));
     for (const ColorRange& range : ranges) {

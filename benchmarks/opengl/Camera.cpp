@@ -1,4 +1,4 @@
-// The same pictures by MuJoCo's own renderer, which is OpenGL: in software, by Mesa's llvmpipe.
+// The same images by MuJoCo's own renderer, which is OpenGL: in software, by Mesa's llvmpipe.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
@@ -90,7 +90,7 @@ class OpenGlCamera {
     }
   }
 
-  /// OpenGL's pictures are red, green and blue, the lowest row first.
+  /// OpenGL's images are red, green and blue, the lowest row first.
   void copyTo(Image& image) const {
     image.info = info_;
     image.allocate();
@@ -110,7 +110,7 @@ class OpenGlCamera {
   static constexpr float near = 0.01f;
 
   const CameraField& field_;
-  Model model_;  ///< Its settings of the picture are the renderer's.
+  Model model_;  ///< Its settings of the image are the renderer's.
   CameraInfo info_;
   EGLDisplay display_;
   EGLContext context_;

@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// How often colours of one class are taken for which other one: a confusion matrix.
+/// How often colors of one class are taken for which other one: a confusion matrix.
 class ColorConfusion {
  public:
   void add(ColorClass truth, ColorClass said, std::uint64_t times = 1) {
@@ -33,7 +33,7 @@ class ColorConfusion {
   EnumArray<ColorClass, EnumArray<ColorClass, std::uint64_t>> counts_;
 };
 
-/// How two tables agree about all colours: the first one's classes are the truth.
+/// How two tables agree about all colors: the first one's classes are the truth.
 ColorConfusion compareTables(const ColorTable64& a, const ColorTable64& b);
 
 }  // namespace gt

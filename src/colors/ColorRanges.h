@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// The values that a colour class has in one channel, from a minimum to a maximum, both included.
+/// The values that a color class has in one channel, from a minimum to a maximum, both included.
 using ColorRange = std::array<int, 2>;
 
 /// A range of a channel that nothing lies in: that of a class which is not defined.

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-/// The class of a colour's neighbours that have one; noColor if they differ.
+/// The class of a color's neighbors that have one; noColor if they differ.
 ColorClass neighborsClass(const ColorTable64& table, std::size_t color) {
   const int y = static_cast<int>(color >> 12), cb = color >> 6 & 63, cr = color & 63;
   ColorClass found = ColorClass::noColor;

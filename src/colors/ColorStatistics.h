@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "colors/HsiColors.h"
-#include "colors/LabelledPicture.h"
+#include "colors/LabeledImage.h"
 #include "colors/TslColors.h"
 
 namespace gt {
 
-/// How often each colour was seen in each class, in pictures whose pixels' classes are known; from
+/// How often each color was seen in each class, in images whose pixels' classes are known; from
 /// that come tables, HSI ranges and TSL thresholds.
 class ColorStatistics {
  public:
@@ -18,14 +18,14 @@ class ColorStatistics {
   void add(const Pixel& pixel, ColorClass colorClass) {
     ++counts_[ColorTable64::index(pixel.y, pixel.cb, pixel.cr)][colorClass];
   }
-  /// Counts the pixels of a picture whose class is sure.
-  void add(const LabelledPicture& picture) {
+  /// Counts the pixels of an image whose class is sure.
+  void add(const LabeledImage& picture) {
     picture.forEachPixel([this](const Pixel& pixel, ColorClass c) { add(pixel, c); });
   }
   void add(const Image& image, std::span<const ColorClass> classes) { add({image, classes, {}}); }
 
-  /// The class that most pixels of each colour have, if 70 % do and at least `leastPixels`. Colours
-  /// never seen take the class of their neighbours if these agree, in `growth` steps.
+  /// The class that most pixels of each color have, if 70 % do and at least `leastPixels`. Colors
+  /// never seen take the class of their neighbors if these agree, in `growth` steps.
   ColorTable64 table(int growth, std::uint32_t leastPixels = 2) const;
 
   /// The narrowest ranges that hold a share of each class's pixels in each channel; those whose
@@ -38,11 +38,11 @@ class ColorStatistics {
 
   void grow(ColorTable64& table, std::uint32_t leastPixels) const;
   void setPriorities(TslColors& colors) const;
-  /// Calls visit(rgb, counts) for the colours that were seen, by the middles of their cubes.
+  /// Calls visit(rgb, counts) for the colors that were seen, by the middles of their cubes.
   template <typename Visit>
   void forEachColor(Visit visit) const;
 
-  std::vector<Counts> counts_;  ///< For each colour of a table.
+  std::vector<Counts> counts_;  ///< For each color of a table.
 };
 
 }  // namespace gt

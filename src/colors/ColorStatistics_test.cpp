@@ -16,7 +16,7 @@ Pixel cube(int y, int cb, int cr) {
   return {value(y), value(cb), value(cr), 0};
 }
 
-/// A picture whose left half has one colour and whose right half another one.
+/// An image whose left half has one color and whose right half another one.
 Image halves(const Pixel& left, const Pixel& right) {
   Image image;
   image.info.width = 40;
@@ -27,7 +27,7 @@ Image halves(const Pixel& left, const Pixel& right) {
   return image;
 }
 
-TEST(ColorStatistics, LearnFromPicturesWithKnownClasses) {
+TEST(ColorStatistics, LearnFromImagesWithKnownClasses) {
   Random random{9};
   const Pixel orange{140, 70, 190, 0}, green{90, 110, 100, 0};
   ColorStatistics statistics;
@@ -39,7 +39,7 @@ TEST(ColorStatistics, LearnFromPicturesWithKnownClasses) {
   // What a person says of a region, beside what the simulator says of each pixel.
   const Pixel white{230, 128, 128, 0};
   const Image wall = withNoise(halves(white, orange), 3, random);
-  const std::vector<LabelledRegion> regions{{"wall", ColorClass::white, {0, 0, 19, 19}}};
+  const std::vector<LabeledRegion> regions{{"wall", ColorClass::white, {0, 0, 19, 19}}};
   statistics.add({wall, {}, regions});
   const ColorTable64 table = statistics.table(2);
   const TslColors tsl = statistics.tsl(0.99);

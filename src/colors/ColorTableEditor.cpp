@@ -27,7 +27,7 @@ std::vector<Offset> offsetsWithin(double distance) {
   return offsets;
 }
 
-/// Calls visit(neighbour) for the cubes around one.
+/// Calls visit(neighbor) for the cubes around one.
 template <typename Visit>
 void forEachNeighbor(std::size_t color, const std::vector<Offset>& offsets, Visit visit) {
   const int y = static_cast<int>(color >> 12), cb = color >> 6 & 63, cr = color & 63;
@@ -38,7 +38,7 @@ void forEachNeighbor(std::size_t color, const std::vector<Offset>& offsets, Visi
   }
 }
 
-/// How many colours of a class lie around each colour.
+/// How many colors of a class lie around each color.
 std::vector<std::uint16_t> countsAround(const ColorTable64& table, ColorClass colorClass,
                                         const std::vector<Offset>& offsets) {
   std::vector<std::uint16_t> counts(table.classes.size());

@@ -6,41 +6,41 @@
 
 namespace gt {
 
-/// Which colours the median filter adds to a class (report J.6.1).
+/// Which colors the median filter adds to a class (report J.6.1).
 struct MedianRule {
-  int neighbors = 6;      ///< At least so many colours of the class have to be near.
+  int neighbors = 6;      ///< At least so many colors of the class have to be near.
   int distance = 1;       ///< How far away those may be, in cubes of the table (1 to 8).
-  bool reassign = false;  ///< Also colours that have a class already.
+  bool reassign = false;  ///< Also colors that have a class already.
 };
 
-/// What is done with each picture that comes in (report J.6.1, *auto-remove/median*).
+/// What is done with each image that comes in (report J.6.1, *auto-remove/median*).
 struct AutomaticFilters {
   bool remove = false, median = false;
-  std::optional<ColorClass> selected;  ///< Nothing for all colours.
+  std::optional<ColorClass> selected;  ///< Nothing for all colors.
   MedianRule rule;
 };
 
-/// Makes a colour table by clicking (report J.6.1). A colour is a 4x4x4 cube of YCbCr. Each change
-/// is a step that can be undone, as long as no more than four million colours were changed since.
+/// Makes a color table by clicking (report J.6.1). A color is a 4x4x4 cube of YCbCr. Each change
+/// is a step that can be undone, as long as no more than four million colors were changed since.
 class ColorTableEditor {
  public:
   explicit ColorTableEditor(const ColorTable64& table = {}) : table_(table) {}
 
   const ColorTable64& table() const { return table_; }
 
-  /// Assigns the class to the colour of a pixel: the left button.
+  /// Assigns the class to the color of a pixel: the left button.
   void set(const Pixel& pixel, ColorClass colorClass);
-  /// Takes its class from the colour of a pixel: the right button.
+  /// Takes its class from the color of a pixel: the right button.
   void remove(const Pixel& pixel) { set(pixel, ColorClass::noColor); }
-  /// Takes all its colours from a class.
+  /// Takes all its colors from a class.
   void clear(ColorClass colorClass);
   void reset();
 
-  /// Removes the colours that have none of their class among their 26 neighbours; of the selected
+  /// Removes the colors that have none of their class among their 26 neighbors; of the selected
   /// class, or of all.
   void removeIsolated(std::optional<ColorClass> selected = {});
-  /// Adds colours to the selected class that have enough of its colours near, or to all classes
-  /// the colours that have enough of theirs near: to that class of which there are most.
+  /// Adds colors to the selected class that have enough of its colors near, or to all classes
+  /// the colors that have enough of theirs near: to that class of which there are most.
   void median(const MedianRule& rule, std::optional<ColorClass> selected = {});
 
   /// Filters as a part of the step before.

@@ -57,8 +57,8 @@ TEST(ColorTableEditor, RemovesWhatHasNoNeighbor) {
   editor.set(cube(10, 10, 10), ColorClass::green);
   editor.set(cube(11, 11, 11), ColorClass::green);   // touches by a corner
   editor.set(cube(30, 10, 10), ColorClass::green);   // alone
-  editor.set(cube(30, 10, 11), ColorClass::orange);  // alone: its neighbour is of another class
-  editor.set(cube(0, 0, 63), ColorClass::orange);    // no neighbour round the corner
+  editor.set(cube(30, 10, 11), ColorClass::orange);  // alone: its neighbor is of another class
+  editor.set(cube(0, 0, 63), ColorClass::orange);    // no neighbor round the corner
   editor.set(cube(0, 1, 0), ColorClass::orange);
   editor.removeIsolated(ColorClass::green);
   EXPECT_EQ(std::ranges::count(editor.table().classes, ColorClass::green), 2);
@@ -95,7 +95,7 @@ TEST(ColorTableEditor, MedianOfAllColorsTakesThatOfWhichThereAreMost) {
   EXPECT_EQ(editor.table()[cube(10, 10, 10)], ColorClass::orange);
 }
 
-TEST(ColorTableEditor, FilteringPicturesBelongsToTheStepBefore) {
+TEST(ColorTableEditor, FilteringImagesBelongsToTheStepBefore) {
   ColorTableEditor editor;
   editor.set(cube(10, 10, 10), ColorClass::green);
   editor.set(cube(10, 10, 12), ColorClass::green);

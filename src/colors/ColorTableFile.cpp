@@ -36,18 +36,18 @@ Result<ColorTable64> parseColorTable(std::string_view bytes, const std::string& 
     if (bytes.size() - offset < 5) return wrong("the file ends before the class of a run");
     const std::size_t left = table.classes.size() - filled;
     if (length < 0 || static_cast<std::size_t>(length) > left)
-      return wrong("a run of " + std::to_string(length) + " colours where " + std::to_string(left) +
+      return wrong("a run of " + std::to_string(length) + " colors where " + std::to_string(left) +
                    " are left");
     const auto number = static_cast<unsigned char>(bytes[offset + 4]);
     if (number >= order.size())
-      return wrong("unknown colour class " + std::to_string(number) + ", the last one is " +
+      return wrong("unknown color class " + std::to_string(number) + ", the last one is " +
                    std::to_string(order.size() - 1));
     std::fill_n(table.classes.begin() + static_cast<std::ptrdiff_t>(filled), length, order[number]);
     filled += static_cast<std::size_t>(length);
     offset += 5;
   }
   if (filled != table.classes.size())
-    return wrong("the table ends after " + std::to_string(filled) + " colours of " +
+    return wrong("the table ends after " + std::to_string(filled) + " colors of " +
                  std::to_string(table.classes.size()));
   offset += 4;
   if (offset != bytes.size()) return wrong("something follows the end of the table");

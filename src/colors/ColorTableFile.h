@@ -24,7 +24,7 @@ inline constexpr std::array nao2009ColorOrder{
     ColorClass::skyblue, ColorClass::white,  ColorClass::green,
     ColorClass::black,   ColorClass::red,    ColorClass::blue};
 
-/// The colour table in the bytes of a `.c64` file (report B.4.2): runs of a little endian length
+/// The color table in the bytes of a `.c64` file (report B.4.2): runs of a little endian length
 /// and a class, ended by the length 0. Errors name the offset of the run concerned.
 Result<ColorTable64> parseColorTable(std::string_view bytes, const std::string& file,
                                      ColorClassOrder order = gt2003ColorOrder);

@@ -60,7 +60,7 @@ TEST(ColorTableFile, NamesTheByteThatIsWrong) {
   EXPECT_THAT(errorOf(run(100, 1) + end), HasSubstr("byte 5: the table ends after 100"));
   EXPECT_THAT(errorOf(run(100, 1) + run(262144, 1) + end), HasSubstr("byte 5: a run of 262144"));
   EXPECT_THAT(errorOf(run(0xffffffff, 1) + end), HasSubstr("byte 0: a run of -1"));
-  EXPECT_THAT(errorOf(run(262144, 11) + end), HasSubstr("byte 0: unknown colour class 11"));
+  EXPECT_THAT(errorOf(run(262144, 11) + end), HasSubstr("byte 0: unknown color class 11"));
   EXPECT_THAT(errorOf(run(262144, 1) + end + "x"), HasSubstr("byte 9: something follows"));
   EXPECT_THAT(readColorTable("no/such.c64").error().text(), HasSubstr("no/such.c64"));
 }
@@ -92,11 +92,11 @@ TEST(ColorTableFile, ReadsTheRealRobotsTables) {
   const char* real = std::getenv("GT_REAL");
   const std::string folder = real ? real : "../shared/real";
   if (!std::filesystem::exists(folder + "/coltable-field.c64"))
-    GTEST_SKIP() << "no real robot's colour table in " << folder;
+    GTEST_SKIP() << "no real robot's color table in " << folder;
   for (const char* name : {"/coltable-field.c64", "/coltable-simulator.c64"}) {
     const auto table = readColorTable(folder + name, nao2009ColorOrder);
     ASSERT_TRUE(table) << table.error().text();
-    // The carpet and the orange of the ball as they are in those pictures.
+    // The carpet and the orange of the ball as they are in those images.
     if (std::string{name} == "/coltable-field.c64") {
       EXPECT_EQ(table->classes[ColorTable64::index(105, 112, 118)], ColorClass::green);
       EXPECT_EQ(table->classes[ColorTable64::index(126, 87, 176)], ColorClass::orange);

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// A colour as hue, saturation and intensity (report J.6.2).
+/// A color as hue, saturation and intensity (report J.6.2).
 struct Hsi {
   int hue = 0;  ///< Degrees, 0 to 359: red, green at 120, blue at 240; of grays 0.
   int saturation = 0, intensity = 0;  ///< Percent.
@@ -28,9 +28,9 @@ struct HsiRange {
     return inRange(saturation, color.saturation) && inRange(intensity, color.intensity) &&
            (inCircularRange(hue, color.hue) || (color.hue == 0 && inCircularRange(hue, 360)));
   }
-  /// Enlarges the range until a colour lies in it; hue grows the shorter way round.
+  /// Enlarges the range until a color lies in it; hue grows the shorter way round.
   void include(const Hsi& color);
-  /// Reduces the range until a colour lies outside, by whatever takes the smallest part of it.
+  /// Reduces the range until a color lies outside, by whatever takes the smallest part of it.
   void exclude(const Hsi& color);
   friend bool operator==(const HsiRange&, const HsiRange&) = default;
 
@@ -41,7 +41,7 @@ struct HsiRange {
   }
 };
 
-/// Colour classes as sectors of the HSI space (report J.6.2). Where sectors overlap the class
+/// Color classes as sectors of the HSI space (report J.6.2). Where sectors overlap the class
 /// counts that stands first in the list of classes.
 struct HsiColors {
   EnumArray<ColorClass, HsiRange> ranges;
@@ -57,7 +57,7 @@ struct HsiColors {
 };
 
 /// Reads the text of a `.hsi` file: for each class a section [CLASS] with lines `hue MIN MAX`,
-/// `saturation MIN MAX`, `intensity MIN MAX`. Classes that are not mentioned have no colours.
+/// `saturation MIN MAX`, `intensity MIN MAX`. Classes that are not mentioned have no colors.
 Result<HsiColors> parseHsiColors(std::string_view text, const std::string& file);
 Result<HsiColors> readHsiColors(const std::string& file);
 std::string hsiText(const HsiColors& colors);

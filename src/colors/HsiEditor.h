@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// Makes colour classes as sectors of the HSI space, by sliders or by clicking on pixels (report
+/// Makes color classes as sectors of the HSI space, by sliders or by clicking on pixels (report
 /// J.6.2). The last changes can be undone.
 class HsiEditor {
  public:
@@ -15,9 +15,9 @@ class HsiEditor {
 
   /// The sliders: any values, cut to those that there are.
   void setRange(ColorClass colorClass, HsiRange range);
-  /// The left button: the class grows until the pixel's colour lies in it.
+  /// The left button: the class grows until the pixel's color lies in it.
   void include(ColorClass colorClass, const Pixel& pixel);
-  /// The right button: the class shrinks until the pixel's colour lies outside.
+  /// The right button: the class shrinks until the pixel's color lies outside.
   void exclude(ColorClass colorClass, const Pixel& pixel);
 
   /// Takes the last change back; false if there is none. A hundred are known.

@@ -6,12 +6,12 @@
 
 namespace gt {
 
-/// A colour of light, each part from 0 to 255.
+/// A color of light, each part from 0 to 255.
 struct Rgb {
   double red = 0, green = 0, blue = 0;
 };
 
-/// The light of a colour in YCbCr (full range, as in JPEG); what no light can be is cut off.
+/// The light of a color in YCbCr (full range, as in JPEG); what no light can be is cut off.
 inline Rgb rgbOf(double y, double cb, double cr) {
   const auto part = [](double value) { return std::clamp(value, 0.0, 255.0); };
   return {part(y + 1.402 * (cr - 128)), part(y - 0.344136 * (cb - 128) - 0.714136 * (cr - 128)),
@@ -21,7 +21,7 @@ inline Rgb rgbOf(const Pixel& pixel) {
   return rgbOf(pixel.y, pixel.cb, pixel.cr);
 }
 
-/// A colour table from another way to classify: each 4x4x4 cube of colours gets the class that
+/// A color table from another way to classify: each 4x4x4 cube of colors gets the class that
 /// `classOf(const Rgb&)` tells of its middle.
 template <typename ClassOf>
 ColorTable64 colorTableBy(ClassOf classOf) {

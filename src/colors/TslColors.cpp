@@ -26,7 +26,7 @@ Tsl tslOf(const Rgb& color) {
   if (sum <= 0) return tsl;
   const double red = r / sum - 1.0 / 3, green = g / sum - 1.0 / 3;
   tsl.saturation = std::min(255, rounded(255 * std::sqrt(1.8 * (red * red + green * green))));
-  // One turn is 256, so that the largest byte and 0 are neighbours.
+  // One turn is 256, so that the largest byte and 0 are neighbors.
   if (tsl.saturation > 0)
     tsl.tint = rounded(256 * (std::atan2(red, green) / (2 * pi) + 0.25)) & 255;
   return tsl;

@@ -9,7 +9,7 @@
 
 namespace gt {
 
-/// A colour as T', S' and L' (report J.6.3): tint, saturation and luminance of Terrillon and
+/// A color as T', S' and L' (report J.6.3): tint, saturation and luminance of Terrillon and
 /// Akamatsu's TSL space ("Comparative Performance of Different Chrominance Spaces for Color
 /// Segmentation and Detection of Human Faces", 1999), each as a byte. Tint and saturation are made
 /// from each primary's share of the light, so more or less light changes luminance only.
@@ -22,7 +22,7 @@ inline Tsl tslOf(const Pixel& pixel) {
   return tslOf(rgbOf(pixel));
 }
 
-/// The six thresholds of a colour class (report J.6.3). By default nothing lies between them.
+/// The six thresholds of a color class (report J.6.3). By default nothing lies between them.
 struct TslThresholds {
   int priority = 0;
   ColorRange tint{0, 255};  ///< On a circle.
@@ -45,7 +45,7 @@ struct TslThresholds {
   }
 };
 
-/// Colour classes by thresholds in the TSL space (report J.6.3), from coltable.tsl. Of classes with
+/// Color classes by thresholds in the TSL space (report J.6.3), from coltable.tsl. Of classes with
 /// the same priority the one counts that stands first in the list of classes. Configuration.
 struct TslColors {
   EnumArray<ColorClass, TslThresholds> classes;
@@ -73,7 +73,7 @@ struct TslColors {
 
 /// Reads the text of a `.tsl` file: for each class a section [CLASS] with lines `priority N`, `tint
 /// MIN MAX`, `saturation MIN MAX`, `luminance MIN MAX`. Classes that are not mentioned have no
-/// colours.
+/// colors.
 Result<TslColors> parseTslColors(std::string_view text, const std::string& file);
 Result<TslColors> readTslColors(const std::string& file);
 std::string tslText(const TslColors& colors);

@@ -1,16 +1,16 @@
 #pragma once
 #include "base/Random.h"
 #include "colors/ChannelHistogram.h"
-#include "colors/LabelledPicture.h"
+#include "colors/LabeledImage.h"
 #include "colors/TslColors.h"
 
 namespace gt {
 
-/// How often each value of T', S' and L' occurs in a region of a picture, and which thresholds
+/// How often each value of T', S' and L' occurs in a region of an image, and which thresholds
 /// follow from it (report J.6.3).
 class TslHistogram {
  public:
-  void add(const Image& image, const PictureRegion& region) {
+  void add(const Image& image, const ImageRegion& region) {
     region.forEachPixel(image, [&](const Pixel& pixel) { add(tslOf(pixel)); });
   }
   void add(const Tsl& color, std::uint64_t times = 1);
@@ -28,7 +28,7 @@ class TslHistogram {
   ChannelHistogram tint_{256, true}, saturation_{256}, luminance_{256};
 };
 
-/// A picture with noise added to all channels, of a standard deviation: the *Noise* slider, by
+/// An image with noise added to all channels, of a standard deviation: the *Noise* slider, by
 /// which one sees how robust a classification is.
 Image withNoise(const Image& image, double deviation, Random& random);
 

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-/// A picture whose left half has one colour and whose right half another one.
+/// An image whose left half has one color and whose right half another one.
 Image halves(const Pixel& left, const Pixel& right) {
   Image image;
   image.info.width = 40;
@@ -24,7 +24,7 @@ TEST(TslHistogram, SetsThresholdsFromARegion) {
   const Pixel orange{140, 70, 190, 0}, green{90, 110, 100, 0};
   const Image image = withNoise(halves(orange, green), 3, random);
   TslHistogram histogram;
-  histogram.add(image, {-5, 2, 19, 300});  // what lies outside of the picture does not count
+  histogram.add(image, {-5, 2, 19, 300});  // what lies outside of the image does not count
   EXPECT_EQ(histogram.tint().total(), 20u * 18u);
   TslColors colors;
   colors.classes[ColorClass::orange] = histogram.thresholds(0.99);

@@ -48,7 +48,7 @@ constexpr CommandPart parts[] = {
     {{"motion", "robots moved by hand"}, motionCommands},
     {{"joystick", "robots moved by a joystick"}, joystickCommands},
     {{"behavior", "what Xabsl2 decides"}, behaviorCommands},
-    {{"views", "pictures, plots, films"}, viewCommands},
+    {{"views", "drawings, plots, films"}, viewCommands},
     {{"tests", "many runs"}, testCommands}};
 
 std::vector<std::string> commandNames() {

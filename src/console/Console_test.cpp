@@ -329,7 +329,7 @@ TEST_F(ConsoleTest, LetsRobotsLiveOnTheOracle) {
   EXPECT_LT(error(), 20);
 }
 
-TEST_F(ConsoleTest, LosesPicturesOnlyIfAskedTo) {
+TEST_F(ConsoleTest, LosesImagesOnlyIfAskedTo) {
   expectFine("run 400 ms");
   EXPECT_EQ(session->match().robots()[0]->lostImages(), 0);
   expectFine("st off 100000");

@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-bool isPicture(const std::string& word) {
+bool isImage(const std::string& word) {
   return word.ends_with(".png") || word.ends_with(".svg");
 }
 
@@ -35,13 +35,13 @@ Result<std::vector<double>> numbersOf(const Words& words, std::size_t first) {
   return numbers;
 }
 
-/// picture [VIEW] FILE {NUMBER}: the scene without a view's name.
+/// image [VIEW] FILE {NUMBER}: the scene without a view's name.
 Result<void> picture(Console& console, const Words& words) {
   if (words.size() == 2 && words[1] == "?") {
     for (const auto& view : console.views()) console.print(view->name() + "  " + view->help());
     return {};
   }
-  const bool named = words.size() > 2 && !isPicture(words[1]);
+  const bool named = words.size() > 2 && !isImage(words[1]);
   const std::size_t fileWord = named ? 2 : 1;
   if (words.size() <= fileWord || (!named && viewOf(console, words[1])))
     return wrongArguments(words);
@@ -176,7 +176,7 @@ std::vector<Command> viewCommands() {
   using enum Command::Kind;
   return {
       {robot, "film", "start FILE [VIEW {NUMBER}] | stop",
-       "Films a view (the scene if none is named) from now on, 25 pictures a simulated second, as "
+       "Films a view (the scene if none is named) from now on, 25 images a simulated second, as "
        "MP4 (.mp4).",
        film, viewNames},
       {robot, "picture", "? | [VIEW] FILE {NUMBER}",

@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-constexpr std::int64_t period = 1000 / FilmWriter::picturesPerSecond;  // ms, also of values
+constexpr std::int64_t period = 1000 / FilmWriter::imagesPerSecond;  // ms, also of values
 constexpr std::size_t mostSamples = 1'000'000;
 constexpr std::size_t mostSeries = 100;
 

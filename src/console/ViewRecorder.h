@@ -24,7 +24,7 @@ class ViewRecorder {
   /// The recorded values, by their paths.
   const ViewSubject::Series& series() const { return series_; }
 
-  /// Films a view from now on, 25 pictures a simulated second.
+  /// Films a view from now on, 25 images a simulated second.
   Result<void> startFilm(Console& console, const std::string& file,
                          std::shared_ptr<const View> view, std::vector<double> numbers);
   /// Ends the film; returns its file.

@@ -12,7 +12,7 @@ class Debug;
 
 /// What a module draws on while its key is active; the drawing is sent when the canvas goes out of
 /// scope. `if (auto canvas = debug.onField(key)) canvas.circle(...);` Positions and sizes are mm on
-/// the field or around the robot, or pixels of the picture.
+/// the field or around the robot, or pixels of the image.
 class Canvas {
  public:
   Canvas() = default;

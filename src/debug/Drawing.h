@@ -10,7 +10,7 @@
 
 namespace gt {
 
-/// A colour to draw with.
+/// A color to draw with.
 struct Color {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
 

@@ -61,7 +61,7 @@ TEST(MatchStatistics, ComparesEachImageWithTheTruth) {
   EXPECT_NEAR(summary.robots[0].rotationError.maximum, 0, 0.01);
   EXPECT_EQ(summary.robots[0].falls, 1);
   EXPECT_EQ(summary.robots[0].samples.size(), 2u) << "one a second";
-  EXPECT_NEAR(statistics.longestLost(), 0.8, 0.05) << "seconds off by more than a metre";
+  EXPECT_NEAR(statistics.longestLost(), 0.8, 0.05) << "seconds off by more than a meter";
   EXPECT_EQ(statistics.localizationErrors().size(), 50u);
 }
 

@@ -157,7 +157,7 @@ struct MatchTimes {
   }
 };
 
-/// A camera picture with what the robot saw in it, for the report page.
+/// A camera image with what the robot saw in it, for the report page.
 struct ReportPicture {
   std::string title;
   int width = 0, height = 0;

@@ -49,7 +49,7 @@ Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::M
   log->keepPixels(pixels);
   for (const std::string& name : perceptsOfImages(solutions()))
     static_cast<void>(robot_->watch(name));  // a robot that does not see needs none
-  loggedImagePeriod_ = settings.picturePeriod;
+  loggedImagePeriod_ = settings.imagePeriod;
   log_ = std::move(*log);
   return {};
 }

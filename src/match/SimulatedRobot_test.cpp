@@ -140,7 +140,7 @@ class LeaningBody : public MatchTest {
     }
   }
 
-  /// What the last picture showed against the truth.
+  /// What the last image showed against the truth.
   void add(Match& match, Distances& distances) {
     const Robot& robot = match.robots()[0]->robot();
     const World& world = match.simulation().world();

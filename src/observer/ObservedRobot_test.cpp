@@ -106,7 +106,7 @@ TEST_F(ObservedRobotTest, AsksForAValueUnlessItIsSubscribed) {
   EXPECT_THAT(robot.inputs(), ElementsAre("Image"));
 }
 
-TEST_F(ObservedRobotTest, TakesNoPictureThatIsNotWhole) {
+TEST_F(ObservedRobotTest, TakesNoImageThatIsNotWhole) {
   ASSERT_TRUE(robot.value<Image>());
   MessageQueue queue;
   Image image;

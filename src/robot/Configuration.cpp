@@ -121,7 +121,7 @@ void readLog(const RobotModules& modules, const std::string& path, Configuration
               }
               if (what != "pictures") return wrong(what, expected);
               const Range range{0, 1e9};
-              if (!setScalar(valueOf(log.picturePeriod), value, range))
+              if (!setScalar(valueOf(log.imagePeriod), value, range))
                 return wrong(what, "'" + value + "' is not a period in ms");
               return {};
             });

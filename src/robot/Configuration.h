@@ -32,7 +32,7 @@ struct ConfigurationPaths {
   std::string motions = "motions";                 ///< Folder of `.mof` files.
   std::string behavior = "behavior/GT2003.xabsl";  ///< The agents file.
   std::string colorTable{};  ///< Instead of the folder's coltable.c64, if not empty.
-  ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the colour table's classes.
+  ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the color table's classes.
   std::string location{};  ///< Instead of what location.cfg says, if not empty.
 
   /// Those of a root; the defaults are those of the working directory.
@@ -75,7 +75,7 @@ struct Configuration {
     std::vector<std::string> representations;
     std::string file;                  ///< For messages.
     std::map<std::string, int> lines;  ///< In which each representation stands.
-    std::int64_t picturePeriod = 0;    ///< ms; 0 for no pictures
+    std::int64_t imagePeriod = 0;      ///< ms; 0 for no images
 
     /// The error of a representation that the robot does not have.
     Error missing(const std::string& representation) const;

@@ -128,7 +128,7 @@ TEST_F(ConfigurationTest, WrongColorTables) {
   const std::string table = read("config/coltable.c64");
   write("config/coltable.c64", table.substr(0, table.size() / 2));
   EXPECT_THAT(error(), ::testing::StartsWith("config/coltable.c64: "));
-  write("config/coltable.c64", "garbage, not a colour table at all");
+  write("config/coltable.c64", "garbage, not a color table at all");
   EXPECT_THAT(error(), ::testing::StartsWith("config/coltable.c64: "));
   fs::remove(root / "config/coltable.c64");
   EXPECT_THAT(error(), ::testing::StartsWith("config/coltable.c64: "));
@@ -270,7 +270,7 @@ TEST_F(ConfigurationTest, CheckTellsAllErrorsAtOnce) {
   write("config/modules.cfg", "SelfLocater MonteCarlo\nBallLocator Wrong\n");
   write("config/log.cfg", "representation BallMoodel\npictures often\n");
   write("config/camera.cfg", "gain loud\n");
-  write("config/coltable.c64", "garbage, not a colour table at all");
+  write("config/coltable.c64", "garbage, not a color table at all");
   write("config/modules/SelfLocator.MonteCarlo.cfg", "nonsense 1\n");
   write("motions/postures/stand.mof", "garbage\n");
   EXPECT_GE(checkConfiguration(paths, allModules()).errors(), 8u);

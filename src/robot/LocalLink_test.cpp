@@ -15,7 +15,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 
-/// A robot of this program that is watched, and has seen one picture.
+/// A robot of this program that is watched, and has seen one image.
 class LocalLinkTest : public ::testing::Test {
  protected:
   LocalLinkTest() {

@@ -38,7 +38,7 @@ std::unique_ptr<Robot> makeRobot(const std::string& layout = "layouts/cmd.layout
   return std::move(*robot);
 }
 
-/// Lets a robot live without a simulator: it sees grey pictures and its joints obey.
+/// Lets a robot live without a simulator: it sees gray images and its joints obey.
 void live(Robot& robot, int ms, int from = 0) {
   Image image;
   image.allocate();
@@ -76,7 +76,7 @@ TEST(Robot, EveryLayoutOfTheRepositoryMakesOne) {
   EXPECT_GT(layouts, 0);
 }
 
-TEST(Robot, CognitionRunsByPictureMotionByFrame) {
+TEST(Robot, CognitionRunsByImageMotionByFrame) {
   const auto robot = makeRobot();
   live(*robot, 4000);
   for (const auto& process : robot->processes())

@@ -26,7 +26,7 @@ TEST(Simulation, ATickAllocatesNothing) {
   scene.noise = {};
   scene.game.referee = false;
   auto made =
-      Simulation::make(scene, 5, 1);  // each thread's renderer allocates with its first picture
+      Simulation::make(scene, 5, 1);  // each thread's renderer allocates with its first image
   ASSERT_TRUE(made);
   Simulation& match = **made;
   for (std::size_t i = 0; i < scene.robots.size(); ++i) match.attach(i, std::make_unique<Runner>());

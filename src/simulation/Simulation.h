@@ -52,7 +52,7 @@ class SceneController {
 /// the same in, the same bits out, with any number of threads.
 ///
 /// A tick of 8 ms: (1) the world moves by the commands of the last tick; (2) the referee looks and
-/// acts; (3) for each robot, in parallel: sensors are read, the radio delivers, if a picture is due
+/// acts; (3) for each robot, in parallel: sensors are read, the radio delivers, if an image is due
 /// it is taken, the controller runs; the world is only read meanwhile, and a robot touches only
 /// what is its own; (4) in the order of the robots, commands and messages are taken from the
 /// outputs. So a command takes effect in the tick after that whose readings it answers. Images are

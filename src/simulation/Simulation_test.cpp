@@ -101,7 +101,7 @@ TEST(Simulation, SameSeedSameBitsWithAnyNumberOfThreads) {
   }
 }
 
-TEST(Simulation, PicturesComeEveryFortyMilliseconds) {
+TEST(Simulation, ImagesComeEveryFortyMilliseconds) {
   const auto match = simulation(noisyMatch(), 1, 2);
   for (int i = 0; i < 50; ++i) match->step();
   EXPECT_EQ(static_cast<Dribbler*>(match->controller(3))->pictures(), 10);
@@ -112,7 +112,7 @@ TEST(Simulation, PicturesComeEveryFortyMilliseconds) {
   EXPECT_EQ(static_cast<Dribbler*>(match->controller(3))->pictures(), 10);
 }
 
-TEST(Simulation, APictureShowsTheBallWhereTheCameraLooks) {
+TEST(Simulation, AnImageShowsTheBallWhereTheCameraLooks) {
   SceneDescription scene = duelScene({0, -800, 0}, {0, 0});
   scene.camera = CameraEffects::none();
   auto made = Simulation::make(scene, 1);

@@ -107,12 +107,12 @@ std::vector<std::uint8_t> encodeJpeg(const std::uint8_t* pixels, int width, int 
   return out;
 }
 
-Result<RawPicture> decodeJpeg(std::span<const std::uint8_t> bytes) {
+Result<RawImage> decodeJpeg(std::span<const std::uint8_t> bytes) {
   ErrorManager manager;
   jpeg_decompress_struct info{};
   info.err = prepare(manager);
   jpeg_create_decompress(&info);
-  RawPicture picture;
+  RawImage picture;
   bool good = start(info, manager, bytes);
   if (good && std::int64_t{info.output_width} * info.output_height > mostPixels) {
     good = false;
@@ -126,13 +126,13 @@ Result<RawPicture> decodeJpeg(std::span<const std::uint8_t> bytes) {
                         static_cast<std::size_t>(info.num_components));
     good = readRows(info, manager, picture.data.data());
   }
-  // A picture that was cut off is only a warning to libjpeg.
+  // An image that was cut off is only a warning to libjpeg.
   if (good && manager.base.num_warnings > 0) {
     good = false;
     manager.base.format_message(reinterpret_cast<j_common_ptr>(&info), manager.message);
   }
   jpeg_destroy_decompress(&info);
-  if (!good) return Error{.what = std::string("no sound JPEG picture: ") + manager.message};
+  if (!good) return Error{.what = std::string("no sound JPEG image: ") + manager.message};
   return picture;
 }
 

@@ -9,20 +9,20 @@
 
 namespace gt {
 
-/// A picture of interleaved components of 8 bits, row by row from the top.
-struct RawPicture {
+/// An image of interleaved components of 8 bits, row by row from the top.
+struct RawImage {
   int width = 0, height = 0;
-  int components = 0;  ///< 1 grey, 3 YCbCr, 4 as they stand in the file (CMYK or YCCK).
+  int components = 0;  ///< 1 gray, 3 YCbCr, 4 as they stand in the file (CMYK or YCCK).
   std::vector<std::uint8_t> data;
 };
 
-/// Packs a picture of YCbCr as JPEG without converting its colours. Pixels are `pixelStride` bytes
+/// Packs an image of YCbCr as JPEG without converting its colors. Pixels are `pixelStride` bytes
 /// apart (Y, Cb, Cr first), rows follow one another. Quality from 1 to 100. Chroma keeps its full
-/// resolution. The picture is not larger than 65500 pixels a side and not empty.
+/// resolution. The image is not larger than 65500 pixels a side and not empty.
 std::vector<std::uint8_t> encodeJpeg(const std::uint8_t* pixels, int width, int height,
                                      int pixelStride = 4, int quality = 90);
 
-/// Unpacks a JPEG picture without converting its colours. Not more than 2^26 pixels.
-Result<RawPicture> decodeJpeg(std::span<const std::uint8_t> bytes);
+/// Unpacks a JPEG image without converting its colors. Not more than 2^26 pixels.
+Result<RawImage> decodeJpeg(std::span<const std::uint8_t> bytes);
 
 }  // namespace gt

@@ -10,7 +10,7 @@
 namespace gt {
 namespace {
 
-/// A picture of smooth colours, four bytes a pixel.
+/// An image of smooth colors, four bytes a pixel.
 std::vector<std::uint8_t> sample(int width, int height) {
   std::vector<std::uint8_t> pixels;
   for (int y = 0; y < height; ++y)
@@ -20,7 +20,7 @@ std::vector<std::uint8_t> sample(int width, int height) {
   return pixels;
 }
 
-TEST(Jpeg, KeepsThePicture) {
+TEST(Jpeg, KeepsTheImage) {
   const auto pixels = sample(176, 144);
   const auto packed = encodeJpeg(pixels.data(), 176, 144, 4, 95);
   EXPECT_LT(packed.size(), pixels.size() / 8);

@@ -26,7 +26,7 @@ std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::
 Result<void> writePng(const std::string& path, int width, int height,
                       std::span<const std::uint8_t> rgb) {
   const auto png = encodePng(width, height, rgb);
-  if (png.empty()) return Error{.file = path, .what = "the picture cannot be packed as PNG"};
+  if (png.empty()) return Error{.file = path, .what = "the image cannot be packed as PNG"};
   return writeFile(path, {reinterpret_cast<const char*>(png.data()), png.size()});
 }
 

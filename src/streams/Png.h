@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// Packs a picture of RGB, 3 bytes a pixel, as PNG.
+/// Packs an image of RGB, 3 bytes a pixel, as PNG.
 std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
 
 /// The same, into a file.

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-TEST(Png, KeepsThePicture) {
+TEST(Png, KeepsTheImage) {
   std::vector<std::uint8_t> rgb;
   for (int i = 0; i < 5 * 3 * 3; ++i) rgb.push_back(static_cast<std::uint8_t>(5 * i));
   const auto png = encodePng(5, 3, rgb);

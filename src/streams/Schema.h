@@ -56,7 +56,7 @@ struct RosHeader {
   }
 };
 
-/// A picture as JPEG or PNG, in the form that viewers know (sensor_msgs/CompressedImage).
+/// An image as JPEG or PNG, in the form that viewers know (sensor_msgs/CompressedImage).
 struct CompressedImage {
   RosHeader header;
   std::string format = "jpeg";

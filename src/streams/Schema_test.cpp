@@ -82,7 +82,7 @@ TEST(Schema, SpellsNamesAsRosDoes) {
   EXPECT_EQ(snakeCase("a__b"), "a_b");
 }
 
-TEST(Schema, KnowsPictures) {
+TEST(Schema, KnowsImages) {
   EXPECT_EQ(schemaOf<CompressedImage>().name, "sensor_msgs/msg/CompressedImage");
   EXPECT_EQ(RosTime::of(Time{12345}).sec, 12);
   EXPECT_EQ(RosTime::of(Time{12345}).nanosec, 345'000'000u);

@@ -8,7 +8,7 @@ namespace gt {
 namespace {
 
 /// The share of pixels at each pair of a channel's values (64 each): a height map from above.
-RgbPicture heightMap(const Image& image, int xChannel, int yChannel) {
+RgbImage heightMap(const Image& image, int xChannel, int yChannel) {
   constexpr int size = 64;
   std::array<int, size * size> counts{};
   const auto channel = [](const Pixel& p, int i) { return i == 0 ? p.y : i == 1 ? p.cb : p.cr; };
@@ -16,7 +16,7 @@ RgbPicture heightMap(const Image& image, int xChannel, int yChannel) {
     ++counts[static_cast<std::size_t>((size - 1 - channel(p, yChannel) / 4) * size +
                                       channel(p, xChannel) / 4)];
   const double most = std::log1p(*std::ranges::max_element(counts));
-  RgbPicture map{size, size, {}};
+  RgbImage map{size, size, {}};
   for (const int count : counts) {
     const double height = most > 0 ? std::log1p(count) / most : 0;
     map.pixels.push_back(static_cast<std::uint8_t>(255 * std::min(1.0, 2 * height)));

@@ -24,7 +24,7 @@ DepthImage depthImage(const Simulation& simulation, std::size_t robot) {
   const CameraScene scene{simulation.world().model()};
   const CameraInfo& optics = simulation.scene().optics;
   Image image;
-  PictureTruth truth;
+  ImageTruth truth;
   truth.withDepths = true;
   CameraRenderer{scene}.render(simulation.world().data(),
                                cameraView(simulation.world(), robot, optics), CameraEffects::none(),

@@ -60,9 +60,9 @@ Result<void> FilmWriter::State::openCodec(int width, int height) {
   codec->height = frame->height = height;
   codec->pix_fmt = AV_PIX_FMT_YUV420P;
   frame->format = AV_PIX_FMT_YUV420P;
-  codec->time_base = {1, picturesPerSecond};
-  codec->framerate = {picturesPerSecond, 1};
-  codec->gop_size = 2 * picturesPerSecond;
+  codec->time_base = {1, imagesPerSecond};
+  codec->framerate = {imagesPerSecond, 1};
+  codec->gop_size = 2 * imagesPerSecond;
   codec->bit_rate = 3'000'000;
   codec->thread_count = 1;
   if (format->oformat->flags & AVFMT_GLOBALHEADER) codec->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
@@ -72,7 +72,7 @@ Result<void> FilmWriter::State::openCodec(int width, int height) {
   if (const int code = av_frame_get_buffer(frame, 0); code < 0) return error("no memory", code);
   converter = sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, AV_PIX_FMT_YUV420P,
                              SWS_BILINEAR, nullptr, nullptr, nullptr);
-  return converter ? Result<void>{} : Error{file, 0, "", "no conversion of colours"};
+  return converter ? Result<void>{} : Error{file, 0, "", "no conversion of colors"};
 }
 
 Result<void> FilmWriter::State::openFile() {
@@ -123,7 +123,7 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::open(const std::string& file, in
   return std::unique_ptr<FilmWriter>{new FilmWriter{std::move(state)}};
 }
 
-Result<void> FilmWriter::add(const RgbPicture& picture) {
+Result<void> FilmWriter::add(const RgbImage& picture) {
   const int width = state_->codec->width, height = state_->codec->height;
   std::vector<std::uint8_t> rgb(3u * static_cast<std::size_t>(width) *
                                 static_cast<std::size_t>(height));

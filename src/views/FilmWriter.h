@@ -7,11 +7,11 @@
 
 namespace gt {
 
-/// Writes pictures of one size as a film (MP4 with H.264, or MPEG-4 where that is
+/// Writes images of one size as a film (MP4 with H.264, or MPEG-4 where that is
 /// missing, by FFmpeg's libraries).
 class FilmWriter {
  public:
-  static constexpr int picturesPerSecond = 25;
+  static constexpr int imagesPerSecond = 25;
 
   /// Both sizes become even.
   static Result<std::unique_ptr<FilmWriter>> open(const std::string& file, int width, int height);
@@ -19,8 +19,8 @@ class FilmWriter {
   FilmWriter(const FilmWriter&) = delete;
   FilmWriter& operator=(const FilmWriter&) = delete;
 
-  /// A picture; of another size it is cut or left with a border.
-  Result<void> add(const RgbPicture& picture);
+  /// An image; of another size it is cut or left with a border.
+  Result<void> add(const RgbImage& picture);
   Result<void> close();
 
  private:

@@ -22,7 +22,7 @@ class ImageView : public View {
     const CameraInfo& info = (*image)->info;
     if ((*image)->pixels.empty() || info.width <= 0 || info.height <= 0)
       return Error{"", 0, (*robot)->name(), "has no image yet"};
-    const RgbPicture colors = rgbOf(**image);
+    const RgbImage colors = rgbOf(**image);
     Sheet sheet{info.width * enlarged, info.height * enlarged, colors::black};
     for (const std::string& element : elements_) {
       if (element == "image") {

@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-/// A pixel of the picture is the mean of so many pixels of the camera's in each direction: smooth
+/// A pixel of the image is the mean of so many pixels of the camera's in each direction: smooth
 /// edges.
 constexpr int fineness = 3;
 /// Geoms of this group are not seen (CameraScene).
@@ -32,9 +32,9 @@ CameraView viewOf(const SceneCamera& camera) {
   return view;
 }
 
-/// Each pixel is the mean of a square of the picture's.
-RgbPicture reduced(const RgbPicture& fine) {
-  RgbPicture picture{fine.width / fineness, fine.height / fineness, {}};
+/// Each pixel is the mean of a square of the image's.
+RgbImage reduced(const RgbImage& fine) {
+  RgbImage picture{fine.width / fineness, fine.height / fineness, {}};
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
       for (int channel = 0; channel < 3; ++channel) {
@@ -49,7 +49,7 @@ RgbPicture reduced(const RgbPicture& fine) {
 
 }  // namespace
 
-RgbPicture scenePicture(const World& world, const SceneCamera& camera, std::string_view hidden) {
+RgbImage scenePicture(const World& world, const SceneCamera& camera, std::string_view hidden) {
   using OwnModel = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
   OwnModel changed{nullptr, mj_deleteModel};
   if (!hidden.empty()) {

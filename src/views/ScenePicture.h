@@ -12,9 +12,8 @@ struct SceneCamera {
   int width = 1280, height = 720;  ///< pixels
 };
 
-/// A picture of the world for people, with smooth edges and without a camera's faults. Geoms whose
+/// An image of the world for people, with smooth edges and without a camera's faults. Geoms whose
 /// names begin with `hidden` are left out, if it is not empty.
-RgbPicture scenePicture(const World& world, const SceneCamera& camera,
-                        std::string_view hidden = {});
+RgbImage scenePicture(const World& world, const SceneCamera& camera, std::string_view hidden = {});
 
 }  // namespace gt

@@ -26,7 +26,7 @@ struct ViewSubject {
   Result<std::size_t> sceneRobot(const std::string& name) const;
 };
 
-/// A view: turns what is known into a sheet, which becomes PNG or SVG, a picture of a film, or what
+/// A view: turns what is known into a sheet, which becomes PNG or SVG, an image of a film, or what
 /// a window shows. It keeps nothing between two calls, and asks the robots for what it needs; what
 /// debug drawings show must have been asked for (`dk`). One file a view; `builtInViews` lists them.
 class View {

@@ -2,7 +2,7 @@
 
 #include "Fuzz.h"
 #include "colors/HsiColors.h"
-#include "colors/LabelledPicture.h"
+#include "colors/LabeledImage.h"
 #include "colors/TslColors.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 // decoder of the npm registry. Every message of every channel is decoded by the schema in the log
 // and encoded again, which must give the same bytes.
 //
-// Pictures are decoded and must be as large as the log says that the camera's pictures are.
+// Images are decoded and must be as large as the log says that the camera's images are.
 //
 //   scripts/run-node build/node/mcap tests/mcap check.mjs LOG...
 import { McapIndexedReader, McapStreamReader } from "@mcap/core";
@@ -28,7 +28,7 @@ function checkMessage(channel, codec, data) {
   return message;
 }
 
-/// Unpacks the pictures of a log, whose size stands in the camera's matrices.
+/// Unpacks the images of a log, whose size stands in the camera's matrices.
 class Pictures {
   check(topic, schema, message) {
     if (schema.name.endsWith("/CameraMatrix")) this.info = message.info;

@@ -160,7 +160,7 @@ class RobotProgramsTest : public ::testing::Test {
       return answered;
     });
   }
-  /// Plays on; returns which share of the frames and of the pictures was without an answer in time.
+  /// Plays on; returns which share of the frames and of the images was without an answer in time.
   std::pair<double, double> missedWhilePlaying(std::int64_t ms) {
     const RemoteStatistics before = robot().statistics();
     play(ms);
@@ -183,13 +183,13 @@ class RobotProgramsTest : public ::testing::Test {
     const Time heardBefore = heardOfIt();
     const std::int64_t framesBefore = robot().statistics().frames;
     // What others on this machine take from the robot is not the bad tools' doing.
-    const auto [framesAlone, picturesAlone] = missedWhilePlaying(1500);
+    const auto [framesAlone, imagesAlone] = missedWhilePlaying(1500);
     const BadTools enemies{endpoint};
     const auto [frames, pictures] = missedWhilePlaying(3000);
     EXPECT_GT(enemies.sent(), 1000u);
     EXPECT_GT(robot().statistics().frames - framesBefore, 420);
     EXPECT_LT(frames, 0.5 + framesAlone) << framesAlone << " without bad tools";
-    EXPECT_LT(pictures, 0.5 + picturesAlone) << picturesAlone << " without bad tools";
+    EXPECT_LT(pictures, 0.5 + imagesAlone) << imagesAlone << " without bad tools";
     EXPECT_TRUE(answers(endpoint)) << "a good tool beside the bad ones";
     for (const auto& process : processes) EXPECT_TRUE(process->runs());
     for (std::size_t i = 0; i < watched.size(); ++i)
@@ -297,9 +297,9 @@ std::size_t countIn(const fs::path& path, const std::string& topic) {
   return count;
 }
 
-TEST_F(RobotProgramsTest, ItsLogHoldsPicturesAndWhatThePlatformTold) {
+TEST_F(RobotProgramsTest, ItsLogHoldsImagesAndWhatThePlatformTold) {
   ASSERT_TRUE(playUntil([&] { return joined(); }));
-  play(2500);  // a picture every two seconds
+  play(2500);  // an image every two seconds
   processes[2]->kill(SIGTERM);
   const fs::path log = logs().at(0);
   EXPECT_GE(countIn(log, "/camera"), 2u);

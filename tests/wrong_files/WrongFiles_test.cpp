@@ -42,7 +42,7 @@ class Workplace {
     log.put(std::uint32_t{5000}).end(5);
     log.put(0.25).put(100.0).put(-50.0).end(8);
     write("robot.log", log.log());
-    // One run of 64^3 colours of class 0, and the end.
+    // One run of 64^3 colors of class 0, and the end.
     write("robot.c64", std::string("\0\0\4\0\0\0\0\0\0", 9));
     write("classes.tsl", "[orange]\ntint 110 140\nsaturation 60 255\nluminance 40 200\n");
     write("regions.csv", "picture,class,left,top,right,bottom\n0,orange,1,1,2,2\n");
@@ -219,7 +219,7 @@ std::vector<WrongFile> wrongFiles() {
       {"RegionsWrongClass", "regions.csv", replaced("orange", "purple"),
        "colortable learn --pictures robot.log --labels regions.csv --out out.c64",
        "colortable: regions.csv:2: class: there is no class 'purple'"},
-      {"LabelledPictureGarbage", "robot.log", garbage(),
+      {"LabeledImageGarbage", "robot.log", garbage(),
        "colortable learn --pictures robot.log --labels regions.csv --out out.c64",
        "colortable: robot.log: "},
 

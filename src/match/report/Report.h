@@ -18,12 +18,12 @@ Result<void> writeMatchJson(const std::string& path, const MatchSummary& summary
 /// Writes times.json, likewise.
 Result<void> writeTimesJson(const std::string& path, const MatchTimes& times);
 
-/// A camera picture, enlarged, with the drawings in the space of the image painted on it.
+/// A camera image, enlarged, with the drawings in the space of the image painted on it.
 ReportPicture reportPicture(std::string title, const Image& image,
                             std::span<const Drawing> drawings, int scale = 2);
 
-/// Writes a match as one page of HTML that holds all that it shows (data, style, plots, pictures)
-/// and opens offline. It needs about 0.3 MB, 20 kB for each minute, and 30 kB for each picture.
+/// Writes a match as one page of HTML that holds all that it shows (data, style, plots, images)
+/// and opens offline. It needs about 0.3 MB, 20 kB for each minute, and 30 kB for each image.
 Result<void> writeReport(const std::string& path, const MatchSummary& summary,
                          const MatchTimes& times, const std::vector<ReportPicture>& pictures,
                          const FieldDimensions& field = {});

@@ -146,7 +146,7 @@ TEST_F(ReportTest, ThePageLoadsNothingFromElsewhere) {
   EXPECT_THAT(page, Not(testing::ContainsRegex("@[A-Z_]+@")));
 }
 
-TEST_F(ReportTest, TenMinutesWithADozenPicturesAreLessThanTwoMegabytes) {
+TEST_F(ReportTest, TenMinutesWithADozenImagesAreLessThanTwoMegabytes) {
   const std::string page = report(sampleMatch(7), samplePictures(7, 12));
   EXPECT_LT(page.size(), 2'000'000u);
   // To look at a page in a browser: GT_REPORT=page.html gt_match_report_test
@@ -194,7 +194,7 @@ TEST_F(ReportTest, LongMatchesAreThinnedAndKeepTheirLargestErrors) {
   EXPECT_EQ(errors[1001], 100);
 }
 
-TEST(SampleMatch, PicturesShowTheBallWhereTheySay) {
+TEST(SampleMatch, ImagesShowTheBallWhereTheySay) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     const auto [width, height, rgb] = rgbOf(sampleImage(seed, {60, 90}, 10));
     const auto* ball = &rgb[static_cast<std::size_t>(3 * (90 * width + 60))];

@@ -12,10 +12,10 @@ MatchSummary sampleMatch(std::uint64_t seed);
 /// What such a match took.
 MatchTimes sampleTimes();
 
-/// A made-up camera picture with noise: carpet, wall, and a ball at a place (pixels).
+/// A made-up camera image with noise: carpet, wall, and a ball at a place (pixels).
 Image sampleImage(std::uint64_t seed, const Vector2d& ball, double radius);
 
-/// Pictures of that kind with percepts painted on them.
+/// Images of that kind with percepts painted on them.
 std::vector<ReportPicture> samplePictures(std::uint64_t seed, int count);
 
 }  // namespace gt

@@ -9,7 +9,7 @@ const aims = {
   percentile95: 600
 };
 const seconds = match.duration / 1000;
-const changeOfColors = [];  // called when colours change: light, dark, paper
+const changeOfColors = [];  // called when colors change: light, dark, paper
 
 const byId = (id) => document.getElementById(id);
 const colorOf = (name) =>

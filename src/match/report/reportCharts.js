@@ -4,7 +4,7 @@
 Chart.defaults.animation = false;
 Chart.defaults.maintainAspectRatio = false;
 Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
-const dashes = [[], [7, 3], [2, 3], [9, 3, 2, 3]];  // by player: colours alone do not tell enough
+const dashes = [[], [7, 3], [2, 3], [9, 3, 2, 3]];  // by player: colors alone do not tell enough
 
 function applyColors() {
   Chart.defaults.color = colorOf('soft');

@@ -181,7 +181,7 @@ function robotTrace(robot) {
   const trace = shape('path', {class: 'trace', style: `--color: ${color}`});
   const seam = robot.team === 'red' ?
       '#c4121f' :
-      '#1746b8';  // whatever its own colour, the team is plain to see
+      '#1746b8';  // whatever its own color, the team is plain to see
   const body = shape(
       'g', {}, shape('rect', {
         x: -150,

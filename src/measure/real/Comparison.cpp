@@ -43,11 +43,11 @@ void Comparison::add(const BallPercept& ball, const BallLabel* label) {
 std::string Comparison::text() const {
   std::string text;
   for (std::size_t i = 0; i < total_.size(); ++i)
-    text += fmt::format("{:8} {:3} pictures, ball found in {:3}\n", enumNames<BallView>[i],
-                        total_[i], found_[i]);
+    text += fmt::format("{:8} {:3} images, ball found in {:3}\n", enumNames<BallView>[i], total_[i],
+                        found_[i]);
   if (!centerErrors_.empty())
     text += fmt::format(
-        "whole balls differ from the labels by {:.2f} pixels in the centre and {:.2f} in the "
+        "whole balls differ from the labels by {:.2f} pixels in the center and {:.2f} in the "
         "radius on average\n",
         mean(centerErrors_), mean(radiusErrors_));
   text += "distances by projection and by size, nearer than 1.5 m:";

@@ -20,13 +20,13 @@ double differenceOfDistances(const BallPercept& ball);
 /// camera matrix is off.
 Verdict compareDistances(const BallPercept& ball, const BallLabel* label);
 
-/// Compares what vision found in a log's pictures with what a person saw in them.
+/// Compares what vision found in a log's images with what a person saw in them.
 class Comparison {
  public:
-  /// One more picture; `label` is null where nobody looked.
+  /// One more image; `label` is null where nobody looked.
   void add(const BallPercept& ball, const BallLabel* label);
 
-  /// The numbers of pictures in which a person saw the ball that way, and of those in which vision
+  /// The numbers of images in which a person saw the ball that way, and of those in which vision
   /// found it.
   int pictures(BallView view) const { return total_[static_cast<std::size_t>(view)]; }
   int found(BallView view) const { return found_[static_cast<std::size_t>(view)]; }

@@ -40,7 +40,7 @@ TEST(Comparison, CountsWhatWasFound) {
   EXPECT_EQ(comparison.found(BallView::whole), 1);
   EXPECT_EQ(comparison.found(BallView::none), 1);
   EXPECT_EQ(comparison.pictures(BallView::partial), 0);
-  EXPECT_THAT(comparison.text(), testing::HasSubstr("5.00 pixels in the centre and 0.50"));
+  EXPECT_THAT(comparison.text(), testing::HasSubstr("5.00 pixels in the center and 0.50"));
   EXPECT_THAT(comparison.text(), testing::HasSubstr("agree 2 "));
   EXPECT_THAT(comparison.text(), testing::HasSubstr("size 1.050 on average"));
 }

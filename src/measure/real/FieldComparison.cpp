@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/Statistics.h"
-#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/CameraImage.h"
 
 namespace gt {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 constexpr double onLine = 3;    ///< Pixels: a point that near belongs to a label.
 constexpr double spacing = 15;  ///< Pixels: scan lines are not further apart near the horizon.
 
-/// Where the points on lines were found in the picture.
-std::vector<Vector2d> inPicture(const LinesPercept& lines, const CameraMatrix& matrix) {
+/// Where the points on lines were found in the image.
+std::vector<Vector2d> inImage(const LinesPercept& lines, const CameraMatrix& matrix) {
   std::vector<Vector2d> points;
   for (const Vector2d& p : lines.points[EdgeType::line]) {
     const Vector3d ray = Vector3d{p.x(), p.y(), 0} - matrix.pose.translation;
@@ -35,7 +35,7 @@ void FieldComparison::add(const LinesPercept& lines, const LandmarksPercept& lan
 
 void FieldComparison::addLines(const LinesPercept& lines, const CameraMatrix& matrix,
                                const FieldLabel& label) {
-  const std::vector<Vector2d> points = inPicture(lines, matrix);
+  const std::vector<Vector2d> points = inImage(lines, matrix);
   for (const auto& line : label.lines)
     for (const Vector2d& at : line) {
       // A point of the same line, as far away as the next scan line may be.
@@ -77,9 +77,9 @@ std::string FieldComparison::text() const {
     return list.empty() ? std::string{"-"} : fmt::format("{:.1f} %", mean(list));
   };
   return fmt::format(
-      "lines and goals labelled in {} pictures: {} of {} labelled points of lines found, {} of {} "
+      "lines and goals labeled in {} images: {} of {} labeled points of lines found, {} of {} "
       "points found lie on labels, {:.2f} pixels from their middle; goal found in {} of {} "
-      "pictures, false in {} of {}\n",
+      "images, false in {} of {}\n",
       pictures_, percent(labelsFound_), labelsFound_.size(), percent(pointsOnLabels_),
       pointsOnLabels_.size(), lineErrors_.empty() ? 0 : mean(lineErrors_), percent(goalsFound_),
       goalsFound_.size(), percent(goalsFalse_), goalsFalse_.size());

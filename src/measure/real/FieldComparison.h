@@ -9,11 +9,11 @@
 
 namespace gt {
 
-/// Compares the points on lines and the goals that vision found in a log's pictures with what a
+/// Compares the points on lines and the goals that vision found in a log's images with what a
 /// person saw in them.
 class FieldComparison {
  public:
-  /// One more picture; a label for another time is passed over.
+  /// One more image; a label for another time is passed over.
   void add(const LinesPercept& lines, const LandmarksPercept& landmarks, const CameraMatrix& matrix,
            const FieldLabel& label);
 
@@ -30,7 +30,7 @@ class FieldComparison {
   int pictures_ = 0;
   std::vector<double> labelsFound_, pointsOnLabels_;  ///< 100 or 0 each.
   std::vector<double> lineErrors_;                    ///< Pixels.
-  std::vector<double> goalsFound_, goalsFalse_;       ///< 100 or 0 each picture.
+  std::vector<double> goalsFound_, goalsFalse_;       ///< 100 or 0 each image.
   std::vector<double> postErrors_;                    ///< Degrees.
 };
 

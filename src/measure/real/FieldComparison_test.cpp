@@ -6,7 +6,7 @@ namespace gt {
 namespace {
 
 TEST(FieldComparison, MeasuresDistancesFromLabels) {
-  // A camera half a metre above the ground looks straight down.
+  // A camera half a meter above the ground looks straight down.
   CameraMatrix matrix;
   matrix.time = Time{7};
   matrix.pose.translation = {0, 0, 500};
@@ -31,7 +31,7 @@ TEST(FieldComparison, MeasuresDistancesFromLabels) {
   const auto value = [&](const char* name) {
     return std::ranges::find(figures.all(), name, &Figure::name)->value;
   };
-  EXPECT_DOUBLE_EQ(value("vision.real.lines.found"), 40) << "two of five labelled points";
+  EXPECT_DOUBLE_EQ(value("vision.real.lines.found"), 40) << "two of five labeled points";
   EXPECT_NEAR(value("vision.real.lines.onLabel"), 200.0 / 3, 1e-9);
   EXPECT_NEAR(value("vision.real.lines.error"), 0.5, 0.01);
 }

@@ -36,7 +36,7 @@ struct Row {
   }
 };
 
-/// The labels that are read, and which line of a picture each of its numbers means.
+/// The labels that are read, and which line of an image each of its numbers means.
 struct Reading {
   std::map<int, FieldLabel> labels;
   std::map<std::pair<int, std::string_view>, std::size_t> lines;
@@ -55,7 +55,7 @@ Result<void> Reading::add(const Row& row) {
   if (!std::isfinite(*x) || !std::isfinite(*y)) return row.wrong(3, "a number was expected");
   const auto [label, isNew] = labels.try_emplace(*picture);
   if (isNew) label->second.time = *time;
-  if (label->second.time != *time) return row.wrong(1, "this picture has another time above");
+  if (label->second.time != *time) return row.wrong(1, "this image has another time above");
   const std::string_view what = row.cells[2];
   if (what == "none") return {};
   if (what == "leftPost") {
@@ -83,7 +83,7 @@ double distanceToSegment(const Vector2d& point, const Vector2d& a, const Vector2
 }  // namespace
 
 double FieldLabel::distance(const Vector2d& point) const {
-  // Between points further apart something was in the way, or the line was not labelled.
+  // Between points further apart something was in the way, or the line was not labeled.
   constexpr double farthest = 25;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& line : lines)

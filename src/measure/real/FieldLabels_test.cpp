@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-TEST(FieldLabels, CoverMostPictures) {
+TEST(FieldLabels, CoverMostImages) {
   const auto labels = readFieldLabels("tests/real/nao2009-field.csv");
   ASSERT_TRUE(labels) << labels.error().text();
   EXPECT_GE(labels->size(), 60u);

@@ -7,11 +7,11 @@
 
 namespace gt {
 
-/// How much of the ball a person sees in a picture: all of it and sharply, some of it or blurred,
+/// How much of the ball a person sees in an image: all of it and sharply, some of it or blurred,
 /// nothing.
 enum class BallView { whole, partial, none };
 
-/// What a person sees in one picture of a log.
+/// What a person sees in one image of a log.
 struct BallLabel {
   int picture = 0;
   std::int64_t time = 0;  ///< ms, to find a label for the wrong log.
@@ -20,7 +20,7 @@ struct BallLabel {
   double radius = 0;                   ///< Pixels.
 };
 
-/// Reads labels from a table with the columns picture, time, class, x, y, r.
+/// Reads labels from a table with the columns image, time, class, x, y, r.
 Result<std::vector<BallLabel>> readLabels(const std::string& file);
 
 }  // namespace gt

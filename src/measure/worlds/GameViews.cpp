@@ -90,7 +90,7 @@ void GameViews::shuffle() {
   placeReferees();
   for (std::size_t i = 0; i < world_->robotCount(); ++i) placeRobot(i);
   placeBall();
-  // Heads are still on their way in some of the pictures.
+  // Heads are still on their way in some of the images.
   const std::size_t ticks = SensorDataBuffer::capacity + random_.index(40);
   for (std::size_t t = 0; t < ticks; ++t) step();
 }

@@ -16,17 +16,17 @@ namespace gt {
 struct GameView {
   std::size_t robot = 0;
   Image image;
-  PictureTruth truth;
+  ImageTruth truth;
   SensorDataBuffer sensors;
   Pose2D step;          ///< How far the robot believes to have walked in the last tick.
   CameraMatrix camera;  ///< The true one.
 };
 
-/// What the camera matrix of a robot should be that stands there and takes this picture.
+/// What the camera matrix of a robot should be that stands there and takes this image.
 CameraMatrix trueMatrix(const CameraView& camera, const Pose2D& robot);
 
 /// Random moments of matches as the robots of a scene see them: robots and ball are anywhere, some
-/// robots walk, legs differ, heads look around. For experiments and for learning colours.
+/// robots walk, legs differ, heads look around. For experiments and for learning colors.
 class GameViews {
  public:
   static Result<GameViews> make(const SceneDescription& scene, std::uint64_t seed);

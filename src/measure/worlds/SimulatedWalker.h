@@ -30,7 +30,7 @@ struct WalkerWorld {
 };
 
 /// A robot alone on the simulated field that walks about and turns its head from left to right and
-/// back (report 3.3.3.4), with its own walking engine and vision. One step is one picture. It has
+/// back (report 3.3.3.4), with its own walking engine and vision. One step is one image. It has
 /// the members of a SyntheticRobot, so that the same experiments run on both.
 class SimulatedWalker {
  public:
@@ -38,7 +38,7 @@ class SimulatedWalker {
                                                        const WalkerWorld& world = {});
   ~SimulatedWalker();
 
-  /// To the next picture, walking to random places.
+  /// To the next image, walking to random places.
   void step();
   /// The same, but walks as it is told: in the robot's system, mm/s and rad/s.
   void step(const Pose2D& speed);

@@ -22,7 +22,7 @@ Pose3D cameraInBody(const RobotDimensions&, const HeadAngles&);
 Pose3D cameraPose(const RobotDimensions&, const Pose3D& body, const HeadAngles&);
 
 /// The angles of the neck with which a point of the robot's system is seen at a pixel of the
-/// picture, roll 0 (report 3.9.3.1). Exact where the neck gets there; otherwise as near as its
+/// image, roll 0 (report 3.9.3.1). Exact where the neck gets there; otherwise as near as its
 /// limits allow, pan first.
 HeadAngles lookAt(const RobotDimensions&, const Pose3D& body, const Vector3d& point,
                   const CameraInfo&, const Vector2d& pixel);

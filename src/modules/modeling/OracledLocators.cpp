@@ -48,7 +48,7 @@ void OracledPlayersLocator::update(const OracledWorldState& oracle, const Player
 
 void OracledObstaclesLocator::update(const OracledWorldState& oracle, const FieldDimensions& field,
                                      const FrameInfo& frame, ObstaclesModel& obstacles) {
-  const FieldEdges edges{field, TeamColor::red};  // where walls are does not depend on colours
+  const FieldEdges edges{field, TeamColor::red};  // where walls are does not depend on colors
   obstacles.time = frame.time;
   for (int i = 0; i < ObstaclesModel::numberOfSectors; ++i) {
     const Vector2d along = direction(ObstaclesModel::middleOf(i));

@@ -17,13 +17,13 @@ struct SensorDataProcessor {
   using Outputs = std::tuple<CameraMatrix, BodyPercept, PsdPercept>;
 };
 
-/// The task of finding things in a picture (report 3.2).
+/// The task of finding things in an image (report 3.2).
 struct ImageProcessor {
   using Outputs =
       std::tuple<BallPercept, LandmarksPercept, LinesPercept, PlayersPercept, ObstaclesPercept>;
 };
 
-/// Makes the percepts those of a picture, taken at a time, in which there is nothing.
+/// Makes the percepts those of an image, taken at a time, in which there is nothing.
 inline void findNothing(Time time, BallPercept& ball, LandmarksPercept& landmarks,
                         LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles) {
   ball = {};

@@ -38,7 +38,7 @@ struct MotionRequest {
   TailRequest tail = TailRequest::noTailWag;
   Time time = never();
 
-  /// The request, or that to stand if its time lies further back than half a second: the behaviour
+  /// The request, or that to stand if its time lies further back than half a second: the behavior
   /// has stopped. A request without a time is always valid.
   const MotionRequest& validAt(Time now) const {
     constexpr std::int64_t oldest = 500;

@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// Size and optics of the camera that took a picture: data, so that other robots' pictures run
+/// Size and optics of the camera that took an image: data, so that other robots' images run
 /// through the same code. The defaults are the ERS-210's (facts, 1.3).
 struct CameraInfo {
   int width = 176;
@@ -20,7 +20,7 @@ struct CameraInfo {
   double distortion2 = 0;
   double distortion4 = 0;
 
-  /// The direction of a point of the picture in the camera's system (x along the optical axis, y
+  /// The direction of a point of the image in the camera's system (x along the optical axis, y
   /// left, z up), not normalized.
   Vector3d ray(double x, double y) const {
     const Vector3d seen{1, (centerX - x) / focalX, (centerY - y) / focalY};
@@ -55,7 +55,7 @@ struct CameraInfo {
         field("height", &CameraInfo::height, "pixel", "", {1, 4096}),
         field("focalX", &CameraInfo::focalX, "pixel", "focal length over pixel width", {1, 1e5}),
         field("focalY", &CameraInfo::focalY, "pixel", "focal length over pixel height", {1, 1e5}),
-        field("centerX", &CameraInfo::centerX, "pixel", "where the optical axis meets the picture"),
+        field("centerX", &CameraInfo::centerX, "pixel", "where the optical axis meets the image"),
         field("centerY", &CameraInfo::centerY, "pixel"),
         field("rowTime", &CameraInfo::rowTime, "ms",
               "from the exposure of a row to that of the next", {0, 10}),

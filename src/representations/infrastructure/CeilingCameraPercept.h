@@ -20,7 +20,7 @@ struct MarkedRobot {
   }
 };
 
-/// What a camera at the ceiling saw of the field in one picture (report 6.2.2). Provided by the
+/// What a camera at the ceiling saw of the field in one image (report 6.2.2). Provided by the
 /// simulated one, or by the program of a real one, whose log has these messages on the topic
 /// /CeilingCameraPercept.
 struct CeilingCameraPercept {
@@ -31,7 +31,7 @@ struct CeilingCameraPercept {
 
   static constexpr auto fields() {
     using P = CeilingCameraPercept;
-    return Fields{field("time", &P::time, "ms", "when the picture was taken"),
+    return Fields{field("time", &P::time, "ms", "when the image was taken"),
                   field("robots", &P::robots),
                   field("ballSeen", &P::ballSeen, "", "not hidden under a robot, nor overlooked"),
                   field("ball", &P::ball, "mm", "in the red team's coordinates")};

@@ -53,9 +53,9 @@ struct FieldDimensions {
                   field("flagY", &FieldDimensions::flagY, "mm", "of all flags", {1, 1e5}),
                   field("flagRadius", &FieldDimensions::flagRadius, "mm", "", {1, 1000}),
                   field("flagBottom", &FieldDimensions::flagBottom, "mm",
-                        "height of the lower edge of the lower colour", {0, 1e4}),
+                        "height of the lower edge of the lower color", {0, 1e4}),
                   field("flagTop", &FieldDimensions::flagTop, "mm",
-                        "height of the upper edge of the upper colour", {1, 1e4}),
+                        "height of the upper edge of the upper color", {1, 1e4}),
                   field("ballRadius", &FieldDimensions::ballRadius, "mm", "", {1, 1000})};
   }
 };

@@ -18,7 +18,7 @@ struct Pixel {
 };
 static_assert(sizeof(Pixel) == 4);
 
-/// A picture of the robot's camera. Provided by the platform.
+/// An image of the robot's camera. Provided by the platform.
 struct Image {
   Time time;
   CameraInfo info;
@@ -37,7 +37,7 @@ struct Image {
     return static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height);
   }
   void allocate() { pixels.resize(area()); }
-  /// What no picture from outside may have (`checked`).
+  /// What no image from outside may have (`checked`).
   std::string_view flaw() const {
     return pixels.size() == area() ? "" : "its pixels are not as many as its size says";
   }

@@ -29,7 +29,7 @@ struct SensorData {
 
 /// The last frames of sensor data, the newest last (report 3.1). Provided by the platform.
 struct SensorDataBuffer {
-  static constexpr int capacity = 16;  ///< 128 ms: reaches back over a picture's exposure.
+  static constexpr int capacity = 16;  ///< 128 ms: reaches back over an image's exposure.
   std::array<SensorData, capacity> frames;
 
   const SensorData& newest() const { return frames.back(); }

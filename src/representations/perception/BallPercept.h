@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// The ball as seen in one picture (report 3.2.3). Provided by the ImageProcessor.
+/// The ball as seen in one image (report 3.2.3). Provided by the ImageProcessor.
 struct BallPercept {
   Time time;
   bool seen = false;
@@ -18,15 +18,15 @@ struct BallPercept {
 
   static constexpr auto fields() {
     return Fields{
-        field("time", &BallPercept::time, "ms", "of the picture"),
+        field("time", &BallPercept::time, "ms", "of the image"),
         field("seen", &BallPercept::seen),
         field("offset", &BallPercept::offset, "mm", "on the ground, relative to the robot"),
         field("angle", &BallPercept::angle, "rad",
-              "to the ball's centre from the camera, left and up"),
+              "to the ball's center from the camera, left and up"),
         field("distanceByProjection", &BallPercept::distanceByProjection, "mm",
-              "camera to centre, from the camera matrix; 0 if the ball is not below the horizon"),
+              "camera to center, from the camera matrix; 0 if the ball is not below the horizon"),
         field("distanceBySize", &BallPercept::distanceBySize, "mm",
-              "camera to centre, from the radius; 0 if too little is seen"),
+              "camera to center, from the radius; 0 if too little is seen"),
         field("centerInImage", &BallPercept::centerInImage, "pixel"),
         field("radiusInImage", &BallPercept::radiusInImage, "pixel")};
   }

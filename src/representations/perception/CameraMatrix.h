@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// The pose of the camera relative to the robot's origin on the ground when the picture was taken
+/// The pose of the camera relative to the robot's origin on the ground when the image was taken
 /// (report 3.1). Rows are exposed one after another while the head turns: each row has a rotation
 /// of its own. Provided by the SensorDataProcessor.
 struct CameraMatrix {
@@ -16,7 +16,7 @@ struct CameraMatrix {
   bool valid = false;
 
   /// The camera's rotation when a row was exposed. Row 0 is exposed (height - 1) * rowTime before
-  /// the picture's time.
+  /// the image's time.
   Matrix3d rotationAt(double row) const {
     const double seconds = (row - info.height / 2.0) * info.rowTime / 1000;
     const Vector3d angle = turning * seconds;
@@ -25,12 +25,12 @@ struct CameraMatrix {
     return skew * pose.rotation;
   }
 
-  /// The direction, in the robot's system, in which a point of the picture lies as seen from the
+  /// The direction, in the robot's system, in which a point of the image lies as seen from the
   /// camera; not normalized.
   Vector3d ray(double x, double y) const { return rotationAt(y) * info.ray(x, y); }
 
   static constexpr auto fields() {
-    return Fields{field("time", &CameraMatrix::time, "ms", "of the picture"),
+    return Fields{field("time", &CameraMatrix::time, "ms", "of the image"),
                   field("pose", &CameraMatrix::pose, "mm", "when the middle row was exposed"),
                   field("turning", &CameraMatrix::turning, "rad/s",
                         "angular velocity of the camera in the robot's system"),

@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// The colour classes of the report (B.4.2), in the order of its files.
+/// The color classes of the report (B.4.2), in the order of its files.
 enum class ColorClass : std::uint8_t {
   noColor,
   orange,
@@ -22,7 +22,7 @@ enum class ColorClass : std::uint8_t {
   black
 };
 
-/// The class of each colour, 6 bits a channel (report B.4.2): read from coltable.c64.
+/// The class of each color, 6 bits a channel (report B.4.2): read from coltable.c64.
 /// Configuration.
 struct ColorTable64 {
   std::array<ColorClass, 64 * 64 * 64> classes{};

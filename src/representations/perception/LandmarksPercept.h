@@ -11,7 +11,7 @@ namespace gt {
 
 /// The bounding rectangle of a landmark in angles seen from the camera, horizontal ones in the
 /// robot's system, vertical ones to the horizon; and which of its edges lie on the border of the
-/// picture or are hidden: the angle is not the edge's then (report 3.2).
+/// image or are hidden: the angle is not the edge's then (report 3.2).
 struct ConditionalBoundary {
   double left = 0, right = 0, top = 0, bottom = 0;
   bool leftOnBorder = false, rightOnBorder = false, topOnBorder = false, bottomOnBorder = false;
@@ -28,7 +28,7 @@ struct ConditionalBoundary {
   }
 };
 
-/// The six flags by their colours, upper colour first (facts, 2.1).
+/// The six flags by their colors, upper color first (facts, 2.1).
 enum class FlagType {
   pinkAboveYellow,
   pinkAboveGreen,
@@ -66,7 +66,7 @@ inline Vector2d positionOf(FlagType type, TeamColor team, const FieldDimensions&
   return team == TeamColor::red ? p : Vector2d{-p};
 }
 
-/// A flag as seen in one picture (report 3.2.4).
+/// A flag as seen in one image (report 3.2.4).
 struct FlagPercept {
   FlagType type = FlagType::pinkAboveYellow;
   ConditionalBoundary boundary;
@@ -84,7 +84,7 @@ struct FlagPercept {
 
 enum class GoalColor { yellow, skyblue };
 
-/// A goal as seen in one picture (report 3.2.5).
+/// A goal as seen in one image (report 3.2.5).
 struct GoalPercept {
   GoalColor color = GoalColor::yellow;
   ConditionalBoundary boundary;
@@ -105,7 +105,7 @@ constexpr GoalColor ownGoal(TeamColor team) {
   return team == TeamColor::red ? GoalColor::yellow : GoalColor::skyblue;
 }
 
-/// The flags and goals seen in one picture. Provided by the ImageProcessor.
+/// The flags and goals seen in one image. Provided by the ImageProcessor.
 struct LandmarksPercept {
   Time time;
   Vector3d cameraOffset = Vector3d::Zero();
@@ -115,7 +115,7 @@ struct LandmarksPercept {
   std::array<GoalPercept, 2> goals;
 
   static constexpr auto fields() {
-    return Fields{field("time", &LandmarksPercept::time, "ms", "of the picture"),
+    return Fields{field("time", &LandmarksPercept::time, "ms", "of the image"),
                   field("cameraOffset", &LandmarksPercept::cameraOffset, "mm",
                         "where the angles were measured, in the robot's system"),
                   field("numberOfFlags", &LandmarksPercept::numberOfFlags, "", "", {0, 6}),

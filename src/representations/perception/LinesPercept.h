@@ -11,14 +11,14 @@ namespace gt {
 /// What an edge on the field is an edge of (report 3.2.2, 3.3.3.1).
 enum class EdgeType { line, border, yellowGoal, skyblueGoal };
 
-/// Points on edges seen in one picture, on the ground and relative to the robot (report 3.2.2).
+/// Points on edges seen in one image, on the ground and relative to the robot (report 3.2.2).
 /// Provided by the ImageProcessor.
 struct LinesPercept {
   Time time;
   EnumArray<EdgeType, std::vector<Vector2d>> points;
 
   static constexpr auto fields() {
-    return Fields{field("time", &LinesPercept::time, "ms", "of the picture"),
+    return Fields{field("time", &LinesPercept::time, "ms", "of the image"),
                   field("points", &LinesPercept::points, "mm", "in the order of EdgeType")};
   }
 };

@@ -8,7 +8,7 @@
 namespace gt {
 
 /// A piece of free ground along one scan line (report 3.2): free between its points, an obstacle
-/// behind the far one unless that lies on the border of the picture, unknown before the near one.
+/// behind the far one unless that lies on the border of the image, unknown before the near one.
 /// Both are the same where the ground next to the robot is not free.
 struct FreeGround {
   Vector2d nearPoint = Vector2d::Zero();
@@ -18,18 +18,18 @@ struct FreeGround {
   static constexpr auto fields() {
     return Fields{field("nearPoint", &FreeGround::nearPoint, "mm", "on the ground"),
                   field("farPoint", &FreeGround::farPoint, "mm", "on the ground"),
-                  field("farOnBorder", &FreeGround::farOnBorder, "", "of the picture")};
+                  field("farOnBorder", &FreeGround::farOnBorder, "", "of the image")};
   }
 };
 
-/// The free space around the robot as seen in one picture, from left to right (report 3.2.7).
+/// The free space around the robot as seen in one image, from left to right (report 3.2.7).
 /// Provided by the ImageProcessor.
 struct ObstaclesPercept {
   Time time;
   std::vector<FreeGround> lines;
 
   static constexpr auto fields() {
-    return Fields{field("time", &ObstaclesPercept::time, "ms", "of the picture"),
+    return Fields{field("time", &ObstaclesPercept::time, "ms", "of the image"),
                   field("lines", &ObstaclesPercept::lines)};
   }
 };

@@ -9,14 +9,14 @@
 
 namespace gt {
 
-/// The robots seen in one picture by the colour of their tricots, relative to the robot
+/// The robots seen in one image by the color of their tricots, relative to the robot
 /// (report 3.2.6). Provided by the ImageProcessor.
 struct PlayersPercept {
   Time time;
   EnumArray<TeamColor, std::vector<Vector2d>> players;
 
   static constexpr auto fields() {
-    return Fields{field("time", &PlayersPercept::time, "ms", "of the picture"),
+    return Fields{field("time", &PlayersPercept::time, "ms", "of the image"),
                   field("players", &PlayersPercept::players, "mm", "in the order of TeamColor")};
   }
 };

@@ -38,11 +38,11 @@ void ProgramRecorder::choose(const Configuration::LogSettings& settings,
     if (input != &representation<Image>()) inputs_.push_back(std::make_unique<Input>(*input));
   }
   for (const std::string& name : names) requests_.push_back({name, ""});
-  picturePeriod_ = settings.picturePeriod;
+  imagePeriod_ = settings.imagePeriod;
 }
 
 void ProgramRecorder::connect(Wire& wire) {
-  if (picturePeriod_ > 0) wire.receive(platformProcess, pictures_);
+  if (imagePeriod_ > 0) wire.receive(platformProcess, pictures_);
   for (const auto& input : inputs_) wire.receive(platformProcess, input->receiver);
 }
 
@@ -64,21 +64,21 @@ void ProgramRecorder::write(const Wire& wire, const MessageQueue& messages, std:
       log_.writeInput(wire.clockOf(platformProcess).time, input->type, input->value.get());
     input->receiver.request();
   }
-  if (picturePeriod_ > 0) writePicture(now);
+  if (imagePeriod_ > 0) writePicture(now);
   if (now < nextFlush_) return;
   log_.flush();
   nextFlush_ = now + 1000;
 }
 
-/// The platform is asked for the next picture only when it is due; its clock, which begins anew
+/// The platform is asked for the next image only when it is due; its clock, which begins anew
 /// when it is started again, may be slower than that of this process.
 void ProgramRecorder::writePicture(std::int64_t now) {
   pictures_.receive();
-  const bool isDue = picture_.time < lastPicture_ || picture_.time - lastPicture_ >= picturePeriod_;
+  const bool isDue = picture_.time < lastPicture_ || picture_.time - lastPicture_ >= imagePeriod_;
   if (pictures_.receivedNew() && isDue) {
     log_.write(picture_);
     lastPicture_ = picture_.time;
-    nextRequest_ = now + picturePeriod_;
+    nextRequest_ = now + imagePeriod_;
   }
   if (now >= nextRequest_) pictures_.request();
 }

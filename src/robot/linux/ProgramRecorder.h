@@ -14,7 +14,7 @@ namespace gt {
 class Wire;
 
 /// Records a robot's log in its Debug process, as config/log.cfg wants it: what the other processes
-/// tell, and pictures of the platform's camera.
+/// tell, and images of the platform's camera.
 class ProgramRecorder {
  public:
   static Result<std::unique_ptr<ProgramRecorder>> open(const RobotProgramOptions& options,
@@ -49,7 +49,7 @@ class ProgramRecorder {
   std::vector<std::unique_ptr<Input>> inputs_;
   Image picture_;
   PackageReceiver pictures_{representation<Image>(), &picture_};
-  std::int64_t picturePeriod_ = 0, nextRequest_ = 0;
+  std::int64_t imagePeriod_ = 0, nextRequest_ = 0;
   Time lastPicture_ = never();
 };
 

@@ -14,7 +14,7 @@ Result<void> importNaoLog(const std::string& from, const std::string& to) {
   writer->metadata("gt2003", {{"robot", "NAO"}, {"source", "a real robot's log of 2009"}});
   auto frame = log->motionFrames.begin();
   Image image;
-  for (const NaoPicture& picture : log->pictures) {
+  for (const NaoImage& picture : log->pictures) {
     if (auto done = log->decode(picture, image); !done) return done;
     for (; frame != log->motionFrames.end() && frame->time <= image.time; ++frame)
       writer->write("/NaoMotionFrame", frame->time, *frame);

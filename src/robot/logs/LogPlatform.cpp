@@ -25,7 +25,7 @@ Result<LogPlatform> LogPlatform::make(const NaoLog& log, RobotSetup setup) {
 }
 
 Result<void> LogPlatform::step() {
-  const NaoPicture& picture = log_->pictures[next_++];
+  const NaoImage& picture = log_->pictures[next_++];
   drawings_.clear();
   robot_->toTools().clear();
   if (auto done = log_->decode(picture, image_); !done) return done;

@@ -10,24 +10,24 @@
 namespace gt {
 
 /// The platform of a robot that lives on a log: instead of sensor readings it sends what was
-/// recorded, picture by picture, and drops the robot's commands.
+/// recorded, image by image, and drops the robot's commands.
 class LogPlatform {
  public:
-  /// What a log provides: pictures, the camera matrix of each, odometry.
+  /// What a log provides: images, the camera matrix of each, odometry.
   static const std::vector<const RepresentationType*>& representations();
 
   /// Makes the robot; `setup.platform` becomes what a log provides. The log outlives the platform.
   static Result<LogPlatform> make(const NaoLog& log, RobotSetup setup);
 
   bool finished() const { return next_ == log_->pictures.size(); }
-  /// Sends the next picture and what was recorded with it, and gives the robot's processes their
-  /// turn. A picture that cannot be decoded is an error; the step after it goes on behind it.
+  /// Sends the next image and what was recorded with it, and gives the robot's processes their
+  /// turn. An image that cannot be decoded is an error; the step after it goes on behind it.
   Result<void> step();
 
   /// Of the last step.
-  const NaoPicture& picture() const { return log_->pictures[next_ - 1]; }
+  const NaoImage& picture() const { return log_->pictures[next_ - 1]; }
   const Image& image() const { return image_; }
-  /// What the robot drew on that picture.
+  /// What the robot drew on that image.
   const std::vector<Drawing>& drawings() const { return drawings_; }
   Robot& robot() { return *robot_; }
   const Robot& robot() const { return *robot_; }

@@ -105,7 +105,7 @@ class LogPlatformTest : public testing::Test {
   RobotSetup setup_;
 };
 
-TEST_F(LogPlatformTest, FeedsPicturesCameraMatricesAndOdometryToARobot) {
+TEST_F(LogPlatformTest, FeedsImagesCameraMatricesAndOdometryToARobot) {
   LogBuilder builder;
   std::vector<double> distances{0, 600, 640, 680, 720, 0};
   for (std::size_t i = 0; i < distances.size(); ++i)
@@ -137,7 +137,7 @@ TEST_F(LogPlatformTest, FeedsPicturesCameraMatricesAndOdometryToARobot) {
   EXPECT_EQ(model->lastSeen.ms, 1160);
 }
 
-TEST_F(LogPlatformTest, GoesOnBehindAPictureThatCannotBeDecoded) {
+TEST_F(LogPlatformTest, GoesOnBehindAnImageThatCannotBeDecoded) {
   LogBuilder builder;
   addPicture(builder, 1000, "no JPEG", 0);
   addPicture(builder, 1040, jpegOf(pictureOf(700, field())), 0);

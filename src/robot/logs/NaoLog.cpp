@@ -111,7 +111,7 @@ class Parser {
     if (width < 1 || width > 4096 || height < 1 || height > 4096)
       return wrong("an image of " + std::to_string(width) + " by " + std::to_string(height));
     if (size != body.size() - 16) return wrong("an image's size disagrees with its message's");
-    NaoPicture picture;
+    NaoImage picture;
     picture.number = static_cast<int>(log_.pictures.size());
     picture.cameraMatrix.time = time;
     picture.cameraMatrix.info = naoCamera(static_cast<int>(width), static_cast<int>(height));
@@ -171,7 +171,7 @@ class Parser {
     if (body.size() != 160) return wrong("an image coordinate system must have 160 bytes");
     if (log_.pictures.empty()) return wrong("an image coordinate system before the first image");
     Body in{body};
-    NaoPicture& picture = log_.pictures.back();
+    NaoImage& picture = log_.pictures.back();
     picture.horizonDirection = in.takeVector2();
     in.skip(6 * sizeof(double));
     picture.horizon = in.takeVector2();
@@ -189,7 +189,7 @@ class Parser {
 
 }  // namespace
 
-Result<void> NaoLog::decode(const NaoPicture& picture, Image& image) const {
+Result<void> NaoLog::decode(const NaoImage& picture, Image& image) const {
   const auto wrong = [&](std::string what) {
     return Error{file_, 0, "byte " + std::to_string(picture.jpegOffset), std::move(what)};
   };
@@ -199,7 +199,7 @@ Result<void> NaoLog::decode(const NaoPicture& picture, Image& image) const {
   if (!raw) return wrong(raw.error().what);
   const CameraInfo& info = picture.cameraMatrix.info;
   if (raw->components != 4 || raw->width != info.width || raw->height != info.height)
-    return wrong("the JPEG picture's size or number of components is not that of the image");
+    return wrong("the JPEG's size or number of components is not that of the image");
   image.time = picture.cameraMatrix.time;
   image.info = info;
   image.allocate();

@@ -13,14 +13,14 @@
 
 namespace gt {
 
-/// What a real robot's log of 2009 tells of one camera picture (facts, 3). Provided by readNaoLog.
-struct NaoPicture {
+/// What a real robot's log of 2009 tells of one camera image (facts, 3). Provided by readNaoLog.
+struct NaoImage {
   int number = 0;  ///< From 0, in the order of the log.
   CameraMatrix cameraMatrix;
-  Vector2d horizon = Vector2d::Zero();       ///< A point of the horizon in the picture, pixels.
+  Vector2d horizon = Vector2d::Zero();       ///< A point of the horizon in the image, pixels.
   Vector2d horizonDirection{1, 0};           ///< Along the horizon to the right.
-  Pose2D odometry;                           ///< The last one before the picture, mm and rad.
-  std::size_t jpegOffset = 0, jpegSize = 0;  ///< Where in the file the picture stands.
+  Pose2D odometry;                           ///< The last one before the image, mm and rad.
+  std::size_t jpegOffset = 0, jpegSize = 0;  ///< Where in the file the image stands.
 };
 
 /// What a real robot's log tells of one motion frame (facts, 3). Provided by readNaoLog.
@@ -44,11 +44,11 @@ struct NaoMotionFrame {
 /// A log of a real robot in memory: its frames in the order of time (facts, 3).
 class NaoLog {
  public:
-  std::vector<NaoPicture> pictures;
+  std::vector<NaoImage> pictures;
   std::vector<NaoMotionFrame> motionFrames;
 
-  /// Decodes a picture. The error names the offset of the picture in the file.
-  Result<void> decode(const NaoPicture& picture, Image& image) const;
+  /// Decodes an image. The error names the offset of the image in the file.
+  Result<void> decode(const NaoImage& picture, Image& image) const;
 
  private:
   friend Result<NaoLog> parseNaoLog(std::string bytes, const std::string& file);

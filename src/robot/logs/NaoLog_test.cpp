@@ -49,7 +49,7 @@ TEST(NaoLog, ReadsWhatAMessageTells) {
   EXPECT_DOUBLE_EQ(log->motionFrames[0].joints[3], 0.3);
   EXPECT_FLOAT_EQ(log->motionFrames[0].sensors[0], 1.5f);
   ASSERT_EQ(log->pictures.size(), 1u);
-  const NaoPicture& picture = log->pictures[0];
+  const NaoImage& picture = log->pictures[0];
   EXPECT_EQ(picture.cameraMatrix.time.ms, 5010);
   EXPECT_EQ(picture.cameraMatrix.info.width, 320);
   EXPECT_DOUBLE_EQ(picture.cameraMatrix.pose.translation.z(), 480);
@@ -58,7 +58,7 @@ TEST(NaoLog, ReadsWhatAMessageTells) {
   EXPECT_DOUBLE_EQ(picture.horizon.y(), 30);
 }
 
-TEST(NaoLog, NamesThePictureThatCannotBeDecoded) {
+TEST(NaoLog, NamesTheImageThatCannotBeDecoded) {
   const auto log = parseNaoLog(smallLog(), "small.log");
   ASSERT_TRUE(log);
   Image image;
@@ -98,7 +98,7 @@ TEST(NaoLog, SurvivesBrokenFiles) {
     const auto log = parseNaoLog(bad, "bad");
     if (!log) continue;
     Image image;
-    for (const NaoPicture& picture : log->pictures) (void)!log->decode(picture, image);
+    for (const NaoImage& picture : log->pictures) (void)!log->decode(picture, image);
   }
 }
 
@@ -109,7 +109,7 @@ TEST(NaoLog, ReadsTheRealRobotsLog) {
   EXPECT_EQ(log->pictures.size(), 96u);
   EXPECT_EQ(log->motionFrames.size(), 165u);
   Image image;
-  for (const NaoPicture& picture : log->pictures) {
+  for (const NaoImage& picture : log->pictures) {
     const auto done = log->decode(picture, image);
     ASSERT_TRUE(done) << done.error().text();
     // The recorded horizon is that of the recorded camera matrix: our own axes fit that robot's.
@@ -131,7 +131,7 @@ TEST(NaoLog, SurvivesARealLogWithErrors) {
       bad[8 + random.index(bad.size() - 8)] = static_cast<char>(random.index(256));
     const auto log = parseNaoLog(bad, "bad");
     if (!log) continue;
-    for (const NaoPicture& picture : log->pictures) (void)!log->decode(picture, image);
+    for (const NaoImage& picture : log->pictures) (void)!log->decode(picture, image);
   }
 }
 

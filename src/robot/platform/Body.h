@@ -20,20 +20,20 @@ namespace gt {
 struct RobotInput {
   Time now;
   SensorDataBuffer sensors;
-  const Image* image = nullptr;  ///< Null in ticks without a picture; valid during the cycle only.
+  const Image* image = nullptr;  ///< Null in ticks without an image; valid during the cycle only.
   GameControlData game;
   TeamMessages team;
   OracledWorldState oracle;
 
-  /// What comes in each tick, and what comes with each picture; the picture last: it starts a
+  /// What comes in each tick, and what comes with each image; the image last: it starts a
   /// cycle, which shall have all that belongs to it.
   static constexpr auto eachTick() { return std::tuple{&RobotInput::sensors}; }
-  static constexpr auto eachPicture() {
+  static constexpr auto eachImage() {
     return std::tuple{&RobotInput::game, &RobotInput::team, &RobotInput::oracle,
                       &RobotInput::image};
   }
 
-  /// Hands over the packages of this tick in their order, take(package); those of a picture only if
+  /// Hands over the packages of this tick in their order, take(package); those of an image only if
   /// there is one and it is wanted.
   template <typename Take>
   void forEach(Take&& take, bool withPicture = true) const;
@@ -90,7 +90,7 @@ std::tuple<Slot<typename PackageOfMember<Members>::Type>...> slotsFor(std::tuple
 /// A tuple with a Slot<T> for each package that a body sends or takes.
 template <template <typename> class Slot>
 using InputSlots = decltype(detail::slotsFor<Slot>(
-    std::tuple_cat(RobotInput::eachTick(), RobotInput::eachPicture())));
+    std::tuple_cat(RobotInput::eachTick(), RobotInput::eachImage())));
 template <template <typename> class Slot>
 using CommandSlots = decltype(detail::slotsFor<Slot>(RobotOutput::commands()));
 
@@ -98,7 +98,7 @@ template <typename Take>
 void RobotInput::forEach(Take&& take, bool withPicture) const {
   const auto all = [&](auto... members) { (take(detail::packageIn(this->*members)), ...); };
   std::apply(all, eachTick());
-  if (image && withPicture) std::apply(all, eachPicture());
+  if (image && withPicture) std::apply(all, eachImage());
 }
 
 }  // namespace gt

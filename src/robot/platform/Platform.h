@@ -16,7 +16,7 @@ const std::vector<const RepresentationType*>& commandRepresentations();
 bool isCommand(const RepresentationType& type);
 
 /// The process that sends a representation to others: the one whose task provides it. No task
-/// provides CameraSettings: they come from the first process that reads pictures. Empty if there is
+/// provides CameraSettings: they come from the first process that reads images. Empty if there is
 /// none.
 std::string senderOf(const Plan& plan, const RepresentationType& type);
 

@@ -23,7 +23,7 @@ TEST(Platform, ListsWhatABodyGivesAndTakes) {
                                      "CameraSettings"));
 }
 
-TEST(Platform, APictureComesLastAndWithAllThatBelongsToIt) {
+TEST(Platform, AnImageComesLastAndWithAllThatBelongsToIt) {
   RobotInput input;
   const Image image;
   std::vector<std::string> sent;
@@ -38,7 +38,7 @@ TEST(Platform, APictureComesLastAndWithAllThatBelongsToIt) {
   EXPECT_EQ(sent, namesOf(platformRepresentations()));
 }
 
-TEST(Platform, ACommandComesFromWhoProvidesItOrReadsPictures) {
+TEST(Platform, ACommandComesFromWhoProvidesItOrReadsImages) {
   const Task odometry{"Walk", {&representation<OdometryData>()}, {}};
   Plan plan;
   plan.processes.resize(2);

@@ -6,11 +6,11 @@
 namespace gt {
 namespace {
 
-TEST(CameraRenderer, AllocatesNothingFromTheSecondPictureOn) {
+TEST(CameraRenderer, AllocatesNothingFromTheSecondImageOn) {
   TestWorld world = TestWorld::fromFile("models/field2003.xml");
   CameraRenderer renderer{world.scene()};
   Image image;
-  PictureTruth truth;
+  ImageTruth truth;
   Random random{11};
   const auto take = [&] {
     CameraView view = viewFrom({random.uniform(-2000, 2000), random.uniform(-1300, 1300), 200},

@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// What makes a camera's pictures hard, each by itself; the defaults are those of match scenes, all
+/// What makes a camera's images hard, each by itself; the defaults are those of match scenes, all
 /// zero (and brightness 1) is a perfect camera. Configuration.
 struct CameraEffects {
   bool rollingShutter = true;

@@ -17,7 +17,7 @@ bool isFinite(const Pose3D& pose) {
 
 void CameraRenderer::render(const mjData& data, const CameraView& view,
                             const CameraEffects& effects, std::uint64_t seed, Image& image,
-                            PictureTruth* truth) {
+                            ImageTruth* truth) {
   image.info = view.info;
   image.allocate();
   rasterizer_.begin(view.info.width, view.info.height, scene_->background(),
@@ -38,7 +38,7 @@ void CameraRenderer::render(const mjData& data, const CameraView& view,
   if (effects.colors())
     effects_.apply(rasterizer_, effects, seed, image);
   else
-    PictureEffects::copy(rasterizer_, image);
+    ImageEffects::copy(rasterizer_, image);
 }
 
 void CameraRenderer::drawScene(const mjData& data, int hiddenBody) {
@@ -58,7 +58,7 @@ void CameraRenderer::drawScene(const mjData& data, int hiddenBody) {
   }
 }
 
-void CameraRenderer::readTruth(PictureTruth& truth) const {
+void CameraRenderer::readTruth(ImageTruth& truth) const {
   truth.classes.clear();
   truth.geoms.clear();
   for (int y = 0; y < rasterizer_.height(); ++y) {

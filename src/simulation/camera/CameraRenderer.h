@@ -9,15 +9,15 @@
 #include "simulation/camera/CameraEffects.h"
 #include "simulation/camera/CameraScene.h"
 #include "simulation/camera/CameraView.h"
+#include "simulation/camera/ImageEffects.h"
 #include "simulation/camera/MotionBlur.h"
-#include "simulation/camera/PictureEffects.h"
 #include "simulation/camera/Projection.h"
 #include "simulation/camera/Rasterizer.h"
 
 namespace gt {
 
 /// What each pixel of an image really shows, row by row. Provided by the CameraRenderer.
-struct PictureTruth {
+struct ImageTruth {
   std::vector<ColorClass> classes;
   std::vector<int> geoms;     ///< MuJoCo's geom, -1 for the background.
   bool withDepths = false;    ///< Whether depths are wanted, which cost a ray each.
@@ -34,11 +34,11 @@ class CameraRenderer {
   /// seed give the same bytes; a seed should be used for one image only. Writes each pixel of
   /// `image` once and sets all of it but its time.
   void render(const mjData& data, const CameraView& view, const CameraEffects& effects,
-              std::uint64_t seed, Image& image, PictureTruth* truth = nullptr);
+              std::uint64_t seed, Image& image, ImageTruth* truth = nullptr);
 
  private:
   void drawScene(const mjData& data, int hiddenBody);
-  void readTruth(PictureTruth& truth) const;
+  void readTruth(ImageTruth& truth) const;
   void measureDepths(const mjData& data, const CameraView& view, bool rollingShutter,
                      std::vector<float>& depths) const;
 
@@ -46,7 +46,7 @@ class CameraRenderer {
   Projection projection_;
   Rasterizer rasterizer_;
   MotionBlur motionBlur_;
-  PictureEffects effects_;
+  ImageEffects effects_;
 };
 
 }  // namespace gt

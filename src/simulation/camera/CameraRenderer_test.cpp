@@ -15,12 +15,12 @@ namespace {
 
 const std::string floorText = R"(<geom type="plane" size="5 5 1" rgba="0.05 0.45 0.2 1"/>)";
 
-/// How the geoms of a picture are spread.
+/// How the geoms of an image are spread.
 struct Blob {
   int area = 0, left = 10000, right = -1, top = 10000, bottom = -1;
   double x = 0, y = 0;
 };
-Blob blobOf(const PictureTruth& truth, const CameraInfo& info, int geom) {
+Blob blobOf(const ImageTruth& truth, const CameraInfo& info, int geom) {
   Blob blob;
   for (int y = 0; y < info.height; ++y)
     for (int x = 0; x < info.width; ++x)
@@ -43,7 +43,7 @@ TEST(CameraRenderer, DepthsAreMeasuredAlongTheOpticalAxis) {
       floorText +
       R"(<body pos="1 0 0.25"><geom name="wall" type="box" size="0.01 0.2 0.1"/></body>)");
   const CameraView view = viewFrom({0, 0, 250}, 0, 0, 0);
-  PictureTruth truth;
+  ImageTruth truth;
   truth.withDepths = true;
   world.picture(view, CameraEffects::none(), &truth);
   ASSERT_EQ(truth.depths.size(), truth.geoms.size());
@@ -83,7 +83,7 @@ TEST(CameraRenderer, TheBallsOutlineIsThatOfASphere) {
     mj_forward(&world.model(), &world.data());
     const CameraView view = viewFrom({0, 0, 250}, 0.2 * random.symmetric(),
                                      0.1 * random.symmetric(), random.symmetric());
-    PictureTruth truth;
+    ImageTruth truth;
     world.picture(view, CameraEffects::none(), &truth);
 
     // A ray meets the sphere if its angle to the center is small enough.
@@ -128,7 +128,7 @@ TEST(CameraRenderer, FlagsStandWhereTheCameraInfoSaysThatTheyAreSeen) {
     const Vector3d to = middle - from;
     const CameraView view =
         viewFrom(from, std::atan2(to.y(), to.x()) + 0.2 * random.symmetric(), 0.02);
-    PictureTruth truth;
+    ImageTruth truth;
     world.picture(view, CameraEffects::none(), &truth);
     const Blob blob = blobOf(truth, view.info, flag);
     // The outline of a cylinder: two vertical lines, where planes through the camera touch it.
@@ -151,7 +151,7 @@ TEST(CameraRenderer, LinesLieWhereTheCameraInfoSaysThatTheyAreSeen) {
   TestWorld world = TestWorld::fromFile("models/field2003.xml");
   const int line = world.geom("lineHalfway");
   const CameraView view = viewFrom({-700, 250, 200}, -0.15, -0.25, 0.1);
-  PictureTruth truth;
+  ImageTruth truth;
   world.picture(view, CameraEffects::none(), &truth);
   int rows = 0;
   for (double y = -400; y < 400; y += 10) {
@@ -178,7 +178,7 @@ TEST(CameraRenderer, WhatIsNearerHidesWhatIsFarther) {
                      <geom name="ball" size="0.043" pos="0.8 0 0.043"/>
                      <geom name="wall" type="box" size="0.05 1 0.05" pos="1.2 0 0.05"/>)");
   const CameraView view = viewFrom({0, 0, 100}, 0, -0.05);
-  PictureTruth truth;
+  ImageTruth truth;
   world.picture(view, CameraEffects::none(), &truth);
   const auto geomAt = [&](const Vector3d& point) {
     const Vector2d p = seenAt(view, point);
@@ -190,14 +190,14 @@ TEST(CameraRenderer, WhatIsNearerHidesWhatIsFarther) {
   EXPECT_EQ(geomAt({1150, 150, 50}), world.geom("wall"));
 }
 
-TEST(CameraRenderer, TheTruthIsWhatThePerfectPictureShows) {
+TEST(CameraRenderer, TheTruthIsWhatThePerfectImageShows) {
   TestWorld world = TestWorld::fromFile("models/field2003.xml");
   Random random{7};
   for (int i = 0; i < 20; ++i) {
     const CameraView view =
         viewFrom({random.uniform(-2000, 2000), random.uniform(-1200, 1200), 200},
                  random.uniform(-pi, pi), random.uniform(-0.5, 0.1));
-    PictureTruth truth;
+    ImageTruth truth;
     const Image image = world.picture(view, CameraEffects::none(), &truth);
     for (std::size_t p = 0; p < image.pixels.size(); ++p) {
       if (truth.geoms[p] < 0) continue;
@@ -222,7 +222,7 @@ TEST(CameraRenderer, APoleIsSkewedByTheTurningRateAndTheRowTime) {
     CameraView view = viewFrom({0, 0, 150}, 0.05, 0.1, 0.2);
     const double duration = (view.info.height - 1) * view.info.rowTime / 1000;
     view.first.rotation = rotationZ(-rate * duration) * view.last.rotation;
-    PictureTruth truth;
+    ImageTruth truth;
     CameraEffects effects = CameraEffects::none();
     effects.rollingShutter = true;
     world.picture(view, effects, &truth);
@@ -296,7 +296,7 @@ TEST_P(AgreesWithMuJoCosRays, ForEveryPixel) {
     mj_forward(&world.model(), &world.data());
     CameraEffects effects = CameraEffects::none();
     effects.rollingShutter = true;
-    PictureTruth truth;
+    ImageTruth truth;
     world.picture(view, effects, &truth);
     for (int y = 1; y < view.info.height - 1; y += 3) {
       const Pose3D pose = poseAtRow(view, y + 0.5);
@@ -362,7 +362,7 @@ TEST(CameraRenderer, NoPoseAndNoSizeIsTooMuch) {
   TestWorld world = TestWorld::fromFile("models/ers210.xml");
   CameraRenderer renderer{world.scene()};
   Image image;
-  PictureTruth truth;
+  ImageTruth truth;
   Random random{10};
   for (int i = 0; i < 3000; ++i) {
     const double reach = i % 3 ? 150 : 1e6;  // Mostly within the robot.
@@ -381,9 +381,9 @@ TEST(CameraRenderer, NoPoseAndNoSizeIsTooMuch) {
   }
 }
 
-TEST(CameraRenderer, TheSkyIsBackgroundAndTheFloorFillsThePictureFromAbove) {
+TEST(CameraRenderer, TheSkyIsBackgroundAndTheFloorFillsTheImageFromAbove) {
   TestWorld world = TestWorld::fromBodies(floorText);
-  PictureTruth truth;
+  ImageTruth truth;
   world.picture(viewFrom({0, 0, 200}, 0, pi / 2), CameraEffects::none(), &truth);
   EXPECT_THAT(truth.geoms, testing::Each(-1));
   world.picture(viewFrom({0, 0, 200}, 0, -pi / 2), CameraEffects::none(), &truth);
@@ -394,7 +394,7 @@ TEST(CameraRenderer, TheBodyAroundTheCameraIsHidden) {
   TestWorld world = TestWorld::fromFile("models/ers210.xml");
   const int muzzle = world.geom("muzzle");
   CameraView view = viewFrom({400, 0, 250}, pi);
-  PictureTruth truth;
+  ImageTruth truth;
   world.picture(view, CameraEffects::none(), &truth);
   EXPECT_THAT(truth.geoms, testing::Contains(muzzle));
   view.hiddenBody = world.model().geom_bodyid[muzzle];

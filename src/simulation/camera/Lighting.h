@@ -35,7 +35,7 @@ class Lighting {
   PackedColor color(const mjData& data, const RayHit& hit, ColorClass colorClass,
                     bool shadows) const;
 
-  /// Gives each pixel of a picture that was drawn with its geoms the intensity of its own.
+  /// Gives each pixel of an image that was drawn with its geoms the intensity of its own.
   void shade(const mjData& data, const CameraView& view, bool rollingShutter, bool shadows,
              const CameraScene& scene, Rasterizer& picture) const;
 
@@ -48,12 +48,12 @@ class Lighting {
 };
 
 /// A camera with a spherical geometry (report 5.1.1): the angles between all neighboring pixels
-/// are the same. Its picture is lit like those of other cameras with per-pixel shading.
+/// are the same. Its image is lit like those of other cameras with per-pixel shading.
 struct Facette {
   int columns = 64, rows = 32;
   double width = 2 * pi, height = pi;  ///< Opening angles in rad.
 
-  /// Takes a picture from a pose on the field (mm; x is the middle of the picture, z up).
+  /// Takes an image from a pose on the field (mm; x is the middle of the image, z up).
   void take(const Lighting& lighting, const CameraScene& scene, const mjData& data,
             const Pose3D& pose, int hiddenBody, bool shadows, Image& image) const;
 };

@@ -92,13 +92,13 @@ TEST(Lighting, ShadowsLieBehindThings) {
   EXPECT_NEAR(brightness(world, lighting, world.data(), {1.12, 0, 0}), 102, 1);
 }
 
-TEST(Lighting, PicturesAreShadedPixelByPixel) {
+TEST(Lighting, ImagesAreShadedPixelByPixel) {
   auto world = litBy(R"(<light pos="1 0 2" dir="0 0 -1" directional="true"
                                 diffuse="0.6 0.6 0.6"/>)");
   CameraEffects effects = CameraEffects::none();
   effects.pixelShading = effects.shadows = true;
   const CameraView view = viewFrom({-500, 0, 700}, 0, -0.45);
-  PictureTruth truth;
+  ImageTruth truth;
   const Image image = world.picture(view, effects, &truth);
   const Vector2d shadow = seenAt(view, {1000, 0, 0}), light = seenAt(view, {600, 0, 0});
   const auto at = [&](const Vector2d& p) {

@@ -14,7 +14,7 @@ Vector3d turnOf(const CameraView& view, double exposure) {
   return turn.axis() * turn.angle() * exposure / duration;
 }
 
-/// How far what is seen at a place goes in the picture if the camera turns.
+/// How far what is seen at a place goes in the image if the camera turns.
 Vector2d wayAt(const CameraInfo& info, double x, double y, const Vector3d& turn) {
   const Vector3d ray = info.ray(x, y);
   const Vector3d change = -turn.cross(ray);

@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// Smears a picture along the ways that its points go while a row is exposed, because the camera
+/// Smears an image along the ways that its points go while a row is exposed, because the camera
 /// turns.
 class MotionBlur {
  public:

@@ -52,7 +52,7 @@ void Projection::set(const CameraView& view, bool rollingShutter) {
   distortion4_ = static_cast<float>(lens.k4);
   distortionLimit_ = static_cast<float>(lens.limit());
 
-  // What turns into the picture during the exposure lies outside its borders at half time.
+  // What turns into the image during the exposure lies outside its borders at half time.
   const double margin = 0.02 + std::min(1.0, 1.0 * static_cast<double>(turning_.norm()) +
                                                  static_cast<double>(moving_.norm()) / 0.1);
   const double widest = distorts_ ? widestFactor(info) : 1;

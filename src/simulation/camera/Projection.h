@@ -7,16 +7,16 @@
 
 namespace gt {
 
-/// A point of the picture.
+/// A point of the image.
 struct ScreenPoint {
   float x = 0, y = 0;
 };
 
 /// The nearness (the inverse of the distance along the optical axis, 1/m) of a plane at each place
-/// of the picture; within a row it is linear.
+/// of the image; within a row it is linear.
 struct ScreenPlane {
   float first0 = 0, first1 = 0, first2 = 0, column0 = 0, column1 = 0, distance0 = 1, distance1 = 0;
-  bool clockwise = true;  ///< How the polygon's points go round in the picture.
+  bool clockwise = true;  ///< How the polygon's points go round in the image.
 
   float firstColumnAt(float y) const { return first0 + y * (first1 + y * first2); }
   float perColumnAt(float y) const { return column0 + y * column1; }
@@ -24,10 +24,10 @@ struct ScreenPlane {
   float distanceAt(float y) const { return distance0 + y * distance1; }
 };
 
-/// Maps points in space to the picture, for a camera that moves while its rows are exposed one
+/// Maps points in space to the image, for a camera that moves while its rows are exposed one
 /// after another. Meters; the camera's system is that of the moment halfway through the exposure.
 ///
-/// In the picture, the center of pixel (x, y) is at (x + 0.5, y + 0.5).
+/// In the image, the center of pixel (x, y) is at (x + 0.5, y + 0.5).
 class Projection {
  public:
   enum class Visibility { hidden, partly, whole };
@@ -39,7 +39,7 @@ class Projection {
     return rotation_ * (point - position_);
   }
   const Eigen::Matrix3f& rotation() const { return rotation_; }
-  /// Pixels per radian in the picture's center.
+  /// Pixels per radian in the image's center.
   float focal() const { return focalX_; }
   /// Whether straight edges are bent, by the camera's motion or by its lens.
   bool bends() const { return moves_ || distorts_; }

@@ -7,12 +7,12 @@
 
 namespace gt {
 
-/// Fills convex polygons of one color into a picture with a depth for each pixel. A pixel belongs
+/// Fills convex polygons of one color into an image with a depth for each pixel. A pixel belongs
 /// to a polygon if its center lies inside; neighbors that share an edge share no pixel and leave
 /// none out.
 class Rasterizer {
  public:
-  /// Starts a picture; `withGeoms` also notes which geom each pixel shows.
+  /// Starts an image; `withGeoms` also notes which geom each pixel shows.
   void begin(int width, int height, PackedColor background, bool withGeoms);
 
   /// What is filled next: a geom, painted over everything or hidden by what is nearer.
@@ -44,7 +44,7 @@ class Rasterizer {
   std::vector<PackedColor> colors_;
   std::vector<float> nearness_;
   std::vector<std::int32_t> geoms_;
-  std::vector<float> left_, right_;  ///< The outline, by row of the picture.
+  std::vector<float> left_, right_;  ///< The outline, by row of the image.
   std::vector<int> from_, to_;       ///< By row of the polygon, as what follows.
   std::vector<float> rowNearness_, perPixel_;
 };

@@ -235,7 +235,7 @@ int ShapeDrawer::bend(int count) {
     if (made + parts + count - i > maxScreenPoints) break;
     screen_[made++] = from;
     for (int k = 1; k < parts; ++k) {
-      // Halfway in the picture is not halfway in space.
+      // Halfway in the image is not halfway in space.
       const float u = static_cast<float>(k) / static_cast<float>(parts);
       const float t = u * a.x() / (u * a.x() + (1 - u) * b.x());
       screen_[made++] = projection_.project(a + t * (b - a));

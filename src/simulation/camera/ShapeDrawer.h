@@ -34,7 +34,7 @@ class ShapeDrawer {
   /// A convex polygon in the camera's system; `points_` holds its points.
   void polygon(int count, PackedColor color);
   int bend(int count);
-  /// How long something at the shape's distance is in the picture, at most the focal length.
+  /// How long something at the shape's distance is in the image, at most the focal length.
   float pixelsOf(float length) const;
   PackedColor shade(const Vector& normal) const;
   /// From the shape's system to the camera's.

@@ -34,9 +34,9 @@ class TestWorld {
   int geom(const char* name) const { return mj_name2id(model_.get(), mjOBJ_GEOM, name); }
   const CameraScene& scene() const { return *scene_; }
 
-  /// Takes a picture with an own renderer.
+  /// Takes an image with an own renderer.
   Image picture(const CameraView& view, const CameraEffects& effects = CameraEffects::none(),
-                PictureTruth* truth = nullptr, std::uint64_t seed = 1) const {
+                ImageTruth* truth = nullptr, std::uint64_t seed = 1) const {
     CameraRenderer renderer{*scene_};
     Image image;
     renderer.render(*data_, view, effects, seed, image, truth);

@@ -82,7 +82,7 @@ TEST(GameController, AllVersionsSayTheSame) {
   }
 }
 
-TEST(GameController, TeamsAreToldApartByColour) {
+TEST(GameController, TeamsAreToldApartByColor) {
   auto bytes = message(15);
   bytes[19] = std::byte{8};  // brown, first
   bytes[69] = std::byte{9};  // gray, second

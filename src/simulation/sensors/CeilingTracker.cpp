@@ -14,7 +14,7 @@ constexpr std::int64_t lost = 500;  // ms: what was not seen for so long begins 
 }  // namespace
 
 void CeilingTracker::Track::follow(const Vector2d& place, Time time) {
-  // Gains for pictures 40 ms apart: a kick is followed within three of them.
+  // Gains for images 40 ms apart: a kick is followed within three of them.
   constexpr double alpha = 0.5, beta = 0.25;
   const double seconds = static_cast<double>(time - seen) / 1000;
   if (time - seen > lost) {

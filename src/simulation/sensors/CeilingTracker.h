@@ -11,7 +11,7 @@
 
 namespace gt {
 
-/// Follows robots and ball through the pictures of a camera at the ceiling, and tells what an
+/// Follows robots and ball through the images of a camera at the ceiling, and tells what an
 /// oracle would: for experiments where nobody knows the truth (report 6.2.2).
 class CeilingTracker {
  public:

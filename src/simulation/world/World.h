@@ -66,7 +66,7 @@ struct BallState {
 /// first, those of `extras` behind them. How bodies move is up to the fidelity (`makeWorld`).
 class World {
  public:
-  /// Ticks back that the camera's pose can be asked for: more than a picture's exposure.
+  /// Ticks back that the camera's pose can be asked for: more than an image's exposure.
   static constexpr std::size_t cameraHistory = 6;
 
   virtual ~World() = default;

@@ -15,7 +15,7 @@ using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy
 
 constexpr double fullCircle = 2 * std::numbers::pi;
 
-Surface surfaceOf(const RgbPicture& picture) {
+Surface surfaceOf(const RgbImage& picture) {
   Surface image{cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height),
                 cairo_surface_destroy};
   cairo_surface_flush(image.get());
@@ -81,7 +81,7 @@ class CairoPainter : public SheetPainter {
     }
     cairo_fill(context.get());
   }
-  void picture(const RgbPicture& picture, const Vector2d& at, double scale) override {
+  void picture(const RgbImage& picture, const Vector2d& at, double scale) override {
     const Surface image = surfaceOf(picture);
     const Context context = contextOf({});
     cairo_translate(context.get(), at.x(), at.y());
@@ -117,7 +117,7 @@ class CairoPainter : public SheetPainter {
 
 }  // namespace
 
-RgbPicture paintByCairo(const Sheet& sheet) {
+RgbImage paintByCairo(const Sheet& sheet) {
   const int width = sheet.width(), height = sheet.height();
   const Surface image{cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
                       cairo_surface_destroy};
@@ -127,7 +127,7 @@ RgbPicture paintByCairo(const Sheet& sheet) {
   const int stride = cairo_image_surface_get_stride(image.get()) / 4;
   const auto* from =
       reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(image.get()));
-  RgbPicture result{width, height, {}};
+  RgbImage result{width, height, {}};
   result.pixels.reserve(3u * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)

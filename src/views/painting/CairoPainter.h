@@ -4,6 +4,6 @@
 namespace gt {
 
 /// A sheet in pixels, with smooth edges (by Cairo).
-RgbPicture paintByCairo(const Sheet& sheet);
+RgbImage paintByCairo(const Sheet& sheet);
 
 }  // namespace gt

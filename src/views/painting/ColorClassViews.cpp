@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-void append(RgbPicture& picture, const Color& color) {
+void append(RgbImage& picture, const Color& color) {
   picture.pixels.insert(picture.pixels.end(), {color.r, color.g, color.b});
 }
 
@@ -19,10 +19,10 @@ Color colorOf(const Pixel& pixel) {
   return {byte(rgb.red), byte(rgb.green), byte(rgb.blue)};
 }
 
-/// The colours of one brightness: cb to the right, cr upwards.
+/// The colors of one brightness: cb to the right, cr upwards.
 template <typename ColorAt>
-RgbPicture slice(int y, ColorAt colorAt) {
-  RgbPicture picture{64, 64, {}};
+RgbImage slice(int y, ColorAt colorAt) {
+  RgbImage picture{64, 64, {}};
   const auto channel = [](int cube) { return static_cast<std::uint8_t>(4 * cube + 2); };
   for (int cr = 63; cr >= 0; --cr)
     for (int cb = 0; cb < 64; ++cb)
@@ -45,8 +45,8 @@ void legend(Sheet& sheet, const ColorTable64& table, double top) {
 
 }  // namespace
 
-RgbPicture classesOf(const Image& image, const ColorTable64& table) {
-  RgbPicture classes{image.info.width, image.info.height, {}};
+RgbImage classesOf(const Image& image, const ColorTable64& table) {
+  RgbImage classes{image.info.width, image.info.height, {}};
   for (const Pixel& pixel : image.pixels) append(classes, displayColor(table[pixel]));
   classes.pixels.resize(3u * image.area());
   return classes;

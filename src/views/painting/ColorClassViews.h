@@ -4,10 +4,10 @@
 
 namespace gt {
 
-/// A picture's colour classes instead of its colours.
-RgbPicture classesOf(const Image& image, const ColorTable64& table);
+/// An image's color classes instead of its colors.
+RgbImage classesOf(const Image& image, const ColorTable64& table);
 
-/// A whole colour table: for every fourth brightness all its colours, as they are and by class,
+/// A whole color table: for every fourth brightness all its colors, as they are and by class,
 /// with a legend.
 Sheet tableSheet(const ColorTable64& table);
 

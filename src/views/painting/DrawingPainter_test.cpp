@@ -42,7 +42,7 @@ Rgb at(const Page& page, int x, int y) {
   return {rgb[i], rgb[i + 1], rgb[i + 2]};
 }
 
-/// A black picture of 40 x 30, doubled, with one element painted on it.
+/// A black image of 40 x 30, doubled, with one element painted on it.
 Page painted(DrawingElement element) {
   Page page{imageOf({0, 128, 128})};
   page.paint({"", DrawingSpace::image, {std::move(element)}});
@@ -52,7 +52,7 @@ Page painted(DrawingElement element) {
 constexpr Rgb black{0, 0, 0}, white{255, 255, 255};
 
 TEST(DrawingPainter, ConvertsFullRangeYCbCr) {
-  // JFIF's pure colours, rounded to bytes, and back: at most one step off.
+  // JFIF's pure colors, rounded to bytes, and back: at most one step off.
   const std::array<std::pair<Pixel, Rgb>, 6> colors{{{{0, 128, 128}, {0, 0, 0}},
                                                      {{255, 128, 128}, {255, 255, 255}},
                                                      {{76, 85, 255}, {254, 0, 0}},
@@ -177,7 +177,7 @@ TEST(DrawingPainter, LeavesOutWhatMakesNoSense) {
   EXPECT_EQ(at(page, 70, 50), white);
 }
 
-TEST(DrawingPainter, TakesPicturesWithTooFewPixels) {
+TEST(DrawingPainter, TakesImagesWithTooFewPixels) {
   Image image = imageOf({255, 128, 128}, 4, 4);
   image.pixels.resize(8);
   const Page page{image, 1};

@@ -51,8 +51,8 @@ std::string printable(std::string_view text) {
 
 }  // namespace
 
-RgbPicture rgbOf(const Image& image) {
-  RgbPicture picture{
+RgbImage rgbOf(const Image& image) {
+  RgbImage picture{
       std::clamp(image.info.width, 0, largest), std::clamp(image.info.height, 0, largest), {}};
   const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(value)); };
   const auto count =
@@ -80,7 +80,7 @@ void Sheet::paint(const Drawing& drawing, const Placement& placement) {
   }
 }
 
-void Sheet::paint(RgbPicture picture, const Vector2d& at, double scale) {
+void Sheet::paint(RgbImage picture, const Vector2d& at, double scale) {
   if (picture.width <= 0 || picture.height <= 0) return;
   strokes_.emplace_back([picture = std::move(picture), at, scale](SheetPainter& painter) {
     painter.picture(picture, at, scale);
@@ -110,7 +110,7 @@ void Sheet::paintOn(SheetPainter& painter) const {
   for (const auto& stroke : strokes_) stroke(painter);
 }
 
-RgbPicture Sheet::pixels() const {
+RgbImage Sheet::pixels() const {
   return paintByCairo(*this);
 }
 
@@ -126,10 +126,10 @@ Result<void> Sheet::write(const std::string& file) const {
   std::filesystem::create_directories(path.parent_path(), ignored);
   if (path.extension() == ".png") return writePng(file, width_, height_, pixels().pixels);
   if (path.extension() == ".svg") return writeFile(file, svg());
-  return Error{file, 0, "", "a picture's file ends in .png or .svg"};
+  return Error{file, 0, "", "an image's file ends in .png or .svg"};
 }
 
-Sheet pictureSheet(RgbPicture picture, int scale) {
+Sheet pictureSheet(RgbImage picture, int scale) {
   Sheet sheet{picture.width * scale, picture.height * scale, colors::black};
   sheet.paint(std::move(picture), {0, 0}, scale);
   return sheet;

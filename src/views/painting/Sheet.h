@@ -11,9 +11,9 @@
 namespace gt {
 
 /// A camera image (YCbCr, full range as in JPEG) as RGB; pixels that it lacks are black.
-RgbPicture rgbOf(const Image& image);
+RgbImage rgbOf(const Image& image);
 
-/// A page on which a view is painted, of pictures, drawings and text; written as PNG or SVG, or
+/// A page on which a view is painted, of images, drawings and text; written as PNG or SVG, or
 /// painted on anything else. It can be painted on again and again.
 class Sheet {
  public:
@@ -21,8 +21,8 @@ class Sheet {
   Sheet(int width, int height, Color background = colors::white);
 
   void paint(const Drawing& drawing, const Placement& placement = {});
-  /// A picture with its upper left corner at a place; each of its pixels becomes a square.
-  void paint(RgbPicture picture, const Vector2d& at, double scale = 1);
+  /// An image with its upper left corner at a place; each of its pixels becomes a square.
+  void paint(RgbImage picture, const Vector2d& at, double scale = 1);
   /// A text (UTF-8) whose first letter's lower left corner lies at a place.
   void text(const Vector2d& at, const std::string& text, Color color = colors::black,
             double height = 12);
@@ -33,7 +33,7 @@ class Sheet {
   int height() const { return height_; }
   void paintOn(SheetPainter& painter) const;
   /// The page in pixels.
-  RgbPicture pixels() const;
+  RgbImage pixels() const;
   /// The page as SVG.
   std::string svg() const;
   /// Writes the page by the file's extension, .png or .svg; creates its folder.
@@ -44,8 +44,8 @@ class Sheet {
   std::vector<std::function<void(SheetPainter&)>> strokes_;
 };
 
-/// A picture, enlarged by a whole number, as a sheet.
-Sheet pictureSheet(RgbPicture picture, int scale);
+/// An image, enlarged by a whole number, as a sheet.
+Sheet pictureSheet(RgbImage picture, int scale);
 inline Sheet imageSheet(const Image& image, int scale) {
   return pictureSheet(rgbOf(image), scale);
 }

@@ -8,8 +8,8 @@
 
 namespace gt {
 
-/// A picture of RGB, 3 bytes a pixel, row by row from the top.
-struct RgbPicture {
+/// An image of RGB, 3 bytes a pixel, row by row from the top.
+struct RgbImage {
   int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
 };
@@ -29,7 +29,7 @@ class SheetPainter {
     Color color;
     double height = 12;
     bool bold = false;
-    /// With a dark or bright seam, so that it can be read on any picture.
+    /// With a dark or bright seam, so that it can be read on any image.
     bool seam = false;
   };
 
@@ -43,8 +43,8 @@ class SheetPainter {
                       Color color) = 0;
   /// A text (UTF-8) whose first letter's lower left corner lies at a place.
   virtual void text(const Vector2d& at, std::string_view text, const Font& font) = 0;
-  /// A picture with its upper left corner at a place; each of its pixels becomes a square.
-  virtual void picture(const RgbPicture& picture, const Vector2d& at, double scale) = 0;
+  /// An image with its upper left corner at a place; each of its pixels becomes a square.
+  virtual void picture(const RgbImage& picture, const Vector2d& at, double scale) = 0;
 };
 
 }  // namespace gt

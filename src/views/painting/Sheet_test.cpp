@@ -13,7 +13,7 @@ namespace {
 
 using Rgb = std::array<int, 3>;
 
-Rgb at(const RgbPicture& picture, int x, int y) {
+Rgb at(const RgbImage& picture, int x, int y) {
   const auto i = static_cast<std::size_t>(3 * (y * picture.width + x));
   return {picture.pixels[i], picture.pixels[i + 1], picture.pixels[i + 2]};
 }
@@ -24,7 +24,7 @@ TEST(Sheet, PaintsInTheOrderOfItsStrokes) {
   Sheet sheet{60, 40};
   sheet.box({10, 10}, {20, 20}, colors::red);
   sheet.box({20, 20}, {20, 10}, colors::black);
-  const RgbPicture page = sheet.pixels();
+  const RgbImage page = sheet.pixels();
   ASSERT_EQ(page.pixels.size(), 3u * 60 * 40);
   EXPECT_EQ(at(page, 5, 5), white);
   EXPECT_EQ(at(page, 15, 15), (Rgb{colors::red.r, colors::red.g, colors::red.b}));
@@ -35,11 +35,11 @@ TEST(Sheet, PaintsInTheOrderOfItsStrokes) {
   EXPECT_EQ(at(sheet.pixels(), 25, 25), white);
 }
 
-TEST(Sheet, EnlargesPicturesToSquares) {
+TEST(Sheet, EnlargesImagesToSquares) {
   Sheet sheet{30, 30};
-  sheet.paint(RgbPicture{2, 1, {10, 20, 30, 40, 50, 60}}, {4, 6}, 5);
-  sheet.paint(RgbPicture{}, {0, 0});
-  const RgbPicture page = sheet.pixels();
+  sheet.paint(RgbImage{2, 1, {10, 20, 30, 40, 50, 60}}, {4, 6}, 5);
+  sheet.paint(RgbImage{}, {0, 0});
+  const RgbImage page = sheet.pixels();
   EXPECT_EQ(at(page, 4, 6), (Rgb{10, 20, 30}));
   EXPECT_EQ(at(page, 8, 10), (Rgb{10, 20, 30}));
   EXPECT_EQ(at(page, 9, 6), (Rgb{40, 50, 60}));
@@ -94,7 +94,7 @@ TEST(Sheet, SvgHasEveryElementAndPictures) {
                                 "t",
                                 PenStyle::dash});
   sheet.paint(drawing);
-  sheet.paint(RgbPicture{1, 1, {1, 2, 3}}, {3, 4}, 5);
+  sheet.paint(RgbImage{1, 1, {1, 2, 3}}, {3, 4}, 5);
   const std::string svg = sheet.svg();
   const auto count = [&](const std::string& tag) {
     int found = 0;

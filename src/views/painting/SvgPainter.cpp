@@ -122,7 +122,7 @@ void SvgPainter::text(const Vector2d& at, std::string_view text, const Font& fon
           ">" + escaped(text) + "</text>\n";
 }
 
-void SvgPainter::picture(const RgbPicture& picture, const Vector2d& at, double scale) {
+void SvgPainter::picture(const RgbImage& picture, const Vector2d& at, double scale) {
   const auto png = encodePng(picture.width, picture.height, picture.pixels);
   svg_ += "<image" + place("x", "y", at) + attribute("width", number(picture.width * scale)) +
           attribute("height", number(picture.height * scale)) +

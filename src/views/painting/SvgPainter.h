@@ -17,7 +17,7 @@ class SvgPainter : public SheetPainter {
   void disk(const Vector2d& center, double radius, Color color) override;
   void sector(const Vector2d& center, double radius, double from, double to, Color color) override;
   void text(const Vector2d& at, std::string_view text, const Font& font) override;
-  void picture(const RgbPicture& picture, const Vector2d& at, double scale) override;
+  void picture(const RgbImage& picture, const Vector2d& at, double scale) override;
 
   /// The whole file.
   std::string svg() const { return svg_ + "</svg>\n"; }

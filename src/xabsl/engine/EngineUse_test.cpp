@@ -68,7 +68,7 @@ TEST_F(EngineTest, ReadsOperandsFromLeftToRight) {
   EXPECT_EQ(valueOf("weighted(b = y, a = x)"), 12);  // as they are declared
 }
 
-/// Each is one of its size, the first three with values that their neighbours must not disturb.
+/// Each is one of its size, the first three with values that their neighbors must not disturb.
 struct Variables {
   float single = 0.5f;
   std::uint8_t byte = 200;

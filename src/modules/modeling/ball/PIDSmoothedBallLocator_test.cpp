@@ -86,7 +86,7 @@ TEST(PIDSmoothedBallLocator, SmoothsNoise) {
     }
   }
   EXPECT_LT(smoothed, 0.7 * raw);
-  EXPECT_LT(speed / n, 120);  // From picture to picture the noise alone makes 1200 mm/s.
+  EXPECT_LT(speed / n, 120);  // From image to image the noise alone makes 1200 mm/s.
 }
 
 TEST(PIDSmoothedBallLocator, NoticesAKick) {

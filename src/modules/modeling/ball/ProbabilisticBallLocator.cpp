@@ -143,7 +143,7 @@ double ProbabilisticBallLocator::correct(Hypothesis& h, const Vector2d& seen,
          (2 * pi * std::sqrt(spread.determinant()));
 }
 
-// A near ball in the middle of the picture is not overlooked often: it is elsewhere, or hidden.
+// A near ball in the middle of the image is not overlooked often: it is elsewhere, or hidden.
 void ProbabilisticBallLocator::miss(const CameraMatrix& camera) {
   if (!camera.valid) return;
   constexpr double ballHeight = 43, border = 15;  // mm, pixels

@@ -56,7 +56,7 @@ class ProbabilisticBallLocator {
           field("newSpeed", &P::newSpeed, "mm/s",
                 "standard deviation of the speed of a ball that is new or was just kicked",
                 {1, 10000}),
-          field("kicked", &P::kicked, "", "probability that a ball was, from picture to picture",
+          field("kicked", &P::kicked, "", "probability that a ball was, from image to image",
                 {0, 1}),
           field("falseDensity", &P::falseDensity, "1/mm^2", "of wrong percepts", {0, 1}),
           field("newDensity", &P::newDensity, "1/mm^2", "of balls that were moved or kicked",

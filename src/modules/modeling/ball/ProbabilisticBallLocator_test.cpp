@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-TEST(ProbabilisticBallLocator, NoticesAKickWithinFourPictures) {
+TEST(ProbabilisticBallLocator, NoticesAKickWithinFourImages) {
   BallScene<ProbabilisticBallLocator> scene;
   scene.ball = {200, 0};
   scene.deceleration = 250;

@@ -46,7 +46,7 @@ void DefaultObstaclesLocator::update(const ObstaclesPercept& percept, const PsdP
   move(first_ ? Pose2D{} : odometry.pose.relativeTo(lastOdometry_.pose), frame.time);
   first_ = false;
   lastOdometry_ = odometry;
-  if (parameters.useImages && percept.time != lastPicture_) seePicture(percept, ball);
+  if (parameters.useImages && percept.time != lastPicture_) seeImage(percept, ball);
   lastPicture_ = percept.time;
   if (parameters.usePsd && psd.time != lastPsd_ && camera.valid) seePsd(psd, camera);
   lastPsd_ = psd.time;
@@ -74,9 +74,9 @@ void DefaultObstaclesLocator::move(const Pose2D& step, Time now) {
 }
 
 // First all that was seen to be free is freed, then obstacles are entered where they were seen:
-// what was known nearer than the picture's lower border stays, all else gives way (report 3.5.1,
+// what was known nearer than the image's lower border stays, all else gives way (report 3.5.1,
 // figure 3.13).
-void DefaultObstaclesLocator::seePicture(const ObstaclesPercept& percept, const BallModel& ball) {
+void DefaultObstaclesLocator::seeImage(const ObstaclesPercept& percept, const BallModel& ball) {
   for (const FreeGround& line : percept.lines) clear(line.nearPoint, line.farPoint);
   const bool ballKnown = percept.time - ball.lastSeen <= parameters.ballTime;
   for (const FreeGround& line : percept.lines) {
@@ -101,7 +101,7 @@ void DefaultObstaclesLocator::seePsd(const PsdPercept& psd, const CameraMatrix& 
   model_.enter(hit, true, psd.time);
 }
 
-// The lines of a picture begin at the camera, not at the robot's centre, so that they cross
+// The lines of an image begin at the camera, not at the robot's center, so that they cross
 // sectors.
 void DefaultObstaclesLocator::clear(const Vector2d& from, const Vector2d& to) {
   constexpr double stride = 50, margin = 50;  // mm
@@ -131,7 +131,7 @@ void DefaultObstaclesLocator::clear(const Vector2d& from, const Vector2d& to) {
   free();
 }
 
-// What is seen of a goal is free. An edge on the picture's border is not the end of that: as long
+// What is seen of a goal is free. An edge on the image's border is not the end of that: as long
 // as it was seen further, that counts.
 void DefaultObstaclesLocator::seeGoal(const GoalPercept& percept,
                                       const LandmarksPercept& landmarks) {

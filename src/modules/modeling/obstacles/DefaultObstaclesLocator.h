@@ -12,7 +12,7 @@
 
 namespace gt {
 
-/// Keeps a radar-like view of the surroundings from the free ground seen in pictures, the distance
+/// Keeps a radar-like view of the surroundings from the free ground seen in images, the distance
 /// sensor and odometry (report 3.5). A solution of ObstaclesLocator.
 class DefaultObstaclesLocator {
  public:
@@ -28,7 +28,7 @@ class DefaultObstaclesLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("useImages", &P::useImages, "", "whether pictures count"),
+          field("useImages", &P::useImages, "", "whether images count"),
           field("usePsd", &P::usePsd, "",
                 "whether the distance sensor counts; it did not in the competition"),
           field("forgetAfter", &P::forgetAfter, "ms", "without having been seen again",
@@ -56,7 +56,7 @@ class DefaultObstaclesLocator {
 
  private:
   void move(const Pose2D& step, Time now);
-  void seePicture(const ObstaclesPercept& percept, const BallModel& ball);
+  void seeImage(const ObstaclesPercept& percept, const BallModel& ball);
   void seePsd(const PsdPercept& psd, const CameraMatrix& camera);
   void clear(const Vector2d& from, const Vector2d& to);
   void seeGoal(const GoalPercept& percept, const LandmarksPercept& landmarks);

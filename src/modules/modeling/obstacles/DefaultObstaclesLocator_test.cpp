@@ -9,7 +9,7 @@ namespace gt {
 namespace {
 
 struct Radar {
-  /// A picture: free from the near to the far point of each line.
+  /// An image: free from the near to the far point of each line.
   void see(std::vector<FreeGround> lines) {
     percept.lines = std::move(lines);
     percept.time = frame.time = frame.time + 40;
@@ -45,7 +45,7 @@ TEST(DefaultObstaclesLocator, KeepsTheMeasurementOfEachSector) {
   Radar radar;
   radar.see({{{200, 1}, {700, 1}, false}, {{0, 200}, {0, 900}, true}});
   EXPECT_NEAR(radar.at(0), 700, 1);
-  EXPECT_EQ(radar.at(90), nothing) << "the picture's border is no obstacle";
+  EXPECT_EQ(radar.at(90), nothing) << "the image's border is no obstacle";
   const auto& left =
       radar.model.sectors[static_cast<std::size_t>(ObstaclesModel::sectorOf(pi / 2))];
   EXPECT_EQ(left.representative, Vector2d(0, 900));
@@ -53,7 +53,7 @@ TEST(DefaultObstaclesLocator, KeepsTheMeasurementOfEachSector) {
   EXPECT_EQ(radar.at(180), nothing);
 }
 
-// Figure 3.13: what is nearer than the picture's lower border stays; what lies where the ground is
+// Figure 3.13: what is nearer than the image's lower border stays; what lies where the ground is
 // seen to be free, or behind the obstacle that is seen, gives way to it.
 TEST(DefaultObstaclesLocator, NewMeasurementsReplaceAllButWhatIsTooNearToBeSeen) {
   for (const auto& [stored, expected] :
@@ -165,7 +165,7 @@ TEST(DefaultObstaclesLocator, RemembersTheFreePartOfTheGoal) {
   const auto& seen = radar.model.goals[GoalColor::skyblue];
   EXPECT_NEAR(angleOf(seen.left), 0.3, 1e-9);
   EXPECT_NEAR(angleOf(seen.right), 0.1, 1e-9);
-  // The camera turns on: the left edge leaves the picture, but is where it was.
+  // The camera turns on: the left edge leaves the image, but is where it was.
   radar.landmarks.time = Time{80};
   goal.boundary = {0.2, -0.1, 0, 0, true, false, false, false};
   radar.walk({});

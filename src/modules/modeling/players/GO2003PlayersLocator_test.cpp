@@ -13,7 +13,7 @@ struct Watcher {
     player = {TeamColor::red, PlayerRole::striker1};
     robotPose = {{0, -500, 0}, 1};
   }
-  /// A picture with players at these places on the field.
+  /// An image with players at these places on the field.
   void see(const std::vector<Vector2d>& red, const std::vector<Vector2d>& blue) {
     percept.time = frame.time = frame.time + 40;
     for (auto& team : percept.players) team.clear();

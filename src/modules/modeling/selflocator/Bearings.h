@@ -17,7 +17,7 @@ struct Bearing {
   Vector2d direction;  ///< Unit vector to the edge, in the robot's system.
 };
 
-/// The bearings of one picture: two edges of each of six flags, two posts of each of two goals.
+/// The bearings of one image: two edges of each of six flags, two posts of each of two goals.
 struct Bearings {
   std::array<Bearing, 16> list;
   int count = 0;
@@ -36,7 +36,7 @@ inline Vector2d positionOfPost(GoalColor color, bool left, TeamColor team,
   return {side * field.xGroundline, (left ? side : -side) * field.yGoal};
 }
 
-/// All edges that do not lie on the picture's border.
+/// All edges that do not lie on the image's border.
 Bearings bearingsIn(const LandmarksPercept& percept, TeamColor team, const FieldDimensions& field);
 
 /// A bearing as a loop over particles needs it.

@@ -61,7 +61,7 @@ void EdgeModel::choose(const LinesPercept& percept, int wanted, double farthest,
     const auto type = static_cast<EdgeType>(t);
     const std::vector<Vector2d>& points = percept.points[type];
     const auto count = std::min(static_cast<std::size_t>(wanted), points.size());
-    // Evenly over the picture from a random start on: neighbours tell the same.
+    // Evenly over the image from a random start on: neighbors tell the same.
     const double stride = static_cast<double>(points.size()) / static_cast<double>(count);
     const double start = random.uniform() * static_cast<double>(points.size());
     for (std::size_t i = 0; i < count; ++i) {
@@ -131,7 +131,7 @@ void EdgeModel::replaceImprobable(const Parameters& parameters, ParticleSet& par
   }
 }
 
-double SpeedBetweenPictures::operator()(const OdometryData& odometry, Time now) {
+double SpeedBetweenImages::operator()(const OdometryData& odometry, Time now) {
   const double distance = odometry.pose.relativeTo(last_.pose).translation.norm();
   const double seconds = time_ == never() ? 0 : static_cast<double>(now - time_) / 1000;
   last_ = odometry;

@@ -13,7 +13,7 @@
 
 namespace gt {
 
-/// A point on an edge that was chosen from a picture's, relative to the robot.
+/// A point on an edge that was chosen from an image's, relative to the robot.
 struct ChosenPoint {
   EdgeType type;
   Vector2d point;
@@ -69,7 +69,7 @@ class EdgeModel {
 
   /// Looks up the tables of a field; computes them if it is another one than before.
   void prepare(const FieldDimensions& field, TeamColor team);
-  /// Chooses so many points of each type in a picture by chance, none of them `farthest` (mm) away
+  /// Chooses so many points of each type in an image by chance, none of them `farthest` (mm) away
   /// or more.
   void choose(const LinesPercept& percept, int points, double farthest, Random& random);
   /// Filters the likelihood of lines, border and goals of all particles by the chosen points, and
@@ -102,8 +102,8 @@ constexpr Likelihood likelihoodOf(EdgeType type) {
                                     : Likelihood::goals;
 }
 
-/// The speed of a robot from picture to picture, in mm/s, by its odometry.
-class SpeedBetweenPictures {
+/// The speed of a robot from image to image, in mm/s, by its odometry.
+class SpeedBetweenImages {
  public:
   double operator()(const OdometryData& odometry, Time now);
 

@@ -30,7 +30,7 @@ EdgeTables::EdgeTables(const FieldDimensions& field, TeamColor team) {
   const double farX = std::max(field.xGoalBack, field.xGroundline) + 500;
   const double farY = field.ySideline + 500;
   resolution_ = std::max(cellSize, 2 * std::max(farX, farY) / mostCells);
-  perMillimetre_ = static_cast<float>(1 / resolution_);
+  perMillimeter_ = static_cast<float>(1 / resolution_);
   columns_ = static_cast<int>(std::ceil(2 * farX / resolution_));
   rows_ = static_cast<int>(std::ceil(2 * farY / resolution_));
   low_ = {static_cast<float>(-farX), static_cast<float>(-farY)};

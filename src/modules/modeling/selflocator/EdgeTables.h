@@ -51,7 +51,7 @@ class EdgeTables {
   int column(float x) const { return cell(x, low_.x, columns_); }
   int row(float y) const { return cell(y, low_.y, rows_); }
   int cell(float value, float low, int count) const {
-    const float i = (value - low) * perMillimetre_;
+    const float i = (value - low) * perMillimeter_;
     return i > 0 ? (i < static_cast<float>(count) ? static_cast<int>(i) : count - 1) : 0;
   }
   void fillEdges(const FieldEdges& edges);
@@ -59,7 +59,7 @@ class EdgeTables {
   static std::size_t step(const Vector2d& seen);
 
   double resolution_;
-  float perMillimetre_;
+  float perMillimeter_;
   Point low_;
   int columns_, rows_;
   EnumArray<EdgeType, std::vector<Edge>> edges_;

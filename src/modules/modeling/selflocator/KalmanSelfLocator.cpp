@@ -173,7 +173,7 @@ void KalmanSelfLocator::observeEdges(const Vector3d& camera) {
   }
 }
 
-/// The more of a picture fits, the better the hypothesis; many measurements count as a few, since
+/// The more of an image fits, the better the hypothesis; many measurements count as a few, since
 /// they are not independent.
 void KalmanSelfLocator::judge(Hypothesis& hypothesis, double likelihoods, int count,
                               double importance) const {

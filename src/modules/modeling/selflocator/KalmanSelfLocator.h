@@ -45,20 +45,20 @@ class KalmanSelfLocator {
       using P = Parameters;
       return Fields{
           field("hypotheses", &P::hypotheses, "", "at most", {1, 100}),
-          field("points", &P::points, "", "used of each type of edge in a picture", {1, 100}),
+          field("points", &P::points, "", "used of each type of edge in an image", {1, 100}),
           field("farthest", &P::farthest, "mm", "points farther away are not used", {1, 1e5}),
           field("slip", &P::slip, "", "deviation of a step, of its length", {0, 10}),
           field("turnSlip", &P::turnSlip, "", "deviation of a turn, of its angle", {0, 10}),
           field("drift", &P::drift, "mm", "deviation that a second adds", {0, 1e4}),
           field("turnDrift", &P::turnDrift, "rad", "deviation that a second adds", {0, 3}),
           field("commonAngle", &P::commonAngle, "rad",
-                "deviation of the camera's pan, the same for all of a picture", {1e-6, 1}),
+                "deviation of the camera's pan, the same for all of an image", {1e-6, 1}),
           field("bearingError", &P::bearingError, "rad", "deviation of each bearing", {1e-6, 1}),
           field("flagDistanceError", &P::flagDistanceError, "", "of its distance", {1e-6, 1}),
           field("flagError", &P::flagError, "mm", "deviation of where flags stand", {0, 1e4}),
           field("postError", &P::postError, "mm", "deviation of where goal posts stand", {0, 1e4}),
           field("tiltError", &P::tiltError, "rad",
-                "deviation of the camera's tilt, the same for all of a picture", {1e-6, 1}),
+                "deviation of the camera's tilt, the same for all of an image", {1e-6, 1}),
           field("pointError", &P::pointError, "rad", "deviation of each point", {1e-6, 1}),
           field("edgeError", &P::edgeError, "mm", "deviation of edges from the model", {1e-3, 1e3}),
           field("gate", &P::gate, "", "deviations beyond which nothing is believed", {0.1, 100}),
@@ -85,8 +85,8 @@ class KalmanSelfLocator {
   struct Hypothesis {
     PoseHypothesis filter;
     double weight = 0;  ///< The logarithm of a probability; the best one has 0.
-    double fit = 0.5;   ///< How well the last pictures fitted, in [0, 1].
-    int surprises = 0;  ///< Pictures in a row that did not fit at all.
+    double fit = 0.5;   ///< How well the last images fitted, in [0, 1].
+    int surprises = 0;  ///< Images in a row that did not fit at all.
   };
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
 
@@ -105,7 +105,7 @@ class KalmanSelfLocator {
   void sortOut(const FieldDimensions& field);
   void draw(const RobotPose& robotPose, Debug& debug) const;
 
-  std::vector<Hypothesis> hypotheses_;  ///< The best one comes first after each picture.
+  std::vector<Hypothesis> hypotheses_;  ///< The best one comes first after each image.
   EdgeModel edges_;
   PoseTemplates templates_;
   RecentView view_;

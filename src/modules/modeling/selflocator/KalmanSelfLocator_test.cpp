@@ -33,7 +33,7 @@ TEST(KalmanSelfLocator, NeedsNoBeacons) {
   EXPECT_LT(quantile(errorsWith(false), 0.5), 60);
 }
 
-TEST(KalmanSelfLocator, FindsItselfWithinTenPictures) {
+TEST(KalmanSelfLocator, FindsItselfWithinTenImages) {
   SyntheticWorld standing;
   standing.walks = false;
   standing.turnsHeadAlways = true;
@@ -42,10 +42,10 @@ TEST(KalmanSelfLocator, FindsItselfWithinTenPictures) {
     SyntheticRobot robot{seed, standing};
     LocatorOf<KalmanSelfLocator> locator{{}, seed};
     const auto locate = [&](const SyntheticRobot& r) { return locator(seenBy(r)); };
-    first.push_back(picturesUntilLocalized(robot, 500, locate));
+    first.push_back(imagesUntilLocalized(robot, 500, locate));
     follow(robot, 100, locate);
     robot.kidnap();
-    again.push_back(picturesUntilLocalized(robot, 500, locate));
+    again.push_back(imagesUntilLocalized(robot, 500, locate));
   }
   EXPECT_LE(quantile(first, 0.5), 10);
   EXPECT_LE(quantile(again, 0.5), 10);

@@ -25,7 +25,7 @@ class LandmarkModel {
     }
   };
 
-  /// Filters `Likelihood::landmarks` of all particles by the similarity of a picture (3.11) to
+  /// Filters `Likelihood::landmarks` of all particles by the similarity of an image (3.11) to
   /// (3.13). The offset is the camera's from the robot's origin, in mm.
   void observe(const Parameters& parameters, const Bearings& bearings, const Vector2d& cameraOffset,
                ParticleSet& particles);

@@ -9,7 +9,7 @@ namespace gt {
 /// or which the truth corrects: a template starts with the probability 0.9, for at less it loses
 /// against the particles that are wrong but old; and where no template is left, only 2 % of the
 /// improbable particles become random ones, for all of them would thin out the cluster in each
-/// picture that shows a single landmark.
+/// image that shows a single landmark.
 class MonteCarloSelfLocator {
  public:
   struct Parameters {

@@ -47,12 +47,12 @@ TEST(MonteCarloSelfLocator, FindsItselfAgainAfterTheRefereePutItElsewhere) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SyntheticRobot robot{seed, standing};
     Bench bench{seed};
-    first.push_back(picturesUntilLocalized(robot, 500, bench));
+    first.push_back(imagesUntilLocalized(robot, 500, bench));
     follow(robot, 100, bench);
     robot.kidnap();
-    again.push_back(picturesUntilLocalized(robot, 500, bench));
+    again.push_back(imagesUntilLocalized(robot, 500, bench));
   }
-  EXPECT_LE(quantile(first, 0.5), 40);  // report 3.3.2.5: 14 to 40 pictures
+  EXPECT_LE(quantile(first, 0.5), 40);  // report 3.3.2.5: 14 to 40 images
   EXPECT_LE(quantile(again, 0.5), 40);
   EXPECT_LT(quantile(first, 1), 500);
   EXPECT_LT(quantile(again, 1), 500);
@@ -86,7 +86,7 @@ TEST(MonteCarloSelfLocator, OdometryMovesThePoseWhileNothingIsSeen) {
   EXPECT_NEAR(normalize(bench.estimate.pose.rotation - expected.rotation), 0, 0.15);
 }
 
-TEST(MonteCarloSelfLocator, APictureIsUsedOnce) {
+TEST(MonteCarloSelfLocator, AnImageIsUsedOnce) {
   SyntheticRobot robot{4};
   Bench bench{4};
   do robot.step();
@@ -100,7 +100,7 @@ TEST(MonteCarloSelfLocator, APictureIsUsedOnce) {
 TEST(MonteCarloSelfLocator, ProbabilitiesChangeByBoundedSteps) {
   SyntheticRobot robot{5};
   Bench bench{5};
-  bench.locator.parameters.templates.replacement = 0;  // Else new particles would blur the picture.
+  bench.locator.parameters.templates.replacement = 0;  // Else new particles would blur the image.
   bench(robot);
   double low = 1, high = 0;
   const double start = bench.locator.parameters.templates.newProbability;

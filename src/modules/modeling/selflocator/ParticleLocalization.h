@@ -56,7 +56,7 @@ class ParticleLocalization {
   LandmarkModel landmarks_;
   PoseTemplates templates_;
   EdgeModel edges_;
-  SpeedBetweenPictures speed_;
+  SpeedBetweenImages speed_;
   OdometryData lastOdometry_;
   Time lastLandmarks_ = never(), lastLines_ = never();
   bool search_ = false;

@@ -26,13 +26,13 @@ std::optional<Pose2D> triangulate(const Sighting& a, const Sighting& b, const Si
 /// how many.
 int posesFrom(const Sighting& located, const Sighting& second, std::array<Pose2D, 2>& poses);
 
-/// Candidate poses for sensor resetting, calculated from the landmarks of this picture and the last
+/// Candidate poses for sensor resetting, calculated from the landmarks of this image and the last
 /// three flags seen (report 3.3.2.3). Each is handed out once.
 class PoseTemplates {
  public:
   /// Moves the memorized flags with the robot, in mm and rad.
   void move(const Pose2D& odometry);
-  /// Memorizes the picture's flags, and fills the buffer anew.
+  /// Memorizes the image's flags, and fills the buffer anew.
   void update(const LandmarksPercept& percept, TeamColor team, const FieldDimensions& field);
   /// One of the poses that have not been handed out yet.
   std::optional<Pose2D> take(Random& random);

@@ -114,7 +114,7 @@ TEST(PoseTemplates, ExactPerceptsGiveTheTruePoseOnceEach) {
 }
 
 TEST(PoseTemplates, MemorizedFlagsMoveWithTheRobot) {
-  // One flag in each picture, between them the robot walks: at last three bearings meet.
+  // One flag in each image, between them the robot walks: at last three bearings meet.
   const Pose2D walk{0.2, 100, 20};
   Pose2D pose{0.4, -300, 200};
   PoseTemplates templates;

@@ -8,8 +8,8 @@
 namespace gt {
 namespace {
 
-constexpr std::size_t pointsOfPicture = 12;
-constexpr int oldest = 15;  // pictures
+constexpr std::size_t pointsOfImage = 12;
+constexpr int oldest = 15;  // images
 
 /// 1 for what fits exactly, 1/2 for what is off by the tolerance.
 double fit(double deviation, double tolerance) {
@@ -31,7 +31,7 @@ void RecentView::move(const Pose2D& odometry) {
 
 void RecentView::add(const std::vector<ChosenPoint>& points, Random& random) {
   for (std::size_t i = 0; i < numberOfBearings_; ++i) ++bearings_[i].age;
-  const std::size_t count = std::min(pointsOfPicture, points.size());
+  const std::size_t count = std::min(pointsOfImage, points.size());
   const std::size_t start = points.empty() ? 0 : random.index(points.size());
   for (std::size_t i = 0; i < count; ++i) {
     points_[nextPoint_] = points[(start + i * points.size() / count) % points.size()];

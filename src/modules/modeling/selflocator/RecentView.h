@@ -9,16 +9,16 @@
 
 namespace gt {
 
-/// What a robot has seen within the last pictures, moved along with it: one picture shows little of
+/// What a robot has seen within the last images, moved along with it: one image shows little of
 /// the field, some of them tell poses apart that look alike in one. Judges poses by that, and draws
 /// some that fit to it.
 class RecentView {
  public:
   /// Moves what was seen with the robot, in mm and rad.
   void move(const Pose2D& odometry);
-  /// Adds some of the points of a picture, and forgets as many old ones.
+  /// Adds some of the points of an image, and forgets as many old ones.
   void add(const std::vector<ChosenPoint>& points, Random& random);
-  /// Adds the bearings of a picture. The offset is the camera's from the robot's origin, in mm.
+  /// Adds the bearings of an image. The offset is the camera's from the robot's origin, in mm.
   void add(const Bearings& bearings, const Vector2d& cameraOffset);
   /// Forgets all: the robot was put somewhere else.
   void clear() { numberOfPoints_ = numberOfBearings_ = 0; }
@@ -35,7 +35,7 @@ class RecentView {
   struct SeenBearing {
     Vector2d landmark;
     Vector2d camera, direction;  ///< From where and whereto, in the robot's system now.
-    int age;                     ///< In pictures.
+    int age;                     ///< In images.
   };
 
   std::array<ChosenPoint, 64> points_;

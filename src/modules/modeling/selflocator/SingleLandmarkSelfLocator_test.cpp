@@ -13,7 +13,7 @@ struct Bench {
     locator.update(robot.percept, robot.odometry, robot.field, robot.player, estimate, debug);
     return estimate;
   }
-  /// A picture in which a robot that stands at the true pose sees landmarks without any error.
+  /// An image in which a robot that stands at the true pose sees landmarks without any error.
   const RobotPose& see(const Pose2D& truth, const std::vector<FlagType>& flags, bool goal = false) {
     percept = {};
     percept.time = time = time + 40;

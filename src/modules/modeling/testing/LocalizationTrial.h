@@ -11,15 +11,15 @@
 
 namespace gt {
 
-/// Counts the pictures until an estimate is near the truth and stays there for a second.
-class PicturesUntilLocalized {
+/// Counts the images until an estimate is near the truth and stays there for a second.
+class ImagesUntilLocalized {
  public:
-  /// Tells of one picture; the error in mm.
+  /// Tells of one image; the error in mm.
   void add(double error) {
     ++pictures_;
     good_ = error < near ? good_ + 1 : 0;
   }
-  /// The first picture from which on the estimate was near; none if it never stayed near.
+  /// The first image from which on the estimate was near; none if it never stayed near.
   std::optional<int> result() const {
     return done() ? std::optional{pictures_ - good_ + 1} : std::nullopt;
   }
@@ -33,12 +33,12 @@ class PicturesUntilLocalized {
 
 /// What a self-locator achieved against the truth.
 struct LocalizationTrial {
-  std::vector<double> errors;  ///< mm, of each picture
-  std::vector<double> angles;  ///< rad, of each picture
+  std::vector<double> errors;  ///< mm, of each image
+  std::vector<double> angles;  ///< rad, of each image
   double longestLost = 0;      ///< s, for which the error was above 600 mm at a stretch
 };
 
-/// Lets a locator follow a robot for some pictures. `locate(robot)` returns the RobotPose.
+/// Lets a locator follow a robot for some images. `locate(robot)` returns the RobotPose.
 template <typename Robot, typename Locate>
 LocalizationTrial follow(Robot& robot, int pictures, Locate&& locate) {
   LocalizationTrial trial;
@@ -49,16 +49,16 @@ LocalizationTrial follow(Robot& robot, int pictures, Locate&& locate) {
     const double error = (estimate.pose.translation - robot.pose.translation).norm();
     trial.errors.push_back(error);
     trial.angles.push_back(std::abs(normalize(estimate.pose.rotation - robot.pose.rotation)));
-    lost = error > 600 ? lost + SyntheticRobot::picturePeriod / 1000.0 : 0;
+    lost = error > 600 ? lost + SyntheticRobot::imagePeriod / 1000.0 : 0;
     trial.longestLost = std::max(trial.longestLost, lost);
   }
   return trial;
 }
 
-/// Pictures until a locator has found the robot; `most` if it has not by then.
+/// Images until a locator has found the robot; `most` if it has not by then.
 template <typename Robot, typename Locate>
-int picturesUntilLocalized(Robot& robot, int most, Locate&& locate) {
-  PicturesUntilLocalized counter;
+int imagesUntilLocalized(Robot& robot, int most, Locate&& locate) {
+  ImagesUntilLocalized counter;
   for (int i = 0; i < most && !counter.done(); ++i) {
     robot.step();
     counter.add((locate(robot).pose.translation - robot.pose.translation).norm());

@@ -13,7 +13,7 @@
 
 namespace gt {
 
-/// All that a self-locator may look at after a picture.
+/// All that a self-locator may look at after an image.
 struct Seen {
   const LandmarksPercept& landmarks;
   const LinesPercept& lines;

@@ -11,7 +11,7 @@ namespace {
 constexpr double openingAngle = 57.6 * pi / 180;  // facts, 1.3
 constexpr double headLimit = 89 * pi / 180;
 constexpr double headSpeed = 2.2;  // rad/s while searching
-constexpr double dt = SyntheticRobot::picturePeriod / 1000.0;
+constexpr double dt = SyntheticRobot::imagePeriod / 1000.0;
 
 }  // namespace
 
@@ -50,13 +50,13 @@ void SyntheticRobot::kidnap() {
 }
 
 void SyntheticRobot::step() {
-  time = time + picturePeriod;
+  time = time + imagePeriod;
   if (world_.walks) walk(towardsGoal());
   perceive();
 }
 
 void SyntheticRobot::step(const Pose2D& speed) {
-  time = time + picturePeriod;
+  time = time + imagePeriod;
   moving_ = speed.translation.norm() + 200 * std::abs(speed.rotation) > 1;
   if (moving_) walk({speed.rotation * dt, speed.translation * dt});
   perceive();
@@ -143,7 +143,7 @@ bool SyntheticRobot::isHidden(double angle) const {
   return hiddenSectors_[std::min(static_cast<std::size_t>(sector), hiddenSectors_.size() - 1)];
 }
 
-bool SyntheticRobot::cutToPicture(ConditionalBoundary& boundary) {
+bool SyntheticRobot::cutToImage(ConditionalBoundary& boundary) {
   const double left = headPan_ + openingAngle / 2, right = headPan_ - openingAngle / 2;
   boundary.leftOnBorder = boundary.left > left;
   boundary.rightOnBorder = boundary.right < right;
@@ -176,7 +176,7 @@ void SyntheticRobot::seeFlag(FlagType type) {
   flag.type = type;
   flag.boundary.left = center + half;
   flag.boundary.right = center - half;
-  if (!cutToPicture(flag.boundary)) return;
+  if (!cutToImage(flag.boundary)) return;
   const double noise = 1 + (0.04 + 0.03 * distance / 1000) * random_.gaussian();
   const double middle = (flag.boundary.left + flag.boundary.right) / 2;
   const Vector2d seen =
@@ -209,7 +209,7 @@ void SyntheticRobot::seeGoal(GoalColor color) {
     goal.boundary.right += hidden.right * width;
   }
   if (random_.chance(world_.outliers)) goal.boundary.left += random_.uniform(-0.3, 0.3);
-  if (goal.boundary.left <= goal.boundary.right || !cutToPicture(goal.boundary)) return;
+  if (goal.boundary.left <= goal.boundary.right || !cutToImage(goal.boundary)) return;
   if (isHidden((goal.boundary.left + goal.boundary.right) / 2)) return;
   goal.angle = (goal.boundary.left + goal.boundary.right) / 2;
   percept.goals[static_cast<std::size_t>(percept.numberOfGoals++)] = goal;
@@ -223,9 +223,9 @@ void SyntheticRobot::seeEdges() {
     if (!isHidden(angle)) seeEdges(angle, tiltError);
 }
 
-/// Looks along one scan line of the picture, to the border or, in a goal's mouth, to the goal.
+/// Looks along one scan line of the image, to the border or, in a goal's mouth, to the goal.
 void SyntheticRobot::seeEdges(double angle, double tiltError) {
-  constexpr double nearest = 220;  // mm; what is nearer lies below the picture
+  constexpr double nearest = 220;  // mm; what is nearer lies below the image
   const double height = percept.cameraOffset.z();
   const Vector2d offset = percept.cameraOffset.head<2>();
   const Vector2d from = pose * offset, ray = direction(pose.rotation + angle);

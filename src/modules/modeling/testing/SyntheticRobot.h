@@ -20,8 +20,8 @@ namespace gt {
 struct SyntheticWorld {
   double walkingSpeed = 200;         ///< mm/s at most, in any direction
   double slip = 0.06;                ///< of each component of a walk, at most
-  double stepNoise = 0.15;           ///< of each component, from picture to picture
-  double commonNoise = 0.010;        ///< rad, on all bearings of a picture
+  double stepNoise = 0.15;           ///< of each component, from image to image
+  double commonNoise = 0.010;        ///< rad, on all bearings of an image
   double edgeNoise = 0.007;          ///< rad, on each edge
   double sway = 0.010;               ///< rad, amplitude of a yaw in the rhythm of the steps
   double outliers = 0.01;            ///< landmarks with a wrong name or at a wrong place
@@ -29,7 +29,7 @@ struct SyntheticWorld {
   double range = 4500;               ///< mm
   double secondsBetweenBlocks = 30;  ///< after which the robot walks against an obstacle
   double secondsBlocked = 3;
-  double tiltNoise = 0.010;        ///< rad, of the camera, common to a picture
+  double tiltNoise = 0.010;        ///< rad, of the camera, common to an image
   double pointNoise = 0.004;       ///< rad, vertically, on each point on an edge
   double lineRange = 1300;         ///< mm, farther away lines are too thin to be seen
   double edgeRange = 3200;         ///< mm, the same for border and goals
@@ -43,8 +43,8 @@ struct SyntheticWorld {
 };
 
 /// A robot that walks about the field, turns its head and sees landmarks and edges, with its true
-/// pose: a test bench for self-locators that needs neither pictures nor physics. One step is one
-/// picture.
+/// pose: a test bench for self-locators that needs neither images nor physics. One step is one
+/// image.
 class SyntheticRobot {
  public:
   explicit SyntheticRobot(std::uint64_t seed, const SyntheticWorld& world = {});
@@ -55,7 +55,7 @@ class SyntheticRobot {
   /// The referee puts the robot somewhere else; its odometry knows nothing of it.
   void kidnap();
 
-  static constexpr int picturePeriod = 40;  ///< ms
+  static constexpr int imagePeriod = 40;  ///< ms
 
   Pose2D pose;
   OdometryData odometry;
@@ -81,7 +81,7 @@ class SyntheticRobot {
   void placeRobotsInTheWay();
   bool isHidden(double angle) const;
   /// Cuts an interval of angles to what the camera sees; false where too little remains.
-  bool cutToPicture(ConditionalBoundary& boundary);
+  bool cutToImage(ConditionalBoundary& boundary);
   double seconds() const { return static_cast<double>(time.ms) / 1000; }
 
   SyntheticWorld world_;

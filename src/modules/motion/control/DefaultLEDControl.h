@@ -4,7 +4,7 @@
 
 namespace gt {
 
-/// Solution *Default* of LEDControl: lights what the behaviour asks for, blinking with the clock.
+/// Solution *Default* of LEDControl: lights what the behavior asks for, blinking with the clock.
 class DefaultLEDControl {
  public:
   struct Parameters {

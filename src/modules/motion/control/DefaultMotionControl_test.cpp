@@ -35,7 +35,7 @@ TEST(DefaultMotionControl, WalksAsFarAsRequested) {
   EXPECT_NEAR(motion.odometry.pose.rotation, 0, 1e-9);
 }
 
-TEST(DefaultMotionControl, StandsWhenTheBehaviourHasStopped) {
+TEST(DefaultMotionControl, StandsWhenTheBehaviorHasStopped) {
   MotionHarness motion;
   motion.walk(150, 0, 0);
   for (int i = 0; i < 250; ++i) {

@@ -11,7 +11,7 @@ namespace {
 constexpr double ballRadius = 43;
 constexpr double widestPan = 1.45;
 
-/// Straight through the middle of the picture.
+/// Straight through the middle of the image.
 HeadAngles lookAtPoint(const RobotDimensions& robot, const Pose3D& body, const Vector3d& point) {
   const CameraInfo camera;
   return lookAt(robot, body, point, camera, {camera.centerX, camera.centerY});

@@ -149,7 +149,7 @@ TEST(GT2003HeadControl, SearchAutoLooksAtTheBallBeforeItScansAndSearchesALostBal
   EXPECT_GT(widest, 1.3);
 }
 
-TEST(GT2003HeadControl, ScansSlowlyEnoughForPictures) {
+TEST(GT2003HeadControl, ScansSlowlyEnoughForImages) {
   for (const auto mode : {HeadMode::searchForLandmarks, HeadMode::searchForBall}) {
     Head head{mode};
     head.frames(1500);

@@ -56,9 +56,9 @@ struct WalkParameters {
               {0.1, 3}),
         field("legSpeedFactorR", &P::legSpeedFactorR, "", "speed of hind feet to fore feet",
               {0.1, 3}),
-        field("maxStepSizeX", &P::maxStepSizeX, "mm", "greatest way of a foot from its centre",
+        field("maxStepSizeX", &P::maxStepSizeX, "mm", "greatest way of a foot from its center",
               {1, 80}),
-        field("maxStepSizeY", &P::maxStepSizeY, "mm", "greatest way of a foot from its centre",
+        field("maxStepSizeY", &P::maxStepSizeY, "mm", "greatest way of a foot from its center",
               {1, 80}),
         field("maxSpeedXChange", &P::maxSpeedXChange, "mm/s^2", "acceleration", {1, 1e5}),
         field("maxSpeedYChange", &P::maxSpeedYChange, "mm/s^2", "acceleration", {1, 1e5}),
@@ -87,7 +87,7 @@ struct WalkParameters {
   }
 };
 
-/// Solution *InvKin* of WalkingEngine: moves the feet like wheels around their centres, on the
+/// Solution *InvKin* of WalkingEngine: moves the feet like wheels around their centers, on the
 /// ground against the body's motion, in the air back again, and finds the joints by inverse
 /// kinematics (report 3.9.1). With speed 0 it stands.
 class InvKinWalkingEngine {

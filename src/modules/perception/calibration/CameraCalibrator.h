@@ -41,7 +41,7 @@ struct CameraCalibration {
   }
 };
 
-/// Calibrates camera and body from pictures of a checkerboard that stands before a robot, which
+/// Calibrates camera and body from images of a checkerboard that stands before a robot, which
 /// stands still and looks around: opening angles, the corrections of robot.cfg (report B.4.5), and
 /// where the board is, such that all corners are seen where they are, as far as can be (least
 /// squares by Levenberg and Marquardt).
@@ -49,13 +49,13 @@ class CameraCalibrator {
  public:
   explicit CameraCalibrator(const Checkerboard& board) : board_{board} {}
 
-  /// A picture with the board's corners, as CheckerboardFinder finds them, and the joints when it
+  /// An image with the board's corners, as CheckerboardFinder finds them, and the joints when it
   /// was taken.
   void add(std::span<const Vector2d> corners, const JointAngles& joints);
   std::size_t pictures() const { return views_.size(); }
   void clear() { views_.clear(); }
 
-  /// Begins with what is known of the camera and the body. False if the pictures do not tell
+  /// Begins with what is known of the camera and the body. False if the images do not tell
   /// enough.
   bool calibrate(const CameraInfo& camera, const RobotDimensions& robot,
                  const RobotCalibration& body, CameraCalibration& result) const;

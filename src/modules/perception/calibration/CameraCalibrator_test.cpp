@@ -21,7 +21,7 @@ TEST(CameraCalibrator, CalibratesOpeningAnglesAndBody) {
   camera.focalY = 171;
   CameraCalibrator calibrator{drawn.board};
   CameraCalibration found;
-  EXPECT_FALSE(calibrator.calibrate(CameraInfo{}, robot, {}, found)) << "without any picture";
+  EXPECT_FALSE(calibrator.calibrate(CameraInfo{}, robot, {}, found)) << "without any image";
   for (int i = 0; i < 15; ++i) {
     JointAngles joints;
     joints[Joint::headTilt] = random.uniform(-0.2, 0.15);

@@ -19,7 +19,7 @@ std::string describe(const CameraCalibration& c) {
   std::snprintf(
       text, sizeof text,
       "opening angles %.2f x %.2f deg (+- %.2f), bodyTiltOffset %.4f, bodyRollOffset %.4f "
-      "(+- %.4f), error %.2f pixels in %d pictures",
+      "(+- %.4f), error %.2f pixels in %d images",
       toDegrees(c.openingAngleX), toDegrees(c.openingAngleY), toDegrees(c.openingAngleError),
       c.body.bodyTiltOffset, c.body.bodyRollOffset, c.offsetError, c.error, c.pictures);
   return text;
@@ -51,7 +51,7 @@ void CheckerboardDetector::update(const Image& image, const CameraMatrix& matrix
   calibrator_.clear();
 }
 
-// While the head turns the rows see the board from different directions; and a picture from where
+// While the head turns the rows see the board from different directions; and an image from where
 // the last one was taken tells nothing new.
 void CheckerboardDetector::take(const CameraMatrix& matrix, const JointAngles& joints) {
   constexpr double mostTurning = 0.15, leastApart = 0.01;  // rad/s, rad

@@ -31,7 +31,7 @@ class CheckerboardDetector {
               LandmarksPercept& landmarks, LinesPercept& lines, PlayersPercept& players,
               ObstaclesPercept& obstacles, Debug& debug);
 
-  /// The last calibration; its pictures are 0 if there was none yet.
+  /// The last calibration; its images are 0 if there was none yet.
   const CameraCalibration& calibration() const { return result_; }
   const std::vector<Vector2d>& corners() const { return corners_; }
 

@@ -31,10 +31,10 @@ struct Checkerboard {
 /// ChESS: Quick and Robust Detection of Chess-board Features, 2014).
 class CheckerboardFinder {
  public:
-  /// All corners row by row, as the picture shows them from top left; false if any is missing.
+  /// All corners row by row, as the image shows them from top left; false if any is missing.
   bool find(const Image& image, const Horizon& horizon, const Checkerboard& board,
             std::vector<Vector2d>& corners);
-  /// All places of the last picture that look like a corner.
+  /// All places of the last image that look like a corner.
   const std::vector<Vector2d>& candidates() const { return candidates_; }
 
  private:

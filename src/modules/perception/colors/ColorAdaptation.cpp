@@ -29,8 +29,8 @@ constexpr double mostHueDrift = fromDegrees(30), mostStrengthDrift = 0.7;
 
 constexpr int sampleStep = 6;       // Pixels between those that are looked at.
 constexpr double belowHorizon = 8;  // Pixels: what is below is ground, mostly.
-constexpr int minGreen = 20;        // Of a picture's pixels, to trust what they say.
-constexpr int maxWithout = 75;      // Pictures of ground without green, after which all was wrong.
+constexpr int minGreen = 20;        // Of an image's pixels, to trust what they say.
+constexpr int maxWithout = 75;      // Images of ground without green, after which all was wrong.
 constexpr double maxRatio = 8;      // Of brightnesses over green's.
 
 double squared(double x) {
@@ -100,7 +100,7 @@ void ColorAdaptation::observe(const Image& image, const Horizon& horizon) {
   for (int y = sampleStep / 2; y < image.info.height; y += sampleStep)
     for (int x = sampleStep / 2; x < image.info.width; x += sampleStep) {
       const Pixel& pixel = image.at(x, y);
-      if (horizon.fromPicture({x + 0.5, y + 0.5}).y() > belowHorizon) addGround(pixel, green);
+      if (horizon.fromImage({x + 0.5, y + 0.5}).y() > belowHorizon) addGround(pixel, green);
     }
   if (!greenKnown_) return findGreen();
   followGreen(green);

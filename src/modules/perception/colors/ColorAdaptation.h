@@ -25,7 +25,7 @@ class ColorAdaptation {
  public:
   ColorAdaptation();
 
-  /// Looks for green and white in a picture: a few hundred pixels of it.
+  /// Looks for green and white in an image: a few hundred pixels of it.
   void observe(const Image& image, const Horizon& horizon);
   /// A pixel of something that was recognized and must have this color; one that is too far away
   /// from it is none of it.
@@ -46,7 +46,7 @@ class ColorAdaptation {
   struct HueBin {
     double count = 0, strength = 0;
   };
-  /// What a picture showed of green.
+  /// What an image showed of green.
   struct GreenSample {
     int ground = 0, count = 0;
     double y = 0, hue = 0, strength = 0;
@@ -69,7 +69,7 @@ class ColorAdaptation {
   double grayCb_ = 128, grayCr_ = 128;
   bool greenKnown_ = false;
   double greenY_ = 0, whiteRatio_ = 0;
-  int withoutGreen_ = 0;  ///< Pictures of ground in a row that showed none.
+  int withoutGreen_ = 0;  ///< Images of ground in a row that showed none.
   double groundCount_ = 0;
   std::array<HueBin, hueBins> hues_{};
   std::array<double, ratioBins> ratios_{};  ///< How often a brightness over green's was seen.

@@ -14,11 +14,11 @@
 namespace gt {
 namespace {
 
-/// Pictures full of colors make the lists of an image processor as long as they get; then they
+/// Images full of colors make the lists of an image processor as long as they get; then they
 /// keep their memory.
-class ColorfulPictures : public testing::Test {
+class ColorfulImages : public testing::Test {
  protected:
-  ColorfulPictures() {
+  ColorfulImages() {
     for (ColorClass& c : colors_.classes)
       c = static_cast<ColorClass>(random_.index(enumCount<ColorClass>));
     image_.allocate();
@@ -76,22 +76,22 @@ class ColorfulPictures : public testing::Test {
   Debug debug_;
 };
 
-TEST_F(ColorfulPictures, NeedNoMemoryOfGT2003) {
+TEST_F(ColorfulImages, NeedNoMemoryOfGT2003) {
   GT2003ImageProcessor processor;
   expectNoAllocations(processor, std::tie(std::as_const(colors_)));
 }
 
-TEST_F(ColorfulPictures, NeedNoMemoryOfGridImageProcessor2) {
+TEST_F(ColorfulImages, NeedNoMemoryOfGridImageProcessor2) {
   GridImageProcessor2 processor;
   expectNoAllocations(processor, std::tuple<>{});
 }
 
-TEST_F(ColorfulPictures, NeedNoMemoryOfGridImageProcessor3) {
+TEST_F(ColorfulImages, NeedNoMemoryOfGridImageProcessor3) {
   GridImageProcessor3 processor;
   expectNoAllocations(processor, std::tie(std::as_const(colors_)), random_);
 }
 
-TEST_F(ColorfulPictures, NeedNoMemoryOfLines) {
+TEST_F(ColorfulImages, NeedNoMemoryOfLines) {
   LinesImageProcessor processor;
   expectNoAllocations(processor, std::tie(std::as_const(colors_)));
 }

@@ -9,8 +9,8 @@
 namespace gt {
 namespace {
 
-// The distance sensor from the centre of pan rotation: forward, and up where the neck is upright
-// (facts, 1.1: 61.4 above the tilt axis, from which the pan centre is 48 away).
+// The distance sensor from the center of pan rotation: forward, and up where the neck is upright
+// (facts, 1.1: 61.4 above the tilt axis, from which the pan center is 48 away).
 constexpr double psdForward = 26.5, psdUp = 13.4;
 constexpr double psdRange = 900;
 
@@ -26,15 +26,15 @@ Vector3d rotationVector(const Matrix3d& rotation) {
   return turn.axis() * turn.angle();
 }
 
-/// Whether the time of a frame lies in a picture's exposure, half a tick early or late included.
+/// Whether the time of a frame lies in an image's exposure, half a tick early or late included.
 bool isDuring(const SensorData& frame, Time end, double duration) {
   constexpr double halfTick = 4;
   const double age = static_cast<double>(end - frame.time);
   return age >= -halfTick && age <= duration + halfTick;
 }
 
-/// The camera's pose when a picture's middle row was exposed, and how it turned meanwhile; `speed`
-/// is that of the robot (mm/s, rad/s), whose system is that of the picture's end.
+/// The camera's pose when an image's middle row was exposed, and how it turned meanwhile; `speed`
+/// is that of the robot (mm/s, rad/s), whose system is that of the image's end.
 CameraMatrix cameraMatrix(const SensorDataBuffer& sensors, const Image& image,
                           const RobotDimensions& robot, const RobotCalibration& calibration,
                           const Pose2D& speed) {
@@ -120,7 +120,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   const Pose2D walked = odometry.pose.relativeTo(odometry_);
   odometry_ = odometry.pose;
   Pose2D speed;
-  // After a longer time it tells nothing of this picture.
+  // After a longer time it tells nothing of this image.
   if (elapsed > 0 && elapsed <= 200)
     speed = {walked.rotation * 1000 / elapsed, walked.translation * 1000 / elapsed};
 

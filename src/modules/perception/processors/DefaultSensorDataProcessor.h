@@ -10,7 +10,7 @@
 
 namespace gt {
 
-/// Makes the camera matrix of a picture, the body percept and the PSD percept from the sensor
+/// Makes the camera matrix of an image, the body percept and the PSD percept from the sensor
 /// frames around them (report 3.1), the solution Default of the SensorDataProcessor.
 class DefaultSensorDataProcessor {
  public:

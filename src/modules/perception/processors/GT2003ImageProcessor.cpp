@@ -21,7 +21,7 @@ Color colorOf(TeamColor team) {
 
 }  // namespace
 
-// Objects that are small in the picture are far away and so close to the horizon. Lines of one
+// Objects that are small in the image are far away and so close to the horizon. Lines of one
 // spacing have to reach as far as the largest object that only they would meet twice, which the
 // next coarser lines, twice as far apart, do not.
 GridSpacing GT2003ImageProcessor::spacing(const CameraMatrix& matrix,
@@ -42,7 +42,7 @@ void GT2003ImageProcessor::look(const Image& image, const CameraMatrix& matrix,
   const Horizon horizon = horizonOf(matrix);
   paths_.clear();
   const bool watched = debug.isActive(drawSpecialistsPaths);
-  const Picture picture{image, colors, matrix, horizon, watched ? &paths_ : nullptr};
+  const CameraImage picture{image, colors, matrix, horizon, watched ? &paths_ : nullptr};
   grid_.build(image.info, horizon, spacing(matrix, field));
   scanner_.clear();
   edgeScanner_.clear();
@@ -67,7 +67,8 @@ void GT2003ImageProcessor::look(const Image& image, const CameraMatrix& matrix,
   drawGround(percepts, debug);
 }
 
-void GT2003ImageProcessor::findFreeGround(const Picture& picture, ObstaclesPercept& percept) const {
+void GT2003ImageProcessor::findFreeGround(const CameraImage& picture,
+                                          ObstaclesPercept& percept) const {
   percept.lines.clear();
   for (const GreenSection& green : scanner_.greens) {
     const auto nearPoint = onGround(picture, green.end);
@@ -81,7 +82,7 @@ void GT2003ImageProcessor::findFreeGround(const Picture& picture, ObstaclesPerce
   }
 }
 
-void GT2003ImageProcessor::drawScan(const Picture& picture, Debug& debug) const {
+void GT2003ImageProcessor::drawScan(const CameraImage& picture, Debug& debug) const {
   const double wide = picture.image.info.width;
   if (auto canvas = debug.onImage(drawHorizon))
     canvas.line(picture.horizon.toPicture(-wide, 0), picture.horizon.toPicture(wide, 0),
@@ -100,7 +101,7 @@ void GT2003ImageProcessor::drawScan(const Picture& picture, Debug& debug) const 
       canvas.line(green.end, green.begin, colors::green);
 }
 
-void GT2003ImageProcessor::drawPercepts(const Picture& picture, const Percepts& found,
+void GT2003ImageProcessor::drawPercepts(const CameraImage& picture, const Percepts& found,
                                         Debug& debug) const {
   auto canvas = debug.onImage(drawFound);
   if (!canvas) return;

@@ -36,7 +36,7 @@ class GT2003ImageProcessor {
               const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
               LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,
               Debug& debug) {
-    const auto findBall = [&](const Picture& picture, std::span<const BallSegment> segments) {
+    const auto findBall = [&](const CameraImage& picture, std::span<const BallSegment> segments) {
       ballSpecialist_.find(picture, segments, field.ballRadius, ball);
     };
     look(image, matrix, colors, field, {ball, landmarks, lines, players, obstacles}, debug,
@@ -52,7 +52,7 @@ class GT2003ImageProcessor {
     ObstaclesPercept& obstacles;
   };
   /// Passed as std::cref, so that nothing is allocated.
-  using FindBall = std::function<void(const Picture&, std::span<const BallSegment>)>;
+  using FindBall = std::function<void(const CameraImage&, std::span<const BallSegment>)>;
 
   /// The same with another ball's specialist.
   void look(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
@@ -61,10 +61,10 @@ class GT2003ImageProcessor {
 
  private:
   GridSpacing spacing(const CameraMatrix& matrix, const FieldDimensions& field) const;
-  void findFreeGround(const Picture& picture, ObstaclesPercept& percept) const;
-  void drawScan(const Picture& picture, Debug& debug) const;
+  void findFreeGround(const CameraImage& picture, ObstaclesPercept& percept) const;
+  void drawScan(const CameraImage& picture, Debug& debug) const;
   void drawSpecialists(Debug& debug) const;
-  void drawPercepts(const Picture& picture, const Percepts& found, Debug& debug) const;
+  void drawPercepts(const CameraImage& picture, const Percepts& found, Debug& debug) const;
   void drawGround(const Percepts& found, Debug& debug) const;
 
   ScanGrid grid_;

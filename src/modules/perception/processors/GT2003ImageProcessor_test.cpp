@@ -11,7 +11,7 @@ namespace {
 using GT2003ImageProcessorTest = DrawnLandmarks;
 using OnTheGround = DrawnBoxes;
 
-TEST_F(OnTheGround, AllPerceptsKnowTheirPicturesTime) {
+TEST_F(OnTheGround, AllPerceptsKnowTheirImagesTime) {
   image_.time = Time{1234};
   look(0, 0);
   for (const Time time :
@@ -54,7 +54,7 @@ TEST_F(GT2003ImageProcessorTest, SeesNothingWhereNothingIs) {
   }
 }
 
-// Any picture and any rotation of the camera, however absurd, is only looked at.
+// Any image and any rotation of the camera, however absurd, is only looked at.
 TEST_F(GT2003ImageProcessorTest, SurvivesNoise) {
   random_ = Random{12};
   for (int i = 0; i < 100; ++i) {

@@ -12,7 +12,7 @@ const DebugKey plotGreen{"ImageProcessor/adaptation/greenY"};
 const DebugKey plotWhite{"ImageProcessor/adaptation/whiteY"};
 
 /// A place within a boundary: 0 is left and top, 1 right and bottom.
-Vector2d within(const Picture& picture, const ConditionalBoundary& b, double x, double y) {
+Vector2d within(const CameraImage& picture, const ConditionalBoundary& b, double x, double y) {
   const double azimuth = b.left + x * (b.right - b.left);
   const double elevation = b.top + y * (b.bottom - b.top);
   return picture.pointOf({std::cos(azimuth), std::sin(azimuth), std::tan(elevation)});
@@ -31,7 +31,7 @@ void GridImageProcessor2::update(const Image& image, const CameraMatrix& matrix,
                  debug);
   learned_.clear();
   watched_ = debug.isActive(drawLearned);
-  const Picture picture{image, colors_.table(), matrix, horizon};
+  const CameraImage picture{image, colors_.table(), matrix, horizon};
   learn(picture, ball);
   learn(picture, landmarks);
   learn(picture, players);
@@ -39,13 +39,14 @@ void GridImageProcessor2::update(const Image& image, const CameraMatrix& matrix,
   colors_.refresh();
 }
 
-void GridImageProcessor2::learnAt(const Picture& picture, const Vector2d& point, ColorClass color) {
+void GridImageProcessor2::learnAt(const CameraImage& picture, const Vector2d& point,
+                                  ColorClass color) {
   if (!picture.contains(point) || color == ColorClass::noColor) return;
   colors_.learn(color, picture.image.at(static_cast<int>(point.x()), static_cast<int>(point.y())));
   if (watched_) learned_.emplace_back(point, color);
 }
 
-void GridImageProcessor2::learn(const Picture& picture, const BallPercept& ball) {
+void GridImageProcessor2::learn(const CameraImage& picture, const BallPercept& ball) {
   constexpr double smallest = 3, inside = 0.65;
   constexpr int rays = 8;
   if (!ball.seen || ball.radiusInImage < smallest) return;
@@ -57,7 +58,7 @@ void GridImageProcessor2::learn(const Picture& picture, const BallPercept& ball)
               ColorClass::orange);
 }
 
-void GridImageProcessor2::learn(const Picture& picture, const LandmarksPercept& landmarks) {
+void GridImageProcessor2::learn(const CameraImage& picture, const LandmarksPercept& landmarks) {
   for (int i = 0; i < landmarks.numberOfFlags; ++i) {
     const FlagPercept& flag = landmarks.flags[static_cast<std::size_t>(i)];
     if (flag.boundary.topOnBorder || flag.boundary.bottomOnBorder) continue;
@@ -84,7 +85,7 @@ void GridImageProcessor2::learn(const Picture& picture, const LandmarksPercept& 
 }
 
 // Where a tricot is within a robot only its color tells: whatever looks like it around there.
-void GridImageProcessor2::learn(const Picture& picture, const PlayersPercept& players) {
+void GridImageProcessor2::learn(const CameraImage& picture, const PlayersPercept& players) {
   constexpr double height = 100;  // mm
   for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {
     const ColorClass color = team == TeamColor::red ? ColorClass::red : ColorClass::blue;

@@ -17,10 +17,10 @@ class GridImageProcessor2 {
   const ColorAdaptation& colors() const { return colors_; }
 
  private:
-  void learn(const Picture& picture, const BallPercept& ball);
-  void learn(const Picture& picture, const LandmarksPercept& landmarks);
-  void learn(const Picture& picture, const PlayersPercept& players);
-  void learnAt(const Picture& picture, const Vector2d& point, ColorClass color);
+  void learn(const CameraImage& picture, const BallPercept& ball);
+  void learn(const CameraImage& picture, const LandmarksPercept& landmarks);
+  void learn(const CameraImage& picture, const PlayersPercept& players);
+  void learnAt(const CameraImage& picture, const Vector2d& point, ColorClass color);
   void draw(const Image& image, Debug& debug) const;
 
   ColorAdaptation colors_;

@@ -12,7 +12,7 @@ void GridImageProcessor3::update(const Image& image, const CameraMatrix& matrix,
                                  BallPercept& ball, LandmarksPercept& landmarks,
                                  LinesPercept& lines, PlayersPercept& players,
                                  ObstaclesPercept& obstacles, Random& random, Debug& debug) {
-  const auto findBall = [&](const Picture& picture, std::span<const BallSegment>) {
+  const auto findBall = [&](const CameraImage& picture, std::span<const BallSegment>) {
     ballSpecialist_.find(picture, field.ballRadius, random, ball);
   };
   vision_.look(image, matrix, colors, field, {ball, landmarks, lines, players, obstacles}, debug,

@@ -13,8 +13,8 @@ void LinesImageProcessor::update(const Image& image, const CameraMatrix& matrix,
   findNothing(image.time, ball, landmarks, lines, players, obstacles);
   landmarks.cameraOffset = matrix.pose.translation;
   const Horizon horizon = horizonOf(matrix);
-  const Picture picture{image, colors, matrix, horizon};
-  // Only the lines that reach over the whole picture.
+  const CameraImage picture{image, colors, matrix, horizon};
+  // Only the lines that reach over the whole image.
   grid_.build(image.info, horizon, {.dense = 2, .reachUp = 0, .reachDown = 0});
   scanner_.clear();
   edgeScanner_.clear();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int reach = 3;      // Pixels over which an edge is spread at most.
 constexpr int contrast = 24;  // Of the y channel, between both sides of an edge.
-constexpr int minPoints = 3;  // Of a type in a picture; fewer are noise.
+constexpr int minPoints = 3;  // Of a type in an image; fewer are noise.
 constexpr int farMore = 4;    // That many times more points on lines than on the border.
 
 }  // namespace
@@ -30,7 +30,7 @@ double EdgeScanner::sharpest(int at) const {
   return first + reach / 2.0;
 }
 
-void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
+void EdgeScanner::findBright(const CameraImage& picture, const ScanLine& line) {
   const int length = line.length;
   y_.resize(static_cast<std::size_t>(length));
   std::uint8_t* const y = y_.data();
@@ -59,7 +59,7 @@ void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
   };
   bright_.clear();
   Bright bright;
-  bool inside = true;  // perhaps: a wall that reaches beyond the picture is bright from the start
+  bool inside = true;  // perhaps: a wall that reaches beyond the image is bright from the start
   for (int i = nextSteep(reach); i < length; i = nextSteep(i + 1)) {
     const bool rising = difference(i) > 0;
     // The steepest place of this edge.
@@ -84,7 +84,7 @@ void EdgeScanner::findBright(const Picture& picture, const ScanLine& line) {
   }
 }
 
-void EdgeScanner::scanDown(const Picture& picture, const ScanLine& line,
+void EdgeScanner::scanDown(const CameraImage& picture, const ScanLine& line,
                            const FieldDimensions& field) {
   findBright(picture, line);
   for (const Bright& bright : bright_) {
@@ -97,7 +97,7 @@ void EdgeScanner::scanDown(const Picture& picture, const ScanLine& line,
   }
 }
 
-void EdgeScanner::scanAcross(const Picture& picture, const ScanLine& line,
+void EdgeScanner::scanAcross(const CameraImage& picture, const ScanLine& line,
                              const FieldDimensions& field) {
   constexpr double oblique = 3;  // a line is seen that much wider at most
   findBright(picture, line);
@@ -112,7 +112,7 @@ void EdgeScanner::scanAcross(const Picture& picture, const ScanLine& line,
 
 // A line lies on green, the border does not: where size and colors contradict each other, the line
 // was seen lengthwise or the border in part.
-void EdgeScanner::classify(const Picture& picture, const ScanLine& line, const Bright& bright,
+void EdgeScanner::classify(const CameraImage& picture, const ScanLine& line, const Bright& bright,
                            double longestLine) {
   const double size = (bright.fall - bright.rise) * line.step.norm();
   if (size < longestLine && bright.riseSeen && bright.greenBefore)
@@ -121,14 +121,14 @@ void EdgeScanner::classify(const Picture& picture, const ScanLine& line, const B
     add(picture, EdgeType::border, line.at(bright.fall));
 }
 
-void EdgeScanner::addGoal(const Picture& picture, const GoalIndication& goal) {
+void EdgeScanner::addGoal(const CameraImage& picture, const GoalIndication& goal) {
   if (!goal.meetsField) return;
   add(picture, goal.color == GoalColor::yellow ? EdgeType::yellowGoal : EdgeType::skyblueGoal,
       goal.foot);
 }
 
-void EdgeScanner::add(const Picture& picture, EdgeType type, const Vector2d& inPicture) {
-  if (const auto point = onGround(picture, inPicture)) points_.push_back({type, inPicture, *point});
+void EdgeScanner::add(const CameraImage& picture, EdgeType type, const Vector2d& inImage) {
+  if (const auto point = onGround(picture, inImage)) points_.push_back({type, inImage, *point});
 }
 
 void EdgeScanner::finish(LinesPercept& percept) {

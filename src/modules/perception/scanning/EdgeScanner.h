@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/CameraImage.h"
 #include "modules/perception/scanning/ScanGrid.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/perception/LinesPercept.h"
@@ -15,20 +15,20 @@ struct GoalIndication;
 /// decrease lie apart tells lines from the border.
 class EdgeScanner {
  public:
-  /// A point found, in the picture.
+  /// A point found, in the image.
   struct EdgePoint {
     EdgeType type;
-    Vector2d inPicture, onGround;
+    Vector2d inImage, onGround;
   };
 
   /// Forgets what was found.
   void clear() { points_.clear(); }
   /// Looks along a line perpendicular to the horizon, from top to bottom.
-  void scanDown(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
+  void scanDown(const CameraImage& picture, const ScanLine& line, const FieldDimensions& field);
   /// Looks along a line parallel to the horizon.
-  void scanAcross(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
+  void scanAcross(const CameraImage& picture, const ScanLine& line, const FieldDimensions& field);
   /// Takes the lower end of a piece of goal if the field begins there.
-  void addGoal(const Picture& picture, const GoalIndication& goal);
+  void addGoal(const CameraImage& picture, const GoalIndication& goal);
   /// Fills in the percept: types with less than three points are noise, and a border with far fewer
   /// points than the lines is made of lines seen lengthwise.
   void finish(LinesPercept& percept);
@@ -40,15 +40,15 @@ class EdgeScanner {
   /// Something white that green follows on a scan line, in steps along it.
   struct Bright {
     double rise = 0, fall = 0;
-    bool riseSeen = false;  ///< It began within the picture.
+    bool riseSeen = false;  ///< It began within the image.
     bool greenBefore = false;
   };
 
-  void findBright(const Picture& picture, const ScanLine& line);
+  void findBright(const CameraImage& picture, const ScanLine& line);
   double sharpest(int at) const;
-  void classify(const Picture& picture, const ScanLine& line, const Bright& bright,
+  void classify(const CameraImage& picture, const ScanLine& line, const Bright& bright,
                 double longestLine);
-  void add(const Picture& picture, EdgeType type, const Vector2d& inPicture);
+  void add(const CameraImage& picture, EdgeType type, const Vector2d& inImage);
 
   std::vector<std::uint8_t> y_, steep_;
   std::vector<Bright> bright_;

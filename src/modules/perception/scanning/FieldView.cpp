@@ -1,8 +1,9 @@
 #include "modules/perception/scanning/FieldView.h"
 
 namespace gt {
-std::optional<Vector2d> onPlane(const Picture& picture, const Vector2d& inPicture, double height) {
-  const Vector3d ray = picture.matrix.ray(inPicture.x(), inPicture.y());
+std::optional<Vector2d> onPlane(const CameraImage& picture, const Vector2d& inImage,
+                                double height) {
+  const Vector3d ray = picture.matrix.ray(inImage.x(), inImage.y());
   const Vector3d& camera = picture.matrix.pose.translation;
   const double above = camera.z() - height;
   if (above * ray.z() >= 0) return std::nullopt;
@@ -11,7 +12,8 @@ std::optional<Vector2d> onPlane(const Picture& picture, const Vector2d& inPictur
   return Vector2d{camera.head<2>() + way};
 }
 
-double expectedLineWidth(const Picture& picture, double distance, const FieldDimensions& field) {
+double expectedLineWidth(const CameraImage& picture, double distance,
+                         const FieldDimensions& field) {
   const double height = picture.matrix.pose.translation.z();
   // The difference of the angles down to both of its sides.
   return picture.matrix.info.focalX *
@@ -19,7 +21,8 @@ double expectedLineWidth(const Picture& picture, double distance, const FieldDim
                     distance * (distance + field.lineWidth) + height * height);
 }
 
-double expectedBorderHeight(const Picture& picture, double distance, const FieldDimensions& field) {
+double expectedBorderHeight(const CameraImage& picture, double distance,
+                            const FieldDimensions& field) {
   const double height = picture.matrix.pose.translation.z();
   return picture.matrix.info.focalX *
          std::atan2(field.wallHeight * distance,

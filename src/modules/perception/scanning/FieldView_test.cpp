@@ -18,7 +18,7 @@ TEST(FieldView, LinesAndBordersAreAsLongAsTheAnglesToTheirEnds) {
   for (const double height : {90.0, 180.0, 250.0}) {
     matrix.pose.translation = {60, 10, height};
     const Horizon horizon = horizonOf(matrix);
-    const Picture picture{image, colors, matrix, horizon};
+    const CameraImage picture{image, colors, matrix, horizon};
     const double focal = matrix.info.focalX;
     for (const double distance : {50.0, 300.0, 1000.0, 4000.0}) {
       const double down = std::atan(height / distance);
@@ -36,7 +36,7 @@ TEST(FieldView, WhatIsSeenOfTheGroundLiesWhereItIs) {
   CameraMatrix matrix;
   matrix.pose.translation = {60, 10, 180};
   const Horizon horizon = horizonOf(matrix);
-  const Picture picture{image, colors, matrix, horizon};
+  const CameraImage picture{image, colors, matrix, horizon};
   for (const Vector2d& place : {Vector2d{700, 0}, Vector2d{1500, 400}, Vector2d{3000, -900}}) {
     const Vector3d ray = Vector3d{place.x(), place.y(), 0} - matrix.pose.translation;
     const auto found = onGround(picture, picture.pointOf(ray));

@@ -2,7 +2,7 @@
 
 namespace gt {
 
-// A point (x, y) of the picture lies on the horizon where its ray is parallel to the ground:
+// A point (x, y) of the image lies on the horizon where its ray is parallel to the ground:
 // r31 + r32 (cx - x) / fx + r33 (cy - y) / fy = 0, which is formula 3.5 solved for any x.
 Horizon horizonOf(const CameraMatrix& matrix) {
   const CameraInfo& info = matrix.info;

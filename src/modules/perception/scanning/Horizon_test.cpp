@@ -27,7 +27,7 @@ TEST(Horizon, HoldsWhatIsFarAway) {
     const Vector3d inCamera = matrix.pose.rotation.transpose() * Vector3d{way.x(), way.y(), 0};
     if (inCamera.x() < 0.1) continue;
     ++seen;
-    EXPECT_NEAR(horizon.fromPicture(matrix.info.project(inCamera)).y(), 0, 1e-6);
+    EXPECT_NEAR(horizon.fromImage(matrix.info.project(inCamera)).y(), 0, 1e-6);
     // Below the horizon is where the ground is.
     const Vector2d below = horizon.toPicture(10, 5);
     EXPECT_LT((matrix.pose.rotation * matrix.info.ray(below.x(), below.y())).z(), 0);
@@ -65,8 +65,8 @@ TEST(Horizon, FollowsTheReportsFormula) {
     const double left = -(r(1, 2) * s + r(0, 2) * s * cot) / r(2, 2);
     const double right = -(-r(1, 2) * s + r(0, 2) * s * cot) / r(2, 2);
     const Horizon horizon = horizonOf(matrix);
-    EXPECT_NEAR(horizon.fromPicture({0, 72 - left}).y(), 0, 1e-6);
-    EXPECT_NEAR(horizon.fromPicture({176, 72 - right}).y(), 0, 1e-6);
+    EXPECT_NEAR(horizon.fromImage({0, 72 - left}).y(), 0, 1e-6);
+    EXPECT_NEAR(horizon.fromImage({176, 72 - right}).y(), 0, 1e-6);
   }
 }
 
@@ -107,8 +107,8 @@ TEST(Horizon, ExistsForEveryRotation) {
   }
 }
 
-// No line leaves the picture, and near the horizon they are as dense as asked for.
-TEST(ScanGrid, StaysInThePictureAndIsDenseAtTheHorizon) {
+// No line leaves the image, and near the horizon they are as dense as asked for.
+TEST(ScanGrid, StaysInTheImageAndIsDenseAtTheHorizon) {
   Random random{3};
   ScanGrid grid;
   for (int i = 0; i < 300; ++i) {

@@ -29,7 +29,7 @@ void IndicationScanner::clear() {
   greens.clear();
 }
 
-void IndicationScanner::scan(const Picture& picture, const ScanLine& line,
+void IndicationScanner::scan(const CameraImage& picture, const ScanLine& line,
                              const FieldDimensions& field) {
   findRuns(picture, line);
   if (line.whole) findGreen(picture, line, field);
@@ -62,7 +62,7 @@ void IndicationScanner::scan(const Picture& picture, const ScanLine& line,
 
 // First the classes of all pixels, none of which waits for the one before, then where they change:
 // eight pixels at a time, few of which differ.
-void IndicationScanner::findRuns(const Picture& picture, const ScanLine& line) {
+void IndicationScanner::findRuns(const CameraImage& picture, const ScanLine& line) {
   const int length = line.length;
   if (classes_.size() < static_cast<std::size_t>(length))
     classes_.resize(static_cast<std::size_t>(length));
@@ -175,9 +175,9 @@ void IndicationScanner::findFlag(const ScanLine& line, std::size_t first) {
   }
 }
 
-// A goal stands on the field: below its color comes green, perhaps after a line, or the picture's
+// A goal stands on the field: below its color comes green, perhaps after a line, or the image's
 // border, or a robot that hides the rest.
-std::size_t IndicationScanner::findGoal(const Picture& picture, const ScanLine& line,
+std::size_t IndicationScanner::findGoal(const CameraImage& picture, const ScanLine& line,
                                         std::size_t first) {
   const ColorClass color = runs_[first].color;
   const Stretch stretch = stretchFrom(first, ColorSet{color}, maxGap);
@@ -197,7 +197,7 @@ std::size_t IndicationScanner::findGoal(const Picture& picture, const ScanLine& 
     goal.meetsField = onField && run.begin - end <= maxGap;
     goal.foot = line.at((run.begin + end - 1) / 2.0);
   }
-  onField = onField && picture.horizon.fromPicture(goal.bottom).y() >= 0;
+  onField = onField && picture.horizon.fromImage(goal.bottom).y() >= 0;
   if (onField || isHidden(stretch)) goals.push_back(goal);
   return next;
 }
@@ -229,7 +229,7 @@ void IndicationScanner::findPlayer(const ScanLine& line, const Stretch& tricot, 
 }
 
 // From the bottom upwards: green, with gaps that field lines could make (report 3.2.7).
-void IndicationScanner::findGreen(const Picture& picture, const ScanLine& line,
+void IndicationScanner::findGreen(const CameraImage& picture, const ScanLine& line,
                                   const FieldDimensions& field) {
   int begin = line.length;
   for (std::size_t i = runs_.size(); i-- > 0;) {

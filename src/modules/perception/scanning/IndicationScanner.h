@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/CameraImage.h"
 #include "modules/perception/scanning/ScanGrid.h"
 #include "modules/perception/specialists/FlagColors.h"
 #include "representations/perception/LandmarksPercept.h"
@@ -36,7 +36,7 @@ struct PlayerIndication {
   TeamColor team = TeamColor::red;
   double u = 0;  ///< Of its scan line.
   Vector2d upper = Vector2d::Zero(), lower = Vector2d::Zero();
-  bool upperKnown = false;  ///< Whether it begins within the picture.
+  bool upperKnown = false;  ///< Whether it begins within the image.
   int pixels = 0;
 };
 
@@ -53,11 +53,11 @@ class IndicationScanner {
   std::vector<FlagIndication> flags;
   std::vector<GoalIndication> goals;
   std::vector<PlayerIndication> players;
-  std::vector<GreenSection> greens;  ///< One for each line that reaches over the whole picture.
+  std::vector<GreenSection> greens;  ///< One for each line that reaches over the whole image.
 
   /// Forgets what was found.
   void clear();
-  void scan(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
+  void scan(const CameraImage& picture, const ScanLine& line, const FieldDimensions& field);
 
  private:
   /// Neighboring pixels of one class.
@@ -73,15 +73,15 @@ class IndicationScanner {
     int pixels;               ///< Without the gaps.
   };
 
-  void findRuns(const Picture& picture, const ScanLine& line);
+  void findRuns(const CameraImage& picture, const ScanLine& line);
   Stretch stretchFrom(std::size_t first, ColorSet classes, int maxGap) const;
   Stretch ballFrom(std::size_t first) const;
   std::size_t findBall(const ScanLine& line, std::size_t first);
   void findFlag(const ScanLine& line, std::size_t first);
   void findPlayer(const ScanLine& line, const Stretch& tricot, TeamColor team);
-  void findGreen(const Picture& picture, const ScanLine& line, const FieldDimensions& field);
+  void findGreen(const CameraImage& picture, const ScanLine& line, const FieldDimensions& field);
   bool isHidden(const Stretch& goal) const;
-  std::size_t findGoal(const Picture& picture, const ScanLine& line, std::size_t first);
+  std::size_t findGoal(const CameraImage& picture, const ScanLine& line, std::size_t first);
 
   std::vector<ColorClass> classes_;  ///< Of the pixels.
   std::vector<Run> runs_;

@@ -26,7 +26,7 @@ void drawEdges(const EdgeScanner& scanner, Debug& debug) {
   auto canvas = debug.onImage(edgesKey);
   if (!canvas) return;
   for (const EdgeScanner::EdgePoint& point : scanner.points())
-    canvas.point(point.inPicture, colorOf(point.type), 1.5);
+    canvas.point(point.inImage, colorOf(point.type), 1.5);
 }
 
 }  // namespace gt

@@ -34,7 +34,7 @@ ScanLine clippedLine(const CameraInfo& info, const Vector2d& base, const Vector2
   clip(base.x(), direction.x(), info.width, low, high, line.fromBorder, line.toBorder);
   clip(base.y(), direction.y(), info.height, low, high, line.fromBorder, line.toBorder);
   if (!(low < high)) return line;
-  // One step is one pixel along the axis that the line is closer to; steps meet pixel centres.
+  // One step is one pixel along the axis that the line is closer to; steps meet pixel centers.
   const int major = std::abs(direction.x()) > std::abs(direction.y()) ? 0 : 1;
   const double forward = direction[major] > 0 ? 1 : -1;
   line.step = direction / std::abs(direction[major]);
@@ -61,7 +61,7 @@ ScanLine clippedLine(const CameraInfo& info, const Vector2d& base, const Vector2
 void ScanGrid::build(const CameraInfo& info, const Horizon& horizon, const GridSpacing& spacing) {
   lines_.clear();
   const double diagonal = std::hypot(info.width, info.height);
-  const Vector2d center = horizon.fromPicture({info.width / 2.0, info.height / 2.0});
+  const Vector2d center = horizon.fromImage({info.width / 2.0, info.height / 2.0});
   const int n = static_cast<int>(diagonal / (2 * spacing.dense));
   for (int k = -n; k <= n; ++k) {
     const double u = center.x() + k * spacing.dense;

@@ -7,14 +7,14 @@
 
 namespace gt {
 
-/// A straight row of pixels, one each step along the axis of the picture to which it is closer.
+/// A straight row of pixels, one each step along the axis of the image to which it is closer.
 struct ScanLine {
   double u = 0;        ///< Where it crosses the horizon's system of coordinates.
-  Vector2d start;      ///< Centre of the first pixel along the closer axis.
+  Vector2d start;      ///< Center of the first pixel along the closer axis.
   Vector2d step;       ///< From pixel to pixel.
   int length = 0;      ///< Pixels.
-  bool whole = false;  ///< One of the lines that reach over the whole picture.
-  bool fromBorder = false, toBorder = false;  ///< Whether its ends lie on the picture's border.
+  bool whole = false;  ///< One of the lines that reach over the whole image.
+  bool fromBorder = false, toBorder = false;  ///< Whether its ends lie on the image's border.
 
   Vector2d at(double i) const { return start + step * i; }
 };
@@ -45,7 +45,7 @@ class PixelWalk {
   int x_, y_, stepX_, stepY_;
 };
 
-/// How the grid is spread over the picture.
+/// How the grid is spread over the image.
 struct GridSpacing {
   double dense = 2;  ///< Pixels between lines next to the horizon; twice and four times elsewhere.
   double reachUp = 10;   ///< How far lines reach above the horizon per pixel of their spacing.
@@ -66,7 +66,7 @@ class ScanGrid {
 };
 
 /// The part of a line base + t * direction (a unit vector), low <= t <= high, that lies in the
-/// picture; length 0 if none does.
+/// image; length 0 if none does.
 ScanLine clippedLine(const CameraInfo& info, const Vector2d& base, const Vector2d& direction,
                      double low, double high);
 

@@ -22,7 +22,7 @@ bool isOutlier(std::span<const BallSegment> segments, std::span<const std::size_
   return 2 * count > members.size();
 }
 
-/// The centre of the circle through three points, where two middle perpendiculars intersect;
+/// The center of the circle through three points, where two middle perpendiculars intersect;
 /// false if the points lie on a line.
 bool intersectPerpendiculars(const Vector2d& a, const Vector2d& b, const Vector2d& c,
                              Vector2d& center) {
@@ -37,14 +37,14 @@ bool intersectPerpendiculars(const Vector2d& a, const Vector2d& b, const Vector2
 // Far enough from an edge that its blur does not reach there, in pixels.
 constexpr double away = 2.5;
 
-ColorClass classBeyond(const Picture& picture, const Vector2d& edge, const Vector2d& way) {
+ColorClass classBeyond(const CameraImage& picture, const Vector2d& edge, const Vector2d& way) {
   const Vector2d beyond = edge + way * away;
   return picture.contains(beyond) ? picture.classAt(beyond) : ColorClass::noColor;
 }
 
 }  // namespace
 
-void BallSpecialist::find(const Picture& picture, std::span<const BallSegment> segments,
+void BallSpecialist::find(const CameraImage& picture, std::span<const BallSegment> segments,
                           double ballRadius, BallPercept& percept) {
   percept = {};
   cluster(segments);
@@ -110,7 +110,7 @@ void BallSpecialist::collectPoints(std::span<const BallSegment> segments, const 
 // The mean chroma of the ball: first of its orange pixels, which in a blurred or badly classified
 // ball lie mainly on its rim, then of all that look like them. Unclassified pixels that have it are
 // ball, too.
-void BallSpecialist::learnColor(const Picture& picture, const Cluster& cluster) {
+void BallSpecialist::learnColor(const CameraImage& picture, const Cluster& cluster) {
   constexpr int samples = 12;
   constexpr double similar = 20;
   for (int pass = 0; pass < 2; ++pass) {
@@ -140,7 +140,8 @@ bool BallSpecialist::isBall(const Pixel& pixel, ColorClass color) const {
 
 // Whether the ball ends at an edge: an orange highlight on something red does not, it is surrounded
 // by at least as much red.
-bool BallSpecialist::isBoundary(const Picture& picture, const Vector2d& edge, const Vector2d& way) {
+bool BallSpecialist::isBoundary(const CameraImage& picture, const Vector2d& edge,
+                                const Vector2d& way) {
   constexpr double lessRed = 12;
   const Vector2d beyond = edge + way * away;
   return !picture.contains(beyond) ||
@@ -149,7 +150,7 @@ bool BallSpecialist::isBoundary(const Picture& picture, const Vector2d& edge, co
 
 // From within the ball to all sides: points to a fraction of a pixel, also left and right where
 // the scan lines only touch.
-void BallSpecialist::traceBoundary(const Picture& picture, const Vector2d& inside) {
+void BallSpecialist::traceBoundary(const CameraImage& picture, const Vector2d& inside) {
   points_.clear();
   traced_ = 0;
   for (int i = 0; i < traceRays; ++i) {
@@ -167,7 +168,7 @@ void BallSpecialist::traceBoundary(const Picture& picture, const Vector2d& insid
 // ray . n = 1 with n = axis / cos(angle), which is linear in n. The points next to green begin, if
 // they are enough: others may lie on what hides the ball. Then all that are close to the cone
 // count.
-bool BallSpecialist::fitCone(const Picture& picture, Cone& cone) const {
+bool BallSpecialist::fitCone(const CameraImage& picture, Cone& cone) const {
   const std::size_t n = std::min<std::size_t>(points_.size(), traceRays);
   if (n < minForCone) return false;
   const double focal = focalLength(picture.matrix.info);
@@ -206,7 +207,7 @@ bool BallSpecialist::fitCone(const Picture& picture, Cone& cone) const {
   return true;
 }
 
-bool BallSpecialist::look(const Picture& picture, std::span<const BallSegment> segments,
+bool BallSpecialist::look(const CameraImage& picture, std::span<const BallSegment> segments,
                           const Cluster& cluster, double ballRadius, BallPercept& percept) {
   Cone cone;
   if (!locate(picture, segments, cluster, ballRadius, cone)) return false;
@@ -216,9 +217,9 @@ bool BallSpecialist::look(const Picture& picture, std::span<const BallSegment> s
 }
 
 // The report's cases: three points of the boundary make a circle, a single one is the highest or
-// lowest point, without any the ball fills the picture. Where the boundary can be traced, all of it
+// lowest point, without any the ball fills the image. Where the boundary can be traced, all of it
 // replaces the circle's three points.
-bool BallSpecialist::locate(const Picture& picture, std::span<const BallSegment> segments,
+bool BallSpecialist::locate(const CameraImage& picture, std::span<const BallSegment> segments,
                             const Cluster& cluster, double ballRadius, Cone& cone) {
   Vector2d inside = Vector2d::Zero();
   double total = 0;
@@ -243,7 +244,7 @@ bool BallSpecialist::locate(const Picture& picture, std::span<const BallSegment>
 
 // Two points with the largest distance, then the one furthest away from both. A point next to
 // green is preferred: its distance counts double.
-bool BallSpecialist::circleCone(const Picture& picture, Cone& cone) const {
+bool BallSpecialist::circleCone(const CameraImage& picture, Cone& cone) const {
   if (points_.size() < 3) return false;
   const auto trust = [](const BoundaryPoint& p) { return p.beyond == ColorClass::green ? 2 : 1; };
   const BoundaryPoint *a = nullptr, *b = nullptr, *c = nullptr;
@@ -275,7 +276,7 @@ bool BallSpecialist::circleCone(const Picture& picture, Cone& cone) const {
 }
 
 // A highest point lies on the plane through the ball's top, a lowest one on the ground.
-bool BallSpecialist::pointCone(const Picture& picture, double ballRadius, Cone& cone) const {
+bool BallSpecialist::pointCone(const CameraImage& picture, double ballRadius, Cone& cone) const {
   if (points_.empty()) return false;
   const BoundaryPoint& point = points_.front();
   const Vector3d camera = picture.matrix.pose.translation;
@@ -290,7 +291,7 @@ bool BallSpecialist::pointCone(const Picture& picture, double ballRadius, Cone& 
 
 // A disk around the place where the ball should be must be orange, and what is around it must not
 // (report 3.2.3).
-bool BallSpecialist::isOrange(const Picture& picture, const BallPercept& percept) const {
+bool BallSpecialist::isOrange(const CameraImage& picture, const BallPercept& percept) const {
   constexpr int directions = 12;
   const auto countOn = [&](double part, int& pixels, int& orange, int& red, int& ball) {
     for (int i = 0; i < directions; ++i) {

@@ -12,7 +12,7 @@ namespace gt {
 class BallSpecialist {
  public:
   /// Fills in the percept; `segments` must be in the order of their scan lines. All but `time`.
-  void find(const Picture& picture, std::span<const BallSegment> segments, double ballRadius,
+  void find(const CameraImage& picture, std::span<const BallSegment> segments, double ballRadius,
             BallPercept& percept);
 
  private:
@@ -35,24 +35,24 @@ class BallSpecialist {
   };
 
   void cluster(std::span<const BallSegment> segments);
-  bool look(const Picture& picture, std::span<const BallSegment> segments, const Cluster& cluster,
-            double ballRadius, BallPercept& percept);
+  bool look(const CameraImage& picture, std::span<const BallSegment> segments,
+            const Cluster& cluster, double ballRadius, BallPercept& percept);
   void collectPoints(std::span<const BallSegment> segments, const Cluster& cluster);
-  void learnColor(const Picture& picture, const Cluster& cluster);
+  void learnColor(const CameraImage& picture, const Cluster& cluster);
   bool isBall(const Pixel& pixel, ColorClass color) const;
-  static bool isBoundary(const Picture& picture, const Vector2d& edge, const Vector2d& way);
-  void traceBoundary(const Picture& picture, const Vector2d& inside);
-  bool locate(const Picture& picture, std::span<const BallSegment> segments, const Cluster& cluster,
-              double ballRadius, Cone& cone);
-  bool circleCone(const Picture& picture, Cone& cone) const;
-  bool pointCone(const Picture& picture, double ballRadius, Cone& cone) const;
-  bool fitCone(const Picture& picture, Cone& cone) const;
-  bool isOrange(const Picture& picture, const BallPercept& percept) const;
+  static bool isBoundary(const CameraImage& picture, const Vector2d& edge, const Vector2d& way);
+  void traceBoundary(const CameraImage& picture, const Vector2d& inside);
+  bool locate(const CameraImage& picture, std::span<const BallSegment> segments,
+              const Cluster& cluster, double ballRadius, Cone& cone);
+  bool circleCone(const CameraImage& picture, Cone& cone) const;
+  bool pointCone(const CameraImage& picture, double ballRadius, Cone& cone) const;
+  bool fitCone(const CameraImage& picture, Cone& cone) const;
+  bool isOrange(const CameraImage& picture, const BallPercept& percept) const;
 
   std::vector<Cluster> clusters_;
   std::size_t used_ = 0;
   std::vector<BoundaryPoint> points_;
-  int traced_ = 0;          ///< Ways from within the ball that ended within the picture.
+  int traced_ = 0;          ///< Ways from within the ball that ended within the image.
   double cb_ = 0, cr_ = 0;  ///< Of the orange pixels of the cluster looked at.
 };
 

@@ -37,7 +37,7 @@ TEST_F(BallSpecialistTest, FindsABallCutByTheBorder) {
   EXPECT_NEAR(percepts_.ball.distanceByProjection / to.norm(), 1, 0.05);
 }
 
-TEST_F(BallSpecialistTest, FindsABallThatFillsThePicture) {
+TEST_F(BallSpecialistTest, FindsABallThatFillsTheImage) {
   random_ = Random{5};
   ball_ = Vector3d{150, 10, field_.ballRadius};
   field_.ballRadius = 130;  // So near that nothing else is seen.

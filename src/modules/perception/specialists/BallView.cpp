@@ -4,7 +4,7 @@
 
 namespace gt {
 
-bool describeBall(const Picture& picture, const Vector3d& axis, double angle, double ballRadius,
+bool describeBall(const CameraImage& picture, const Vector3d& axis, double angle, double ballRadius,
                   BallPercept& percept) {
   constexpr double minRadius = 1.2;  // Pixels.
   const double focal = focalLength(picture.matrix.info);
@@ -15,7 +15,7 @@ bool describeBall(const Picture& picture, const Vector3d& axis, double angle, do
     if (percept.radiusInImage < minRadius) return false;
     percept.distanceBySize = ballRadius / std::sin(angle);
   }
-  // Where the ray meets the plane through the ball's centre.
+  // Where the ray meets the plane through the ball's center.
   const Vector3d camera = picture.matrix.pose.translation;
   constexpr double flattest = 0.01, farthest = 10000;
   if (axis.z() < -flattest && camera.z() > ballRadius)
@@ -30,8 +30,8 @@ bool describeBall(const Picture& picture, const Vector3d& axis, double angle, do
 }
 
 // A ball neither floats nor lies deep in the ground, nor does it ever reach up to the horizon: seen
-// at the distance that its size tells, its centre is at its radius above the ground.
-bool isOnGround(const Picture& picture, const BallPercept& percept, const Vector3d& axis,
+// at the distance that its size tells, its center is at its radius above the ground.
+bool isOnGround(const CameraImage& picture, const BallPercept& percept, const Vector3d& axis,
                 double ballRadius) {
   if (!picture.matrix.valid) return true;
   if (elevation(axis) > fromDegrees(1)) return false;

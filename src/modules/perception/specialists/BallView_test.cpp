@@ -15,7 +15,7 @@ class BallViewTest : public testing::Test {
   const Image image_;
   const ColorTable64 colors_;
   const Horizon horizon_;
-  Picture picture_{image_, colors_, matrix_, horizon_};
+  CameraImage picture_{image_, colors_, matrix_, horizon_};
   BallPercept percept_;
 
   Vector3d axisTo(const Vector3d& ball) const {

@@ -29,7 +29,7 @@ bool isBall(ColorClass c) {
 
 }  // namespace
 
-void BlackWhiteBallSpecialist::find(const Picture& picture, double ballRadius, Random& random,
+void BlackWhiteBallSpecialist::find(const CameraImage& picture, double ballRadius, Random& random,
                                     BallPercept& percept) {
   percept = {};
   for (std::size_t i = 0; i < radii; ++i)
@@ -49,14 +49,14 @@ void BlackWhiteBallSpecialist::find(const Picture& picture, double ballRadius, R
 }
 
 // Where balls are large fewer rows show as much of them. A ball at the horizon reaches above it.
-void BlackWhiteBallSpecialist::findEdges(const Picture& picture, double ballRadius) {
+void BlackWhiteBallSpecialist::findEdges(const CameraImage& picture, double ballRadius) {
   constexpr double rowsPerRadius = 5, highest = -2 * smallest, mostStep = 6;
   edges_.clear();
   const CameraInfo& info = picture.image.info;
   const double grows = growth(picture.matrix, ballRadius);
   for (int y = 1; y < info.height - 1;) {
-    const double left = picture.horizon.fromPicture({0, y + 0.5}).y();
-    const double right = picture.horizon.fromPicture({double(info.width), y + 0.5}).y();
+    const double left = picture.horizon.fromImage({0, y + 0.5}).y();
+    const double right = picture.horizon.fromImage({double(info.width), y + 0.5}).y();
     int from = 1, to = info.width - 1;
     if (left < highest || right < highest) {
       // Where the row crosses the border of what is looked at.
@@ -72,7 +72,7 @@ void BlackWhiteBallSpecialist::findEdges(const Picture& picture, double ballRadi
   }
 }
 
-void BlackWhiteBallSpecialist::scanRow(const Picture& picture, int y, int from, int to) {
+void BlackWhiteBallSpecialist::scanRow(const CameraImage& picture, int y, int from, int to) {
   constexpr int block = 16;
   const Image& image = picture.image;
   const Pixel* row = &image.at(0, y);
@@ -104,7 +104,7 @@ void BlackWhiteBallSpecialist::scanRow(const Picture& picture, int y, int from, 
 
 // What is left, right, above and below of it must be green, white or black, mostly, and one side
 // the ball's (report 4.1.1).
-void BlackWhiteBallSpecialist::testEdge(const Picture& picture, int x, int y,
+void BlackWhiteBallSpecialist::testEdge(const CameraImage& picture, int x, int y,
                                         const Vector2d& gradient) {
   constexpr int near = 2, far = 4, minInside = 2;
   const Image& image = picture.image;
@@ -138,10 +138,10 @@ void BlackWhiteBallSpecialist::testEdge(const Picture& picture, int x, int y,
   edges_.push_back(edge);
 }
 
-// Each point of the boundary votes for the cells in which the centre may lie: all of a circle in
+// Each point of the boundary votes for the cells in which the center may lie: all of a circle in
 // the report, here the part of it into which the edge points. Radii that no ball on the ground has
 // there are left out.
-void BlackWhiteBallSpecialist::vote(const Picture& picture, double ballRadius) {
+void BlackWhiteBallSpecialist::vote(const CameraImage& picture, double ballRadius) {
   cellsX_ = picture.image.info.width / cellSize + 1;
   cellsY_ = picture.image.info.height / cellSize + 1;
   candidates_.clear();
@@ -149,9 +149,9 @@ void BlackWhiteBallSpecialist::vote(const Picture& picture, double ballRadius) {
   const double grows = growth(picture.matrix, ballRadius);
   for (const Edge& edge : edges_) {
     if (!edge.onBall) continue;
-    const double below = picture.horizon.fromPicture(edge.point).y();
+    const double below = picture.horizon.fromImage(edge.point).y();
     for (std::size_t i = 0; i < radii; ++i) {
-      // The edge is at most a radius above or below the centre.
+      // The edge is at most a radius above or below the center.
       const double least = (below - radius_[i]) * grows / mostWrong;
       const double most = (below + radius_[i]) * grows * mostWrong + 2;
       if (!picture.matrix.valid || (radius_[i] > least && radius_[i] < most))
@@ -187,7 +187,7 @@ Vector2d BlackWhiteBallSpecialist::cellCenter(std::size_t cell) const {
                              static_cast<double>(cell / width % height) + 0.5};
 }
 
-bool BlackWhiteBallSpecialist::look(const Picture& picture, std::size_t cell, double ballRadius,
+bool BlackWhiteBallSpecialist::look(const CameraImage& picture, std::size_t cell, double ballRadius,
                                     Random& random, BallPercept& percept) {
   Vector2d center = cellCenter(cell);
   double radius = radius_[cell / static_cast<std::size_t>(cellsX_ * cellsY_)];
@@ -205,7 +205,7 @@ bool BlackWhiteBallSpecialist::look(const Picture& picture, std::size_t cell, do
 // From within the ball to all sides, as long as it is black and white: eleven radii and cells of
 // five pixels alone tell distances badly. Where a line or a robot is next to the ball the way goes
 // on: only what is about as far away as the rest counts.
-bool BlackWhiteBallSpecialist::traceCircle(const Picture& picture, Vector2d& center,
+bool BlackWhiteBallSpecialist::traceCircle(const CameraImage& picture, Vector2d& center,
                                            double& radius) {
   constexpr int rays = 24, least = 8, maxGap = 1, mostColor = 16;
   const auto belongs = [](const Pixel& pixel, ColorClass c) {
@@ -222,7 +222,7 @@ bool BlackWhiteBallSpecialist::traceCircle(const Picture& picture, Vector2d& cen
   int inside = 0;
   const double found = radius;
   for (const double tolerance : {0.5, 0.3, 0.2}) {
-    // |p|^2 = 2 p.c + (r^2 - |c|^2), which is linear, around the centre known so far.
+    // |p|^2 = 2 p.c + (r^2 - |c|^2), which is linear, around the center known so far.
     Matrix3d a = Matrix3d::Zero();
     Vector3d b = Vector3d::Zero();
     inside = 0;
@@ -248,8 +248,8 @@ bool BlackWhiteBallSpecialist::traceCircle(const Picture& picture, Vector2d& cen
 
 // Of 80 pixels chosen at random at least half must be black or white, and a tenth black
 // (report 4.1.1); and some white: legs of robots are gray and black.
-bool BlackWhiteBallSpecialist::isFull(const Picture& picture, const Vector2d& center, double radius,
-                                      Random& random) {
+bool BlackWhiteBallSpecialist::isFull(const CameraImage& picture, const Vector2d& center,
+                                      double radius, Random& random) {
   constexpr int samples = 80, first = 16;
   int inside = 0, ball = 0, black = 0, white = 0;
   for (int i = 0; i < samples; ++i) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/Random.h"
-#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/CameraImage.h"
 #include "representations/perception/BallPercept.h"
 
 namespace gt {
@@ -13,7 +13,7 @@ namespace gt {
 /// whether the circle is full of black and white (report 4.1.1).
 class BlackWhiteBallSpecialist {
  public:
-  /// A point where the picture changes much from left to right, and whether it may be the ball's
+  /// A point where the image changes much from left to right, and whether it may be the ball's
   /// boundary.
   struct Edge {
     Vector2d point;
@@ -22,22 +22,23 @@ class BlackWhiteBallSpecialist {
   };
 
   /// Fills in the percept, all but `time`.
-  void find(const Picture& picture, double ballRadius, Random& random, BallPercept& percept);
+  void find(const CameraImage& picture, double ballRadius, Random& random, BallPercept& percept);
 
   const std::vector<Edge>& edges() const { return edges_; }
 
  private:
   static constexpr std::size_t radii = 11;
 
-  void findEdges(const Picture& picture, double ballRadius);
-  void scanRow(const Picture& picture, int y, int from, int to);
-  void testEdge(const Picture& picture, int x, int y, const Vector2d& gradient);
-  void vote(const Picture& picture, double ballRadius);
+  void findEdges(const CameraImage& picture, double ballRadius);
+  void scanRow(const CameraImage& picture, int y, int from, int to);
+  void testEdge(const CameraImage& picture, int x, int y, const Vector2d& gradient);
+  void vote(const CameraImage& picture, double ballRadius);
   void voteFor(const Edge& edge, std::size_t radius, double pixels);
-  bool look(const Picture& picture, std::size_t cell, double ballRadius, Random& random,
+  bool look(const CameraImage& picture, std::size_t cell, double ballRadius, Random& random,
             BallPercept& percept);
-  static bool traceCircle(const Picture& picture, Vector2d& center, double& radius);
-  static bool isFull(const Picture& picture, const Vector2d& center, double radius, Random& random);
+  static bool traceCircle(const CameraImage& picture, Vector2d& center, double& radius);
+  static bool isFull(const CameraImage& picture, const Vector2d& center, double radius,
+                     Random& random);
   Vector2d cellCenter(std::size_t cell) const;
 
   std::vector<Edge> edges_;

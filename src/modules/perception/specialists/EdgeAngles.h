@@ -16,9 +16,9 @@ class EdgeAngles {
   void add(double angle, bool onBorder);
   bool empty() const { return count_ == 0; }
 
-  /// The outermost angle, averaged with those close to it, since each has the picture's noise in
+  /// The outermost angle, averaged with those close to it, since each has the image's noise in
   /// it; `sign` is 1 where a larger angle lies further out. An edge is straight: where less than
-  /// `share` of the scans met it, something hides it, which counts as the picture's border does.
+  /// `share` of the scans met it, something hides it, which counts as the image's border does.
   Merged merge(double sign, double tolerance, double share) const;
 
  private:

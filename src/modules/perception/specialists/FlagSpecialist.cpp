@@ -18,7 +18,7 @@ constexpr double straight = 0.5;       // The part of the scans that has to meet
 
 }  // namespace
 
-void FlagSpecialist::find(const Picture& picture, std::span<const FlagIndication> indications,
+void FlagSpecialist::find(const CameraImage& picture, std::span<const FlagIndication> indications,
                           const FieldDimensions& field, LandmarksPercept& percept) {
   percept.numberOfFlags = 0;
   cluster(picture, indications);
@@ -42,11 +42,12 @@ void FlagSpecialist::find(const Picture& picture, std::span<const FlagIndication
   }
 }
 
-void FlagSpecialist::cluster(const Picture& picture, std::span<const FlagIndication> indications) {
+void FlagSpecialist::cluster(const CameraImage& picture,
+                             std::span<const FlagIndication> indications) {
   constexpr double widestGap = 12, highestGap = 8;
   used_ = 0;
   for (const FlagIndication& indication : indications) {
-    const Vector2d p = picture.horizon.fromPicture(indication.position);
+    const Vector2d p = picture.horizon.fromImage(indication.position);
     Cluster* home = nullptr;
     for (std::size_t i = 0; i < used_ && !home; ++i) {
       const Vector2d gap = p - clusters_[i].newest;
@@ -65,7 +66,7 @@ void FlagSpecialist::cluster(const Picture& picture, std::span<const FlagIndicat
   }
 }
 
-bool FlagSpecialist::measure(const Picture& picture, const Vector2d& start,
+bool FlagSpecialist::measure(const CameraImage& picture, const Vector2d& start,
                              const FieldDimensions& field, FlagPercept& flag) {
   Measurement m;
   const FlagColors colors = colorsOf(flag.type);
@@ -89,7 +90,7 @@ bool FlagSpecialist::measure(const Picture& picture, const Vector2d& start,
   return locateFlag(picture.matrix, field, elevation(picture.ray(start)), flag);
 }
 
-bool FlagSpecialist::measureHeights(const Picture& picture, const Vector2d& start,
+bool FlagSpecialist::measureHeights(const CameraImage& picture, const Vector2d& start,
                                     Measurement& m) const {
   const Vector2d down = picture.horizon.down;
   const ColorEdge above = picture.findEdge(start, -down, m.upper, maxGap);
@@ -99,14 +100,14 @@ bool FlagSpecialist::measureHeights(const Picture& picture, const Vector2d& star
   m.aboveOnBorder = above.onBorder;
   m.belowOnBorder = below.onBorder;
   if (std::min(m.heightAbove, m.heightBelow) < 1) return false;
-  // Both colors are equally high, as far as they are in the picture.
+  // Both colors are equally high, as far as they are in the image.
   constexpr double mostUneven = 2.5;
   if (m.heightAbove > mostUneven * m.heightBelow && !m.belowOnBorder) return false;
   return m.heightBelow <= mostUneven * m.heightAbove || m.aboveOnBorder;
 }
 
 // Rows of one color; `offset` is where its far end lies from the start along the horizon's down.
-void FlagSpecialist::scanRows(const Picture& picture, const Vector2d& start, double offset,
+void FlagSpecialist::scanRows(const CameraImage& picture, const Vector2d& start, double offset,
                               ColorSet colors, double& widest) {
   const Vector2d along = picture.horizon.along;
   for (const double part : parts) {
@@ -127,7 +128,7 @@ void FlagSpecialist::scanRows(const Picture& picture, const Vector2d& start, dou
   }
 }
 
-bool FlagSpecialist::scanWidth(const Picture& picture, const Vector2d& start,
+bool FlagSpecialist::scanWidth(const CameraImage& picture, const Vector2d& start,
                                const Measurement& m) {
   left_.clear();
   right_.clear();
@@ -140,7 +141,7 @@ bool FlagSpecialist::scanWidth(const Picture& picture, const Vector2d& start,
 }
 
 // Blurred edges between other colors look like a flag's, but not like both of its fields.
-bool FlagSpecialist::isSolid(const Picture& picture, const Vector2d& start,
+bool FlagSpecialist::isSolid(const CameraImage& picture, const Vector2d& start,
                              const Measurement& m) const {
   for (const bool upper : {true, false}) {
     const double end = upper ? -m.heightAbove : m.heightBelow;
@@ -159,7 +160,7 @@ bool FlagSpecialist::isSolid(const Picture& picture, const Vector2d& start,
   return true;
 }
 
-void FlagSpecialist::scanColumns(const Picture& picture, const Vector2d& start,
+void FlagSpecialist::scanColumns(const CameraImage& picture, const Vector2d& start,
                                  const Measurement& m) {
   top_.clear();
   bottom_.clear();
@@ -192,7 +193,7 @@ bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double
   if (high && height < 0.55 * proportion * width) return false;
   if (wide && height > 1.6 * proportion * width) return false;
 
-  // The edges at top and bottom are seen on the side that faces the camera; of what the picture
+  // The edges at top and bottom are seen on the side that faces the camera; of what the image
   // cuts off one of the two colors may still be whole.
   const double half = !b.topOnBorder      ? std::tan(b.top) - std::tan(middle)
                       : !b.bottomOnBorder ? std::tan(middle) - std::tan(b.bottom)

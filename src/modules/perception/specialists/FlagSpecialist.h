@@ -11,7 +11,7 @@ namespace gt {
 class FlagSpecialist {
  public:
   /// Fills in the percept's flags.
-  void find(const Picture& picture, std::span<const FlagIndication> indications,
+  void find(const CameraImage& picture, std::span<const FlagIndication> indications,
             const FieldDimensions& field, LandmarksPercept& percept);
 
  private:
@@ -29,15 +29,15 @@ class FlagSpecialist {
     bool aboveOnBorder = false, belowOnBorder = false;
   };
 
-  void cluster(const Picture& picture, std::span<const FlagIndication> indications);
-  bool measure(const Picture& picture, const Vector2d& start, const FieldDimensions& field,
+  void cluster(const CameraImage& picture, std::span<const FlagIndication> indications);
+  bool measure(const CameraImage& picture, const Vector2d& start, const FieldDimensions& field,
                FlagPercept& flag);
-  bool measureHeights(const Picture& picture, const Vector2d& start, Measurement& m) const;
-  void scanRows(const Picture& picture, const Vector2d& start, double offset, ColorSet colors,
+  bool measureHeights(const CameraImage& picture, const Vector2d& start, Measurement& m) const;
+  void scanRows(const CameraImage& picture, const Vector2d& start, double offset, ColorSet colors,
                 double& widest);
-  bool scanWidth(const Picture& picture, const Vector2d& start, const Measurement& m);
-  bool isSolid(const Picture& picture, const Vector2d& start, const Measurement& m) const;
-  void scanColumns(const Picture& picture, const Vector2d& start, const Measurement& m);
+  bool scanWidth(const CameraImage& picture, const Vector2d& start, const Measurement& m);
+  bool isSolid(const CameraImage& picture, const Vector2d& start, const Measurement& m) const;
+  void scanColumns(const CameraImage& picture, const Vector2d& start, const Measurement& m);
 
   std::array<Cluster, 16> clusters_;
   std::size_t used_ = 0;

@@ -31,7 +31,7 @@ TEST_F(FlagSpecialistTest, MeasuresEachFlag) {
   }
 }
 
-TEST_F(FlagSpecialistTest, TellsAFlagsEdgeThatIsNotInThePicture) {
+TEST_F(FlagSpecialistTest, TellsAFlagsEdgeThatIsNotInTheImage) {
   random_ = Random{9};
   flag_ = Vector2d{1200, 0};
   look(image_.info.openingAngleX() / 2 - 0.01, 0.05, 0);

@@ -18,7 +18,8 @@ constexpr ColorSet notBelow{ColorClass::red, ColorClass::blue, ColorClass::black
 constexpr std::size_t minLines = 2;
 
 // Where a robot begins the goal does not end.
-bool isHidden(const Picture& picture, const Vector2d& edge, const Vector2d& way, ColorSet robot) {
+bool isHidden(const CameraImage& picture, const Vector2d& edge, const Vector2d& way,
+              ColorSet robot) {
   const Vector2d beyond = edge + way * 2.5;
   return picture.contains(beyond) && robot.contains(picture.classAt(beyond));
 }
@@ -28,7 +29,7 @@ constexpr std::array rows{0.15, 0.3, 0.5, 0.7, 0.85};
 
 }  // namespace
 
-void GoalSpecialist::find(const Picture& picture, std::span<const GoalIndication> indications,
+void GoalSpecialist::find(const CameraImage& picture, std::span<const GoalIndication> indications,
                           const FieldDimensions& field, LandmarksPercept& percept) {
   percept.numberOfGoals = 0;
   for (const GoalColor color : {GoalColor::yellow, GoalColor::skyblue}) {
@@ -41,7 +42,7 @@ void GoalSpecialist::find(const Picture& picture, std::span<const GoalIndication
 }
 
 // Robots divide a goal, but gaps wider than the goal is high have another reason.
-void GoalSpecialist::selectGroup(const Picture& picture,
+void GoalSpecialist::selectGroup(const CameraImage& picture,
                                  std::span<const GoalIndication> indications, GoalColor color) {
   group_.clear();
   members_.clear();
@@ -53,7 +54,7 @@ void GoalSpecialist::selectGroup(const Picture& picture,
   };
   for (const GoalIndication& indication : indications) {
     if (indication.color != color) continue;
-    const double u = picture.horizon.fromPicture(indication.bottom).x();
+    const double u = picture.horizon.fromImage(indication.bottom).x();
     if (!members_.empty() && u - newest > 8 + 1.3 * highest) close();
     newest = u;
     highest = std::max(highest, (indication.bottom - indication.top).norm());
@@ -62,8 +63,8 @@ void GoalSpecialist::selectGroup(const Picture& picture,
   close();
 }
 
-void GoalSpecialist::scanRows(const Picture& picture, const GoalIndication& from, ColorSet colors,
-                              double sign, EdgeAngles& edge) const {
+void GoalSpecialist::scanRows(const CameraImage& picture, const GoalIndication& from,
+                              ColorSet colors, double sign, EdgeAngles& edge) const {
   for (const double part : rows) {
     const Vector2d p = from.top + (from.bottom - from.top) * part;
     if (!colors.contains(picture.classAt(p))) continue;
@@ -87,7 +88,8 @@ const GoalIndication& GoalSpecialist::outermost(bool left) const {
   return group_.front();
 }
 
-void GoalSpecialist::scanColumn(const Picture& picture, const GoalIndication& at, ColorSet colors) {
+void GoalSpecialist::scanColumn(const CameraImage& picture, const GoalIndication& at,
+                                ColorSet colors) {
   const Vector2d middle = (at.top + at.bottom) / 2;
   if (!picture.contains(middle) || !colors.contains(picture.classAt(middle))) return;
   const ColorEdge top = picture.findEdge(middle, -picture.horizon.down, colors, maxGap);
@@ -97,7 +99,7 @@ void GoalSpecialist::scanColumn(const Picture& picture, const GoalIndication& at
               bottom.onBorder || isHidden(picture, bottom.point, picture.horizon.down, notBelow));
 }
 
-bool GoalSpecialist::measure(const Picture& picture, const FieldDimensions& field,
+bool GoalSpecialist::measure(const CameraImage& picture, const FieldDimensions& field,
                              GoalPercept& goal) {
   const ColorSet colors{goal.color == GoalColor::yellow ? ColorClass::yellow : ColorClass::skyblue};
   for (EdgeAngles* edge : {&left_, &right_, &top_, &bottom_}) edge->clear();

@@ -11,17 +11,17 @@ namespace gt {
 class GoalSpecialist {
  public:
   /// Fills in the percept's goals; the indications must be in the order of their scan lines.
-  void find(const Picture& picture, std::span<const GoalIndication> indications,
+  void find(const CameraImage& picture, std::span<const GoalIndication> indications,
             const FieldDimensions& field, LandmarksPercept& percept);
 
  private:
-  void selectGroup(const Picture& picture, std::span<const GoalIndication> indications,
+  void selectGroup(const CameraImage& picture, std::span<const GoalIndication> indications,
                    GoalColor color);
-  bool measure(const Picture& picture, const FieldDimensions& field, GoalPercept& goal);
-  void scanRows(const Picture& picture, const GoalIndication& from, ColorSet colors, double sign,
-                EdgeAngles& edge) const;
+  bool measure(const CameraImage& picture, const FieldDimensions& field, GoalPercept& goal);
+  void scanRows(const CameraImage& picture, const GoalIndication& from, ColorSet colors,
+                double sign, EdgeAngles& edge) const;
   const GoalIndication& outermost(bool left) const;
-  void scanColumn(const Picture& picture, const GoalIndication& at, ColorSet colors);
+  void scanColumn(const CameraImage& picture, const GoalIndication& at, ColorSet colors);
 
   std::vector<GoalIndication> members_, group_;
   EdgeAngles left_, right_, top_, bottom_;

@@ -31,7 +31,7 @@ TEST_F(GoalSpecialistTest, MeasuresTheGoal) {
   }
 }
 
-TEST_F(GoalSpecialistTest, LeavesTheEndOfAGoalOutsideThePictureOpen) {
+TEST_F(GoalSpecialistTest, LeavesTheEndOfAGoalOutsideTheImageOpen) {
   random_ = Random{11};
   goal_ = 800;
   look(0.5, 0, 0);

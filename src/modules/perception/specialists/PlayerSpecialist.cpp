@@ -17,12 +17,12 @@ constexpr double typicalHeight = 55;    // mm: of a piece of tricot, seen from t
 constexpr double mostHeight = 120;      // mm: the same with that of a leg below
 constexpr double typicalTricot = 6400;  // mm2: of a side
 constexpr double mostTricot = 11600;    // mm2: with legs and back
-constexpr double typicalShare = 0.65;   // of the way to where a leg leaves the picture
+constexpr double typicalShare = 0.65;   // of the way to where a leg leaves the image
 constexpr double footToMiddle = 105;    // mm: from the nearest foot to the middle of the body
 constexpr double sideToMiddle = 40;     // mm: from what is seen of a tricot to it
 constexpr double bodyWidth = 300;       // mm: the longest that a robot is seen
 constexpr double footBeside = 60;       // mm: feet stand that far beside the tricot
-constexpr double farBelow = 1e4;        // pixels: to the end of the picture
+constexpr double farBelow = 1e4;        // pixels: to the end of the image
 
 // What is below the tricot and does not belong to the ground, nor to what lies on it.
 bool isBody(ColorClass color) {
@@ -31,13 +31,14 @@ bool isBody(ColorClass color) {
   return bodyColors.contains(color);
 }
 
-double focal(const Picture& picture) {
+double focal(const CameraImage& picture) {
   return picture.matrix.info.focalX;
 }
 
 }  // namespace
 
-void PlayerSpecialist::find(const Picture& picture, std::span<const PlayerIndication> indications,
+void PlayerSpecialist::find(const CameraImage& picture,
+                            std::span<const PlayerIndication> indications,
                             PlayersPercept& percept) {
   feet_.clear();
   for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {
@@ -58,7 +59,7 @@ void PlayerSpecialist::find(const Picture& picture, std::span<const PlayerIndica
   }
 }
 
-void PlayerSpecialist::endCluster(const Picture& picture, std::vector<Vector2d>& players) {
+void PlayerSpecialist::endCluster(const CameraImage& picture, std::vector<Vector2d>& players) {
   int pixels = 0, longest = 0, lines = 0;
   for (const PlayerIndication& piece : cluster_) {
     lines += &piece == &cluster_.front() || piece.u != (&piece - 1)->u ? 1 : 0;
@@ -76,7 +77,7 @@ void PlayerSpecialist::endCluster(const Picture& picture, std::vector<Vector2d>&
     const auto bySize = [&](double height, double surface) {
       return focal(picture) * std::min(height / longest, std::sqrt(surface / area));
     };
-    // Of a robot so close that its feet are not in the picture only the size tells.
+    // Of a robot so close that its feet are not in the image only the size tells.
     const bool byFoot = foot_ < border_;
     const double distance = byFoot ? footToMiddle + std::min(foot_, bySize(mostHeight, mostTricot))
                                    : sideToMiddle + std::min(typicalShare * border_,
@@ -87,9 +88,10 @@ void PlayerSpecialist::endCluster(const Picture& picture, std::vector<Vector2d>&
 }
 
 // Below a tricot, or a place beside it, come legs, then green. The first green below the tricot may
-// be seen between the legs, the last one before `end` is at a foot. A leg that leaves the picture
+// be seen between the legs, the last one before `end` is at a foot. A leg that leaves the image
 // stands nearer than that. What is seen above a wall has no foot.
-void PlayerSpecialist::follow(const Picture& picture, double u, double v, double end, Which which) {
+void PlayerSpecialist::follow(const CameraImage& picture, double u, double v, double end,
+                              Which which) {
   int green = 0, white = 0, body = which == Which::first ? minGreen : 0;
   Vector2d p = picture.horizon.toPicture(u, v);
   std::optional<Vector2d> foot;
@@ -124,23 +126,23 @@ void PlayerSpecialist::follow(const Picture& picture, double u, double v, double
 
 // Not all foot points are below a foot, some are below the body: the smallest distance counts. The
 // legs of the side that is nearer reach further down, and stand beside the tricot, too.
-void PlayerSpecialist::lookForFeet(const Picture& picture) {
+void PlayerSpecialist::lookForFeet(const CameraImage& picture) {
   foot_ = border_ = farthestOnGround;
   for (const PlayerIndication& piece : cluster_)
-    follow(picture, piece.u, picture.horizon.fromPicture(piece.lower).y(), farBelow, Which::first);
+    follow(picture, piece.u, picture.horizon.fromImage(piece.lower).y(), farBelow, Which::first);
   if (foot_ == farthestOnGround) return;
   const double until = 0.6 * foot_;
   const double bearing = azimuth(picture.ray(cluster_[cluster_.size() / 2].lower));
   const Vector2d below = until * direction(bearing);
-  const double end = picture.horizon
-                         .fromPicture(picture.pointOf(
-                             {below.x(), below.y(), -picture.matrix.pose.translation.z()}))
-                         .y();
+  const double end =
+      picture.horizon
+          .fromImage(picture.pointOf({below.x(), below.y(), -picture.matrix.pose.translation.z()}))
+          .y();
   const double beside = focal(picture) * footBeside / std::max(foot_, footBeside);
   std::size_t piece = 0;
   for (double u = cluster_.front().u - beside; u <= cluster_.back().u + beside; u += 2) {
     while (piece + 1 < cluster_.size() && cluster_[piece + 1].u < u + 1) ++piece;
-    follow(picture, u, picture.horizon.fromPicture(cluster_[piece].lower).y(), end, Which::last);
+    follow(picture, u, picture.horizon.fromImage(cluster_[piece].lower).y(), end, Which::last);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "modules/perception/calibration/CheckerboardFinder.h"
-#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/CameraImage.h"
 #include "modules/perception/testing/DrawnField.h"
 
 namespace gt {

@@ -1,4 +1,4 @@
-#include "simulation/camera/PictureEffects.h"
+#include "simulation/camera/ImageEffects.h"
 
 #include <gtest/gtest.h>
 
@@ -34,8 +34,8 @@ double crOf(const Pixel& p) {
   return p.cr;
 }
 
-/// A picture of nothing but floor: all pixels alike, but for the effects.
-class PictureEffectsTest : public testing::Test {
+/// An image of nothing but floor: all pixels alike, but for the effects.
+class ImageEffectsTest : public testing::Test {
  protected:
   Image floor(const CameraEffects& effects, std::uint64_t seed = 1) const {
     return world_.picture(viewFrom({0, 0, 200}, 0, -pi / 2), effects, nullptr, seed);
@@ -45,7 +45,7 @@ class PictureEffectsTest : public testing::Test {
   const Pixel plain_ = floor(CameraEffects::none()).at(0, 0);
 };
 
-TEST_F(PictureEffectsTest, NothingChangesWithoutEffects) {
+TEST_F(ImageEffectsTest, NothingChangesWithoutEffects) {
   CameraEffects hardly = CameraEffects::none();
   hardly.brightness = 1.000001;  // All is computed, but comes out as it was.
   for (const Image& image : {floor(CameraEffects::none()), floor(hardly)})
@@ -57,7 +57,7 @@ TEST_F(PictureEffectsTest, NothingChangesWithoutEffects) {
     }
 }
 
-TEST_F(PictureEffectsTest, NoiseHasTheDeviationAskedFor) {
+TEST_F(ImageEffectsTest, NoiseHasTheDeviationAskedFor) {
   CameraEffects effects = CameraEffects::none();
   effects.noiseY = 5;
   effects.noiseCb = 2;
@@ -90,7 +90,7 @@ TEST_F(PictureEffectsTest, NoiseHasTheDeviationAskedFor) {
   }
 }
 
-TEST_F(PictureEffectsTest, EachSeedHasItsOwnNoise) {
+TEST_F(ImageEffectsTest, EachSeedHasItsOwnNoise) {
   const Image one = floor({}, 1), again = floor({}, 1), two = floor({}, 2);
   const std::size_t bytes = one.pixels.size() * sizeof(Pixel);
   EXPECT_EQ(std::memcmp(one.pixels.data(), again.pixels.data(), bytes), 0);
@@ -104,7 +104,7 @@ TEST_F(PictureEffectsTest, EachSeedHasItsOwnNoise) {
   }
 }
 
-TEST_F(PictureEffectsTest, BrightnessActsOnAllChannels) {
+TEST_F(ImageEffectsTest, BrightnessActsOnAllChannels) {
   for (const double factor : {0.5, 0.75, 1.25}) {
     CameraEffects effects = CameraEffects::none();
     effects.brightness = factor;
@@ -118,7 +118,7 @@ TEST_F(PictureEffectsTest, BrightnessActsOnAllChannels) {
   EXPECT_EQ(floor(effects).at(5, 5).y, 0);
 }
 
-TEST_F(PictureEffectsTest, ACastShiftsTheColors) {
+TEST_F(ImageEffectsTest, ACastShiftsTheColors) {
   CameraEffects effects = CameraEffects::none();
   effects.shiftCb = 7;
   effects.shiftCr = -11;
@@ -130,7 +130,7 @@ TEST_F(PictureEffectsTest, ACastShiftsTheColors) {
   EXPECT_LE(floor(effects).at(100, 100).cb, 255);
 }
 
-TEST_F(PictureEffectsTest, TheCornersLoseLight) {
+TEST_F(ImageEffectsTest, TheCornersLoseLight) {
   CameraEffects effects = CameraEffects::none();
   effects.vignetting = 0.4;
   const Image image = floor(effects);
@@ -141,7 +141,7 @@ TEST_F(PictureEffectsTest, TheCornersLoseLight) {
     for (const int y : {0, 143}) EXPECT_NEAR(image.at(x, y).y, 0.6 * plain_.y, 1.5);
 }
 
-TEST(PictureEffects, BlurSpreadsAnEdgeByItsDeviation) {
+TEST(ImageEffects, BlurSpreadsAnEdgeByItsDeviation) {
   const TestWorld world = TestWorld::fromBodies(R"(
       <geom type="box" size="0.01 2 2" pos="2 0 0" rgba="0 0 0 1"/>
       <geom type="box" size="0.01 1 2" pos="1.9 1 0" rgba="1 1 1 1"/>)");
@@ -195,7 +195,7 @@ TEST(MotionBlur, SmearsAnEdgeByTheWayThatItGoesWhileARowIsExposed) {
   EXPECT_EQ(rampOf(world.picture(view, CameraEffects::none())), 0);
   for (const double exposure : {5.0, 10.0, 20.0, 40.0}) {
     effects.exposure = exposure;
-    PictureTruth truth, sharp;
+    ImageTruth truth, sharp;
     const Image image = world.picture(view, effects, &truth);
     EXPECT_NEAR(rampOf(image), view.info.focalX * speed * exposure / 1000, 1.6) << exposure;
     world.picture(view, CameraEffects::none(), &sharp);

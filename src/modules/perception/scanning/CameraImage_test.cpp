@@ -1,4 +1,4 @@
-#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/CameraImage.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@ namespace {
 constexpr Pixel dark{40, 128, 128, 0};
 
 /// White right of a place, black left of it.
-class PictureTest : public testing::Test {
+class CameraImageTest : public testing::Test {
  protected:
-  PictureTest() {
+  CameraImageTest() {
     image_.allocate();
     for (std::size_t y = 0; y < 256; y += 4)
       colors_.classes[ColorTable64::index(static_cast<std::uint8_t>(y), 128, 128)] =
@@ -32,11 +32,11 @@ class PictureTest : public testing::Test {
   CameraMatrix matrix_ = cameraAt({0, 0, 180}, 0, -0.3, 0);
   Horizon horizon_;
   std::vector<ScanPath> paths_;
-  Picture picture_{image_, colors_, matrix_, horizon_, &paths_};
+  CameraImage picture_{image_, colors_, matrix_, horizon_, &paths_};
   Random random_{1};
 };
 
-TEST_F(PictureTest, FindsAnEdgeToAFractionOfAPixel) {
+TEST_F(CameraImageTest, FindsAnEdgeToAFractionOfAPixel) {
   for (double x = 80; x < 82; x += 0.25) {
     drawEdge(x);
     const ColorEdge fromRight =
@@ -50,7 +50,7 @@ TEST_F(PictureTest, FindsAnEdgeToAFractionOfAPixel) {
   EXPECT_EQ(paths_.size(), 16u);
 }
 
-TEST_F(PictureTest, AGapIsAcceptedIfItIsSmallEnough) {
+TEST_F(CameraImageTest, AGapIsAcceptedIfItIsSmallEnough) {
   drawEdge(0);
   for (int x = 90; x < 92; ++x) image_.at(x, 60) = dark;
   const auto edge = [&](int maxGap) {
@@ -61,7 +61,7 @@ TEST_F(PictureTest, AGapIsAcceptedIfItIsSmallEnough) {
   EXPECT_LT(edge(2).point.x(), 1);
 }
 
-TEST_F(PictureTest, AColorIsInASetOrNot) {
+TEST_F(CameraImageTest, AColorIsInASetOrNot) {
   constexpr ColorSet set{ColorClass::green, ColorClass::gray};
   for (std::size_t c = 0; c < enumCount<ColorClass>; ++c) {
     const auto color = static_cast<ColorClass>(c);

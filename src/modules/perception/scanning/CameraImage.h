@@ -23,19 +23,19 @@ class ColorSet {
   std::uint32_t bits_ = 0;
 };
 
-/// Where a color ends on a path through the picture.
+/// Where a color ends on a path through the image.
 struct ColorEdge {
   Vector2d point = Vector2d::Zero();  ///< To a fraction of a pixel; pixels are squares of size 1.
-  bool onBorder = false;              ///< The color reaches to the picture's border.
+  bool onBorder = false;              ///< The color reaches to the image's border.
 };
 
-/// A path that was followed through the picture, for drawings.
+/// A path that was followed through the image, for drawings.
 struct ScanPath {
   Vector2d start;
   ColorEdge end;
 };
 
-/// Has the whole picture fetched into the cache in the order of memory. Scan lines lead across its
+/// Has the whole image fetched into the cache in the order of memory. Scan lines lead across its
 /// rows, which alone would wait for memory at each pixel.
 inline void fetch(const Image& image) {
   constexpr std::size_t cacheLine = 64;
@@ -48,8 +48,8 @@ inline void fetch(const Image& image) {
 /// point forward.
 Vector2d pointIn(const CameraMatrix& matrix, const Vector3d& ray);
 
-/// A camera picture with all that it takes to look at it: its colors, its camera, its horizon.
-struct Picture {
+/// A camera image with all that it takes to look at it: its colors, its camera, its horizon.
+struct CameraImage {
   const Image& image;
   const ColorTable64& colors;
   const CameraMatrix& matrix;
@@ -67,7 +67,7 @@ struct Picture {
 
   /// Follows a path from a point in a color to where the color ends (report 3.2.4, 3.2.5): the
   /// last pixel of one of the classes, gaps of up to maxGap pixels accepted; then to a fraction of
-  /// a pixel where the picture is halfway between the colors of both sides.
+  /// a pixel where the image is halfway between the colors of both sides.
   ColorEdge findEdge(const Vector2d& start, const Vector2d& direction, ColorSet classes,
                      int maxGap) const {
     return findEdgeOf(start, direction, maxGap,
@@ -100,7 +100,7 @@ struct Picture {
     return edge;
   }
 
-  /// The color (Y, Cb, Cr) between pixel centres, interpolated.
+  /// The color (Y, Cb, Cr) between pixel centers, interpolated.
   Vector3d colorAt(const Vector2d& p) const;
 
  private:

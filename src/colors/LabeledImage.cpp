@@ -1,4 +1,4 @@
-#include "colors/LabelledPicture.h"
+#include "colors/LabeledImage.h"
 
 #include <array>
 #include <charconv>
@@ -22,7 +22,7 @@ std::vector<std::string_view> cellsOf(std::string_view row) {
   }
 }
 
-Result<LabelledRegion> parseRow(std::string_view row, const std::string& file, int line) {
+Result<LabeledRegion> parseRow(std::string_view row, const std::string& file, int line) {
   const std::vector<std::string_view> cells = cellsOf(row);
   if (cells.size() != columns.size())
     return Error{.file = file, .line = line, .what = "expected " + std::string{heading}};
@@ -49,13 +49,13 @@ Result<LabelledRegion> parseRow(std::string_view row, const std::string& file, i
     return Error{.file = file, .line = line, .field = "right", .what = "lies left of left"};
   if (top > bottom)
     return Error{.file = file, .line = line, .field = "bottom", .what = "lies above top"};
-  return LabelledRegion{std::string{cells[0]}, *colorClass, {left, top, right, bottom}};
+  return LabeledRegion{std::string{cells[0]}, *colorClass, {left, top, right, bottom}};
 }
 
 }  // namespace
 
-Result<std::vector<LabelledRegion>> parseRegions(std::string_view text, const std::string& file) {
-  std::vector<LabelledRegion> regions;
+Result<std::vector<LabeledRegion>> parseRegions(std::string_view text, const std::string& file) {
+  std::vector<LabeledRegion> regions;
   for (int line = 1; !text.empty(); ++line) {
     const auto end = std::min(text.find('\n'), text.size());
     std::string_view row = text.substr(0, end);
@@ -73,7 +73,7 @@ Result<std::vector<LabelledRegion>> parseRegions(std::string_view text, const st
   return regions;
 }
 
-Result<std::vector<LabelledRegion>> readRegions(const std::string& file) {
+Result<std::vector<LabeledRegion>> readRegions(const std::string& file) {
   const auto text = readFile(file);
   return text ? parseRegions(*text, file) : text.error();
 }

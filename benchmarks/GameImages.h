@@ -8,16 +8,16 @@
 namespace gt {
 
 /// What a robot sees in a game, and from where.
-struct GamePicture {
+struct GameImage {
   Image image;
   CameraMatrix camera;
 };
 
-/// Pictures of random moments of a match, as the default camera takes them: the same for all that
+/// Images of random moments of a match, as the default camera takes them: the same for all that
 /// is compared.
-const std::vector<GamePicture>& gamePictures();
+const std::vector<GameImage>& gameImages();
 
-/// The colour table that the robots use.
+/// The color table that the robots use.
 const ColorTable64& gameColors();
 
 }  // namespace gt

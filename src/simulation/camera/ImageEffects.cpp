@@ -1,4 +1,4 @@
-#include "simulation/camera/PictureEffects.h"
+#include "simulation/camera/ImageEffects.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@ constexpr int noiseOne = 1 << 12;
 constexpr int weightOne = 8;
 constexpr std::size_t noisePixels = 1 << 14;
 
-/// Normally distributed numbers, in units of 1 / noiseOne, that all pictures share: each row of a
-/// picture begins at a random place.
+/// Normally distributed numbers, in units of 1 / noiseOne, that all images share: each row of a
+/// image begins at a random place.
 class NoiseTable {
  public:
   explicit NoiseTable(std::uint64_t seed) : values_(channels * noisePixels) {
@@ -121,7 +121,7 @@ void changeRow(const Change& change, std::uint8_t* out, std::size_t count) {
 
 }  // namespace
 
-void PictureEffects::setLight(int width, const CameraEffects& effects) {
+void ImageEffects::setLight(int width, const CameraEffects& effects) {
   const auto size = static_cast<std::size_t>(channels * width);
   for (auto* table : {&offset_, &gain_}) table->resize(size);
   for (auto* row : {&vertical_, &blurred_}) row->resize(size + 2 * channels);
@@ -133,7 +133,7 @@ void PictureEffects::setLight(int width, const CameraEffects& effects) {
   }
 }
 
-void PictureEffects::setNoise(const CameraEffects& effects) {
+void ImageEffects::setNoise(const CameraEffects& effects) {
   // The sum of the unused channel is always negative, so that the byte becomes 0.
   const std::array<double, channels> base{0.5, 128.5 + effects.shiftCb, 128.5 + effects.shiftCr,
                                           -512};
@@ -147,7 +147,7 @@ void PictureEffects::setNoise(const CameraEffects& effects) {
   }
 }
 
-void PictureEffects::setTables(int width, const CameraEffects& effects) {
+void ImageEffects::setTables(int width, const CameraEffects& effects) {
   const auto light = [](const CameraEffects& e) { return std::tie(e.brightness, e.vignetting); };
   const auto noise = [](const CameraEffects& e) {
     return std::tie(e.shiftCb, e.shiftCr, e.noiseY, e.noiseCb, e.noiseCr);
@@ -158,7 +158,7 @@ void PictureEffects::setTables(int width, const CameraEffects& effects) {
   known_ = effects;
 }
 
-const std::uint8_t* PictureEffects::blurRow(const Rasterizer& picture, int y, int weight) {
+const std::uint8_t* ImageEffects::blurRow(const Rasterizer& picture, int y, int weight) {
   const auto bytes = [&](int row) {
     return reinterpret_cast<const std::uint8_t*>(
         picture.row(std::clamp(row, 0, picture.height() - 1)));
@@ -173,8 +173,8 @@ const std::uint8_t* PictureEffects::blurRow(const Rasterizer& picture, int y, in
   return blurred_.data();
 }
 
-void PictureEffects::apply(const Rasterizer& picture, const CameraEffects& effects,
-                           std::uint64_t seed, Image& image) {
+void ImageEffects::apply(const Rasterizer& picture, const CameraEffects& effects,
+                         std::uint64_t seed, Image& image) {
   setTables(picture.width(), effects);
   const auto size = static_cast<std::size_t>(channels * picture.width());
   // The variance of the kernel w/2, 1 - w, w/2 is w.
@@ -189,7 +189,7 @@ void PictureEffects::apply(const Rasterizer& picture, const CameraEffects& effec
   }
 }
 
-void PictureEffects::copy(const Rasterizer& picture, Image& image) {
+void ImageEffects::copy(const Rasterizer& picture, Image& image) {
   const auto size = static_cast<std::size_t>(picture.width());
   for (int y = 0; y < picture.height(); ++y) {
     const PackedColor* in = picture.row(y);

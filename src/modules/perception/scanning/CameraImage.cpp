@@ -1,4 +1,4 @@
-#include "modules/perception/scanning/Picture.h"
+#include "modules/perception/scanning/CameraImage.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ Vector2d pointIn(const CameraMatrix& matrix, const Vector3d& ray) {
   return p;
 }
 
-Vector3d Picture::colorAt(const Vector2d& p) const {
+Vector3d CameraImage::colorAt(const Vector2d& p) const {
   const double x = std::clamp(p.x() - 0.5, 0.0, image.info.width - 1.001);
   const double y = std::clamp(p.y() - 0.5, 0.0, image.info.height - 1.001);
   const int ix = static_cast<int>(x), iy = static_cast<int>(y);
@@ -28,7 +28,7 @@ Vector3d Picture::colorAt(const Vector2d& p) const {
          (color(image.at(ix, below)) * (1 - fx) + color(image.at(right, below)) * fx) * fy;
 }
 
-Vector2d Picture::refineEdge(const Vector2d& start, const Vector2d& direction, int last) const {
+Vector2d CameraImage::refineEdge(const Vector2d& start, const Vector2d& direction, int last) const {
   constexpr double reach = 2, step = 0.5;
   const Vector2d at = start + direction * last;
   // Both sides' colors, far enough away not to be mixed by blur.

@@ -11,12 +11,12 @@
 
 namespace gt {
 
-/// A rectangle of a picture: the pixels from its upper left to its lower right corner, both
+/// A rectangle of an image: the pixels from its upper left to its lower right corner, both
 /// included.
-struct PictureRegion {
+struct ImageRegion {
   int left = 0, top = 0, right = 0, bottom = 0;
 
-  /// Calls visit(pixel) for all of a picture's pixels that lie inside.
+  /// Calls visit(pixel) for all of an image's pixels that lie inside.
   template <typename Visit>
   void forEachPixel(const Image& image, Visit visit) const {
     for (int y = std::max(top, 0); y <= std::min(bottom, image.info.height - 1); ++y)
@@ -25,25 +25,25 @@ struct PictureRegion {
   }
 };
 
-/// What a person says of a picture: a rectangle that shows one colour class.
-struct LabelledRegion {
-  std::string picture;  ///< A file's name, or a log's picture by its number from 0.
+/// What a person says of an image: a rectangle that shows one color class.
+struct LabeledRegion {
+  std::string picture;  ///< A file's name, or a log's image by its number from 0.
   ColorClass colorClass = ColorClass::noColor;
-  PictureRegion region;
+  ImageRegion region;
 };
 
-/// A picture of which one knows what it shows: the class of each pixel, as the simulator tells, or
+/// An image of which one knows what it shows: the class of each pixel, as the simulator tells, or
 /// regions, as a person does.
-struct LabelledPicture {
+struct LabeledImage {
   const Image& image;
   std::span<const ColorClass> classes;  ///< Of all pixels, or none.
-  std::span<const LabelledRegion> regions;
+  std::span<const LabeledRegion> regions;
 
-  /// Calls visit(pixel, class) for the pixels whose class is sure. Those whose four neighbours are
+  /// Calls visit(pixel, class) for the pixels whose class is sure. Those whose four neighbors are
   /// of another class are not: blur mixes them.
   template <typename Visit>
   void forEachPixel(Visit visit) const {
-    for (const LabelledRegion& label : regions)
+    for (const LabeledRegion& label : regions)
       label.region.forEachPixel(image, [&](const Pixel& pixel) { visit(pixel, label.colorClass); });
     if (classes.empty()) return;
     const int width = image.info.width, height = image.info.height;
@@ -57,8 +57,8 @@ struct LabelledPicture {
   }
 };
 
-/// Reads a table of labels with the columns picture, class, left, top, right, bottom.
-Result<std::vector<LabelledRegion>> parseRegions(std::string_view text, const std::string& file);
-Result<std::vector<LabelledRegion>> readRegions(const std::string& file);
+/// Reads a table of labels with the columns image, class, left, top, right, bottom.
+Result<std::vector<LabeledRegion>> parseRegions(std::string_view text, const std::string& file);
+Result<std::vector<LabeledRegion>> readRegions(const std::string& file);
 
 }  // namespace gt

@@ -1,4 +1,4 @@
-#include "colors/LabelledPicture.h"
+#include "colors/LabeledImage.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(PictureRegions, AreReadFromATable) {
+TEST(ImageRegions, AreReadFromATable) {
   const std::string heading = "picture,class,left,top,right,bottom\n";
   const auto regions = parseRegions(heading + "12,orange,3,4,5,6\r\n\na.jpg,white,0,0,0,0", "t");
   ASSERT_TRUE(regions) << regions.error().text();

@@ -1,4 +1,4 @@
-#include "colortable/Pictures.h"
+#include "colortable/Images.h"
 
 #include <map>
 #include <set>
@@ -12,7 +12,7 @@
 namespace gt {
 namespace {
 
-/// The labels of each picture.
+/// The labels of each image.
 class Labels {
  public:
   static Result<Labels> read(const std::string& file) {
@@ -21,31 +21,31 @@ class Labels {
     if (file.empty()) return labels;
     const auto regions = readRegions(file);
     if (!regions) return regions.error();
-    for (const LabelledRegion& region : *regions)
+    for (const LabeledRegion& region : *regions)
       labels.byPicture_[region.picture].push_back(region);
     return labels;
   }
 
-  std::span<const LabelledRegion> of(const std::string& picture) {
+  std::span<const LabeledRegion> of(const std::string& picture) {
     used_.insert(picture);
     return byPicture_[picture];
   }
 
-  /// Whether all labels belong to pictures that there were.
+  /// Whether all labels belong to images that there were.
   Result<void> check() const {
     for (const auto& entry : byPicture_)
       if (!used_.contains(entry.first))
-        return Error{file_, 0, entry.first, "there is no such picture"};
+        return Error{file_, 0, entry.first, "there is no such image"};
     return {};
   }
 
  private:
   std::string file_;
-  std::map<std::string, std::vector<LabelledRegion>> byPicture_;
+  std::map<std::string, std::vector<LabeledRegion>> byPicture_;
   std::set<std::string> used_;
 };
 
-Result<void> visitSimulated(const PictureSource& source, const PictureVisitor& visit) {
+Result<void> visitSimulated(const ImageSource& source, const ImageVisitor& visit) {
   const auto scene = loadScene(source.scene);
   if (!scene) return scene.error();
   auto views = GameViews::make(*scene, source.seed);
@@ -67,7 +67,7 @@ Result<void> visitSimulated(const PictureSource& source, const PictureVisitor& v
 Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& name) {
   const auto raw = decodeJpeg(bytes);
   if (!raw) return Error{name, 0, "", raw.error().what};
-  if (raw->components != 3) return Error{name, 0, "", "is no colour picture in YCbCr"};
+  if (raw->components != 3) return Error{name, 0, "", "is no color image in YCbCr"};
   constexpr int largest = 4096;
   if (raw->width > largest || raw->height > largest)
     return Error{name, 0, "", "is larger than " + std::to_string(largest) + " pixels a side"};
@@ -80,7 +80,7 @@ Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& nam
   return image;
 }
 
-/// Shows a picture to a visitor; false if that was the last one.
+/// Shows an image to a visitor; false if that was the last one.
 using Show = std::function<bool(const std::string&, const Image&)>;
 
 Result<void> showMcap(const std::string& path, const Show& show) {
@@ -101,16 +101,16 @@ Result<void> showMcap(const std::string& path, const Show& show) {
     if (!image) return Error{path, 0, "/camera " + name, image.error().what};
     if (!show(name, *image)) return {};
   }
-  if (number == 0) return Error{path, 0, "/camera", "there are no pictures in it"};
+  if (number == 0) return Error{path, 0, "/camera", "there are no images in it"};
   return {};
 }
 
 Result<void> showNaoLog(const std::string& path, const Show& show) {
   const auto log = readNaoLog(path);
   if (!log) return log.error();
-  if (log->pictures.empty()) return Error{path, 0, "", "there are no pictures in it"};
+  if (log->pictures.empty()) return Error{path, 0, "", "there are no images in it"};
   Image image;
-  for (const NaoPicture& picture : log->pictures) {
+  for (const NaoImage& picture : log->pictures) {
     if (auto done = log->decode(picture, image); !done) return done;
     if (!show(std::to_string(picture.number), image)) return {};
   }
@@ -131,7 +131,7 @@ Result<void> showFiles(const std::vector<std::string>& files, const Show& show) 
 
 }  // namespace
 
-Result<void> forEachPicture(const PictureSource& source, const PictureVisitor& visit) {
+Result<void> forEachImage(const ImageSource& source, const ImageVisitor& visit) {
   if (source.simulated()) return visitSimulated(source, visit);
   auto labels = Labels::read(source.labels);
   if (!labels) return labels.error();
