@@ -281,10 +281,13 @@ TEST_F(ConsoleTest, ShowsAndChangesWhatTheBehaviorDoes) {
   EXPECT_EQ(robot(0).provided<HeadControlMode>()->mode, HeadMode::searchForBall);
   expectFine("xos head-control-mode unchanged");
   expectFine("xis ball.seen.distance off");
-  expectFine("xo go-to-kickoff-position");
+  expectFine("xo go-to-kickoff-position 2000 0");  // as report I.5.3 prints it
   expectFine("run 200 ms");
   look();
   EXPECT_EQ(state.activations[0].name, "go_to_kickoff_position");
+  EXPECT_EQ(state.activations[0].parameters[0].value, "2000");
+  EXPECT_EQ(state.activations[1].name, "go_to_point");
+  EXPECT_EQ(state.activations[1].parameters[0].value, "2000");
   EXPECT_EQ(state.inputs.size(), 1u);
   EXPECT_EQ(state.outputs.size(), 1u);
   expectFine("xbb perform-special-action sit");
