@@ -10,30 +10,22 @@
 #include "robot/logs/LogPlatform.h"
 
 namespace gt {
-namespace {
 
-int fail(const Error& error) {
-  fmt::print(stderr, "simgt: {}\n", error.text());
-  return 2;
-}
-
-}  // namespace
-
-int showLayout(const LayoutOptions& options) {
+Result<void> showLayout(const LayoutOptions& options) {
   const auto layout = loadLayout(options.layout);
-  if (!layout) return fail(layout.error());
+  if (!layout) return layout.error();
   auto plan = robotPlan(*layout, platformRepresentations());
   // A robot on a log gets from it what others work out for themselves.
   if (!plan)
     if (auto onLog = robotPlan(*layout, LogPlatform::representations()); onLog) plan = onLog;
-  if (!plan) return fail(plan.error());
+  if (!plan) return plan.error();
   fmt::print("{}", describePlan(*plan));
-  if (options.svg.empty()) return 0;
+  if (options.svg.empty()) return {};
   std::error_code ignored;  // then drawing tells what is wrong
   std::filesystem::create_directories(std::filesystem::path{options.svg}.parent_path(), ignored);
-  if (const auto done = writeSvg(drawPlan(*plan), options.svg); !done) return fail(done.error());
+  if (const auto done = writeSvg(drawPlan(*plan), options.svg); !done) return done;
   fmt::print("Drawing: {}\n", options.svg);
-  return 0;
+  return {};
 }
 
 }  // namespace gt

@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include "base/Result.h"
+
 namespace gt {
 
 /// What `simgt layout` was asked for.
@@ -9,8 +11,8 @@ struct LayoutOptions {
   std::string svg;  ///< File for a drawing; none if empty.
 };
 
-/// Prints what runs in which process and what crosses between them. Returns the program's exit
-/// status: 2 if a file is wrong.
-int showLayout(const LayoutOptions& options);
+/// Prints what runs in which process and what crosses between them. Returns an error if a file
+/// is wrong.
+Result<void> showLayout(const LayoutOptions& options);
 
 }  // namespace gt

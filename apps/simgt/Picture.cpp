@@ -5,18 +5,10 @@
 #include <cstdio>
 
 namespace gt {
-namespace {
 
-int fail(const Error& error) {
-  fmt::print(stderr, "simgt: {}\n", error.text());
-  return 2;
-}
-
-}  // namespace
-
-int takePicture(const PictureOptions& options) {
+Result<void> takePicture(const PictureOptions& options) {
   auto match = Match::make(options.match);
-  if (!match) return fail(match.error());
+  if (!match) return match.error();
   while (static_cast<double>((*match)->time().ms) < options.time * 1000 && !(*match)->finished())
     (*match)->step();
   SceneCamera camera = options.camera;
@@ -24,9 +16,9 @@ int takePicture(const PictureOptions& options) {
   camera.at = {options.at[0], options.at[1], options.at[2]};
   Sheet sheet{camera.width, camera.height};
   sheet.paint(scenePicture((*match)->simulation().world(), camera), {0, 0});
-  if (const auto done = sheet.write(options.out); !done) return fail(done.error());
+  if (const auto done = sheet.write(options.out); !done) return done;
   fmt::print("Image: {}\n", options.out);
-  return 0;
+  return {};
 }
 
 }  // namespace gt

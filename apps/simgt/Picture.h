@@ -17,8 +17,8 @@ struct PictureOptions {
   std::string out = "out/picture.png";
 };
 
-/// Plays a match up to a time and takes an image of it from beside the field. Returns the
-/// program's exit status: 2 if a file is wrong.
-int takePicture(const PictureOptions& options);
+/// Plays a match up to a time and takes an image of it from beside the field. Returns an
+/// error if a file is wrong.
+Result<void> takePicture(const PictureOptions& options);
 
 }  // namespace gt

@@ -28,11 +28,6 @@ Findings tellWarnings(const Session& session) {
   return all;
 }
 
-int fail(const Error& error, int status = 2) {
-  fmt::print(stderr, "simgt: {}\n", error.text());
-  return status;
-}
-
 /// The time that the tasks do not take is the simulator's: world, sensors, cameras.
 MatchTimes timesOf(const Match& match, double seconds, std::size_t threads) {
   MatchTimes times;
@@ -56,25 +51,25 @@ Result<void> writeResults(const Match& match, const MatchTimes& times,
 
 }  // namespace
 
-int play(PlayOptions options) {
+Result<int> play(PlayOptions options) {
   for (const std::string& robot : options.remote) {
     const auto end = std::min(robot.find('='), robot.size());
     options.match.remote[robot.substr(0, end)] = robot.substr(std::min(end + 1, robot.size()));
   }
   if (!options.keys.empty()) {
     auto keys = loadKeys(options.keys);
-    if (!keys) return fail(keys.error());
+    if (!keys) return keys.error();
     options.match.keys = std::move(*keys);
   }
   const std::filesystem::path out{options.out};
   std::error_code failed;
   std::filesystem::create_directories(out, failed);
-  if (failed) return fail({options.out, 0, "", failed.message()});
+  if (failed) return Error{options.out, 0, "", failed.message()};
   if (options.logs) options.match.logs = options.out;
   options.match.images = 12;
   TerminalScreen screen;
   auto made = Session::make(options.match, screen);
-  if (!made) return fail(made.error());
+  if (!made) return made.error();
   Session& session = **made;
   screen.watch(session);
   if (options.script.empty())
@@ -88,7 +83,11 @@ int play(PlayOptions options) {
   if (!options.script.empty()) {
     const auto done = console.call(options.script);
     screen.end();
-    if (!done) return fail(done.error(), console.expectationFailed() ? 1 : 2);
+    if (!done && !console.expectationFailed()) return done.error();
+    if (!done) {
+      fmt::print(stderr, "simgt: {}\n", done.error().text());
+      return 1;
+    }
   }
   while (!session.match().finished() && session.step()) {
   }
@@ -96,8 +95,8 @@ int play(PlayOptions options) {
   screen.end();
   Match& match = session.match();
   const MatchTimes times = timesOf(match, seconds.count(), options.match.threads);
-  if (const auto done = match.close(); !done) return fail(done.error());
-  if (const auto done = writeResults(match, times, out); !done) return fail(done.error());
+  if (const auto done = match.close(); !done) return done.error();
+  if (const auto done = writeResults(match, times, out); !done) return done.error();
   const Referee& referee = match.simulation().referee();
   fmt::print("Final score red {} : {} blue, {:.1f} times real time\n",
              referee.score(TeamColor::red), referee.score(TeamColor::blue), times.realTimeFactor);

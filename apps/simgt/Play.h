@@ -19,8 +19,8 @@ struct PlayOptions {
 };
 
 /// Plays a match with a progress bar and a line for each event, then writes match.json, times.json
-/// and report.html. Returns the program's exit status: 2 if a file is wrong, 1 if an
-/// expectation of the script failed, or a robot warned and the run is strict.
-int play(PlayOptions options);
+/// and report.html. Returns an error if a file is wrong; otherwise the program's exit status: 1 if
+/// an expectation of the script failed, or a robot warned and the run is strict.
+Result<int> play(PlayOptions options);
 
 }  // namespace gt

@@ -10,14 +10,14 @@ namespace xabsl::app {
 
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::vector<std::string> paths;
   Reading reading;
   bool unused = false;
 };
 
 /// Prints the errors and warnings of a behavior and counts what is in it.
-bool check(const std::string& path, const Options& options) {
+bool check(const std::string& path, const CheckOptions& options) {
   const std::optional<Behavior> behavior = load(path, options.reading);
   if (!behavior) return false;
   const Model& model = behavior->model();
@@ -32,7 +32,7 @@ bool check(const std::string& path, const Options& options) {
 
 void addCheck(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("check", "Print the errors and warnings of behaviors");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckOptions>();
   command
       ->add_option("files", options->paths,
                    "Files that declare the agents (.xabsl), or intermediate code (.dat)")

@@ -8,14 +8,14 @@ namespace xabsl::app {
 
 namespace {
 
-struct Options {
+struct CompileOptions {
   std::string agents;
   std::string output;
   std::string symbols;
   Reading reading;
 };
 
-bool compileTo(const Options& options) {
+bool compileTo(const CompileOptions& options) {
   const std::optional<Behavior> behavior = load(options.agents, options.reading);
   if (!behavior) return false;
   const Model& model = behavior->model();
@@ -28,7 +28,7 @@ bool compileTo(const Options& options) {
 
 void addCompile(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("compile", "Write a behavior as intermediate code");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompileOptions>();
   command->add_option("agents", options->agents, "The .xabsl file that declares the agents")
       ->required();
   command->add_option("-o,--output", options->output, "The file with the intermediate code")

@@ -12,14 +12,14 @@ namespace xabsl::app {
 
 namespace {
 
-struct Options {
+struct ConvertOptions {
   std::string input;
   std::string output;
   Form form = Form::xml21;  // of XML
   bool strict = false;
 };
 
-bool convertTo(const Options& options) {
+bool convertTo(const ConvertOptions& options) {
   const std::filesystem::path root(options.output);
   const bool toXml = root.extension() == ".xml";
   if (!toXml && root.extension() != ".xabsl") {
@@ -42,7 +42,7 @@ bool convertTo(const Options& options) {
 void addConvert(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand(
       "convert", "Write a behavior in another form: XABSL 2.1 or 3.1 in XML, or XABSL 3.1 as text");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertOptions>();
   command->add_option("agents", options->input, "The file that declares the agents")->required();
   command
       ->add_option("-o,--output", options->output,

@@ -9,13 +9,13 @@ namespace xabsl::app {
 
 namespace {
 
-struct Options {
+struct DocOptions {
   std::string agents;
   std::string folder;
   Reading reading;
 };
 
-bool document(const Options& options) {
+bool document(const DocOptions& options) {
   const std::optional<Behavior> behavior = load(options.agents, options.reading);
   if (!behavior) return false;
   if (const auto failure = writeDocumentation(behavior->model(), options.folder))
@@ -28,7 +28,7 @@ bool document(const Options& options) {
 
 void addDoc(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("doc", "Write pages with charts about a behavior");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DocOptions>();
   command
       ->add_option("agents", options->agents,
                    "The file that declares the agents, or intermediate code (.dat)")

@@ -14,14 +14,14 @@ namespace xabsl::app {
 
 namespace {
 
-struct Options {
+struct FormatOptions {
   std::vector<std::string> files;
   bool check = false;
   bool inPlace = false;
 };
 
 /// Formats or checks one file and returns the exit status.
-int formatFile(const std::string& path, const Options& options) {
+int formatFile(const std::string& path, const FormatOptions& options) {
   std::ifstream in(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in) {
@@ -47,7 +47,7 @@ int formatFile(const std::string& path, const Options& options) {
 
 void addFormat(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("format", "Indent behaviors, keep comments and lines");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FormatOptions>();
   command->add_option("files", options->files, "Files in XABSL 3.1")->required();
   auto* check =
       command->add_flag("--check", options->check, "Only list files that are not formatted");

@@ -13,7 +13,7 @@ namespace xabsl::app {
 
 namespace {
 
-struct Options {
+struct HeaderOptions {
   std::string agents;
   std::string output;
   std::string dependencies;
@@ -42,7 +42,7 @@ bool isCppName(std::string_view name) {
 
 /// `name=Type` of the command line; the behavior must have the enumeration.
 bool bindEnumerations(const Model& model, const std::vector<std::string>& entries,
-                      Options& options) {
+                      HeaderOptions& options) {
   for (const std::string& entry : entries) {
     const std::size_t sign = entry.find('=');
     const std::string name = entry.substr(0, sign);
@@ -58,7 +58,7 @@ bool bindEnumerations(const Model& model, const std::vector<std::string>& entrie
 }
 
 /// The rule of make that says which files the header depends on.
-std::string dependencies(const Options& options, const Model& model) {
+std::string dependencies(const HeaderOptions& options, const Model& model) {
   const auto escaped = [](const std::string& path) {
     std::string text;
     for (const char c : path) text += c == ' ' || c == '#' ? std::string{'\\', c} : std::string{c};
@@ -70,7 +70,7 @@ std::string dependencies(const Options& options, const Model& model) {
   return text + "\n";
 }
 
-bool writeHeader(Options& options) {
+bool writeHeader(HeaderOptions& options) {
   if (!isCppName(options.settings.space))
     return fail(inQuotes(options.settings.space) + " is no namespace of C++");
   const std::optional<Behavior> behavior = load(options.agents, options.reading);
@@ -91,7 +91,7 @@ bool writeHeader(Options& options) {
 void addHeader(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand(
       "header", "Write a C++ header with the symbols and basic behaviors to be implemented");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<HeaderOptions>();
   command->add_option("agents", options->agents, "The file that declares the agents")->required();
   command->add_option("-o,--output", options->output, "The header")->required();
   command->add_option("--namespace", options->settings.space, "The C++ namespace")

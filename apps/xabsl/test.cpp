@@ -16,7 +16,7 @@ namespace xabsl::app {
 
 namespace {
 
-struct Options {
+struct TestOptions {
   std::vector<std::string> files;
   std::string only;
   std::string trace;
@@ -35,7 +35,7 @@ struct Tested {
 /// Runs files of tests one after another.
 class Tests {
  public:
-  explicit Tests(const Options& options) : options_(options) {}
+  explicit Tests(const TestOptions& options) : options_(options) {}
 
   void run(const std::string& path) {
     std::string text;
@@ -109,7 +109,7 @@ class Tests {
     tested.coverage->add(result.trace.events);
   }
 
-  const Options& options_;
+  const TestOptions& options_;
   std::map<std::string, Tested> tested_;
   std::string traces_;
   int passed_ = 0;
@@ -122,7 +122,7 @@ class Tests {
 
 void addTest(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("test", "Test what behaviors do");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TestOptions>();
   command->add_option("files", options->files, "Files of tests (.xtest)")->required();
   command->add_option("--only", options->only, "Only tests with this in their names");
   command->add_option("--trace", options->trace, "A file for all that was done, for xabsl trace");

@@ -19,7 +19,7 @@ namespace xabsl::app {
 
 namespace {
 
-struct Options {
+struct TraceOptions {
   std::string file;
   std::string first;
   double from = -std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ struct Options {
   bool coverage = false;
 };
 
-void printTrace(const Trace& trace, const Options& options) {
+void printTrace(const Trace& trace, const TraceOptions& options) {
   const TraceEvent* before = nullptr;
   forEachCycle(trace.events, [&](const TraceEvent* first, const TraceEvent* last) {
     const bool wanted = first->value >= options.from && first->value <= options.to;
@@ -52,7 +52,7 @@ void printCoverage(const std::vector<Trace>& traces) {
 }
 
 /// Prints the first cycle for which the condition holds. Returns `failed` if there is none.
-int printFirst(const Trace& trace, const Options& options) {
+int printFirst(const Trace& trace, const TraceOptions& options) {
   Moment moment(trace.subject);
   Question::Making making =
       Question::make(moment, options.first, {ValueKind::boolean, -1}, "condition", {0, 1, 1});
@@ -70,7 +70,7 @@ int printFirst(const Trace& trace, const Options& options) {
   return found ? succeeded : failed;
 }
 
-int show(const Options& options) {
+int show(const TraceOptions& options) {
   const TraceReading reading = loadTraces(options.file);
   print(reading.diagnostics);
   if (reading.traces.empty()) return wrong;
@@ -98,7 +98,7 @@ int show(const Options& options) {
 void addTrace(CLI::App& program, int& status) {
   CLI::App* command =
       program.add_subcommand("trace", "Show from a recorded trace what a behavior did and why");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TraceOptions>();
   command->add_option("file", options->file, "The trace")->required();
   auto* first = command->add_option(
       "--first", options->first,

@@ -5,7 +5,7 @@
 namespace motionnet {
 namespace {
 
-const Rules twoJoints{{{"hip", -2000, 2000}, {"knee", 0, 1000}}};
+const Rules hipAndKnee{{{"hip", -2000, 2000}, {"knee", 0, 1000}}};
 
 struct Parsed {
   Motion motion;
@@ -14,7 +14,7 @@ struct Parsed {
 
 Parsed parsed(std::string_view text) {
   Parsed result;
-  result.motion = parse(text, "a.mof", twoJoints, result.errors);
+  result.motion = parse(text, "a.mof", hipAndKnee, result.errors);
   return result;
 }
 

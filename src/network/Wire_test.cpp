@@ -89,7 +89,7 @@ TEST(Wire, AProcessMayHaveTwoReceiversOfOneType) {
   EXPECT_EQ(source.wire.rejected() + sink.wire.rejected(), 0u);
 }
 
-namespace newer {
+namespace another {
 
 /// The package as another version of the program has it.
 struct NumberPackage {
@@ -102,13 +102,13 @@ struct NumberPackage {
 };
 static_assert(complete<NumberPackage>);
 
-}  // namespace newer
+}  // namespace another
 
 TEST(Wire, ReadsPackagesOfAnotherVersionFieldByField) {
   const TestFolder folder;
   Source source{folder.endpoint("a")};
   Program program{"Sink"};
-  Receiver<newer::NumberPackage> numbers{program.process, true};
+  Receiver<another::NumberPackage> numbers{program.process, true};
   ASSERT_TRUE(program.wire.connect("Source", folder.endpoint("a")));
   program.wire.receive("Source", numbers);
   program.process.pause = 0;

@@ -14,9 +14,9 @@ struct Text {
   std::string text;
   static constexpr auto fields() { return Fields{field("text", &Text::text)}; }
 };
-struct Number {
+struct Count {
   double value = 0;
-  static constexpr auto fields() { return Fields{field("value", &Number::value)}; }
+  static constexpr auto fields() { return Fields{field("value", &Count::value)}; }
 };
 
 /// All texts and numbers of a queue in their order.
@@ -24,9 +24,9 @@ std::string contentOf(const MessageQueue& queue) {
   std::string all;
   queue.handleAllMessages([&](const Message& message) {
     Text text;
-    Number number;
+    Count number;
     if (message.is<Text>() && message.read(text)) all += text.text;
-    if (message.is<Number>() && message.read(number)) all += std::to_string(int(number.value));
+    if (message.is<Count>() && message.read(number)) all += std::to_string(int(number.value));
     all += '@' + std::to_string(message.time.ms) + ' ';
   });
   return all;
@@ -36,7 +36,7 @@ TEST(MessageQueue, KeepsOrderIdsAndTimes) {
   MessageQueue queue;
   EXPECT_TRUE(queue.empty());
   EXPECT_TRUE(queue.write({3}, Text{"one"}));
-  EXPECT_TRUE(queue.write({-5}, Number{2}));
+  EXPECT_TRUE(queue.write({-5}, Count{2}));
   EXPECT_TRUE(queue.write({4}, Text{""}));
   EXPECT_EQ(contentOf(queue), "one@3 2@-5 @4 ");
   EXPECT_EQ(contentOf(queue), "one@3 2@-5 @4 ") << "a queue is read as often as one likes";
@@ -47,14 +47,14 @@ TEST(MessageQueue, KeepsOrderIdsAndTimes) {
 TEST(MessageQueue, CopiesAndMoves) {
   MessageQueue a, b, c{1000};
   a.write({1}, Text{"one"});
-  a.write({2}, Number{2});
+  a.write({2}, Count{2});
   a.write({3}, Text{"three"});
   a.copyAllMessages(b);
   EXPECT_EQ(contentOf(b), contentOf(a));
   a.moveMessages(messageId<Text>(), c);
   EXPECT_EQ(contentOf(a), "2@2 ");
   EXPECT_EQ(contentOf(c), "one@1 three@3 ");
-  b.copyMessages(messageId<Number>(), c);
+  b.copyMessages(messageId<Count>(), c);
   EXPECT_EQ(contentOf(c), "one@1 three@3 2@2 ");
   a.moveAllMessages(b);
   EXPECT_TRUE(a.empty());
@@ -67,7 +67,7 @@ TEST(MessageQueue, CopiesAndMoves) {
   MessageQueue d = a, e = std::move(a);
   EXPECT_EQ(contentOf(d), contentOf(e));
   EXPECT_EQ(d.capacity(), e.capacity());
-  a.write({1}, Number{1});  // A queue that was moved from has no room, and is no danger.
+  a.write({1}, Count{1});  // A queue that was moved from has no room, and is no danger.
   EXPECT_TRUE(a.empty());
 }
 
@@ -96,7 +96,7 @@ TEST(MessageQueue, DropsWhatDoesNotFitAndSaysSo) {
   MessageQueue queue{200};
   const std::byte* memory = queue.bytes().data();
   int written = 0;
-  for (int i = 0; i < 20; ++i) written += queue.write({i}, Number{1.0 * i});
+  for (int i = 0; i < 20; ++i) written += queue.write({i}, Count{1.0 * i});
   queue.write({0}, Text{"this does not fit either"});
   EXPECT_EQ(written, 200 / (16 + 12));
   EXPECT_EQ(queue.dropped(), 21u - static_cast<unsigned>(written));
@@ -105,7 +105,7 @@ TEST(MessageQueue, DropsWhatDoesNotFitAndSaysSo) {
   EXPECT_TRUE(toldBy(queue).empty()) << "there is no room for the report";
   queue.clear();
   queue.tellDropped({99});
-  const std::map<std::string, std::uint64_t> all{{"Number", 20u - unsigned(written)}, {"Text", 1}};
+  const std::map<std::string, std::uint64_t> all{{"Count", 20u - unsigned(written)}, {"Text", 1}};
   EXPECT_EQ(toldBy(queue), all);
   EXPECT_EQ(queue.dropped(), 0u);
   queue.clear();
@@ -141,7 +141,7 @@ TEST(MessageQueue, IsAListOfMessages) {
   for (int i = 0; i < 3000; ++i) {
     if (random.chance(0.7)) {
       const bool fits = (list.size() + 1) * 28 <= 600;
-      EXPECT_EQ(queue.write({i}, Number{1.0 * i}), fits);
+      EXPECT_EQ(queue.write({i}, Count{1.0 * i}), fits);
       if (fits) list.push_back(i);
     } else {
       const int divisor = 2 + static_cast<int>(random.index(3));

@@ -84,7 +84,7 @@ MessageDefinition definitionOf(const Schema& schema) {
 }
 
 template <typename T>
-std::vector<std::byte> encoded(const T& value) {
+std::vector<std::byte> recorded(const T& value) {
   std::vector<std::byte> bytes;
   encode(value, bytes);
   return bytes;
@@ -106,7 +106,8 @@ then::Report sample() {
 
 TEST(RecordedMessage, FillsAChangedTypeByName) {
   now::Report report;
-  const auto done = readRecorded(definitionOf(schemaOf<then::Report>()), encoded(sample()), report);
+  const auto done =
+      readRecorded(definitionOf(schemaOf<then::Report>()), recorded(sample()), report);
   ASSERT_TRUE(done) << done.error().text();
   EXPECT_EQ(report.added, "kept");
   EXPECT_EQ(report.mood, now::Mood::wild);
@@ -130,13 +131,13 @@ TEST(RecordedMessage, KeepsAnEnumerationWhoseValueIsGone) {
   old.mood = then::Mood::asleep;
   now::Report report;
   report.mood = now::Mood::curious;
-  ASSERT_TRUE(readRecorded(definitionOf(schemaOf<then::Report>()), encoded(old), report));
+  ASSERT_TRUE(readRecorded(definitionOf(schemaOf<then::Report>()), recorded(old), report));
   EXPECT_EQ(report.mood, now::Mood::asleep);
   now::Report newer;
   newer.mood = now::Mood::curious;
   then::Report older;
   older.mood = then::Mood::wild;
-  ASSERT_TRUE(readRecorded(definitionOf(schemaOf<now::Report>()), encoded(newer), older));
+  ASSERT_TRUE(readRecorded(definitionOf(schemaOf<now::Report>()), recorded(newer), older));
   EXPECT_EQ(older.mood, then::Mood::wild);
 }
 
@@ -145,7 +146,7 @@ TEST(RecordedMessage, ConvertsNumbersThatDoNotFit) {
     then::Report old;
     old.wide = wide;
     now::Report report;
-    EXPECT_TRUE(readRecorded(definitionOf(schemaOf<then::Report>()), encoded(old), report));
+    EXPECT_TRUE(readRecorded(definitionOf(schemaOf<then::Report>()), recorded(old), report));
     return report.wide;
   };
   EXPECT_EQ(wideOf(1e300), std::numeric_limits<int>::max());
@@ -154,7 +155,7 @@ TEST(RecordedMessage, ConvertsNumbersThatDoNotFit) {
 }
 
 TEST(RecordedMessage, BecomesJson) {
-  const auto json = recordedJson(definitionOf(schemaOf<then::Report>()), encoded(sample()));
+  const auto json = recordedJson(definitionOf(schemaOf<then::Report>()), recorded(sample()));
   ASSERT_TRUE(json) << json.error().text();
   EXPECT_EQ(json->dump(),
             R"({"mood":"WILD","big_number":1000000000000,"wide":-2.6,"sure":true,)"
@@ -166,7 +167,7 @@ TEST(RecordedMessage, GivesListsOfBytesAsBase64) {
   CompressedImage image;
   const auto dataOf = [&](std::string_view bytes) {
     image.data.assign(bytes.begin(), bytes.end());
-    return recordedJson(definitionOf(CompressedImage::schema()), encoded(image))->at("data");
+    return recordedJson(definitionOf(CompressedImage::schema()), recorded(image))->at("data");
   };
   EXPECT_EQ(dataOf(""), "");
   EXPECT_EQ(dataOf("f"), "Zg==");
@@ -174,7 +175,7 @@ TEST(RecordedMessage, GivesListsOfBytesAsBase64) {
   image.header.frameId = "camera";
   image.data.assign(5'000'000, 7);
   CompressedImage again;
-  ASSERT_TRUE(readRecorded(definitionOf(CompressedImage::schema()), encoded(image), again));
+  ASSERT_TRUE(readRecorded(definitionOf(CompressedImage::schema()), recorded(image), again));
   EXPECT_EQ(again.header.frameId, "camera");
   EXPECT_EQ(again.data, image.data);
 }
@@ -215,7 +216,7 @@ TEST(RecordedMessage, TellsWhatIsWrongWithASchema) {
 }
 
 TEST(RecordedMessage, TellsWhichFieldEndsTooEarly) {
-  auto bytes = encoded(sample());
+  auto bytes = recorded(sample());
   bytes.resize(bytes.size() - 25);
   now::Report report;
   const auto done = readRecorded(definitionOf(schemaOf<then::Report>()), bytes, report);
@@ -242,7 +243,7 @@ TEST(Checked, RefusesWhatATypeDoesNotAllow) {
   const auto wrongIn = [](const Board& board) {
     const auto byName = [&] {
       Board read;
-      return readRecorded(definitionOf(schemaOf<Board>()), encoded(board), read);
+      return readRecorded(definitionOf(schemaOf<Board>()), recorded(board), read);
     }();
     MessageQueue queue;
     queue.write({1}, board);

@@ -13,8 +13,8 @@ namespace gt {
 namespace {
 
 constexpr Color grass{30, 110, 50}, lineColor{235, 235, 235};
-constexpr double fieldScale = 0.18;  // pixels a mm
-constexpr double margin = 150;       // mm around the field
+constexpr double fieldScale = 0.18;   // pixels a mm
+constexpr double marginAround = 150;  // mm
 
 void addPolygon(Drawing& drawing, std::vector<Vector2d> corners, Color color, bool filled) {
   drawing.elements.push_back(
@@ -135,8 +135,8 @@ class FieldView : public View {
 
   Result<Sheet> show(const ViewSubject& subject, std::span<const double>) const override {
     const FieldDimensions& f = subject.field;
-    const int width = static_cast<int>(2 * (f.xGoalBack + margin) * fieldScale);
-    const int height = static_cast<int>(2 * (f.ySideline + margin) * fieldScale);
+    const int width = static_cast<int>(2 * (f.xGoalBack + marginAround) * fieldScale);
+    const int height = static_cast<int>(2 * (f.ySideline + marginAround) * fieldScale);
     Sheet sheet{width, height, {70, 70, 75}};
     const Placement placement{{width / 2.0, height / 2.0}, fieldScale, true};
     ObservedRobot* first = subject.robots.empty() ? nullptr : subject.robots.front();

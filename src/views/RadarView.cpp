@@ -5,7 +5,7 @@
 namespace gt {
 namespace {
 
-constexpr int size = 480;  // pixels
+constexpr int imageSize = 480;  // pixels
 constexpr Color ground{20, 40, 25}, ring{70, 120, 80};
 
 class RadarView : public View {
@@ -21,8 +21,8 @@ class RadarView : public View {
     if (numbers.size() > 1 || (!numbers.empty() && !(numbers[0] >= 100 && numbers[0] <= 10000)))
       return Error{"", 0, name(), "expected no number, or how far it looks: 100 to 10000 mm"};
     const double range = numbers.empty() ? 2400 : numbers[0];
-    Sheet sheet{size, size, ground};
-    const Placement placement{{size / 2.0, size / 2.0}, size / 2.0 / range, true};
+    Sheet sheet{imageSize, imageSize, ground};
+    const Placement placement{{imageSize / 2.0, imageSize / 2.0}, imageSize / 2.0 / range, true};
     Drawing drawing;
     for (int i = 1; i <= 3; ++i)
       drawing.elements.push_back({ElementType::circle, {{0, 0}}, i * range / 3, ring, 1, ""});

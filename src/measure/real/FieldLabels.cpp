@@ -11,7 +11,7 @@
 namespace gt {
 namespace {
 
-constexpr std::string_view heading = "picture,time,what,x,y";
+constexpr std::string_view fieldHeading = "picture,time,what,x,y";
 constexpr std::array columns{"picture", "time", "what", "x", "y"};
 
 using Cells = std::array<std::string_view, columns.size()>;
@@ -105,8 +105,8 @@ Result<std::map<int, FieldLabel>> readFieldLabels(const std::string& file) {
     std::string_view rest = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line == 1) {
-      if (rest == heading) continue;
-      return Error{file, line, "", std::string{heading} + " was expected"};
+      if (rest == fieldHeading) continue;
+      return Error{file, line, "", std::string{fieldHeading} + " was expected"};
     }
     if (rest.empty()) continue;
     Cells cells;

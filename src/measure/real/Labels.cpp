@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-constexpr const char* heading = "picture,time,class,x,y,r";
+constexpr const char* ballHeading = "picture,time,class,x,y,r";
 
 bool number(const std::string& text, double& value) {
   std::istringstream stream(text);
@@ -25,8 +25,8 @@ Result<std::vector<BallLabel>> readLabels(const std::string& file) {
   std::vector<BallLabel> labels;
   std::string text;
   for (int line = 1; std::getline(stream, text); ++line) {
-    if (line == 1 && text != heading)
-      return Error{file, line, "", std::string{heading} + " was expected"};
+    if (line == 1 && text != ballHeading)
+      return Error{file, line, "", std::string{ballHeading} + " was expected"};
     if (line == 1 || text.empty()) continue;
     std::istringstream row(text);
     std::array<std::string, 6> cells;

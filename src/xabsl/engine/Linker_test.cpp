@@ -13,10 +13,10 @@
 namespace xabsl {
 namespace {
 
-enum class Mode { slow, fast };
+enum class Style { slow, fast };
 enum class Other { a };
 
-const std::string behavior = R"(namespace main("M") {
+const std::string program = R"(namespace main("M") {
 enum mode { fast, slow };
 float input ball.distance;
 enum mode input how;
@@ -34,17 +34,17 @@ agent main("Main", main);)";
 /// Registers all that the behavior needs; a test then takes something away or makes it wrong.
 Symbols complete() {
   Symbols symbols;
-  symbols.enumeration<Mode>("mode", {"slow", "fast"});
+  symbols.enumeration<Style>("mode", {"slow", "fast"});
   symbols.input("ball.distance", [] { return 1.0; });
-  symbols.input("how", [] { return Mode::slow; });
+  symbols.input("how", [] { return Style::slow; });
   symbols.input("scaled", {"value", "twice"}, [](double value, bool) { return value; });
   symbols.output("speed", [](double) {});
-  symbols.behavior("walk", {"x", "style"}, [](double, Mode) {});
+  symbols.behavior("walk", {"x", "style"}, [](double, Style) {});
   return symbols;
 }
 
 std::string linkErrors(const Symbols& symbols) {
-  const Engine::Creation creation = Engine::create(test::compiled(behavior), symbols);
+  const Engine::Creation creation = Engine::create(test::compiled(program), symbols);
   EXPECT_EQ(creation.engine.has_value(), creation.diagnostics.empty());
   return test::errors(creation.diagnostics);
 }
@@ -80,7 +80,7 @@ TEST(Linker, TellsWrongTypes) {
   Symbols symbols = complete();
   symbols.input("ball.distance", [] { return true; });
   symbols.input("how", [] { return 1.0; });
-  symbols.output("speed", [](Mode) {});
+  symbols.output("speed", [](Style) {});
   EXPECT_EQ(linkErrors(symbols),
             "main.xabsl:3:13: input symbol 'ball.distance' is declared as float, but "
             "registered as bool, needed by option main (main.xabsl:12)\n"
@@ -101,7 +101,7 @@ TEST(Linker, TellsWrongEnumerations) {
             "main.xabsl:4:17: input symbol 'how' is declared as enum mode, but registered "
             "as enum other, needed by option main (main.xabsl:12)\n");
   symbols = complete();
-  symbols.enumeration<Mode>("mode", {"slow", "fats"});
+  symbols.enumeration<Style>("mode", {"slow", "fats"});
   EXPECT_EQ(linkErrors(symbols),
             "main.xabsl:2:13: element 'fast' of enumeration 'mode' is not registered; did "
             "you mean 'fats'?\n");
@@ -126,7 +126,7 @@ TEST(Linker, TellsWrongParameters) {
 class Walk {
  public:
   double x = 0;
-  Mode style = Mode::slow;
+  Style style = Style::slow;
   int changes = 0;
   double way = 0;
 
@@ -134,7 +134,7 @@ class Walk {
   static constexpr auto parameters() {
     return std::tuple{parameter("style", &Walk::style), parameter("x", &Walk::x)};
   }
-  void parametersChanged() { changes += style == Mode::fast ? 10 : 1; }
+  void parametersChanged() { changes += style == Style::fast ? 10 : 1; }
   void execute() { way += x; }
 };
 
@@ -156,14 +156,14 @@ TEST(Linker, TakesClassesAsBasicBehaviors) {
   ASSERT_EQ(test::errors(creation.diagnostics), "");
   creation.engine->execute(0);
   creation.engine->execute(1);
-  EXPECT_EQ(walk.style, Mode::fast);
+  EXPECT_EQ(walk.style, Style::fast);
   EXPECT_EQ(walk.way, 2);
   EXPECT_EQ(walk.changes, 10);  // told once, with the parameters in place
   ASSERT_TRUE(creation.engine->selectBehavior("walk"));
   EXPECT_TRUE(creation.engine->setParameter("x", "40"));
   creation.engine->execute(2);
   EXPECT_EQ(walk.way, 42);
-  EXPECT_EQ(walk.style, Mode::slow);
+  EXPECT_EQ(walk.style, Style::slow);
   EXPECT_EQ(walk.changes, 11);
 }
 

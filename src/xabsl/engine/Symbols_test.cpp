@@ -13,7 +13,7 @@ namespace xabsl {
 namespace {
 
 /// The surroundings as a class with members, and all ways to register them.
-class Robot {
+class Walker {
  public:
   double distance() const { return 42; }
   void walk(float x, int steps) { walked = x * static_cast<float>(steps); }
@@ -32,19 +32,19 @@ TEST(Symbols, TakeVariablesMembersLambdasAndFunctions) {
   option main { initial state s { action {
     walk(x = distance, steps = half(value = count)); steps = 1 / 0; led = big > 1; } } }
   agent main("Main", main);)";
-  Robot robot;
+  Walker robot;
   int count = 6;
   const float big = 2.5f;
   unsigned char steps = 0;
   bool led = false;
   Symbols symbols;
-  symbols.input("distance", member(&robot, &Robot::distance));
+  symbols.input("distance", member(&robot, &Walker::distance));
   symbols.input("count", &count);
   symbols.input("big", &big);
   symbols.input("half", {"value"}, &half);
   symbols.output("steps", &steps);
   symbols.output("led", &led);
-  symbols.behavior("walk", {"x", "steps"}, member(&robot, &Robot::walk));
+  symbols.behavior("walk", {"x", "steps"}, member(&robot, &Walker::walk));
   Engine::Creation creation = Engine::create(test::compiled(text), symbols);
   ASSERT_EQ(test::errors(creation.diagnostics), "");
   creation.engine->execute(0);

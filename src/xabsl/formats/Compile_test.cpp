@@ -18,7 +18,7 @@ using test::errors;
 using test::errorsIn;
 using testing::HasSubstr;
 
-const std::string symbols = R"(namespace main("Symbols") {
+const std::string agentsText = R"(namespace main("Symbols") {
 enum mode { fast, slow };
 float input ball.distance "mm";
 bool input ball.seen;
@@ -40,7 +40,7 @@ constexpr int symbolLines = 16;
 /// The errors in a file whose option `main` has one state with these parts, in lines counted from
 /// there.
 std::string errorsInMain(const std::string& text) {
-  const std::string all = errorsIn(symbols + text);
+  const std::string all = errorsIn(agentsText + text);
   std::string result;
   std::size_t position = 0;
   while (position < all.size()) {
@@ -69,7 +69,7 @@ std::string errorsInValue(const std::string& value) {
 // What the language allows
 
 TEST(Compile, ResolvesAWholeBehavior) {
-  const Model model = compiled(symbols +
+  const Model model = compiled(agentsText +
                                "option main { initial state s { action { walk(x = 1); } } "
                                "target state t { action { } } }")
                           .model();
@@ -115,7 +115,7 @@ TEST(Compile, TakesAllFormsOfSymbols) {
 }
 
 TEST(Compile, TakesAllFormsOfOptionsAndStates) {
-  const Model model = compiled(symbols + R"(
+  const Model model = compiled(agentsText + R"(
     /** The main option. */
     option main {
       /** How far. */
@@ -414,10 +414,10 @@ TEST(Compile, WantsExactlyOneInitialState) {
 TEST(Compile, WantsElseIfAndOnlyIfThereIsACommonDecision) {
   EXPECT_EQ(errorsInDecision("else stay;"),
             "2:1: unexpected 'else', since option main has no common decision\n");
-  const Compilation compilation =
-      compile("main.xabsl",
-              {{"main.xabsl", symbols + "option main { common decision { if (ball.seen) stay; }\n"
-                                        "initial state s { decision { stay; } action { } } }"}});
+  const Compilation compilation = compile(
+      "main.xabsl",
+      {{"main.xabsl", agentsText + "option main { common decision { if (ball.seen) stay; }\n"
+                                   "initial state s { decision { stay; } action { } } }"}});
   EXPECT_TRUE(compilation.behavior);
   EXPECT_TRUE(std::any_of(compilation.diagnostics.begin(), compilation.diagnostics.end(),
                           [](const Diagnostic& one) {
@@ -441,7 +441,7 @@ TEST(Compile, TellsAtMostAHundredErrors) {
   for (int i = 0; i < 1000; ++i) text += "speed = unknown;\n";
   const Compilation compilation = compile(
       "main.xabsl",
-      {{"main.xabsl", symbols + "option main { initial state s { action {" + text + "} } }"}});
+      {{"main.xabsl", agentsText + "option main { initial state s { action {" + text + "} } }"}});
   const std::string all = errors(compilation.diagnostics);
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 100);
   EXPECT_THAT(compilation.diagnostics.back().message, HasSubstr("no more are shown"));

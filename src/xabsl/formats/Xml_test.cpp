@@ -32,7 +32,7 @@ VirtualFiles reportFiles() {
 }
 
 enum class Pet { dog, cat, guineaPig };
-enum class Mode { slow, fast, veryFast };
+enum class Gait { slow, fast, veryFast };
 enum class HeadMode { searchForBall, lookAtBall };
 
 /// What the report's examples expect of their surroundings.
@@ -40,7 +40,7 @@ class ReportTest : public testing::Test {
  protected:
   ReportTest() {
     symbols.enumeration<Pet>("type-of-recognized-pet", {"dog", "cat", "guinea-pig"});
-    symbols.enumeration<Mode>("op-mode", {"slow", "fast", "very-fast"});
+    symbols.enumeration<Gait>("op-mode", {"slow", "fast", "very-fast"});
     symbols.enumeration<HeadMode>("head-control-mode", {"search-for-ball", "look-at-ball"});
     symbols.input("something-wrong", &wrong);
     symbols.input("foo", &foo);
@@ -48,7 +48,7 @@ class ReportTest : public testing::Test {
     symbols.input("type-of-recognized-pet", &pet);
     symbols.input("ball.time-since-last-seen", &timeSinceSeen);
     symbols.input("ball.distance", &distance);
-    symbols.output("op-mode", [this](Mode value) {
+    symbols.output("op-mode", [this](Gait value) {
       mode = value;
       ++modeChanges;
     });
@@ -77,9 +77,9 @@ class ReportTest : public testing::Test {
   Pet pet = Pet::dog;
   double timeSinceSeen = 0;
   double distance = 2000;
-  Mode mode = Mode::slow;
+  Gait mode = Gait::slow;
   int modeChanges = 0;
-  Mode modeWhileExecuted = Mode::slow;
+  Gait modeWhileExecuted = Gait::slow;
   HeadMode headMode = HeadMode::searchForBall;
   double targetX = 0;
   double targetY = 0;
@@ -114,13 +114,13 @@ TEST_F(ReportTest, OutputSymbolsAreAppliedAfterTheWholeGraph) {
   EXPECT_EQ(stateAt(0), "first-state");
   EXPECT_EQ(targetX, 42);
   EXPECT_EQ(targetY, 0) << "a parameter that is not set is zero";
-  EXPECT_EQ(mode, Mode::fast);
+  EXPECT_EQ(mode, Gait::fast);
   foo = 13;
   modeChanges = 0;
   EXPECT_EQ(stateAt(10), "second-state");
   EXPECT_DOUBLE_EQ(targetY, 314) << "the parameter of the option, 3.14 * 100";
-  EXPECT_EQ(modeWhileExecuted, Mode::fast) << "not yet applied";
-  EXPECT_EQ(mode, Mode::veryFast) << "the option further down overwrites";
+  EXPECT_EQ(modeWhileExecuted, Gait::fast) << "not yet applied";
+  EXPECT_EQ(mode, Gait::veryFast) << "the option further down overwrites";
   EXPECT_EQ(modeChanges, 1);
   EXPECT_EQ(stateAt(109), "second-state");
   EXPECT_EQ(stateAt(110), "second-state") << "the target state is reached in this cycle";

@@ -8,11 +8,11 @@
 namespace gt {
 namespace {
 
-const FieldDimensions fieldDimensions;
+const FieldDimensions standardField;
 
 TEST(EdgeTables, KnowTheClosestEdgeOfEachCell) {
-  const EdgeTables tables{fieldDimensions, TeamColor::blue};
-  const FieldEdges edges{fieldDimensions, TeamColor::blue};
+  const EdgeTables tables{standardField, TeamColor::blue};
+  const FieldEdges edges{standardField, TeamColor::blue};
   EXPECT_EQ(tables.resolution(), 25);
   Random random{1};
   int far = 0;
@@ -30,7 +30,7 @@ TEST(EdgeTables, KnowTheClosestEdgeOfEachCell) {
   }
   EXPECT_LT(far, 400);  // of 8000: the nearest edge is nearly always a straight one
   // Wherever a point is, there is an answer.
-  EXPECT_NEAR(tables.closest(EdgeType::border, 9000, 900).x, fieldDimensions.xGroundline, 1);
+  EXPECT_NEAR(tables.closest(EdgeType::border, 9000, 900).x, standardField.xGroundline, 1);
 }
 
 TEST(EdgeTables, AreOfBoundedSizeOnAnyField) {
@@ -41,8 +41,8 @@ TEST(EdgeTables, AreOfBoundedSizeOnAnyField) {
 
 /// From a drawn pose an edge of that type is seen where the point was measured.
 TEST(EdgeTables, DrawPosesThatSeeWhatWasSeen) {
-  const EdgeTables tables{fieldDimensions, TeamColor::red};
-  const FieldEdges edges{fieldDimensions, TeamColor::red};
+  const EdgeTables tables{standardField, TeamColor::red};
+  const FieldEdges edges{standardField, TeamColor::red};
   Random random{2};
   int drawn = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -53,7 +53,7 @@ TEST(EdgeTables, DrawPosesThatSeeWhatWasSeen) {
     const Pose2D pose = tables.drawPose(type, seen, random);
     const Vector2d place = pose * seen;
     EXPECT_LT((edges.closest(type, place) - place).norm(), 51) << place.transpose();
-    EXPECT_LE(std::abs(pose.translation.x()), fieldDimensions.xGroundline);
+    EXPECT_LE(std::abs(pose.translation.x()), standardField.xGroundline);
   }
   EXPECT_GT(drawn, 1900);
 }

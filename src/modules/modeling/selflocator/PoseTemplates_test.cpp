@@ -10,7 +10,7 @@
 namespace gt {
 namespace {
 
-const FieldDimensions fieldDimensions;
+const FieldDimensions dimensions;
 
 Pose2D anyPose(Random& random) {
   const double x = 1900 * random.symmetric(), y = 1200 * random.symmetric();
@@ -18,7 +18,7 @@ Pose2D anyPose(Random& random) {
 }
 
 Vector2d flagPosition(std::uint64_t i) {
-  return positionOf(static_cast<FlagType>(i), TeamColor::red, fieldDimensions);
+  return positionOf(static_cast<FlagType>(i), TeamColor::red, dimensions);
 }
 
 double distanceBetween(const Pose2D& a, const Pose2D& b) {
@@ -122,13 +122,13 @@ TEST(PoseTemplates, MemorizedFlagsMoveWithTheRobot) {
        {FlagType::pinkAboveSkyblue, FlagType::greenAbovePink, FlagType::yellowAbovePink}) {
     pose = pose * walk;
     templates.move(walk);
-    const Vector2d seen = relative(pose, positionOf(type, TeamColor::red, fieldDimensions));
+    const Vector2d seen = relative(pose, positionOf(type, TeamColor::red, dimensions));
     LandmarksPercept percept;
     percept.numberOfFlags = 1;
     percept.flags[0].type = type;
     percept.flags[0].angle = angleOf(seen);
     percept.flags[0].distance = seen.norm();
-    templates.update(percept, TeamColor::red, fieldDimensions);
+    templates.update(percept, TeamColor::red, dimensions);
   }
   Random random{1};
   ASSERT_EQ(templates.size(), 1);

@@ -7,8 +7,8 @@
 namespace gt {
 namespace {
 
-struct Team : TeamScene<DefaultTeamBallLocator> {
-  Team() { robotPose.validity = 0.9; }
+struct LatestTeam : TeamScene<DefaultTeamBallLocator> {
+  LatestTeam() { robotPose.validity = 0.9; }
   /// The same with a message that came in `ago` ms ago.
   void tell(int n, const Vector2d& where, std::int64_t age, std::int64_t ago, double validity) {
     TeamScene::tell(n, where, age, validity).timeReceived = frame.time - ago;
@@ -20,13 +20,13 @@ struct Team : TeamScene<DefaultTeamBallLocator> {
 };
 
 TEST(DefaultTeamBallLocator, NobodyKnowsTheBall) {
-  Team team;
+  LatestTeam team;
   EXPECT_EQ(team.locate().seenBy, 0);
   EXPECT_EQ(team.locate().lastSeen, never());
 }
 
 TEST(DefaultTeamBallLocator, OwnBallCountsWhileFresh) {
-  Team team;
+  LatestTeam team;
   team.tell(1, {-1000, 0}, 0, 0, 1);
   for (const std::int64_t ago : {0, 2500}) {  // Seen, and not perceived for a short time.
     team.seeBall(ago);
@@ -38,7 +38,7 @@ TEST(DefaultTeamBallLocator, OwnBallCountsWhileFresh) {
 }
 
 TEST(DefaultTeamBallLocator, ATeamMatesBallCountsWhenTheOwnIsOld) {
-  Team team;
+  LatestTeam team;
   team.seeBall(8000);
   team.tell(1, {-1000, 0}, 500, 100, 0.9);
   const TeamBallModel ball = team.locate();
@@ -48,7 +48,7 @@ TEST(DefaultTeamBallLocator, ATeamMatesBallCountsWhenTheOwnIsOld) {
 }
 
 TEST(DefaultTeamBallLocator, AgeAndValidityDecideBetweenTeamMates) {
-  Team team;
+  LatestTeam team;
   team.tell(1, {1, 0}, 2000, 0, 0.9);
   team.tell(2, {2, 0}, 1000, 0, 0.9);
   EXPECT_EQ(team.locate().seenBy, 2);
@@ -57,20 +57,20 @@ TEST(DefaultTeamBallLocator, AgeAndValidityDecideBetweenTeamMates) {
 }
 
 TEST(DefaultTeamBallLocator, OldBallsAndSilentMatesDoNotCount) {
-  Team team;
+  LatestTeam team;
   team.tell(1, {1, 0}, 6000, 0, 1);
   team.tell(2, {2, 0}, 0, 3500, 1);
   EXPECT_EQ(team.locate().seenBy, 0);
 }
 
 TEST(DefaultTeamBallLocator, OnesOwnMessageIsNotATeamMates) {
-  Team team;
+  LatestTeam team;
   team.tell(3, {1, 0}, 0, 0, 1);
   EXPECT_EQ(team.locate().seenBy, 0);
 }
 
 TEST(DefaultTeamBallLocator, AnOldOwnBallIsBetterThanNone) {
-  Team team;
+  LatestTeam team;
   team.seeBall(60000);
   EXPECT_EQ(team.locate().seenBy, 3);
 }

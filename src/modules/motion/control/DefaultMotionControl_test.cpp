@@ -12,14 +12,14 @@
 namespace gt {
 namespace {
 
-constexpr std::array legs{Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft};
+constexpr std::array allLegs{Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft};
 
 TEST(DefaultMotionControl, StandsWithoutARequest) {
   MotionHarness motion;
   motion.steps(200);
   EXPECT_EQ(motion.info.executed.type, MotionType::stand);
   EXPECT_TRUE(motion.info.stable);
-  for (const auto leg : legs)
+  for (const auto leg : allLegs)
     EXPECT_NEAR(motion.joints.angles[legJoint(leg, 3)],
                 motion.walking.joints.angles[legJoint(leg, 3)], 1e-9);
   EXPECT_EQ(motion.odometry.pose.translation, Vector2d::Zero());
