@@ -115,7 +115,8 @@ endfunction()
 
 # gt_library(name [COLD [APART]] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [HOT b.cpp ... | HOT_TESTS])
 # One folder is one library. Without sources it is a library of headers. Its tests become the program <name>_test. What is
-# cold runs but once, besides the sources that are hot. Sources that are apart use the same names. Hot tests compute much.
+# cold runs but once, besides the sources that are hot. Sources that are apart use the same names, or are linked
+# singly. Hot tests compute much.
 function(gt_library name)
   cmake_parse_arguments(ARG "COLD;APART;HOT_TESTS" "" "SOURCES;TESTS;DEPS;HOT" ${ARGN})
   if(ARG_SOURCES)

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-using Kind = VisionTruth::Kind;
+using Thing = VisionTruth::Kind;
 
 std::string bandOf(double distance) {
   return distance < 500    ? "to500mm"
@@ -85,7 +85,7 @@ void VisionMeasures::compareBall(const BallPercept& percept, Tally& tally) const
       std::acos(std::clamp(ray.normalized().dot(directionOf(percept.angle)), -1., 1.));
   const bool right = percept.seen && miss < std::max(fromDegrees(4), angle);
   tally.count("ball.false", percept.seen && !right);
-  if (radius < 3 || truth_.pixels(Kind::ball) < pi * radius * radius / 2) return;
+  if (radius < 3 || truth_.pixels(Thing::ball) < pi * radius * radius / 2) return;
   Banded ball{tally, "ball", away};
   ball.count("found", right);
   if (!right) return;
@@ -100,7 +100,7 @@ void VisionMeasures::compareFlags(const LandmarksPercept& percept, Tally& tally)
   for (std::size_t type = 0; type < enumCount<FlagType>; ++type) {
     const Vector2d place = truth_.flag(static_cast<FlagType>(type));
     const double away = distance(place);
-    const int visible = truth_.pixels(Kind::flag, type);
+    const int visible = truth_.pixels(Thing::flag, type);
     const double whole = 2 * field_.flagRadius * (field_.flagTop - field_.flagBottom) *
                          std::pow(truth_.camera().info.focalX / away, 2);
     const auto end = percept.flags.begin() + percept.numberOfFlags;
@@ -130,7 +130,7 @@ void VisionMeasures::compareGoals(const LandmarksPercept& percept, Tally& tally)
   constexpr int least = 4, well = 150;  // Pixels.
   for (const GoalColor color : {GoalColor::yellow, GoalColor::skyblue}) {
     const Vector2d leftPost = truth_.post(color, true), rightPost = truth_.post(color, false);
-    const int visible = truth_.pixels(Kind::goal, static_cast<std::size_t>(color));
+    const int visible = truth_.pixels(Thing::goal, static_cast<std::size_t>(color));
     const auto end = percept.goals.begin() + percept.numberOfGoals;
     const auto found = std::find_if(percept.goals.begin(), end,
                                     [&](const GoalPercept& goal) { return goal.color == color; });
@@ -158,9 +158,9 @@ void VisionMeasures::compareEdges(const LinesPercept& percept, const CameraMatri
                                   Tally& tally) const {
   for (std::size_t t = 0; t < enumCount<EdgeType>; ++t) {
     const auto type = static_cast<EdgeType>(t);
-    const Kind kind = type == EdgeType::line     ? Kind::line
-                      : type == EdgeType::border ? Kind::border
-                                                 : Kind::goal;
+    const Thing kind = type == EdgeType::line     ? Thing::line
+                       : type == EdgeType::border ? Thing::border
+                                                  : Thing::goal;
     for (const Vector2d& point : percept.points[type]) {
       const Vector3d ray = Vector3d{point.x(), point.y(), 0} - measured.pose.translation;
       Banded edges{tally, "edges." + std::string{enumNames<EdgeType>[t]}, distance(point)};
@@ -179,7 +179,7 @@ void VisionMeasures::comparePlayers(const PlayersPercept& percept, Tally& tally)
   constexpr int least = 40;  // Pixels of tricot.
   for (std::size_t i = 0; i < truth_.robots(); ++i) {
     const Vector2d place = truth_.robot(i);
-    if (truth_.isOwn(i) || truth_.pixels(Kind::tricot, i) < least) continue;
+    if (truth_.isOwn(i) || truth_.pixels(Thing::tricot, i) < least) continue;
     double error = 1e9, range = 0;
     for (const Vector2d& p : percept.players[truth_.team(i)]) {
       if ((p - place).norm() >= error) continue;
@@ -197,7 +197,7 @@ void VisionMeasures::comparePlayers(const PlayersPercept& percept, Tally& tally)
     for (const Vector2d& p : percept.players[team]) {
       bool any = false, right = false;
       for (std::size_t i = 0; i < truth_.robots(); ++i) {
-        if (truth_.isOwn(i) || truth_.pixels(Kind::tricot, i) == 0) continue;
+        if (truth_.isOwn(i) || truth_.pixels(Thing::tricot, i) == 0) continue;
         const double wide = std::max(fromDegrees(5), std::atan2(200, distance(truth_.robot(i))));
         if (std::abs(normalize(bearing(truth_.robot(i)) - bearing(p))) > wide) continue;
         any = true;
@@ -217,7 +217,7 @@ void VisionMeasures::compareObstacles(const ObstaclesPercept& percept, Tally& ta
     double free = length;
     for (double s = 0; s < length; s += step) {
       const auto kind = truth_.at(line.nearPoint + s / length * way);
-      if (!kind || *kind == Kind::ground || *kind == Kind::line || *kind == Kind::background)
+      if (!kind || *kind == Thing::ground || *kind == Thing::line || *kind == Thing::background)
         continue;
       free = s;
       break;
