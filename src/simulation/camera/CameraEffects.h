@@ -22,6 +22,17 @@ struct CameraEffects {
   double exposure = 0;
   double lightChange = 0;
   double lightPeriod = 10;
+  double noiseGrowth = 0;
+  double noiseCorrelation = 0;
+  double chromaBlur = 0;
+  double rimCb = 0;
+  double rimCr = 0;
+  double unevenLight = 0;
+  double delay = 0;
+  double delayJitter = 0;
+
+  /// No image is older than its time stamp by more (ms).
+  static constexpr double longestDelay = 40;
 
   /// What they are at a time, with the light that there is then.
   CameraEffects at(Time time) const;
@@ -36,6 +47,8 @@ struct CameraEffects {
     perfect.shadows = shadows;
     perfect.exposure = exposure;
     perfect.lightPeriod = lightPeriod;
+    perfect.delay = delay;
+    perfect.delayJitter = delayJitter;
     return *this != perfect;
   }
   friend bool operator==(const CameraEffects&, const CameraEffects&) = default;
@@ -45,7 +58,7 @@ struct CameraEffects {
         field("rollingShutter", &CameraEffects::rollingShutter, "",
               "rows are exposed one after another; otherwise all with the middle row"),
         field("blur", &CameraEffects::blur, "pixel", "standard deviation of the lens' blur",
-              {0, 0.8}),
+              {0, 0.93}),
         field("vignetting", &CameraEffects::vignetting, "", "part of the light lost in the corners",
               {0, 0.9}),
         field("brightness", &CameraEffects::brightness, "", "factor on all light", {0, 1.9}),
@@ -62,7 +75,25 @@ struct CameraEffects {
               "of each row: what the camera turns past is smeared", {0, 40}),
         field("lightChange", &CameraEffects::lightChange, "",
               "share by which all light grows and shrinks", {0, 0.9}),
-        field("lightPeriod", &CameraEffects::lightPeriod, "s", "in which it does so", {0.1, 1000})};
+        field("lightPeriod", &CameraEffects::lightPeriod, "s", "in which it does so", {0.1, 1000}),
+        field("noiseGrowth", &CameraEffects::noiseGrowth, "",
+              "share by which the noise is stronger where y is 255 than where it is 0", {0, 1}),
+        field("noiseCorrelation", &CameraEffects::noiseCorrelation, "",
+              "of the noise of neighbors in a row", {0, 0.5}),
+        field("chromaBlur", &CameraEffects::chromaBlur, "pixel",
+              "standard deviation by which cb and cr bleed into the rows above and below",
+              {0, 1.8}),
+        field("rimCb", &CameraEffects::rimCb, "",
+              "color cast of the corners, added to cb; it grows with the squared distance from the "
+              "middle",
+              {-64, 64}),
+        field("rimCr", &CameraEffects::rimCr, "", "likewise for cr", {-64, 64}),
+        field("unevenLight", &CameraEffects::unevenLight, "",
+              "share by which places on the field are brighter or darker at most", {0, 0.9}),
+        field("delay", &CameraEffects::delay, "ms",
+              "by which images are older than their time stamps", {0, longestDelay}),
+        field("delayJitter", &CameraEffects::delayJitter, "ms",
+              "standard deviation of that, from image to image", {0, longestDelay})};
   }
 };
 

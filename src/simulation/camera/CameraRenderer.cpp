@@ -36,7 +36,7 @@ void CameraRenderer::render(const mjData& data, const CameraView& view,
   if (effects.exposure > 0 && isFinite(view.first) && isFinite(view.last))
     motionBlur_.apply(view, effects.exposure, rasterizer_);
   if (effects.colors())
-    effects_.apply(rasterizer_, effects, seed, image);
+    effects_.apply(rasterizer_, view, effects, seed, image);
   else
     ImageEffects::copy(rasterizer_, image);
 }

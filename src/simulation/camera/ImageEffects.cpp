@@ -19,6 +19,8 @@ constexpr int gainOne = 1 << 14;
 constexpr int noiseOne = 1 << 12;
 constexpr int weightOne = 8;
 constexpr std::size_t noisePixels = 1 << 14;
+/// The noise where y is 0; the table for it holds four times the noise.
+constexpr int noiseGrowthOne = 1 << 14;
 
 /// Normally distributed numbers, in units of 1 / noiseOne, that all images share: each row of a
 /// image begins at a random place.
@@ -58,6 +60,32 @@ std::int16_t fixed(double value) {
 double lost(const CameraEffects& effects, int i, int count) {
   const double place = (2.0 * i + 1) / count - 1;
   return effects.vignetting / 2 * place * place;
+}
+
+/// A column's part of the squared distance from the middle, and a row's; both together are 1 in the
+/// corners.
+double outward(int i, int count) {
+  const double place = (2.0 * i + 1) / count - 1;
+  return place * place / 2;
+}
+
+/// What is added to each channel; that of the unused one is always negative, so that the byte
+/// becomes 0.
+std::array<double, channels> baseOf(const CameraEffects& effects) {
+  return {0.5, 128.5 + effects.shiftCb, 128.5 + effects.shiftCr, -512};
+}
+
+/// The numbers of the table, each mixed with its neighbors in the row so that they correlate.
+std::vector<std::int16_t> correlated(double correlation) {
+  std::vector<std::int16_t> values = noiseTable.values();
+  if (correlation == 0) return values;
+  // Of a (1 + a) kernel's neighbors: 2 a / (1 + 2 a^2).
+  const double a = (1 - std::sqrt(1 - 2 * correlation * correlation)) / (2 * correlation);
+  const double norm = 1 / std::sqrt(1 + 2 * a * a);
+  const std::vector<std::int16_t>& own = noiseTable.values();
+  for (std::size_t i = channels; i + channels < own.size(); ++i)
+    values[i] = fixed(norm * (own[i] + a * (own[i - channels] + own[i + channels])));
+  return values;
 }
 
 /// Mixes values with their neighbors on both sides; the neighbors' weight is in eighths. Built
@@ -101,6 +129,52 @@ struct Shade {
   }
 };
 
+/// The same where light and strength of the noise differ from pixel to pixel.
+struct PixelShade {
+  const std::uint8_t* in;
+  const std::int16_t *offset, *light, *noise, *strength, *columnCast, *rowCast;
+
+  [[gnu::always_inline]] inline void operator()(std::uint8_t* __restrict out,
+                                                std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto value = static_cast<std::int16_t>((in[i] - offset[i]) << 7);
+      const auto added = static_cast<std::int16_t>((noise[i] * strength[i]) >> 16);
+      const auto cast = static_cast<std::int16_t>(columnCast[i] + rowCast[i]);
+      const auto sum = static_cast<std::int16_t>(((value * light[i]) >> 16) + added + cast);
+      out[i] = static_cast<std::uint8_t>(
+          std::clamp<std::int16_t>(static_cast<std::int16_t>(sum >> fractionBits), 0, 255));
+    }
+  }
+};
+
+/// Gives pixels the cb and cr of others.
+struct TakeColors {
+  const std::uint8_t *own, *colors;
+
+  [[gnu::always_inline]] inline void operator()(std::uint8_t* __restrict out,
+                                                std::size_t count) const {
+    for (std::size_t i = 0; i < count; i += channels) {
+      PackedColor mine = 0, theirs = 0;
+      std::memcpy(&mine, own + i, channels);
+      std::memcpy(&theirs, colors + i, channels);
+      const PackedColor mixed = (mine & 0xff0000ff) | (theirs & 0x00ffff00);
+      std::memcpy(out + i, &mixed, channels);
+    }
+  }
+};
+
+/// Writes a number for all channels of a pixel.
+void spread(std::int16_t value, std::int16_t* out) {
+  const std::uint64_t four = 0x0001000100010001 * static_cast<std::uint16_t>(value);
+  std::memcpy(out, &four, sizeof four);
+}
+
+/// Whether light or noise differ from pixel to pixel otherwise than by row and column.
+bool needsPixels(const CameraEffects& effects) {
+  return effects.noiseGrowth > 0 || effects.rimCb != 0 || effects.rimCr != 0 ||
+         effects.unevenLight > 0;
+}
+
 // Whole numbers only: processors that work on twice as many at a time get the same bits.
 #ifdef __x86_64__
 template <typename Change>
@@ -125,6 +199,9 @@ void ImageEffects::setLight(int width, const CameraEffects& effects) {
   const auto size = static_cast<std::size_t>(channels * width);
   for (auto* table : {&offset_, &gain_}) table->resize(size);
   for (auto* row : {&vertical_, &blurred_}) row->resize(size + 2 * channels);
+  for (auto* row : {&columnCast_, &rowCast_, &rowLight_, &rowNoise_}) row->resize(size);
+  for (auto& row : bled_) row.resize(size);
+  uneven_.resize(static_cast<std::size_t>(width));
   const std::array<double, channels> neutral{0, 128, 128, 0};
   for (std::size_t i = 0; i < size; ++i) {
     offset_[i] = fixed(neutral[i % channels]);
@@ -134,35 +211,68 @@ void ImageEffects::setLight(int width, const CameraEffects& effects) {
 }
 
 void ImageEffects::setNoise(const CameraEffects& effects) {
-  // The sum of the unused channel is always negative, so that the byte becomes 0.
-  const std::array<double, channels> base{0.5, 128.5 + effects.shiftCb, 128.5 + effects.shiftCr,
-                                          -512};
+  const std::array<double, channels> base = baseOf(effects);
   const std::array<double, channels> noise{effects.noiseY, effects.noiseCb, effects.noiseCr, 0};
-  const std::vector<std::int16_t>& normal = noiseTable.values();
+  const std::vector<std::int16_t> normal = correlated(effects.noiseCorrelation);
   added_.resize(normal.size());
+  noise_.resize(normal.size());
   for (std::size_t i = 0; i < added_.size(); ++i) {
-    const std::int16_t sigma = fixed(noise[i % channels] * fractionOne * 65536 / noiseOne);
+    const double sigma = noise[i % channels] * fractionOne;
     added_[i] = static_cast<std::int16_t>(fixed(base[i % channels] * fractionOne) +
-                                          (normal[i] * sigma >> 16));
+                                          (normal[i] * fixed(sigma * 65536 / noiseOne) >> 16));
+    noise_[i] = fixed(4 * sigma * normal[i] / noiseOne);
+  }
+}
+
+void ImageEffects::setRim(int width, const CameraEffects& effects) {
+  const std::array<double, channels> base = baseOf(effects);
+  const std::array<double, channels> rim{0, effects.rimCb, effects.rimCr, 0};
+  for (std::size_t i = 0; i < columnCast_.size(); ++i) {
+    const double cast = rim[i % channels] * outward(static_cast<int>(i / channels), width);
+    columnCast_[i] = fixed((base[i % channels] + cast) * fractionOne);
   }
 }
 
 void ImageEffects::setTables(int width, const CameraEffects& effects) {
   const auto light = [](const CameraEffects& e) { return std::tie(e.brightness, e.vignetting); };
   const auto noise = [](const CameraEffects& e) {
-    return std::tie(e.shiftCb, e.shiftCr, e.noiseY, e.noiseCb, e.noiseCr);
+    return std::tie(e.shiftCb, e.shiftCr, e.noiseY, e.noiseCb, e.noiseCr, e.noiseCorrelation);
   };
-  if (width != width_ || light(effects) != light(known_)) setLight(width, effects);
+  const auto rim = [](const CameraEffects& e) {
+    return std::tie(e.shiftCb, e.shiftCr, e.rimCb, e.rimCr);
+  };
+  const bool resized = width != width_;
+  if (resized || light(effects) != light(known_)) setLight(width, effects);
   if (added_.empty() || noise(effects) != noise(known_)) setNoise(effects);
+  if (resized || rim(effects) != rim(known_)) setRim(width, effects);
   width_ = width;
   known_ = effects;
 }
 
-const std::uint8_t* ImageEffects::blurRow(const Rasterizer& picture, int y, int weight) {
+const std::uint8_t* ImageEffects::colorRow(const Rasterizer& picture, int y) {
   const auto bytes = [&](int row) {
     return reinterpret_cast<const std::uint8_t*>(
         picture.row(std::clamp(row, 0, picture.height() - 1)));
   };
+  const double variance = known_.chromaBlur * known_.chromaBlur;
+  if (variance == 0) return bytes(y);
+  y = std::clamp(y, 0, picture.height() - 1);
+  const auto place = static_cast<std::size_t>(y) % bled_.size();
+  std::vector<std::uint8_t>& row = bled_[place];
+  if (bledRow_[place] == y) return row.data();
+  bledRow_[place] = y;
+  // The variance of the kernel w/2, 1 - w, w/2 is w, of one twice as wide 4 w.
+  const int reach = std::lround(weightOne * variance) < weightOne ? 1 : 2;
+  const int weight = static_cast<int>(std::lround(weightOne * variance / (reach * reach)));
+  changeRow(Mix{bytes(y - reach), bytes(y), bytes(y + reach), std::min(weight, weightOne - 1)},
+            row.data(), row.size());
+  changeRow(TakeColors{bytes(y), row.data()}, blurred_.data(), row.size());
+  std::memcpy(row.data(), blurred_.data(), row.size());
+  return row.data();
+}
+
+const std::uint8_t* ImageEffects::blurRow(const Rasterizer& picture, int y, int weight) {
+  const auto bytes = [&](int row) { return colorRow(picture, row); };
   if (weight == 0) return bytes(y);
   const std::size_t size = static_cast<std::size_t>(channels * picture.width());
   std::uint8_t* middle = vertical_.data() + channels;
@@ -173,19 +283,46 @@ const std::uint8_t* ImageEffects::blurRow(const Rasterizer& picture, int y, int 
   return blurred_.data();
 }
 
-void ImageEffects::apply(const Rasterizer& picture, const CameraEffects& effects,
-                         std::uint64_t seed, Image& image) {
+void ImageEffects::prepareRow(const std::uint8_t* in, int y, int height, std::int16_t rowLoss) {
+  const auto growth = static_cast<int>(std::lround(known_.noiseGrowth * (noiseGrowthOne - 1)));
+  std::array<std::int16_t, channels> cast{0, fixed(known_.rimCb * outward(y, height) * fractionOne),
+                                          fixed(known_.rimCr * outward(y, height) * fractionOne),
+                                          0};
+  const bool uneven = known_.unevenLight > 0;
+  if (uneven) light_.row(y, uneven_.data());
+  for (std::size_t x = 0; x < uneven_.size(); ++x) {
+    const std::size_t i = channels * x;
+    int light = gain_[i] - rowLoss;
+    if (uneven) light = std::min(light * uneven_[x] >> 14, 32767);
+    spread(static_cast<std::int16_t>(light), &rowLight_[i]);
+    spread(static_cast<std::int16_t>(noiseGrowthOne + (growth * in[i] >> 8)), &rowNoise_[i]);
+    std::memcpy(&rowCast_[i], cast.data(), sizeof cast);
+  }
+}
+
+void ImageEffects::apply(const Rasterizer& picture, const CameraView& view,
+                         const CameraEffects& effects, std::uint64_t seed, Image& image) {
   setTables(picture.width(), effects);
+  bledRow_.fill(-1);
+  const bool byPixel = needsPixels(effects);
+  if (effects.unevenLight > 0) light_.set(view, effects.unevenLight);
   const auto size = static_cast<std::size_t>(channels * picture.width());
   // The variance of the kernel w/2, 1 - w, w/2 is w.
   const int weight = static_cast<int>(
       std::clamp(std::lround(weightOne * effects.blur * effects.blur), 0l, weightOne - 1l));
   for (int y = 0; y < picture.height(); ++y) {
     const std::uint8_t* in = blurRow(picture, y, weight);
-    const std::int16_t* added = &added_[NoiseTable::place(seed, y, picture.width())];
+    const std::size_t place = NoiseTable::place(seed, y, picture.width());
     const auto rowLoss = fixed(effects.brightness * gainOne * lost(effects, y, picture.height()));
-    changeRow(Shade{in, offset_.data(), gain_.data(), added, rowLoss},
-              reinterpret_cast<std::uint8_t*>(&image.at(0, y)), size);
+    auto* out = reinterpret_cast<std::uint8_t*>(&image.at(0, y));
+    if (byPixel) {
+      prepareRow(in, y, picture.height(), rowLoss);
+      changeRow(PixelShade{in, offset_.data(), rowLight_.data(), &noise_[place], rowNoise_.data(),
+                           columnCast_.data(), rowCast_.data()},
+                out, size);
+    } else {
+      changeRow(Shade{in, offset_.data(), gain_.data(), &added_[place], rowLoss}, out, size);
+    }
   }
 }
 

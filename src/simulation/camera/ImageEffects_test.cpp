@@ -168,38 +168,108 @@ TEST(ImageEffects, BlurSpreadsAnEdgeByItsDeviation) {
   }
 }
 
-/// How many pixels of the middle row are neither as bright as the first nor as dark as the last.
-int rampOf(const Image& image) {
-  const int row = image.info.height / 2;
-  const int bright = image.at(0, row).y, dark = image.at(image.info.width - 1, row).y;
-  int between = 0;
-  for (int x = 0; x < image.info.width; ++x) {
-    const int y = image.at(x, row).y;
-    between += y > dark + 1 && y < bright - 1 ? 1 : 0;
+TEST_F(ImageEffectsTest, NoiseGrowsWithTheBrightness) {
+  CameraEffects effects = CameraEffects::none();
+  effects.noiseY = 4;
+  effects.noiseCb = 3;
+  effects.noiseCr = 2;
+  effects.noiseGrowth = 0.8;
+  for (const double light : {0.3, 1.0, 1.8}) {
+    effects.brightness = light;
+    const Image image = floor(effects);
+    // It grows with the brightness before the light's own changes: what the sensor's pixel gets.
+    const double factor = 1 + effects.noiseGrowth * plain_.y / 256;
+    EXPECT_NEAR(statisticsOf(image, yOf).deviation, 4 * factor, 0.15) << light;
+    EXPECT_NEAR(statisticsOf(image, cbOf).deviation, 3 * factor, 0.15) << light;
+    EXPECT_NEAR(statisticsOf(image, crOf).deviation, 2 * factor, 0.1) << light;
+    EXPECT_NEAR(statisticsOf(image, yOf).mean, light * plain_.y, 0.8) << light;
   }
-  return between;
 }
 
-TEST(MotionBlur, SmearsAnEdgeByTheWayThatItGoesWhileARowIsExposed) {
-  const TestWorld world =
-      TestWorld::fromBodies(R"(<geom type="box" size="0.1 1 2" pos="2 1 0" rgba="1 1 1 1"/>)");
-  constexpr double speed = 2;  // rad/s
-  CameraView view = viewFrom({0, 0, 0});
+TEST_F(ImageEffectsTest, NoiseOfNeighborsCorrelates) {
   CameraEffects effects = CameraEffects::none();
-  effects.exposure = 10;
-  const Image standing = world.picture(view, effects);
-  EXPECT_EQ(rampOf(standing), 0);
-  const double duration = (view.info.height - 1) * view.info.rowTime / 1000;
-  view.first.rotation = rotationZ(-speed * duration / 2);
-  view.last.rotation = rotationZ(speed * duration / 2);
-  EXPECT_EQ(rampOf(world.picture(view, CameraEffects::none())), 0);
-  for (const double exposure : {5.0, 10.0, 20.0, 40.0}) {
-    effects.exposure = exposure;
-    ImageTruth truth, sharp;
-    const Image image = world.picture(view, effects, &truth);
-    EXPECT_NEAR(rampOf(image), view.info.focalX * speed * exposure / 1000, 1.6) << exposure;
-    world.picture(view, CameraEffects::none(), &sharp);
-    EXPECT_EQ(truth.geoms, sharp.geoms) << "the truth stays sharp";
+  effects.noiseY = effects.noiseCb = 6;
+  for (const double correlation : {0.0, 0.2, 0.45}) {
+    effects.noiseCorrelation = correlation;
+    const Image image = floor(effects);
+    for (const auto channel : {yOf, cbOf}) {
+      const Statistics all = statisticsOf(image, channel);
+      EXPECT_NEAR(all.deviation, 6, 0.25);
+      double across = 0, along = 0;
+      int n = 0;
+      for (int y = 1; y < image.info.height; ++y)
+        for (int x = 1; x < image.info.width; ++x, ++n) {
+          const double value = channel(image.at(x, y)) - all.mean;
+          across += value * (channel(image.at(x - 1, y)) - all.mean);
+          along += value * (channel(image.at(x, y - 1)) - all.mean);
+        }
+      EXPECT_NEAR(across / n / 36, correlation, 0.04);
+      EXPECT_NEAR(along / n / 36, 0, 0.04);
+    }
+  }
+}
+
+TEST_F(ImageEffectsTest, TheCornersAreBluish) {
+  CameraEffects effects = CameraEffects::none();
+  effects.rimCb = 16;
+  effects.rimCr = -6;
+  const Image image = floor(effects);
+  EXPECT_NEAR(image.at(88, 72).cb, plain_.cb, 0.6);
+  EXPECT_NEAR(image.at(0, 72).cb, plain_.cb + 8, 1);
+  EXPECT_NEAR(image.at(88, 0).cr, plain_.cr - 3, 1);
+  for (const int x : {0, 175})
+    for (const int y : {0, 143}) {
+      EXPECT_NEAR(image.at(x, y).y, plain_.y, 0.6);
+      EXPECT_NEAR(image.at(x, y).cb, plain_.cb + 16, 1);
+      EXPECT_NEAR(image.at(x, y).cr, plain_.cr - 6, 1);
+      EXPECT_EQ(image.at(x, y).unused, 0);
+    }
+}
+
+/// The standard deviation of the kernel that a step between two halves of an image was blurred by;
+/// `value` is a channel at a place along the step.
+template <typename Value>
+double spreadOf(const Value& value, int from, int to) {
+  double sum = 0, mean = 0, square = 0;
+  for (int i = from + 1; i < to; ++i) {
+    const double step = value(i - 1) - value(i);
+    sum += step;
+    mean += step * i;
+    square += step * i * i;
+  }
+  mean /= sum;
+  return std::sqrt(std::max(0.0, square / sum - mean * mean));
+}
+
+TEST(ImageEffects, ColorsBleedIntoTheRowsAboveAndBelow) {
+  const TestWorld world = TestWorld::fromBodies(R"(
+      <geom type="box" size="0.01 2 2" pos="2 0 0" rgba="0 0 1 1"/>
+      <geom type="box" size="0.01 2 1" pos="1.9 0 1" rgba="0.1 0.9 0 1"/>
+      <geom type="box" size="0.01 1 2" pos="1.8 1 0" rgba="1 0.2 0 1"/>)");
+  const CameraView view = viewFrom({0, 0, 0});
+  for (const double bleeding : {0.36, 0.71, 0.93, 1.41, 1.73}) {
+    CameraEffects effects = CameraEffects::none();
+    effects.chromaBlur = bleeding;
+    const Image image = world.picture(view, effects), sharp = world.picture(view);
+    EXPECT_NEAR(spreadOf([&](int y) { return crOf(image.at(140, y)); }, 60, 84), bleeding, 0.1);
+    EXPECT_NEAR(spreadOf([&](int y) { return cbOf(image.at(140, y)); }, 60, 84), bleeding, 0.1);
+    EXPECT_LT(spreadOf([&](int x) { return crOf(image.at(x, 20)); }, 76, 100), 0.05);
+    for (int y = 0; y < image.info.height; ++y) ASSERT_EQ(image.at(140, y).y, sharp.at(140, y).y);
+  }
+}
+
+TEST(ImageEffects, LightDiffersOverTheField) {
+  const TestWorld world =
+      TestWorld::fromBodies(R"(<geom type="plane" size="5 5 1" rgba="0.4 0.4 0.4 1"/>)");
+  const CameraView view = viewFrom({-1500, 300, 200}, 0.4, -0.2);
+  CameraEffects effects = CameraEffects::none();
+  const double plain = world.picture(view, effects).at(88, 120).y;
+  effects.unevenLight = 0.3;
+  const Image image = world.picture(view, effects);
+  for (const auto& [x, y] : {std::pair{10, 80}, {88, 90}, {170, 100}, {60, 140}, {120, 143}}) {
+    const Vector3d ray = view.last.rotation * view.info.ray(x + 0.5, y + 0.5);
+    const Vector2d seen = (view.last.translation - 200 / ray.z() * ray).head<2>();
+    EXPECT_NEAR(image.at(x, y).y, plain * (1 + 0.3 * UnevenLight::at(seen)), 2.5) << x << " " << y;
   }
 }
 

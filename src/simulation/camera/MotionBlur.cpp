@@ -1,10 +1,19 @@
 #include "simulation/camera/MotionBlur.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 namespace gt {
 namespace {
+
+constexpr int channels = 4;
+/// What is smeared by the same way: so many pixels in both directions.
+constexpr int blockWidth = 16, blockHeight = 8;
+/// No way is longer in either direction (pixels).
+constexpr int longest = 32;
+constexpr int mostSamples = 31;
 
 /// How the camera turns while a row is exposed, in its own axes (rad).
 Vector3d turnOf(const CameraView& view, double exposure) {
@@ -22,36 +31,73 @@ Vector2d wayAt(const CameraInfo& info, double x, double y, const Vector3d& turn)
           -info.focalY * (change.z() - ray.z() * change.x())};
 }
 
+/// The whole pixels from a pixel to those whose mean it gets.
+struct Path {
+  std::array<int, mostSamples> x, y;
+  int count = 0;
+
+  explicit Path(const Vector2d& way)
+      : count{1 + std::min(mostSamples - 1,
+                           2 * static_cast<int>(std::ceil(way.cwiseAbs().maxCoeff() / 2)))} {
+    for (int i = 0; i < count; ++i) {
+      const double part = (i + 0.5) / count - 0.5;
+      const auto index = static_cast<std::size_t>(i);
+      x[index] = std::clamp(static_cast<int>(std::lround(part * way.x())), -longest, longest);
+      y[index] = static_cast<int>(std::lround(part * way.y()));
+    }
+  }
+};
+
 }  // namespace
 
 void MotionBlur::apply(const CameraView& view, double exposure, Rasterizer& picture) {
   const Vector3d turn = turnOf(view, exposure);
   constexpr double least = 1e-3;  // rad, a sixth of a pixel
   if (turn.norm() < least) return;
-  const int width = picture.width(), height = picture.height();
-  sharp_.clear();
-  for (int y = 0; y < height; ++y)
-    sharp_.insert(sharp_.end(), picture.row(y), picture.row(y) + width);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const Vector2d way = wayAt(view.info, x + 0.5, y + 0.5, turn);
-      const int samples =
-          1 + std::min(30, 2 * static_cast<int>(std::ceil(way.cwiseAbs().maxCoeff() / 2)));
-      unsigned sums[3] = {};
-      for (int i = 0; i < samples; ++i) {
-        const double part = (i + 0.5) / samples - 0.5;
-        const auto at = [](double value, int size) {
-          return std::clamp(static_cast<int>(std::lround(value)), 0, size - 1);
-        };
-        const int from = at(y + part * way.y(), height) * width + at(x + part * way.x(), width);
-        const PackedColor color = sharp_[static_cast<std::size_t>(from)];
-        for (int k = 0; k < 3; ++k) sums[k] += color >> (8 * k) & 0xff;
+  copySharp(picture);
+  for (int y = 0; y < picture.height(); y += blockHeight)
+    for (int x = 0; x < picture.width(); x += blockWidth) {
+      const Path path{wayAt(view.info, x + blockWidth / 2.0, y + blockHeight / 2.0, turn)};
+      const int below = std::min(y + blockHeight, picture.height());
+      for (int row = y; row < below && path.count > 1; ++row) {
+        std::array<std::uint16_t, channels * blockWidth> sums{};
+        for (int i = 0; i < path.count; ++i) {
+          const auto index = static_cast<std::size_t>(i);
+          const std::uint8_t* from =
+              sharpAt(x + path.x[index], std::clamp(row + path.y[index], 0, picture.height() - 1));
+          for (std::size_t k = 0; k < sums.size(); ++k)
+            sums[k] = static_cast<std::uint16_t>(sums[k] + from[k]);
+        }
+        std::array<std::uint8_t, channels * blockWidth> means{};
+        const auto share = static_cast<std::uint32_t>((1 << 16) / path.count + 1);
+        for (std::size_t k = 0; k < sums.size(); ++k)
+          means[k] = static_cast<std::uint8_t>(
+              (sums[k] + static_cast<std::uint32_t>(path.count) / 2) * share >> 16);
+        PackedColor* out = picture.row(row) + x;
+        for (int k = 0; k < std::min(blockWidth, picture.width() - x); ++k) {
+          PackedColor mean = 0;
+          std::memcpy(&mean, &means[static_cast<std::size_t>(channels * k)], channels);
+          out[k] = (out[k] & 0xff000000) | (mean & 0x00ffffff);
+        }
       }
-      const auto n = static_cast<unsigned>(samples);
-      PackedColor& pixel = picture.row(y)[x];
-      pixel &= 0xff000000;
-      for (int k = 0; k < 3; ++k) pixel |= ((sums[k] + n / 2) / n) << (8 * k);
     }
+}
+
+void MotionBlur::copySharp(const Rasterizer& picture) {
+  const int width = picture.width();
+  stride_ = width + 2 * longest + blockWidth;
+  sharp_.resize(static_cast<std::size_t>(stride_ * picture.height()));
+  for (int y = 0; y < picture.height(); ++y) {
+    PackedColor* row = &sharp_[static_cast<std::size_t>(y * stride_)];
+    std::fill_n(row, longest, picture.row(y)[0]);
+    std::copy_n(picture.row(y), width, row + longest);
+    std::fill_n(row + longest + width, longest + blockWidth, picture.row(y)[width - 1]);
+  }
+}
+
+const std::uint8_t* MotionBlur::sharpAt(int x, int y) const {
+  return reinterpret_cast<const std::uint8_t*>(
+      &sharp_[static_cast<std::size_t>(y * stride_ + longest + x)]);
 }
 
 }  // namespace gt

@@ -7,7 +7,7 @@
 namespace gt {
 
 /// Smears an image along the ways that its points go while a row is exposed, because the camera
-/// turns.
+/// turns. Pixels of a block of 16 x 8 are smeared by the way of its middle.
 class MotionBlur {
  public:
   /// Each pixel gets the mean of what passes it in `exposure` milliseconds, half of them before and
@@ -15,7 +15,12 @@ class MotionBlur {
   void apply(const CameraView& view, double exposure, Rasterizer& picture);
 
  private:
-  std::vector<PackedColor> sharp_;
+  void copySharp(const Rasterizer& picture);
+  /// The first of the bytes of a pixel of the sharp image and of those beside it.
+  const std::uint8_t* sharpAt(int x, int y) const;
+
+  std::vector<PackedColor> sharp_;  ///< With margins on both sides, as their outermost pixels.
+  int stride_ = 0;
 };
 
 }  // namespace gt
