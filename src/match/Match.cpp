@@ -86,8 +86,7 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   controller->robot().tellSetup([setup] { return recordSetup(setup); });
   if (!options_.logs.empty())
     if (auto done = record(*controller, setup); !done) return done;
-  simulation_->setCamera(
-      index, withSettings(simulation_->scene().camera, configuration_->camera.of(player.address)));
+  simulation_->setCamera(index, configuration_->camera.of(player.address));
   robots_.push_back(controller.get());
   indices_.push_back(index);
   allRobots_.push_back(controller.get());

@@ -42,7 +42,12 @@ class Radio {
   std::vector<Player> players_;
   std::vector<std::vector<Underway>> underway_;  ///< By receiver.
   std::vector<bool> off_;                        ///< Robots cut off.
-  Random random_;
+  /// Whether the network has broken down for now.
+  bool isDown(Time now);
+
+  Random random_, breakdowns_;
+  bool down_ = false;
+  Time changesAt_ = never();
   std::size_t lost_ = 0;
 };
 

@@ -102,5 +102,40 @@ TEST(Radio, RobotsAreCutOffAndTheNetworkFails) {
   EXPECT_FALSE(heard(0, 2, 6));
 }
 
+TEST(Radio, BreaksDownInBursts) {
+  RadioParameters parameters;
+  parameters.delayMin = parameters.delayMax = parameters.loss = 0;
+  parameters.bursts = 12;
+  parameters.burstTime = 1.5;
+  parameters.burstLoss = 0.9;
+  const std::vector<Player> players = twoTeams();
+  Radio radio{parameters, players, Random{6}};
+  TeamMessages messages;
+  constexpr int period = 100, minutes = 300;  // ms
+  int lostInDown = 0, down = 0, breakdowns = 0;
+  int quietSince = 1000;
+  for (int ms = 0; ms < minutes * 60'000; ms += period) {
+    TeamMessage message;
+    message.timeSent = Time{ms};
+    const std::size_t before = radio.lost();
+    radio.send(0, message, Time{ms});
+    const auto lost = static_cast<int>(radio.lost() - before);  // of three receivers
+    if (lost > 0) {
+      breakdowns += quietSince > 5;
+      quietSince = 0;
+      lostInDown += lost;
+      ++down;
+    } else {
+      ++quietSince;
+    }
+    if (ms % 2000 == 0)
+      for (std::size_t i = 0; i < players.size(); ++i) radio.receive(i, Time{ms}, messages);
+  }
+  // It works 5 s and is down 1.5 s on average.
+  EXPECT_NEAR(down * period / (minutes * 60'000.0), 1.5 / 6.5, 0.04);
+  EXPECT_NEAR(breakdowns / static_cast<double>(minutes), 60 / 6.5, 2);
+  EXPECT_NEAR(lostInDown / (3.0 * down), 0.9, 0.02);
+}
+
 }  // namespace
 }  // namespace gt

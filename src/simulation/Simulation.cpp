@@ -1,6 +1,7 @@
 #include "simulation/Simulation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/Hash.h"
 #include "simulation/Oracle.h"
@@ -18,36 +19,20 @@ std::vector<Player> playersOf(const SceneDescription& scene) {
 
 }  // namespace
 
-CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& info) {
-  const double ticks = (info.height - 1) * info.rowTime / static_cast<double>(tickMs);
-  const auto whole = static_cast<std::size_t>(ticks);
+CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& info, double delay) {
+  const auto poseAgo = [&](double milliseconds) {
+    const double ticks = milliseconds / static_cast<double>(tickMs);
+    const auto whole = static_cast<std::size_t>(ticks);
+    return interpolated(world.camera(robot, whole), world.camera(robot, whole + 1),
+                        ticks - static_cast<double>(whole));
+  };
   CameraView view;
   view.info = info;
-  view.first = interpolated(world.camera(robot, whole), world.camera(robot, whole + 1),
-                            ticks - static_cast<double>(whole));
-  view.last = world.camera(robot);
+  view.first = poseAgo((info.height - 1) * info.rowTime + delay);
+  view.last = delay > 0 ? poseAgo(delay) : world.camera(robot);
   view.hiddenBody = world.parts(robot).headBody;
   return view;
 }
-
-namespace {
-
-/// What the camera sees if the body leans otherwise than its joints tell (report B.4.5): it turns
-/// about the body's origin.
-CameraView leaning(CameraView view, const World& world, std::size_t robot,
-                   const SceneRobot& setup) {
-  if (setup.bodyTilt == 0 && setup.bodyRoll == 0) return view;
-  const RobotBody& body = world.robot(robot);
-  const Pose3D upright{rotationZ(body.pose.rotation), body.origin().translation};
-  const Matrix3d lean =
-      rotationX(fromDegrees(setup.bodyRoll)) * rotationY(-fromDegrees(setup.bodyTilt));
-  const Pose3D turn = upright * Pose3D{lean, Vector3d::Zero()} * upright.inverse();
-  view.first = turn * view.first;
-  view.last = turn * view.last;
-  return view;
-}
-
-}  // namespace
 
 Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> world,
                        const Random& random, std::size_t threads, const FieldDimensions& field)
@@ -64,16 +49,19 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
   prepareCameras();
   if (scene.ceilingCamera)
     ceilingCamera_.emplace(*scene.ceilingCamera, players_, random.fork("ceiling camera"));
-  for (const SceneRobot& robot : scene.robots)
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    const std::string& name = scene.robots[i].name;
     robots_.push_back({nullptr,
-                       Sensors{scene.noise, random.fork("sensors " + robot.name)},
+                       Sensors{scene.noise, random.fork("sensors " + name), buildOf(i)},
                        true,
-                       random.fork("pictures " + robot.name),
+                       random.fork("pictures " + name),
                        scene.camera,
                        {},
                        {},
                        {},
-                       {}});
+                       {},
+                       random.fork("delays " + name)});
+  }
 }
 
 Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& scene,
@@ -107,10 +95,26 @@ Result<void> Simulation::changeFidelity(Fidelity fidelity) {
   return {};
 }
 
-void Simulation::changeNoise(const NoiseParameters& noise) {
-  scene_.noise = noise;
-  world_->change(noise);
-  for (Hardware& robot : robots_) robot.sensors.change(noise);
+RobotBuild Simulation::buildOf(std::size_t robot) const {
+  const SceneRobot& setup = scene_.robots[robot];
+  return RobotBuild::draw(scene_.body, setup, random_.fork("build " + setup.name));
+}
+
+void Simulation::change(const SceneDescription& scene) {
+  scene_.profile = scene.profile;
+  scene_.noise = scene.noise;
+  scene_.body = scene.body;
+  scene_.walking = scene.walking;
+  scene_.physics = scene.physics;
+  scene_.radio = scene.radio;
+  const bool sameCamera = scene_.camera == scene.camera;
+  scene_.camera = scene.camera;
+  world_->change(scene_);
+  radio_.change(scene_.radio);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    robots_[i].sensors.change(scene_.noise, buildOf(i));
+    if (!sameCamera) setCamera(i, robots_[i].settings);
+  }
 }
 
 void Simulation::attach(std::size_t robot, std::unique_ptr<RobotController> controller) {
@@ -194,9 +198,8 @@ void Simulation::takeImage(std::size_t robot, CameraRenderer& renderer) {
   Image* const place = r.controller->nextImage();
   Image& image = place ? *place : r.image;
   if (r.cameraOn) {
-    const CameraView view =
-        leaning(cameraView(*world_, robot, scene_.optics), *world_, robot, scene_.robots[robot]);
-    renderer.render(world_->data(), view, r.camera.at(r.input.now), r.imageSeeds(), image);
+    const CameraEffects effects = r.sensors.build().seen(r.camera.at(r.input.now));
+    renderer.render(world_->data(), viewOf(robot), effects, r.imageSeeds(), image);
   } else {
     if (r.image.pixels.empty()) {
       r.image.info = scene_.optics;
@@ -208,15 +211,33 @@ void Simulation::takeImage(std::size_t robot, CameraRenderer& renderer) {
   r.input.image = &image;
 }
 
+CameraView Simulation::viewOf(std::size_t robot) {
+  Hardware& r = robots_[robot];
+  double delay = r.camera.delay;
+  if (r.camera.delayJitter > 0) delay += r.camera.delayJitter * r.delays.gaussian();
+  delay = std::clamp(delay, 0.0, CameraEffects::longestDelay);
+  return r.sensors.build().leaning(cameraView(*world_, robot, scene_.optics, delay),
+                                   world_->robot(robot));
+}
+
+void Simulation::command(std::size_t robot, const RobotCommand& command) {
+  const auto ticks =
+      static_cast<std::size_t>(std::lround(scene_.body.commandDelay / static_cast<double>(tickMs)));
+  Hardware& r = robots_[robot];
+  r.due[r.commands % mostDue] = command;
+  if (r.commands >= ticks) commands_[robot] = r.due[(r.commands - ticks) % mostDue];
+  ++r.commands;
+}
+
 void Simulation::act() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Hardware& r = robots_[i];
     if (!r.controller) continue;
-    commands_[i].joints = r.output.joints.angles;
-    commands_[i].step = r.output.odometry.pose.relativeTo(r.odometry);
+    command(i, {r.sensors.build().driven(r.output.joints.angles),
+                r.output.odometry.pose.relativeTo(r.odometry)});
     r.odometry = r.output.odometry.pose;
     if (r.output.message) radio_.send(i, *r.output.message, world_->time());
-    if (r.output.camera) r.camera = withSettings(scene_.camera, *r.output.camera);
+    if (r.output.camera) setCamera(i, *r.output.camera);
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -78,7 +79,14 @@ class Simulation {
   /// Continues in the other fidelity with everything where it is. Fails if the scene's models
   /// cannot be read any more.
   Result<void> changeFidelity(Fidelity fidelity);
-  void changeNoise(const NoiseParameters& noise);
+  /// How far all is from perfect from now on: takes over the profile and its elements from a scene
+  /// that is this one otherwise. The audience stays.
+  void change(const SceneDescription& scene);
+  /// Sets one active robot's camera as its program wants it (report B.4.3).
+  void setCamera(std::size_t robot, const CameraSettings& settings) {
+    robots_[robot].settings = settings;
+    robots_[robot].camera = withSettings(scene_.camera, settings);
+  }
   /// Sets the effects of one active robot's camera; at the start all are as the scene says.
   void setCamera(std::size_t robot, const CameraEffects& effects) {
     robots_[robot].camera = effects;
@@ -132,6 +140,9 @@ class Simulation {
   std::vector<const Stopwatch*> times() const;
 
  private:
+  static constexpr std::size_t mostDue =
+      static_cast<std::size_t>(BodyParameters::longestDelay) / tickMs + 1;
+
   /// An active robot's own part of the simulation: its controller and its simulated hardware.
   struct Hardware {
     std::unique_ptr<RobotController> controller;
@@ -143,6 +154,11 @@ class Simulation {
     RobotOutput output;
     Image image;  ///< The last one, unless it lies at the controller.
     Pose2D odometry;
+    Random delays;              ///< Of the images.
+    CameraSettings settings{};  ///< Of the camera, that the robot asked for last.
+    /// Commands that the motors do not act on yet: a ring, and how many there have been.
+    std::array<RobotCommand, mostDue> due{};
+    std::size_t commands = 0;
     Stopwatch sensorTime{"sensors"}, cameraTime{"camera"};
     std::string failure{};
   };
@@ -157,6 +173,9 @@ class Simulation {
   void lookFromTheCeiling();
   void takeImage(std::size_t robot, CameraRenderer& renderer);
   void act();
+  void command(std::size_t robot, const RobotCommand& command);
+  RobotBuild buildOf(std::size_t robot) const;
+  CameraView viewOf(std::size_t robot);
 
   SceneDescription scene_;
   std::vector<Player> players_;
@@ -180,7 +199,9 @@ class Simulation {
   WorkerPool pool_;
 };
 
-/// The view of a robot's camera whose last row is exposed now.
-CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& info);
+/// The view of a robot's camera whose last row was exposed so many milliseconds ago, at most
+/// CameraEffects::longestDelay.
+CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& info,
+                      double delay = 0);
 
 }  // namespace gt

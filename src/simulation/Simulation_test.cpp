@@ -187,5 +187,56 @@ TEST(Simulation, ExtrasAreSeenButNotControlled) {
   EXPECT_EQ(match->input(0).oracle.others[1].teamColor, TeamColor::blue);
 }
 
+/// Pans its head, and keeps what it gets.
+class Panning : public RobotController {
+ public:
+  void cycle(const RobotInput& input, RobotOutput& output) override {
+    output.joints.angles = standing();
+    output.joints.angles[Joint::headPan] = input.now.ms >= 400 ? 0.8 : 0;
+  }
+};
+
+TEST(Simulation, CommandsWaitAsLongAsTheSceneSays) {
+  std::array<std::int64_t, 2> movedAt{};
+  for (const double delay : {0.0, 40.0}) {
+    SceneDescription scene = duelScene({}, {1500, 1000});
+    scene.game.referee = false;
+    scene.body.commandDelay = delay;
+    auto simulation = Simulation::make(scene, 1);
+    ASSERT_TRUE(simulation);
+    (*simulation)->attach(0, std::make_unique<Panning>());
+    auto& moved = movedAt[delay > 0];
+    for (int i = 0; i < 100 && moved == 0; ++i) {
+      (*simulation)->step();
+      if ((*simulation)->world().robot(0).joints[Joint::headPan] > 0.001)
+        moved = (*simulation)->time().ms;
+    }
+  }
+  EXPECT_EQ(movedAt[1] - movedAt[0], 40);
+}
+
+TEST(Simulation, ImagesAreAsOldAsTheSceneSays) {
+  SceneDescription scene = duelScene({}, {1500, 1000});
+  scene.game.referee = false;
+  auto simulation = Simulation::make(scene, 1);
+  ASSERT_TRUE(simulation);
+  (*simulation)->attach(0, std::make_unique<Panning>());
+  for (int i = 0; i < 65; ++i) (*simulation)->step();
+  const World& world = (*simulation)->world();
+  const CameraInfo info;
+  for (const double delay : {8.0, 16.0, 40.0}) {
+    const CameraView view = cameraView(world, 0, info, delay);
+    const Pose3D& then = world.camera(0, static_cast<std::size_t>(delay) / 8);
+    EXPECT_NEAR((view.last.rotation - then.rotation).norm(), 0, 1e-9);
+    EXPECT_NEAR((view.last.translation - then.translation).norm(), 0, 1e-9);
+    EXPECT_GT((view.last.rotation - world.camera(0).rotation).norm(), 0.01) << "the head turns";
+  }
+  const CameraView now = cameraView(world, 0, info), late = cameraView(world, 0, info, 20);
+  const auto turnOf = [](const Pose3D& a, const Pose3D& b) {
+    return Eigen::AngleAxisd{a.rotation.transpose() * b.rotation}.angle();
+  };
+  EXPECT_NEAR(turnOf(late.last, now.last), turnOf(late.first, now.first), 0.02);
+}
+
 }  // namespace
 }  // namespace gt

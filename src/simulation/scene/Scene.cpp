@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/Enum.h"
+#include "simulation/scene/ProfileTable.h"
 #include "simulation/scene/Xml.h"
 #include "simulation/world/World.h"
 #include "streams/File.h"
@@ -36,6 +37,7 @@ class SceneReader {
 
   template <typename T>
   void readAttributes(const xmlNode* node, T& into);
+  void readProfile(const xmlNode* root, SceneDescription& scene);
   void checkOptics(const xmlNode* node, CameraInfo& optics);
   void readElement(const xmlNode* node, SceneDescription& scene);
   /// Calls visit(node) for each element of a group, which has no others than these.
@@ -93,12 +95,19 @@ void SceneReader::readAttributes(const xmlNode* node, T& into) {
   }
 }
 
+/// Sets what the profile sets, before anything else of the scene is read. What is wrong with its
+/// name is found with the other attributes.
+void SceneReader::readProfile(const xmlNode* root, SceneDescription& scene) {
+  if (const auto profile = enumValue<Profile>(attribute(root, "profile")))
+    setProfile(scene, *profile);
+}
+
 void SceneReader::checkOptics(const xmlNode* node, CameraInfo& optics) {
   if (attribute(node, "centerX").empty()) optics.centerX = optics.width / 2.0;
   if (attribute(node, "centerY").empty()) optics.centerY = optics.height / 2.0;
   for (const auto& [name, size] : {std::pair{"width", optics.width}, {"height", optics.height}})
     if (size > maxImageSize) error(node, name, "expected at most " + std::to_string(maxImageSize));
-  constexpr double longest = static_cast<double>((World::cameraHistory - 1) * tickMs);
+  constexpr double longest = static_cast<double>(World::longestImage * tickMs);
   if ((optics.height - 1) * optics.rowTime > longest)
     error(node, "rowTime", "all rows together take longer than " + std::to_string(longest) + " ms");
 }
@@ -150,6 +159,8 @@ void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
   } none;
   const std::map<std::string, std::function<void()>> readers{
       {"noise", [&] { readLeaf(scene.noise); }},
+      {"body", [&] { readLeaf(scene.body); }},
+      {"walking", [&] { readLeaf(scene.walking); }},
       {"camera", [&] { readLeaf(scene.camera); }},
       {"optics",
        [&] {
@@ -216,6 +227,7 @@ SceneDescription SceneReader::read(const xmlNode* root) {
   scene.fieldPlace = places_.of(root, "field");
   scene.configPlace = places_.of(root, "config");
   scene.scriptPlace = places_.of(root, "script");
+  readProfile(root, scene);
   readAttributes(root, scene);
   std::set<std::string> seen;
   forEachChild(root, [&](const xmlNode* node) {

@@ -24,6 +24,7 @@ struct NoiseParameters {
   double psd = 10;
   double slip = 0.06;
   double motion = 1;
+  double psdReflections = 0;
 
   static constexpr auto fields() {
     return Fields{
@@ -38,7 +39,84 @@ struct NoiseParameters {
               {0, 0.9}),
         field("motion", &NoiseParameters::motion, "",
               "white noise of steps; 1: 20 mm and 2 degrees over 1 m, 5 degrees over a turn",
-              {0, 100})};
+              {0, 100}),
+        field("psdReflections", &NoiseParameters::psdReflections, "",
+              "share of the distance sensor's readings that are anything, by reflections", {0, 1})};
+  }
+};
+
+/// How robots were put together, each of them differently, and how their joints and legs give.
+/// What differs from robot to robot is normally distributed. Element `body`.
+struct BodyParameters {
+  double tilt = 0;
+  double roll = 0;
+  double jointOffset = 0;
+  double accelerationOffset = 0;
+  double cameraLight = 0;
+  double cameraColor = 0;
+  double backlash = 0;
+  double commandDelay = 0;
+  double swayTilt = 0;
+  double swayRoll = 0;
+  double swayHeight = 0;
+
+  /// No command waits longer (ms).
+  static constexpr double longestDelay = 120;
+
+  static constexpr auto fields() {
+    using P = BodyParameters;
+    constexpr Range degrees{0, 20};
+    return Fields{
+        field("tilt", &P::tilt, "deg",
+              "standard deviation, from robot to robot, of how much the body leans back more than "
+              "joints and robot.cfg tell",
+              degrees),
+        field("roll", &P::roll, "deg", "likewise to the right", degrees),
+        field("jointOffset", &P::jointOffset, "deg",
+              "standard deviation of the zero of each robot's each joint", degrees),
+        field("accelerationOffset", &P::accelerationOffset, "mm/s^2",
+              "standard deviation of the zero of each robot's acceleration sensors", {0, 5000}),
+        field("cameraLight", &P::cameraLight, "",
+              "standard deviation of how bright each robot's camera sees, as a share", {0, 0.5}),
+        field("cameraColor", &P::cameraColor, "",
+              "standard deviation of what each robot's camera adds to cb and to cr", {0, 60}),
+        field("backlash", &P::backlash, "deg",
+              "by which a joint can be turned without its sensor noticing", degrees),
+        field("commandDelay", &P::commandDelay, "ms",
+              "from a command until the motors act on it, beyond the next tick", {0, longestDelay}),
+        field("swayTilt", &P::swayTilt, "deg",
+              "standard deviation of the body's tilt, by legs that give, at 200 mm/s; kinematic "
+              "fidelity only, as the other swaying",
+              degrees),
+        field("swayRoll", &P::swayRoll, "deg", "of its roll", degrees),
+        field("swayHeight", &P::swayHeight, "mm", "of its height", {0, 50})};
+  }
+};
+
+/// How the carpet shortens ways, and where feet slip on it. The dynamic fidelity does not need it:
+/// friction does it there. Element `walking`.
+struct WalkingParameters {
+  double shortfall = 0;
+  double gaitShortfall = 0;
+  double bursts = 0;
+  double burstTime = 0.5;
+  double burstSlip = 0.5;
+  double contactTurn = 0;
+
+  static constexpr auto fields() {
+    using P = WalkingParameters;
+    return Fields{
+        field("shortfall", &P::shortfall, "", "share by which all ways are shorter on this carpet",
+              {-0.5, 0.9}),
+        field("gaitShortfall", &P::gaitShortfall, "",
+              "share that is added to it at 200 mm/s, in proportion to the speed", {-0.5, 0.9}),
+        field("bursts", &P::bursts, "1/min", "how often a robot that walks begins to slip",
+              {0, 1000}),
+        field("burstTime", &P::burstTime, "s", "mean time for which it slips", {0.01, 60}),
+        field("burstSlip", &P::burstSlip, "", "share of the way that is lost meanwhile", {0, 1}),
+        field("contactTurn", &P::contactTurn, "deg/s",
+              "at most, by which a robot is turned that walks against a wall or a robot",
+              {0, 360})};
   }
 };
 
@@ -49,6 +127,8 @@ struct BallParameters {
   double bounceRobot = 0.3;
   double friction = 0.1;
   double maxSpeed = 3000;
+  double dents = 0;
+  double dentSize = 150;
 
   static constexpr auto fields() {
     return Fields{
@@ -59,7 +139,12 @@ struct BallParameters {
               {0, 1}),
         field("friction", &BallParameters::friction, "",
               "share of the sliding speed that a touch takes", {0, 1}),
-        field("maxSpeed", &BallParameters::maxSpeed, "mm/s", "", {1, 4000})};
+        field("maxSpeed", &BallParameters::maxSpeed, "mm/s", "", {1, 4000}),
+        field("dents", &BallParameters::dents, "mm/s^2",
+              "at most, by which the carpet's unevenness pulls a rolling ball in each direction",
+              {0, 1e4}),
+        field("dentSize", &BallParameters::dentSize, "mm", "from one dent to the next",
+              {10, 5000})};
   }
 };
 
@@ -69,13 +154,22 @@ struct RadioParameters {
   double delayMax = 120;
   double loss = 0.05;
   bool out = false;
+  double bursts = 0;
+  double burstTime = 2;
+  double burstLoss = 1;
 
   static constexpr auto fields() {
     return Fields{
         field("delayMin", &RadioParameters::delayMin, "ms", "", {0, 10'000}),
         field("delayMax", &RadioParameters::delayMax, "ms", "", {0, 10'000}),
         field("loss", &RadioParameters::loss, "", "share of messages that never arrive", {0, 1}),
-        field("out", &RadioParameters::out, "", "nothing gets through")};
+        field("out", &RadioParameters::out, "", "nothing gets through"),
+        field("bursts", &RadioParameters::bursts, "1/min", "how often the network breaks down",
+              {0, 1000}),
+        field("burstTime", &RadioParameters::burstTime, "s", "mean time until it works again",
+              {0.01, 600}),
+        field("burstLoss", &RadioParameters::burstLoss, "",
+              "share of messages that are lost meanwhile", {0, 1})};
   }
 };
 
@@ -231,6 +325,12 @@ struct SceneBall {
   }
 };
 
+/// How far the world and the robots' hardware are from perfect: sets all numbers of the elements
+/// `noise`, `body`, `walking`, `camera`, `physics`, `radio` and the audience; what the scene says
+/// of one of them counts more (docs/realism.md). Perfect: no errors. Benign: noise only. Padova: as
+/// on the real robots of 2003. Rough: twice as bad.
+enum class Profile { perfect, benign, padova, rough };
+
 /// A simulation scene: who stands where, and how the world is (report I.4). Read from a `.scene`
 /// file. Its coordinates are the field's: origin at the center, x to the sky-blue goal, as the red
 /// team sees it.
@@ -240,11 +340,14 @@ struct SceneDescription {
   std::string field = "../models/field2003.xml";
   std::string config = "../config";
   std::string script;
+  Profile profile = Profile::benign;
   Fidelity fidelity = Fidelity::kinematic;
   bool flags = true;
   int audience = 0;
   int referees = 0;
   NoiseParameters noise;
+  BodyParameters body;
+  WalkingParameters walking;
   CameraEffects camera;
   CameraInfo optics;
   BallParameters physics;
@@ -269,6 +372,8 @@ struct SceneDescription {
         gt::field("config", &SceneDescription::config, "", "folder of the configuration files"),
         gt::field("script", &SceneDescription::script, "",
                   "console script to begin with, from the scene's folder"),
+        gt::field("profile", &SceneDescription::profile, "",
+                  "how far all is from perfect, where the scene does not say it"),
         gt::field("fidelity", &SceneDescription::fidelity),
         gt::field("flags", &SceneDescription::flags, "",
                   "whether the field has its flags: what is of the model's class flag"),

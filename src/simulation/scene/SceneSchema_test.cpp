@@ -84,10 +84,13 @@ std::string groupOf(const std::string& name, const std::string& element, std::si
 
 std::string sceneSchema() {
   const std::map<std::string, std::string> elements{
-      {"balls", "balls"},   {"camera", "camera"},   {"ceilingCamera", "ceilingCamera"},
-      {"extras", "robots"}, {"game", "game"},       {"noise", "noise"},
-      {"optics", "optics"}, {"physics", "physics"}, {"radio", "radio"},
-      {"robots", "robots"}, {"rules", "rules"}};
+      {"balls", "balls"},     {"body", "body"},
+      {"camera", "camera"},   {"ceilingCamera", "ceilingCamera"},
+      {"extras", "robots"},   {"game", "game"},
+      {"noise", "noise"},     {"optics", "optics"},
+      {"physics", "physics"}, {"radio", "radio"},
+      {"robots", "robots"},   {"rules", "rules"},
+      {"walking", "walking"}};
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<!-- Scenes of the simulator (report I.4). Made by "
@@ -101,7 +104,8 @@ std::string sceneSchema() {
         fmt::format("        <xs:element name=\"{}\" type=\"{}\" minOccurs=\"0\"/>\n", name, type);
   text += "      </xs:all>\n" + attributesOf<SceneDescription>() +
           "    </xs:complexType>\n  </xs:element>\n";
-  text += typeNamed<NoiseParameters>("noise") + typeNamed<CameraEffects>("camera") +
+  text += typeNamed<NoiseParameters>("noise") + typeNamed<BodyParameters>("body") +
+          typeNamed<WalkingParameters>("walking") + typeNamed<CameraEffects>("camera") +
           typeNamed<CeilingCameraParameters>("ceilingCamera") + typeNamed<CameraInfo>("optics") +
           typeNamed<BallParameters>("physics") + typeNamed<RadioParameters>("radio") +
           typeNamed<GameParameters>("game") + typeNamed<RuleParameters>("rules");
@@ -154,15 +158,27 @@ TEST(SceneSchema, AgreesWithTheLoader) {
   const Validator validator;
   const std::string file = testing::TempDir() + "agree.scene";
   int accepted = 0;
-  for (const char* text :
-       {"<noise slip=\"0.9\"/>", "<noise slip=\"0.95\"/>", "<camera blur=\"0.9\"/>",
-        "<camera vignetting=\"0.9\"/>", "<optics width=\"1281\"/>", "<optics width=\"320\"/>",
-        "<game minutes=\"0\"/>", "<game minutes=\"1e5\"/>", "<game referee=\"maybe\"/>",
-        "<rules shots=\"0\"/>", "<rules shots=\"1.5\"/>", "<rules shots=\"3\"/>",
-        "<robots><robot address=\"12\"/></robots>",
-        "<robots><robot address=\"00022D1F626B\"/></robots>",
-        "<robots><robot role=\"coach\"/></robots>", "<robots><robot model=\"\"/></robots>",
-        "<balls><ball x=\"10001\"/></balls>", "<balls><ball/><bell/></balls>", "<ballz/>"}) {
+  for (const char* text : {"<body tilt=\"21\"/>",
+                           "<walking bursts=\"-1\"/>",
+                           "<noise slip=\"0.9\"/>",
+                           "<noise slip=\"0.95\"/>",
+                           "<camera blur=\"0.95\"/>",
+                           "<camera vignetting=\"0.9\"/>",
+                           "<optics width=\"1281\"/>",
+                           "<optics width=\"320\"/>",
+                           "<game minutes=\"0\"/>",
+                           "<game minutes=\"1e5\"/>",
+                           "<game referee=\"maybe\"/>",
+                           "<rules shots=\"0\"/>",
+                           "<rules shots=\"1.5\"/>",
+                           "<rules shots=\"3\"/>",
+                           "<robots><robot address=\"12\"/></robots>",
+                           "<robots><robot address=\"00022D1F626B\"/></robots>",
+                           "<robots><robot role=\"coach\"/></robots>",
+                           "<robots><robot model=\"\"/></robots>",
+                           "<balls><ball x=\"10001\"/></balls>",
+                           "<balls><ball/><bell/></balls>",
+                           "<ballz/>"}) {
     ASSERT_TRUE(writeFile(file, std::string{"<scene>"} + text + "</scene>"));
     const auto scene = loadScene(file);
     EXPECT_EQ(validator.accepts(file), static_cast<bool>(scene))

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/Enum.h"
+#include "simulation/scene/ProfileTable.h"
 #include "streams/Config.h"
 
 namespace gt {
@@ -342,6 +343,18 @@ void SceneTree::addField() {
   }
 }
 
+template <typename T>
+void SceneTree::addElement(const std::string& path, T SceneDescription::*element) {
+  Simulation& s = simulation_;
+  addFields<T>(
+      path, [&s, element] { return s.scene().*element; },
+      [&s, element](const T& parameters) {
+        SceneDescription scene = s.scene();
+        scene.*element = parameters;
+        s.change(scene);
+      });
+}
+
 void SceneTree::addGame() {
   Simulation& s = simulation_;
   Referee& referee = s.referee();
@@ -351,12 +364,20 @@ void SceneTree::addGame() {
   addFields<RuleParameters>(
       "rules", [&referee] { return referee.rules(); },
       [&referee](const RuleParameters& p) { referee.change(p); });
-  addFields<RadioParameters>(
-      "radio", [&s] { return s.radio().parameters(); },
-      [&s](const RadioParameters& p) { s.radio().change(p); });
-  addFields<NoiseParameters>(
-      "noise", [&s] { return s.scene().noise; },
-      [&s](const NoiseParameters& p) { s.changeNoise(p); });
+  addElement("radio", &SceneDescription::radio);
+  addElement("noise", &SceneDescription::noise);
+  addElement("body", &SceneDescription::body);
+  addElement("walking", &SceneDescription::walking);
+  addElement("physics", &SceneDescription::physics);
+  addValue(
+      "profile",
+      "perfect, benign, padova or rough: sets noise, body, walking, cameras, physics, radio",
+      [&s] { return s.scene().profile; },
+      [&s](Profile profile) {
+        SceneDescription scene = s.scene();
+        setProfile(scene, profile);
+        s.change(scene);
+      });
   addValue(
       "game/state", "initial, ready, set, playing or finished",
       [&referee] { return referee.state(); },

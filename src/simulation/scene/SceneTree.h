@@ -17,7 +17,8 @@ namespace gt {
 /// robots/NAME (its pose: x y angle), with joints, switches, sensors, camera, posture, …; balls/N
 /// (x y, and its speed); actuators/NAME (the command, and whether the last one met nothing);
 /// sensors/NAME; ceilingCamera/NAME (what it measured); emitters/NAME (0 to 1); field/NAME (x y z
-/// of what stands there); game, rules, radio, noise (parameters by name); fidelity.
+/// of what stands there); game, rules, radio, noise, body,
+/// walking, physics (parameters by name); profile; fidelity.
 class SceneTree {
  public:
   /// The simulation must outlive the tree.
@@ -56,6 +57,9 @@ class SceneTree {
   template <typename T>
   void addFields(const std::string& path, std::function<T()> get,
                  std::function<void(const T&)> set);
+  /// A node for each field of an element of the scene.
+  template <typename T>
+  void addElement(const std::string& path, T SceneDescription::*element);
   void addRobot(std::size_t i, const std::string& name);
   void addActiveRobot(std::size_t i, const std::string& path);
   void addBall(std::size_t i);

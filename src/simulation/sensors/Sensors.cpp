@@ -9,8 +9,8 @@ constexpr double psdNearest = 100, psdFurthest = 900;
 
 }  // namespace
 
-Sensors::Sensors(const NoiseParameters& noise, const Random& random)
-    : noise_(noise), random_(random) {}
+Sensors::Sensors(const NoiseParameters& noise, const Random& random, const RobotBuild& build)
+    : noise_(noise), random_(random), reflections_(random.fork("reflections")), build_(build) {}
 
 void Sensors::read(const World& world, std::size_t robot, SensorData& readings) {
   const RobotBody& body = world.robot(robot);
@@ -18,14 +18,18 @@ void Sensors::read(const World& world, std::size_t robot, SensorData& readings) 
   const double deviation = fromDegrees(noise_.joints);
   for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
     const bool feedback = j < static_cast<std::size_t>(Joint::earL);
-    readings.joints.values[j] =
-        body.joints.values[j] + (feedback ? deviation * random_.gaussian() : 0);
+    const double angle = body.joints.values[j], play = build_.backlash / 2;
+    geared_.values[j] = std::clamp(geared_.values[j], angle - play, angle + play);
+    readings.joints.values[j] = geared_.values[j] - build_.joints.values[j] +
+                                (feedback ? deviation * random_.gaussian() : 0);
   }
-  readings.acceleration = body.specificForce;
+  readings.acceleration = body.specificForce + build_.acceleration;
   for (int k = 0; k < 3; ++k) readings.acceleration[k] += noise_.acceleration * random_.gaussian();
   const double distance = rayDistance(world, robot, psdFurthest);
   readings.psd = std::clamp(distance * (1 + noise_.psd / psdFurthest * random_.gaussian()),
                             psdNearest, psdFurthest);
+  if (noise_.psdReflections > 0 && reflections_.chance(noise_.psdReflections))
+    readings.psd = reflections_.uniform(psdNearest, psdFurthest);
   readings.switches = pressed_;
   for (std::size_t leg = 0; leg < body.footOnGround.size(); ++leg)
     readings.switches.values[static_cast<std::size_t>(Switch::pawFR) + leg] |=

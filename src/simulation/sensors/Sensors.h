@@ -3,6 +3,7 @@
 
 #include "base/Random.h"
 #include "representations/infrastructure/SensorData.h"
+#include "simulation/world/RobotBuild.h"
 #include "simulation/world/World.h"
 
 namespace gt {
@@ -10,7 +11,7 @@ namespace gt {
 /// Measures for one robot what its body's sensors would tell, with noise of its own (report 5.1.1).
 class Sensors {
  public:
-  Sensors(const NoiseParameters& noise, const Random& random);
+  Sensors(const NoiseParameters& noise, const Random& random, const RobotBuild& build = {});
 
   /// The readings of this tick. May run for several robots at once: the world is only read.
   void read(const World& world, std::size_t robot, SensorData& readings);
@@ -19,13 +20,18 @@ class Sensors {
   void press(Switch which, bool pressed) { pressed_[which] = pressed; }
   bool isPressed(Switch which) const { return pressed_[which]; }
 
-  /// How noisy they are from now on.
-  const NoiseParameters& noise() const { return noise_; }
-  void change(const NoiseParameters& noise) { noise_ = noise; }
+  const RobotBuild& build() const { return build_; }
+  /// How noisy they are from now on, and of which robot.
+  void change(const NoiseParameters& noise, const RobotBuild& build) {
+    noise_ = noise;
+    build_ = build;
+  }
 
  private:
   NoiseParameters noise_;
-  Random random_;
+  Random random_, reflections_;
+  RobotBuild build_;
+  JointAngles geared_{};  ///< Where the sensors' sides of the joints are: rad.
   EnumArray<Switch, bool> pressed_;
 };
 

@@ -101,5 +101,66 @@ TEST(Sensors, PsdMeasuresTheDistanceToWallBallAndFloor) {
   EXPECT_LT(wall, near.translation.z() / -near.rotation(2, 0) - 10);
 }
 
+TEST(Sensors, JointsHavePlay) {
+  const SceneDescription scene = duelScene({}, {1500, 1000});
+  const auto world = worldOf(scene);
+  RobotBuild build;
+  build.backlash = fromDegrees(2);
+  Sensors sensors{scene.noise, Random{1}, build};
+  SensorData readings;
+  // To and fro: what is measured follows half of the play behind.
+  for (const double sign : {1.0, -1.0, 1.0}) {
+    RobotCommand command = standingCommand();
+    command.joints[Joint::headPan] = sign * 0.5;
+    for (int i = 0; i < 150; ++i) {
+      run(*world, command, 1);
+      sensors.read(*world, 0, readings);
+    }
+    const double truth = world->robot(0).joints[Joint::headPan];
+    EXPECT_NEAR(truth, sign * 0.5, 1e-3);
+    EXPECT_NEAR(truth - readings.joints[Joint::headPan], sign * fromDegrees(1), 1e-9);
+  }
+}
+
+TEST(Sensors, MeasureWhatTheRobotsBuildAddsToIt) {
+  const SceneDescription scene = duelScene({}, {1500, 1000});
+  const auto world = worldOf(scene);
+  run(*world, standingCommand(), 200);
+  RobotBuild build;
+  build.joints[Joint::headTilt] = fromDegrees(1.5);
+  build.acceleration = {100, -50, 20};
+  Sensors sensors{scene.noise, Random{1}, build}, exact{scene.noise, Random{1}};
+  SensorData readings, right;
+  sensors.read(*world, 0, readings);
+  exact.read(*world, 0, right);
+  EXPECT_NEAR(right.joints[Joint::headTilt] - readings.joints[Joint::headTilt], fromDegrees(1.5),
+              1e-12);
+  EXPECT_EQ(right.joints[Joint::headPan], readings.joints[Joint::headPan]);
+  EXPECT_NEAR((readings.acceleration - right.acceleration - build.acceleration).norm(), 0, 1e-9);
+}
+
+TEST(Sensors, ReflectionsFalsifyAShareOfTheDistances) {
+  SceneDescription scene = duelScene({}, {1500, 1000});
+  const auto world = worldOf(scene);
+  run(*world, standingCommand(), 200);
+  Sensors exact{scene.noise, Random{1}};
+  SensorData readings;
+  exact.read(*world, 0, readings);
+  const double truth = readings.psd;
+  for (const double share : {0.0, 0.05, 0.3}) {
+    scene.noise.psdReflections = share;
+    Sensors sensors{scene.noise, Random{2}};
+    int wrong = 0;
+    constexpr int count = 5000;
+    for (int i = 0; i < count; ++i) {
+      sensors.read(*world, 0, readings);
+      EXPECT_GE(readings.psd, 100);
+      EXPECT_LE(readings.psd, 900);
+      wrong += std::abs(readings.psd - truth) > 1e-9;
+    }
+    EXPECT_NEAR(wrong / static_cast<double>(count), share, 0.02);
+  }
+}
+
 }  // namespace
 }  // namespace gt

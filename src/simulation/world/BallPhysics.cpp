@@ -19,9 +19,11 @@ constexpr double fastestSurface = 3000;
 
 }  // namespace
 
-BallPhysics::BallPhysics(const BallParameters& parameters, const mjModel& model)
+BallPhysics::BallPhysics(const BallParameters& parameters, const mjModel& model,
+                         std::uint64_t carpetSeed)
     : parameters_(parameters),
       model_(model),
+      carpetSeed_(carpetSeed),
       positions_(static_cast<std::size_t>(3 * model.ngeom)),
       rotations_(static_cast<std::size_t>(9 * model.ngeom)) {}
 
@@ -43,6 +45,9 @@ void BallPhysics::rememberGeoms(const mjData& data, std::span<const RobotParts> 
 void BallPhysics::step(BallState& ball, const BallParts& parts, mjData& data,
                        const Surroundings& around) {
   const Vector2d start = ball.position;
+  if (parameters_.dents > 0 && ball.speed.squaredNorm() > 0)
+    ball.speed += parameters_.dents * tickSeconds *
+                  Carpet{carpetSeed_, parameters_.dentSize}.pull(ball.position);
   const double speed = ball.speed.norm();
   const double slower = std::max(0., speed - parameters_.deceleration * tickSeconds);
   if (speed > 0) ball.speed *= slower / speed;

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "simulation/world/Carpet.h"
 #include "simulation/world/Obstacles.h"
 #include "simulation/world/World.h"
 
@@ -21,7 +22,9 @@ class BallPhysics {
     Time time;
   };
 
-  BallPhysics(const BallParameters& parameters, const mjModel& model);
+  BallPhysics(const BallParameters& parameters, const mjModel& model, std::uint64_t carpetSeed);
+
+  void change(const BallParameters& parameters) { parameters_ = parameters; }
 
   /// Keeps, at the end of a tick, the poses of the parts that a ball may meet in the next one;
   /// their speeds follow from them.
@@ -44,6 +47,7 @@ class BallPhysics {
 
   BallParameters parameters_;
   const mjModel& model_;
+  std::uint64_t carpetSeed_;
   std::vector<mjtNum> positions_, rotations_;
 };
 

@@ -16,7 +16,8 @@ constexpr double gearInertia = 6e-4;   // kg m^2, of a motor as seen from behind
 constexpr double groundGap = 0.0005;   // m: the floor lies that far below the carpet's surface
 constexpr std::int64_t heldMs = 1500;  // how long robots are held at most when they are switched on
 constexpr double fastest = 20, widestTurn = 100;  // m/s, rad/s: no body moves faster
-constexpr double fallen = 0.5;  // cosine of the angle between the body's z and the vertical
+constexpr double rollingMass = 1.4;  // share of its mass that a rolling ball's inertia feels like
+constexpr double fallen = 0.5;       // cosine of the angle between the body's z and the vertical
 
 // What a geom is, as bits of its contype: one for each robot, since all meet all others.
 constexpr int floorBit = 1, wallBit = 2, ballBit = 4, firstRobotBit = 8;
@@ -47,11 +48,15 @@ double reachDown(const mjModel& model, const mjData& data, int geom) {
 
 }  // namespace
 
-DynamicWorld::DynamicWorld(const SceneDescription& scene, Model model)
-    : World(scene, std::move(model)), ballParameters_(scene.physics), obstacles_(*model_) {}
+DynamicWorld::DynamicWorld(const SceneDescription& scene, Model model, const Random& random)
+    : World(scene, std::move(model)),
+      ballParameters_(scene.physics),
+      carpetSeed_(random.fork("carpet")()),
+      obstacles_(*model_) {}
 
-Result<std::unique_ptr<World>> DynamicWorld::make(const SceneDescription& scene, Model model) {
-  std::unique_ptr<DynamicWorld> world{new DynamicWorld{scene, std::move(model)}};
+Result<std::unique_ptr<World>> DynamicWorld::make(const SceneDescription& scene, Model model,
+                                                  const Random& random) {
+  std::unique_ptr<DynamicWorld> world{new DynamicWorld{scene, std::move(model), random}};
   if (auto found = world->findParts(scene); !found) return found.error();
   world->prepareModel();
   world->prepareContacts();
@@ -79,10 +84,19 @@ void DynamicWorld::prepareModel() {
       model.dof_damping[dof] = motors_[i].servos[j].gains().d;
       model.dof_armature[dof] = gearInertia;
     }
+  setFriction();
+}
+
+void DynamicWorld::setFriction() {
   // A force of rolling friction m g c / r on the ball slows it down by 5/7 g c / r.
   for (const BallParts& ball : ballParts_)
-    model.geom_friction[3 * ball.geom + 2] =
-        ballParameters_.deceleration / 1000 * 1.4 * ball.radius / 1000 / gravity;
+    model_->geom_friction[3 * ball.geom + 2] =
+        ballParameters_.deceleration / 1000 * rollingMass * ball.radius / 1000 / gravity;
+}
+
+void DynamicWorld::change(const SceneDescription& scene) {
+  ballParameters_ = scene.physics;
+  setFriction();
 }
 
 void DynamicWorld::prepareContacts() {
@@ -139,6 +153,7 @@ void DynamicWorld::step(std::span<const RobotCommand> commands) {
   holdRobots();
   putByHand();
   lookAround();
+  pullBalls();
   for (int n = 0; n < stepsPerTick; ++n) {
     drive();
     mj_step(model_.get(), data_.get());
@@ -157,6 +172,20 @@ void DynamicWorld::drive() {
       const double angle = data_->qpos[parts_[i].jointAddress.values[j]];
       data_->qfrc_applied[jointDof(i, j)] = motors_[i].servos[j].torque(angle, stepSeconds);
     }
+}
+
+void DynamicWorld::pullBalls() {
+  if (ballParameters_.dents == 0) return;
+  constexpr double rolls = 20;  // mm/s: more slowly it would creep, not rest
+  const Carpet carpet{carpetSeed_, ballParameters_.dentSize};
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const int body = ballParts_[i].body;
+    const Vector2d pull = balls_[i].speed.norm() > rolls
+                              ? Vector2d{ballParameters_.dents * carpet.pull(balls_[i].position)}
+                              : Vector2d{0, 0};
+    for (int k = 0; k < 2; ++k)
+      data_->xfrc_applied[6 * body + k] = rollingMass * model_->body_mass[body] * pull[k] / 1000;
+  }
 }
 
 void DynamicWorld::holdRobots() {

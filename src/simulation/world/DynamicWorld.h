@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "simulation/world/Carpet.h"
 #include "simulation/world/Obstacles.h"
 #include "simulation/world/Servo.h"
 #include "simulation/world/World.h"
@@ -14,9 +15,11 @@ namespace gt {
 /// `contype`; the parts of one robot do not touch each other.
 class DynamicWorld : public World {
  public:
-  static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model);
+  static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model,
+                                             const Random& random);
 
   void step(std::span<const RobotCommand> commands) override;
+  void change(const SceneDescription& scene) override;
   void moveGeom(int geom, const Vector3d& position) override {
     World::moveGeom(geom, position);
     obstacles_ = Obstacles{*model_};
@@ -32,13 +35,16 @@ class DynamicWorld : public World {
     bool held = true;  ///< In somebody's hand, since it was switched on.
   };
 
-  DynamicWorld(const SceneDescription& scene, Model model);
+  DynamicWorld(const SceneDescription& scene, Model model, const Random& random);
 
   void prepareModel();
   void prepareContacts();
   void lookAround();
   int jointDof(std::size_t robot, std::size_t joint) const;
+  void setFriction();
   void drive();
+  /// Has the carpet's dents pull at balls that roll.
+  void pullBalls();
   void holdRobots();
   void putByHand();
   void putRobot(std::size_t i);
@@ -56,6 +62,7 @@ class DynamicWorld : public World {
   Vector3d speedOf(std::size_t robot) const;
 
   BallParameters ballParameters_;
+  std::uint64_t carpetSeed_;
   Obstacles obstacles_;
   std::vector<Motors> motors_;
   std::vector<int> robotOfBody_;       ///< By root body; -1: none.

@@ -44,11 +44,13 @@ Pose2D limited(const Pose2D& step) {
 KinematicWorld::KinematicWorld(const SceneDescription& scene, Model model, const Random& random)
     : World(scene, std::move(model)),
       noise_(scene.noise),
+      body_(scene.body),
+      walkingParameters_(scene.walking),
       obstacles_(*model_),
-      ballPhysics_(scene.physics, *model_) {
+      ballPhysics_(scene.physics, *model_, random.fork("carpet")()) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    Walking walking;
-    walking.random = random.fork("walking " + std::to_string(i));
+    Walking walking{.random = random.fork("walking " + std::to_string(i)),
+                    .gait = Gait{random.fork("gait " + std::to_string(i))}};
     for (double* factor : {&walking.forward, &walking.sideways, &walking.turn})
       *factor = 1 + noise_.slip * walking.random.symmetric();
     walking_.push_back(walking);
@@ -67,6 +69,13 @@ Result<std::unique_ptr<World>> KinematicWorld::make(const SceneDescription& scen
   for (std::size_t i = 0; i < world->robots_.size(); ++i) world->setStance(i);
   world->updateKinematics();
   return std::unique_ptr<World>{std::move(world)};
+}
+
+void KinematicWorld::change(const SceneDescription& scene) {
+  noise_ = scene.noise;
+  body_ = scene.body;
+  walkingParameters_ = scene.walking;
+  ballPhysics_.change(scene.physics);
 }
 
 void KinematicWorld::step(std::span<const RobotCommand> commands) {
@@ -106,20 +115,25 @@ void KinematicWorld::moveJoints(RobotBody& robot, const JointAngles& targets) co
 
 void KinematicWorld::walk(std::size_t i, const Pose2D& step) {
   RobotBody& robot = robots_[i];
-  const double length = step.translation.norm();
-  if (robot.posture != Posture::standing || (length == 0 && step.rotation == 0)) return;
   Walking& walking = walking_[i];
+  const double length = step.translation.norm();
+  constexpr double turnCounts = 100;  // mm/rad
+  walking.speed = (length + turnCounts * std::abs(step.rotation)) / tickSeconds;
+  if (robot.posture != Posture::standing || (length == 0 && step.rotation == 0)) return;
   // White noise: the deviation grows with the root of the way.
   const double translationNoise = noise_.motion * 20 * std::sqrt(length / 1000);
   const double rotationNoise =
       noise_.motion * (fromDegrees(2) * std::sqrt(length / 1000) +
                        fromDegrees(5) * std::sqrt(std::abs(step.rotation) / (2 * pi)));
+  const double progress = walking.gait.progress(walkingParameters_, walking.speed);
   Pose2D real;
-  real.translation = {walking.forward * step.translation.x(),
-                      walking.sideways * step.translation.y()};
+  real.translation = {progress * walking.forward * step.translation.x(),
+                      progress * walking.sideways * step.translation.y()};
   real.translation.x() += translationNoise * walking.random.gaussian();
   real.translation.y() += translationNoise * walking.random.gaussian();
-  real.rotation = walking.turn * step.rotation + rotationNoise * walking.random.gaussian();
+  real.rotation =
+      progress * walking.turn * step.rotation + rotationNoise * walking.random.gaussian();
+  real.rotation += walking.gait.contactTurn(walkingParameters_, robot.blocked);
   robot.pose = robot.pose * real;
   ways_[i] = robot.pose.translation - from_[i];
   robot.walked += real.translation.norm();
@@ -204,10 +218,15 @@ void KinematicWorld::setStance(std::size_t i) {
     fore[4] = chest;
     hind[4] = rump;
     const Stance stance = stand(fore, hind, robot.tilt);
-    robot.height = stance.height;
-    robot.tilt = stance.tilt;
-    for (std::size_t leg = 0; leg < 4; ++leg)
-      robot.footOnGround[leg] = clearance(point(leg, 0), stance) < 1;
+    std::array<double, 4> lifts;
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      lifts[leg] = clearance(point(leg, 0), stance);
+      robot.footOnGround[leg] = lifts[leg] < 1;
+    }
+    const Sway& sway = walking_[i].gait.sway(body_, lifts, walking_[i].speed);
+    robot.height = stance.height + sway.height;
+    robot.tilt = stance.tilt + sway.tilt;
+    robot.roll += sway.roll;
   }
   // The body's own motion is not felt: it follows no forces.
   robot.specificForce = robot.origin().rotation.transpose() * Vector3d{0, 0, 9810};

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "simulation/world/BallPhysics.h"
+#include "simulation/world/Gait.h"
 #include "simulation/world/Obstacles.h"
 #include "simulation/world/World.h"
 
@@ -16,7 +17,7 @@ class KinematicWorld : public World {
                                              const Random& random);
 
   void step(std::span<const RobotCommand> commands) override;
-  void change(const NoiseParameters& noise) override { noise_ = noise; }
+  void change(const SceneDescription& scene) override;
   void moveGeom(int geom, const Vector3d& position) override {
     World::moveGeom(geom, position);
     obstacles_ = Obstacles{*model_};
@@ -28,6 +29,8 @@ class KinematicWorld : public World {
   struct Walking {
     double forward = 1, sideways = 1, turn = 1;
     Random random;
+    Gait gait;
+    double speed = 0;  ///< mm/s, as it believes; a turn of 1 rad/s counts as 100 mm/s.
   };
 
   KinematicWorld(const SceneDescription& scene, Model model, const Random& random);
@@ -48,6 +51,8 @@ class KinematicWorld : public World {
   void setStance(std::size_t i);
 
   NoiseParameters noise_;
+  BodyParameters body_;
+  WalkingParameters walkingParameters_;
   Obstacles obstacles_;
   BallPhysics ballPhysics_;
   std::vector<Walking> walking_;

@@ -203,7 +203,8 @@ void World::advanceTime() {
 Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, const Random& random) {
   auto model = composeModel(scene);
   if (!model) return model.error();
-  if (scene.fidelity == Fidelity::dynamic) return DynamicWorld::make(scene, std::move(*model));
+  if (scene.fidelity == Fidelity::dynamic)
+    return DynamicWorld::make(scene, std::move(*model), random);
   return KinematicWorld::make(scene, std::move(*model), random);
 }
 

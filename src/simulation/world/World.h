@@ -66,8 +66,12 @@ struct BallState {
 /// first, those of `extras` behind them. How bodies move is up to the fidelity (`makeWorld`).
 class World {
  public:
-  /// Ticks back that the camera's pose can be asked for: more than an image's exposure.
-  static constexpr std::size_t cameraHistory = 6;
+  /// Ticks that all rows of an image together take at most.
+  static constexpr std::size_t longestImage = 5;
+  /// Ticks back that the camera's pose can be asked for: more than an image's exposure, which may
+  /// have ended some time ago.
+  static constexpr std::size_t cameraHistory =
+      longestImage + 1 + static_cast<std::size_t>(CameraEffects::longestDelay) / tickMs;
 
   virtual ~World() = default;
 
@@ -114,8 +118,8 @@ class World {
   void turnJoint(std::size_t robot, Joint joint, double angle);
   /// Has MuJoCo measure with the model's sensors that depend on positions only.
   void measureSensors();
-  /// How much chance there is in the robots' motions from now on; not all fidelities have any.
-  virtual void change(const NoiseParameters&) {}
+  /// How far motions are from perfect from now on: as the scene says. Not all fidelities use all.
+  virtual void change(const SceneDescription&) {}
   /// Takes over how all stands and lies, and the time, from another world of the same scene.
   void continueFrom(const World& other);
 

@@ -114,7 +114,7 @@ TEST(World, CameraHistoryIsThePast) {
   run(*world, command, 100);
   command.joints[Joint::headPan] = 1;
   std::vector<Vector3d> poses;
-  for (int i = 0; i < 10; ++i) {
+  for (std::size_t i = 0; i < World::cameraHistory; ++i) {
     run(*world, command, 1);
     poses.insert(poses.begin(), world->camera(0).translation);
   }

@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+
+#include "base/Random.h"
+#include "simulation/scene/Scene.h"
+
+namespace gt {
+
+/// How far a body is from where stiff legs would hold it.
+struct Sway {
+  double tilt = 0, roll = 0;  ///< rad, + nose up, + right side down
+  double height = 0;          ///< mm
+};
+
+/// What a robot's legs do to its way and to its body beside what it believes: they give at each
+/// step, so that the body sways, and slip on the carpet. Of one robot, in the kinematic fidelity.
+class Gait {
+ public:
+  explicit Gait(const Random& random) : random_{random} {}
+
+  /// How the body sways in this tick: with the lifted feet, and without rule. `lifts` are the
+  /// feet's heights above the lowest one (mm), in the order of Leg; `speed` is the robot's (mm/s, a
+  /// turn of 1 rad/s counts as 100 mm/s).
+  const Sway& sway(const BodyParameters& body, const std::array<double, 4>& lifts, double speed);
+
+  /// The share of its way that a robot really goes which believes to have this speed (mm/s).
+  double progress(const WalkingParameters& walking, double speed);
+  /// By how much the robot turns in this tick because something is in its way (rad).
+  double contactTurn(const WalkingParameters& walking, bool blocked);
+
+ private:
+  Random random_;
+  Sway now_;
+  double wanderTilt_ = 0, wanderRoll_ = 0, wanderHeight_ = 0;  ///< Standard deviation 1.
+  double slipsFor_ = 0;                                        ///< s
+  double turning_ = 0;  ///< -1 to 1; 0: nothing is in the way.
+};
+
+}  // namespace gt

@@ -1,0 +1,115 @@
+#include "simulation/world/Gait.h"
+
+#include <gtest/gtest.h>
+
+#include "base/Statistics.h"
+#include "simulation/TestScenes.h"
+
+namespace gt {
+namespace {
+
+TEST(Gait, TheBodySwaysAsMuchAsTheSceneSays) {
+  BodyParameters body;
+  body.swayTilt = 1;
+  body.swayRoll = 2;
+  body.swayHeight = 4;
+  for (const double speed : {0.0, 100.0, 200.0}) {
+    Gait gait{Random{1}};
+    RunningStatistics tilt, roll, height;
+    for (int i = 0; i < 50'000; ++i) {
+      // A trot: diagonal pairs of feet are lifted in turns, 50 ticks a step.
+      const double first = std::max(0., 25 * std::sin(2 * pi * i / 50.0));
+      const double second = std::max(0., -25 * std::sin(2 * pi * i / 50.0));
+      const Sway& sway = gait.sway(body, {first, second, second, first}, speed);
+      tilt.add(toDegrees(sway.tilt));
+      roll.add(toDegrees(sway.roll));
+      height.add(sway.height);
+    }
+    EXPECT_NEAR(roll.standardDeviation(), 2 * speed / 200, 0.5 * speed / 200);
+    EXPECT_NEAR(tilt.standardDeviation(), speed / 200, 0.4 * speed / 200);
+    EXPECT_NEAR(height.standardDeviation(), 4 * speed / 200, 1.6 * speed / 200);
+    EXPECT_NEAR(roll.mean(), 0, 0.1);
+    EXPECT_NEAR(tilt.mean(), 0, 0.1);
+  }
+}
+
+TEST(Gait, SwaysTheBodyOfAWalkingRobotAndItsAccelerationFeelsIt) {
+  SceneDescription scene = duelScene({}, {1500, 1000});
+  scene.body.swayRoll = 2;
+  const auto world = worldOf(scene);
+  RunningStatistics standing, walking, felt;
+  for (int i = 0; i < 1000; ++i) {
+    const bool walks = i >= 500;
+    const RobotCommand command = standingCommand(walks ? Pose2D{0.02, 1.6, 0} : Pose2D{});
+    world->step({&command, 1});
+    (walks ? walking : standing).add(toDegrees(world->robot(0).roll));
+    felt.add(world->robot(0).specificForce.y() / 9810 -
+             std::sin(world->robot(0).roll) * std::cos(world->robot(0).tilt));
+  }
+  EXPECT_EQ(standing.standardDeviation(), 0);
+  EXPECT_GT(walking.standardDeviation(), 1);
+  EXPECT_LT(walking.standardDeviation(), 3);
+  EXPECT_NEAR(felt.high(), 0, 0.01);
+  EXPECT_NEAR(felt.low(), 0, 0.01);
+}
+
+/// How far a robot gets in some seconds that believes to go 150 mm/s ahead.
+double walked(const WalkingParameters& walking, double seconds, double speed = 150) {
+  SceneDescription scene = duelScene({0, -1900, 0}, {1500, 1000});
+  scene.walking = walking;
+  const auto world = worldOf(scene);
+  const RobotCommand command = standingCommand({0, speed * tickSeconds, 0});
+  for (int i = 0; i < seconds / tickSeconds; ++i) world->step({&command, 1});
+  return world->robot(0).pose.translation.x() + 1900;
+}
+
+TEST(Gait, WaysAreShorterOnACarpetAndAtHigherSpeed) {
+  EXPECT_NEAR(walked({}, 10), 1500, 1e-6);
+  WalkingParameters carpet;
+  carpet.shortfall = 0.1;
+  EXPECT_NEAR(walked(carpet, 10), 1350, 1e-6);
+  carpet.gaitShortfall = 0.2;
+  EXPECT_NEAR(walked(carpet, 10, 150), (1 - 0.1 - 0.15) * 1500, 1e-6);
+  EXPECT_NEAR(walked(carpet, 10, 75), (1 - 0.1 - 0.075) * 750, 1e-6);
+}
+
+TEST(Gait, SlipsInBursts) {
+  WalkingParameters walking;
+  walking.bursts = 30;
+  walking.burstTime = 0.4;
+  walking.burstSlip = 0.7;
+  Gait gait{Random{3}};
+  int bursts = 0, slipping = 0;
+  bool before = false;
+  constexpr int minutes = 200, ticks = minutes * 60 * 125;
+  for (int i = 0; i < ticks; ++i) {
+    const double share = gait.progress(walking, 150);
+    const bool slips = share < 1;
+    EXPECT_TRUE(!slips || std::abs(share - 0.3) < 1e-12);
+    bursts += slips && !before;
+    slipping += slips;
+    before = slips;
+  }
+  // While it slips it cannot begin to.
+  EXPECT_NEAR(bursts / static_cast<double>(minutes), 30 / (1 + 30 * 0.4 / 60), 1.5);
+  EXPECT_NEAR(slipping * tickSeconds / bursts, 0.4, 0.04);
+}
+
+TEST(Gait, AWallTurnsWhoWalksAgainstIt) {
+  for (const double most : {0.0, 30.0}) {
+    RunningStatistics turned;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      SceneDescription scene = duelScene({0, 1900, 700}, {-1500, -1000});
+      scene.walking.contactTurn = most;
+      const auto world = worldOf(scene, seed);
+      const RobotCommand command = standingCommand({0, 1.2, 0});
+      for (int i = 0; i < 250; ++i) world->step({&command, 1});
+      turned.add(toDegrees(world->robot(0).pose.rotation));
+    }
+    EXPECT_LE(std::max(turned.high(), -turned.low()), 2 * most);
+    EXPECT_GE(turned.standardDeviation(), 0.3 * most);
+  }
+}
+
+}  // namespace
+}  // namespace gt
