@@ -15,6 +15,9 @@ Experiment fidelityExperiment();
 /// (report 3.3.3.4, experiments 1 and 2); from nothing and after the robot was put somewhere else
 /// (report 3.3.2.5); while beacons are missing, percepts are wrong, others are in the way.
 Experiments localizationExperiments();
+/// Whether simulated robots err as the real ones did: the report's published figures, measured with
+/// the report's methods in each profile (docs/realism.md).
+Experiments realismExperiments();
 /// Whole matches: goals, own goals, localization against the truth.
 Experiment matchExperiment();
 /// 22 robots and 10 balls while everything goes wrong: half an hour in the kinematic fidelity, some

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "Experiments.h"
+#include "GoToPoints.h"
 #include "base/Statistics.h"
 #include "measure/worlds/SimulatedWalker.h"
 #include "modules/behavior/skills/GoToPoint.h"
@@ -147,15 +148,9 @@ Result<Measurement> experiment1(const Job& job, const DataRoot& root) {
   return run;
 }
 
-/// How far a robot stands off when it has walked to a point, and how far its estimate is off then.
-struct Arrival {
-  double ofRobot, ofEstimate;
-};
-
 /// Walks to a point by the behavior's own skill, until it has stood for half a second (or for two
 /// minutes, where it does not come to rest).
-template <typename Robot>
-Arrival goTo(const Pose2D& goal, Robot& robot, AnyLocator& locator) {
+Arrival goTo(const Pose2D& goal, SimulatedWalker& robot, AnyLocator& locator) {
   ImaginedWorld world;
   const WorldState state = world.state();
   const Tactics::Parameters tacticsParameters;
@@ -181,13 +176,12 @@ Arrival goTo(const Pose2D& goal, Robot& robot, AnyLocator& locator) {
           (locator(seenBy(robot)).pose.translation - robot.pose.translation).norm()};
 }
 
-/// Experiment 2: 68 random points, reached by go-to-point, with the head always turning.
-template <typename Robot>
-void experiment2(Robot& robot, AnyLocator& locator, std::uint64_t seed, const std::string& name,
-                 Measurement& run) {
-  constexpr int points = 68;
+}  // namespace
+
+std::vector<Arrival> goToPoints(SimulatedWalker& robot, AnyLocator& locator, int points,
+                                std::uint64_t seed) {
   Random random{seed};
-  std::vector<double> stops, estimates;
+  std::vector<Arrival> arrivals;
   for (int i = 0; i < imagesPerMinute / 6; ++i) {
     robot.step();
     locator(seenBy(robot));
@@ -196,7 +190,19 @@ void experiment2(Robot& robot, AnyLocator& locator, std::uint64_t seed, const st
     const double angle = pi * random.symmetric();
     const double x = 0.85 * robot.field.xGroundline * random.symmetric();
     const double y = 0.85 * robot.field.ySideline * random.symmetric();
-    const Arrival arrival = goTo({angle, x, y}, robot, locator);
+    arrivals.push_back(goTo({angle, x, y}, robot, locator));
+  }
+  return arrivals;
+}
+
+namespace {
+
+/// Experiment 2: 68 random points, reached by go-to-point, with the head always turning.
+void experiment2(SimulatedWalker& robot, AnyLocator& locator, std::uint64_t seed,
+                 const std::string& name, Measurement& run) {
+  constexpr int points = 68;
+  std::vector<double> stops, estimates;
+  for (const Arrival& arrival : goToPoints(robot, locator, points, seed)) {
     stops.push_back(arrival.ofRobot);
     estimates.push_back(arrival.ofEstimate);
   }
@@ -288,7 +294,7 @@ std::vector<Trouble> troubles() {
   walls.bench.secondsBetweenBlocks = 8;
   walls.pictures.leansOnWalls = true;
   Trouble& slipping = row("slip30percent");
-  slipping.bench.slip = slipping.pictures.slip = 0.3;
+  slipping.pictures.slip = slipping.bench.slip = 0.3;
   return rows;
 }
 

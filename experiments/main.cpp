@@ -19,6 +19,7 @@ namespace gt {
 const Experiments& experiments() {
   static const Experiments all = [] {
     Experiments list = localizationExperiments();
+    for (const auto& experiment : realismExperiments()) list.push_back(experiment);
     for (const auto& experiment :
          {fidelityExperiment(), matchExperiment(), soakExperiment(), calibrationExperiment(),
           visionExperiment(), visionPlayExperiment(), collisionExperiment(),

@@ -10,6 +10,7 @@
 #include "modules/perception/processors/GridImageProcessor3.h"
 #include "modules/perception/processors/GridImageProcessorTSL.h"
 #include "modules/perception/processors/LinesImageProcessor.h"
+#include "simulation/scene/ProfileTable.h"
 
 namespace gt {
 namespace {
@@ -95,6 +96,7 @@ std::vector<Condition> conditions() {
   return {{"", 1, false, [](Scene&) {}},
           {"dark.", 1, false, light(0.75)},
           {"bright.", 1, false, light(1.25)},
+          {"padova.", 0.2, false, [](Scene& scene) { setProfile(scene, Profile::padova); }},
           {"hard.dim.", 0.2, true, light(0.5)},
           {"hard.changing.", 0.2, true,
            [](Scene& scene) {

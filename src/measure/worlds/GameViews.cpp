@@ -32,8 +32,14 @@ GameViews::GameViews(SceneDescription scene, std::unique_ptr<World> world, std::
       renderer_(*cameraScene_),
       buffers_(world_->activeRobots()),
       commands_(world_->activeRobots()) {
-  for (std::size_t i = 0; i < world_->activeRobots(); ++i)
-    sensors_.emplace_back(scene_.noise, random_.fork("sensors" + std::to_string(i)));
+  for (std::size_t i = 0; i < world_->activeRobots(); ++i) {
+    const std::string number = std::to_string(i);
+    sensors_.emplace_back(
+        scene_.noise, random_.fork("sensors" + number),
+        RobotBuild::draw(scene_.body, scene_.robots[i], random_.fork("build" + number)));
+    delays_.push_back(random_.fork("delays" + number));
+  }
+  driven_ = commands_;
 }
 
 Vector2d GameViews::somewhere(double x, double y) {
@@ -96,7 +102,9 @@ void GameViews::shuffle() {
 }
 
 void GameViews::step() {
-  world_->step(commands_);
+  for (std::size_t i = 0; i < commands_.size(); ++i)
+    driven_[i] = {sensors_[i].build().driven(commands_[i].joints), commands_[i].step};
+  world_->step(driven_);
   for (std::size_t i = 0; i < commands_.size(); ++i) {
     SensorData readings;
     sensors_[i].read(*world_, i, readings);
@@ -109,9 +117,15 @@ const GameView& GameViews::look(std::size_t robot, const CameraEffects& effects)
   view_.robot = robot;
   view_.sensors = buffers_[robot];
   view_.step = commands_[robot].step;
-  const CameraView camera = cameraView(*world_, robot, scene_.optics);
-  renderer_.render(world_->data(), camera, effects.at(world_->time()), random_(), view_.image,
-                   &view_.truth);
+  const RobotBuild& build = sensors_[robot].build();
+  double delay = effects.delay;
+  if (effects.delayJitter > 0) delay += effects.delayJitter * delays_[robot].gaussian();
+  const CameraView camera =
+      build.leaning(cameraView(*world_, robot, scene_.optics,
+                               std::clamp(delay, 0.0, CameraEffects::longestDelay)),
+                    world_->robot(robot));
+  renderer_.render(world_->data(), camera, build.seen(effects.at(world_->time())), random_(),
+                   view_.image, &view_.truth);
   view_.image.time = world_->time();
   view_.camera = trueMatrix(camera, world_->robot(robot).pose);
   view_.camera.time = world_->time();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "colors/ColorTableFile.h"
+#include "measure/worlds/GameViews.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "modules/perception/processors/DefaultSensorDataProcessor.h"
 #include "modules/perception/processors/GT2003ImageProcessor.h"
@@ -84,8 +85,9 @@ Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(const DataRoot& r
   InvKinWalkingEngine::Parameters walk;
   if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), walk); !read)
     return read.error();
-  scene->noise.slip = world.slip;
-  scene->noise.motion = world.motion;
+  if (world.change) world.change(*scene);
+  scene->noise.slip = world.slip.value_or(scene->noise.slip);
+  scene->noise.motion = world.motion.value_or(scene->noise.motion);
   scene->flags = world.flags;
   scene->game.referee = false;
   scene->robots.resize(1 + std::min(world.others, scene->robots.size() - 1));
@@ -204,6 +206,10 @@ void SimulatedWalker::step(const Pose2D& speed) {
   percept = body_->landmarks;
   lines = body_->lines;
   camera = body_->matrix;
+  const CameraView view = simulation_->sensors(0).build().leaning(
+      cameraView(simulation_->world(), 0, camera.info, simulation_->camera(0).delay),
+      simulation_->world().robot(0));
+  trueCamera = trueMatrix(view, pose);
   spoilPercepts();
 }
 

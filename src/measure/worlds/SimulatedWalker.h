@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "base/DataRoot.h"
 #include "base/Random.h"
@@ -16,8 +18,8 @@ namespace gt {
 
 /// What is different from the match scene around a SimulatedWalker.
 struct WalkerWorld {
-  double slip = 0.06;
-  double motion = 1;  ///< White noise of steps.
+  std::optional<double> slip{}, motion{};           ///< As in the scene's element noise.
+  std::function<void(SceneDescription&)> change{};  ///< All else of the scene.
   bool flags = true;
   double walkingSpeed = 150;  ///< mm/s
   bool walks = true;
@@ -50,6 +52,7 @@ class SimulatedWalker {
   LandmarksPercept percept;
   LinesPercept lines;
   CameraMatrix camera;
+  CameraMatrix trueCamera;  ///< What `camera` should be, but for the delays' chance.
   FieldDimensions field;
   Player player;
   Time time;

@@ -1,0 +1,261 @@
+// Whether simulated robots err as the real ones did: the report's published figures, measured with
+// the report's methods and constants in each profile (docs/realism.md).
+#include <cmath>
+#include <map>
+
+#include "Experiments.h"
+#include "GoToPoints.h"
+#include "base/Enum.h"
+#include "base/Statistics.h"
+#include "modules/modeling/selflocator/LinesSelfLocator.h"
+#include "modules/modeling/selflocator/MonteCarloSelfLocator.h"
+#include "modules/modeling/testing/LocalizationTrial.h"
+#include "modules/motion/walking/InvKinWalkingEngine.h"
+#include "simulation/scene/ProfileTable.h"
+#include "streams/Config.h"
+
+namespace gt {
+namespace {
+
+constexpr int imagesPerMinute = 60 * 1000 / SyntheticRobot::imagePeriod;
+
+/// Changes numbers of a scene: "body/tilt=1.2,noise/slip=0.2"; "none" changes nothing.
+Result<void> change(SceneDescription& scene, const std::string& changes) {
+  for (std::size_t from = 0; changes != "none" && from < changes.size();) {
+    const std::size_t to = std::min(changes.find(',', from), changes.size());
+    const std::string one = changes.substr(from, to - from);
+    const std::size_t slash = one.find('/'), equals = one.find('=');
+    from = to + 1;
+    Result<void> done = Error{.what = "expected element/number=value, found \"" + one + "\""};
+    if (slash < equals && equals < one.size())
+      forEachProfileElement(scene, [&](std::string_view element, auto& parameters) {
+        if (element == one.substr(0, slash))
+          done = setByPath(parameters, one.substr(slash + 1, equals - slash - 1),
+                           one.substr(equals + 1));
+      });
+    if (!done) return done;
+  }
+  return {};
+}
+
+/// A robot in the profile of a job.
+Result<std::unique_ptr<SimulatedWalker>> walkerOf(const Job& job, const DataRoot& root,
+                                                  bool walks = true) {
+  Result<void> changed;
+  WalkerWorld world;
+  world.walks = walks;
+  world.change = [&](SceneDescription& scene) {
+    setProfile(scene, *enumValue<Profile>(job.parameter("profile")));
+    changed = change(scene, job.parameter("change"));
+  };
+  auto walker = SimulatedWalker::make(root, job.seed, world);
+  if (!changed) return changed.error();
+  return walker;
+}
+
+std::string nameOf(const Job& job, const std::string& what) {
+  return "realism." + job.parameter("profile") + "." + what;
+}
+
+/// Lines with 100 particles and one point of each type in an image, as on the robot of 2003.
+LocatorOf<LinesSelfLocator> reportsLines(std::uint64_t seed) {
+  LinesSelfLocator::Parameters parameters;
+  parameters.particles = 100;
+  parameters.edges.points = 1;
+  return {parameters, seed};
+}
+
+double percentBelow(const std::vector<double>& errors, double limit) {
+  const auto below =
+      std::count_if(errors.begin(), errors.end(), [&](double e) { return e < limit; });
+  return 100 * static_cast<double>(below) / static_cast<double>(errors.size());
+}
+
+/// Mean and share below it, as the report states them.
+void addErrors(Measurement& run, const std::string& name, const std::vector<double>& errors) {
+  run.add(name + ".mean", "mm", mean(errors));
+  run.add(name + ".belowMean", "%", percentBelow(errors, mean(errors)));
+  run.add(name + ".median", "mm", quantile(errors, 0.5));
+  run.add(name + ".p95", "mm", quantile(errors, 0.95));
+}
+
+/// How far a measured camera matrix is from the true one: where its axis points up, and how it
+/// rolls about it (deg).
+struct MatrixErrors {
+  std::vector<double> tilt, roll, height;
+
+  void add(const CameraMatrix& measured, const CameraMatrix& truth) {
+    if (!measured.valid) return;
+    const auto elevation = [](const CameraMatrix& matrix) {
+      return toDegrees(std::asin(std::clamp(matrix.pose.rotation(2, 0), -1., 1.)));
+    };
+    const auto rolling = [](const CameraMatrix& matrix) {
+      return toDegrees(std::atan2(matrix.pose.rotation(2, 1), matrix.pose.rotation(2, 2)));
+    };
+    tilt.push_back(std::abs(elevation(measured) - elevation(truth)));
+    roll.push_back(std::abs(rolling(measured) - rolling(truth)));
+    height.push_back(std::abs(measured.pose.translation.z() - truth.pose.translation.z()));
+  }
+  void addTo(Measurement& run, const std::string& name) const {
+    run.add(name + ".tilt.mean", "deg", mean(tilt));
+    run.add(name + ".tilt.p95", "deg", quantile(tilt, 0.95));
+    run.add(name + ".roll.mean", "deg", mean(roll));
+    run.add(name + ".roll.p95", "deg", quantile(roll, 0.95));
+    run.add(name + ".height.mean", "mm", mean(height));
+  }
+};
+
+/// Experiment 1 of report 3.3.3.4: a walk of 18 minutes.
+Result<Measurement> walk(const Job& job, const DataRoot& root) {
+  auto walker = walkerOf(job, root);
+  if (!walker) return walker.error();
+  SimulatedWalker& robot = **walker;
+  auto lines = reportsLines(job.seed);
+  MatrixErrors matrices;
+  std::vector<double> drifts, scales;
+  Pose2D odometry = robot.odometry.pose, truth = robot.pose;
+  double believed = 0, gone = 0;
+  const auto images = static_cast<int>(imagesPerMinute * job.number("minutes"));
+  std::vector<double> errors;
+  for (int i = 0; i < images; ++i) {
+    const Pose2D before = robot.pose, beforeByOdometry = robot.odometry.pose;
+    robot.step();
+    const double error = (lines(seenBy(robot)).pose.translation - robot.pose.translation).norm();
+    if (i >= imagesPerMinute / 6) errors.push_back(error);
+    matrices.add(robot.camera, robot.trueCamera);
+    const Vector2d step = robot.odometry.pose.relativeTo(beforeByOdometry).translation;
+    believed += step.norm();
+    if (step.norm() > 0) gone += robot.pose.relativeTo(before).translation.dot(step.normalized());
+    if (i % imagesPerMinute != 0) continue;
+    const Pose2D walked = robot.odometry.pose.relativeTo(odometry);
+    if (i > 0) drifts.push_back(((truth * walked).translation - robot.pose.translation).norm());
+    odometry = robot.odometry.pose;
+    truth = robot.pose;
+  }
+  Measurement run;
+  addErrors(run, nameOf(job, "lines.walk"), errors);
+  matrices.addTo(run, nameOf(job, "matrix"));
+  if (!drifts.empty()) run.add(nameOf(job, "odometry.minute"), "mm", mean(drifts));
+  run.add(nameOf(job, "odometry.length"), "%", 100 * gone / std::max(believed, 1.0));
+  return run;
+}
+
+/// Experiment 2 of report 3.3.3.4: 68 points, reached by go-to-point.
+Result<Measurement> goToPoint(const Job& job, const DataRoot& root) {
+  auto walker = walkerOf(job, root);
+  if (!walker) return walker.error();
+  auto lines = reportsLines(job.seed);
+  std::vector<double> stops, estimates;
+  for (const Arrival& arrival :
+       goToPoints(**walker, lines, static_cast<int>(job.number("points")), job.seed)) {
+    stops.push_back(arrival.ofRobot);
+    estimates.push_back(arrival.ofEstimate);
+  }
+  Measurement run;
+  addErrors(run, nameOf(job, "lines.goal"), stops);
+  addErrors(run, nameOf(job, "lines.estimate"), estimates);
+  return run;
+}
+
+/// Figure 3.8 of the report: Monte-Carlo localization with 100 particles, from nothing and after
+/// somebody put the robot elsewhere.
+Result<Measurement> search(const Job& job, const DataRoot& root) {
+  constexpr int most = 500;
+  auto walker = walkerOf(job, root, false);
+  if (!walker) return walker.error();
+  SimulatedWalker& robot = **walker;
+  std::vector<double> nothing, displaced;
+  for (int i = 0; i < static_cast<int>(job.number("trials")); ++i) {
+    MonteCarloSelfLocator::Parameters parameters;
+    parameters.particles = 100;
+    LocatorOf<MonteCarloSelfLocator> locator{parameters,
+                                             1000 * job.seed + static_cast<std::uint64_t>(i)};
+    const auto locate = [&](SimulatedWalker& at) { return locator(seenBy(at)); };
+    robot.kidnap();
+    nothing.push_back(imagesUntilLocalized(robot, most, locate));
+    robot.kidnap();
+    displaced.push_back(imagesUntilLocalized(robot, most, locate));
+  }
+  Measurement run;
+  for (const auto& [name, images] : {std::pair{"fromNothing", nothing}, {"displaced", displaced}}) {
+    run.add(nameOf(job, "montecarlo." + std::string{name} + ".median"), "images",
+            quantile(images, 0.5));
+    run.add(nameOf(job, "montecarlo." + std::string{name} + ".p95"), "images",
+            quantile(images, 0.95));
+  }
+  return run;
+}
+
+/// How the body of a robot sways that walks ahead, in both fidelities: what the profile's swaying
+/// in the kinematic one is chosen by.
+Result<Measurement> sway(const Job& job, const DataRoot& root) {
+  constexpr int ticks = 30 * 125, warmUp = 2 * 125;
+  auto scene = loadScene(root.path("scenes/match.scene"));
+  if (!scene) return scene.error();
+  setProfile(*scene, *enumValue<Profile>(job.parameter("profile")));
+  if (auto done = change(*scene, job.parameter("change")); !done) return done.error();
+  scene->fidelity = *enumValue<Fidelity>(job.parameter("fidelity"));
+  scene->robots.resize(1);
+  scene->balls.clear();
+  auto world = makeWorld(*scene, Random{job.seed});
+  if (!world) return world.error();
+  InvKinWalkingEngine engine;
+  if (auto read =
+          readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), engine.parameters);
+      !read)
+    return read.error();
+  Random random{Random{job.seed}.fork("sway")};
+  MotionRequest motion;
+  WalkingEngineOutput output;
+  RunningStatistics tilt, roll, height;
+  for (int i = 0; i < warmUp + ticks; ++i) {
+    if (i == 125) {
+      motion.type = MotionType::walk;
+      motion.walk = {random.uniform(-0.2, 0.2), 200, 0};
+    }
+    engine.update({}, motion, {}, {MotionInfo{}}, output);
+    const RobotCommand command{
+        output.joints.angles,
+        {output.speed.rotation * tickSeconds, output.speed.translation * tickSeconds}};
+    const RobotBody& body = (*world)->robot(0);
+    if (i == 0 || body.pose.translation.cwiseAbs().maxCoeff() > 800) (*world)->placeRobot(0, {});
+    (*world)->step({&command, 1});
+    if (i < warmUp) continue;
+    tilt.add(toDegrees(body.tilt));
+    roll.add(toDegrees(body.roll));
+    height.add(body.height);
+  }
+  Measurement run;
+  const std::string name = nameOf(job, "sway." + job.parameter("fidelity"));
+  run.add(name + ".tilt", "deg", tilt.standardDeviation());
+  run.add(name + ".roll", "deg", roll.standardDeviation());
+  run.add(name + ".height", "mm", height.standardDeviation());
+  return run;
+}
+
+}  // namespace
+
+Experiments realismExperiments() {
+  using enum Parameter::Kind;
+  const Parameter profile{"profile", "how far all is from perfect", each, {"benign", "padova"}};
+  const Parameter changes{
+      "change", "numbers of the profile to change: body/tilt=1,noise/slip=0", text, {"none"}};
+  return {{"realism.goToPoint",
+           "How precisely Lines reaches 68 points (report 3.3.3.4: 94 and 84 mm)",
+           {profile, changes, {"points", "to reach", number, {"68"}}},
+           goToPoint},
+          {"realism.search",
+           "Images until the robot is found (report, figure 3.8: 14 to 40, 13)",
+           {profile, changes, {"trials", "of each kind", number, {"15"}}},
+           search},
+          {"realism.sway",
+           "How the body of a walking robot sways",
+           {profile, changes, {"fidelity", "of the motion", each, {"kinematic", "dynamic"}}},
+           sway},
+          {"realism.walk",
+           "Errors of Lines during a walk of 18 minutes (report 3.3.3.4: 105 mm)",
+           {profile, changes, {"minutes", "of walking", number, {"18"}}},
+           walk}};
+}
+
+}  // namespace gt
