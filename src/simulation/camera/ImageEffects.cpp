@@ -211,16 +211,22 @@ void ImageEffects::setLight(int width, const CameraEffects& effects) {
 }
 
 void ImageEffects::setNoise(const CameraEffects& effects) {
+  const std::array<double, channels> noise{effects.noiseY, effects.noiseCb, effects.noiseCr, 0};
+  const std::vector<std::int16_t> normal = correlated(effects.noiseCorrelation);
+  noise_.resize(normal.size());
+  for (std::size_t i = 0; i < noise_.size(); ++i)
+    noise_[i] = fixed(4 * noise[i % channels] * fractionOne * normal[i] / noiseOne);
+}
+
+void ImageEffects::setAdded(const CameraEffects& effects) {
   const std::array<double, channels> base = baseOf(effects);
   const std::array<double, channels> noise{effects.noiseY, effects.noiseCb, effects.noiseCr, 0};
   const std::vector<std::int16_t> normal = correlated(effects.noiseCorrelation);
   added_.resize(normal.size());
-  noise_.resize(normal.size());
   for (std::size_t i = 0; i < added_.size(); ++i) {
-    const double sigma = noise[i % channels] * fractionOne;
+    const std::int16_t sigma = fixed(noise[i % channels] * fractionOne * 65536 / noiseOne);
     added_[i] = static_cast<std::int16_t>(fixed(base[i % channels] * fractionOne) +
-                                          (normal[i] * fixed(sigma * 65536 / noiseOne) >> 16));
-    noise_[i] = fixed(4 * sigma * normal[i] / noiseOne);
+                                          (normal[i] * sigma >> 16));
   }
 }
 
@@ -236,15 +242,20 @@ void ImageEffects::setRim(int width, const CameraEffects& effects) {
 void ImageEffects::setTables(int width, const CameraEffects& effects) {
   const auto light = [](const CameraEffects& e) { return std::tie(e.brightness, e.vignetting); };
   const auto noise = [](const CameraEffects& e) {
-    return std::tie(e.shiftCb, e.shiftCr, e.noiseY, e.noiseCb, e.noiseCr, e.noiseCorrelation);
+    return std::tie(e.noiseY, e.noiseCb, e.noiseCr, e.noiseCorrelation);
   };
-  const auto rim = [](const CameraEffects& e) {
+  const auto cast = [](const CameraEffects& e) {
     return std::tie(e.shiftCb, e.shiftCr, e.rimCb, e.rimCr);
   };
-  const bool resized = width != width_;
+  const bool resized = width != width_, otherNoise = noise(effects) != noise(known_);
+  const bool otherCast = cast(effects) != cast(known_);
   if (resized || light(effects) != light(known_)) setLight(width, effects);
-  if (added_.empty() || noise(effects) != noise(known_)) setNoise(effects);
-  if (resized || rim(effects) != rim(known_)) setRim(width, effects);
+  if (resized || otherCast) setRim(width, effects);
+  // The large tables: robots whose cameras differ share the noise, but not what is added with it.
+  if (otherNoise) noise_.clear();
+  if (otherNoise || otherCast) added_.clear();
+  if (needsPixels(effects) && noise_.empty()) setNoise(effects);
+  if (!needsPixels(effects) && added_.empty()) setAdded(effects);
   width_ = width;
   known_ = effects;
 }

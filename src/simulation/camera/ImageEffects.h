@@ -26,6 +26,7 @@ class ImageEffects {
   void setTables(int width, const CameraEffects& effects);
   void setLight(int width, const CameraEffects& effects);
   void setNoise(const CameraEffects& effects);
+  void setAdded(const CameraEffects& effects);
   void setRim(int width, const CameraEffects& effects);
   /// A row with the colors that bleed into it.
   const std::uint8_t* colorRow(const Rasterizer& picture, int y);
