@@ -69,7 +69,8 @@ Result<void> measureRobotPrograms(Figures& figures, const DataRoot& root) {
           programOf(process), "--robot", robot, "--team", "red", "--role", role, "--sockets",
           options.sockets, "--crashes", options.sockets, "--root", root.path(".")}));
   for (int seconds = 0; !allThere(**match); ++seconds) {
-    if (seconds == 30) return Error{"", 0, "speed.programs", "the robots do not join the match"};
+    if (seconds == 30)
+      return Error{.field = "speed.programs", .what = "the robots do not join the match"};
     play(**match, 1000);
   }
   std::vector<RemoteStatistics> before;

@@ -30,7 +30,7 @@ gt::Result<void> measure(gt::Figures& figures, const gt::MatchSpeedOptions& opti
   if (found && !only.empty()) return {};
   const std::string parts = only.empty() ? "all" : "^speed\\." + only + "([./]|$)";
   if (gt::measureParts(figures, parts, options.root) > 0) return {};
-  return gt::Error{"", 0, "--only", "no figures begin with speed." + only};
+  return gt::Error{.field = "--only", .what = "no figures begin with speed." + only};
 }
 
 }  // namespace

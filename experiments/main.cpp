@@ -142,7 +142,7 @@ Result<int> mergeAll(const std::vector<std::string>& files, const std::vector<Jo
   const auto figures = merge(results);
   if (!figures) return figures.error();
   for (const Job& job : missingJobs(jobs, results.results))
-    results.warnings.push_back({"", 0, job.text(), "has no result"});
+    results.warnings.push_back({.field = job.text(), .what = "has no result"});
   warn(results);
   figures->print();
   if (auto done = figures->write(json); !done) return done.error();

@@ -12,7 +12,7 @@ std::string extensionOf(const std::string& file) {
 }
 
 Error unknownForm(const std::string& file) {
-  return {file, 0, "", "expected a name that ends with .c64, .hsi or .tsl"};
+  return {.file = file, .what = "expected a name that ends with .c64, .hsi or .tsl"};
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ Result<ColorTable64> readColors(const std::string& file, ColorClassOrder order) 
 
 Result<void> writeColors(const std::string& file, const ColorTable64& table) {
   if (extensionOf(file) != ".c64")
-    return Error{file, 0, "", "a table is written to a file whose name ends with .c64"};
+    return Error{.file = file, .what = "a table is written to a file whose name ends with .c64"};
   return writeFile(file, colorTableBytes(table));
 }
 

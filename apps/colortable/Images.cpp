@@ -35,7 +35,7 @@ class Labels {
   Result<void> check() const {
     for (const auto& entry : byPicture_)
       if (!used_.contains(entry.first))
-        return Error{file_, 0, entry.first, "there is no such image"};
+        return Error{.file = file_, .field = entry.first, .what = "there is no such image"};
     return {};
   }
 
@@ -66,11 +66,12 @@ Result<void> visitSimulated(const ImageSource& source, const ImageVisitor& visit
 
 Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& name) {
   const auto raw = decodeJpeg(bytes);
-  if (!raw) return Error{name, 0, "", raw.error().what};
-  if (raw->components != 3) return Error{name, 0, "", "is no color image in YCbCr"};
+  if (!raw) return Error{.file = name, .what = raw.error().what};
+  if (raw->components != 3) return Error{.file = name, .what = "is no color image in YCbCr"};
   constexpr int largest = 4096;
   if (raw->width > largest || raw->height > largest)
-    return Error{name, 0, "", "is larger than " + std::to_string(largest) + " pixels a side"};
+    return Error{.file = name,
+                 .what = "is larger than " + std::to_string(largest) + " pixels a side"};
   Image image;
   image.info.width = raw->width;
   image.info.height = raw->height;
@@ -96,19 +97,20 @@ Result<void> showMcap(const std::string& path, const Show& show) {
     const std::string name = std::to_string(number++);
     CompressedImage packed;
     if (auto done = gt::decode((*message)->data, packed); !done)
-      return Error{path, 0, "/camera " + name, done.error().text()};
+      return Error{.file = path, .field = "/camera " + name, .what = done.error().text()};
     const auto image = decode(packed.data, path);
-    if (!image) return Error{path, 0, "/camera " + name, image.error().what};
+    if (!image) return Error{.file = path, .field = "/camera " + name, .what = image.error().what};
     if (!show(name, *image)) return {};
   }
-  if (number == 0) return Error{path, 0, "/camera", "there are no images in it"};
+  if (number == 0)
+    return Error{.file = path, .field = "/camera", .what = "there are no images in it"};
   return {};
 }
 
 Result<void> showNaoLog(const std::string& path, const Show& show) {
   const auto log = readNaoLog(path);
   if (!log) return log.error();
-  if (log->pictures.empty()) return Error{path, 0, "", "there are no images in it"};
+  if (log->pictures.empty()) return Error{.file = path, .what = "there are no images in it"};
   Image image;
   for (const NaoImage& picture : log->pictures) {
     if (auto done = log->decode(picture, image); !done) return done;

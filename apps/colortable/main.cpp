@@ -38,7 +38,7 @@ void printSizes(const ColorTable64& table) {
 /// An error if there is nothing to learn from.
 Result<void> checkLabels(const ImageSource& source) {
   if (!source.simulated() && source.labels.empty())
-    return Error{"", 0, "--labels", "must tell what the images show"};
+    return Error{.field = "--labels", .what = "must tell what the images show"};
   return {};
 }
 
@@ -91,7 +91,7 @@ Result<void> filter(const Arguments& a) {
   if (!a.colorClass.empty()) {
     selected = enumValue<ColorClass>(a.colorClass);
     if (!selected || selected == ColorClass::noColor)
-      return Error{"", 0, "--class", "there is no class '" + a.colorClass + "'"};
+      return Error{.field = "--class", .what = "there is no class '" + a.colorClass + "'"};
   }
   ColorTableEditor editor{*table};
   if (a.remove) editor.removeIsolated(selected);
@@ -111,7 +111,7 @@ Result<void> show(const Arguments& a) {
 Result<void> segment(const Arguments& a) {
   const auto table = readColors(a.table, a.order());
   if (!table) return table.error();
-  Result<void> written = Error{"", 0, "--picture", "there is no image " + a.picture};
+  Result<void> written = Error{.field = "--picture", .what = "there is no image " + a.picture};
   const auto done = forEachImage(a.source, [&](const std::string& name, const LabeledImage& p) {
     if (!a.picture.empty() && name != a.picture) return true;
     const int width = p.image.info.width, height = p.image.info.height;

@@ -19,7 +19,7 @@ Result<LogCheck> checkLog(const std::string& path) {
     if (check.problems.size() < mostProblems) check.problems.push_back(std::move(error));
   };
   if (log->damage()) problem(*log->damage());
-  if (!log->complete()) problem({path, 0, "", "was not closed: it has no index"});
+  if (!log->complete()) problem({.file = path, .what = "was not closed: it has no index"});
   Definitions definitions{path};
   for (const McapChannel& channel : log->channels())
     if (const auto definition = definitions.of(channel); !definition) problem(definition.error());
@@ -37,15 +37,18 @@ Result<LogCheck> checkLog(const std::string& path) {
     const auto definition = definitions.of(channel);
     if (!definition) continue;
     if (const auto json = recordedJson(**definition, (*message)->data); !json)
-      problem({path, 0, channel.topic,
-               "message " + std::to_string(counts[channel.id]) + ": " + json.error().text()});
+      problem(
+          {.file = path,
+           .field = channel.topic,
+           .what = "message " + std::to_string(counts[channel.id]) + ": " + json.error().text()});
   }
   if (log->complete())
     for (const McapChannel& channel : log->channels())
       if (channel.messageCount != counts[channel.id])
-        problem({path, 0, channel.topic,
-                 "the index tells of " + std::to_string(channel.messageCount) +
-                     " messages, there are " + std::to_string(counts[channel.id])});
+        problem({.file = path,
+                 .field = channel.topic,
+                 .what = "the index tells of " + std::to_string(channel.messageCount) +
+                         " messages, there are " + std::to_string(counts[channel.id])});
   return check;
 }
 

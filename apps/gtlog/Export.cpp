@@ -25,7 +25,8 @@ constexpr const char* tooManyColumns = "would have more than 10000 columns";
 
 Result<File> openFile(const std::string& path) {
   File file{std::fopen(path.c_str(), "w")};
-  if (!file) return Error{path, 0, "", std::string("cannot be written: ") + std::strerror(errno)};
+  if (!file)
+    return Error{.file = path, .what = std::string("cannot be written: ") + std::strerror(errno)};
   return file;
 }
 
@@ -38,13 +39,13 @@ Result<std::vector<Error>> wholly(const Result<void>& done) {
 /// Writes a text; `name` is the file's in errors.
 Result<void> put(std::FILE* to, const std::string& text, const std::string& name) {
   if (std::fwrite(text.data(), 1, text.size(), to) == text.size()) return {};
-  return Error{name, 0, "", std::string("cannot be written: ") + std::strerror(errno)};
+  return Error{.file = name, .what = std::string("cannot be written: ") + std::strerror(errno)};
 }
 
 Result<void> closeFile(File file, const std::string& path) {
   const bool good = std::ferror(file.get()) == 0;
   if (std::fclose(file.release()) == 0 && good) return {};
-  return Error{path, 0, "", std::string("cannot be written: ") + std::strerror(errno)};
+  return Error{.file = path, .what = std::string("cannot be written: ") + std::strerror(errno)};
 }
 
 /// Calls visit(path, scalar) for every scalar of a message; elements are numbered: feet.2.z.
@@ -80,7 +81,7 @@ Result<void> forEachJson(const std::string& log, const Selection& selection, con
         const auto definition = definitions.of(channel);
         if (!definition) return definition.error();
         const auto json = recordedJson(**definition, message.data);
-        if (!json) return Error{log, 0, channel.topic, json.error().text()};
+        if (!json) return Error{.file = log, .field = channel.topic, .what = json.error().text()};
         return visit(channel, message.time, *json);
       });
 }
@@ -141,7 +142,7 @@ Result<void> exportCsv(const std::string& log, const Selection& selection, const
   auto done =
       forEachJson(log, one, [&](const auto&, std::int64_t, const Json& json) -> Result<void> {
         if (columns.add(json)) return {};
-        return Error{log, 0, topic, tooManyColumns};
+        return Error{.file = log, .field = topic, .what = tooManyColumns};
       });
   if (!done) return done;
   auto file = openFile(to);
@@ -173,12 +174,14 @@ Result<void> exportTrace(const std::string& log, const Selection& selection,
       forEachJson(log, one, [&](const auto&, std::int64_t, const Json& json) -> Result<void> {
         const auto text = json.find("text");
         if (text == json.end() || !text->is_string())
-          return Error{log, 0, one.topics.front(), "is no behavior trace"};
+          return Error{.file = log, .field = one.topics.front(), .what = "is no behavior trace"};
         trace += text->template get_ref<const std::string&>();
         return {};
       });
   if (!done) return done;
-  if (trace.empty()) return Error{log, 0, one.topics.front(), "is not there: simgt play --trace"};
+  if (trace.empty())
+    return Error{
+        .file = log, .field = one.topics.front(), .what = "is not there: simgt play --trace"};
   return writeFile(to, trace);
 }
 
@@ -190,7 +193,7 @@ Result<std::vector<Error>> exportTables(const std::string& log, const Selection&
                                         const std::string& to) {
   std::error_code failed;
   std::filesystem::create_directories(to, failed);
-  if (failed) return Error{to, 0, "", failed.message()};
+  if (failed) return Error{.file = to, .what = failed.message()};
   std::vector<Error> left;
   for (const std::string& topic : topics) {
     std::string name = topic.substr(std::min(topic.find_first_not_of('/'), topic.size()));
@@ -225,7 +228,8 @@ Result<std::vector<Error>> exportLog(const std::string& log, const Selection& se
       topics.push_back(channel.topic);
   if (extension != ".csv") return exportTables(log, selection, topics, to);
   if (topics.size() == 1) return wholly(exportCsv(log, selection, topics.front(), to));
-  return Error{to, 0, "", "a CSV file is of one topic; choose it by --topic, or name a folder"};
+  return Error{.file = to,
+               .what = "a CSV file is of one topic; choose it by --topic, or name a folder"};
 }
 
 }  // namespace gt

@@ -84,7 +84,7 @@ Result<std::vector<std::string>> record(const ReplayOptions& options, const std:
 Result<std::vector<ReplayedTopic>> replayLog(const ReplayOptions& options, const std::string& to) {
   std::error_code failure;
   if (std::filesystem::equivalent(options.log, to, failure))
-    return Error{to, 0, "", "is the log that is read"};
+    return Error{.file = to, .what = "is the log that is read"};
   const auto topics = record(options, to);
   if (!topics) return topics.error();
   const auto recorded = tracesOf(options.log, *topics);

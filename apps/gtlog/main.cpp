@@ -90,7 +90,7 @@ Result<ReplayOptions> replayOptions(const Arguments& arguments) {
   }
   for (const std::string& text : arguments.solutions) {
     const auto at = text.find('=');
-    if (at == text.npos) return Error{"", 0, text, "expected TASK=SOLUTION"};
+    if (at == text.npos) return Error{.field = text, .what = "expected TASK=SOLUTION"};
     options.solutions.push_back({text.substr(0, at), text.substr(at + 1), "", 0});
   }
   return options;

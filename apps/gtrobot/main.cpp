@@ -82,7 +82,7 @@ gt::Result<void> readFiles(const CLI::App& app, gt::RobotProgramOptions& options
   if (auto done = readSettings(app, options, arguments); !done) return done;
   for (const std::string& address : arguments.processes) {
     const auto [process, endpoint] = splitAddress(address);
-    if (process.empty()) return gt::Error{"", 0, address, "expected PROCESS=ENDPOINT"};
+    if (process.empty()) return gt::Error{.field = address, .what = "expected PROCESS=ENDPOINT"};
     options.addresses.elsewhere[process] = endpoint;
   }
   for (auto& [file, keys] : {std::pair{&arguments.keys, &options.listenKeys},
@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
   return line.run([&]() -> gt::Result<void> {
     std::error_code failed;
     std::filesystem::create_directories(crashes, failed);
-    if (failed) return gt::Error{crashes, 0, "", failed.message()};
+    if (failed) return gt::Error{.file = crashes, .what = failed.message()};
     gt::installCrashHandler({std::string{"gtrobot-"} + gt::processName, crashes});
     if (auto done = readFiles(app, options, arguments); !done) return done;
     // The configuration tells of its parts where in these they are.

@@ -19,7 +19,7 @@ Result<motionnet::Compilation> compile(const std::string& folder) {
   for (std::size_t i = 0; i + 1 < compilation.errors.size(); ++i)
     std::fprintf(stderr, "motionnet: %s\n", compilation.errors[i].text().c_str());
   const auto& last = compilation.errors.back();
-  return Error{last.file, last.line, last.field, last.message};
+  return Error{.file = last.file, .line = last.line, .field = last.field, .what = last.message};
 }
 
 Result<void> check(const std::string& folder) {

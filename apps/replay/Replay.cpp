@@ -24,7 +24,9 @@ Result<LogPlatform> makePlatform(const ReplayFiles& files, const NaoLog& log) {
     if (auto done = platform->robot().request(DebugRequest{key, DebugKeyMode::always}); !done)
       return done.error();
   if (!platform->robot().provided<BallPercept>())
-    return Error{files.layout, 0, "ImageProcessor", "no process runs it, so no ball can be seen"};
+    return Error{.file = files.layout,
+                 .field = "ImageProcessor",
+                 .what = "no process runs it, so no ball can be seen"};
   return platform;
 }
 

@@ -74,7 +74,7 @@ Result<void> run(const ReplayFiles& files, const std::string& fieldLabels, const
                  bool pictures) {
   std::error_code failed;
   std::filesystem::create_directories(out, failed);
-  if (failed) return Error{out, 0, "", failed.message()};
+  if (failed) return Error{.file = out, .what = failed.message()};
   auto watch = FieldWatch::make(fieldLabels);
   if (!watch) return watch.error();
   Comparison comparison;

@@ -51,7 +51,8 @@ gt::Result<void> recall(gt::RouterSettings& settings) {
   const std::string file = gt::lastSettingsFile();
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
-    return gt::Error{"", 0, "robots", "there is none, and no last time; router --help tells more"};
+    return gt::Error{.field = "robots",
+                     .what = "there is none, and no last time; router --help tells more"};
   return gt::readConfig(file, settings);
 }
 
@@ -119,7 +120,7 @@ gt::Result<void> route(const gt::RouterSettings& settings, bool verbose) {
   auto robots = gt::RobotList::parse(settings.robots, settings.places());
   if (!robots) return robots.error();
   if (robots->robots().empty() && !robots->searches())
-    return gt::Error{"", 0, "robots", "there is none to connect to"};
+    return gt::Error{.field = "robots", .what = "there is none to connect to"};
   auto options = gt::routerOptions(settings);
   if (!options) return options.error();
   for (const gt::RoutedRobot& robot : robots->robots())

@@ -80,7 +80,9 @@ class ConsoleProgram {
       if (console_.ended()) break;
       if (auto done = console_.execute(command); !done) {
         const Error& error = done.error();
-        return error.file.empty() ? Error{"-c \"" + command + "\"", 0, error.field, error.what}
+        return error.file.empty() ? Error{.file = "-c \"" + command + "\"",
+                                          .field = error.field,
+                                          .what = error.what}
                                   : error;
       }
     }
@@ -93,7 +95,11 @@ class ConsoleProgram {
       ++number;
       if (auto done = console_.execute(line); !done) {
         const Error& error = done.error();
-        return error.file.empty() ? Error{"input", number, error.field, error.what} : error;
+        return error.file.empty() ? Error{.file = "input",
+                                          .line = number,
+                                          .field = error.field,
+                                          .what = error.what}
+                                  : error;
       }
     }
     return {};

@@ -21,7 +21,8 @@ void execute(Console& console, const std::string& line) {
 
 Result<std::unique_ptr<JoystickDevice>> JoystickDevice::open(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) return Error{path, 0, "", std::string{"cannot be opened: "} + std::strerror(errno)};
+  if (file < 0)
+    return Error{.file = path, .what = std::string{"cannot be opened: "} + std::strerror(errno)};
   return std::unique_ptr<JoystickDevice>{new JoystickDevice{file}};
 }
 

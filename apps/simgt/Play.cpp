@@ -64,7 +64,7 @@ Result<int> play(PlayOptions options) {
   const std::filesystem::path out{options.out};
   std::error_code failed;
   std::filesystem::create_directories(out, failed);
-  if (failed) return Error{options.out, 0, "", failed.message()};
+  if (failed) return Error{.file = options.out, .what = failed.message()};
   if (options.logs) options.match.logs = options.out;
   options.match.images = 12;
   TerminalScreen screen;

@@ -43,7 +43,12 @@ TEST(CommandLine, TheActionsStatusIsThePrograms) {
 
 TEST(CommandLine, AnErrorIsOneLineAndStatus2) {
   testing::internal::CaptureStderr();
-  EXPECT_EQ(run({}, [] { return Result<void>{Error{"file", 3, "field", "is wrong"}}; }), 2);
+  EXPECT_EQ(run({},
+                [] {
+                  return Result<void>{
+                      Error{.file = "file", .line = 3, .field = "field", .what = "is wrong"}};
+                }),
+            2);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "program: file:3: field: is wrong\n");
 }
 

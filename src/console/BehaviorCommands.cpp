@@ -118,7 +118,7 @@ Result<std::string> valueOf(const xabsl::Model& model, const Declared& declared,
     return number ? Result<std::string>{word} : number.error();
   }
   if (const std::string* value = findName(values, word)) return *value;
-  return Error{"", 0, word, "is no value of " + declared.name + suggestion(word, values)};
+  return Error{.field = word, .what = "is no value of " + declared.name + suggestion(word, values)};
 }
 
 /// xbb and xo: the basic behavior or option that is executed instead of the engine's own.
@@ -140,11 +140,12 @@ Result<void> selectRoot(Console& console, const xabsl::Model& model, const Words
   const auto names = namesOf(elements);
   const std::string* name = findName(names, words[1]);
   if (!name)
-    return Error{"", 0, words[1], "the behavior has none of this name; try " + words[0] + " ?"};
+    return Error{.field = words[1],
+                 .what = "the behavior has none of this name; try " + words[0] + " ?"};
   const auto& declared =
       std::ranges::find_if(elements, [&](const T& e) { return e.name == *name; })->parameters;
   if (words.size() - 2 > declared.size())
-    return Error{"", 0, *name, "has " + std::to_string(declared.size()) + " parameters"};
+    return Error{.field = *name, .what = "has " + std::to_string(declared.size()) + " parameters"};
   std::vector<std::string> parameters;
   for (std::size_t i = 2; i < words.size(); ++i) {
     const auto value = valueOf(model, declared[i - 2], words[i]);
@@ -186,7 +187,7 @@ Result<void> xis(Console& console, const Words& words) {
   const auto on = switchOf(words, 2);
   if (!on) return on.error();
   const std::string* name = findName(names, words[1]);
-  if (!name) return Error{"", 0, words[1], "there is no such input symbol; try xis ?"};
+  if (!name) return Error{.field = words[1], .what = "there is no such input symbol; try xis ?"};
   return show(console, *name, *on);
 }
 
@@ -200,7 +201,7 @@ Result<void> xos(Console& console, const Words& words) {
   }
   if (words.size() != 3) return wrongArguments(words);
   const std::string* found = findName(names, words[1]);
-  if (!found) return Error{"", 0, words[1], "there is no such output symbol; try xos ?"};
+  if (!found) return Error{.field = words[1], .what = "there is no such output symbol; try xos ?"};
   const std::string symbol = *found, &word = words[2];
   const auto values = valuesOf(**model, symbol);
   if (word == "?") {

@@ -12,7 +12,7 @@ Result<double> numberOf(const std::string& word) {
   double number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(number))
-    return Error{"", 0, word, "is no number"};
+    return Error{.field = word, .what = "is no number"};
   return number;
 }
 
@@ -23,7 +23,7 @@ Result<double> numberOf(const std::string& word, double low, double high) {
       char text[32];
       return std::string{text, std::to_chars(text, text + sizeof text, value).ptr};
     };
-    return Error{"", 0, word, "is not from " + shortText(low) + " to " + shortText(high)};
+    return Error{.field = word, .what = "is not from " + shortText(low) + " to " + shortText(high)};
   }
   return number;
 }
@@ -36,8 +36,9 @@ Result<bool> switchOf(const Words& words, std::size_t word) {
 
 Error wrongArguments(const Words& words) {
   const Command* command = Console::find(words.front());
-  return {"", 0, words.front(),
-          "expected: " + words.front() + " " + std::string{command ? command->arguments : ""}};
+  return {
+      .field = words.front(),
+      .what = "expected: " + words.front() + " " + std::string{command ? command->arguments : ""}};
 }
 
 std::string withDefaults(const std::string& file, const std::string& folder,

@@ -15,7 +15,7 @@ class ConditionParser {
   Result<Condition> parse() {
     condition_.root_ = readOr();
     if (error_.empty() && !token_.empty()) fail("is not expected here");
-    if (!error_.empty()) return Error{"", 0, field_, error_};
+    if (!error_.empty()) return Error{.field = field_, .what = error_};
     return std::move(condition_);
   }
 
@@ -256,12 +256,12 @@ class ConditionValues {
     if (name == "true" || name == "false") return name == "true";
     const auto value = valueAt(console_, name);
     if (!value) return fail(value.error());
-    if (!value->number) return fail({"", 0, name, "is no number but " + value->text});
+    if (!value->number) return fail({.field = name, .what = "is no number but " + value->text});
     return *value->number;
   }
   Vector2d place(int index) {
     const auto found = placeOf(console_, at(index).text);
-    if (!found) fail({"", 0, at(index).text, "is no robot or ball of the scene"});
+    if (!found) fail({.field = at(index).text, .what = "is no robot or ball of the scene"});
     return found.value_or(Vector2d::Zero());
   }
   /// The text of a value; of a name that is no value the name itself, such as playing.
@@ -278,12 +278,12 @@ class ConditionValues {
     if (!a && !b) return number(node.a) == number(node.b);
     if (!a || !b) {
       const int name = a ? node.a : node.b;
-      fail(valueAt(console_, at(name).text) ? Error{"", 0, at(name).text, "is no number"}
+      fail(valueAt(console_, at(name).text) ? Error{.field = at(name).text, .what = "is no number"}
                                             : valueAt(console_, at(name).text).error());
       return false;
     }
     if (!valueAt(console_, at(node.a).text) && !valueAt(console_, at(node.b).text))
-      fail({"", 0, *a, "there is no such value; try get ?"});
+      fail({.field = *a, .what = "there is no such value; try get ?"});
     return *a == *b;
   }
 

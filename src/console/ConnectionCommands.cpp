@@ -37,9 +37,9 @@ Result<void> selectRobots(Console& console, const Words& words) {
   }
   for (std::size_t i = 1; i < words.size(); ++i)
     if (!console.session().find(words[i]))
-      return Error{"", 0, words[i],
-                   "there is no robot of that name; try robot ?" +
-                       suggestion(words[i], robotNames(console, words))};
+      return Error{.field = words[i],
+                   .what = "there is no robot of that name; try robot ?" +
+                           suggestion(words[i], robotNames(console, words))};
   console.select({words.begin() + 1, words.end()});
   return {};
 }

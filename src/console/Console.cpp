@@ -74,7 +74,7 @@ Result<Words> splitWords(std::string_view line) {
       words.rest.erase(words.rest.find_last_not_of(blanks) + 1);
     }
     auto word = takeWord(line, at);
-    if (!word) return Error{"", 0, "", "a quote is not closed"};
+    if (!word) return Error{.what = "a quote is not closed"};
     words.push_back(std::move(*word));
   }
 }
@@ -131,18 +131,23 @@ Result<void> Console::execute(std::string_view line) {
   if (!words) return words.error();
   const Command* command = find(words->front());
   if (!command)
-    return Error{"", 0, words->front(),
-                 "there is no such command; try help" + suggestion(words->front(), commandNames())};
+    return Error{
+        .field = words->front(),
+        .what = "there is no such command; try help" + suggestion(words->front(), commandNames())};
   auto done = command->execute(*this, *words);
   if (done && noting_ && command->changes && words->back() != "?")
     session_.match().note(InterventionKind::console, std::string{line});
   if (!done && done.error().field.empty())
-    return Error{done.error().file, done.error().line, words->front(), done.error().what};
+    return Error{.file = done.error().file,
+                 .line = done.error().line,
+                 .field = words->front(),
+                 .what = done.error().what};
   return done;
 }
 
 Result<void> Console::call(const std::string& path) {
-  if (depth_ >= deepest) return Error{path, 0, "call", "scripts call each other too deeply"};
+  if (depth_ >= deepest)
+    return Error{.file = path, .field = "call", .what = "scripts call each other too deeply"};
   const std::string file = dataFile(*this, path, "scenes", ".con");
   const auto text = readFile(std::filesystem::exists(path) ? path : file);
   if (!text) return text.error();
@@ -157,7 +162,8 @@ Result<void> Console::call(const std::string& path) {
   --depth_;
   // The error of a script that was called names its own place.
   if (!done && done.error().file.empty())
-    return Error{path, number, done.error().field, done.error().what};
+    return Error{
+        .file = path, .line = number, .field = done.error().field, .what = done.error().what};
   return done;
 }
 
@@ -182,17 +188,20 @@ std::vector<ConsoleRobot*> Console::selected() {
 
 Result<ConsoleRobot*> Console::firstRobot() {
   const auto robots = selected();
-  if (robots.empty()) return Error{"", 0, "robot", "there is none"};
+  if (robots.empty()) return Error{.field = "robot", .what = "there is none"};
   return robots.front();
 }
 
 Result<void> Console::forEachRobot(const std::function<Result<void>(ConsoleRobot&)>& work) {
   const auto robots = selected();
-  if (robots.empty()) return Error{"", 0, "robot", "there is none"};
+  if (robots.empty()) return Error{.field = "robot", .what = "there is none"};
   for (ConsoleRobot* robot : robots)
     if (const auto done = work(*robot); !done) {
       const Error& error = done.error();
-      return Error{error.file, error.line, error.field, error.what + " (" + robot->name() + ")"};
+      return Error{.file = error.file,
+                   .line = error.line,
+                   .field = error.field,
+                   .what = error.what + " (" + robot->name() + ")"};
     }
   return {};
 }

@@ -11,7 +11,7 @@ Result<void> jbc(Console& console, const Words& words) {
   if (!button) return button.error();
   if (*button != std::floor(*button)) return wrongArguments(words);
   if (!Console::find(words[2]) && !words[2].starts_with('#'))
-    return Error{"", 0, words[2], "there is no such command; try help"};
+    return Error{.field = words[2], .what = "there is no such command; try help"};
   const std::size_t command = words.rest.find_first_not_of(" \t", words.rest.find_first_of(" \t"));
   console.joystick().setCommand(static_cast<int>(*button), words.rest.substr(command));
   return {};

@@ -65,8 +65,8 @@ Result<void> mr(Console& console, const Words& words) {
   auto request = motionOf(words[1], **motions);
   if (!request)
     return Error{
-        "", 0, words[1],
-        "there is no such motion; try mr ?" + suggestion(words[1], motionNames(**motions))};
+        .field = words[1],
+        .what = "there is no such motion; try mr ?" + suggestion(words[1], motionNames(**motions))};
   const bool walk = request->type == MotionType::walk;
   if (words.size() != (walk ? 5u : 2u)) return wrongArguments(words);
   if (walk) {
@@ -92,7 +92,7 @@ Result<void> tr(Console& console, const Words& words) {
     return {};
   }
   const auto tail = enumValue<TailRequest>(words[1]);
-  if (!tail) return Error{"", 0, words[1], "there is no such tail request; try tr ?"};
+  if (!tail) return Error{.field = words[1], .what = "there is no such tail request; try tr ?"};
   return sendMotion(console, [&](MotionRequest& motion) { motion.tail = *tail; });
 }
 
@@ -104,9 +104,9 @@ Result<void> hcm(Console& console, const Words& words) {
   }
   const auto mode = enumValue<HeadMode>(words[1]);
   if (!mode)
-    return Error{"", 0, words[1],
-                 "there is no such head control mode; try hcm ?" +
-                     suggestion(words[1], namesOf<HeadMode>())};
+    return Error{.field = words[1],
+                 .what = "there is no such head control mode; try hcm ?" +
+                         suggestion(words[1], namesOf<HeadMode>())};
   Vector3d point = Vector3d::Zero();
   if (words.size() != (*mode == HeadMode::lookAtPoint ? 5u : 2u)) return wrongArguments(words);
   for (std::size_t i = 2; i < words.size(); ++i) {

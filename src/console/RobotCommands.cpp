@@ -179,7 +179,8 @@ Result<void> switchSolution(Console& console, ConsoleRobot& robot, const std::st
     return {};
   }
   if (known && !here)
-    return Error{"", 0, task, "there is no solution '" + solution + "'; try sr " + task + " ?"};
+    return Error{.field = task,
+                 .what = "there is no solution '" + solution + "'; try sr " + task + " ?"};
   return robot.observed().request(SolutionRequest{task, solution});
 }
 
@@ -200,7 +201,7 @@ Result<std::vector<std::string>> solutionsOf(ConsoleRobot& robot, const std::str
       lines.emplace_back(SolutionTable::disabled);
       return lines;
     }
-  return Error{"", 0, name, "no process solves this task; try sr ?"};
+  return Error{.field = name, .what = "no process solves this task; try sr ?"};
 }
 
 Result<void> sr(Console& console, const Words& words) {

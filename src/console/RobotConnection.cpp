@@ -57,7 +57,7 @@ Result<std::unique_ptr<RobotConnection>> RobotConnection::open(
   const auto routed = RobotList::parse(robots, {"127.0.0.1", robotPort, ""});
   if (!routed) return routed.error();
   if (routed->robots().empty() || routed->searches())
-    return Error{"", 0, "sc", "expected an address"};
+    return Error{.field = "sc", .what = "expected an address"};
   RouterOptions options;
   options.robots = routed->robots();
   if (gameManager) options.all = "tcp://127.0.0.1:" + std::to_string(robotPort + 300);

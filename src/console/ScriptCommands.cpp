@@ -64,9 +64,9 @@ Result<void> help(Console& console, const Words& words) {
       found = true;
     }
   if (found) return {};
-  return Error{
-      "", 0, words[1],
-      "there is no such command or topic" + suggestion(words[1], helpNames(console, words))};
+  return Error{.field = words[1],
+               .what = "there is no such command or topic" +
+                       suggestion(words[1], helpNames(console, words))};
 }
 
 Result<void> echo(Console& console, const Words& words) {

@@ -183,7 +183,7 @@ ConsoleRobot* Session::find(std::string_view name) const {
 
 Result<void> Session::replay(const std::string& name, const std::string& file,
                              const std::string& colorTable) {
-  if (find(name)) return Error{"", 0, name, "there is already a robot of this name"};
+  if (find(name)) return Error{.field = name, .what = "there is already a robot of this name"};
   LogRobotOptions options;
   options.configuration = state_.match->sharedConfiguration();
   options.root = options_.root;
@@ -196,13 +196,13 @@ Result<void> Session::replay(const std::string& name, const std::string& file,
 }
 
 Result<void> Session::connect(const std::vector<std::string>& robots, bool gameManager) {
-  if (state_.connection) return Error{"", 0, "sc", "robots are connected already"};
+  if (state_.connection) return Error{.field = "sc", .what = "robots are connected already"};
   auto connection = RobotConnection::open(robots, gameManager, options_.root, options_.keys);
   if (!connection) return connection.error();
   auto connected = (*connection)->takeRobots();
   for (const auto& robot : connected)
     if (find(robot->name()))
-      return Error{"", 0, robot->name(), "there is already a robot of this name"};
+      return Error{.field = robot->name(), .what = "there is already a robot of this name"};
   state_.connection = std::move(*connection);
   match().markIrreproducible("robots live elsewhere");
   for (auto& robot : connected) state_.robots.push_back(std::move(robot));

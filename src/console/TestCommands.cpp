@@ -71,7 +71,7 @@ Result<Outcome> runOnce(const Series& series, int index) {
   outcome.seed = options.seed;
   const auto end = static_cast<std::int64_t>(std::llround(1000 * series.timeout));
   while (outcome.result.empty()) {
-    if (series.interrupted()) return Error{"", 0, "", "stopped"};
+    if (series.interrupted()) return Error{.what = "stopped"};
     auto target = reached(series, console);
     if (!target) return target.error();
     outcome.result = std::move(*target);

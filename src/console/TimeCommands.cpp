@@ -31,7 +31,8 @@ Result<std::int64_t> durationOf(const Words& words, std::size_t first) {
                     : unit == "min"                     ? 60000
                     : unit == "steps" || unit == "step" ? static_cast<double>(tickMs)
                                                         : 0;
-  if (ms == 0) return Error{"", 0, unit, "is no unit of time: expected s, ms, min or steps"};
+  if (ms == 0)
+    return Error{.field = unit, .what = "is no unit of time: expected s, ms, min or steps"};
   return std::llround(*number * ms);
 }
 
@@ -140,7 +141,7 @@ Result<void> until(Console& console, const Words& words) {
   if (!holds) return holds.error();
   if (*holds) return {};
   console.failExpectation();
-  return Error{"", 0, "until", "did not come true: " + words.rest};
+  return Error{.field = "until", .what = "did not come true: " + words.rest};
 }
 
 /// Begins anew as the program does: with the scene's script (report I.4).
@@ -190,7 +191,7 @@ Result<void> load(Console& console, const Words& words) {
       withDefaults(words[1], "out/states", ".state"), [&](const std::string& line) -> Result<void> {
         const Command* command = Console::find(line.substr(0, line.find(' ')));
         if (!command || !command->changes)
-          return Error{"", 0, line, "is no command that changes something"};
+          return Error{.field = line, .what = "is no command that changes something"};
         return console.execute(line);
       });
   if (!done) {

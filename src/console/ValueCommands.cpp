@@ -16,7 +16,7 @@ Result<void> expect(Console& console, const Words& words) {
   if (!holds) return holds.error();
   if (*holds) return {};
   console.failExpectation();
-  return Error{"", 0, "expect", "does not hold: " + words.rest};
+  return Error{.field = "expect", .what = "does not hold: " + words.rest};
 }
 
 /// How an object of the scene is written in values and conditions.
@@ -69,7 +69,7 @@ Error noValue(Console& console, const std::string& path) {
   const auto value = valueAt(console, path);
   if (value) return {};
   const std::string found = suggestion(path, valueChoices(console, {"get"}));
-  return {"", 0, path, value.error().what + found};
+  return {.field = path, .what = value.error().what + found};
 }
 
 Result<void> get(Console& console, const Words& words) {

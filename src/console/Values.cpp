@@ -141,12 +141,12 @@ Result<ConsoleValue> valueAt(Console& console, const std::string& path) {
     if (auto value = bodyValue(session.simulation().world().robot(*index), field)) return *value;
   if (ConsoleRobot* robot = session.find(first)) {
     auto value = valueOfRobot(*robot, field);
-    return value ? value : Error{"", 0, path, value.error().what};
+    return value ? value : Error{.field = path, .what = value.error().what};
   }
   if (auto value = objectValue(session, path)) return *value;
   const auto robot = console.firstRobot();
   if (!robot || path.find('/') != path.npos)
-    return Error{"", 0, path, "there is no such value; try get ?"};
+    return Error{.field = path, .what = "there is no such value; try get ?"};
   return valueOfRobot(**robot, path);
 }
 

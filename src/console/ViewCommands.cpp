@@ -20,8 +20,9 @@ std::vector<std::string> viewNames(Console& console, const Words&) {
 Result<std::shared_ptr<const View>> viewOf(Console& console, const std::string& name) {
   for (const auto& view : console.views())
     if (view->name() == name) return view;
-  return Error{"", 0, name,
-               "there is no such view; try picture ?" + suggestion(name, viewNames(console, {}))};
+  return Error{
+      .field = name,
+      .what = "there is no such view; try picture ?" + suggestion(name, viewNames(console, {}))};
 }
 
 /// The numbers that end a line.
@@ -106,7 +107,7 @@ Result<void> plot(Console& console, const Words& words) {
   if (!on) return on.error();
   if (*on) return console.recorder().record(console, words[1]);
   if (console.recorder().forget(words[1])) return {};
-  return Error{"", 0, words[1], "is not recorded; try plot ?"};
+  return Error{.field = words[1], .what = "is not recorded; try plot ?"};
 }
 
 Result<void> film(Console& console, const Words& words) {
@@ -137,7 +138,8 @@ Result<void> defineView(Console& console, const std::string& name, const Words& 
     else if (!keys.empty())
       elements.insert(elements.end(), keys.begin(), keys.end());
     else
-      return Error{"", 0, words[i], "there is no such drawing" + suggestion(words[i], parts)};
+      return Error{.field = words[i],
+                   .what = "there is no such drawing" + suggestion(words[i], parts)};
   }
   const std::string help = "defined: " + words.rest;
   console.define(image ? makeImageView(name, help, std::move(elements))
@@ -154,12 +156,12 @@ Result<void> view(Console& console, const Words& words) {
   const std::string& name = words[1];
   if (words.size() == 3 && words[2] == "off") {
     if (console.forgetView(name)) return {};
-    return Error{"", 0, name, "no view was defined by this name"};
+    return Error{.field = name, .what = "no view was defined by this name"};
   }
   if (words.size() < 4 || (words[2] != "image" && words[2] != "field"))
     return wrongArguments(words);
   if (std::ranges::any_of(builtInViews(), [&](const auto& known) { return known->name() == name; }))
-    return Error{"", 0, name, "is a view already"};
+    return Error{.field = name, .what = "is a view already"};
   return defineView(console, name, words);
 }
 

@@ -26,8 +26,9 @@ ViewRecorder::~ViewRecorder() = default;
 Result<void> ViewRecorder::record(Console& console, const std::string& path) {
   const auto value = valueAt(console, path);
   if (!value) return value.error();
-  if (!value->number) return Error{"", 0, path, "is no number, so it cannot be plotted"};
-  if (series_.size() >= mostSeries) return Error{"", 0, path, "too many values are plotted"};
+  if (!value->number) return Error{.field = path, .what = "is no number, so it cannot be plotted"};
+  if (series_.size() >= mostSeries)
+    return Error{.field = path, .what = "too many values are plotted"};
   series_.try_emplace(path);
   return {};
 }
@@ -35,7 +36,8 @@ Result<void> ViewRecorder::record(Console& console, const std::string& path) {
 Result<void> ViewRecorder::startFilm(Console& console, const std::string& file,
                                      std::shared_ptr<const View> view,
                                      std::vector<double> numbers) {
-  if (film_) return Error{"", 0, "film", film_->file + " is being made; film stop ends it"};
+  if (film_)
+    return Error{.field = "film", .what = film_->file + " is being made; film stop ends it"};
   const auto first = view->show(console.viewSubject(), numbers);
   if (!first) return first.error();
   auto writer = FilmWriter::open(file, first->width(), first->height());
@@ -45,7 +47,7 @@ Result<void> ViewRecorder::startFilm(Console& console, const std::string& file,
 }
 
 Result<std::string> ViewRecorder::stopFilm() {
-  if (!film_) return Error{"", 0, "film", "none is being made"};
+  if (!film_) return Error{.field = "film", .what = "none is being made"};
   const auto film = std::move(film_);
   const auto done = film->writer->close();
   return done ? Result<std::string>{film->file} : done.error();

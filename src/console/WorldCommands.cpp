@@ -18,7 +18,8 @@ std::vector<std::string> sceneRobots(Console& console) {
 Result<std::size_t> sceneRobot(Console& console, const std::string& name) {
   const auto names = sceneRobots(console);
   const auto found = std::ranges::find(names, name);
-  if (found == names.end()) return Error{"", 0, name, "the scene has no robot of this name"};
+  if (found == names.end())
+    return Error{.field = name, .what = "the scene has no robot of this name"};
   return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -58,7 +59,7 @@ Result<void> place(Console& console, const Words& words) {
   World& world = console.session().simulation().world();
   if (words[1].starts_with("ball")) {
     const auto ball = ballOf(console, words[1]);
-    if (!ball) return Error{"", 0, words[1], "the scene has no such ball"};
+    if (!ball) return Error{.field = words[1], .what = "the scene has no such ball"};
     if (numbers.size() == 3) return wrongArguments(words);
     const Vector2d speed = numbers.size() == 4 ? Vector2d{numbers[2], numbers[3]} : Vector2d{0, 0};
     world.placeBall(*ball, {numbers[0], numbers[1]}, speed);
@@ -106,7 +107,7 @@ Result<void> press(Console& console, const Words& words) {
     on = *asked;
   }
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (!robot.index()) return Error{"", 0, "press", "is for robots of the scene"};
+    if (!robot.index()) return Error{.field = "press", .what = "is for robots of the scene"};
     console.session().simulation().sensors(*robot.index()).press(*which, on);
     return {};
   });

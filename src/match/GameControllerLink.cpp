@@ -19,7 +19,7 @@ sockaddr* general(sockaddr_in& address) {
 
 Result<std::unique_ptr<GameControllerLink>> GameControllerLink::listen(int port) {
   const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  if (socket < 0) return Error{"game controller", 0, "", std::strerror(errno)};
+  if (socket < 0) return Error{.file = "game controller", .what = std::strerror(errno)};
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_ANY);

@@ -62,7 +62,7 @@ Result<void> Match::addRobots() {
   }
   for (const auto& [name, endpoint] : options_.remote)
     if (std::ranges::find(robots, name, &SceneRobot::name) == robots.end())
-      return Error{options_.scene, 0, name, "the scene has no such robot"};
+      return Error{.file = options_.scene, .field = name, .what = "the scene has no such robot"};
   return {};
 }
 
@@ -164,7 +164,7 @@ std::uint64_t Match::fingerprint() const {
 
 Result<void> Match::save(const std::string& path) const {
   if (!irreproducible_.empty())
-    return Error{path, 0, "", "this match cannot be repeated: " + irreproducible_};
+    return Error{.file = path, .what = "this match cannot be repeated: " + irreproducible_};
   const MatchState state{.scene = options_.scene,
                          .layout = options_.layout,
                          .behavior = options_.behavior,
@@ -191,10 +191,11 @@ Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions
   auto match = make(options);
   if (!match) return match.error();
   if (const auto done = (*match)->repeat(*state, perform); !done)
-    return Error{path, 0, done.error().field, done.error().text()};
+    return Error{.file = path, .field = done.error().field, .what = done.error().text()};
   if ((*match)->fingerprint() != state->fingerprint)
-    return Error{path, 0, "fingerprint",
-                 "the match went another way: its files or the program have changed"};
+    return Error{.file = path,
+                 .field = "fingerprint",
+                 .what = "the match went another way: its files or the program have changed"};
   return match;
 }
 
@@ -208,11 +209,12 @@ Result<void> Match::repeat(const MatchState& state, const Perform& perform) {
       if (!done) return done;
     }
     if (time() >= state.time) break;
-    if (finished()) return Error{"", 0, "time", "the match is over before"};
+    if (finished()) return Error{.field = "time", .what = "the match is over before"};
     step();
   }
   history_ = state.history;
-  if (next != state.history.end()) return Error{"", 0, "history", "something between two ticks"};
+  if (next != state.history.end())
+    return Error{.field = "history", .what = "something between two ticks"};
   return {};
 }
 

@@ -18,13 +18,13 @@ Result<MatchState> readMatchState(const std::string& path) {
   if (!json) return json.error();
   MatchState state;
   if (const auto done = fromJson(*json, state); !done)
-    return Error{path, 0, done.error().field, done.error().what};
+    return Error{.file = path, .field = done.error().field, .what = done.error().what};
   if (state.time.ms < 0 || state.time.ms % tickMs != 0)
-    return Error{path, 0, "time", "no tick ends then"};
+    return Error{.file = path, .field = "time", .what = "no tick ends then"};
   Time last;
   for (const Intervention& intervention : state.history) {
     if (intervention.time < last || intervention.time > state.time)
-      return Error{path, 0, "history", "is not in the order of time"};
+      return Error{.file = path, .field = "history", .what = "is not in the order of time"};
     last = intervention.time;
   }
   return state;

@@ -20,12 +20,12 @@ Result<void> checkValue(const Parameter& parameter, const std::string& value) {
     const char* const end = value.data() + value.size();
     const auto [stop, error] = std::from_chars(value.data(), end, number);
     if (error == std::errc{} && stop == end && std::isfinite(number)) return {};
-    return Error{"", 0, parameter.name, "'" + value + "' is not a number"};
+    return Error{.field = parameter.name, .what = "'" + value + "' is not a number"};
   }
   if (std::ranges::find(parameter.values, value) != parameter.values.end()) return {};
   std::string values;
   for (const std::string& v : parameter.values) values += ' ' + v;
-  return Error{"", 0, parameter.name, "'" + value + "' is none of:" + values};
+  return Error{.field = parameter.name, .what = "'" + value + "' is none of:" + values};
 }
 
 /// The jobs of one experiment and seed: a job for each combination of its parameters' values.
@@ -54,7 +54,7 @@ Result<void> checkNames(const Experiments& experiments, const std::vector<std::s
     if (std::ranges::any_of(experiments, has)) continue;
     std::string names;
     for (const Experiment& e : experiments) names += ' ' + e.name;
-    return Error{"", 0, wanted, "is neither an experiment nor a group of:" + names};
+    return Error{.field = wanted, .what = "is neither an experiment nor a group of:" + names};
   }
   return {};
 }
@@ -67,11 +67,11 @@ Result<std::vector<std::uint64_t>> parseSeeds(const std::string& text) {
   char more = 0;
   if (std::sscanf(text.c_str(), "%lu..%lu%c", &first, &last, &more) != 2) {
     if (std::sscanf(text.c_str(), "%lu%c", &first, &more) != 1)
-      return Error{"", 0, "--seeds", "'" + text + "' is not a range like 1..10"};
+      return Error{.field = "--seeds", .what = "'" + text + "' is not a range like 1..10"};
     last = first;
   }
   if (last < first || last - first >= most)
-    return Error{"", 0, "--seeds", "'" + text + "' are not 1 to 10000 seeds"};
+    return Error{.field = "--seeds", .what = "'" + text + "' are not 1 to 10000 seeds"};
   std::vector<std::uint64_t> seeds;
   for (std::uint64_t i = 0; i <= last - first; ++i) seeds.push_back(first + i);
   return seeds;
@@ -84,7 +84,7 @@ Result<std::vector<Job>> listJobs(const Experiments& experiments, const JobSelec
   for (const std::string& setting : selection.settings) {
     const auto parsed = parseJob("settings " + setting);
     if (!parsed || parsed->parameters.size() != 1)
-      return Error{"", 0, setting, "expected NAME=VALUE of a parameter"};
+      return Error{.field = setting, .what = "expected NAME=VALUE of a parameter"};
     settings.insert(*parsed->parameters.begin());
   }
   std::vector<Job> jobs;
@@ -99,7 +99,8 @@ Result<std::vector<Job>> listJobs(const Experiments& experiments, const JobSelec
     }
   }
   if (!unused.empty())
-    return Error{"", 0, unused.begin()->first, "is a parameter of none of the experiments"};
+    return Error{.field = unused.begin()->first,
+                 .what = "is a parameter of none of the experiments"};
   for (const Job& job : jobs)
     if (auto checked = completed(job, experiments, commit); !checked) return checked.error();
   return jobs;
@@ -112,14 +113,14 @@ const Experiment* findExperiment(const Experiments& experiments, const std::stri
 
 Result<Job> completed(Job job, const Experiments& experiments, const std::string& commit) {
   const Experiment* experiment = findExperiment(experiments, job.experiment);
-  if (!experiment) return Error{"", 0, job.experiment, "there is no such experiment"};
+  if (!experiment) return Error{.field = job.experiment, .what = "there is no such experiment"};
   if (!job.commit.empty() && job.commit != commit)
-    return Error{"", 0, job.commit, "is another commit than this program's, " + commit};
+    return Error{.field = job.commit, .what = "is another commit than this program's, " + commit};
   job.commit = commit;
   for (const auto& [name, value] : job.parameters) {
     const auto parameter = std::ranges::find(experiment->parameters, name, &Parameter::name);
     if (parameter == experiment->parameters.end())
-      return Error{"", 0, name, "is not a parameter of " + job.experiment};
+      return Error{.field = name, .what = "is not a parameter of " + job.experiment};
     if (auto done = checkValue(*parameter, value); !done) return done.error();
   }
   for (const Parameter& parameter : experiment->parameters)

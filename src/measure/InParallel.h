@@ -16,7 +16,7 @@ auto guarded(Work&& work) -> decltype(work()) {
   try {
     return work();
   } catch (const std::exception& exception) {
-    return Error{"", 0, "exception", exception.what()};
+    return Error{.field = "exception", .what = exception.what()};
   }
 }
 
@@ -25,7 +25,7 @@ auto guarded(Work&& work) -> decltype(work()) {
 template <typename Work>
 auto inParallel(std::size_t count, unsigned threads, Work&& work) {
   using Outcome = decltype(work(std::size_t{}));
-  std::vector<Outcome> results(count, Outcome{Error{"", 0, "", "was not done"}});
+  std::vector<Outcome> results(count, Outcome{Error{.what = "was not done"}});
   std::atomic<std::size_t> next{0};
   const auto run = [&] {
     for (std::size_t i; (i = next++) < count;) results[i] = guarded([&] { return work(i); });

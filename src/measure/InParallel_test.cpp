@@ -33,7 +33,7 @@ TEST(InParallel, UsesAsManyThreadsAsItIsTold) {
 TEST(InParallel, AnExceptionIsAnErrorOfThatWorkAlone) {
   const auto results = inParallel(10, 2, [](std::size_t i) -> Result<int> {
     if (i == 3) throw std::runtime_error{"three"};
-    if (i == 4) return Error{"", 0, "", "four"};
+    if (i == 4) return Error{.what = "four"};
     return 1;
   });
   EXPECT_EQ(results[3].error().what, "three");

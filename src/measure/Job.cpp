@@ -43,18 +43,18 @@ double Job::number(const std::string& name) const {
 Result<Job> parseJob(std::string_view line) {
   std::istringstream words{std::string{line}};
   Job job;
-  if (!(words >> job.experiment)) return Error{"", 0, "", "expected an experiment"};
+  if (!(words >> job.experiment)) return Error{.what = "expected an experiment"};
   for (std::string word; words >> word;) {
     const auto equals = word.find('=');
     if (equals == word.npos || equals == 0 || equals + 1 == word.size())
-      return Error{"", 0, word, "expected NAME=VALUE"};
+      return Error{.field = word, .what = "expected NAME=VALUE"};
     const std::string name = word.substr(0, equals), value = word.substr(equals + 1);
     if (name == "commit")
       job.commit = value;
     else if (name == "seed" && !readNumber(value, job.seed))
-      return Error{"", 0, word, "expected a whole number"};
+      return Error{.field = word, .what = "expected a whole number"};
     else if (name != "seed" && !job.parameters.emplace(name, value).second)
-      return Error{"", 0, word, "is given twice"};
+      return Error{.field = word, .what = "is given twice"};
   }
   return job;
 }
@@ -68,7 +68,9 @@ Result<std::vector<Job>> parseJobs(std::string_view text, const std::string& sou
     const auto begin = line.find_first_not_of(" \t\r");
     if (begin == line.npos || line[begin] == '#') continue;
     auto job = parseJob(line);
-    if (!job) return Error{sourceName, number, job.error().field, job.error().what};
+    if (!job)
+      return Error{
+          .file = sourceName, .line = number, .field = job.error().field, .what = job.error().what};
     jobs.push_back(*std::move(job));
   }
   return jobs;

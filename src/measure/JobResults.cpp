@@ -15,7 +15,7 @@ namespace gt {
 namespace {
 
 Error systemError(const std::string& path) {
-  return {path, 0, "", std::generic_category().message(errno)};
+  return {.file = path, .what = std::generic_category().message(errno)};
 }
 
 Result<void> writeAll(int file, std::string_view text, const std::string& path) {
@@ -93,12 +93,13 @@ Result<Figures> merge(JobResults& all) {
   const JobResult* last = nullptr;
   for (const auto& [result, text] : results) {
     if (result.job.commit != results.front().first.job.commit)
-      return Error{
-          "", 0, "commit",
-          "results are of " + results.front().first.job.commit + " and of " + result.job.commit};
+      return Error{.field = "commit",
+                   .what = "results are of " + results.front().first.job.commit + " and of " +
+                           result.job.commit};
     if (last && last->job == result.job) {
       if (last->measurement != result.measurement)
-        all.warnings.push_back({"", 0, result.job.text(), "was done twice with different results"});
+        all.warnings.push_back(
+            {.field = result.job.text(), .what = "was done twice with different results"});
       continue;
     }
     last = &result;
@@ -108,9 +109,9 @@ Result<Figures> merge(JobResults& all) {
       Column& column = place->second;
       if (column.first.experiment != result.job.experiment ||
           column.first.parameters != result.job.parameters)
-        return Error{
-            "", 0, value.name,
-            "was measured by '" + column.first.text() + "' and by '" + result.job.text() + "'"};
+        return Error{.field = value.name,
+                     .what = "was measured by '" + column.first.text() + "' and by '" +
+                             result.job.text() + "'"};
       column.runs.push_back(value.value);
     }
   }

@@ -37,7 +37,7 @@ class Runner {
     auto measurement = experiment(job).measure(job, root_);
     if (!measurement) return measurement;
     for (const Measurement::Value& value : measurement->values)
-      if (!std::isfinite(value.value)) return Error{"", 0, value.name, "is not a number"};
+      if (!std::isfinite(value.value)) return Error{.field = value.name, .what = "is not a number"};
     return measurement;
   }
   void finish(const Job& job, const Result<Measurement>& measurement) {

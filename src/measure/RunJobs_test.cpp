@@ -29,7 +29,7 @@ Result<Measurement> square(const Job& job, const DataRoot&) {
 
 Result<Measurement> misbehave(const Job& job, const DataRoot&) {
   if (job.seed == 1) throw std::runtime_error{"thrown"};
-  if (job.seed == 2) return Error{"file", 3, "", "is wrong"};
+  if (job.seed == 2) return Error{.file = "file", .line = 3, .what = "is wrong"};
   Measurement measurement;
   measurement.add("wrong.value", "",
                   job.seed == 3 ? std::numeric_limits<double>::quiet_NaN() : 1.0);

@@ -219,7 +219,7 @@ Compilation compileFolder(const std::string& folder, const Rules& rules) {
        it.increment(failure))
     if (it->path().extension() == ".mof") files.push_back(it->path().string());
   if (failure) {
-    result.errors.push_back({folder, 0, "", "cannot be read: " + failure.message()});
+    result.errors.push_back({.file = folder, .message = "cannot be read: " + failure.message()});
     return result;
   }
   std::sort(files.begin(), files.end());
@@ -229,14 +229,15 @@ Compilation compileFolder(const std::string& folder, const Rules& rules) {
     std::stringstream text;
     const auto size = fs::file_size(file, failure);
     if (failure || size > maxFileSize || !(text << stream.rdbuf())) {
-      result.errors.push_back({file, 0, "", "cannot be read, is empty, or is longer than 4 MB"});
+      result.errors.push_back(
+          {.file = file, .message = "cannot be read, is empty, or is longer than 4 MB"});
       continue;
     }
     sources.push_back({file, text.str()});
   }
   if (!result.errors.empty()) return result;
   if (sources.empty()) {
-    result.errors.push_back({folder, 0, "", "holds no .mof file"});
+    result.errors.push_back({.file = folder, .message = "holds no .mof file"});
     return result;
   }
   return compile(sources, rules);

@@ -5,10 +5,10 @@ namespace motionnet {
 
 /// What is wrong in a motion description, and where.
 struct Diagnostic {
-  std::string file;
+  std::string file{};
   int line = 0;       ///< From 1; 0 for the whole file.
-  std::string field;  ///< The word, column or name concerned; may be empty.
-  std::string message;
+  std::string field{};  ///< The word, column or name concerned; may be empty.
+  std::string message{};
 
   /// One line: file:line: field: message.
   std::string text() const {

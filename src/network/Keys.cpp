@@ -18,11 +18,11 @@ using KeyText = std::array<char, 41>;
 
 Result<void> writeSecret(const std::string& file, const Keys& keys) {
   const int handle = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (handle < 0) return Error{file, 0, "", "cannot be created, or is there already"};
+  if (handle < 0) return Error{.file = file, .what = "cannot be created, or is there already"};
   const std::string text = writeConfig(keys);
   const bool written = write(handle, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   close(handle);
-  if (!written) return Error{file, 0, "", "cannot be written"};
+  if (!written) return Error{.file = file, .what = "cannot be written"};
   return {};
 }
 
@@ -39,7 +39,7 @@ Result<void> makeKeys(const std::string& folder) {
   KeyText serverPublic, serverSecret, clientPublic, clientSecret;
   if (zmq_curve_keypair(serverPublic.data(), serverSecret.data()) != 0 ||
       zmq_curve_keypair(clientPublic.data(), clientSecret.data()) != 0)
-    return Error{folder, 0, "", "ZeroMQ was built without CURVE"};
+    return Error{.file = folder, .what = "ZeroMQ was built without CURVE"};
   const std::filesystem::path path{folder};
   const Keys robot{serverPublic.data(), serverSecret.data(), clientPublic.data(), ""};
   if (auto done = writeSecret((path / "robot.key").string(), robot); !done) return done;
@@ -54,7 +54,7 @@ Result<Keys> loadKeys(const std::string& file) {
   if (const auto done = parseConfig(*text, file, keys); !done) return done.error();
   const auto check = [&](const char* name, const std::string& key) -> Result<void> {
     if (key.empty() || isKey(key)) return {};
-    return Error{file, 0, name, "is no key: expected 40 characters of Z85"};
+    return Error{.file = file, .field = name, .what = "is no key: expected 40 characters of Z85"};
   };
   for (const auto& done :
        {check("serverPublic", keys.serverPublic), check("serverSecret", keys.serverSecret),

@@ -33,7 +33,7 @@ struct Notice {
 constexpr std::size_t headSize = sizeof(Notice) + Frame::headerSize;
 
 Error failed(const std::string& path, const std::string& what) {
-  return {"network", 0, "ipc://" + path, what};
+  return {.file = "network", .field = "ipc://" + path, .what = what};
 }
 
 std::optional<sockaddr_un> addressOf(const std::string& path) {

@@ -19,7 +19,7 @@ std::int64_t steadyMs() {
 }
 
 Error wrong(const std::string& endpoint, const std::string& what) {
-  return {"network", 0, endpoint, what};
+  return {.file = "network", .field = endpoint, .what = what};
 }
 
 bool begins(std::string_view endpoint, std::string_view text) {

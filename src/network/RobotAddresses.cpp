@@ -55,9 +55,10 @@ Result<void> makePrivateFolder(const std::string& folder) {
   mkdir(folder.c_str(), 0700);
   struct stat status {};
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-    return Error{folder, 0, "", "is no folder, and cannot be made"};
+    return Error{.file = folder, .what = "is no folder, and cannot be made"};
   if (status.st_uid != getuid() || (status.st_mode & 0077) != 0)
-    return Error{folder, 0, "", "others have access to it; it shall be the user's alone (0700)"};
+    return Error{.file = folder,
+                 .what = "others have access to it; it shall be the user's alone (0700)"};
   return {};
 }
 

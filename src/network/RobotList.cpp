@@ -71,9 +71,10 @@ Result<void> RobotList::take(const std::string& word, std::string& subnet) {
     const auto sameSubnet = [&](const SubnetSearch& s) { return s.subnet() == subnet; };
     if (std::ranges::none_of(subnets_, sameSubnet)) subnets_.emplace_back(subnet, places_.port);
   } else {
-    return Error{"", 0, word,
-                 "is no robot: expected NAME=ENDPOINT, an address as 10.0.1.100, a subnet and "
-                 "numbers as 10.0.1 100 101, or auto"};
+    return Error{.field = word,
+                 .what =
+                     "is no robot: expected NAME=ENDPOINT, an address as 10.0.1.100, a subnet and "
+                     "numbers as 10.0.1 100 101, or auto"};
   }
   return {};
 }
@@ -92,10 +93,10 @@ Result<void> RobotList::add(const std::string& name, const std::string& endpoint
   const int port = places_.port + (number ? *number : firstPortWithoutNumber + withoutNumber_);
   const std::string tools = "tcp://" + places_.listen + ":" + std::to_string(port);
   if (robots_.size() >= mostRobots)
-    return Error{"", 0, name, "is one too many: a router serves up to 32 robots"};
+    return Error{.field = name, .what = "is one too many: a router serves up to 32 robots"};
   for (const RoutedRobot& other : robots_)
     if (other.tools == tools || other.name == name || other.robot == endpoint)
-      return Error{"", 0, name, "has the name or number of another robot"};
+      return Error{.field = name, .what = "has the name or number of another robot"};
   robots_.push_back({name, endpoint, tools, team});
   withoutNumber_ += !number;
   return {};

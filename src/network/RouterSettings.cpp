@@ -60,7 +60,7 @@ Result<void> keepSettings(const RouterSettings& settings, const std::string& fil
   for (std::string* path : {&kept.sockets, &kept.keys, &kept.connectKeys}) *path = absolute(*path);
   std::error_code failed;
   fs::create_directories(fs::path{file}.parent_path(), failed);
-  if (failed) return Error{file, 0, "", failed.message()};
+  if (failed) return Error{.file = file, .what = failed.message()};
   return writeFile(file, writeConfig(kept));
 }
 

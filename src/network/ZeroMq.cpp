@@ -53,7 +53,7 @@ bool isUsers(int file) {
 }
 
 Error wrong(const std::string& endpoint, const std::string& what) {
-  return {"network", 0, endpoint, what};
+  return {.file = "network", .field = endpoint, .what = what};
 }
 
 }  // namespace

@@ -54,11 +54,12 @@ Result<const MessageDefinition*> Definitions::of(const McapChannel& channel) {
   const auto known = definitions_.find(channel.id);
   if (known != definitions_.end()) return &known->second;
   if (channel.messageEncoding != "cdr" || channel.schemaEncoding != "ros2msg")
-    return Error{file_, 0, channel.topic,
-                 "its messages are " + channel.messageEncoding + " by " + channel.schemaEncoding +
-                     ", not cdr by ros2msg"};
+    return Error{.file = file_,
+                 .field = channel.topic,
+                 .what = "its messages are " + channel.messageEncoding + " by " +
+                         channel.schemaEncoding + ", not cdr by ros2msg"};
   auto parsed = MessageDefinition::parse(channel.schemaName, channel.schemaText);
-  if (!parsed) return Error{file_, 0, channel.topic, parsed.error().text()};
+  if (!parsed) return Error{.file = file_, .field = channel.topic, .what = parsed.error().text()};
   return &definitions_.emplace(channel.id, std::move(*parsed)).first->second;
 }
 

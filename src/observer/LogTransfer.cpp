@@ -10,7 +10,7 @@ namespace {
 Result<void> differs(const std::string& from, const std::string& to) {
   std::error_code failure;
   if (std::filesystem::equivalent(from, to, failure))
-    return Error{to, 0, "", "is the log that is read"};
+    return Error{.file = to, .what = "is the log that is read"};
   return {};
 }
 

@@ -27,7 +27,7 @@ Result<std::string> parseLocation(std::string_view text, const std::string& file
 }
 
 Result<ConfigFolder> ConfigFolder::open(const std::string& folder) {
-  if (!fs::is_directory(folder)) return Error{folder, 0, "", "is not a folder"};
+  if (!fs::is_directory(folder)) return Error{.file = folder, .what = "is not a folder"};
   const std::string file = (fs::path{folder} / "location.cfg").string();
   if (!fs::exists(file)) return ConfigFolder{folder, ""};
   const auto text = readFile(file);
@@ -36,7 +36,7 @@ Result<ConfigFolder> ConfigFolder::open(const std::string& folder) {
   if (!location) return location.error();
   std::error_code failed;
   if (!location->empty() && !fs::is_directory(fs::path{folder} / *location, failed))
-    return Error{file, 0, *location, "there is no such folder beside it"};
+    return Error{.file = file, .field = *location, .what = "there is no such folder beside it"};
   return ConfigFolder{folder, std::move(*location)};
 }
 

@@ -28,7 +28,10 @@ Result<void> configureProcess(ModuleProcess& process, const Configuration& confi
   for (const Configuration::SolutionChoice& choice : configuration.solutions)
     if (process.solves(choice.task))
       if (const auto done = process.request(SolutionRequest{choice.task, choice.solution}); !done)
-        return Error{choice.file, choice.line, done.error().field, done.error().what};
+        return Error{.file = choice.file,
+                     .line = choice.line,
+                     .field = done.error().field,
+                     .what = done.error().what};
   for (const Configuration::ParameterFile& file : configuration.parameters)
     if (process.solves(file.task))
       if (auto done = process.configure(file.task, file.solution, file.text, file.path); !done)

@@ -28,7 +28,7 @@ Result<void> addFolder(const fs::path& folder, const std::string& name, Recorded
   for (fs::recursive_directory_iterator at{folder, failure}, end; !failure && at != end;
        at.increment(failure))
     if (at->is_regular_file() && at->file_size() <= largestFile) files.push_back(at->path());
-  if (failure) return Error{folder.string(), 0, "", failure.message()};
+  if (failure) return Error{.file = folder.string(), .what = failure.message()};
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files)
     if (auto done = addFile(file, name + "/" + fs::relative(file, folder).generic_string(), setup);

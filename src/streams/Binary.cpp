@@ -42,9 +42,8 @@ bool getText(Reader& reader, std::string& text) {
 }
 
 Error headerError(std::span<const std::byte> bytes) {
-  return {"", 0, "",
-          bytes.size() < headerSize ? "the data ends too early"
-                                    : "no little endian CDR (header 00 01 00 00)"};
+  return {.what = bytes.size() < headerSize ? "the data ends too early"
+                                            : "no little endian CDR (header 00 01 00 00)"};
 }
 
 }  // namespace gt::cdr

@@ -31,7 +31,7 @@ Json scalarJson(ConstValue value) {
 }
 
 Error wrong(const std::string& path, std::string what) {
-  return {"", 0, path, std::move(what)};
+  return {.field = path, .what = std::move(what)};
 }
 
 std::string joined(const std::string& path, std::string_view name) {

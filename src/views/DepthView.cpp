@@ -87,9 +87,9 @@ class DepthView : public View {
              "stereogram of random dots"} {}
 
   Result<Sheet> show(const ViewSubject& subject, std::span<const double> numbers) const override {
-    if (!subject.simulation) return Error{"", 0, name(), "there is no simulated scene"};
+    if (!subject.simulation) return Error{.field = name(), .what = "there is no simulated scene"};
     if (numbers.size() > 1)
-      return Error{"", 0, name(), "expected no number, or 1 for a stereogram"};
+      return Error{.field = name(), .what = "expected no number, or 1 for a stereogram"};
     const auto robot = subject.robot();
     if (!robot) return robot.error();
     const auto index = subject.sceneRobot((*robot)->name());

@@ -13,9 +13,9 @@ class FacetteView : public View {
              "all around the robot's camera, or around X Y Z in mm, each degree a pixel"} {}
 
   Result<Sheet> show(const ViewSubject& subject, std::span<const double> numbers) const override {
-    if (!subject.simulation) return Error{"", 0, name(), "there is no simulated scene"};
+    if (!subject.simulation) return Error{.field = name(), .what = "there is no simulated scene"};
     if (numbers.size() != 0 && numbers.size() != 3)
-      return Error{"", 0, name(), "expected no numbers, or X Y Z from where"};
+      return Error{.field = name(), .what = "expected no numbers, or X Y Z from where"};
     const World& world = subject.simulation->world();
     Pose3D pose;
     int hidden = -1;

@@ -41,7 +41,7 @@ struct FilmWriter::State {
     avformat_free_context(format);
   }
   Error error(const std::string& what, int code) const {
-    return {file, 0, "", what + ": " + reason(code)};
+    return {.file = file, .what = what + ": " + reason(code)};
   }
   Result<void> openCodec(int width, int height);
   Result<void> openFile();
@@ -55,7 +55,8 @@ Result<void> FilmWriter::State::openCodec(int width, int height) {
   codec = encoder ? avcodec_alloc_context3(encoder) : nullptr;
   frame = av_frame_alloc();
   packet = av_packet_alloc();
-  if (!codec || !frame || !packet) return Error{file, 0, "", "there is no encoder for films"};
+  if (!codec || !frame || !packet)
+    return Error{.file = file, .what = "there is no encoder for films"};
   codec->width = frame->width = width;
   codec->height = frame->height = height;
   codec->pix_fmt = AV_PIX_FMT_YUV420P;
@@ -72,12 +73,12 @@ Result<void> FilmWriter::State::openCodec(int width, int height) {
   if (const int code = av_frame_get_buffer(frame, 0); code < 0) return error("no memory", code);
   converter = sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, AV_PIX_FMT_YUV420P,
                              SWS_BILINEAR, nullptr, nullptr, nullptr);
-  return converter ? Result<void>{} : Error{file, 0, "", "no conversion of colors"};
+  return converter ? Result<void>{} : Error{.file = file, .what = "no conversion of colors"};
 }
 
 Result<void> FilmWriter::State::openFile() {
   stream = avformat_new_stream(format, nullptr);
-  if (!stream) return Error{file, 0, "", "no memory"};
+  if (!stream) return Error{.file = file, .what = "no memory"};
   stream->time_base = codec->time_base;
   avcodec_parameters_from_context(stream->codecpar, codec);
   if (const int code = avio_open(&format->pb, file.c_str(), AVIO_FLAG_WRITE); code < 0)

@@ -21,7 +21,7 @@ class ImageView : public View {
     if (!image) return image.error();
     const CameraInfo& info = (*image)->info;
     if ((*image)->pixels.empty() || info.width <= 0 || info.height <= 0)
-      return Error{"", 0, (*robot)->name(), "has no image yet"};
+      return Error{.field = (*robot)->name(), .what = "has no image yet"};
     const RgbImage colors = rgbOf(**image);
     Sheet sheet{info.width * enlarged, info.height * enlarged, colors::black};
     for (const std::string& element : elements_) {

@@ -91,9 +91,10 @@ class PlotView : public View {
 
   Result<Sheet> show(const ViewSubject& subject, std::span<const double> numbers) const override {
     if (numbers.size() > 1 || (!numbers.empty() && !(numbers[0] > 0)))
-      return Error{"", 0, name(), "expected no number, or how many seconds back"};
+      return Error{.field = name(), .what = "expected no number, or how many seconds back"};
     const std::vector<Curve> curves = curvesOf(subject);
-    if (curves.empty()) return Error{"", 0, name(), "nothing was recorded; try plot VALUE on"};
+    if (curves.empty())
+      return Error{.field = name(), .what = "nothing was recorded; try plot VALUE on"};
     const Axes axes = axesOf(curves, numbers.empty() ? 1e9 : numbers[0], subject.now);
     Sheet sheet{800, 350 + static_cast<int>(std::min(curves.size(), mostInLegend)) * 16};
     paintGrid(sheet, axes);

@@ -19,7 +19,8 @@ class RadarView : public View {
     const auto robot = subject.robot();
     if (!robot) return robot.error();
     if (numbers.size() > 1 || (!numbers.empty() && !(numbers[0] >= 100 && numbers[0] <= 10000)))
-      return Error{"", 0, name(), "expected no number, or how far it looks: 100 to 10000 mm"};
+      return Error{.field = name(),
+                   .what = "expected no number, or how far it looks: 100 to 10000 mm"};
     const double range = numbers.empty() ? 2400 : numbers[0];
     Sheet sheet{imageSize, imageSize, ground};
     const Placement placement{{imageSize / 2.0, imageSize / 2.0}, imageSize / 2.0 / range, true};

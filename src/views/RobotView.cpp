@@ -58,7 +58,8 @@ class RobotView : public View {
     const auto index = subject.sceneRobot((*robot)->name());
     if (!index) return index.error();
     if (numbers.size() > 1)
-      return Error{"", 0, name(), "expected no number, or the direction from which in degrees"};
+      return Error{.field = name(),
+                   .what = "expected no number, or the direction from which in degrees"};
     const World& world = subject.simulation->world();
     const RobotBody& body = world.robot(*index);
     const double from = body.pose.rotation + fromDegrees(numbers.empty() ? 35 : numbers[0]);

@@ -11,16 +11,17 @@ class SceneView : public View {
              "the scene from a side; X Y Z and X Y Z in mm may say from where and at what"} {}
 
   Result<Sheet> show(const ViewSubject& subject, std::span<const double> numbers) const override {
-    if (!subject.simulation) return Error{"", 0, name(), "there is no simulated scene"};
+    if (!subject.simulation) return Error{.field = name(), .what = "there is no simulated scene"};
     if (numbers.size() != 0 && numbers.size() != 3 && numbers.size() != 6)
-      return Error{"", 0, name(), "expected no numbers, X Y Z from where, or also X Y Z of what"};
+      return Error{.field = name(),
+                   .what = "expected no numbers, X Y Z from where, or also X Y Z of what"};
     SceneCamera camera;
     camera.width = 960;
     camera.height = 540;
     if (numbers.size() >= 3) camera.from = {numbers[0], numbers[1], numbers[2]};
     if (numbers.size() == 6) camera.at = {numbers[3], numbers[4], numbers[5]};
     if ((camera.at - camera.from).norm() < 1)
-      return Error{"", 0, name(), "both points are the same"};
+      return Error{.field = name(), .what = "both points are the same"};
     return pictureSheet(scenePicture(subject.simulation->world(), camera), 1);
   }
 };

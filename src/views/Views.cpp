@@ -3,7 +3,7 @@
 namespace gt {
 
 Result<ObservedRobot*> ViewSubject::robot() const {
-  if (robots.empty()) return Error{"", 0, "robot", "there is none"};
+  if (robots.empty()) return Error{.field = "robot", .what = "there is none"};
   return robots.front();
 }
 
@@ -13,7 +13,7 @@ Result<std::size_t> ViewSubject::sceneRobot(const std::string& name) const {
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i].name == name) return i;
   }
-  return Error{"", 0, name, "is no robot of the scene"};
+  return Error{.field = name, .what = "is no robot of the scene"};
 }
 
 const std::vector<std::shared_ptr<const View>>& builtInViews() {

@@ -106,7 +106,7 @@ Result<std::map<int, FieldLabel>> readFieldLabels(const std::string& file) {
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line == 1) {
       if (rest == fieldHeading) continue;
-      return Error{file, line, "", std::string{fieldHeading} + " was expected"};
+      return Error{.file = file, .line = line, .what = std::string{fieldHeading} + " was expected"};
     }
     if (rest.empty()) continue;
     Cells cells;
@@ -116,7 +116,7 @@ Result<std::map<int, FieldLabel>> readFieldLabels(const std::string& file) {
     }
     if (auto done = reading.add({file, line, cells}); !done) return done.error();
   }
-  if (reading.labels.empty()) return Error{file, 0, "", "there are no labels"};
+  if (reading.labels.empty()) return Error{.file = file, .what = "there are no labels"};
   return std::move(reading.labels);
 }
 

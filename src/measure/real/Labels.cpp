@@ -26,7 +26,7 @@ Result<std::vector<BallLabel>> readLabels(const std::string& file) {
   std::string text;
   for (int line = 1; std::getline(stream, text); ++line) {
     if (line == 1 && text != ballHeading)
-      return Error{file, line, "", std::string{ballHeading} + " was expected"};
+      return Error{.file = file, .line = line, .what = std::string{ballHeading} + " was expected"};
     if (line == 1 || text.empty()) continue;
     std::istringstream row(text);
     std::array<std::string, 6> cells;
@@ -36,16 +36,21 @@ Result<std::vector<BallLabel>> readLabels(const std::string& file) {
     constexpr std::array<const char*, 5> names{"picture", "time", "x", "y", "r"};
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (!number(cells[columns[i]], values[i]))
-        return Error{file, line, names[i], "a number was expected"};
+        return Error{
+            .file = file, .line = line, .field = names[i], .what = "a number was expected"};
     const auto view = enumValue<BallView>(cells[2]);
-    if (!view) return Error{file, line, "class", "whole, partial or none was expected"};
+    if (!view)
+      return Error{.file = file,
+                   .line = line,
+                   .field = "class",
+                   .what = "whole, partial or none was expected"};
     labels.push_back({static_cast<int>(values[0]),
                       static_cast<std::int64_t>(values[1]),
                       *view,
                       {values[2], values[3]},
                       values[4]});
   }
-  if (labels.empty()) return Error{file, 0, "", "there are no labels"};
+  if (labels.empty()) return Error{.file = file, .what = "there are no labels"};
   return labels;
 }
 

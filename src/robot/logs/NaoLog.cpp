@@ -191,7 +191,9 @@ class Parser {
 
 Result<void> NaoLog::decode(const NaoImage& picture, Image& image) const {
   const auto wrong = [&](std::string what) {
-    return Error{file_, 0, "byte " + std::to_string(picture.jpegOffset), std::move(what)};
+    return Error{.file = file_,
+                 .field = "byte " + std::to_string(picture.jpegOffset),
+                 .what = std::move(what)};
   };
   const std::string_view jpeg =
       std::string_view{bytes_}.substr(picture.jpegOffset, picture.jpegSize);

@@ -120,7 +120,7 @@ void append(std::vector<std::byte>& bytes, double value) {
 
 Result<GameControllerMessage> parseGameController(std::span<const std::byte> bytes) {
   const auto wrong = [](std::string field, std::string what) {
-    return Error{"game controller", 0, std::move(field), std::move(what)};
+    return Error{.file = "game controller", .field = std::move(field), .what = std::move(what)};
   };
   if (bytes.size() < 8 || std::memcmp(bytes.data(), "RGme", 4) != 0)
     return wrong("header", "is not RGme");

@@ -42,8 +42,8 @@ Result<std::vector<double>> numbersOf(const std::string& text) {
   for (std::string word; words >> word;) {
     double number = 0;
     if (!setScalar(valueOf(number), word, {-farthest, farthest}))
-      return Error{"", 0, "",
-                   "expected numbers up to " + textOf({farthest}) + ", found \"" + text + "\""};
+      return Error{.what =
+                       "expected numbers up to " + textOf({farthest}) + ", found \"" + text + "\""};
     numbers.push_back(number);
   }
   return numbers;
@@ -78,16 +78,16 @@ std::vector<SceneTree::Object> SceneTree::list(std::string_view path) const {
 
 Result<std::string> SceneTree::get(const std::string& path) const {
   const auto node = nodes_.find(path);
-  if (node == nodes_.end()) return Error{"", 0, path, "there is no such object"};
+  if (node == nodes_.end()) return Error{.field = path, .what = "there is no such object"};
   return node->second.get();
 }
 
 Result<void> SceneTree::set(const std::string& path, const std::string& value) {
   const auto node = nodes_.find(path);
-  if (node == nodes_.end()) return Error{"", 0, path, "there is no such object"};
-  if (!node->second.set) return Error{"", 0, path, "can only be watched"};
+  if (node == nodes_.end()) return Error{.field = path, .what = "there is no such object"};
+  if (!node->second.set) return Error{.field = path, .what = "can only be watched"};
   if (const auto done = node->second.set(value); !done)
-    return Error{"", 0, path, done.error().what};
+    return Error{.field = path, .what = done.error().what};
   return {};
 }
 
@@ -103,10 +103,9 @@ void SceneTree::addNumbers(const std::string& path, std::string_view help,
     const auto numbers = numbersOf(text);
     if (!numbers) return numbers.error();
     if (numbers->size() < least || numbers->size() > most)
-      return Error{"", 0, "",
-                   "expected " + std::to_string(least) +
-                       (most > least ? " to " + std::to_string(most) : "") + " numbers, found " +
-                       std::to_string(numbers->size())};
+      return Error{.what = "expected " + std::to_string(least) +
+                           (most > least ? " to " + std::to_string(most) : "") +
+                           " numbers, found " + std::to_string(numbers->size())};
     set(*numbers);
     return {};
   });

@@ -85,9 +85,9 @@ class XmlScan {
 Result<XmlDocument> readXml(const std::string& path, const std::string& root) {
   std::error_code code;
   if (!std::filesystem::is_regular_file(path, code))
-    return Error{
-        path, 0, "",
-        std::filesystem::is_directory(path, code) ? "is a folder" : "there is no such file"};
+    return Error{.file = path,
+                 .what = std::filesystem::is_directory(path, code) ? "is a folder"
+                                                                   : "there is no such file"};
   const std::unique_ptr<xmlParserCtxt, ContextDeleter> context{xmlNewParserCtxt()};
   context->sax->serror = [](void*, xmlError*) {};
   XmlDocument document{
@@ -100,8 +100,10 @@ Result<XmlDocument> readXml(const std::string& path, const std::string& root) {
   }
   const xmlNode* node = xmlDocGetRootElement(document.get());
   if (!node || nameOf(node) != root)
-    return Error{path, node ? lineOf(node) : 0, node ? nameOf(node) : "",
-                 "expected the root element <" + root + ">"};
+    return Error{.file = path,
+                 .line = node ? lineOf(node) : 0,
+                 .field = node ? nameOf(node) : "",
+                 .what = "expected the root element <" + root + ">"};
   return document;
 }
 

@@ -72,11 +72,12 @@ Result<std::vector<CeilingCameraPercept>> readCeilingLog(const std::string& path
   for (const McapChannel& c : reader->channels())
     if (c.topic == ceilingTopic) {
       auto parsed = MessageDefinition::parse(c.schemaName, c.schemaText);
-      if (!parsed) return Error{path, 0, c.topic, parsed.error().what};
+      if (!parsed) return Error{.file = path, .field = c.topic, .what = parsed.error().what};
       definition = *std::move(parsed);
       channel = c.id;
     }
-  if (!definition) return Error{path, 0, ceilingTopic, "there is no such topic"};
+  if (!definition)
+    return Error{.file = path, .field = ceilingTopic, .what = "there is no such topic"};
   std::vector<CeilingCameraPercept> percepts;
   for (;;) {
     auto message = reader->next();
@@ -85,7 +86,7 @@ Result<std::vector<CeilingCameraPercept>> readCeilingLog(const std::string& path
     if ((*message)->channel != channel) continue;
     CeilingCameraPercept percept;
     if (auto done = readRecorded(*definition, (*message)->data, percept); !done)
-      return Error{path, 0, ceilingTopic, done.error().what};
+      return Error{.file = path, .field = ceilingTopic, .what = done.error().what};
     percepts.push_back(std::move(percept));
   }
 }

@@ -213,11 +213,13 @@ std::string_view describe(FieldSensorKind kind) {
 Result<void> checkFieldSensors(const mjModel& model, const std::string& file) {
   for (int id = 0; id < model.nsensor; ++id) {
     if (sensorOf(model, id)) continue;
-    return Error{file, 0, sensorName(model, id),
-                 model.sensor_type[id] == mjSENS_USER
-                     ? "expected a site, and a <numeric> with the name of a kind and this one's: "
-                       "ultrasonic/, whiskerField/, receptor/ or facette/"
-                     : "is of a kind that the simulator does not know"};
+    return Error{
+        .file = file,
+        .field = sensorName(model, id),
+        .what = model.sensor_type[id] == mjSENS_USER
+                    ? "expected a site, and a <numeric> with the name of a kind and this one's: "
+                      "ultrasonic/, whiskerField/, receptor/ or facette/"
+                    : "is of a kind that the simulator does not know"};
   }
   return {};
 }

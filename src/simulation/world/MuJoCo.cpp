@@ -44,7 +44,7 @@ Result<Model> compileModel(const std::string& mjcf, const std::string& file) {
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   if (mj_makeEmptyFileVFS(files.get(), "scene.xml", static_cast<int>(mjcf.size())) != 0)
-    return Error{file, 0, "", "the model is too large"};
+    return Error{.file = file, .what = "the model is too large"};
   std::memcpy(files->filedata[mj_findFileVFS(files.get(), "scene.xml")], mjcf.data(), mjcf.size());
   ErrorTrap guard;
   Model model{compileGuarded(files.get(), guard)};
@@ -54,8 +54,9 @@ Result<Model> compileModel(const std::string& mjcf, const std::string& file) {
   for (char& c : what)
     if (c == '\n') c = ' ';
   const auto line = what.find("line ");
-  return Error{file, line == what.npos ? 0 : std::atoi(what.c_str() + line + 5), "",
-               "MuJoCo: " + what};
+  return Error{.file = file,
+               .line = line == what.npos ? 0 : std::atoi(what.c_str() + line + 5),
+               .what = "MuJoCo: " + what};
 }
 
 std::string nameOf(const mjModel& model, mjtObj type, int id) {

@@ -107,7 +107,8 @@ Result<RobotParts> findRobotParts(const mjModel& model, const std::string& robot
   for (int geom = parts.firstGeom; geom < parts.lastGeom; ++geom)
     parts.reach = std::max(parts.reach, 1000 * reachFromRoot(model, geom));
   if (!find.missing().empty())
-    return Error{file, 0, robot, "the robot's model has no " + find.missing()};
+    return Error{
+        .file = file, .field = robot, .what = "the robot's model has no " + find.missing()};
   return parts;
 }
 
@@ -119,9 +120,9 @@ Result<BallParts> findBallParts(const mjModel& model, std::size_t index, const s
   parts.poseAddress = find.joint("pose", mjJNT_FREE);
   parts.geom = find(mjOBJ_GEOM, "ball");
   if (!find.missing().empty())
-    return Error{file, 0, name, "the ball's model has no " + find.missing()};
+    return Error{.file = file, .field = name, .what = "the ball's model has no " + find.missing()};
   if (model.geom_type[parts.geom] != mjGEOM_SPHERE)
-    return Error{file, 0, name, "the ball's geom is no sphere"};
+    return Error{.file = file, .field = name, .what = "the ball's geom is no sphere"};
   parts.radius = 1000 * model.geom_size[3 * parts.geom];
   return parts;
 }

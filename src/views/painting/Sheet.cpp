@@ -126,7 +126,7 @@ Result<void> Sheet::write(const std::string& file) const {
   std::filesystem::create_directories(path.parent_path(), ignored);
   if (path.extension() == ".png") return writePng(file, width_, height_, pixels().pixels);
   if (path.extension() == ".svg") return writeFile(file, svg());
-  return Error{file, 0, "", "an image's file ends in .png or .svg"};
+  return Error{.file = file, .what = "an image's file ends in .png or .svg"};
 }
 
 Sheet pictureSheet(RgbImage picture, int scale) {

@@ -75,7 +75,9 @@ Result<MotionNet> motionNetOf(const motionnet::Net& net, const std::string& sour
   result.motions[motionnet::Net::externMotion].name.clear();
   for (const auto name : needed)
     if (result.find(name) < 0)
-      return Error{source, 0, std::string{name}, "no motion description for this special action"};
+      return Error{.file = source,
+                   .field = std::string{name},
+                   .what = "no motion description for this special action"};
   for (const auto& from : net.nodes) {
     place.push_back(static_cast<int>(result.nodes.size()));
     if (from.kind != motionnet::Node::Kind::pid) result.nodes.push_back(nodeOf(from));
@@ -92,7 +94,7 @@ Result<MotionNet> loadMotionNet(const std::string& folder) {
   const auto compilation = motionnet::compileFolder(folder, motionRules());
   if (compilation) return motionNetOf(compilation.net, folder);
   const auto& first = compilation.errors.front();
-  return Error{first.file, first.line, first.field, first.message};
+  return Error{.file = first.file, .line = first.line, .field = first.field, .what = first.message};
 }
 
 }  // namespace gt
