@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "Parts.h"
-#include "modules/modeling/selflocator/Fusion2003SelfLocator.h"
 #include "modules/modeling/selflocator/FusionSelfLocator.h"
 #include "modules/modeling/selflocator/KalmanSelfLocator.h"
 #include "modules/modeling/selflocator/LinesSelfLocator.h"
@@ -85,7 +84,7 @@ bool addAll() {
     const std::string number = "." + std::to_string(particles);
     FusionSelfLocator::Parameters fusion;
     Fusion2003SelfLocator::Parameters fusion2003;
-    fusion.monteCarlo.particles = fusion2003.gt2003.particles = particles;
+    fusion.localization.particles = fusion2003.localization.particles = particles;
     add<MonteCarloSelfLocator>("montecarlo" + number, {.particles = particles},
                                particles == 100 ? 4 : 0);
     add<FusionSelfLocator>("fusion" + number, fusion);

@@ -6,7 +6,6 @@
 #include "modules/modeling/obstacles/DefaultObstaclesLocator.h"
 #include "modules/modeling/players/GO2003PlayersLocator.h"
 #include "modules/modeling/robotstate/DefaultRobotStateDetector.h"
-#include "modules/modeling/selflocator/Fusion2003SelfLocator.h"
 #include "modules/modeling/selflocator/FusionSelfLocator.h"
 #include "modules/modeling/selflocator/GT2003SelfLocator.h"
 #include "modules/modeling/selflocator/KalmanSelfLocator.h"

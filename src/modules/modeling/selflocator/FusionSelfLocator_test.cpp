@@ -30,7 +30,7 @@ double errorWith(const FusionSelfLocator::Parameters& parameters) {
 
 TEST(FusionSelfLocator, KeepsFewParticlesWhereTheSingleLandmarkSelfLocatorIs) {
   FusionSelfLocator::Parameters few;
-  few.monteCarlo.particles = 6;
+  few.localization.particles = 6;
   FusionSelfLocator::Parameters alone = few;
   alone.singleLandmark.progressiveness = 0;  // never valid
   EXPECT_LT(errorWith(few), 0.9 * errorWith(alone));
@@ -39,7 +39,7 @@ TEST(FusionSelfLocator, KeepsFewParticlesWhereTheSingleLandmarkSelfLocatorIs) {
 /// A single particle is where the candidates are put.
 TEST(FusionSelfLocator, IsMoreExactThanTheSingleLandmarkSelfLocator) {
   FusionSelfLocator::Parameters frozen;
-  frozen.monteCarlo.particles = 1;
+  frozen.localization.particles = 1;
   const double error = errorWith({});
   EXPECT_LT(error, 100);
   EXPECT_LT(error, 0.8 * errorWith(frozen));

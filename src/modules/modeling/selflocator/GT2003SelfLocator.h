@@ -27,6 +27,8 @@ class GT2003SelfLocator {
     }
   };
   Parameters parameters;
+  static constexpr std::initializer_list<Likelihood> kinds{Likelihood::landmarks, Likelihood::lines,
+                                                           Likelihood::border, Likelihood::goals};
 
   /// Provides the pose. Without a new percept it follows the odometry; see ParticleLocalization.
   void update(const LandmarksPercept& landmarks, const LinesPercept& lines,
@@ -40,8 +42,7 @@ class GT2003SelfLocator {
   const ParticleSet& particles() const { return localization_.particles(); }
 
  private:
-  ParticleLocalization localization_{Likelihood::landmarks, Likelihood::lines, Likelihood::border,
-                                     Likelihood::goals};
+  ParticleLocalization localization_{kinds};
 };
 
 }  // namespace gt

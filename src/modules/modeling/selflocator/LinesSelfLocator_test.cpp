@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "modules/modeling/selflocator/Fusion2003SelfLocator.h"
+#include "modules/modeling/selflocator/FusionSelfLocator.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
 #include "modules/modeling/testing/Locators.h"
 #include "support/TestAllocations.h"

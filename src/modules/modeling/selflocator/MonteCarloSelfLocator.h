@@ -29,6 +29,7 @@ class MonteCarloSelfLocator {
     }
   };
   Parameters parameters;
+  static constexpr std::initializer_list<Likelihood> kinds{Likelihood::landmarks};
 
   /// Provides the pose. Without a new percept it follows the odometry; see ParticleLocalization.
   void update(const LandmarksPercept& landmarks, const OdometryData& odometry,
@@ -41,7 +42,7 @@ class MonteCarloSelfLocator {
   const ParticleSet& particles() const { return localization_.particles(); }
 
  private:
-  ParticleLocalization localization_{Likelihood::landmarks};
+  ParticleLocalization localization_{kinds};
 };
 
 }  // namespace gt

@@ -1,6 +1,5 @@
 #include "modules/modeling/testing/Locators.h"
 
-#include "modules/modeling/selflocator/Fusion2003SelfLocator.h"
 #include "modules/modeling/selflocator/FusionSelfLocator.h"
 #include "modules/modeling/selflocator/KalmanSelfLocator.h"
 #include "modules/modeling/selflocator/LinesSelfLocator.h"
