@@ -9,6 +9,7 @@
 #include "colors/ColorTableFile.h"
 #include "measure/worlds/GameViews.h"
 #include "modules/perception/processors/GT2003ImageProcessor.h"
+#include "modules/perception/testing/FoundPercepts.h"
 
 namespace gt {
 namespace {
@@ -38,20 +39,15 @@ std::unique_ptr<const ColorTable64> readColors() {
 void imageProcessor(benchmark::State& state) {
   GT2003ImageProcessor processor;
   const FieldDimensions field;
-  BallPercept ball;
-  LandmarksPercept landmarks;
-  LinesPercept lines;
-  PlayersPercept players;
-  ObstaclesPercept obstacles;
+  FoundPercepts found;
   Debug debug;
   const std::vector<GameImage>& pictures = gameImages();  // taken before time is measured
   const ColorTable64& colors = gameColors();
   std::size_t i = 0;
   for ([[maybe_unused]] auto _ : state) {
     const GameImage& picture = pictures[i++ % pictures.size()];
-    processor.update(picture.image, picture.camera, colors, field, ball, landmarks, lines, players,
-                     obstacles, debug);
-    benchmark::DoNotOptimize(&ball);
+    processor.update(picture.image, picture.camera, colors, field, found, debug);
+    benchmark::DoNotOptimize(&found);
   }
 }
 

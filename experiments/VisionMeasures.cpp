@@ -52,7 +52,7 @@ double VisionMeasures::distance(const Vector2d& place) const {
   return (place - truth_.camera().pose.translation.head<2>()).norm();
 }
 
-void VisionMeasures::comparePercepts(const VisionPercepts& percepts, const CameraMatrix& measured,
+void VisionMeasures::comparePercepts(const FoundPercepts& percepts, const CameraMatrix& measured,
                                      Tally& tally) {
   compareBall(percepts.ball, tally);
   compareFlags(percepts.landmarks, tally);

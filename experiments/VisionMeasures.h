@@ -2,23 +2,10 @@
 #include "VisionTruth.h"
 #include "measure/Tally.h"
 #include "modules/modeling/selflocator/FieldEdges.h"
-#include "representations/perception/BallPercept.h"
+#include "modules/perception/testing/FoundPercepts.h"
 #include "representations/perception/BodyPercept.h"
-#include "representations/perception/LinesPercept.h"
-#include "representations/perception/ObstaclesPercept.h"
-#include "representations/perception/PlayersPercept.h"
-#include "representations/perception/PsdPercept.h"
 
 namespace gt {
-
-/// All that was found in one image.
-struct VisionPercepts {
-  BallPercept ball;
-  LandmarksPercept landmarks;
-  LinesPercept lines;
-  PlayersPercept players;
-  ObstaclesPercept obstacles;
-};
 
 /// Compares percepts with the truth, image by image. Rates are named after what has to be true
 /// (`ball.found`), false ones `false`; all are told for each band of distances, too.
@@ -27,7 +14,7 @@ class VisionMeasures {
   explicit VisionMeasures(const VisionTruth& truth) : truth_(truth) {}
 
   /// Edge points are looked up in the image by the camera matrix that they were made with.
-  void comparePercepts(const VisionPercepts& percepts, const CameraMatrix& measured, Tally& tally);
+  void comparePercepts(const FoundPercepts& percepts, const CameraMatrix& measured, Tally& tally);
   void compareSensors(const RobotBody& body, const CameraMatrix& matrix, const BodyPercept& percept,
                       Tally& tally) const;
 

@@ -27,7 +27,7 @@ struct Found {
 };
 using PlayTally = std::array<Found, phases.size()>;
 
-VisionPercepts perceptsOf(const Robot& robot) {
+FoundPercepts perceptsOf(const Robot& robot) {
   return {*robot.provided<BallPercept>(), *robot.provided<LandmarksPercept>(),
           *robot.provided<LinesPercept>(), *robot.provided<PlayersPercept>(),
           *robot.provided<ObstaclesPercept>()};
@@ -61,8 +61,7 @@ class Spectator {
     view_.camera = trueMatrix(camera, simulation.world().robot(index).pose);
     truth_.look(view_);
     measures_.comparePercepts(perceptsOf(robot), matrix, found.hand);
-    processor_.update(view_.image, matrix, FieldDimensions{}, percepts_.ball, percepts_.landmarks,
-                      percepts_.lines, percepts_.players, percepts_.obstacles, debug_);
+    processor_.update(view_.image, matrix, FieldDimensions{}, percepts_, debug_);
     measures_.comparePercepts(percepts_, matrix, found.adaptive);
   }
 
@@ -76,7 +75,7 @@ class Spectator {
   Random random_;
   GameView view_;
   GridImageProcessor2 processor_;
-  VisionPercepts percepts_;
+  FoundPercepts percepts_;
   Debug debug_{1024};
 };
 

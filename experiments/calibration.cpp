@@ -6,6 +6,7 @@
 #include "Experiments.h"
 #include "modules/perception/calibration/CheckerboardDetector.h"
 #include "modules/perception/processors/DefaultSensorDataProcessor.h"
+#include "modules/perception/testing/FoundPercepts.h"
 #include "simulation/Simulation.h"
 
 namespace gt {
@@ -35,8 +36,8 @@ class Watcher : public RobotController {
     sensorDataProcessor_.update({input.now}, input.sensors, image, RobotDimensions{},
                                 RobotCalibration{}, MotionInfo{}, OdometryData{}, matrix_, body_,
                                 psd_);
-    detector_.update(image, matrix_, input.sensors, RobotDimensions{}, RobotCalibration{}, ball_,
-                     landmarks_, lines_, players_, obstacles_, debug_);
+    detector_.update(image, matrix_, input.sensors, RobotDimensions{}, RobotCalibration{},
+                     percepts_, debug_);
     found_ += detector_.corners().empty() ? 0 : 1;
     ++pictures_;
   }
@@ -53,11 +54,7 @@ class Watcher : public RobotController {
   CameraMatrix matrix_;
   BodyPercept body_;
   PsdPercept psd_;
-  BallPercept ball_;
-  LandmarksPercept landmarks_;
-  LinesPercept lines_;
-  PlayersPercept players_;
-  ObstaclesPercept obstacles_;
+  FoundPercepts percepts_;
   Debug debug_{1 << 16};
   int found_ = 0, pictures_ = 0;
 };

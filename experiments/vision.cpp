@@ -24,7 +24,7 @@ struct KnownColors {
 };
 
 /// A solution of the task ImageProcessor, at work.
-using Processor = std::function<void(const Image&, const CameraMatrix&, VisionPercepts&)>;
+using Processor = std::function<void(const Image&, const CameraMatrix&, FoundPercepts&)>;
 using MakeProcessor = Processor (*)(const KnownColors&);
 
 template <typename Solution, typename... Colors>
@@ -35,10 +35,10 @@ Processor processor(const Colors&... colors) {
     Debug debug{1024};
   };
   return [state = std::make_shared<State>(), &colors...](
-             const Image& image, const CameraMatrix& matrix, VisionPercepts& p) {
+             const Image& image, const CameraMatrix& matrix, FoundPercepts& p) {
     const auto update = [&](auto&... chance) {
-      state->solution.update(image, matrix, colors..., FieldDimensions{}, p.ball, p.landmarks,
-                             p.lines, p.players, p.obstacles, chance..., state->debug);
+      state->solution.update(image, matrix, colors..., FieldDimensions{}, p, chance...,
+                             state->debug);
     };
     if constexpr (std::is_same_v<Solution, GridImageProcessor3>)
       update(state->random);
@@ -58,7 +58,7 @@ Processor withLearned(const KnownColors& colors) {
 /// Takes a lens for one that bends nothing.
 Processor ignoringLens(const KnownColors& colors) {
   return [see = gt2003(colors), picture = Image{}](const Image& image, const CameraMatrix& matrix,
-                                                   VisionPercepts& p) mutable {
+                                                   FoundPercepts& p) mutable {
     picture = image;
     CameraMatrix straight = matrix;
     picture.info.distortion2 = straight.info.distortion2 = 0;
@@ -196,7 +196,7 @@ struct Eyes {
   CameraMatrix matrix;
   BodyPercept body;
   PsdPercept psd;
-  VisionPercepts percepts;
+  FoundPercepts percepts;
 
   void look(const GameView& view, bool trueCamera) {
     // Twice, to know how the robot walks.

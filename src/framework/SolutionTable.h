@@ -17,6 +17,19 @@ constexpr bool isOutput =
     std::is_lvalue_reference_v<A> && !std::is_const_v<std::remove_reference_t<A>> &&
     !std::is_same_v<A, Debug&> && !std::is_same_v<A, Random&>;
 
+/// The parameters of update() with the parts of a bundle in its place.
+template <typename A>
+struct PartsOf {
+  using Type = std::tuple<A>;
+};
+template <Bundle A>
+struct PartsOf<A> {
+  using Type = typename A::Parts;
+};
+template <typename... A>
+auto flattened(std::type_identity<std::tuple<A...>>)
+    -> std::type_identity<decltype(std::tuple_cat(std::declval<typename PartsOf<A>::Type>()...))>;
+
 /// Do not compile for a solution whose outputs are not its task's; the compiler's next lines name
 /// the solution and the output.
 template <typename Solution, typename Output, bool provided>
@@ -73,9 +86,9 @@ class SolutionTable {
 
   template <typename T, typename M>
   void add(std::string solution) {
-    static_assert(
-        detail::checkOutputs<M>(std::type_identity<typename detail::Ports<M>::Arguments>{},
-                                std::type_identity<typename T::Outputs>{}));
+    using Arguments =
+        decltype(detail::flattened(std::type_identity<typename detail::Ports<M>::Arguments>{}));
+    static_assert(detail::checkOutputs<M>(Arguments{}, std::type_identity<typename T::Outputs>{}));
     addTask<T>().solutions.push_back(
         {std::move(solution), ModuleAdapter<M>::ports(), [](ModuleContext context) {
            return std::make_unique<ModuleAdapter<M>>(std::move(context));

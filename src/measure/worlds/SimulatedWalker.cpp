@@ -47,8 +47,8 @@ class SimulatedWalker::Body : public RobotController {
   void look(const RobotInput& input) {
     sensorDataProcessor_.update({input.now}, input.sensors, *input.image, RobotDimensions{},
                                 RobotCalibration{}, motion_, odometry, matrix, body_, psd_);
-    imageProcessor_.update(*input.image, matrix, colors_, FieldDimensions{}, ball_, landmarks,
-                           lines, players_, obstacles_, debug_);
+    imageProcessor_.update(*input.image, matrix, colors_, FieldDimensions{},
+                           {ball_, landmarks, lines, players_, obstacles_}, debug_);
   }
   /// From left to right and back.
   static void setHead(Time now, JointAngles& angles) {

@@ -23,16 +23,30 @@ struct ImageProcessor {
       std::tuple<BallPercept, LandmarksPercept, LinesPercept, PlayersPercept, ObstaclesPercept>;
 };
 
-/// Makes the percepts those of an image, taken at a time, in which there is nothing.
-inline void findNothing(Time time, BallPercept& ball, LandmarksPercept& landmarks,
-                        LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles) {
-  ball = {};
-  landmarks.numberOfFlags = landmarks.numberOfGoals = 0;
-  for (auto& points : lines.points) points.clear();
-  for (auto& places : players.players) places.clear();
-  obstacles.lines.clear();
-  ball.time = landmarks.time = lines.time = players.time = obstacles.time = time;
-}
+/// All that a solution of ImageProcessor provides, as one parameter of its update().
+struct Percepts {
+  BallPercept& ball;
+  LandmarksPercept& landmarks;
+  LinesPercept& lines;
+  PlayersPercept& players;
+  ObstaclesPercept& obstacles;
+
+  using Parts = std::tuple<BallPercept&, LandmarksPercept&, LinesPercept&, PlayersPercept&,
+                           ObstaclesPercept&>;
+
+  /// Makes them those of an image, taken at a time, in which there is nothing.
+  void clear(Time time) const {
+    ball = {};
+    landmarks.numberOfFlags = landmarks.numberOfGoals = 0;
+    for (auto& points : lines.points) points.clear();
+    for (auto& places : players.players) places.clear();
+    obstacles.lines.clear();
+    setTime(time);
+  }
+  void setTime(Time time) const {
+    ball.time = landmarks.time = lines.time = players.time = obstacles.time = time;
+  }
+};
 
 using PerceptionTasks = std::tuple<SensorDataProcessor, ImageProcessor>;
 

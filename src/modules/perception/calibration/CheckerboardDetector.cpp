@@ -29,11 +29,9 @@ std::string describe(const CameraCalibration& c) {
 
 void CheckerboardDetector::update(const Image& image, const CameraMatrix& matrix,
                                   const SensorDataBuffer& sensors, const RobotDimensions& robot,
-                                  const RobotCalibration& calibration, BallPercept& ball,
-                                  LandmarksPercept& landmarks, LinesPercept& lines,
-                                  PlayersPercept& players, ObstaclesPercept& obstacles,
+                                  const RobotCalibration& calibration, Percepts percepts,
                                   Debug& debug) {
-  findNothing(image.time, ball, landmarks, lines, players, obstacles);
+  percepts.clear(image.time);
   if (!isSame(parameters.board, known_)) {
     known_ = parameters.board;
     calibrator_ = CameraCalibrator{known_};

@@ -27,9 +27,8 @@ class CheckerboardDetector {
   /// Provides the percepts of an image that shows nothing. Images with an invalid camera matrix,
   /// and those that the head took while it turned, do not count.
   void update(const Image& image, const CameraMatrix& matrix, const SensorDataBuffer& sensors,
-              const RobotDimensions& robot, const RobotCalibration& calibration, BallPercept& ball,
-              LandmarksPercept& landmarks, LinesPercept& lines, PlayersPercept& players,
-              ObstaclesPercept& obstacles, Debug& debug);
+              const RobotDimensions& robot, const RobotCalibration& calibration, Percepts percepts,
+              Debug& debug);
 
   /// The last calibration; its images are 0 if there was none yet.
   const CameraCalibration& calibration() const { return result_; }

@@ -17,15 +17,14 @@ class CheckerboardDetectorTest : public testing::Test {
     scene.draw([&](const Vector3d& ray) { return drawn_.colorAt(ray, 600); }, 1, 1, random_);
     found_.lines.points[EdgeType::line] = {{1, 2}};
     found_.ball.seen = true;
-    detector_.update(scene.image, scene.matrix, sensors_, robot_, {}, found_.ball, found_.landmarks,
-                     found_.lines, found_.players, found_.obstacles, found_.debug);
+    detector_.update(scene.image, scene.matrix, sensors_, robot_, {}, found_, found_.debug);
   }
 
   const DrawnCheckerboard drawn_;
   const SensorDataBuffer sensors_;
   const RobotDimensions robot_;
   CheckerboardDetector detector_;
-  Percepts found_;
+  DrawnPercepts found_;
   Random random_{4};
 };
 

@@ -9,6 +9,7 @@
 #include "modules/perception/processors/GridImageProcessor2.h"
 #include "modules/perception/processors/GridImageProcessor3.h"
 #include "modules/perception/processors/LinesImageProcessor.h"
+#include "modules/perception/testing/FoundPercepts.h"
 #include "support/TestAllocations.h"
 
 namespace gt {
@@ -37,8 +38,7 @@ class ColorfulImages : public testing::Test {
       draw(seed);
       std::apply(
           [&](const auto&... c) {
-            processor.update(image_, matrix_, c..., FieldDimensions{}, ball_, landmarks_, lines_,
-                             players_, obstacles_, rest..., debug_);
+            processor.update(image_, matrix_, c..., FieldDimensions{}, found_, rest..., debug_);
           },
           colors);
     };
@@ -68,11 +68,7 @@ class ColorfulImages : public testing::Test {
   std::vector<Pixel> patches_ = std::vector<Pixel>(16);
   Image image_;
   CameraMatrix matrix_;
-  BallPercept ball_;
-  LandmarksPercept landmarks_;
-  LinesPercept lines_;
-  PlayersPercept players_;
-  ObstaclesPercept obstacles_;
+  FoundPercepts found_;
   Debug debug_;
 };
 

@@ -36,8 +36,7 @@ GridSpacing GT2003ImageProcessor::spacing(const CameraMatrix& matrix,
 
 void GT2003ImageProcessor::look(const Image& image, const CameraMatrix& matrix,
                                 const ColorTable64& colors, const FieldDimensions& field,
-                                const Percepts& percepts, Debug& debug, const FindBall& findBall) {
-  auto& [ball, landmarks, lines, players, obstacles] = percepts;
+                                const Percepts& found, Debug& debug, const FindBall& findBall) {
   fetch(image);
   const Horizon horizon = horizonOf(matrix);
   paths_.clear();
@@ -54,17 +53,17 @@ void GT2003ImageProcessor::look(const Image& image, const CameraMatrix& matrix,
   for (const GoalIndication& goal : scanner_.goals) edgeScanner_.addGoal(picture, goal);
 
   findBall(picture, scanner_.balls);
-  landmarks.cameraOffset = matrix.pose.translation;
-  flagSpecialist_.find(picture, scanner_.flags, field, landmarks);
-  goalSpecialist_.find(picture, scanner_.goals, field, landmarks);
-  edgeScanner_.finish(lines);
-  playerSpecialist_.find(picture, scanner_.players, players);
-  findFreeGround(picture, obstacles);
-  ball.time = landmarks.time = lines.time = players.time = obstacles.time = image.time;
+  found.landmarks.cameraOffset = matrix.pose.translation;
+  flagSpecialist_.find(picture, scanner_.flags, field, found.landmarks);
+  goalSpecialist_.find(picture, scanner_.goals, field, found.landmarks);
+  edgeScanner_.finish(found.lines);
+  playerSpecialist_.find(picture, scanner_.players, found.players);
+  findFreeGround(picture, found.obstacles);
+  found.setTime(image.time);
   drawScan(picture, debug);
   drawSpecialists(debug);
-  drawPercepts(picture, percepts, debug);
-  drawGround(percepts, debug);
+  drawPercepts(picture, found, debug);
+  drawGround(found, debug);
 }
 
 void GT2003ImageProcessor::findFreeGround(const CameraImage& picture,

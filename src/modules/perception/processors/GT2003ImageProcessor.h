@@ -33,30 +33,19 @@ class GT2003ImageProcessor {
   /// Provides all percepts of an image. Without a valid camera matrix they are as good as that is;
   /// only the ball's place is judged by its size then. An image without pixels shows nothing.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
-              const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
-              LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,
-              Debug& debug) {
+              const FieldDimensions& field, Percepts found, Debug& debug) {
     const auto findBall = [&](const CameraImage& picture, std::span<const BallSegment> segments) {
-      ballSpecialist_.find(picture, segments, field.ballRadius, ball);
+      ballSpecialist_.find(picture, segments, field.ballRadius, found.ball);
     };
-    look(image, matrix, colors, field, {ball, landmarks, lines, players, obstacles}, debug,
-         std::cref(findBall));
+    look(image, matrix, colors, field, found, debug, std::cref(findBall));
   }
 
-  /// What an image processor provides.
-  struct Percepts {
-    BallPercept& ball;
-    LandmarksPercept& landmarks;
-    LinesPercept& lines;
-    PlayersPercept& players;
-    ObstaclesPercept& obstacles;
-  };
   /// Passed as std::cref, so that nothing is allocated.
   using FindBall = std::function<void(const CameraImage&, std::span<const BallSegment>)>;
 
   /// The same with another ball's specialist.
   void look(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
-            const FieldDimensions& field, const Percepts& percepts, Debug& debug,
+            const FieldDimensions& field, const Percepts& found, Debug& debug,
             const FindBall& findBall);
 
  private:

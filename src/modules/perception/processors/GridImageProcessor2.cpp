@@ -21,20 +21,16 @@ Vector2d within(const CameraImage& picture, const ConditionalBoundary& b, double
 }  // namespace
 
 void GridImageProcessor2::update(const Image& image, const CameraMatrix& matrix,
-                                 const FieldDimensions& field, BallPercept& ball,
-                                 LandmarksPercept& landmarks, LinesPercept& lines,
-                                 PlayersPercept& players, ObstaclesPercept& obstacles,
-                                 Debug& debug) {
+                                 const FieldDimensions& field, Percepts found, Debug& debug) {
   const Horizon horizon = horizonOf(matrix);
   colors_.observe(image, horizon);
-  vision_.update(image, matrix, colors_.table(), field, ball, landmarks, lines, players, obstacles,
-                 debug);
+  vision_.update(image, matrix, colors_.table(), field, found, debug);
   learned_.clear();
   watched_ = debug.isActive(drawLearned);
   const CameraImage picture{image, colors_.table(), matrix, horizon};
-  learn(picture, ball);
-  learn(picture, landmarks);
-  learn(picture, players);
+  learn(picture, found.ball);
+  learn(picture, found.landmarks);
+  learn(picture, found.players);
   draw(image, debug);
   colors_.refresh();
 }

@@ -11,8 +11,7 @@ class GridImageProcessor2 {
   /// Provides what GT2003 provides, with the same limits; nothing until it knows the carpet's
   /// green.
   void update(const Image& image, const CameraMatrix& matrix, const FieldDimensions& field,
-              BallPercept& ball, LandmarksPercept& landmarks, LinesPercept& lines,
-              PlayersPercept& players, ObstaclesPercept& obstacles, Debug& debug);
+              Percepts found, Debug& debug);
 
   const ColorAdaptation& colors() const { return colors_; }
 

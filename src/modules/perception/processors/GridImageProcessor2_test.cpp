@@ -12,7 +12,7 @@ TEST(GridImageProcessor2, FindsLinesInAnyLightOnceItKnowsTheCarpet) {
   const FieldDimensions field;
   for (const double light : {1.0, 0.6}) {
     GridImageProcessor2 processor;
-    Percepts found;
+    DrawnPercepts found;
     DrawnField scene;
     scene.draw(fieldAt, light, 2, random);
     found.lookWith(processor, scene.image, scene.matrix, field);
@@ -27,7 +27,7 @@ TEST(GridImageProcessor2, DrawsWhatItLearnsOnlyIfSomebodyWatches) {
   Random random{2};
   const FieldDimensions field;
   GridImageProcessor2 processor;
-  Percepts found;
+  DrawnPercepts found;
   DrawnField scene;
   const Vector3d ball{500, 0, field.ballRadius}, orange{129, 59, 214};
   scene.draw(

@@ -10,9 +10,7 @@ class GridImageProcessor3 {
  public:
   /// Provides what GT2003 provides, with the same limits.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
-              const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
-              LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,
-              Random& random, Debug& debug);
+              const FieldDimensions& field, Percepts found, Random& random, Debug& debug);
 
  private:
   GT2003ImageProcessor vision_;

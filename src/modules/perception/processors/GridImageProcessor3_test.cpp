@@ -22,13 +22,12 @@ class GridImageProcessor3Test : public testing::Test {
         1, 2, random_);
   }
   void look(const ColorTable64& colors) {
-    processor_.update(scene_.image, scene_.matrix, colors, field_, found_.ball, found_.landmarks,
-                      found_.lines, found_.players, found_.obstacles, random_, found_.debug);
+    processor_.update(scene_.image, scene_.matrix, colors, field_, found_, random_, found_.debug);
   }
 
   const FieldDimensions field_;
   DrawnField scene_;
-  Percepts found_;
+  DrawnPercepts found_;
   GridImageProcessor3 processor_;
   Random random_{3};
 };
@@ -38,7 +37,7 @@ TEST_F(GridImageProcessor3Test, FindsABlackAndWhiteBallAndTheLinesThatGT2003Find
   look(blackWhiteTable());
   ASSERT_TRUE(found_.ball.seen);
   EXPECT_NEAR(found_.ball.offset.x(), 450, 60);
-  Percepts all;
+  DrawnPercepts all;
   GT2003ImageProcessor gt2003;
   all.lookWith(gt2003, scene_.image, scene_.matrix, blackWhiteTable(), field_);
   EXPECT_FALSE(all.ball.seen);
@@ -58,7 +57,7 @@ TEST_F(GridImageProcessor3Test, AnOrangeBallIsNone) {
                                            static_cast<std::uint8_t>(cr))] = ColorClass::orange;
   look(colors);
   EXPECT_FALSE(found_.ball.seen);
-  Percepts all;
+  DrawnPercepts all;
   GT2003ImageProcessor gt2003;
   all.lookWith(gt2003, scene_.image, scene_.matrix, colors, field_);
   EXPECT_TRUE(all.ball.seen);

@@ -4,14 +4,12 @@ namespace gt {
 
 void GridImageProcessorTSL::update(const Image& image, const CameraMatrix& matrix,
                                    const TslColors& colors, const FieldDimensions& field,
-                                   BallPercept& ball, LandmarksPercept& landmarks,
-                                   LinesPercept& lines, PlayersPercept& players,
-                                   ObstaclesPercept& obstacles, Debug& debug) {
+                                   Percepts found, Debug& debug) {
   if (!(colors == known_)) {
     known_ = colors;
     table_ = colors.table();
   }
-  vision_.update(image, matrix, table_, field, ball, landmarks, lines, players, obstacles, debug);
+  vision_.update(image, matrix, table_, field, found, debug);
 }
 
 }  // namespace gt

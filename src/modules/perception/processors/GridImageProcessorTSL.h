@@ -10,9 +10,7 @@ class GridImageProcessorTSL {
  public:
   /// Provides what GT2003 provides, with the same limits.
   void update(const Image& image, const CameraMatrix& matrix, const TslColors& colors,
-              const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
-              LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,
-              Debug& debug);
+              const FieldDimensions& field, Percepts found, Debug& debug);
 
  private:
   TslColors known_;  ///< What the table was made from.

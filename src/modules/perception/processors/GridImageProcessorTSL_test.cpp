@@ -11,12 +11,11 @@ TEST(GridImageProcessorTSL, FollowsItsThresholds) {
   Random random{6};
   DrawnField scene{-0.2};
   scene.draw(fieldAt, 1, 0, random);
-  Percepts percepts;
+  DrawnPercepts percepts;
   GridImageProcessorTSL processor;
   TslColors colors;
   const auto seen = [&] {
-    processor.update(scene.image, scene.matrix, colors, {}, percepts.ball, percepts.landmarks,
-                     percepts.lines, percepts.players, percepts.obstacles, percepts.debug);
+    processor.update(scene.image, scene.matrix, colors, {}, percepts, percepts.debug);
     return percepts.lines.points[EdgeType::line].size();
   };
   EXPECT_EQ(seen(), 0u) << "without any class";

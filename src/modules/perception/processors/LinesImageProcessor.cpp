@@ -6,12 +6,10 @@ namespace gt {
 
 void LinesImageProcessor::update(const Image& image, const CameraMatrix& matrix,
                                  const ColorTable64& colors, const FieldDimensions& field,
-                                 BallPercept& ball, LandmarksPercept& landmarks,
-                                 LinesPercept& lines, PlayersPercept& players,
-                                 ObstaclesPercept& obstacles, Debug& debug) {
+                                 Percepts found, Debug& debug) {
   fetch(image);
-  findNothing(image.time, ball, landmarks, lines, players, obstacles);
-  landmarks.cameraOffset = matrix.pose.translation;
+  found.clear(image.time);
+  found.landmarks.cameraOffset = matrix.pose.translation;
   const Horizon horizon = horizonOf(matrix);
   const CameraImage picture{image, colors, matrix, horizon};
   // Only the lines that reach over the whole image.
@@ -24,7 +22,7 @@ void LinesImageProcessor::update(const Image& image, const CameraMatrix& matrix,
   }
   for (const ScanLine& row : grid_.rows()) edgeScanner_.scanAcross(picture, row, field);
   for (const GoalIndication& goal : scanner_.goals) edgeScanner_.addGoal(picture, goal);
-  edgeScanner_.finish(lines);
+  edgeScanner_.finish(found.lines);
   drawGrid(grid_, debug);
   drawEdges(edgeScanner_, debug);
 }

@@ -15,9 +15,7 @@ class LinesImageProcessor {
   /// Provides the points on edges; all other percepts are those of an image that shows nothing. The
   /// points are as good as the camera matrix, valid or not.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
-              const FieldDimensions& field, BallPercept& ball, LandmarksPercept& landmarks,
-              LinesPercept& lines, PlayersPercept& players, ObstaclesPercept& obstacles,
-              Debug& debug);
+              const FieldDimensions& field, Percepts found, Debug& debug);
 
  private:
   ScanGrid grid_;

@@ -13,15 +13,13 @@ TEST(LinesImageProcessor, FindsTheSameEdgesAsGT2003AndNothingElse) {
   DrawnField scene{-0.2, 0.1};
   scene.draw(fieldAt, 1, 2, random);
   const ColorTable64 table = blackWhiteTable();
-  Percepts own, all;
+  DrawnPercepts own, all;
   own.ball.seen = true;
   own.landmarks.numberOfFlags = own.landmarks.numberOfGoals = 1;
   LinesImageProcessor lines;
-  lines.update(scene.image, scene.matrix, table, {}, own.ball, own.landmarks, own.lines,
-               own.players, own.obstacles, own.debug);
+  lines.update(scene.image, scene.matrix, table, {}, own, own.debug);
   GT2003ImageProcessor gt2003;
-  gt2003.update(scene.image, scene.matrix, table, {}, all.ball, all.landmarks, all.lines,
-                all.players, all.obstacles, all.debug);
+  gt2003.update(scene.image, scene.matrix, table, {}, all, all.debug);
   EXPECT_GT(own.lines.points[EdgeType::line].size(), 10u);
   for (const EdgeType type : {EdgeType::line, EdgeType::border})
     EXPECT_EQ(own.lines.points[type], all.lines.points[type]);
@@ -34,14 +32,13 @@ TEST(LinesImageProcessor, DrawsItsGridAndTheEdgesOnIt) {
   Random random{5};
   DrawnField scene{-0.2, 0.1};
   scene.draw(fieldAt, 1, 2, random);
-  Percepts found;
+  DrawnPercepts found;
   LinesImageProcessor lines;
   const auto drawn = [&](std::string_view key, bool on) {
     found.debug.keys().set(*DebugKey::find(key),
                            {on ? DebugKeyMode::always : DebugKeyMode::disabled});
     found.debug.out().clear();
-    lines.update(scene.image, scene.matrix, blackWhiteTable(), {}, found.ball, found.landmarks,
-                 found.lines, found.players, found.obstacles, found.debug);
+    lines.update(scene.image, scene.matrix, blackWhiteTable(), {}, found, found.debug);
     Drawing drawing;
     found.debug.out().handleAllMessages(
         [&](const Message& message) { EXPECT_TRUE(message.read(drawing)); });

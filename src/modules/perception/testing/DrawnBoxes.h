@@ -49,7 +49,7 @@ class DrawnBoxes : public testing::Test {
   CameraMatrix matrix_;
   Image image_;
   GT2003ImageProcessor processor_;
-  Percepts percepts_;
+  DrawnPercepts percepts_;
   const LinesPercept& lines_ = percepts_.lines;
   const PlayersPercept& players_ = percepts_.players;
   const ObstaclesPercept& obstacles_ = percepts_.obstacles;

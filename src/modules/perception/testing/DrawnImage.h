@@ -5,14 +5,10 @@
 
 #include "base/Random.h"
 #include "debug/Debug.h"
+#include "modules/perception/testing/FoundPercepts.h"
 #include "representations/infrastructure/Image.h"
-#include "representations/perception/BallPercept.h"
 #include "representations/perception/CameraMatrix.h"
 #include "representations/perception/ColorTable64.h"
-#include "representations/perception/LandmarksPercept.h"
-#include "representations/perception/LinesPercept.h"
-#include "representations/perception/ObstaclesPercept.h"
-#include "representations/perception/PlayersPercept.h"
 
 namespace gt {
 
@@ -77,20 +73,14 @@ struct Palette {
   }
 };
 
-/// All that an image processor provides.
-struct Percepts {
-  BallPercept ball;
-  LandmarksPercept landmarks;
-  LinesPercept lines;
-  PlayersPercept players;
-  ObstaclesPercept obstacles;
+/// What a processor finds in them.
+struct DrawnPercepts : FoundPercepts {
   Debug debug{1 << 16};
 
   /// Has a processor look: update(image, matrix, colors..., percepts, debug).
   void lookWith(auto& processor, const Image& image, const CameraMatrix& matrix,
                 const auto&... colorsAndField) {
-    processor.update(image, matrix, colorsAndField..., ball, landmarks, lines, players, obstacles,
-                     debug);
+    processor.update(image, matrix, colorsAndField..., *this, debug);
   }
 };
 

@@ -36,7 +36,7 @@ class DrawnLandmarks : public testing::Test {
   CameraMatrix matrix_;
   Image image_;
   GT2003ImageProcessor processor_;
-  Percepts percepts_;
+  DrawnPercepts percepts_;
   const LandmarksPercept& landmarks_ = percepts_.landmarks;
   Random random_{1};
 
