@@ -7,13 +7,13 @@
 
 namespace gt {
 
-/// Reads a condition: an operator binds more tightly the further down its function stands.
+/// Reads a condition.
 class ConditionParser {
  public:
   explicit ConditionParser(std::string_view text) : text_{text} { next(); }
 
   Result<Condition> parse() {
-    condition_.root_ = readOr();
+    condition_.root_ = read();
     if (error_.empty() && !token_.empty()) fail("is not expected here");
     if (!error_.empty()) return Error{.field = field_, .what = error_};
     return std::move(condition_);
@@ -67,61 +67,46 @@ class ConditionParser {
     return true;
   }
 
-  int readOr() {
-    int left = readAnd();
-    while (take("or") || take("||")) {
-      const int right = readAnd();
-      left = add(Operator::orElse, left, right);
+  /// The operators between two operands, by how tightly they bind.
+  struct Binary {
+    std::string_view token;
+    Operator operation;
+    int level;
+  };
+  static constexpr int negation = 2, comparison = 3, sum = 4, product = 5;
+  static constexpr Binary binaries[] = {
+      {"or", Operator::orElse, 0},           {"||", Operator::orElse, 0},
+      {"and", Operator::andAlso, 1},         {"&&", Operator::andAlso, 1},
+      {"<", Operator::less, comparison},     {"<=", Operator::lessOrEqual, comparison},
+      {">", Operator::greater, comparison},  {">=", Operator::greaterOrEqual, comparison},
+      {"==", Operator::equal, comparison},   {"=", Operator::equal, comparison},
+      {"!=", Operator::unequal, comparison}, {"+", Operator::plus, sum},
+      {"-", Operator::minus, sum},           {"*", Operator::times, product},
+      {"/", Operator::divide, product}};
+
+  /// What operators of a level or tighter ones join, from the left; comparisons do not follow each
+  /// other.
+  int read(int level = 0) {
+    if (level > product) return readFactor();
+    if (level == negation) return readNot();
+    int left = read(level + 1);
+    for (;;) {
+      const auto* found = std::ranges::find_if(binaries, [&](const Binary& binary) {
+        return binary.level == level && binary.token == token_;
+      });
+      if (found == std::end(binaries)) return left;
+      next();
+      const int right = read(level + 1);
+      left = add(found->operation, left, right);
+      if (level == comparison) return left;
     }
-    return left;
-  }
-  int readAnd() {
-    int left = readNot();
-    while (take("and") || take("&&")) {
-      const int right = readNot();
-      left = add(Operator::andAlso, left, right);
-    }
-    return left;
   }
   int readNot() {
-    if (!take("not") && !take("!")) return readComparison();
+    if (!take("not") && !take("!")) return read(comparison);
     if (++depth_ > deepest) return fail("is nested too deeply");
     const int operand = readNot();
     --depth_;
     return add(Operator::no, operand);
-  }
-  int readComparison() {
-    static const std::map<std::string_view, Operator> comparisons{
-        {"<", Operator::less},    {"<=", Operator::lessOrEqual},
-        {">", Operator::greater}, {">=", Operator::greaterOrEqual},
-        {"==", Operator::equal},  {"=", Operator::equal},
-        {"!=", Operator::unequal}};
-    const int left = readSum();
-    const auto comparison = comparisons.find(token_);
-    if (comparison == comparisons.end()) return left;
-    next();
-    const int right = readSum();
-    return add(comparison->second, left, right);
-  }
-  int readSum() {
-    int left = readProduct();
-    while (token_ == "+" || token_ == "-") {
-      const Operator operation = token_ == "+" ? Operator::plus : Operator::minus;
-      next();
-      const int right = readProduct();
-      left = add(operation, left, right);
-    }
-    return left;
-  }
-  int readProduct() {
-    int left = readFactor();
-    while (token_ == "*" || token_ == "/") {
-      const Operator operation = token_ == "*" ? Operator::times : Operator::divide;
-      next();
-      const int right = readFactor();
-      left = add(operation, left, right);
-    }
-    return left;
   }
   int readFactor() {
     if (++depth_ > deepest) return fail("is nested too deeply");
@@ -132,7 +117,7 @@ class ConditionParser {
   int readOperand() {
     if (take("-")) return add(Operator::negate, readFactor());
     if (take("(")) {
-      const int inner = readOr();
+      const int inner = read();
       return take(")") ? inner : fail("expected )");
     }
     if (token_.empty()) return fail("expected a value");
@@ -164,11 +149,11 @@ class ConditionParser {
     const auto known = functions.find(function);
     if (known == functions.end()) return fail("follows " + function + ", which is no function");
     next();
-    const int a = readSum();
+    const int a = read(sum);
     int b = -1;
     if (known->second != Operator::abs) {
       if (!take(",")) return fail("expected ,");
-      b = readSum();
+      b = read(sum);
     }
     if (!take(")")) return fail("expected )");
     return add(known->second, a, b);
