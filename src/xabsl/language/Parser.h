@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "xabsl/language/Lexer.h"
@@ -74,8 +75,9 @@ class Parser {
   std::vector<syntax::Argument> arguments();
   syntax::DecisionPtr commonDecision();
   syntax::DecisionPtr commonChoice();
+  /// The arms of `if ... else if ...`, and whether an `else` follows that has no `if`.
+  std::pair<syntax::DecisionPtr, bool> arms();
   syntax::DecisionPtr decision();
-  syntax::DecisionPtr choice();
   syntax::Arm arm(std::string_view doc);
   syntax::DecisionPtr transition();
 

@@ -43,27 +43,32 @@ DecisionPtr Parser::commonChoice() {
     return inner;
   }
   if (!token_.is("if")) failExpected("'if'");
+  auto [choice, open] = arms();
+  if (open && token_.is("{")) {
+    DecisionPtr rest = commonChoice();
+    for (Arm& next : rest->arms) choice->arms.push_back(std::move(next));
+  } else if (open) {
+    decision();
+    reporter_.error(token_.location, "a common decision ends without an 'else'");
+  }
+  choice->extent.end = end_;
+  return std::move(choice);
+}
+
+/// A chain of `else if` may be long: it is read in a loop, never by recursion.
+std::pair<DecisionPtr, bool> Parser::arms() {
   auto choice = std::make_unique<Decision>();
   choice->kind = Decision::Kind::choose;
   choice->extent.begin = token_.location;
   std::string_view doc = token_.doc;
-  while (token_.is("if")) {
+  for (;;) {
     choice->arms.push_back(arm(doc));
-    if (!token_.is("else")) break;
+    choice->extent.end = end_;
+    if (!token_.is("else")) return {std::move(choice), false};
     const Token sign = take();
     doc = token_.doc.empty() ? sign.doc : token_.doc;
-    if (token_.is("{")) {
-      DecisionPtr rest = commonChoice();
-      for (Arm& next : rest->arms) choice->arms.push_back(std::move(next));
-      break;
-    }
-    if (!token_.is("if")) {
-      decision();
-      reporter_.error(token_.location, "a common decision ends without an 'else'");
-    }
+    if (!token_.is("if")) return {std::move(choice), true};
   }
-  choice->extent.end = end_;
-  return choice;
 }
 
 Arm Parser::arm(std::string_view doc) {
@@ -83,27 +88,11 @@ DecisionPtr Parser::decision() {
     return inner;
   }
   if (!token_.is("if")) return transition();
-  DecisionPtr chosen = choice();
-  if (!chosen->otherwise) failExpected("'else', since each decision has an end ('else stay;')");
-  return chosen;
-}
-
-DecisionPtr Parser::choice() {
-  auto choice = std::make_unique<Decision>();
-  choice->kind = Decision::Kind::choose;
-  choice->extent.begin = token_.location;
-  std::string_view doc = token_.doc;
-  // A chain of `else if` may be long: it is read in a loop, never by recursion.
-  while (token_.is("if")) {
-    choice->arms.push_back(arm(doc));
-    choice->extent.end = end_;
-    if (!token_.is("else")) return choice;
-    const Token sign = take();
-    doc = token_.doc.empty() ? sign.doc : token_.doc;
-  }
+  auto [choice, open] = arms();
+  if (!open) failExpected("'else', since each decision has an end ('else stay;')");
   choice->otherwise = decision();
   choice->extent.end = end_;
-  return choice;
+  return std::move(choice);
 }
 
 DecisionPtr Parser::transition() {
