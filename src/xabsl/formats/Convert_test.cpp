@@ -5,7 +5,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "xabsl/engine/Engine.h"
@@ -317,46 +316,6 @@ TEST(Convert, KeepsNamesApartThatAreTheSameElsewhere) {
   EXPECT_EQ(codeOf(compile("a.xabsl", converted(xml, "a.xml", Form::text31, "a.xabsl"))), code);
   const Conversion taken = convert("a.xabsl", text, Form::xml31, "options.xml");
   EXPECT_FALSE(taken.files);
-}
-
-TEST(Convert, FaultsInTheXmlOf31AreTold) {
-  const VirtualFiles text = {
-      {"a.xabsl",
-       "namespace n(\"N\") { enum e { p, q }; enum e input m; float input x; bool output o; }\n"
-       "namespace b(\"B\") { behavior go { float v; enum e w; } }\n"
-       "option main { initial state s capacity 2 { decision { if (m == p) goto s; else stay; }\n"
-       "action { o = x < 1 || conflict; go(v = x, w = q); } } } agent a(\"A\", main);"}};
-  const VirtualFiles xml = converted(text, "a.xabsl", Form::xml31, "a.xml");
-  const std::string main = "Options/main.xml", symbols = "Symbols/n.xml";
-  const std::vector<std::tuple<std::string, std::string, std::string, std::string>> faults = {
-      {main, "<conflict/>", "<conflicts/>", "element 'conflicts': This element is not expected"},
-      {main, "capacity=\"2\"", "capacity=\"two\"", "'two' is not accepted by the pattern"},
-      {main, "capacity=\"2\"", "capacity=\"2.5\"", "the number of agents is a whole number"},
-      {main, "ref=\"e.p\"", "ref=\"e.r\"", "unknown element 'e.r' of an enumeration"},
-      {main, "ref=\"o\"", "ref=\"x\"", "'x' is no boolean-output-symbol, but of the kind"},
-      {main, "ref=\"x\"", "ref=\"y\"", "unknown decimal-input-symbol 'y'"},
-      {main, "ref=\"go.v\"", "ref=\"go.u\"", "basic behavior 'go' has no parameter 'u'"},
-      {main, "<decision-tree>", "<else/><decision-tree>", "element 'else'"},
-      {main, "<else>", "<else><decimal-value value=\"1\"/>", "element 'decimal-value'"},
-      {main, "  &n;\n", "", "unknown boolean-output-symbol 'o'"},
-      {main, "&n;", "&m;", "entity 'm' is not declared in symbol-and-basic-behavior-files.dtd"},
-      {main, "xabsl.de", "xabsl.com", "element 'option' is not of the namespace"},
-      {symbols, "enumeration=\"e\"", "", "attribute 'enumeration' is required but missing"},
-      {symbols, "enumeration=\"e\"", "enumeration=\"f\"", "unknown enumeration 'f'"},
-      {symbols, "http://www.xabsl.de", "http://www.ki.informatik.hu-berlin.de/XABSL2.1",
-       "this file is of another version of XABSL than 'a.xml'"},
-      {"a.xml", "<title>", "<title>A & B", "'&' begins the name of an entity"},
-      {"symbol-and-basic-behavior-files.dtd", "Symbols/n.xml", "../n.xml", "it lies outside of"},
-  };
-  for (const auto& [file, before, after, expected] : faults) {
-    VirtualFiles files = xml;
-    const std::size_t place = files.at(file).find(before);
-    ASSERT_NE(place, std::string::npos) << before;
-    files.at(file).replace(place, before.size(), after);
-    EXPECT_NE(test::errors(compile("a.xml", files).diagnostics).find(expected), std::string::npos)
-        << expected << " in\n"
-        << test::errors(compile("a.xml", files).diagnostics);
-  }
 }
 
 TEST(Convert, TheSoccerBehaviorGoesThroughTheXmlOf31) {

@@ -11,6 +11,12 @@
 namespace xabsl {
 namespace {
 
+using test::errorsIn;
+using test::errorsInAction;
+using test::errorsInDecision;
+using test::errorsInMain;
+using test::errorsInValue;
+
 /// Reads files from memory, beginning with `main.xabsl`, which must be sound.
 class Parsed {
  public:
@@ -193,6 +199,104 @@ TEST(Parser, WarnsAboutWhatOtherCompilersRefuse) {
                 "main.xabsl:4:11: warning: a second namespace in this file" + refused +
                 "main.xabsl:5:44: warning: 'stay' in a common decision" + refused +
                 "main.xabsl:6:32: warning: a number with an exponent" + refused);
+}
+
+TEST(Parser, TellsWhatWasExpected) {
+  EXPECT_EQ(errorsIn("42"),
+            "main.xabsl:1:1: expected 'include', 'option', 'agent' or 'namespace', found "
+            "'42'\n");
+  EXPECT_EQ(errorsIn("include main;"),
+            "main.xabsl:1:9: expected the path of a file in quotes, found 'main'\n");
+  EXPECT_EQ(errorsIn("agent a(main);"),
+            "main.xabsl:1:9: expected the title of the agent in quotes, found 'main'\n");
+  EXPECT_EQ(errorsIn("namespace main(\"M\") { float x; }"),
+            "main.xabsl:1:29: expected 'input', 'output' or 'internal', found 'x'\n");
+  EXPECT_EQ(errorsIn("namespace main(\"M\") { enum e { a, }; }"),
+            "main.xabsl:1:35: expected the name of an element, found '}'\n");
+  EXPECT_EQ(errorsIn("namespace main(\"M\") { bool const b = 1; }"),
+            "main.xabsl:1:28: constants are of type float\n");
+  EXPECT_EQ(errorsIn("namespace main(\"M\") { float output o(float x;); }"),
+            "main.xabsl:1:37: only input symbols have parameters\n");
+  EXPECT_EQ(errorsIn("option main { float x; }"),
+            "main.xabsl:1:21: expected the name of a parameter, as in '@speed', found 'x'\n");
+  EXPECT_EQ(errorsIn("option main { }"),
+            "main.xabsl:1:15: expected a parameter, 'common' or a state, found '}'\n");
+  EXPECT_EQ(errorsIn("option main { state s { decision { stay; } } }"),
+            "main.xabsl:1:44: expected 'action', found '}'\n");
+  EXPECT_EQ(errorsIn("option main"), "main.xabsl:1:12: expected '{', found the end of the file\n");
+  EXPECT_EQ(errorsInDecision("if (ball.seen) stay;"),
+            "3:1: expected 'else', since each decision has an end ('else stay;'), found '}'\n");
+  EXPECT_EQ(errorsInDecision("if ball.seen stay;"), "2:4: expected '(', found 'ball.seen'\n");
+  EXPECT_EQ(errorsInDecision("go s;"), "2:1: expected 'if', 'goto', 'stay' or '{', found 'go'\n");
+  EXPECT_EQ(errorsInAction("input = 1;"),
+            "2:1: expected an action (an assignment, an option or a basic behavior) or '}', "
+            "found the keyword 'input'\n");
+  EXPECT_EQ(errorsInAction("speed;"), "2:6: expected '=' or '(', found ';'\n");
+  EXPECT_EQ(errorsInAction("sub(1);"),
+            "2:5: expected the name of a parameter, as in 'speed = 100', found '1'\n");
+  EXPECT_EQ(errorsInAction("sub(v = 1 b = true);"), "2:11: expected ',' or ')', found 'b'\n");
+  EXPECT_EQ(errorsInValue("1 +"), "2:12: expected an expression, found ';'\n");
+  EXPECT_EQ(errorsInValue("1 < 2 < 3"), "2:15: comparisons cannot be chained, use '&&'\n");
+  EXPECT_EQ(errorsInValue("true ? 1 : true ? 2 : 3"),
+            "2:25: a '?:' inside another one needs parentheses\n");
+}
+
+TEST(Parser, TellsWhatBeginnersMeant) {
+  EXPECT_EQ(errorsInDecision("if (how = fast) stay; else stay;"),
+            "2:9: expected ')', found '='; did you mean '=='?\n");
+  EXPECT_EQ(errorsInDecision("if (ball.seen & ball.seen) stay; elseif (true) stay;"),
+            "2:15: unexpected character '&'; did you mean '&&'?\n"
+            "2:34: expected 'else', since each decision has an end ('else stay;'), found "
+            "'elseif'; did you mean 'else if'?\n");
+  EXPECT_EQ(errorsInDecision("if (ball.seen and true) stay; else stay;"),
+            "2:15: expected ')', found 'and'; did you mean '&&'?\n");
+  EXPECT_EQ(errorsInDecision("if (ball.seen) stay; els stay;"),
+            "2:22: expected 'else', since each decision has an end ('else stay;'), found "
+            "'els'; did you mean 'else'?\n");
+  EXPECT_EQ(errorsInDecision("goto sub;"),
+            "2:6: unknown state 'sub' in option main; options are called by actions\n");
+  EXPECT_EQ(errorsInAction("speed = 1,5;"),
+            "2:10: expected ';', found ','; numbers are written with a point\n");
+  EXPECT_EQ(errorsInAction("head = \"fast\";"),
+            "2:8: expected an expression, found a string; elements of enumerations stand "
+            "without quotes\n");
+  EXPECT_EQ(errorsInAction("s();"),
+            "2:1: unknown option or basic behavior 's' in option main; a state is entered by a "
+            "decision\n");
+  EXPECT_EQ(errorsInMain("option main { float @v; initial state s { action { speed = v; } } }"),
+            "1:60: unknown input symbol 'v' in option main; did you mean '@v'?\n");
+  EXPECT_EQ(errorsInMain("option main { initial state s { action { } decision { stay; } } }"),
+            "1:44: the decision of a state stands before its action\n");
+}
+
+TEST(Parser, ReadsCooperation) {
+  const Behavior behavior = test::compiled(
+      "option main { initial state s capacity 2 { decision { if (conflict) goto t; else stay; }\n"
+      "action { } } state t synchronized { action { } } state u synchronized 3 { action { } } }\n"
+      "agent a(\"A\", main);");
+  const std::vector<State>& states = behavior.model().states;
+  EXPECT_EQ(states[0].cooperation.kind, Cooperation::Kind::capacity);
+  EXPECT_EQ(states[0].cooperation.agents, 2);
+  EXPECT_EQ(states[1].cooperation.kind, Cooperation::Kind::synchronized);
+  EXPECT_EQ(states[1].cooperation.agents, 0);
+  EXPECT_EQ(states[2].cooperation.agents, 3);
+  EXPECT_EQ(errorsInMain("option main { initial state s capacity { action { } } }"),
+            "1:40: expected the number of agents, found '{'\n");
+  EXPECT_EQ(errorsInMain("option main { initial state s capacity 1.5 { action { } } }"),
+            "1:40: the number of agents is a whole number up to 1000\n");
+}
+
+TEST(Parser, FindsSeveralSyntaxErrorsInOneRun) {
+  EXPECT_EQ(errorsInMain("namespace main(\"M\") {\n float x;\n float input y;\n bool z;\n}\n"
+                         "option main {\n initial state s { action { speed = ; led = 1 1; } }\n"
+                         " state t { decision { goto; } action { } }\n state u { action { } } }\n"
+                         "agent a(main);\nagent b(\"B\", main);\n"),
+            "2:8: expected 'input', 'output' or 'internal', found 'x'\n"
+            "4:7: expected 'input', 'output' or 'internal', found 'z'\n"
+            "7:37: expected an expression, found ';'\n"
+            "7:47: expected ';', found '1'\n"
+            "8:27: expected the name of a state, found ';'\n"
+            "10:9: expected the title of the agent in quotes, found 'main'\n");
 }
 
 }  // namespace
