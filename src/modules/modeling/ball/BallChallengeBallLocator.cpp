@@ -39,33 +39,28 @@ void BallChallengeBallLocator::update(const BallPercept& percept, const Odometry
   const Pose2D step = first_ ? Pose2D{} : odometry.pose.relativeTo(lastOdometry_.pose);
   first_ = false;
   lastOdometry_ = odometry;
-  position_ = relative(step, position_);
-  speed_ = rotated(speed_, -step.rotation);
+  ball_.move(step);
   positions_.move(step);
   speeds_.rotate(-step.rotation);
-  const bool gap = frame.time - lastSeen_ > parameters.longestGap;
+  const bool gap = frame.time - ball_.lastSeen > parameters.longestGap;
   if (gap) {  // It may have moved, so nothing is averaged with what was.
     positions_.clear();
     speeds_.clear();
-    speed_ = Vector2d::Zero();
+    ball_.speed = Vector2d::Zero();
   }
-  if (percept.seen && percept.time > lastSeen_) {
+  if (percept.seen && percept.time > ball_.lastSeen) {
     if (positions_.count() > 0) {
-      const double seconds = static_cast<double>(percept.time - lastSeen_) / 1000;
+      const double seconds = static_cast<double>(percept.time - ball_.lastSeen) / 1000;
       speeds_.add((percept.offset - positions_.newest()) / seconds);
     } else {
-      seenSince_ = percept.time;
+      ball_.seenSince = percept.time;
     }
     positions_.add(percept.offset);
-    position_ = positions_.mean(parameters.positions);
-    speed_ = speeds_.mean(parameters.speeds);
-    lastSeen_ = percept.time;
+    ball_.position = positions_.mean(parameters.positions);
+    ball_.speed = speeds_.mean(parameters.speeds);
+    ball_.lastSeen = percept.time;
   }
-  model.position = position_;
-  model.speed = speed_;
-  model.lastSeen = lastSeen_;
-  model.consecutiveTimeSeen =
-      frame.time - lastSeen_ > parameters.longestGap ? 0 : lastSeen_ - seenSince_;
+  model = ball_.model(frame.time, parameters.longestGap);
   draw(model, debug);
 }
 

@@ -1,11 +1,9 @@
 #pragma once
 #include <array>
 
-#include "base/Geometry.h"
-#include "base/Time.h"
 #include "debug/Debug.h"
+#include "modules/modeling/ball/BallEstimate.h"
 #include "representations/infrastructure/FrameInfo.h"
-#include "representations/modeling/BallModel.h"
 #include "representations/motion/OdometryData.h"
 #include "representations/perception/BallPercept.h"
 #include "streams/Reflection.h"
@@ -13,8 +11,7 @@
 namespace gt {
 
 /// Solution *BallChallenge* of BallLocator: the ball as report 3.4.1 words it. Its position is that
-/// of the percepts, its speed follows from the last two of them, and both are floating averages. A
-/// solution of BallLocator.
+/// of the percepts, its speed follows from the last two of them, and both are floating averages.
 class BallChallengeBallLocator {
  public:
   static constexpr int mostPercepts = 32;
@@ -63,8 +60,7 @@ class BallChallengeBallLocator {
   };
 
   Average positions_, speeds_;
-  Vector2d position_ = Vector2d::Zero(), speed_ = Vector2d::Zero();
-  Time lastSeen_ = never(), seenSince_ = never();
+  BallEstimate ball_;
   OdometryData lastOdometry_;
   bool first_ = true;
 };

@@ -18,34 +18,29 @@ void PIDSmoothedBallLocator::update(const BallPercept& percept, const OdometryDa
   const bool seen = percept.seen && percept.time != lastPercept_;
   predict(step, seconds, seen);
   if (seen) {
-    const bool forgotten = frame.time - lastSeen_ > parameters.forgetPosition;
+    const bool forgotten = frame.time - ball_.lastSeen > parameters.forgetPosition;
     if (forgotten && percept.offset.norm() < parameters.believedAtOnce) {
       restart(percept.offset);
-    } else if (forgotten || isFar(percept.offset, position_)) {
+    } else if (forgotten || isFar(percept.offset, ball_.position)) {
       doubt(percept);
     } else {
       follow(percept.offset, static_cast<double>(percept.time - lastPercept_) / 1000);
     }
     if (outliers_ == 0) {
       lastPercept_ = percept.time;
-      if (percept.time - lastSeen_ > parameters.longestGap) seenSince_ = percept.time;
-      lastSeen_ = percept.time;
+      if (percept.time - ball_.lastSeen > parameters.longestGap) ball_.seenSince = percept.time;
+      ball_.lastSeen = percept.time;
     }
   }
-  model.position = position_;
-  model.speed = speed_;
-  model.lastSeen = lastSeen_;
-  model.consecutiveTimeSeen =
-      frame.time - lastSeen_ > parameters.longestGap ? 0 : lastSeen_ - seenSince_;
+  model = ball_.model(frame.time, parameters.longestGap);
   draw(model, debug);
 }
 
 void PIDSmoothedBallLocator::predict(const Pose2D& step, double seconds, bool seen) {
-  position_ = relative(step, position_);
+  ball_.move(step);
   doubted_ = relative(step, doubted_);
-  speed_ = rotated(speed_, -step.rotation);
-  position_ += speed_ * seconds;
-  speed_ *= std::exp(-(seen ? parameters.slowDown : parameters.slowDownUnseen) * seconds);
+  ball_.position += ball_.speed * seconds;
+  ball_.speed *= std::exp(-(seen ? parameters.slowDown : parameters.slowDownUnseen) * seconds);
 }
 
 bool PIDSmoothedBallLocator::isFar(const Vector2d& offset, const Vector2d& expected) const {
@@ -70,19 +65,19 @@ void PIDSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
   const double distance = std::max(offset.norm(), 1.0);
   const double far = distance / parameters.trustedDistance;
   const double trust = 1 / (1 + far * far);
-  const Vector2d away = offset / distance, deviation = offset - position_;
+  const Vector2d away = offset / distance, deviation = offset - ball_.position;
   const Vector2d along = away * away.dot(deviation), across = deviation - along;
-  position_ += parameters.proportional * (across + trust * along);
+  ball_.position += parameters.proportional * (across + trust * along);
   if (seconds <= 0) return;
-  speed_ += parameters.integral / seconds * (across + trust * trust * along);
-  const double length = speed_.norm();
-  if (length > parameters.fastestBall) speed_ *= parameters.fastestBall / length;
+  ball_.speed += parameters.integral / seconds * (across + trust * trust * along);
+  const double length = ball_.speed.norm();
+  if (length > parameters.fastestBall) ball_.speed *= parameters.fastestBall / length;
 }
 
 void PIDSmoothedBallLocator::restart(const Vector2d& offset) {
   outliers_ = 0;
-  position_ = offset;
-  speed_ = Vector2d::Zero();
+  ball_.position = offset;
+  ball_.speed = Vector2d::Zero();
 }
 
 }  // namespace gt

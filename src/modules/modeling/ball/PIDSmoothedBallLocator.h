@@ -1,9 +1,7 @@
 #pragma once
-#include "base/Geometry.h"
-#include "base/Time.h"
 #include "debug/Debug.h"
+#include "modules/modeling/ball/BallEstimate.h"
 #include "representations/infrastructure/FrameInfo.h"
-#include "representations/modeling/BallModel.h"
 #include "representations/motion/OdometryData.h"
 #include "representations/perception/BallPercept.h"
 #include "streams/Reflection.h"
@@ -11,8 +9,7 @@
 namespace gt {
 
 /// Solution *PIDSmoothed* of BallLocator: smooths the ball percepts by a controller that follows
-/// them: its proportional part moves the position, its integral part is the speed (report 3.4.1). A
-/// solution of BallLocator.
+/// them: its proportional part moves the position, its integral part is the speed (report 3.4.1).
 class PIDSmoothedBallLocator {
  public:
   struct Parameters {
@@ -78,12 +75,10 @@ class PIDSmoothedBallLocator {
   void follow(const Vector2d& offset, double seconds);
   void restart(const Vector2d& offset);
 
-  Vector2d position_ = Vector2d::Zero();  ///< mm, relative to the robot.
-  Vector2d speed_ = Vector2d::Zero();     ///< mm/s over ground, in the robot's axes.
-  Vector2d doubted_ = Vector2d::Zero();   ///< mm, the last percept that was not believed.
+  BallEstimate ball_;
+  Vector2d doubted_ = Vector2d::Zero();  ///< mm, the last percept that was not believed.
   int outliers_ = 0;
-  Time lastPercept_ = never(), lastSeen_ = never(), seenSince_ = never(), lastUpdate_ = never();
-  Time lastDoubted_ = never();
+  Time lastPercept_ = never(), lastUpdate_ = never(), lastDoubted_ = never();
   OdometryData lastOdometry_;
 };
 

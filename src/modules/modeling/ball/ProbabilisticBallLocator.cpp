@@ -33,11 +33,8 @@ void ProbabilisticBallLocator::update(const BallPercept& percept, const CameraMa
   model = {};
   if (count_ == 0) return;
   const Hypothesis& ball = best();
-  model.position = ball.position();
-  model.speed = ball.state.tail<2>();
-  model.lastSeen = ball.lastSeen;
-  model.consecutiveTimeSeen =
-      frame.time - ball.lastSeen > parameters.longestGap ? 0 : ball.lastSeen - ball.seenSince;
+  model = BallEstimate{ball.position(), ball.state.tail<2>(), ball.lastSeen, ball.seenSince}.model(
+      frame.time, parameters.longestGap);
   model.deviation = std::sqrt(ball.covariance.topLeftCorner<2, 2>().trace() / 2);
   draw(model, debug);
   if (auto canvas = debug.onRobot(drawHypotheses))

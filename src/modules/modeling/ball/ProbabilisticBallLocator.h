@@ -2,11 +2,9 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "base/Geometry.h"
-#include "base/Time.h"
 #include "debug/Debug.h"
+#include "modules/modeling/ball/BallEstimate.h"
 #include "representations/infrastructure/FrameInfo.h"
-#include "representations/modeling/BallModel.h"
 #include "representations/motion/OdometryData.h"
 #include "representations/perception/BallPercept.h"
 #include "representations/perception/CameraMatrix.h"
@@ -14,9 +12,9 @@
 
 namespace gt {
 
-/// Several hypotheses about the ball's position and speed, each a Kalman filter in the robot's
-/// system that knows how a ball rolls; percepts that fit none make a new one: sensor resetting
-/// (report 6.2.3). A solution of BallLocator.
+/// Solution *Probabilistic* of BallLocator: several hypotheses about the ball's position and speed,
+/// each a Kalman filter in the robot's system that knows how a ball rolls. Percepts that fit none
+/// make a new one: sensor resetting (report 6.2.3).
 class ProbabilisticBallLocator {
  public:
   static constexpr int mostHypotheses = 6;
@@ -40,36 +38,45 @@ class ProbabilisticBallLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("deceleration", &P::deceleration, "mm/s^2", "of a rolling ball", {0, 10000}),
+          field("deceleration", &P::deceleration, "mm/s^2", "deceleration of a rolling ball",
+                {0, 10000}),
           field("push", &P::push, "mm/s per root of a second",
-                "how much a ball's speed changes by chance", {0, 10000}),
-          field("acrossNoise", &P::acrossNoise, "mm", "of a percept, across the line of sight",
-                {1, 1000}),
-          field("acrossShare", &P::acrossShare, "", "of the distance, added to that", {0, 1}),
-          field("alongNoise", &P::alongNoise, "mm", "of a percept, along the line of sight",
-                {1, 1000}),
-          field("alongShare", &P::alongShare, "", "of the distance, added to that", {0, 1}),
-          field("alongTilt", &P::alongTilt, "1/mm",
-                "of the distance squared, added too: an error of the camera's tilt", {0, 1}),
-          field("stepNoise", &P::stepNoise, "", "of a walked distance", {0, 1}),
-          field("turnNoise", &P::turnNoise, "", "of a turned angle", {0, 1}),
+                "standard deviation of what a second adds to a ball's speed by chance", {0, 10000}),
+          field("acrossNoise", &P::acrossNoise, "mm",
+                "standard deviation of a percept across the line of sight", {1, 1000}),
+          field("acrossShare", &P::acrossShare, "",
+                "what is added to that, as a share of the distance", {0, 1}),
+          field("alongNoise", &P::alongNoise, "mm",
+                "standard deviation of a percept along the line of sight", {1, 1000}),
+          field("alongShare", &P::alongShare, "",
+                "what is added to that, as a share of the distance", {0, 1}),
+          field(
+              "alongTilt", &P::alongTilt, "1/mm",
+              "what is added for each mm^2 of the distance squared: the error of the camera's tilt",
+              {0, 1}),
+          field("stepNoise", &P::stepNoise, "",
+                "standard deviation of a step, as a share of its length", {0, 1}),
+          field("turnNoise", &P::turnNoise, "",
+                "standard deviation of a turn, as a share of its angle", {0, 1}),
           field("newSpeed", &P::newSpeed, "mm/s",
                 "standard deviation of the speed of a ball that is new or was just kicked",
                 {1, 10000}),
-          field("kicked", &P::kicked, "", "probability that a ball was, from image to image",
-                {0, 1}),
-          field("falseDensity", &P::falseDensity, "1/mm^2", "of wrong percepts", {0, 1}),
-          field("newDensity", &P::newDensity, "1/mm^2", "of balls that were moved or kicked",
-                {1e-15, 1}),
+          field("kicked", &P::kicked, "",
+                "probability that a ball is kicked from one image to the next", {0, 1}),
+          field("falseDensity", &P::falseDensity, "1/mm^2", "density of wrong percepts", {0, 1}),
+          field("newDensity", &P::newDensity, "1/mm^2",
+                "density of balls that were moved or kicked", {1e-15, 1}),
           field("missed", &P::missed, "",
-                "by which a hypothesis loses weight whenever the ball should be seen and is not",
+                "factor of a hypothesis's weight whenever the ball should be seen and is not",
                 {0, 1}),
-          field("missedRange", &P::missedRange, "mm", "within which a ball should be seen",
+          field("missedRange", &P::missedRange, "mm", "distance within which a ball should be seen",
                 {0, 10000}),
           field("forgetAfter", &P::forgetAfter, "ms",
-                "without the ball, after which the next percept is believed at once", {0, 1000000}),
+                "time without the ball after which the next percept is believed at once",
+                {0, 1000000}),
           field("longestGap", &P::longestGap, "ms",
-                "without the ball that does not end the consecutive time seen", {0, 10000})};
+                "longest time without the ball that does not end the consecutive time seen",
+                {0, 10000})};
     }
   };
   Parameters parameters;
