@@ -12,8 +12,8 @@
 
 namespace gt {
 
-/// Keeps a radar-like view of the surroundings from the free ground seen in images, the distance
-/// sensor and odometry (report 3.5). A solution of ObstaclesLocator.
+/// Solution *Default* of ObstaclesLocator: keeps a radar-like view of the surroundings from the
+/// free ground seen in images, the distance sensor and odometry (report 3.5).
 class DefaultObstaclesLocator {
  public:
   struct Parameters {
@@ -31,17 +31,19 @@ class DefaultObstaclesLocator {
           field("useImages", &P::useImages, "", "whether images count"),
           field("usePsd", &P::usePsd, "",
                 "whether the distance sensor counts; it did not in the competition"),
-          field("forgetAfter", &P::forgetAfter, "ms", "without having been seen again",
-                {100, 100000}),
-          field("ballSize", &P::ballSize, "mm",
-                "what ends the free ground that near to the ball is the ball, no obstacle",
-                {0, 1000}),
-          field("ballTime", &P::ballTime, "ms", "since the ball was seen, for which that holds",
+          field("forgetAfter", &P::forgetAfter, "ms",
+                "time after which a sector that is not seen again is forgotten", {100, 100000}),
+          field(
+              "ballSize", &P::ballSize, "mm",
+              "distance from the ball within which the end of free ground is the ball, no obstacle",
+              {0, 1000}),
+          field("ballTime", &P::ballTime, "ms", "time since the ball was seen for which that holds",
                 {0, 10000}),
           field("lowestObstacle", &P::lowestObstacle, "mm",
-                "height of what the distance sensor must not look over", {1, 1000}),
+                "height of the lowest obstacle, which the distance sensor must not look over",
+                {1, 1000}),
           field("highestObstacle", &P::highestObstacle, "mm",
-                "what the distance sensor hits above that is none", {1, 10000})};
+                "height above which what the distance sensor hits is no obstacle", {1, 10000})};
     }
   };
   Parameters parameters;

@@ -13,9 +13,9 @@
 
 namespace gt {
 
-/// Locates other players where the percepts of the last two seconds are dense on a grid, and
-/// replaces those of the own team by what the team mates tell (report 3.7). A solution of
-/// PlayersLocator.
+/// Solution *GO2003* of PlayersLocator: locates other players where the percepts of the last two
+/// seconds are dense on a grid, and replaces those of the own team by what the teammates report
+/// (report 3.7).
 class GO2003PlayersLocator {
  public:
   struct Parameters {
@@ -30,18 +30,19 @@ class GO2003PlayersLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("memory", &P::memory, "ms", "for which a percept is kept", {40, 10000}),
-          field("cell", &P::cell, "mm", "of the grid", {20, 1000}),
+          field("memory", &P::memory, "ms", "time for which a percept is kept", {40, 10000}),
+          field("cell", &P::cell, "mm", "side of a cell of the grid", {20, 1000}),
           field("spread", &P::spread, "mm",
                 "standard deviation with which a percept counts around its cell", {10, 1000}),
           field("threshold", &P::threshold, "",
-                "percepts in one place that make a player; old ones count less", {0, 100}),
+                "number of percepts in one place that make a player; old ones count less",
+                {0, 100}),
           field("playerSize", &P::playerSize, "mm",
-                "no two players are nearer to each other: it is the same one", {0, 2000}),
-          field("silence", &P::silence, "ms", "after which a team mate's position is too old",
+                "distance below which two players are the same one", {0, 2000}),
+          field("silence", &P::silence, "ms", "time after which a teammate's position is too old",
                 {0, 100000}),
           field("leastValidity", &P::leastValidity, "",
-                "of the pose of a team mate that is believed", {0, 1})};
+                "least validity of a teammate's pose that is believed", {0, 1})};
     }
   };
   Parameters parameters;

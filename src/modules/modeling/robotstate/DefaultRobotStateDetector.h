@@ -6,8 +6,8 @@
 
 namespace gt {
 
-/// Detects falls and being lifted up, and measures for how long switches have been pressed (report,
-/// chapter 3's table). A solution of RobotStateDetector.
+/// Solution *Default* of RobotStateDetector: detects falls and being lifted up, and measures for
+/// how long switches have been pressed (report, chapter 3's table).
 class DefaultRobotStateDetector {
  public:
   struct Parameters {
@@ -15,7 +15,7 @@ class DefaultRobotStateDetector {
 
     static constexpr auto fields() {
       return Fields{field("settleTime", &Parameters::settleTime, "ms",
-                          "for which a state must be perceived before it counts", {0, 10000})};
+                          "time for which a state must be perceived before it counts", {0, 10000})};
     }
   };
   Parameters parameters;

@@ -13,10 +13,10 @@
 
 namespace gt {
 
-/// Finds the robot's pose by a few hypotheses, each of which is a Kalman filter that takes in all
-/// that is seen: bearings, distances of flags, points on edges, each with its own error. What fits
-/// none of them gives birth to new ones; the one that explains best what was seen of late is the
-/// robot's pose. A solution of SelfLocator that is none of the report's.
+/// Solution *Kalman* of SelfLocator, which is none of the report's: finds the robot's pose by a few
+/// hypotheses, each of which is a Kalman filter that takes in all that is seen: bearings, distances
+/// of flags, points on edges, each with its own error. Measurements that fit no hypothesis create
+/// new ones; the one that explains best what was seen of late is the robot's pose.
 class KalmanSelfLocator {
  public:
   struct Parameters {
@@ -44,30 +44,44 @@ class KalmanSelfLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("hypotheses", &P::hypotheses, "", "at most", {1, 100}),
-          field("points", &P::points, "", "used of each type of edge in an image", {1, 100}),
+          field("hypotheses", &P::hypotheses, "", "greatest number of hypotheses", {1, 100}),
+          field("points", &P::points, "", "number of points of each type of edge used in an image",
+                {1, 100}),
           field("farthest", &P::farthest, "mm", "points farther away are not used", {1, 1e5}),
-          field("slip", &P::slip, "", "deviation of a step, of its length", {0, 10}),
-          field("turnSlip", &P::turnSlip, "", "deviation of a turn, of its angle", {0, 10}),
-          field("drift", &P::drift, "mm", "deviation that a second adds", {0, 1e4}),
-          field("turnDrift", &P::turnDrift, "rad", "deviation that a second adds", {0, 3}),
+          field("slip", &P::slip, "", "standard deviation of a step, as a share of its length",
+                {0, 10}),
+          field("turnSlip", &P::turnSlip, "",
+                "standard deviation of a turn, as a share of its angle", {0, 10}),
+          field("drift", &P::drift, "mm", "standard deviation of the position that a second adds",
+                {0, 1e4}),
+          field("turnDrift", &P::turnDrift, "rad",
+                "standard deviation of the rotation that a second adds", {0, 3}),
           field("commonAngle", &P::commonAngle, "rad",
-                "deviation of the camera's pan, the same for all of an image", {1e-6, 1}),
-          field("bearingError", &P::bearingError, "rad", "deviation of each bearing", {1e-6, 1}),
-          field("flagDistanceError", &P::flagDistanceError, "", "of its distance", {1e-6, 1}),
-          field("flagError", &P::flagError, "mm", "deviation of where flags stand", {0, 1e4}),
-          field("postError", &P::postError, "mm", "deviation of where goal posts stand", {0, 1e4}),
-          field("tiltError", &P::tiltError, "rad",
-                "deviation of the camera's tilt, the same for all of an image", {1e-6, 1}),
-          field("pointError", &P::pointError, "rad", "deviation of each point", {1e-6, 1}),
-          field("edgeError", &P::edgeError, "mm", "deviation of edges from the model", {1e-3, 1e3}),
-          field("gate", &P::gate, "", "deviations beyond which nothing is believed", {0.1, 100}),
-          field("surprise", &P::surprise, "", "how likely anything is to be seen wrongly",
+                "standard deviation of the camera's pan, the same for all of an image", {1e-6, 1}),
+          field("bearingError", &P::bearingError, "rad", "standard deviation of each bearing",
                 {1e-6, 1}),
-          field("landmarkSurprise", &P::landmarkSurprise, "", "the same of a landmark", {1e-6, 1}),
-          field("memory", &P::memory, "", "most by which a hypothesis can be ahead of others, ln",
-                {0.1, 1000}),
-          field("newWeight", &P::newWeight, "", "by how much a new one begins behind the best, ln",
+          field("flagDistanceError", &P::flagDistanceError, "",
+                "standard deviation of a flag's distance, as a share of it", {1e-6, 1}),
+          field("flagError", &P::flagError, "mm", "standard deviation of where flags stand",
+                {0, 1e4}),
+          field("postError", &P::postError, "mm", "standard deviation of where goal posts stand",
+                {0, 1e4}),
+          field("tiltError", &P::tiltError, "rad",
+                "standard deviation of the camera's tilt, the same for all of an image", {1e-6, 1}),
+          field("pointError", &P::pointError, "rad",
+                "standard deviation of the elevation of each point", {1e-6, 1}),
+          field("edgeError", &P::edgeError, "mm", "standard deviation of edges from the model",
+                {1e-3, 1e3}),
+          field("gate", &P::gate, "",
+                "number of standard deviations beyond which nothing is believed", {0.1, 100}),
+          field("surprise", &P::surprise, "",
+                "probability that a point or a bearing is seen wrongly", {1e-6, 1}),
+          field("landmarkSurprise", &P::landmarkSurprise, "",
+                "probability that a landmark is seen wrongly", {1e-6, 1}),
+          field("memory", &P::memory, "",
+                "greatest difference of the logarithms of two hypotheses' weights", {0.1, 1000}),
+          field("newWeight", &P::newWeight, "",
+                "difference of the logarithms of the best hypothesis' weight and a new one's",
                 {0, 1000})};
     }
   };

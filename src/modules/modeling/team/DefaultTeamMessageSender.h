@@ -7,12 +7,11 @@
 
 namespace gt {
 
-/// Puts together what the robot tells its team mates (report 3.4.2). A solution of
-/// TeamMessageSender.
+/// Solution *Default* of TeamMessageSender: puts together what the robot reports to its teammates
+/// (report 3.4.2).
 class DefaultTeamMessageSender {
  public:
-  /// Provides the message. A ball never seen is sent as such; how sure the pose is is sent beside
-  /// it.
+  /// Provides the message. A ball never seen is sent as such, an uncertain pose with its validity.
   void update(const RobotPose& robotPose, const BallModel& ball,
               const BehaviorTeamMessage& behavior, const FrameInfo& frame, const Player& player,
               TeamMessage& message);

@@ -11,9 +11,9 @@
 
 namespace gt {
 
-/// Fuses the balls of all robots of the team, each as uncertain as its seer's pose, its distance
-/// and its age make it; balls that do not agree with the most of that do not count, so that a lost
-/// robot does no harm (report 6.2.3). A solution of TeamBallLocator.
+/// Solution *Fused* of TeamBallLocator: fuses the balls of all robots of the team, each as
+/// uncertain as its seer's pose, its distance and its age make it. Balls that do not agree with
+/// most of the others do not count, so that a lost robot does no harm (report 6.2.3).
 class FusedTeamBallLocator {
  public:
   struct Parameters {

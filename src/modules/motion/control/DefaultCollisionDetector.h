@@ -13,8 +13,8 @@ namespace gt {
 /// How the robot walks, as far as it matters for how its legs follow their commands.
 enum class Gait { standing, forward, backward, sideways, turning };
 
-/// Compares what the legs' motors were told with what they did: a leg that is held up lags behind
-/// (report 3.6). A solution of CollisionDetector.
+/// Solution *Default* of CollisionDetector: compares what the legs' motors were told with what they
+/// did, since a leg that is held up lags behind (report 3.6).
 class DefaultCollisionDetector {
  public:
   static constexpr int window = 12;      ///< Squared differences that are summed.
@@ -42,17 +42,21 @@ class DefaultCollisionDetector {
       constexpr Range frames{0, mostFrames};
       return Fields{
           field("thresholds", &P::thresholds, "rad^2",
-                "of the sum of squared differences of a leg, for each gait and speed", {0, 1000}),
-          field("leastShift", &P::leastShift, "frames", "of 8 ms: phase shift of the sensors",
+                "threshold of the sum of a leg's squared differences, for each gait and speed",
+                {0, 1000}),
+          field("leastShift", &P::leastShift, "frames",
+                "least phase shift of the sensors, in frames of 8 ms", frames),
+          field("mostShift", &P::mostShift, "frames", "greatest phase shift of the sensors",
                 frames),
-          field("mostShift", &P::mostShift, "frames", "", frames),
           field("suddenSpeed", &P::suddenSpeed, "mm/s",
                 "change of the command within a frame that makes the legs lag by itself",
                 {0, 10000}),
-          field("suddenTurn", &P::suddenTurn, "rad/s", "likewise", {0, 100}),
-          field("settleTime", &P::settleTime, "ms", "after that, without detection", {0, 10000}),
-          field("inARow", &P::inARow, "frames", "above the threshold that make a collision",
-                {1, 100})};
+          field("suddenTurn", &P::suddenTurn, "rad/s",
+                "change of the turning speed that does the same", {0, 100}),
+          field("settleTime", &P::settleTime, "ms", "time without detection after such a change",
+                {0, 10000}),
+          field("inARow", &P::inARow, "frames",
+                "number of frames above the threshold that make a collision", {1, 100})};
     }
   };
   Parameters parameters;

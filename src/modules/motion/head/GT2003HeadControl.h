@@ -30,19 +30,22 @@ class GT2003HeadControl {
       using P = Parameters;
       return Fields{
           field("ballSeenBeforeScan", &P::ballSeenBeforeScan, "ms",
-                "search-auto: the ball is seen this long before a scan", {0, 5000}),
-          field("scanTime", &P::scanTime, "ms", "search-auto: away from the ball and back",
-                {100, 880}),
-          field("scanWidth", &P::scanWidth, "rad", "search-auto: to one side of the ball",
-                {0.1, 2}),
-          field("ballLostAfter", &P::ballLostAfter, "ms", "not seen where it is looked for",
-                {100, 5000}),
-          field("ballSearchTime", &P::ballSearchTime, "ms", "for one round", {1000, 10000}),
-          field("landmarkSearchTime", &P::landmarkSearchTime, "ms", "for one round", {1000, 10000}),
+                "search-auto: time for which the ball is seen before a scan", {0, 5000}),
+          field("scanTime", &P::scanTime, "ms",
+                "search-auto: time of a scan away from the ball and back", {100, 880}),
+          field("scanWidth", &P::scanWidth, "rad",
+                "search-auto: width of a scan to one side of the ball", {0.1, 2}),
+          field("ballLostAfter", &P::ballLostAfter, "ms",
+                "time after which a ball that is not where it is looked for is lost", {100, 5000}),
+          field("ballSearchTime", &P::ballSearchTime, "ms",
+                "time of one round of searching the ball", {1000, 10000}),
+          field("landmarkSearchTime", &P::landmarkSearchTime, "ms",
+                "time of one round of looking for landmarks", {1000, 10000}),
           field("horizonTilt", &P::horizonTilt, "rad",
-                "of the camera over ground when landmarks are looked for", {-0.5, 0.5}),
+                "tilt of the camera over ground when landmarks are looked for", {-0.5, 0.5}),
           field("aheadTilt", &P::aheadTilt, "rad",
-                "likewise when looking straight ahead: balls from 300 mm on are seen", {-1, 0.5})};
+                "tilt of the camera when looking straight ahead: balls from 300 mm on are seen",
+                {-1, 0.5})};
     }
   };
   Parameters parameters;
