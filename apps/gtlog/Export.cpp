@@ -119,7 +119,7 @@ class Columns {
 Result<void> exportJson(const std::string& log, const Selection& selection, std::FILE* to,
                         const std::string& name, std::uint64_t limit) {
   std::uint64_t count = 0;
-  const Error enough{"", 0, "", ""};
+  const Error enough;
   const auto done = forEachJson(
       log, selection,
       [&](const McapChannel& channel, std::int64_t time, const Json& message) -> Result<void> {

@@ -27,7 +27,9 @@ Result<std::unique_ptr<GameControllerLink>> GameControllerLink::listen(int port)
   socklen_t size = sizeof address;
   if (::bind(socket, general(address), size) != 0 ||
       ::getsockname(socket, general(address), &size) != 0) {
-    const Error error{"game controller", 0, "port " + std::to_string(port), std::strerror(errno)};
+    const Error error{.file = "game controller",
+                      .field = "port " + std::to_string(port),
+                      .what = std::strerror(errno)};
     ::close(socket);
     return error;
   }
