@@ -70,7 +70,6 @@ Result<void> sendControl(Console& console,
 }
 
 Result<void> xlb(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
   if (words[1] == "?") {
     list(console, behaviorNames(console));
     return {};
@@ -125,7 +124,6 @@ Result<std::string> valueOf(const xabsl::Model& model, const Declared& declared,
 template <typename T>
 Result<void> selectRoot(Console& console, const xabsl::Model& model, const Words& words,
                         const std::vector<T>& elements, bool basicBehavior) {
-  if (words.size() < 2) return wrongArguments(words);
   if (words[1] == "?") {
     list(console, signatures(elements));
     return {};
@@ -180,26 +178,23 @@ Result<void> xis(Console& console, const Words& words) {
   const auto model = console.behavior();
   if (!model) return model.error();
   const auto names = symbolNames(**model, true);
-  if (words.size() == 2 && words[1] == "?") {
+  if (words[1] == "?") {
     list(console, names);
     return {};
   }
-  const auto on = switchOf(words, 2);
-  if (!on) return on.error();
   const std::string* name = findName(names, words[1]);
   if (!name) return Error{.field = words[1], .what = "there is no such input symbol; try xis ?"};
-  return show(console, *name, *on);
+  return show(console, *name, words[2] == "on");
 }
 
 Result<void> xos(Console& console, const Words& words) {
   const auto model = console.behavior();
   if (!model) return model.error();
   const auto names = symbolNames(**model, false);
-  if (words.size() == 2 && words[1] == "?") {
+  if (words[1] == "?") {
     list(console, names);
     return {};
   }
-  if (words.size() != 3) return wrongArguments(words);
   const std::string* found = findName(names, words[1]);
   if (!found) return Error{.field = words[1], .what = "there is no such output symbol; try xos ?"};
   const std::string symbol = *found, &word = words[2];

@@ -28,12 +28,6 @@ Result<double> numberOf(const std::string& word, double low, double high) {
   return number;
 }
 
-Result<bool> switchOf(const Words& words, std::size_t word) {
-  if (words.size() != word + 1 || (words[word] != "on" && words[word] != "off"))
-    return wrongArguments(words);
-  return words[word] == "on";
-}
-
 Error wrongArguments(const Words& words) {
   const Command* command = Console::find(words.front());
   return {

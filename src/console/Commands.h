@@ -23,9 +23,7 @@ std::vector<Command> testCommands();
 Result<double> numberOf(const std::string& word);
 /// A number within limits.
 Result<double> numberOf(const std::string& word, double low, double high);
-/// True for on, false for off; an error otherwise.
-Result<bool> switchOf(const Words& words, std::size_t word);
-/// The error of a command whose arguments are wrong: tells how they should be.
+/// The error of a command whose arguments are not as its usage says: reports how they should be.
 Error wrongArguments(const Words& words);
 /// A file's name with a folder and an extension if it has none.
 std::string withDefaults(const std::string& file, const std::string& folder,

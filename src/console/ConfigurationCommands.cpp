@@ -110,7 +110,6 @@ Result<void> load(ObservedRobot& robot, const fs::path& folder, const DataRoot& 
 }
 
 Result<void> config(Console& console, const Words& words) {
-  if (words.size() != 3 || (words[1] != "save" && words[1] != "load")) return wrongArguments(words);
   const bool several = console.selected().size() > 1 && words[1] == "save";
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     const fs::path named{words[2]};

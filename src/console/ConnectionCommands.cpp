@@ -13,7 +13,6 @@ Result<void> sc(Console& console, const Words& words) {
 }
 
 Result<void> sl(Console& console, const Words& words) {
-  if (words.size() != 3 && words.size() != 4) return wrongArguments(words);
   const bool there = std::filesystem::is_regular_file(words[2]);
   const std::string file = there ? words[2] : withDefaults(words[2], "out/logs", ".mcap");
   return console.session().replay(words[1], file, words.size() == 4 ? words[3] : "");
@@ -26,7 +25,6 @@ std::vector<std::string> robotNames(Console& console, const Words&) {
 }
 
 Result<void> selectRobots(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
   if (words[1] == "all") {
     console.select({});
     return {};

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 
 #include "console/Commands.h"
+#include "console/Usage.h"
 #include "modules/behavior/control/Behavior.h"
 #include "modules/behavior/control/BehaviorRequest.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
@@ -134,6 +136,8 @@ Result<void> Console::execute(std::string_view line) {
     return Error{
         .field = words->front(),
         .what = "there is no such command; try help" + suggestion(words->front(), commandNames())};
+  if (!Usage{command->arguments}.matches(std::span{*words}.subspan(1)))
+    return wrongArguments(*words);
   auto done = command->execute(*this, *words);
   if (done && noting_ && command->changes && words->back() != "?")
     session_.match().note(InterventionKind::console, std::string{line});

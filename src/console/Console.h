@@ -32,8 +32,8 @@ struct Command {
 
   Kind kind;
   std::string_view name;
-  std::string_view
-      arguments;  ///< Alternatives between |, what may be missing in [], repeated in {}.
+  /// What may stand behind it, as in Usage.h; a line that does not match is refused.
+  std::string_view arguments;
   std::string_view help;
   Result<void> (*execute)(Console& console, const Words& words);
   /// What may stand for a placeholder behind the words `before`; null: what its name says.

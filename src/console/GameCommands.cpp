@@ -24,7 +24,6 @@ Result<void> tellElsewhere(Console& console, GameState state, std::optional<Team
 }
 
 Result<void> gc(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
   const std::string& what = words[1];
   Referee& referee = console.session().simulation().referee();
   const Time now = console.session().time();
@@ -32,9 +31,7 @@ Result<void> gc(Console& console, const Words& words) {
   std::optional<TeamColor> kickOff;
   GameState state = referee.state();
   if (what == "kickOff") {
-    if (words.size() != 3 && words.size() != 5) return wrongArguments(words);
     kickOff = enumValue<TeamColor>(words[2]);
-    if (!kickOff) return wrongArguments(words);
     for (std::size_t i = 3; i < words.size(); ++i) {  // blue, then red
       const auto goals = numberOf(words[i], 0, 1000);
       if (!goals) return goals.error();
@@ -42,21 +39,13 @@ Result<void> gc(Console& console, const Words& words) {
     }
     referee.setKickOff(*kickOff);
     state = GameState::set;
-  } else if (words.size() == 2) {
-    if (what == "reset") {
-      score = {0, 0};
-      state = GameState::initial;
-    } else if (what == "ready") {
-      state = GameState::ready;
-    } else if (what == "playing") {
-      state = GameState::playing;
-    } else if (what == "final") {
-      state = GameState::finished;
-    } else {
-      return wrongArguments(words);
-    }
+  } else if (what == "reset") {
+    score = {0, 0};
+    state = GameState::initial;
+  } else if (what == "ready") {
+    state = GameState::ready;
   } else {
-    return wrongArguments(words);
+    state = what == "playing" ? GameState::playing : GameState::finished;
   }
   referee.setScore(TeamColor::red, score[0], now);
   referee.setScore(TeamColor::blue, score[1], now);
@@ -79,10 +68,8 @@ constexpr std::pair<std::string_view, Penalty> penalties[] = {
     {"requestForPickup", Penalty::requestForPickup}};
 
 Result<void> pr(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
   const auto known =
       std::ranges::find_if(penalties, [&](const auto& p) { return p.first == words[1]; });
-  if (known == std::end(penalties)) return wrongArguments(words);
   const Penalty penalty = known->second;
   Session& session = console.session();
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {

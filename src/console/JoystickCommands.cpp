@@ -6,7 +6,6 @@ namespace gt {
 namespace {
 
 Result<void> jbc(Console& console, const Words& words) {
-  if (words.size() < 3) return wrongArguments(words);
   const auto button = numberOf(words[1], 1, Joystick::buttons);
   if (!button) return button.error();
   if (*button != std::floor(*button)) return wrongArguments(words);
@@ -18,9 +17,7 @@ Result<void> jbc(Console& console, const Words& words) {
 }
 
 Result<void> jhc(Console& console, const Words& words) {
-  const auto axis = words.size() == 2 ? enumValue<Joystick::HeadAxis>(words[1]) : std::nullopt;
-  if (!axis) return wrongArguments(words);
-  console.joystick().setHeadAxis(*axis);
+  console.joystick().setHeadAxis(*enumValue<Joystick::HeadAxis>(words[1]));
   return {};
 }
 
@@ -43,7 +40,7 @@ Result<void> moveAxes(Console& console, const Words& words) {
   std::vector<std::pair<Joystick::Axis, double>> moves;
   for (std::size_t i = 1; i < words.size(); i += 2) {
     const auto axis = enumValue<Joystick::Axis>(words[i]);
-    if (!axis || i + 1 >= words.size()) return wrongArguments(words);
+    if (!axis) return wrongArguments(words);
     const auto value = numberOf(words[i + 1], -1, 1);
     if (!value) return value.error();
     moves.emplace_back(*axis, *value);
@@ -53,7 +50,6 @@ Result<void> moveAxes(Console& console, const Words& words) {
 }
 
 Result<void> joystick(Console& console, const Words& words) {
-  if (words.size() < 3) return wrongArguments(words);
   const bool down = words[1] == "press";
   if (!down && words[1] != "release") return moveAxes(console, words);
   if (words.size() != 3) return wrongArguments(words);

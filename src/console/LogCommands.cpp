@@ -19,10 +19,8 @@ Result<void> saveLog(Console& console, const std::string& file) {
 }
 
 Result<void> log(Console& console, const Words& words) {
-  if (words.size() == 3 && words[1] == "save") return saveLog(console, words[2]);
-  if (words.size() != 2) return wrongArguments(words);
+  if (words[1] == "save") return saveLog(console, words[2]);
   const std::string& what = words[1];
-  if (what != "start" && what != "stop" && what != "clear") return wrongArguments(words);
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     if (what == "start") return robot.recorder.start();
     if (what == "stop") robot.recorder.stop();
@@ -51,8 +49,8 @@ void printPlace(Console& console, ConsoleRobot& robot) {
 Result<void> transfer(Console& console, ConsoleRobot& robot, const Words& words) {
   const std::string out = withDefaults(words[2], "out/logs", ".mcap");
   const std::string& log = robot.onLog()->player().path();
-  Result<Transferred> done = wrongArguments(words);
-  if (words[1] == "cut" && words.size() == 5) {
+  Result<Transferred> done = Transferred{};
+  if (words[1] == "cut") {
     Selection selection;
     for (const auto& [bound, word] : {std::pair{&selection.from, 3}, std::pair{&selection.to, 4}}) {
       const auto number = numberOf(words[static_cast<std::size_t>(word)]);
@@ -60,7 +58,7 @@ Result<void> transfer(Console& console, ConsoleRobot& robot, const Words& words)
       *bound = *number;
     }
     done = cutLog(log, selection, out);
-  } else if (words[1] == "join" && words.size() > 3) {
+  } else {
     std::vector<std::string> logs{log};
     for (std::size_t i = 3; i < words.size(); ++i)
       logs.push_back(withDefaults(words[i], "out/logs", ".mcap"));
@@ -76,23 +74,18 @@ Result<void> playLog(Console& console, ConsoleRobot& robot, const Words& words) 
   LogRobot& log = *robot.onLog();
   const auto take = [&](const MessageQueue& messages) { robot.take(messages); };
   const std::string& what = words[1];
-  if (what == "cut" || what == "join")
-    return words.size() > 2 ? transfer(console, robot, words) : wrongArguments(words);
+  if (what == "cut" || what == "join") return transfer(console, robot, words);
   if (what == "loop") {
-    const auto on = switchOf(words, 2);
-    if (!on) return on.error();
-    log.player().setLoop(*on);
+    log.player().setLoop(words[2] == "on");
     return {};
   }
   if (what == "play" || what == "pause" || what == "?") {
-    if (words.size() != 2) return wrongArguments(words);
     if (what == "play") log.player().play();
     if (what == "pause") log.player().pause();
     if (what == "?") printPlace(console, robot);
     return {};
   }
   const bool step = what == "step" || what == "back";
-  if (words.size() != 3 && !(step && words.size() == 2)) return wrongArguments(words);
   const auto number = words.size() == 3 ? numberOf(words[2], 0, 1e9) : Result<double>{1.0};
   if (!number) return number.error();
   Result<void> done = wrongArguments(words);
@@ -108,7 +101,6 @@ Result<void> playLog(Console& console, ConsoleRobot& robot, const Words& words) 
 }
 
 Result<void> lp(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     if (!robot.onLog()) return Error{.field = robot.name(), .what = "does not live on a log"};
     return playLog(console, robot, words);

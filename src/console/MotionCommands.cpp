@@ -55,7 +55,6 @@ Result<void> sendMotion(Console& console, const std::function<void(MotionRequest
 }
 
 Result<void> mr(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
   const auto motions = console.motions();
   if (!motions) return motions.error();
   if (words[1] == "?") {
@@ -86,7 +85,6 @@ Result<void> mr(Console& console, const Words& words) {
 }
 
 Result<void> tr(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
   if (words[1] == "?") {
     list(console, namesOf<TailRequest>());
     return {};
@@ -97,8 +95,7 @@ Result<void> tr(Console& console, const Words& words) {
 }
 
 Result<void> hcm(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
-  if (words.size() == 2 && words[1] == "?") {
+  if (words[1] == "?") {
     list(console, namesOf<HeadMode>());
     return {};
   }
@@ -131,7 +128,6 @@ void warnIfHeadIsMoved(Console& console, ConsoleRobot& robot) {
 }
 
 Result<void> hmr(Console& console, const Words& words) {
-  if (words.size() != 5) return wrongArguments(words);
   double angles[4];
   for (std::size_t i = 0; i < 4; ++i) {
     const auto degrees = numberOf(words[1 + i], -180, 180);

@@ -85,11 +85,10 @@ std::vector<std::string> debugKeyNames(Console&, const Words& before) {
 }
 
 Result<DebugKeyRequest> debugKeyRequest(const Words& words) {
-  if (words.size() == 3 && words[2] == "off") return DebugKeyRequest{};
-  if (words.size() == 3 && words[2] == "on") return DebugKeyRequest{DebugKeyMode::always, 0};
+  if (words[2] == "off") return DebugKeyRequest{};
+  if (words[2] == "on") return DebugKeyRequest{DebugKeyMode::always, 0};
   const bool every = words.size() > 3 && words[2] == "every";
-  const bool ms = words.size() == 5 && words[4] == "ms";
-  if (words.size() != (every ? (ms ? 5u : 4u) : 3u)) return wrongArguments(words);
+  const bool ms = words.size() == 5;
   const auto n = numberOf(words[every ? 3 : 2]);
   if (!n) return n.error();
   if (*n < 1 || *n > 1e9 || *n != std::floor(*n)) return wrongArguments(words);
@@ -118,14 +117,13 @@ Result<void> setKey(ObservedRobot& robot, const std::string& name, const DebugKe
 }
 
 Result<void> dk(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "?") {
+  if (words[1] == "?") {
     auto names = debugKeyNames(console, {"dk"});
     std::erase(names, "?");
     std::sort(names.begin(), names.end());
     list(console, names);
     return {};
   }
-  if (words.size() < 3) return wrongArguments(words);
   const auto often = debugKeyRequest(words);
   if (!often) return often.error();
   return console.forEachRobot(
@@ -205,9 +203,7 @@ Result<std::vector<std::string>> solutionsOf(ConsoleRobot& robot, const std::str
 }
 
 Result<void> sr(Console& console, const Words& words) {
-  const bool ask = words.size() > 1 && words.back() == "?";
-  if (words.size() != 3 && !(ask && words.size() == 2)) return wrongArguments(words);
-  if (ask) {
+  if (words.back() == "?") {
     const auto robot = console.firstRobot();
     if (!robot) return robot.error();
     if (words.size() == 2) {
@@ -247,14 +243,14 @@ std::string idOf(std::string word) {
 }
 
 Result<void> sg(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "?") {
+  if (words[1] == "?") {
     auto names = idNames(console, {"sg"});
     std::erase(names, "?");
     list(console, names);
     return {};
   }
   constexpr std::size_t mostNumbers = 10;  // report I.5.3
-  if (words.size() < 2 || words.size() > 2 + mostNumbers) return wrongArguments(words);
+  if (words.size() > 2 + mostNumbers) return wrongArguments(words);
   GenericDebugData data{idOf(words[1]), {}};
   if (const auto names = idNames(console, {"sg"}); std::ranges::find(names, data.id) == names.end())
     return Error{.field = words[1], .what = "there is no such id; try sg ?"};
@@ -267,12 +263,8 @@ Result<void> sg(Console& console, const Words& words) {
 }
 
 Result<void> qfr(Console& console, const Words& words) {
-  const auto mode = words.size() < 2 ? std::nullopt : enumValue<QueueFillMode>(words[1]);
-  if (!mode) return wrongArguments(words);
-  QueueFillRequest request{*mode, 0};
-  const bool timed = *mode == QueueFillMode::collect || *mode == QueueFillMode::save;
-  if (words.size() != (timed ? 3u : 2u)) return wrongArguments(words);
-  if (timed) {
+  QueueFillRequest request{*enumValue<QueueFillMode>(words[1]), 0};
+  if (words.size() == 3) {
     const auto seconds = numberOf(words[2]);
     if (!seconds) return seconds.error();
     if (*seconds < 0 || *seconds > 86400) return wrongArguments(words);
@@ -283,34 +275,30 @@ Result<void> qfr(Console& console, const Words& words) {
 }
 
 Result<void> ci(Console& console, const Words& words) {
-  const auto on = switchOf(words, 1);
-  if (!on) return on.error();
+  const bool on = words[1] == "on";
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (robot.index()) console.session().simulation().takeImages(*robot.index(), *on);
+    if (robot.index()) console.session().simulation().takeImages(*robot.index(), on);
     return {};
   });
 }
 
 Result<void> so(Console& console, const Words& words) {
-  const auto on = switchOf(words, 1);
-  if (!on) return on.error();
+  const bool on = words[1] == "on";
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (SimulatedRobot* simulated = robot.simulated()) simulated->sendOracle(*on);
+    if (SimulatedRobot* simulated = robot.simulated()) simulated->sendOracle(on);
     return {};
   });
 }
 
 Result<void> msg(Console& console, const Words& words) {
-  const auto on = switchOf(words, 1);
-  if (!on) return on.error();
+  const bool on = words[1] == "on";
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    robot.printsTexts = *on;
+    robot.printsTexts = on;
     return {};
   });
 }
 
 Result<void> graph(Console& console, const Words& words) {
-  if (words.size() > 2) return wrongArguments(words);
   const auto robot = console.firstRobot();
   if (!robot) return robot.error();
   const std::vector<ProcessDescription> modules = describe(**robot);
@@ -326,7 +314,6 @@ Result<void> graph(Console& console, const Words& words) {
 }
 
 Result<void> layout(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
   const std::string file = dataFile(console, words[1], "layouts", ".layout");
   const auto text = readFile(file);
   if (!text) return text.error();

@@ -51,7 +51,6 @@ std::vector<std::string> helpNames(Console&, const Words&) {
 }
 
 Result<void> help(Console& console, const Words& words) {
-  if (words.size() > 2) return wrongArguments(words);
   if (words.size() == 1) {
     printTopics(console);
     return {};
@@ -86,12 +85,10 @@ Result<void> cls(Console& console, const Words&) {
 }
 
 Result<void> call(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
   return console.call(words[1]);
 }
 
-Result<void> end(Console& console, const Words& words) {
-  if (words.size() != 1) return wrongArguments(words);
+Result<void> end(Console& console, const Words&) {
   console.end();
   return {};
 }
@@ -102,16 +99,16 @@ std::vector<Command> scriptCommands() {
   using enum Command::Kind;
   return {
       {global, "#", "TEXT", "A comment.", comment},
-      {global, "?", "[TOPIC | NAME | all]", "The same as help.", help, helpNames},
+      {global, "?", "[TOPIC | NAME | ? | all]", "The same as help.", help, helpNames},
       {global, "call", "SCRIPT",
        "Executes a script, one command per line; from scenes/ and with .con if the file has no "
        "folder and extension.",
        call},
       {global, "cls", "", "Clears the console.", cls},
-      {global, "echo", "TEXT",
+      {global, "echo", "[TEXT]",
        "Prints a text. If that is a command, who types finds it in the history.", echo},
       {global, "exit", "", "Ends the scripts that run, and the program.", end},
-      {global, "help", "[TOPIC | NAME | all]",
+      {global, "help", "[TOPIC | NAME | ? | all]",
        "Lists the topics with their commands, or explains one of them, or all.", help, helpNames},
       {global, "quit", "", "The same as exit.", end}};
 }

@@ -13,12 +13,11 @@ namespace {
 constexpr double untilAtMost = 600;
 constexpr double longest = 1e6;  // s
 
-/// A duration from a word on: 30, 30 s, 30s, 500 ms, 2 min or 10 steps; in ms.
-Result<std::int64_t> durationOf(const Words& words, std::size_t first) {
-  if (words.size() != first + 1 && words.size() != first + 2) return wrongArguments(words);
-  std::string digits = words[first], unit = "s";
-  if (words.size() == first + 2) {
-    unit = words[first + 1];
+/// A duration behind a command: 30, 30 s, 30s, 500 ms, 2 min or 10 steps; in ms.
+Result<std::int64_t> durationOf(const Words& words) {
+  std::string digits = words[1], unit = "s";
+  if (words.size() == 3) {
+    unit = words[2];
   } else if (const auto end = digits.find_first_not_of("+-.0123456789e");
              end != digits.npos && end > 0) {
     unit = digits.substr(end);
@@ -59,32 +58,28 @@ Result<void> passTime(Console& console, const std::string& command, std::int64_t
 }
 
 Result<void> run(Console& console, const Words& words) {
-  const auto ms = durationOf(words, 1);
+  const auto ms = durationOf(words);
   return ms ? passTime(console, "run", *ms) : ms.error();
 }
 
 Result<void> step(Console& console, const Words& words) {
-  if (words.size() > 2) return wrongArguments(words);
   const auto steps = words.size() == 2 ? numberOf(words[1], 0, 1e9) : Result<double>{1};
   if (!steps) return steps.error();
   if (*steps != std::floor(*steps)) return wrongArguments(words);
   return passTime(console, "step", std::llround(*steps) * tickMs);
 }
 
-Result<void> start(Console& console, const Words& words) {
-  if (words.size() != 1) return wrongArguments(words);
+Result<void> start(Console& console, const Words&) {
   console.session().start();
   return {};
 }
 
-Result<void> stop(Console& console, const Words& words) {
-  if (words.size() != 1) return wrongArguments(words);
+Result<void> stop(Console& console, const Words&) {
   console.session().stop();
   return {};
 }
 
 Result<void> st(Console& console, const Words& words) {
-  if (words.size() < 2 || words.size() > 3) return wrongArguments(words);
   Pace pace;
   if (words[1] == "on") {
     if (words.size() == 3) {
@@ -92,15 +87,13 @@ Result<void> st(Console& console, const Words& words) {
       if (!factor) return factor.error();
       pace.factor = *factor;
     }
-  } else if (words[1] == "off") {
+  } else {
     pace = {1, 1};
     if (words.size() == 3) {
       const auto slowness = numberOf(words[2], 0.01, 1e6);
       if (!slowness) return slowness.error();
       pace.slowness = *slowness;
     }
-  } else {
-    return wrongArguments(words);
   }
   console.session().setPace(pace);
   return {};
@@ -128,7 +121,6 @@ Result<Waiting> waitingOf(const Words& words) {
 }
 
 Result<void> until(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
   const auto waiting = waitingOf(words);
   if (!waiting) return waiting.error();
   const Time end = console.session().time() + std::llround(1000 * waiting->seconds);
@@ -152,7 +144,6 @@ Result<void> restart(Console& console, const MatchOptions& options) {
 }
 
 Result<void> seed(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
   const auto number = numberOf(words[1], 0, 9e15);
   if (!number) return number.error();
   MatchOptions options = console.session().options();
@@ -161,19 +152,16 @@ Result<void> seed(Console& console, const Words& words) {
 }
 
 Result<void> scene(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
   MatchOptions options = console.session().options();
   options.scene = dataFile(console, words[1], "scenes", ".scene");
   return restart(console, options);
 }
 
-Result<void> reset(Console& console, const Words& words) {
-  if (words.size() != 1) return wrongArguments(words);
+Result<void> reset(Console& console, const Words&) {
   return restart(console, console.session().options());
 }
 
 Result<void> save(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
   const std::string file = withDefaults(words[1], "out/states", ".state");
   std::error_code ignored;  // then writing tells what is wrong
   std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
@@ -183,7 +171,6 @@ Result<void> save(Console& console, const Words& words) {
 }
 
 Result<void> load(Console& console, const Words& words) {
-  if (words.size() != 2) return wrongArguments(words);
   const auto selection = console.selection();
   console.select({});
   console.forgetBehavior();

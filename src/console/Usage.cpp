@@ -89,7 +89,12 @@ class UsageMatcher {
   using Goal = std::function<void(std::size_t at)>;
   explicit UsageMatcher(std::span<const std::string> words) : words_{words} {}
 
+  bool matches(const Node& node) {
+    match(node, 0, [this](std::size_t at) { whole_ |= at == words_.size(); });
+    return whole_;
+  }
   void match(const Node& node, std::size_t at, const Goal& then) {
+    if (whole_) return;
     switch (node.kind) {
       case Kind::word:
         return matchWord(node.text, at, then);
@@ -123,14 +128,15 @@ class UsageMatcher {
       if (std::ranges::find(found, word) == found.end()) found.push_back(word);
       return;
     }
-    if (isPlaceholder(word) ? words_[at] != "?" : words_[at] == word) then(at + 1);
-    // Conditions and texts are of several words.
-    if ((word == "CONDITION" || word == "TEXT") && at + 1 <= words_.size())
-      matchWord(word, at + 1, then);
+    if (word == "COMMAND") return then(words_.size());
+    const bool text = word == "CONDITION" || word == "TEXT";  // of several words
+    if (text || (isPlaceholder(word) ? words_[at] != "?" : words_[at] == word)) then(at + 1);
+    if (text) matchWord(word, at + 1, then);
   }
 
   std::span<const std::string> words_;
   Usage::Next next_;
+  bool whole_ = false;
 };
 
 Usage::Usage(std::string_view text) : root_{UsageParser{text}.readChoice()} {}
@@ -139,6 +145,10 @@ Usage::Next Usage::next(std::span<const std::string> before) const {
   UsageMatcher matcher{before};
   matcher.match(root_, 0, [](std::size_t) {});
   return matcher.take();
+}
+
+bool Usage::matches(std::span<const std::string> words) const {
+  return UsageMatcher{words}.matches(root_);
 }
 
 }  // namespace gt

@@ -22,6 +22,8 @@ class Usage {
     std::optional<std::size_t> command{};
   };
   Next next(std::span<const std::string> before) const;
+  /// Whether words are what may stand there, as far as placeholders tell.
+  bool matches(std::span<const std::string> words) const;
 
  private:
   friend class UsageParser;

@@ -46,5 +46,38 @@ TEST(Usage, ConditionsAndCommandsGoOn) {
   EXPECT_FALSE(next("BUTTON COMMAND", {}).command);
 }
 
+bool matches(std::string_view usage, std::vector<std::string> words) {
+  return Usage{usage}.matches(words);
+}
+
+TEST(Usage, MatchesWholeLinesOnly) {
+  constexpr auto usage = "? | KEY (off | every NUMBER [ms])";
+  EXPECT_TRUE(matches(usage, {"?"}));
+  EXPECT_TRUE(matches(usage, {"a", "off"}));
+  EXPECT_TRUE(matches(usage, {"a", "every", "3"}));
+  EXPECT_TRUE(matches(usage, {"a", "every", "3", "ms"}));
+  for (const auto& words : std::vector<std::vector<std::string>>{{},
+                                                                 {"a"},
+                                                                 {"?", "off"},
+                                                                 {"a", "on"},
+                                                                 {"a", "every"},
+                                                                 {"a", "every", "3", "s"},
+                                                                 {"a", "off", "off"}})
+    EXPECT_FALSE(matches(usage, words));
+  EXPECT_TRUE(matches("", {}));
+  EXPECT_FALSE(matches("", {"a"}));
+}
+
+TEST(Usage, TextsConditionsAndCommandsMatchAnyWords) {
+  EXPECT_TRUE(matches("[TEXT]", {}));
+  EXPECT_TRUE(matches("[TEXT]", {"what", "is", "?"}));
+  EXPECT_FALSE(matches("CONDITION [within SECONDS]", {}));
+  EXPECT_TRUE(matches("CONDITION [within SECONDS]", {"a", "<", "3", "within", "5"}));
+  EXPECT_TRUE(matches("BUTTON COMMAND", {"1", "mr", "walk", "?"}));
+  EXPECT_FALSE(matches("BUTTON COMMAND", {"1"}));
+  EXPECT_TRUE(matches("AXIS VALUE {AXIS VALUE}", {"x", "1", "y", "2"}));
+  EXPECT_FALSE(matches("AXIS VALUE {AXIS VALUE}", {"x", "1", "y"}));
+}
+
 }  // namespace
 }  // namespace gt

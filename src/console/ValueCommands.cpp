@@ -9,7 +9,6 @@ namespace gt {
 namespace {
 
 Result<void> expect(Console& console, const Words& words) {
-  if (words.size() < 2) return wrongArguments(words);
   const auto condition = Condition::parse(words.rest);
   if (!condition) return condition.error();
   const auto holds = condition->holds(console);
@@ -73,11 +72,10 @@ Error noValue(Console& console, const std::string& path) {
 }
 
 Result<void> get(Console& console, const Words& words) {
-  if (words.size() > 1 && words[1] == "?" && words.size() <= 3) {
+  if (words[1] == "?") {
     listValues(console, words.size() == 3 ? dotted(words[2]) : "");
     return {};
   }
-  if (words.size() != 2) return wrongArguments(words);
   // What a robot has is printed for each selected one; what there is once, once.
   const std::string path = words[1], first = path.substr(0, path.find('.'));
   const auto robots = console.selected();
@@ -93,7 +91,6 @@ Result<void> get(Console& console, const Words& words) {
 }
 
 Result<void> set(Console& console, const Words& words) {
-  if (words.size() < 3) return wrongArguments(words);
   std::string value = words[2];
   for (std::size_t i = 3; i < words.size(); ++i) value += " " + words[i];
   if (const auto object = objectPath(console.session(), words[1]))
@@ -140,7 +137,7 @@ std::vector<Command> valueCommands() {
        "parameters, or any object of the scene; or all values below a path: get RobotPose. With ? "
        "it lists all, or those that begin so.",
        get, valueChoices},
-      {robot, "set", "TASK[.SOLUTION].PATH VALUE | OBJECT VALUE",
+      {robot, "set", "TASK[.SOLUTION].PATH VALUE {VALUE} | OBJECT VALUE {VALUE}",
        "Sets a parameter; or moves or switches an object of the scene, such as "
        "robots.red1.joints.headPan.",
        set, settableNames, true}};

@@ -38,7 +38,7 @@ Result<std::vector<double>> numbersOf(const Words& words, std::size_t first) {
 
 /// image [VIEW] FILE {NUMBER}: the scene without a view's name.
 Result<void> picture(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "?") {
+  if (words[1] == "?") {
     for (const auto& view : console.views()) console.print(view->name() + "  " + view->help());
     return {};
   }
@@ -96,28 +96,24 @@ Result<void> savePlots(Console& console, const Words& words) {
 }
 
 Result<void> plot(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "?") {
+  if (words[1] == "?") {
     for (const auto& [name, samples] : console.recorder().series())
       console.print(name + " " + std::to_string(samples.size()) + " values");
     return {};
   }
-  if (words.size() > 2 && words.size() < 5 && words[1] == "save") return savePlots(console, words);
-  if (words.size() != 3) return wrongArguments(words);
-  const auto on = switchOf(words, 2);
-  if (!on) return on.error();
-  if (*on) return console.recorder().record(console, words[1]);
+  if (words[1] == "save") return savePlots(console, words);
+  if (words[2] == "on") return console.recorder().record(console, words[1]);
   if (console.recorder().forget(words[1])) return {};
   return Error{.field = words[1], .what = "is not recorded; try plot ?"};
 }
 
 Result<void> film(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "stop") {
+  if (words[1] == "stop") {
     const auto file = console.recorder().stopFilm();
     if (!file) return file.error();
     printWritten(console, *file);
     return {};
   }
-  if (words.size() < 3 || words[1] != "start") return wrongArguments(words);
   const auto view = viewOf(console, words.size() > 3 ? words[3] : "scene");
   if (!view) return view.error();
   const auto numbers = numbersOf(words, std::min<std::size_t>(words.size(), 4));
@@ -148,18 +144,15 @@ Result<void> defineView(Console& console, const std::string& name, const Words& 
 }
 
 Result<void> view(Console& console, const Words& words) {
-  if (words.size() == 2 && words[1] == "?") {
+  if (words[1] == "?") {
     for (const auto& known : console.views()) console.print(known->name() + "  " + known->help());
     return {};
   }
-  if (words.size() < 3) return wrongArguments(words);
   const std::string& name = words[1];
-  if (words.size() == 3 && words[2] == "off") {
+  if (words[2] == "off") {
     if (console.forgetView(name)) return {};
     return Error{.field = name, .what = "no view was defined by this name"};
   }
-  if (words.size() < 4 || (words[2] != "image" && words[2] != "field"))
-    return wrongArguments(words);
   if (std::ranges::any_of(builtInViews(), [&](const auto& known) { return known->name() == name; }))
     return Error{.field = name, .what = "is a view already"};
   return defineView(console, name, words);

@@ -42,14 +42,13 @@ std::vector<std::string> thingNames(Console& console, const Words& before) {
 
 /// What is behind a command with ? alone.
 bool asked(Console& console, const Words& words, const std::vector<std::string>& names) {
-  if (words.size() != 2 || words[1] != "?") return false;
+  if (words[1] != "?") return false;
   list(console, names);
   return true;
 }
 
 Result<void> place(Console& console, const Words& words) {
   if (asked(console, words, thingNames(console, {"place"}))) return {};
-  if (words.size() < 4 || words.size() > 6) return wrongArguments(words);
   std::vector<double> numbers;
   for (std::size_t i = 2; i < words.size(); ++i) {
     const auto number = numberOf(words[i], -10000, 10000);
@@ -76,9 +75,7 @@ Result<void> place(Console& console, const Words& words) {
 
 Result<void> throwOver(Console& console, const Words& words) {
   if (asked(console, words, sceneRobots(console))) return {};
-  if (words.size() != 2 && words.size() != 3) return wrongArguments(words);
-  const bool right = words.size() == 3 && words[2] == "right";
-  if (words.size() == 3 && !right && words[2] != "left") return wrongArguments(words);
+  const bool right = words.back() == "right";
   const auto robot = sceneRobot(console, words[1]);
   if (!robot) return robot.error();
   console.session().simulation().world().throwOver(
@@ -88,7 +85,6 @@ Result<void> throwOver(Console& console, const Words& words) {
 
 Result<void> standUp(Console& console, const Words& words) {
   if (asked(console, words, sceneRobots(console))) return {};
-  if (words.size() != 2) return wrongArguments(words);
   const auto robot = sceneRobot(console, words[1]);
   if (!robot) return robot.error();
   console.session().simulation().world().standUp(*robot);
@@ -97,35 +93,26 @@ Result<void> standUp(Console& console, const Words& words) {
 
 Result<void> press(Console& console, const Words& words) {
   if (asked(console, words, namesOf<Switch>())) return {};
-  if (words.size() < 2 || words.size() > 3) return wrongArguments(words);
-  const auto which = enumValue<Switch>(words[1]);
-  if (!which) return wrongArguments(words);
-  bool on = true;
-  if (words.size() == 3) {
-    const auto asked = switchOf(words, 2);
-    if (!asked) return asked.error();
-    on = *asked;
-  }
+  const Switch which = *enumValue<Switch>(words[1]);
+  const bool on = words.back() != "off";
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     if (!robot.index()) return Error{.field = "press", .what = "is for robots of the scene"};
-    console.session().simulation().sensors(*robot.index()).press(*which, on);
+    console.session().simulation().sensors(*robot.index()).press(which, on);
     return {};
   });
 }
 
 Result<void> fidelity(Console& console, const Words& words) {
-  if (words.size() > 2) return wrongArguments(words);
   Simulation& simulation = console.session().simulation();
   if (words.size() == 1) {
     console.print(enumName(simulation.scene().fidelity));
     return {};
   }
   if (asked(console, words, namesOf<Fidelity>())) return {};
-  const auto wanted = enumValue<Fidelity>(words[1]);
-  if (!wanted) return wrongArguments(words);
-  if (*wanted == simulation.scene().fidelity) return {};
-  if (auto done = simulation.changeFidelity(*wanted); !done) return done;
-  console.print(*wanted == Fidelity::dynamic
+  const Fidelity wanted = *enumValue<Fidelity>(words[1]);
+  if (wanted == simulation.scene().fidelity) return {};
+  if (auto done = simulation.changeFidelity(wanted); !done) return done;
+  console.print(wanted == Fidelity::dynamic
                     ? "All stands where it stood; motors, contacts and friction move it now."
                     : "All stands where it stood; robots move by their own motion model now.");
   return {};
