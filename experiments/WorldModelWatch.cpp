@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/behavior/tactics/FreeSpace.h"
+
 namespace gt {
 namespace {
 
@@ -97,8 +99,8 @@ void compareObstacles(const SimulatedRobot& robot, const OracledWorldState& trut
   OracledObstaclesLocator{}.update(truth, dimensions, {truth.time}, real);
   // What matters is what is near; the model's obstacles end at 2 m.
   constexpr double width = 250, nearBy = 1500;
-  const double expected = std::min(real.corridor(0, width), nearBy);
-  const double modeled = std::min(obstacles->corridor(0, width), nearBy);
+  const double expected = std::min(corridor(real, 0, width), nearBy);
+  const double modeled = std::min(corridor(*obstacles, 0, width), nearBy);
   tally.measure("obstacles.corridor", "mm", modeled - expected);
   if (expected < 600) {
     tally.measure("obstacles.corridor.blocked", "mm", modeled - expected);

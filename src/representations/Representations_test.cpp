@@ -196,5 +196,16 @@ TYPED_TEST(Representations, HaveFieldsWithNamesForRos) {
   EXPECT_FALSE(schemaOf<TypeParam>().text.empty());
 }
 
+TEST(ObstaclesModel, NinetySectorsCoverAllDirections) {
+  EXPECT_EQ(ObstaclesModel::numberOfSectors, 90);
+  EXPECT_EQ(ObstaclesModel::sectorOf(-pi), 0);
+  EXPECT_EQ(ObstaclesModel::sectorOf(pi), 0) << "the same direction";
+  EXPECT_EQ(ObstaclesModel::sectorOf(std::nextafter(pi, 0)), 89);
+  for (int i = 0; i < 90; ++i) {
+    EXPECT_EQ(ObstaclesModel::sectorOf(ObstaclesModel::middleOf(i)), i);
+    EXPECT_EQ(ObstaclesModel::sectorOf(ObstaclesModel::middleOf(i) + 2 * pi), i);
+  }
+}
+
 }  // namespace
 }  // namespace gt

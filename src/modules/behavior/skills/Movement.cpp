@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/behavior/tactics/FreeSpace.h"
+
 namespace gt {
 
 void Movement::walk(const Vector2d& speed, double turn) {
@@ -48,11 +50,11 @@ void Movement::approachAvoiding(const Vector2d& offset, double turn, double maxS
   const double width = parameters_.clearance;
   const double heading = angleOf(offset), needed = std::min(offset.norm(), parameters_.freeWay);
   // Move freely.
-  if (obstacles.corridor(heading, width) >= needed) return approach(offset, turn, maxSpeed);
+  if (corridor(obstacles, heading, width) >= needed) return approach(offset, turn, maxSpeed);
   // Avoid the obstacle: turn to where there is a way, and walk as fast as there is room.
-  auto way = obstacles.freeDirection(heading, width, needed);
-  if (!way) way = obstacles.freeDirection(heading, width, needed / 2);
-  const double room = obstacles.corridor(0, width) - parameters_.stopBefore;
+  auto way = freeDirection(obstacles, heading, width, needed);
+  if (!way) way = freeDirection(obstacles, heading, width, needed / 2);
+  const double room = corridor(obstacles, 0, width) - parameters_.stopBefore;
   const double speed = std::clamp(room, -50., maxSpeed);
   walk({way ? speed * std::max(0., std::cos(*way)) : std::min(speed, 0.), 0},
        1.5 * way.value_or(heading));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "modules/behavior/tactics/FreeSpace.h"
+
 namespace gt {
 
 void Tactics::update(const WorldState& world) {
@@ -100,12 +102,12 @@ double Tactics::pastObstacles(double wanted) const {
   const Vector2d left = relative(w.self.pose, {w.field.xGroundline, w.field.yGoal});
   const Vector2d right = relative(w.self.pose, {w.field.xGroundline, -w.field.yGoal});
   if (((left + right) / 2 - ball).norm() < p_.shot)
-    if (const auto part = obstacles_.freeGoalPart(ball, left, right, p_.ballCorridor)) {
+    if (const auto part = freeGoalPart(obstacles_, ball, left, right, p_.ballCorridor)) {
       const double all = normalize(angleOf(left - ball) - angleOf(right - ball));
       if (part->width < p_.openGoal * all) return normalize(part->middle + toField);
     }
-  const auto free = obstacles_.freeDirection(normalize(wanted - toField), p_.ballCorridor,
-                                             p_.freeAhead, fromDegrees(p_.mostAround), ball);
+  const auto free = freeDirection(obstacles_, normalize(wanted - toField), p_.ballCorridor,
+                                  p_.freeAhead, fromDegrees(p_.mostAround), ball);
   return free ? normalize(*free + toField) : wanted;
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "modules/behavior/tactics/FreeSpace.h"
 #include "modules/behavior/testing/ImaginedWorld.h"
 
 namespace gt {
@@ -80,10 +81,10 @@ TEST_F(TacticsTest, KnowsTheTeamsBallWhereItsOwnIsOld) {
 
 TEST_F(TacticsTest, TeammatesAreObstaclesWhereTheyTellThatTheyAre) {
   world.players.ownTeam = {{{500, 0}, world.frame.time, 0.9, 4}};
-  EXPECT_NEAR(tactics().obstacles().corridor(0, 100), 420, 30);
-  EXPECT_EQ(world.obstacles.corridor(0, 100), ObstaclesModel::farAway);
+  EXPECT_NEAR(corridor(tactics().obstacles(), 0, 100), 420, 30);
+  EXPECT_EQ(corridor(world.obstacles, 0, 100), ObstaclesModel::farAway);
   world.players.ownTeam.front().number = 0;  // seen, but it told nothing
-  EXPECT_EQ(tactics().obstacles().corridor(0, 100), ObstaclesModel::farAway);
+  EXPECT_EQ(corridor(tactics().obstacles(), 0, 100), ObstaclesModel::farAway);
 }
 
 TEST_F(TacticsTest, TheToleranceGrowsTowardsTheGoal) {

@@ -8,6 +8,13 @@
 namespace gt {
 namespace {
 
+/// The free distance in the sector of a direction, in mm.
+double freeDistance(const ObstaclesModel& model, double degrees) {
+  const auto sector = static_cast<std::size_t>(ObstaclesModel::sectorOf(fromDegrees(degrees)));
+  const auto& [place, obstacle, seen] = model.sectors[sector];
+  return obstacle ? std::min(place.norm(), ObstaclesModel::farAway) : ObstaclesModel::farAway;
+}
+
 struct Radar {
   /// An image: free from the near to the far point of each line.
   void see(std::vector<FreeGround> lines) {
@@ -23,9 +30,7 @@ struct Radar {
   void update() {
     locator.update(percept, psd, landmarks, ball, camera, odometry, frame, model, debug);
   }
-  double at(double degrees) const {
-    return model.distance(ObstaclesModel::sectorOf(fromDegrees(degrees)));
-  }
+  double at(double degrees) const { return freeDistance(model, degrees); }
 
   DefaultObstaclesLocator locator;
   ObstaclesPercept percept;
@@ -193,9 +198,7 @@ TEST(OracledObstaclesLocator, MeasuresRobotsAndWalls) {
   oracle.others = {{TeamColor::blue, 1, {0, 0, 600}}};
   ObstaclesModel model;
   OracledObstaclesLocator{}.update(oracle, {}, {}, model);
-  const auto at = [&](double degrees) {
-    return model.distance(ObstaclesModel::sectorOf(fromDegrees(degrees + 1)));
-  };
+  const auto at = [&](double degrees) { return freeDistance(model, degrees + 1); };
   EXPECT_NEAR(at(0), 540, 15) << "where its two discs meet";
   EXPECT_NEAR(at(180), 1350, 5);
   EXPECT_EQ(at(90), nothing) << "the goal is farther away";
