@@ -109,11 +109,11 @@ class Engine {
   /// The state of an option from cycle to cycle.
   struct OptionState {
     int option = -1;
-    int state = -1;  // the one that is active, or was last
+    int state = -1;  ///< the one that is active, or was last
     std::int64_t activation = 0;
     std::int64_t stateActivation = 0;
-    std::uint64_t cycle = 0;     // in which it was active last
-    std::uint64_t previous = 0;  // and the one before that
+    std::uint64_t cycle = 0;     ///< in which it was active last
+    std::uint64_t previous = 0;  ///< and the one before that
   };
 
   /// An option, or without a state a basic behavior.
@@ -126,7 +126,7 @@ class Engine {
 
   struct ParameterPlace {
     Type type;
-    int index = 0;  // in the memory
+    int index = 0;  ///< in the memory
   };
 
   /// Where execution continues in the caller of an option.
@@ -191,7 +191,7 @@ class Engine {
   MemoryLayout layout_;
   std::vector<double> memory_;
   Program program_;
-  Program recordedProgram_;  // empty until somebody records
+  Program recordedProgram_;  ///< empty until somebody records
   std::vector<Frame> frames_;
   std::vector<OptionState> options_;
   std::vector<std::uint64_t> behaviorCycles_;
@@ -202,9 +202,9 @@ class Engine {
   int root_ = 0;
   TeamCooperation cooperation_;
   TraceRecorder* recorder_ = nullptr;
-  bool cooperates_ = false;         // whether any state is cooperative
-  bool parametersChanged_ = false;  // of the basic behavior that is about to be called
-  std::vector<char> pending_;       // of XABSL 2.1: the outputs to set after the graph
+  bool cooperates_ = false;         ///< whether any state is cooperative
+  bool parametersChanged_ = false;  ///< of the basic behavior that is about to be called
+  std::vector<char> pending_;       ///< of XABSL 2.1: the outputs to set after the graph
 
   std::vector<Executed> executed_;
   std::vector<double> executedValues_;

@@ -21,7 +21,7 @@ namespace xabsl {
 struct Variable {
   enum class Kind { none, number, single, boolean, byte, integer };
 
-  Kind kind = Kind::none;  // none: there is no variable, or none of these types
+  Kind kind = Kind::none;  ///< none: there is no variable, or none of these types
   const void* address = nullptr;
 };
 
@@ -29,7 +29,7 @@ struct Variable {
 struct Function {
   double (*call)(void* object, const double* arguments) = nullptr;
   std::shared_ptr<void> object;
-  Variable variable = {};  // the same as the call, for a variable
+  Variable variable = {};  ///< the same as the call, for a variable
 };
 
 template <typename T>

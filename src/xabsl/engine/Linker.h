@@ -12,14 +12,14 @@ namespace xabsl {
 struct Bindings {
   struct Bound {
     Function function;
-    std::vector<int> order;  // the argument of the function that each parameter becomes
-    std::function<void(const double* arguments)> parametersChanged;  // may be empty
+    std::vector<int> order;  ///< the argument of the function that each parameter becomes
+    std::function<void(const double* arguments)> parametersChanged;  ///< may be empty
   };
 
-  std::vector<Bound> symbols;  // internal symbols are bound to nothing
+  std::vector<Bound> symbols;  ///< internal symbols are bound to nothing
   std::vector<Bound> behaviors;
   std::vector<std::vector<double>>
-      elements;  // per enumeration: the registered value of each element
+      elements;  ///< per enumeration: the registered value of each element
   /// Per enumeration: what symbols and parameters begin with. As in the engines of others it is the
   /// first element that was registered, wherever that stands in XABSL.
   std::vector<double> firstElements;

@@ -21,13 +21,13 @@ enum class Operation : std::uint8_t {
   add,
   subtract,
   multiply,
-  divide,  // `to` is the expression's own place
-  modulo,  // the same
+  divide,  ///< `to` is the expression's own place
+  modulo,  ///< the same
   readSingle,
   readBoolean,
   readByte,
   readInteger,
-  call,  // the function; a: its arguments
+  call,  ///< the function; a: its arguments
   stateTime,
   optionTime,
   actionDone,
@@ -44,28 +44,28 @@ enum class Operation : std::uint8_t {
   ifNotEqual,
   // The end of a decision; `to`: the actions
   stay,
-  change,          // index: the state
-  changeIfAgreed,  // the same, for a cooperative state
+  change,          ///< index: the state
+  changeIfAgreed,  ///< the same, for a cooperative state
   // On to the active state's part of the code
   decideInState,
   actInState,
   // Actions
-  keepParameters,   // a: the first one; index: how many
-  markOption,       // for the team
-  set,              // index: the symbol, which has its new value
-  pass,             // *a as a parameter in `to`, noticing whether it changed
-  notifyOfChanges,  // index: the basic behavior
-  callBehavior,     // index
-  callOption,       // index
+  keepParameters,   ///< a: the first one; index: how many
+  markOption,       ///< for the team
+  set,              ///< index: the symbol, which has its new value
+  pass,             ///< *a as a parameter in `to`, noticing whether it changed
+  notifyOfChanges,  ///< index: the basic behavior
+  callBehavior,     ///< index
+  callOption,       ///< index
   back,
   // What a recorder wants to know besides
-  recordOption,     // begins to decide
-  recordRead,       // index: the expression; *a
-  recordArgument,   // index: the parameter; *a
-  recordHolds,      // index: the decision
-  recordHoldsNot,   // the same
-  recordState,      // the option has decided
-  recordBehavior,   // index
+  recordOption,     ///< begins to decide
+  recordRead,       ///< index: the expression; *a
+  recordArgument,   ///< index: the parameter; *a
+  recordHolds,      ///< index: the decision
+  recordHoldsNot,   ///< the same
+  recordState,      ///< the option has decided
+  recordBehavior,   ///< index
   recordAssignment  // index: the symbol; *a
 };
 
@@ -101,10 +101,10 @@ struct Program {
 /// model: constants stand there, others are computed there, so no two of them can be in each
 /// other's way.
 struct MemoryLayout {
-  std::vector<int> optionParameters;    // per option: its first parameter
-  std::vector<int> behaviorParameters;  // per basic behavior: the first argument of its function
-  std::vector<int> arguments;           // per expression: of a call, the first argument
-  int variables = 0;                    // per symbol: the last value of an output or internal one
+  std::vector<int> optionParameters;    ///< per option: its first parameter
+  std::vector<int> behaviorParameters;  ///< per basic behavior: the first argument of its function
+  std::vector<int> arguments;           ///< per expression: of a call, the first argument
+  int variables = 0;                    ///< per symbol: the last value of an output or internal one
   std::size_t size = 0;
 
   explicit MemoryLayout(const Model& model);

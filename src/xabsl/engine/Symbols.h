@@ -32,13 +32,14 @@ struct RegisteredParameter {
 /// A registered input or output symbol or basic behavior.
 struct RegisteredFunction {
   Function function;
-  RegisteredType type;  // of the symbol
+  RegisteredType type;  ///< of the symbol
   std::vector<RegisteredParameter> parameters;
-  std::function<void(const double* arguments)> parametersChanged;  // of a basic behavior, or empty
+  std::function<void(const double* arguments)>
+      parametersChanged;  ///< of a basic behavior, or empty
 };
 
 struct RegisteredEnumeration {
-  std::vector<std::string> elements;  // the value of an element is its index
+  std::vector<std::string> elements;  ///< the value of an element is its index
   std::type_index type = typeid(void);
 };
 

@@ -12,8 +12,8 @@ namespace xabsl {
 /// behavior: the marks are in the order of its cooperative states.
 struct CooperationMessage {
   enum Mark : std::uint8_t {
-    optionExecuted = 1,  // the option that the state belongs to was active
-    executing = 2,       // the state was active
+    optionExecuted = 1,  ///< the option that the state belongs to was active
+    executing = 2,       ///< the state was active
     entering = 4         // the decisions chose the state, but the team has yet to agree
   };
 
@@ -58,19 +58,19 @@ class TeamCooperation {
     int option = -1;
     int state = -1;
     Cooperation cooperation;
-    bool entering = false;  // in this cycle
-    int announced = 0;      // cycles in a row before this one
+    bool entering = false;  ///< in this cycle
+    int announced = 0;      ///< cycles in a row before this one
     int othersInOption = 0;
     int othersExecuting = 0;
     int othersEntering = 0;
-    double largestPriority = 0;  // of those entering
+    double largestPriority = 0;  ///< of those entering
   };
 
   bool hasPlace(Member& member) const;
   bool isTogether(Member& member) const;
 
   std::vector<Member> members_;
-  std::vector<int> memberOfState_;  // -1: not cooperative
+  std::vector<int> memberOfState_;  ///< -1: not cooperative
   CooperationMessage message_;
   int synchronizationTicks_ = 0;
   bool countsTeammatesOnly_ = false;

@@ -9,16 +9,16 @@ namespace xabsl {
 /// One thing that an engine did. Index and value depend on the kind:
 struct TraceEvent {
   enum class Kind : std::uint8_t {
-    cycle,       // value: the time in ms
-    option,      // an option begins to decide; index: option, value: depth
-    read,        // index: expression, value: what it was
-    argument,    // of the next read, which is a function; index: parameter
-    decide,      // index: decision, value: 1 if its condition held
-    change,      // from one state to another; index: from, value: to
-    state,       // an option has decided; index: state, value: ms since it became active
-    optionTime,  // of the same option; index: option, value: ms since it became active
-    behavior,    // index: basic behavior, value: depth
-    parameter,   // of the option or basic behavior before; index: parameter
+    cycle,       ///< value: the time in ms
+    option,      ///< an option begins to decide; index: option, value: depth
+    read,        ///< index: expression, value: what it was
+    argument,    ///< of the next read, which is a function; index: parameter
+    decide,      ///< index: decision, value: 1 if its condition held
+    change,      ///< from one state to another; index: from, value: to
+    state,       ///< an option has decided; index: state, value: ms since it became active
+    optionTime,  ///< of the same option; index: option, value: ms since it became active
+    behavior,    ///< index: basic behavior, value: depth
+    parameter,   ///< of the option or basic behavior before; index: parameter
     assign       // index: output or internal symbol
   };
   static constexpr int kinds = 11;

@@ -48,7 +48,7 @@ class EnumerationInference {
  private:
   struct Domain {
     int parent;
-    std::string name;  // empty: not known
+    std::string name;  ///< empty: not known
     int enumeration = -1;
   };
 
@@ -72,7 +72,7 @@ class EnumerationInference {
   std::map<std::string, int, std::less<>> names_;
   std::map<std::string, Enumeration, std::less<>> declared_;
   std::map<std::string, int, std::less<>> resolved_;
-  std::vector<std::map<std::string, int, std::less<>>> elements_;  // per enumeration resolved
+  std::vector<std::map<std::string, int, std::less<>>> elements_;  ///< per enumeration resolved
 };
 
 }  // namespace xabsl

@@ -31,16 +31,16 @@ class IntermediateCodeReader {
   struct Failed {};
 
   struct Token {
-    std::string_view text;  // empty: the end of the file
+    std::string_view text;  ///< empty: the end of the file
     Location location;
   };
 
   /// A call whose parameters are not all known before the end: their operands are laid out then.
   struct Call {
-    Action::Kind kind;  // assignment: of an input symbol
+    Action::Kind kind;  ///< assignment: of an input symbol
     int target;
-    int caller;                                  // the action, or the expression of an input symbol
-    std::vector<std::pair<int, int>> arguments;  // parameter, expression
+    int caller;  ///< the action, or the expression of an input symbol
+    std::vector<std::pair<int, int>> arguments;  ///< parameter, expression
   };
 
   /// An expression of an enumeration, and the domain of that one.
@@ -112,7 +112,7 @@ class IntermediateCodeReader {
   std::size_t position_ = 0;
   Location location_;
   Token token_;
-  int option_ = -1;  // that is being read
+  int option_ = -1;  ///< that is being read
   std::map<std::string, int, std::less<>> inputs_;
   std::map<std::string, int, std::less<>> variables_;
   std::map<std::string, int, std::less<>> behaviors_;

@@ -53,7 +53,7 @@ struct Collection {
 
   const syntax::Namespace* space = nullptr;
   bool behaviors = false;
-  std::vector<Member> members;  // in the order of their places
+  std::vector<Member> members;  ///< in the order of their places
 };
 
 const syntax::Declaration& declarationOf(const Collection::Member& member);

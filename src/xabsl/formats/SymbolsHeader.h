@@ -11,10 +11,11 @@ namespace xabsl {
 
 /// How a generated header fits into the program that includes it.
 struct SymbolsHeaderSettings {
-  std::string space = "behavior";                   // the C++ namespace, as in `robot::behavior`
-  std::map<std::string, std::string> enumerations;  // C++ types that exist already, by XABSL names
-  std::set<std::string> registered;   // those of them whose elements the program registers itself
-  std::vector<std::string> includes;  // where those are declared
+  std::string space = "behavior";  ///< the C++ namespace, as in `robot::behavior`
+  std::map<std::string, std::string>
+      enumerations;                   ///< C++ types that exist already, by XABSL names
+  std::set<std::string> registered;   ///< those of them whose elements the program registers itself
+  std::vector<std::string> includes;  ///< where those are declared
 };
 
 /// Writes a C++ header with all that a behavior shares with its surroundings: a type for each

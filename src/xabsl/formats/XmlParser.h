@@ -74,11 +74,11 @@ class Parser {
   const Files& files_;
   Reporter& reporter_;
   syntax::Program& program_;
-  std::map<std::string, const Element*> collections_;  // by kind and id
+  std::map<std::string, const Element*> collections_;  ///< by kind and id
   std::map<const Element*, Entries> entries_;
   std::map<std::string_view, const Element*> prototypes_;
-  std::set<std::string_view> notInputs_;  // names of output symbols, constants and elements
-  std::vector<const Element*> visible_;   // the collections that the present option includes
+  std::set<std::string_view> notInputs_;  ///< names of output symbols, constants and elements
+  std::vector<const Element*> visible_;   ///< the collections that the present option includes
   std::string_view option_;
 };
 

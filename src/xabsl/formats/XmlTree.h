@@ -22,7 +22,7 @@ constexpr std::string_view namespaceOf(Dialect dialect) {
 struct Attribute {
   std::string_view name;
   std::string_view value;
-  Location location;  // of the value
+  Location location;  ///< of the value
 };
 
 /// An element, a comment, or the place where another file is included.
@@ -31,12 +31,12 @@ struct Element {
 
   Kind kind = Kind::element;
   std::string_view name;
-  std::string_view text;     // what stands in an element or a comment; what an inclusion names
-  std::string_view doctype;  // of an entity: the file that declares it, if this one does not
+  std::string_view text;     ///< what stands in an element or a comment; what an inclusion names
+  std::string_view doctype;  ///< of an entity: the file that declares it, if this one does not
   Location location;
   std::vector<Attribute> attributes;
   std::vector<Element> children;
-  int file = -1;  // what is included, an index into Files; -1: it cannot be read
+  int file = -1;  ///< what is included, an index into Files; -1: it cannot be read
 
   bool is(std::string_view expected) const { return kind == Kind::element && name == expected; }
 
@@ -56,7 +56,7 @@ struct Element {
 struct File {
   std::string path;
   std::vector<Element> roots;
-  Dialect dialect = Dialect::xabsl21;  // by the namespace of its elements
+  Dialect dialect = Dialect::xabsl21;  ///< by the namespace of its elements
 };
 
 /// All files of a behavior. The first one is that with the agents. No file includes itself.

@@ -27,16 +27,16 @@ class XmlWriter {
 
   /// How a dialect spells and lays out what all dialects have.
   struct Style {
-    std::string_view space;              // of its elements
-    std::string_view xincludeSpace;      // of inclusions
-    std::string_view schemas;            // what their names begin with; empty: they are not named
-    std::string_view rootDoctype;        // of the file with the agents, up to its first entity
-    std::string_view functionReference;  // to a symbol with parameters
-    bool elseIf;                         // an element of its own, not an `if` in an `else`
-    bool keepsFolders;      // of the sources, instead of one folder for each kind of file
-    bool keepsConnections;  // `&&` below `&&` as it stands, instead of as one
-    bool includesAll;       // in each option, instead of what it uses
-    bool commentsFirst;     // before all of an element, instead of before its name
+    std::string_view space;              ///< of its elements
+    std::string_view xincludeSpace;      ///< of inclusions
+    std::string_view schemas;            ///< what their names begin with; empty: they are not named
+    std::string_view rootDoctype;        ///< of the file with the agents, up to its first entity
+    std::string_view functionReference;  ///< to a symbol with parameters
+    bool elseIf;                         ///< an element of its own, not an `if` in an `else`
+    bool keepsFolders;      ///< of the sources, instead of one folder for each kind of file
+    bool keepsConnections;  ///< `&&` below `&&` as it stands, instead of as one
+    bool includesAll;       ///< in each option, instead of what it uses
+    bool commentsFirst;     ///< before all of an element, instead of before its name
   };
 
   /// What an option's file may include.
@@ -113,11 +113,11 @@ class XmlWriter {
   const syntax::Program& program_;
   const Model& model_;
   Reporter& reporter_;
-  xml::XmlOutput out_;  // of the present file
+  xml::XmlOutput out_;  ///< of the present file
   std::vector<Included> included_;
   /// Namespaces that the present option uses, and whether their basic behaviors.
   std::set<std::pair<std::string_view, bool>> used_;
-  const syntax::State* state_ = nullptr;  // the present one; none in what is common to all states
+  const syntax::State* state_ = nullptr;  ///< the present one; none in what is common to all states
 
  private:
   Attributes rootAttributes(std::string_view schema) const;
@@ -147,7 +147,7 @@ class XmlWriter {
   const Style style_;
   LooseComments comments_;
   VirtualFiles files_;
-  std::vector<std::string> paths_;  // of the options
+  std::vector<std::string> paths_;  ///< of the options
 };
 
 /// What `writeXml` does, for one dialect.

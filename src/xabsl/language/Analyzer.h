@@ -55,7 +55,7 @@ class Analyzer {
   Reporter& reporter_;
   References* references_;
   Names names_;
-  Names::Table states_;  // of the option that is being resolved
+  Names::Table states_;  ///< of the option that is being resolved
   Model model_;
 };
 

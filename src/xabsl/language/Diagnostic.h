@@ -20,10 +20,10 @@ struct Diagnostic {
 
   Severity severity = Severity::error;
   std::string file;
-  int line = 0;  // 0: the message is about the file as a whole
+  int line = 0;  ///< 0: the message is about the file as a whole
   int column = 0;
   std::string message;
-  std::string source = {};  // the line itself, if it is known
+  std::string source = {};  ///< the line itself, if it is known
 };
 
 /// One line: `file:line:column: message`, with `warning: ` before the message of a warning.

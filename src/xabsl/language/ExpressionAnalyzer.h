@@ -39,7 +39,7 @@ class ExpressionAnalyzer {
 
  private:
   struct Typed {
-    int index = -1;  // -1: an error, already reported
+    int index = -1;  ///< -1: an error, already reported
     Type type;
   };
 

@@ -36,18 +36,18 @@ struct Cooperation {
 
 /// What an expression does, with the indices a, b and c of the resolved Expression.
 enum class Operator {
-  constant,   // number; a: its index if it has a name; b: 1 for true and false
-  element,    // a: enumeration, b: element
-  parameter,  // a: option, b: parameter of it
-  input,      // a: symbol, b: first operand, one per parameter
-  variable,   // a: output or internal symbol
+  constant,   ///< number; a: its index if it has a name; b: 1 for true and false
+  element,    ///< a: enumeration, b: element
+  parameter,  ///< a: option, b: parameter of it
+  input,      ///< a: symbol, b: first operand, one per parameter
+  variable,   ///< a: output or internal symbol
   stateTime,
   optionTime,
   actionDone,
-  conflict,    // in a cooperative state: too many others are in it
-  negate,      // a
-  logicalNot,  // a
-  add,         // a, b: expressions, and so on
+  conflict,    ///< in a cooperative state: too many others are in it
+  negate,      ///< a
+  logicalNot,  ///< a
+  add,         ///< a, b: expressions, and so on
   subtract,
   multiply,
   divide,
@@ -58,7 +58,7 @@ enum class Operator {
   lessEqual,
   greater,
   greaterEqual,
-  logicalAnd,  // b: first operand, c: number of operands
+  logicalAnd,  ///< b: first operand, c: number of operands
   logicalOr,
   conditional  // a ? b : c
 };

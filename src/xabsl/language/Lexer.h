@@ -10,13 +10,13 @@
 namespace xabsl {
 
 enum class TokenKind {
-  identifier,   // ball.distance
-  parameter,    // @speed; the text is without the @
-  keyword,      // option
-  number,       // 12.5
-  string,       // "mm"; the text is without the quotes
-  range,        // [0..1]; opaque
-  punctuation,  // == { ;
+  identifier,   ///< ball.distance
+  parameter,    ///< @speed; the text is without the @
+  keyword,      ///< option
+  number,       ///< 12.5
+  string,       ///< "mm"; the text is without the quotes
+  range,        ///< [0..1]; opaque
+  punctuation,  ///< == { ;
   end           // of the file
 };
 
@@ -25,8 +25,8 @@ struct Token {
   TokenKind kind = TokenKind::end;
   std::string_view text;
   Location location;
-  Location end;          // behind its last letter
-  std::string_view doc;  // of the documentation comment before it, without the marks
+  Location end;          ///< behind its last letter
+  std::string_view doc;  ///< of the documentation comment before it, without the marks
   double number = 0;
 
   bool is(std::string_view expected) const {

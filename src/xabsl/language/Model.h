@@ -13,13 +13,13 @@ namespace xabsl {
 /// A type of the language.
 struct Type {
   ValueKind kind = ValueKind::number;
-  int enumeration = -1;  // index into Model::enumerations
+  int enumeration = -1;  ///< index into Model::enumerations
 
   bool operator==(const Type&) const = default;
 };
 
 struct EnumerationElement {
-  std::string name;  // without the name of the enumeration
+  std::string name;  ///< without the name of the enumeration
   Location location;
 };
 
@@ -28,7 +28,7 @@ struct Enumeration {
   std::vector<EnumerationElement> elements;
   Location location;
   bool internal = false;
-  int space = -1;  // index into Model::namespaces; -1: in none
+  int space = -1;  ///< index into Model::namespaces; -1: in none
   std::string doc = {};
 };
 
@@ -52,7 +52,7 @@ struct Namespace {
 /// A named number. Expressions hold its value; this is for those that write and document.
 struct Constant {
   std::string name;
-  std::string digits;  // of the value, as written
+  std::string digits;  ///< of the value, as written
   double value = 0;
   Location location;
   int space = -1;
@@ -62,7 +62,7 @@ struct Constant {
 
 /// Where something declared is used first.
 struct Use {
-  int option = -1;  // -1: nowhere
+  int option = -1;  ///< -1: nowhere
   Location location;
 };
 
@@ -107,14 +107,14 @@ struct Branch {
     state,
     stay,
     none
-  };  // none: a common decision tree that decided nothing
+  };  ///< none: a common decision tree that decided nothing
 
   Kind kind = Kind::none;
-  int index = -1;  // of the decision or the state
+  int index = -1;  ///< of the decision or the state
 };
 
 struct Decision {
-  int condition = -1;  // index into Model::expressions
+  int condition = -1;  ///< index into Model::expressions
   Branch then;
   Branch otherwise;
   std::string doc = {};
@@ -124,8 +124,8 @@ struct Action {
   enum class Kind { option, behavior, assignment };
 
   Kind kind = Kind::option;
-  int target = -1;   // index of the option, the basic behavior or the symbol
-  int operand = -1;  // first of one operand per parameter, or the expression assigned
+  int target = -1;   ///< index of the option, the basic behavior or the symbol
+  int operand = -1;  ///< first of one operand per parameter, or the expression assigned
   Location location;
 };
 
@@ -182,13 +182,13 @@ struct Model {
   std::vector<State> states;
   std::vector<Action> actions;
   std::vector<Decision> decisions;
-  std::vector<Expression> expressions;  // begins with the default of each type
+  std::vector<Expression> expressions;  ///< begins with the default of each type
   std::vector<Location> expressionLocations;
   std::vector<int> operands;
   /// Beside the operands of each call: which parameter was set as the first, the second, and so on;
   /// -1 behind the last one. The others have their default.
   std::vector<int> argumentOrder;
-  std::vector<Agent> agents;  // the first is selected when an engine starts
+  std::vector<Agent> agents;  ///< the first is selected when an engine starts
 
   /// The largest number of options and basic behaviors, together with their parameters, in one
   /// cycle.

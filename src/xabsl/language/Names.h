@@ -14,7 +14,7 @@ struct Names {
 
   Table enumerations;
   Table inputs;
-  Table outputs;  // and internal symbols
+  Table outputs;  ///< and internal symbols
   Table behaviors;
   Table options;
   Table constants;

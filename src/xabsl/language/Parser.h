@@ -101,11 +101,11 @@ class Parser {
   syntax::Program& program_;
   Lexer lexer_;
   Token token_;
-  Location end_;  // of the last token taken
+  Location end_;  ///< of the last token taken
   int file_;
-  int space_ = -1;  // the namespace that is being read
+  int space_ = -1;  ///< the namespace that is being read
   int nesting_ = 0;
-  bool common_ = false;  // within a common decision
+  bool common_ = false;  ///< within a common decision
   bool hasNamespace_ = false;
 };
 

@@ -14,14 +14,14 @@ struct Entity {
   enum class Kind {
     space,
     enumeration,
-    element,  // part: of the enumeration
+    element,  ///< part: of the enumeration
     symbol,
     constant,
     behavior,
     option,
     state,
     agent,
-    symbolParameter,  // part: of the symbol, and so on
+    symbolParameter,  ///< part: of the symbol, and so on
     behaviorParameter,
     optionParameter
   };

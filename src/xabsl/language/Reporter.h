@@ -60,7 +60,7 @@ class Suggestion {
   std::string_view name_;
   std::string_view best_;
   int offers_ = 0;
-  std::size_t bestDistance_ = 4;  // anything further away is no slip of the fingers
+  std::size_t bestDistance_ = 4;  ///< anything further away is no slip of the fingers
 };
 
 }  // namespace xabsl

@@ -60,14 +60,14 @@ struct Expression {
   };
 
   Kind kind = Kind::number;
-  Location location;      // of an operation: of its sign
-  Extent extent;          // without parentheses around it
-  std::string_view name;  // of a name, a parameter or a call; the digits of a number
-  double number = 0;      // of a number; 0 or 1 of a boolean
+  Location location;      ///< of an operation: of its sign
+  Extent extent;          ///< without parentheses around it
+  std::string_view name;  ///< of a name, a parameter or a call; the digits of a number
+  double number = 0;      ///< of a number; 0 or 1 of a boolean
   Operator operation = Operator::constant;
   std::vector<ExpressionPtr> operands;
   std::vector<Argument> arguments;
-  int depth = 1;  // levels from here down
+  int depth = 1;  ///< levels from here down
 };
 
 struct TypeName {
@@ -80,17 +80,17 @@ struct Declaration {
   Name name;
   std::string_view doc;
   Extent extent;
-  int space = -1;  // index into Program::namespaces; -1: in none
+  int space = -1;  ///< index into Program::namespaces; -1: in none
 };
 
 struct Parameter : Declaration {
   TypeName type;
-  std::string_view range;  // without the brackets
-  std::string_view unit;   // without the quotes
+  std::string_view range;  ///< without the brackets
+  std::string_view unit;   ///< without the quotes
 };
 
 struct Enumeration : Declaration {
-  bool internal = false;  // not registered by the surroundings
+  bool internal = false;  ///< not registered by the surroundings
   std::vector<Name> elements;
 };
 
@@ -105,7 +105,7 @@ struct Symbol : Declaration {
 struct Constant : Declaration {
   double value = 0;
   bool negative = false;
-  std::string_view digits;  // of the value, as written, without the sign
+  std::string_view digits;  ///< of the value, as written, without the sign
   std::string_view range;
   std::string_view unit;
 };
@@ -140,7 +140,7 @@ struct Decision {
   Extent extent;
   Name target;
   std::vector<Arm> arms;
-  DecisionPtr otherwise;  // none in a common decision tree
+  DecisionPtr otherwise;  ///< none in a common decision tree
 };
 
 /// An assignment, or a call of an option or a basic behavior.
@@ -160,7 +160,7 @@ struct State : Declaration {
   Cooperation cooperation;
   bool leadingElse = false;
   Location decisionLocation;
-  DecisionPtr decision;  // none: the state is never left by itself
+  DecisionPtr decision;  ///< none: the state is never left by itself
   std::vector<Action> actions;
 };
 
@@ -179,9 +179,9 @@ struct Agent : Declaration {
 
 /// `include "path";`
 struct Include {
-  std::string_view path;  // as written, relative to the including file
+  std::string_view path;  ///< as written, relative to the including file
   Location location;
-  int file = -1;  // what it names, an index into Program::files; -1: it cannot be read
+  int file = -1;  ///< what it names, an index into Program::files; -1: it cannot be read
 };
 
 /// One source: what it includes, in its order. What it declares has its index in the locations.
@@ -203,7 +203,7 @@ struct Header {
 struct Program {
   Dialect dialect = Dialect::xabsl31;
   Header header;
-  std::vector<File> files;  // in the order in which they were read, by Location::file
+  std::vector<File> files;  ///< in the order in which they were read, by Location::file
   std::vector<Namespace> namespaces;
   std::vector<Enumeration> enumerations;
   std::vector<Symbol> symbols;

@@ -317,8 +317,8 @@ class NaiveEngine {
   int synchronizationTicks_;
   Message message_;
   std::vector<Message> heard_;
-  std::set<int> entering_;        // the states announced in this cycle
-  std::map<int, int> announced_;  // of each state: in how many cycles before
+  std::set<int> entering_;        ///< the states announced in this cycle
+  std::map<int, int> announced_;  ///< of each state: in how many cycles before
   std::map<int, double> variables_;
   std::map<int, Memory> memories_;
   std::set<int> wasActive_, isActive_;

@@ -12,10 +12,10 @@ namespace xabsl::documentation {
 /// A chart for each agent, option, common decision tree and state, by their indices in the model;
 /// first in Graphviz's language, then as SVG. An empty text: there is none to draw.
 struct Charts {
-  std::vector<std::string> agents;           // option graphs
-  std::vector<std::string> options;          // states, transitions, and what they call
-  std::vector<std::string> commonDecisions;  // decision trees, of the options
-  std::vector<std::string> states;           // decision trees, of the states
+  std::vector<std::string> agents;           ///< option graphs
+  std::vector<std::string> options;          ///< states, transitions, and what they call
+  std::vector<std::string> commonDecisions;  ///< decision trees, of the options
+  std::vector<std::string> states;           ///< decision trees, of the states
 
   /// Calls a function with each list of charts.
   template <typename Visit>

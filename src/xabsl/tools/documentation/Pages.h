@@ -15,7 +15,7 @@ struct Content {
   const Model& model;
   const Usage& usage;
   const Links& links;
-  const Charts& charts;  // as SVG
+  const Charts& charts;  ///< as SVG
 };
 
 // The main part of each page.

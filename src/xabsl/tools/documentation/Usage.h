@@ -11,11 +11,18 @@ namespace xabsl::documentation {
 
 /// Something that options use: an index into a list of the model, of what kind says which.
 struct Thing {
-  enum class Kind { read, written, option, behavior, constant, element };  // the first two: symbols
+  enum class Kind {
+    read,
+    written,
+    option,
+    behavior,
+    constant,
+    element
+  };  ///< the first two: symbols
 
   Kind kind = Kind::read;
   int index = -1;
-  int element = -1;  // of the enumeration `index`
+  int element = -1;  ///< of the enumeration `index`
 
   auto operator<=>(const Thing&) const = default;
 };

@@ -108,11 +108,11 @@ std::vector<Completion> complete(const Project& project, std::string_view text, 
 /// How something is called, with the parameter that is being set.
 struct Signature {
   struct Parameter {
-    std::string label;  // a part of that of the whole: `float speed`
+    std::string label;  ///< a part of that of the whole: `float speed`
     std::string doc;
   };
 
-  std::string label;  // walk(float speed, bool careful)
+  std::string label;  ///< walk(float speed, bool careful)
   std::string doc;
   std::vector<Parameter> parameters;
   int active = 0;

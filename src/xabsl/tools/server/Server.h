@@ -16,7 +16,7 @@ namespace xabsl::server {
 /// What a server sees of the disk.
 struct Disk {
   FileReader read;
-  std::function<std::vector<std::string>(const std::string& folder)> sources;  // .xabsl and .xml
+  std::function<std::vector<std::string>(const std::string& folder)> sources;  ///< .xabsl and .xml
 };
 
 /// A language server for XABSL (LSP 3.17): takes the messages of an editor one after another, and
@@ -79,12 +79,12 @@ class Server {
   Disk disk_;
   Send send_;
   std::string workspace_;
-  std::map<std::string, std::string> documents_;  // text by path
-  std::map<std::string, std::string> uris_;       // as the editor writes them, by path
+  std::map<std::string, std::string> documents_;  ///< text by path
+  std::map<std::string, std::string> uris_;       ///< as the editor writes them, by path
   std::map<std::string, std::unique_ptr<Project>> projects_;
-  std::map<std::string, std::string> roots_;  // by path
+  std::map<std::string, std::string> roots_;  ///< by path
   std::set<std::string> published_;
-  std::optional<Refusal> refusal_;  // of the present request
+  std::optional<Refusal> refusal_;  ///< of the present request
   bool changed_ = false;
   bool initialized_ = false;
   bool shutDown_ = false;

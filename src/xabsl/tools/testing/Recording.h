@@ -30,7 +30,7 @@ class Recording {
  private:
   /// What a symbol of a trace is in the model.
   struct Place {
-    int symbol = -1;  // -1: nothing
+    int symbol = -1;  ///< -1: nothing
     std::vector<int> parameters;
   };
   struct Called {
@@ -45,12 +45,12 @@ class Recording {
 
   std::vector<Trace> traces_;
   const Model& model_;
-  std::vector<Place> places_;  // of the present trace
+  std::vector<Place> places_;  ///< of the present trace
   std::size_t trace_ = 0;
   std::size_t event_ = 0;
   double time_ = 0;
   double previousTime_ = 0;
-  std::map<int, double> arguments_;  // of the call that is being read
+  std::map<int, double> arguments_;  ///< of the call that is being read
   std::vector<std::pair<int, double>> inputs_;
   std::map<int, std::vector<Called>> calls_;
   std::map<int, double> last_;

@@ -40,12 +40,12 @@ struct TestStatement {
 
   Kind kind = Kind::run;
   Location location;
-  TestText name;                    // of an agent, option, function, symbol or file
-  std::vector<TestText> arguments;  // names of a function's parameters or an option's arguments
-  std::vector<TestText> values;     // of an option's arguments
-  TestText expression;              // empty: none
-  double time = 0;                  // ms: of a step, a run, at most, from
-  double to = 0;                    // ms: of a replay
+  TestText name;                    ///< of an agent, option, function, symbol or file
+  std::vector<TestText> arguments;  ///< names of a function's parameters or an option's arguments
+  std::vector<TestText> values;     ///< of an option's arguments
+  TestText expression;              ///< empty: none
+  double time = 0;                  ///< ms: of a step, a run, at most, from
+  double to = 0;                    ///< ms: of a replay
 };
 
 struct BehaviorTest {

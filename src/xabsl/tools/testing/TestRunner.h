@@ -17,8 +17,8 @@ struct TestResult {
   /// What the file demands wrongly: names that do not exist, a trace that cannot be read.
   std::vector<Diagnostic> errors;
   std::optional<Diagnostic> failure;
-  std::string moment;  // of a failure: the last cycle, as TracePrinter shows it
-  Trace trace;         // all cycles
+  std::string moment;  ///< of a failure: the last cycle, as TracePrinter shows it
+  Trace trace;         ///< all cycles
 };
 
 /// Runs one test of a file with an engine of its own.

@@ -23,10 +23,10 @@ class Coverage {
   /// A way out of a state, or of any state of an option: where a decision leads to a state.
   struct Way {
     int option = -1;
-    int from = -1;  // -1: by the common decision tree
+    int from = -1;  ///< -1: by the common decision tree
     int to = -1;
-    int decision = -1;  // -1: without a condition
-    bool held = true;   // whether its condition has to hold
+    int decision = -1;  ///< -1: without a condition
+    bool held = true;   ///< whether its condition has to hold
     long taken = 0;
   };
 
@@ -37,7 +37,7 @@ class Coverage {
   const TraceSubject& subject_;
   std::vector<Way> ways_;
   std::vector<std::vector<std::size_t>> waysOfDecision_;
-  std::vector<long> active_;  // cycles, by state
+  std::vector<long> active_;  ///< cycles, by state
 };
 
 }  // namespace xabsl

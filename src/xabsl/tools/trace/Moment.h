@@ -14,8 +14,8 @@ namespace xabsl {
 class Moment {
  public:
   struct OptionMoment {
-    int state = -1;     // -1: not active
-    int previous = -1;  // in the cycle before
+    int state = -1;     ///< -1: not active
+    int previous = -1;  ///< in the cycle before
     double optionTime = 0;
     double stateTime = 0;
     std::vector<double> parameters;

@@ -17,17 +17,17 @@ struct TraceSubject {
   struct Read {
     std::string text;
     Type type;
-    int symbol = -1;  // index into Model::symbols; -1: something else is read
+    int symbol = -1;  ///< index into Model::symbols; -1: something else is read
   };
   struct Condition {
     std::string text;
     Location location;
   };
 
-  Model model;                                     // without constants, actions and expressions
-  std::vector<std::vector<double>> elementValues;  // per enumeration
-  std::vector<Condition> conditions;               // per decision
-  std::vector<Read> reads;  // per expression; without a text: nothing is read
+  Model model;                                     ///< without constants, actions and expressions
+  std::vector<std::vector<double>> elementValues;  ///< per enumeration
+  std::vector<Condition> conditions;               ///< per decision
+  std::vector<Read> reads;  ///< per expression; without a text: nothing is read
 
   /// What an engine executes.
   static TraceSubject of(const Engine& engine);
@@ -45,7 +45,7 @@ struct TraceSubject {
 /// was edited while it ran.
 struct Trace {
   TraceSubject subject;
-  std::vector<TraceEvent> events;  // begins with a cycle, if there is any
+  std::vector<TraceEvent> events;  ///< begins with a cycle, if there is any
 };
 
 /// Calls `visit(first, last)` with the events of each cycle.
