@@ -9,6 +9,6 @@ namespace motionnet {
 
 /// Checks a linked net: whatever motion is requested, it is reached from every node, and every node
 /// is reached. The files are those of the motions. Takes time in proportion to nodes times motions.
-std::vector<Diagnostic> check(const Net&, const std::vector<std::string>& files);
+std::vector<Diagnostic> check(const Net& net, const std::vector<std::string>& files);
 
 }  // namespace motionnet

@@ -15,11 +15,12 @@ struct BodyPosture {
 
 /// The body's posture from the joints, on the assumption that roll is 0 and at least one fore and
 /// one hind foot touch the ground, as the kinematic simulator does it (report 5.1.1).
-BodyPosture bodyPosture(const RobotDimensions&, const JointAngles&);
+BodyPosture bodyPosture(const RobotDimensions& robot, const JointAngles& angles);
 /// The same for a robot whose body leans otherwise than its joints tell (report B.4.5).
-BodyPosture bodyPosture(const RobotDimensions&, const RobotCalibration&, const JointAngles&);
+BodyPosture bodyPosture(const RobotDimensions& robot, const RobotCalibration& calibration,
+                        const JointAngles& angles);
 
 /// The body's pose relative to the robot's origin, which lies on the ground below the body's.
-Pose3D bodyPose(const BodyPosture&);
+Pose3D bodyPose(const BodyPosture& posture);
 
 }  // namespace gt

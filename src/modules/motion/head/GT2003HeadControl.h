@@ -69,15 +69,15 @@ class GT2003HeadControl {
     HeadAngles measured;
   };
 
-  HeadAngles lookForBall(const Situation&, bool scanBesides);
-  HeadAngles searchForBall(const Situation&);
-  HeadAngles searchForLandmarks(const Situation&);
-  HeadAngles lookAtBall(const Situation&, bool scanBesides);
+  HeadAngles lookForBall(const Situation& situation, bool scanBesides);
+  HeadAngles searchForBall(const Situation& situation);
+  HeadAngles searchForLandmarks(const Situation& situation);
+  HeadAngles lookAtBall(const Situation& situation, bool scanBesides);
   void enter(State, Time now);
-  void planScanBesideBall(const Situation&);
-  void planBallSearch(const Situation&);
-  void planLandmarkSearch(const Situation&);
-  bool ballSeen(const Situation&) const;
+  void planScanBesideBall(const Situation& situation);
+  void planBallSearch(const Situation& situation);
+  void planLandmarkSearch(const Situation& situation);
+  bool ballSeen(const Situation& situation) const;
 
   State state_ = State::idle;
   Time entered_;

@@ -15,7 +15,7 @@ namespace gt {
 
 /// The special action that a motion request asks for; empty if it asks for another motion. To get
 /// up is a special action, too.
-std::string_view specialActionOf(const MotionRequest&);
+std::string_view specialActionOf(const MotionRequest& request);
 
 /// Solution *GT2003MotionNet* of SpecialActions: walks through the motion net, from one data node
 /// to the next, along the transitions that the request selects (report 3.9.2).

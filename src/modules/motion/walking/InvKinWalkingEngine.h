@@ -118,7 +118,7 @@ class InvKinWalkingEngine {
     bool inAir = false;
   };
 
-  void reset(const RobotDimensions&);
+  void reset(const RobotDimensions& robot);
   void accelerate(const Pose2D& target);
   void moveFoot(Leg);
   bool standing() const;
@@ -129,7 +129,7 @@ class InvKinWalkingEngine {
   Pose2D speedOf(Leg, const Pose2D& speed) const;
   double timeOnGround(Leg) const;
   double phaseOf(Leg) const;
-  Vector3d target(const RobotDimensions&, Leg) const;
+  Vector3d target(const RobotDimensions& robot, Leg leg) const;
   Foot& footOf(Leg leg) { return feet_[static_cast<std::size_t>(leg)]; }
   const Foot& footOf(Leg leg) const { return feet_[static_cast<std::size_t>(leg)]; }
 
