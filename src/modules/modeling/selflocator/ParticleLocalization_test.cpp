@@ -1,0 +1,96 @@
+#include "modules/modeling/selflocator/ParticleLocalization.h"
+
+#include <gtest/gtest.h>
+
+#include "modules/modeling/testing/SyntheticRobot.h"
+
+namespace gt {
+namespace {
+
+/// A robot that stands and sees landmarks and edges, and its particles.
+struct Bench {
+  Bench() {
+    do robot.step();
+    while (robot.percept.numberOfFlags == 0 || robot.lines.points[EdgeType::border].empty());
+  }
+  static SyntheticWorld standing() {
+    SyntheticWorld world;
+    world.walks = false;
+    world.turnsHeadAlways = true;
+    return world;
+  }
+  void update(const RobotPose* candidate = nullptr) {
+    localization.update(
+        {particles, motion, templates.newProbability, &landmarks, &templates, &edges},
+        {&robot.percept, &robot.lines, &robot.camera}, robot.odometry, robot.field, robot.player,
+        candidate, estimate, random, debug);
+  }
+  EnumArray<Likelihood, float> judged() const { return localization.particles().meanLikelihoods(); }
+
+  SyntheticRobot robot{3, standing()};
+  int particles = 100;
+  MotionModel motion;
+  LandmarkModel::Parameters landmarks;
+  TemplateReplacement templates;
+  EdgeModel::Parameters edges;
+  ParticleLocalization localization{Likelihood::landmarks, Likelihood::lines, Likelihood::border,
+                                    Likelihood::goals};
+  RobotPose estimate;
+  Random random{1};
+  Debug debug{1024};
+};
+
+TEST(ParticleLocalization, EachPerceptCountsOnce) {
+  Bench bench;
+  bench.update();
+  const auto first = bench.judged();
+  bench.update();
+  EXPECT_EQ(bench.judged().values, first.values) << "the same image again";
+  bench.robot.percept.time = bench.robot.percept.time + 40;
+  bench.update();
+  const auto second = bench.judged();
+  EXPECT_NE(second[Likelihood::landmarks], first[Likelihood::landmarks]);
+  bench.templates.replacement = bench.templates.randomReplacement = 0;
+  bench.edges.newLikelihood = 0;  // nothing is replaced
+  bench.robot.lines.time = bench.robot.lines.time + 80;
+  bench.update();
+  EXPECT_NE(bench.judged()[Likelihood::border], second[Likelihood::border]);
+}
+
+TEST(ParticleLocalization, FollowsTheOdometryWhereNothingIsSeen) {
+  Bench bench;
+  bench.motion = {0, 0, 0, 0, 0, 0};  // no noise
+  bench.particles = 1;
+  bench.update();
+  const Pose2D before = bench.estimate.pose, step{0.1, 50, -20};
+  bench.robot.odometry.pose = bench.robot.odometry.pose * step;
+  bench.update();
+  const Pose2D expected = before * step;
+  EXPECT_NEAR((bench.estimate.pose.translation - expected.translation).norm(), 0, 1);
+  EXPECT_NEAR(normalize(bench.estimate.pose.rotation - expected.rotation), 0, 1e-2);
+}
+
+TEST(ParticleLocalization, ACandidateReplacesImprobableParticlesAsOftenAsItIsValid) {
+  const auto share = [](double validity) {
+    Bench bench;
+    const Vector2d place{777, -333};
+    const RobotPose candidate{{1, place}, validity};
+    bench.edges.newLikelihood = 0;       // edges replace nothing
+    bench.templates.newProbability = 0;  // all are improbable
+    bench.particles = 1000;
+    bench.motion = {0, 0, 0, 0, 0, 0};
+    bench.update(&candidate);
+    const ParticleSet& set = bench.localization.particles();
+    int there = 0;
+    for (std::size_t i = 0; i < set.size(); ++i)
+      there += (set.pose(i).translation - place).norm() < 1;
+    return there / 1000.;
+  };
+  EXPECT_EQ(share(0), 0);
+  const double half = share(0.5), whole = share(1);
+  EXPECT_GT(whole, 0.8);
+  EXPECT_NEAR(half, whole / 2, 0.1);
+}
+
+}  // namespace
+}  // namespace gt
