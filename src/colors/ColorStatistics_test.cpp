@@ -6,6 +6,7 @@
 
 #include "base/Random.h"
 #include "colors/TslHistogram.h"
+#include "support/HalvedImage.h"
 
 namespace gt {
 namespace {
@@ -16,17 +17,6 @@ Pixel cube(int y, int cb, int cr) {
   return {value(y), value(cb), value(cr), 0};
 }
 
-/// An image whose left half has one color and whose right half another one.
-Image halves(const Pixel& left, const Pixel& right) {
-  Image image;
-  image.info.width = 40;
-  image.info.height = 20;
-  image.allocate();
-  for (int y = 0; y < 20; ++y)
-    for (int x = 0; x < 40; ++x) image.at(x, y) = x < 20 ? left : right;
-  return image;
-}
-
 TEST(ColorStatistics, LearnFromImagesWithKnownClasses) {
   Random random{9};
   const Pixel orange{140, 70, 190, 0}, green{90, 110, 100, 0};
@@ -35,10 +25,10 @@ TEST(ColorStatistics, LearnFromImagesWithKnownClasses) {
   for (int i = 0; i < 800; ++i)
     classes.push_back(i % 40 < 20 ? ColorClass::orange : ColorClass::green);
   for (int i = 0; i < 10; ++i)
-    statistics.add({withNoise(halves(orange, green), 3, random), classes, {}});
+    statistics.add({withNoise(halvedImage(orange, green), 3, random), classes, {}});
   // What a person says of a region, beside what the simulator says of each pixel.
   const Pixel white{230, 128, 128, 0};
-  const Image wall = withNoise(halves(white, orange), 3, random);
+  const Image wall = withNoise(halvedImage(white, orange), 3, random);
   const std::vector<LabeledRegion> regions{{"wall", ColorClass::white, {0, 0, 19, 19}}};
   statistics.add({wall, {}, regions});
   const ColorTable64 table = statistics.table(2);

@@ -4,25 +4,15 @@
 
 #include "base/Random.h"
 #include "colors/ColorConfusion.h"
+#include "support/HalvedImage.h"
 
 namespace gt {
 namespace {
 
-/// An image whose left half has one color and whose right half another one.
-Image halves(const Pixel& left, const Pixel& right) {
-  Image image;
-  image.info.width = 40;
-  image.info.height = 20;
-  image.allocate();
-  for (int y = 0; y < 20; ++y)
-    for (int x = 0; x < 40; ++x) image.at(x, y) = x < 20 ? left : right;
-  return image;
-}
-
 TEST(TslHistogram, SetsThresholdsFromARegion) {
   Random random{8};
   const Pixel orange{140, 70, 190, 0}, green{90, 110, 100, 0};
-  const Image image = withNoise(halves(orange, green), 3, random);
+  const Image image = withNoise(halvedImage(orange, green), 3, random);
   TslHistogram histogram;
   histogram.add(image, {-5, 2, 19, 300});  // what lies outside of the image does not count
   EXPECT_EQ(histogram.tint().total(), 20u * 18u);
