@@ -5,14 +5,14 @@
 namespace gt {
 namespace {
 
-const FieldDimensions fieldDimensions;
+const FieldDimensions anyField;
 
 /// One particle at a pose, judged from 0.5 on by bearings.
-float judge(const LandmarkModel::Parameters& parameters, const Bearings& bearings,
-            const Vector2d& cameraOffset, const Pose2D& pose) {
+float judgeBy(const LandmarkModel::Parameters& parameters, const Bearings& bearings,
+              const Vector2d& cameraOffset, const Pose2D& pose) {
   Random random{1};
   ParticleSet set{Likelihood::landmarks};
-  set.resize(1, fieldDimensions, 0.5, random);
+  set.resize(1, anyField, 0.5, random);
   EnumArray<Likelihood, float> half;
   half.values.fill(0.5f);
   set.replace(0, pose, half);
@@ -40,7 +40,7 @@ TEST(LandmarkModel, SimilaritiesFollowTheReport) {
                    angleOf(expected) + std::asin(radius / expected.norm()) + error);
       product *= std::exp(-50 * (error / pi) * (error / pi));  // (3.11), (3.12)
     }
-    EXPECT_NEAR(judge(unfiltered, bearings, camera, pose), product, 5e-3);
+    EXPECT_NEAR(judgeBy(unfiltered, bearings, camera, pose), product, 5e-3);
   }
 }
 
@@ -49,8 +49,8 @@ TEST(LandmarkModel, ALikelihoodChangesByBoundedSteps) {
   Bearings right, wrong;
   right.add({1000, 0}, 0, 0);
   wrong.add({1000, 0}, 0, 3);
-  EXPECT_FLOAT_EQ(judge(parameters, right, {0, 0}, {}), 0.6f);  // (3.13)
-  EXPECT_FLOAT_EQ(judge(parameters, wrong, {0, 0}, {}), 0.45f);
+  EXPECT_FLOAT_EQ(judgeBy(parameters, right, {0, 0}, {}), 0.6f);  // (3.13)
+  EXPECT_FLOAT_EQ(judgeBy(parameters, wrong, {0, 0}, {}), 0.45f);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@ namespace gt {
 namespace {
 
 /// A robot that stands and sees landmarks and edges, and its particles.
-struct Bench {
-  Bench() {
+struct ParticleBench {
+  ParticleBench() {
     do robot.step();
     while (robot.percept.numberOfFlags == 0 || robot.lines.points[EdgeType::border].empty());
   }
@@ -41,7 +41,7 @@ struct Bench {
 };
 
 TEST(ParticleLocalization, EachPerceptCountsOnce) {
-  Bench bench;
+  ParticleBench bench;
   bench.update();
   const auto first = bench.judged();
   bench.update();
@@ -58,7 +58,7 @@ TEST(ParticleLocalization, EachPerceptCountsOnce) {
 }
 
 TEST(ParticleLocalization, FollowsTheOdometryWhereNothingIsSeen) {
-  Bench bench;
+  ParticleBench bench;
   bench.motion = {0, 0, 0, 0, 0, 0};  // no noise
   bench.particles = 1;
   bench.update();
@@ -72,7 +72,7 @@ TEST(ParticleLocalization, FollowsTheOdometryWhereNothingIsSeen) {
 
 TEST(ParticleLocalization, ACandidateReplacesImprobableParticlesAsOftenAsItIsValid) {
   const auto share = [](double validity) {
-    Bench bench;
+    ParticleBench bench;
     const Vector2d place{777, -333};
     const RobotPose candidate{{1, place}, validity};
     bench.edges.newLikelihood = 0;       // edges replace nothing
