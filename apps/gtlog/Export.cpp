@@ -179,9 +179,7 @@ Result<void> exportTrace(const std::string& log, const Selection& selection,
         return {};
       });
   if (!done) return done;
-  if (trace.empty())
-    return Error{
-        .file = log, .field = one.topics.front(), .what = "is not there: simgt play --trace"};
+  if (trace.empty()) return Error{.file = log, .field = one.topics.front(), .what = "is not there"};
   return writeFile(to, trace);
 }
 

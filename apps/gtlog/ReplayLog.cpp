@@ -55,9 +55,8 @@ Result<std::vector<std::string>> record(const ReplayOptions& options, const std:
   auto log = RobotLog::open(to, {{"replay of", std::filesystem::path{options.log}.filename()}});
   if (!log) return log.error();
   platform->watchAll();
-  // What the behavior decided, and why: for a layout that has one.
-  static_cast<void>(
-      platform->robot().request(DebugRequest{"BehaviorControl/trace", DebugKeyMode::always, 0}));
+  // Its head names files that lie elsewhere, so it is not compared.
+  static_cast<void>(platform->robot().request(DebugRequest{traceKey, DebugKeyMode::always, 0}));
   std::vector<std::string> topics;
   for (const RepresentationType* type : platform->watched())
     topics.push_back("/" + std::string{type->name});

@@ -37,8 +37,6 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
   command.add_flag(
       "--inputs", play.match.inputs,
       "Log all images without loss, so that other vision can be replayed on them (large)");
-  command.add_flag("--trace", play.match.trace,
-                   "Log all that the behavior decides, for gtlog export LOG OUT.trace");
   command.add_flag("--strict", play.strict, "Fails if a robot warned of something");
   command.add_flag("--real-time", play.realTime, "No faster than the clock");
   command.add_option("--remote", play.remote,

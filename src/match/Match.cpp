@@ -102,11 +102,7 @@ Result<void> Match::record(SimulatedRobot& robot, const SetupFiles& setup) {
       {"seed", std::to_string(options_.seed)},
       {"robot", robot.name()},
       {"minutes", std::to_string(simulation_->scene().game.minutes)}};
-  if (auto done = robot.record(base + ".mcap", about, configuration_->log, setup, options_.inputs);
-      !done)
-    return done;
-  const DebugRequest decisions{"BehaviorControl/trace", DebugKeyMode::always, 0};
-  return options_.trace ? robot.robot().request(decisions) : Result<void>{};
+  return robot.record(base + ".mcap", about, configuration_->log, setup, options_.inputs);
 }
 
 Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {

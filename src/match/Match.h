@@ -29,7 +29,6 @@ struct MatchOptions {
   std::string
       logs{};  ///< Folder for the robots' logs, which must exist; none are written if empty.
   bool inputs = false;  ///< Whether the logs hold all images without loss, for other vision.
-  bool trace = false;   ///< Whether the logs hold what the behavior decided, and why.
   int images = 0;       ///< How many camera images to keep for the report page.
   std::string behavior = root.path("behavior/GT2003.xabsl");
   std::string motions = root.path("motions");

@@ -49,6 +49,7 @@ Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::M
   log->keepPixels(pixels);
   for (const std::string& name : perceptsOfImages(solutions()))
     static_cast<void>(robot_->watch(name));  // a robot that does not see needs none
+  static_cast<void>(robot_->request(DebugRequest{traceKey, DebugKeyMode::always, 0}));
   loggedImagePeriod_ = settings.imagePeriod;
   log_ = std::move(*log);
   return {};

@@ -37,8 +37,8 @@ Result<void> Recorder::start() {
 
 /// What the behavior decides, and why, if the robot has a behavior.
 void Recorder::trace(bool on) {
-  static_cast<void>(robot_.request(DebugRequest{
-      "BehaviorControl/trace", on ? DebugKeyMode::always : DebugKeyMode::disabled, 0}));
+  static_cast<void>(robot_.request(
+      DebugRequest{traceKey, on ? DebugKeyMode::always : DebugKeyMode::disabled, 0}));
 }
 
 void Recorder::stop() {

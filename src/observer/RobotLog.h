@@ -15,6 +15,9 @@ namespace gt {
 
 /// Begins the topics of what the platform sent to the robot.
 constexpr const char* inputTopic = "/input/";
+/// The debug key under which a behavior sends what it decides and why (BehaviorTrace); on wherever
+/// a log is recorded.
+constexpr const char* traceKey = "BehaviorControl/trace";
 
 /// A camera image without its pixels, in logs that do not hold them.
 struct ImageHeader {

@@ -53,6 +53,7 @@ void ProgramRecorder::ask(const Wire& wire, MessageQueue& requests) {
     if (session == known) continue;
     known = session;
     for (const WatchRequest& request : requests_) requests.write({}, request);
+    requests.write({}, DebugRequest{traceKey, DebugKeyMode::always, 0});
   }
 }
 
