@@ -160,6 +160,7 @@ Result<void> ModuleProcess::request(const ValueRequest& request) {
                               : "process " + name() + " does not have it"};
   if (request.mode != ValueMode::release)
     if (auto done = setField(*type, request.path, request.value); !done) return done;
+  if (changed_) changed_(*type);
   if (request.mode != ValueMode::set)
     std::erase_if(held_, [&](const Held& held) {
       return held.type == type && (held.path == request.path || request.path.empty());
@@ -339,7 +340,10 @@ bool ModuleProcess::handlePackage(const Message& message) {
       return !receiver->blocking() && report(receiver->deliverBytes(message.bytes));
   const std::shared_ptr<void> package = type->make();
   const auto done = type->decode(message.bytes, package.get());
-  if (done) type->swap(package.get(), blackboard_.own(*type));
+  if (done) {
+    type->swap(package.get(), blackboard_.own(*type));
+    if (changed_) changed_(*type);
+  }
   return report(done);
 }
 

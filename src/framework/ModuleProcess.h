@@ -63,6 +63,9 @@ class ModuleProcess : public Process {
   /// that it does not know either.
   using Handler = std::function<bool(const Message&)>;
   void onMessage(Handler handler) { handler_ = std::move(handler); }
+  /// Called when tools have set a representation that is not received, or a field of it.
+  using ChangeHandler = std::function<void(const RepresentationType&)>;
+  void onChange(ChangeHandler handler) { changed_ = std::move(handler); }
   /// The representations that are sent after cycles, and how often.
   std::vector<WatchRequest> watched() const;
   /// Whether it has a task that would provide a representation, but is disabled.
@@ -136,6 +139,7 @@ class ModuleProcess : public Process {
   std::vector<std::unique_ptr<PackageSender>> ownSenders_;
   std::vector<std::unique_ptr<PackageReceiver>> ownReceivers_;
   Handler handler_;
+  ChangeHandler changed_;
   std::uint32_t answering_ = 1;
   MessageQueue debugIn_, debugOut_;
   PackageSender debugSender_;

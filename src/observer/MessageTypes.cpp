@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "colors/HsiColors.h"
+#include "colors/TslColors.h"
 #include "debug/Drawing.h"
 #include "framework/Description.h"
 #include "framework/Requests.h"
@@ -22,8 +24,8 @@ const std::vector<const RepresentationType*>& messageTypes() {
   static const std::vector<const RepresentationType*> list = [] {
     auto types = AllRepresentations<TypeList>::all();
     for (const auto* type :
-         TypeList<Text, Drawing, Plot, StopwatchTime, DroppedMessages, ProcessDescription,
-                  RequestAnswer, ModuleTimes, RecordedSetup>::all())
+         TypeList<HsiColors, TslColors, Text, Drawing, Plot, StopwatchTime, DroppedMessages,
+                  ProcessDescription, RequestAnswer, ModuleTimes, RecordedSetup>::all())
       types.push_back(type);
     return types;
   }();

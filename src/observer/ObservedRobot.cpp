@@ -171,8 +171,18 @@ Result<bool> ObservedRobot::carriedOut(bool one) {
       answers_, [](const RequestAnswer& answer) { return answer.outcome == RequestOutcome::done; });
 }
 
-Error ObservedRobot::full() const {
-  return {.field = name_, .what = "the robot has not taken its last messages yet"};
+Result<Time> ObservedRobot::write(const RepresentationType& type, const void* message) {
+  asked_ = Time{asked_.ms + 1};
+  answers_.clear();
+  if (type.write(message, asked_, link_->toRobot())) return asked_;
+  return Error{.field = name_, .what = "the robot has not taken its last messages yet"};
+}
+
+Result<void> ObservedRobot::send(const RepresentationType& type, const void* message) {
+  const auto asked = write(type, message);
+  if (!asked) return asked.error();
+  update();
+  return refusalOf(*asked);
 }
 
 Result<void> ObservedRobot::refusalOf(Time asked) const {

@@ -113,11 +113,9 @@ class ObservedRobot {
   /// Sends any other message, such as a representation. Returns an error if it is refused at once.
   template <typename T>
   Result<void> send(const T& message) {
-    const auto asked = write(message);
-    if (!asked) return asked.error();
-    update();
-    return refusalOf(*asked);
+    return send(representation<T>(), &message);
   }
+  Result<void> send(const RepresentationType& type, const void* message);
 
   // Drawings, plots, texts: what has come so far.
 
@@ -162,12 +160,9 @@ class ObservedRobot {
   /// Writes a message for the robot; returns the time stamp by which it is answered.
   template <typename T>
   Result<Time> write(const T& message) {
-    asked_ = Time{asked_.ms + 1};
-    answers_.clear();
-    if (link_->toRobot().write(asked_, message)) return asked_;
-    return full();
+    return write(representation<T>(), &message);
   }
-  Error full() const;
+  Result<Time> write(const RepresentationType& type, const void* message);
   Result<void> refusalOf(Time asked) const;
   template <typename Condition>
   bool await(Condition condition);

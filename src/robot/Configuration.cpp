@@ -163,6 +163,12 @@ void readShared(const std::string& path, std::shared_ptr<T>& value, Findings& fi
   readOptional(path, *value, findings);
 }
 
+/// The text of a part's file in the config format.
+template <typename T>
+std::string configText(const void* value) {
+  return writeConfig(*static_cast<const T*>(value));
+}
+
 Result<ConfigFolder> openFolder(const ConfigurationPaths& paths) {
   if (paths.location.empty()) return ConfigFolder::open(paths.config);
   return ConfigFolder{paths.config, paths.location};
@@ -221,30 +227,40 @@ Result<T> loadOne(const std::string& folder, const char* file, Read read) {
 
 const std::vector<ConfigurationPart>& commonParts() {
   static const std::vector<ConfigurationPart> parts{
-      {&representation<FieldDimensions>(),
-       [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
-         readShared(files.folder.path("field.cfg"), c.field, findings);
-       },
-       [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.field); }},
-      {&representation<RobotDimensions>(),
-       [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
-         readShared(files.folder.path("dimensions.cfg"), c.robot, findings);
-       },
-       [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.robot); }},
-      {&representation<RobotCalibration>(),
-       [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
-         readOptional(files.folder.path("robot.cfg"), c.calibration, findings);
-       },
-       [](const Configuration& c, const std::string& address, Blackboard& b) {
-         b.get<RobotCalibration>() = c.calibration.of(address);
-       }},
-      {&representation<CameraSettings>(),
-       [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
-         readOptional(files.folder.path("camera.cfg"), c.camera, findings);
-       },
-       [](const Configuration& c, const std::string& address, Blackboard& b) {
-         b.get<CameraSettings>() = c.camera.of(address);
-       }}};
+      {.type = &representation<FieldDimensions>(),
+       .read =
+           [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
+             readShared(files.folder.path("field.cfg"), c.field, findings);
+           },
+       .share = [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.field); },
+       .file = "field.cfg",
+       .text = configText<FieldDimensions>},
+      {.type = &representation<RobotDimensions>(),
+       .read =
+           [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
+             readShared(files.folder.path("dimensions.cfg"), c.robot, findings);
+           },
+       .share = [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.robot); },
+       .file = "dimensions.cfg",
+       .text = configText<RobotDimensions>},
+      {.type = &representation<RobotCalibration>(),
+       .read =
+           [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
+             readOptional(files.folder.path("robot.cfg"), c.calibration, findings);
+           },
+       .share = [](const Configuration& c, const std::string& address,
+                   Blackboard& b) { b.get<RobotCalibration>() = c.calibration.of(address); },
+       .file = "robot.cfg",
+       .text = configText<RobotCalibration>},
+      {.type = &representation<CameraSettings>(),
+       .read =
+           [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
+             readOptional(files.folder.path("camera.cfg"), c.camera, findings);
+           },
+       .share = [](const Configuration& c, const std::string& address,
+                   Blackboard& b) { b.get<CameraSettings>() = c.camera.of(address); },
+       .file = "camera.cfg",
+       .text = configText<CameraSettings>}};
   return parts;
 }
 

@@ -21,6 +21,7 @@ namespace gt {
 struct Behavior;
 struct BehaviorRequest;
 struct ConfigurationPart;
+struct HsiColors;
 struct MotionNet;
 struct RobotModules;
 struct TslColors;
@@ -56,14 +57,15 @@ struct ConfigurationFiles {
 ///     robot.cfg                  RobotCalibration of each robot by hardware address (B.4.5)
 ///     camera.cfg                 CameraSettings, for each robot if wanted (B.4.3)
 ///     coltable.c64               ColorTable64 (report B.4.2)
+///     coltable.hsi               HsiColors, of which the color table is made instead (J.6.2)
 ///     coltable.tsl               TslColors (report J.6.3)
 ///     modules.cfg                the solution of each task
 ///     modules/TASK.SOLUTION.cfg  the parameters of that solution
 ///     log.cfg                    what is recorded
 ///
-/// Every file but coltable.c64 may be missing: then the defaults hold. What none of a program's
-/// modules reads is not loaded, and null (ConfigurationPart). Who the robot is and how it is
-/// reached are its program's matter: `loadPlayer`, `loadNetwork`.
+/// Every file but one of coltable.c64 and coltable.hsi may be missing: then the defaults hold. What
+/// none of a program's modules reads is not loaded, and null (ConfigurationPart). Who the robot is
+/// and how it is reached are its program's matter: `loadPlayer`, `loadNetwork`.
 struct Configuration {
   /// A line of modules.cfg.
   struct SolutionChoice {
@@ -90,6 +92,7 @@ struct Configuration {
   PerRobot<RobotCalibration> calibration;
   PerRobot<CameraSettings> camera;
   std::shared_ptr<ColorTable64> colorTable;
+  std::shared_ptr<HsiColors> hsiColors;  ///< Of which it was made; without ranges if of none.
   std::shared_ptr<TslColors> tslColors;
   std::shared_ptr<MotionNet> motions;
   std::shared_ptr<const Behavior> behavior;
@@ -123,6 +126,12 @@ struct ConfigurationPart {
   /// is another one's. The representation itself needs no such function.
   bool (*handle)(const Message& message, ModuleProcess& process,
                  const ConfigurationFiles& files) = nullptr;
+  /// Called when a tool has replaced it or a field of it.
+  void (*changed)(Blackboard& blackboard) = nullptr;
+  /// Its file in the configuration's folder, and what that contains for a value; empty if the value
+  /// needs none. Null if it has a folder of its own. Tools write it (RunningConfiguration.h).
+  const char* file = nullptr;
+  std::string (*text)(const void* value) = nullptr;
 };
 
 /// What all processes may read: the dimensions of field and robot, its calibration, how its camera

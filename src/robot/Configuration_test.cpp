@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "colors/HsiColors.h"
 #include "colors/TslColors.h"
 #include "representations/motion/MotionNet.h"
 #include "robot/Solutions.h"
@@ -53,6 +54,26 @@ class ConfigurationTest : public ::testing::Test {
 
 TEST_F(ConfigurationTest, TheRepositorysIsSound) {
   EXPECT_EQ(error(), "no error");
+}
+
+/// The color table is made of HSI ranges where these are nearer than a table (report B.4.1, J.6.2).
+TEST_F(ConfigurationTest, MakesTheColorTableOfHsiRanges) {
+  const auto table = [&] { return (*loadConfiguration(paths))->colorTable->classes; };
+  const auto own = table();
+  write("config/coltable.hsi", "[green]\nhue 100 140\nsaturation 20 100\nintensity 10 90\n");
+  const auto ranges = (*loadConfiguration(paths))->hsiColors;
+  EXPECT_FALSE(ranges->ranges[ColorClass::green].empty());
+  EXPECT_EQ(table(), ranges->table().classes);
+  EXPECT_NE(table(), own);
+  fs::remove(root / "config/coltable.c64");
+  EXPECT_EQ(table(), ranges->table().classes);
+  fs::create_directories(root / "config/Padua");
+  fs::copy("config/coltable.c64", root / "config/Padua");
+  write("config/location.cfg", "Padua");
+  EXPECT_EQ(table(), own) << "the location's table wins over the common ranges";
+  fs::remove(root / "config/location.cfg");
+  write("config/coltable.hsi", "[green]\nhue 100 1400\n");
+  EXPECT_THAT(error(), ::testing::StartsWith("config/coltable.hsi:2: "));
 }
 
 TEST_F(ConfigurationTest, MissingFolder) {

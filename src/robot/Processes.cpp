@@ -1,5 +1,8 @@
 #include "robot/Processes.h"
 
+#include <algorithm>
+
+#include "colors/HsiColors.h"
 #include "representations/infrastructure/FrameInfo.h"
 
 namespace gt {
@@ -12,6 +15,9 @@ std::vector<const RepresentationType*> configurationOf(const ProcessLayout& proc
       if (const Task* task = table.find(name))
         for (const Solution& solution : task->solutions)
           for (const Port& port : solution.ports) types.push_back(port.type);
+  // Tools ask of which ranges the color table was made.
+  if (std::ranges::find(types, &representation<ColorTable64>()) != types.end())
+    types.push_back(&representation<HsiColors>());
   return types;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "colors/HsiColors.h"
 #include "modules/behavior/control/BehaviorRequest.h"
 #include "network/RobotAddresses.h"
 #include "network/Wire.h"
@@ -63,6 +62,10 @@ void Robot::addProcess(const Plan::Process& plan) {
   process.answerAsOneOf(static_cast<std::uint32_t>(std::ranges::count(
       plan_.processes, false, [](const auto& other) { return other.layout.collectsMessages; })));
   process.onMessage([this, &process](const Message& message) { return handle(message, process); });
+  process.onChange([this, &process](const RepresentationType& type) {
+    for (const ConfigurationPart& part : modules_->parts)
+      if (part.type == &type && part.changed) part.changed(process.blackboard());
+  });
 }
 
 /// Connects the processes that run here with each other and with the platform.
@@ -233,7 +236,7 @@ bool Robot::handle(const Message& message, ModuleProcess& process) const {
   for (const ConfigurationPart& part : modules_->parts)
     if (part.handle && part.handle(message, process, setup_.configuration->files)) return true;
   // Another process may have the part that knows it.
-  if (!message.is<BehaviorRequest>() && !message.is<HsiColors>()) return false;
+  if (!message.is<BehaviorRequest>()) return false;
   process.answerNotConcerned(message);
   return true;
 }
