@@ -7,6 +7,8 @@
 
 #include "match/Match.h"
 #include "observer/ObservedRobot.h"
+#include "observer/RobotLog.h"
+#include "representations/behavior/BehaviorTrace.h"
 #include "representations/modeling/RobotPose.h"
 #include "robot/logs/LogRobot.h"
 
@@ -138,6 +140,28 @@ TEST_F(ReplayLog, RobotsGoForwardAndBackOnALog) {
   EXPECT_NEAR(static_cast<double>(robot.player().now() - robot.player().begin()), 1200, 16);
   ASSERT_TRUE(robot.goToMessage(0, ignore));
   EXPECT_EQ(robot.player().now(), robot.player().begin());
+}
+
+/// What the log's robot decided is shown as recorded, or as the robot on the log decides now.
+TEST_F(ReplayLog, RobotsOnALogShowWhatWasRecorded) {
+  auto opened = LogRobot::open(path("play/red1.mcap"), {});
+  ASSERT_TRUE(opened) << opened.error().text();
+  ObservedRobot observed{"LOG1", (*opened)->link()};
+  int traces = 0;
+  const auto second = [&] {
+    traces = 0;
+    const auto done = (*opened)->pass(1000, [&](const MessageQueue& messages) {
+      messages.handleAllMessages(
+          [&](const Message& message) { traces += message.is<BehaviorTrace>(); });
+      observed.take(messages);
+    });
+    EXPECT_TRUE(done) << done.error().text();
+    return traces;
+  };
+  EXPECT_NEAR(second(), 25, 2) << "one for each image";
+  ASSERT_NE(observed.newest<BehaviorTrace>(), nullptr);
+  ASSERT_TRUE(observed.request(DebugRequest{traceKey, DebugKeyMode::always, 0}));
+  EXPECT_NEAR(second(), 25, 2) << "not both";
 }
 
 TEST_F(ReplayLog, RobotsOnALogRefuseWhatItDoesNotHold) {

@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <optional>
 
 #include "console/Commands.h"
+#include "observer/MessageQueues.h"
 
 namespace gt {
 namespace {
@@ -42,6 +46,49 @@ Result<void> selectRobots(Console& console, const Words& words) {
   return {};
 }
 
+/// A word behind `to` or `from`: physicalRobot behind `to` is toPhysicalRobot.
+std::optional<QueueName> queueOf(const std::string& direction, std::string word) {
+  if (word.empty()) return std::nullopt;
+  word.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
+  return enumValue<QueueName>(direction + word);
+}
+
+/// The robots of a queue; the selected ones come first, so that they are the connected ones.
+std::vector<std::string> robotsOf(Console& console, QueueName queue) {
+  std::vector<ObservedRobot*> robots;
+  const auto selected = console.selected();
+  for (ConsoleRobot* robot : selected) robots.push_back(&robot->observed());
+  for (const auto& robot : console.session().robots())
+    if (std::ranges::find(selected, robot.get()) == selected.end())
+      robots.push_back(&robot->observed());
+  std::vector<std::string> names;
+  for (const ObservedRobot* robot : gt::robotsOf(queue, robots)) names.push_back(robot->name());
+  return names;
+}
+
+/// to and from: a robot command for the robots of a message queue, whatever is selected. What was
+/// done is noted as a selection and the command.
+Result<void> withQueue(Console& console, const Words& words) {
+  const auto queue = queueOf(words[0], words[1]);
+  const Command* command = Console::find(words[2]);
+  if (!queue || !command) return wrongArguments(words);
+  if (command->kind != Command::Kind::robot)
+    return Error{.field = words[2], .what = "is no command for selected robots"};
+  const std::vector<std::string> names = robotsOf(console, *queue);
+  if (names.empty()) return Error{.field = words[1], .what = "there is no such robot"};
+  const auto line = [](const std::vector<std::string>& robots) {
+    std::string text = "robot";
+    for (const std::string& robot : robots) text += " " + robot;
+    return robots.empty() ? text + " all" : text;
+  };
+  const std::vector<std::string> before = console.selection();
+  if (auto done = console.execute(line(names)); !done) return done;
+  const std::size_t rest = words.rest.find(words[2], words[1].size());
+  const auto done = console.execute(words.rest.substr(rest));
+  const auto back = console.execute(line(before));
+  return done ? back : done;
+}
+
 }  // namespace
 
 std::vector<Command> connectionCommands() {
@@ -50,6 +97,17 @@ std::vector<Command> connectionCommands() {
       {global, "robot", "? | all | ROBOT {ROBOT}",
        "Selects the robots that the robot commands are for, or lists them.", selectRobots,
        robotNames, true},
+      {global, "from", "(physicalRobot | simulatedRobot) COMMAND",
+       "Executes a robot command for the robot from which a queue comes (report 5.2): the "
+       "connected "
+       "one elsewhere, or of the simulator, which is the first that is selected or that there is. "
+       "So from physicalRobot log start records what that robot sends.",
+       withQueue},
+      {global, "to",
+       "(physicalRobot | allPhysicalRobots | simulatedRobot | allSimulatedRobots) COMMAND",
+       "Executes a robot command for the robots to which a queue leads (report 5.2): the connected "
+       "one of a kind, or all of them, whatever robots are selected.",
+       withQueue},
       {initialization, "sc",
        "[gameManager] (A.B.C.D | A.B.C D {D} | NAME=ENDPOINT {NAME=ENDPOINT})",
        "Connects to robots elsewhere, through a router that runs in the background; with "

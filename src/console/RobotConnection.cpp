@@ -14,6 +14,7 @@ class ConnectionLink : public RobotLink {
  public:
   ConnectionLink(Router& router, std::size_t robot, std::unique_ptr<ToolConnection> connection)
       : router_{router}, robot_{robot}, connection_{std::move(connection)} {}
+  RobotKind kind() const override { return RobotKind::physical; }
   MessageQueue& toRobot() override { return connection_->out(); }
   void exchange(const Taker& take) override {
     router_.step(0);

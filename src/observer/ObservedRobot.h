@@ -38,6 +38,7 @@ class ObservedRobot {
   ObservedRobot& operator=(const ObservedRobot&) = delete;
 
   const std::string& name() const { return name_; }
+  RobotKind kind() const { return link_->kind(); }
   /// Of the newest message.
   Time time() const { return time_; }
 

@@ -140,8 +140,9 @@ TEST(RobotElsewhere, IsKnownAndChangedAtThePrompt) {
   console.expectFine("set ImageProcessor.GT2003.denseSpacing 4");
   EXPECT_THAT(console.answer("get ImageProcessor.denseSpacing"), HasSubstr(": 4"));
   EXPECT_THAT(console.answer("set ImageProcessor.denseSpacing 400"), HasSubstr("error"));
-  console.expectFine("sr BallLocator disabled");
-  EXPECT_THAT(console.answer("sr ?"),
+  console.expectFine("to allPhysicalRobots sr BallLocator disabled");
+  EXPECT_THAT(console.answer("to simulatedRobot sr ?"), HasSubstr("there is no such robot"));
+  EXPECT_THAT(console.answer("from physicalRobot sr ?"),
               AllOf(HasSubstr("BallLocator disabled"), HasSubstr("SelfLocator Kalman")));
   console.expectFine("set BallModel.position.x 1234");
   EXPECT_THAT(console.answer("get BallModel.position.x"), HasSubstr(": 1234"));

@@ -72,6 +72,7 @@ class LogRobot::Link : public RobotLink {
 };
 
 LogRobot::LogRobot(ReplayPlatform platform) : platform_{std::move(platform)} {
+  platform_.showRecorded();
   platform_.onNewRobot([this](Robot& robot) {
     told_.copyAllMessages(robot.fromTools());
     robot.answer();

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "debug/Drawing.h"
 #include "observer/MessageTypes.h"
 #include "observer/RobotLog.h"
+#include "representations/behavior/BehaviorState.h"
+#include "representations/behavior/BehaviorTrace.h"
 #include "robot/SetupFiles.h"
 #include "robot/Solutions.h"
 #include "robot/logs/LogPlatform.h"
@@ -176,7 +179,11 @@ Result<void> ReplayPlatform::makeRobot() {
   if (!recorded_.files.empty())
     robot_->tellSetup([setup = recorded_]() -> Result<RecordedSetup> { return setup; });
   for (auto& channel : channels_)
-    if (channel) channel->provided = provides(robot_->plan(), *channel->type);
+    if (channel) {
+      channel->provided = provides(robot_->plan(), *channel->type);
+      channel->sent =
+          channel->input || (!channel->provided && contains(setup_.platform, channel->type->name));
+    }
   for (const Configuration::SolutionChoice& choice : solutions_) {
     if (const std::string missing = missingFor(choice.task);
         !missing.empty() && choice.solution != SolutionTable::disabled)
@@ -245,14 +252,37 @@ Result<void> ReplayPlatform::take(const McapChannel& recorded, const McapMessage
     image_.time = now_;
     sendImage();
   }
-  if (channel->input || !channel->provided) {
+  if (channel->sent) {
     if (auto done = decode(*channel, message); !done) return done;
     send(*channel);
+  } else if (!channel->provided) {
+    if (!showsRecorded_) return {};
+    if (auto done = decode(*channel, message); !done) return done;
+    show(*channel);
   } else if (robot_->isDisabled(*channel->type)) {
     if (auto done = decode(*channel, message); !done) return done;
     robot_->layIfDisabled(*channel->type, channel->value.get());
   }
   return {};
+}
+
+/// What was sent under a debug key that is off: the robot does not send it.
+void ReplayPlatform::show(const Channel& channel) {
+  std::string_view key;
+  if (channel.type == &representation<Drawing>())
+    key = static_cast<const Drawing*>(channel.value.get())->key;
+  else if (channel.type == &representation<Plot>())
+    key = static_cast<const Plot*>(channel.value.get())->key;
+  else if (channel.type == &representation<BehaviorState>())
+    key = "BehaviorControl/activations";
+  else if (channel.type == &representation<BehaviorTrace>())
+    key = traceKey;
+  const DebugKey* known = DebugKey::find(key);
+  if (!known || std::ranges::any_of(robot_->processes(), [&](const auto& process) {
+        return process->debug().keys().get(*known).mode != DebugKeyMode::disabled;
+      }))
+    return;
+  channel.type->write(channel.value.get(), now_, robot_->toTools());
 }
 
 Result<bool> ReplayPlatform::step() {

@@ -42,6 +42,9 @@ class ReplayPlatform {
   Result<void> goTo(std::size_t moment);
   /// Called with each such robot before it lives.
   void onNewRobot(std::function<void(Robot&)> prepare) { newRobot_ = std::move(prepare); }
+  /// Also has the robot send to its tools what the log's robot sent under debug keys: drawings,
+  /// plots, what the behavior did; unless it computes that itself, since the key is on.
+  void showRecorded() { showsRecorded_ = true; }
   /// Called with all that is sent to the robot, as its platform does.
   using InputHandler = std::function<void(Time, const RepresentationType&, const void* package)>;
   void onInput(InputHandler handle) { input_ = std::move(handle); }
@@ -67,6 +70,7 @@ class ReplayPlatform {
     std::shared_ptr<void> value;
     bool input = false;     ///< From the platform; otherwise what the robot sent.
     bool provided = false;  ///< By a task of the robot that lives on the log.
+    bool sent = false;      ///< To that robot, as from its platform.
   };
 
   explicit ReplayPlatform(LogPlayer player) : player_{std::move(player)} {}
@@ -81,6 +85,7 @@ class ReplayPlatform {
   void send(const RepresentationType& type, const void* package);
   void send(const Channel& channel);
   void sendImage();
+  void show(const Channel& channel);
   Error damaged(std::string field, std::string what) const;
 
   LogPlayer player_;
@@ -93,7 +98,8 @@ class ReplayPlatform {
   std::function<void(Robot&)> newRobot_;
   InputHandler input_;
   SensorDataBuffer sensors_;
-  Image image_;                  ///< Without what the robot saw: only its header was recorded.
+  Image image_;  ///< Without what the robot saw: only its header was recorded.
+  bool showsRecorded_ = false;
   bool pixels_ = true;           ///< Whether whole images were recorded.
   std::string perceptOfImages_;  ///< Comes with each image, if not even headers were recorded.
   Time now_;
