@@ -26,6 +26,7 @@ void printHead(const CrashReport& report) {
   fmt::print("\n");
   if (report.time > 0 && report.time < 253'402'300'799)
     fmt::print("on {:%Y-%m-%d %H:%M:%S} UTC\n", fmt::gmtime(static_cast<std::time_t>(report.time)));
+  if (!report.running.empty()) fmt::print("while it ran {}\n", report.running);
   if (!report.complete)
     fmt::print("The report ends early: the process could not write all of it.\n");
 }
@@ -89,7 +90,7 @@ Result<void> run(const std::string& file, const std::vector<std::string>& folder
   const auto stack = report->callStack();
   printAssembler("Where it crashed", symbolizer, stack.front());
   if (stack.size() > 1) printAssembler("In the caller", symbolizer, stack[1]);
-  if (!report->notes.empty()) fmt::print("\nLast messages\n");
+  if (!report->notes.empty()) fmt::print("\nLast notes\n");
   for (const std::string& note : report->notes) fmt::print("  {}\n", note);
   fmt::print("\nPrograms and libraries\n");
   for (const CrashModule& module : report->modules)

@@ -20,7 +20,9 @@
 #include <cstring>
 #include <ctime>
 #include <iterator>
+#include <utility>
 
+#include "base/CrashNotes.h"
 #include "crash/BuildId.h"
 
 namespace gt {
@@ -36,22 +38,14 @@ constexpr std::array deadlySignals{SignalName{SIGSEGV, "SIGSEGV"}, SignalName{SI
                                    SignalName{SIGSYS, "SIGSYS"}};
 
 constexpr std::size_t handlerStackSize = 256 * 1024;
-constexpr std::size_t noteCount = 32, noteLength = 120;
 constexpr std::size_t stackBytes = 16 * 1024, stackLine = 32;
 constexpr int deepestFrame = 200;
-
-/// A note that several threads may write and a handler reads: torn at worst, never wrong.
-struct Note {
-  std::array<std::atomic<char>, noteLength> text{};
-};
 
 // A signal handler takes no arguments: what it needs has to lie where it finds it.
 struct Prepared {
   std::array<char, PATH_MAX> path{};
   std::array<char, 64 * 1024> head{};  ///< The program and its modules, as the report shows them.
   std::size_t headSize = 0;
-  std::array<Note, noteCount> notes{};
-  std::atomic<std::uint64_t> noted{0};
   std::atomic_flag dying = ATOMIC_FLAG_INIT;
 };
 Prepared prepared;
@@ -167,15 +161,18 @@ void writeSignal(Output& out, int number, const siginfo_t& info) {
   out.decimal(static_cast<std::uint64_t>(syscall(SYS_gettid))) << "\n";
 }
 
+/// What the thread that died did, and what all have noted.
 void writeNotes(Output& out) {
-  const std::uint64_t end = prepared.noted.load();
-  for (std::uint64_t i = end > noteCount ? end - noteCount : 0; i < end; ++i) {
+  bool any = false;
+  CrashContext::forEachPart([&](std::string_view part) {
+    if (!std::exchange(any, true)) out << "running ";
+    out << part;
+  });
+  if (any) out << "\n";
+  const CrashNotes& notes = CrashNotes::ofProcess();
+  for (std::uint64_t note = notes.begin(); note < notes.end(); ++note) {
     out << "note ";
-    for (const auto& c : prepared.notes[i % noteCount].text) {
-      const char letter = c.load(std::memory_order_relaxed);
-      if (letter == 0) break;
-      out << std::string_view{&letter, 1};
-    }
+    notes.forEachLetter(note, [&](char letter) { out << std::string_view{&letter, 1}; });
     out << "\n";
   }
 }
@@ -306,14 +303,6 @@ CrashStack::~CrashStack() {
   none.ss_flags = SS_DISABLE;
   sigaltstack(&none, nullptr);
   munmap(memory_, handlerStackSize);
-}
-
-void noteForCrashReport(std::string_view line) {
-  Note& note = prepared.notes[prepared.noted.fetch_add(1) % noteCount];
-  const std::size_t n = std::min(line.size(), noteLength);
-  for (std::size_t i = 0; i < n; ++i)
-    note.text[i].store(line[i] == '\n' || line[i] == 0 ? ' ' : line[i], std::memory_order_relaxed);
-  if (n < noteLength) note.text[n].store(0, std::memory_order_relaxed);
 }
 
 void installCrashHandler(const CrashSettings& settings) {

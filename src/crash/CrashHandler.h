@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <string_view>
 
 namespace gt {
 
@@ -11,15 +10,12 @@ struct CrashSettings {
 };
 
 /// From now on this process writes a crash report when a signal ends it (report 5.5: the robot's
-/// emon.log): signal, registers, stack, loaded modules with their build ids, the last notes, and
-/// the call stack. Then it dies of that signal as it would have. Everything is prepared here, so
-/// that the handler needs neither memory nor locks; what cannot be prepared is left out. Call it
-/// once, when all libraries are loaded. What it prepares belongs to the process, as signals do.
+/// emon.log): signal, registers, stack, loaded modules with their build ids, what ran, the last
+/// notes, and the call stack. Then it dies of that signal as it would have. Everything is prepared
+/// here, so that the handler needs neither memory nor locks; what cannot be prepared is left out.
+/// Call it once, when all libraries are loaded. What it prepares belongs to the process, as signals
+/// do.
 void installCrashHandler(const CrashSettings& settings);
-
-/// Notes a line for a crash report, which holds the last of them. From any thread, cheap; what is
-/// longer than 120 bytes is cut.
-void noteForCrashReport(std::string_view line);
 
 /// Gives the calling thread a stack of its own for the crash handler while it lives, so that even
 /// a stack overflow is reported. installCrashHandler() does so for the thread that calls it.

@@ -91,6 +91,7 @@ bool readLine(std::string_view key, std::string_view text, CrashReport& report) 
   if (key == "thread") return set(report.thread, decimal<std::int64_t>(text));
   if (key == "register") return addRegister(text, report);
   if (key == "module") return addModule(text, report);
+  if (key == "running") return report.running = text, true;
   if (key == "note") return report.notes.emplace_back(text), true;
   if (key == "stack") return addStack(text, report);
   if (key == "frame") return set(report.frames.emplace_back(), hex(text));

@@ -28,6 +28,7 @@ struct CrashReport {
   std::vector<std::pair<std::string, std::uint64_t>>
       registers;  ///< Program counter, stack pointer, others.
   std::vector<CrashModule> modules;
+  std::string running;  ///< What the thread did that died, such as a process and its module.
   std::vector<std::string> notes;
   std::uint64_t stackBegin = 0;
   std::vector<unsigned char> stack;

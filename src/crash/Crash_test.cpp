@@ -63,8 +63,9 @@ class Crash : public testing::Test {
     EXPECT_EQ(report->program, "crash_child");
     EXPECT_EQ(report->process, child);
     EXPECT_EQ(report->signalNumber, signal);
+    EXPECT_EQ(report->running, how.starts_with("thread") ? "" : "red1, Doubler");
     EXPECT_EQ(report->notes.size(), 32u);
-    EXPECT_THAT(report->notes, testing::Contains("step 39"));
+    EXPECT_THAT(report->notes, testing::Contains("red1, Doubler: step 39"));
     return *report;
   }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <thread>
 
+#include "base/CrashNotes.h"
 #include "crash/CrashHandler.h"
 
 namespace crashes {
@@ -47,6 +48,7 @@ volatile int sink = 0;
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
   gt::installCrashHandler({"crash_child", argv[1]});
+  const gt::CrashContext robot{"red1"}, module{"Doubler"};
   for (int i = 0; i < 40; ++i) gt::noteForCrashReport("step " + std::to_string(i));
   const std::string_view how = argv[2];
   if (how.starts_with("thread")) {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/CrashNotes.h"
+
 namespace gt {
 
 ModuleProcess::ModuleProcess(const Plan::Process& plan, Blackboard blackboard, Time& frameTime,
@@ -301,6 +303,7 @@ Result<void> ModuleProcess::configure(std::string_view task, std::string_view so
 template <typename Request>
 bool ModuleProcess::handleAs(const Message& message) {
   if (!message.is<Request>()) return false;
+  noteForCrashReport(typeName<Request>());
   Request wanted;
   if (const auto done = message.read(wanted); !done)
     answer(message, done);
@@ -383,6 +386,7 @@ void ModuleProcess::carryOut(const MessageQueue& messages, MessageQueue& answers
 }
 
 int ModuleProcess::main() {
+  const CrashContext context{name().c_str(), now()};
   debug_.begin(now());
   if (debugReceiver_.receivedNew())
     debugIn_.handleAllMessages([this](const Message& message) { handle(message); });
@@ -392,6 +396,7 @@ int ModuleProcess::main() {
   for (std::size_t i = 0; i < slots_.size(); ++i)
     if (slots_[i].active && isDue(slots_[i])) {
       {
+        const CrashContext module{slots_[i].task->name.c_str()};
         const Stopwatch::Lap lap{times_.modules[i]};
         slots_[i].active->run();
       }

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "base/CrashNotes.h"
 #include "framework/DebugProcess.h"
 #include "support/TestModules.h"
 
@@ -245,6 +246,41 @@ TEST(SharedConfiguration, IsCopiedWhenItIsChanged) {
   EXPECT_EQ(estimate(0), 7);
   EXPECT_EQ(estimate(1), 3);
   EXPECT_EQ(shared->value, 3);
+}
+
+/// Leaves a note for a crash report.
+class NotingFilter {
+ public:
+  void update(const Reading& reading, Estimate&) {
+    noteForCrashReport("reads " + std::to_string(static_cast<int>(reading.value)));
+  }
+};
+
+std::string lastNote(std::uint64_t before) {
+  const CrashNotes& notes = CrashNotes::ofProcess();
+  std::string text;
+  notes.forEachLetter(notes.end() - before, [&](char letter) { text += letter; });
+  return text;
+}
+
+TEST_F(ModuleProcessTest, NamesWhatRunsForCrashReports) {
+  SolutionTable noting;
+  noting.addTask<testing::Filter>();
+  noting.add<testing::Filter, NotingFilter>("Noting");
+  const auto layout = parseLayout("process Main on Reading\nFilter\n", "test.layout");
+  plan = *makePlan(*layout, noting, {&representation<Reading>()}, {&representation<FrameTime>()});
+  Blackboard blackboard;
+  Time& time = blackboard.get<FrameTime>().time;
+  ModuleProcess other{plan.processes[0], std::move(blackboard), time, Random{1}};
+  reading.value = 7;
+  other.receiver(representation<Reading>(), true).deliver(&reading);
+  ASSERT_TRUE(other.step(Time{40}));
+  EXPECT_EQ(lastNote(1), "Main at 40 ms, Filter: reads 7");
+
+  ask(SolutionRequest{"Filter", "Direct"});
+  cycle(1);
+  EXPECT_EQ(lastNote(1), "Main at " + std::to_string(now.ms) + " ms: SolutionRequest");
+  CrashContext::forEachPart([](std::string_view part) { ADD_FAILURE() << part << " is open"; });
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <csignal>
 #include <cstdio>
 
-#include "crash/CrashHandler.h"
 #include "network/ToolPort.h"
 #include "network/Wire.h"
 #include "observer/RobotLog.h"
@@ -159,8 +158,7 @@ Result<void> live(const RobotProgramOptions& options, const RobotModules& module
     session = platform.session;
     network.now = tools ? Time{network.elapsed()} : platform.time;
     if (tools) tools->ask();
-    if ((*robot)->step(network.now))
-      noteForCrashReport("cycle at " + std::to_string(network.now.ms) + " ms");
+    (*robot)->step(network.now);
     wire.askForMore();
     if (tools) tools->serve(network.elapsed());
     print(options, wire.takeNews());
