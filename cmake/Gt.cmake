@@ -13,10 +13,10 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  # It must not look at the times of precompiled headers, and would read all their megabytes for each file without a cache of
-  # what it has hashed.
-  set(CMAKE_CXX_COMPILER_LAUNCHER
-    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_INODECACHE=true ${CCACHE})
+  # It must not look at the times of precompiled headers, would read all their megabytes for each file without a cache of what
+  # it has hashed, and must hash sources with their comments: gcc compares the files that a precompiled header was made from.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+    CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_INODECACHE=true CCACHE_DEPEND=true ${CCACHE})
 endif()
 find_program(MOLD mold)
 if(MOLD)
