@@ -13,8 +13,9 @@ void Findings::add(Findings other) {
 void Findings::sort() {
   const auto key = [](const Error& e) { return std::tie(e.file, e.line, e.field, e.what); };
   std::ranges::stable_sort(list_, {}, key);
-  const auto rest = std::ranges::unique(list_, {}, key);
-  list_.erase(rest.begin(), rest.end());
+  // clang 14 does not compile std::ranges::unique of gcc 12's library.
+  const auto same = [&](const Error& a, const Error& b) { return key(a) == key(b); };
+  list_.erase(std::unique(list_.begin(), list_.end(), same), list_.end());
 }
 
 Result<void> Findings::firstError() const {
