@@ -77,7 +77,8 @@ Result<void> get(Console& console, const Words& words) {
     return {};
   }
   // What a robot has is printed for each selected one; what there is once, once.
-  const std::string path = words[1], first = path.substr(0, path.find('.'));
+  const std::string& path = words[1];
+  const std::string first = path.substr(0, path.find('.'));
   const auto robots = console.selected();
   const bool ofRobots =
       !robots.empty() && !console.session().find(first) && robots.front()->observed().has(first);
