@@ -14,7 +14,7 @@ class FacetteView : public View {
 
   Result<Sheet> show(const ViewSubject& subject, std::span<const double> numbers) const override {
     if (!subject.simulation) return Error{.field = name(), .what = "there is no simulated scene"};
-    if (numbers.size() != 0 && numbers.size() != 3)
+    if (!numbers.empty() && numbers.size() != 3)
       return Error{.field = name(), .what = "expected no numbers, or X Y Z from where"};
     const World& world = subject.simulation->world();
     Pose3D pose;

@@ -12,7 +12,7 @@ class SceneView : public View {
 
   Result<Sheet> show(const ViewSubject& subject, std::span<const double> numbers) const override {
     if (!subject.simulation) return Error{.field = name(), .what = "there is no simulated scene"};
-    if (numbers.size() != 0 && numbers.size() != 3 && numbers.size() != 6)
+    if (!numbers.empty() && numbers.size() != 3 && numbers.size() != 6)
       return Error{.field = name(),
                    .what = "expected no numbers, X Y Z from where, or also X Y Z of what"};
     SceneCamera camera;

@@ -99,16 +99,17 @@ void SceneTree::add(std::string path, std::string_view help, std::function<std::
 void SceneTree::addNumbers(const std::string& path, std::string_view help,
                            std::function<std::string()> get, std::size_t least, std::size_t most,
                            std::function<void(const Numbers&)> set) {
-  add(path, help, std::move(get), [=](const std::string& text) -> Result<void> {
-    const auto numbers = numbersOf(text);
-    if (!numbers) return numbers.error();
-    if (numbers->size() < least || numbers->size() > most)
-      return Error{.what = "expected " + std::to_string(least) +
-                           (most > least ? " to " + std::to_string(most) : "") +
-                           " numbers, found " + std::to_string(numbers->size())};
-    set(*numbers);
-    return {};
-  });
+  add(path, help, std::move(get),
+      [=, set = std::move(set)](const std::string& text) -> Result<void> {
+        const auto numbers = numbersOf(text);
+        if (!numbers) return numbers.error();
+        if (numbers->size() < least || numbers->size() > most)
+          return Error{.what = "expected " + std::to_string(least) +
+                               (most > least ? " to " + std::to_string(most) : "") +
+                               " numbers, found " + std::to_string(numbers->size())};
+        set(*numbers);
+        return {};
+      });
 }
 
 template <typename Get, typename Set>

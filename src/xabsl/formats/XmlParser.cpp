@@ -177,7 +177,7 @@ void Parser::declare(const Element& collection) {
 void Parser::checkFileName(const Element& element, std::string_view name,
                            const std::string& attribute) {
   const File& file = files_[at(element.location.file)];
-  if (file.roots.size() > 0 && &file.roots.back() != &element) return;
+  if (!file.roots.empty() && &file.roots.back() != &element) return;
   std::string_view stem = file.path;
   stem = stem.substr(stem.rfind('/') + 1);
   stem = stem.substr(0, stem.rfind('.'));

@@ -11,8 +11,6 @@
 #include <iterator>
 #include <string_view>
 
-extern char** environ;
-
 namespace xabsl::documentation {
 
 namespace {
