@@ -9,6 +9,8 @@ OUT     ?= out/match
 PREFIX  ?= /usr/local
 SECONDS ?= 60
 JOBS    ?= $(shell nproc)
+# A test that hangs fails.
+CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
 .PHONY: help install play film play-remote robots kill-test test replay bench experiments docs build packages format check-format lint sanitize sanitize-layers fuzz clean
 
@@ -54,7 +56,7 @@ install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 test: build
-	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS)
+	@$(CTEST) --test-dir $(BUILD)
 
 replay: build
 	@$(BUILD)/bin/replay --out out/replay
@@ -92,13 +94,13 @@ docs: build
 sanitize: packages
 	@for preset in asan tsan; do \
 	  cmake --preset $$preset >/dev/null && cmake --build --preset $$preset --parallel $(JOBS) && \
-	  TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=$(CURDIR)/cmake/tsan.supp ctest --test-dir build/$$preset --output-on-failure --parallel $(JOBS) || exit 1; \
+	  TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=$(CURDIR)/cmake/tsan.supp $(CTEST) --test-dir build/$$preset || exit 1; \
 	done
 
 sanitize-layers: packages
 	@cmake --preset asan >/dev/null
 	@cmake --build --preset asan --parallel $(JOBS) --target layers_tests
-	@ctest --test-dir build/asan --label-regex layers --output-on-failure --parallel $(JOBS)
+	@$(CTEST) --test-dir build/asan --label-regex layers
 
 # What is found stays in out/fuzz as a file that reproduces it.
 fuzz:
