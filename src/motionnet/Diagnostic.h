@@ -6,7 +6,7 @@ namespace motionnet {
 /// What is wrong in a motion description, and where.
 struct Diagnostic {
   std::string file{};
-  int line = 0;       ///< From 1; 0 for the whole file.
+  int line = 0;         ///< From 1; 0 for the whole file.
   std::string field{};  ///< The word, column or name concerned; may be empty.
   std::string message{};
 
