@@ -51,19 +51,19 @@ constexpr std::array charts{
     Chart{"Mirror image of the truth, though a goal or beacon was seen (longest, s)",
           "search.mirrored.longest", 0, 2}};
 
-constexpr std::array troubles{std::pair{"", "as in a match"},
-                              std::pair{".missing1", "1 beacon missing"},
-                              std::pair{".missing2", "2"},
-                              std::pair{".missing3", "3"},
-                              std::pair{".missing4", "4"},
-                              std::pair{".missing5", "5"},
-                              std::pair{".missing6", "all 6"},
-                              std::pair{".misplaced10cm", "misplaced by 10 cm"},
-                              std::pair{".wrong10percent", "10 % wrong"},
-                              std::pair{".halfDropped", "half the images"},
-                              std::pair{".robotsInTheWay", "robots in the way"},
-                              std::pair{".leaningOnWalls", "leaning on walls"},
-                              std::pair{".slip30percent", "slip of 30 %"}};
+constexpr std::array troubleColumns{std::pair{"", "as in a match"},
+                                    std::pair{".missing1", "1 beacon missing"},
+                                    std::pair{".missing2", "2"},
+                                    std::pair{".missing3", "3"},
+                                    std::pair{".missing4", "4"},
+                                    std::pair{".missing5", "5"},
+                                    std::pair{".missing6", "all 6"},
+                                    std::pair{".misplaced10cm", "misplaced by 10 cm"},
+                                    std::pair{".wrong10percent", "10 % wrong"},
+                                    std::pair{".halfDropped", "half the images"},
+                                    std::pair{".robotsInTheWay", "robots in the way"},
+                                    std::pair{".leaningOnWalls", "leaning on walls"},
+                                    std::pair{".slip30percent", "slip of 30 %"}};
 
 /// A chart of horizontal bars as SVG.
 std::string draw(const Chart& chart, const Figures& figures) {
@@ -113,11 +113,11 @@ std::string draw(const Chart& chart, const Figures& figures) {
 std::string robustness(const char* title, const char* where, const char* figure, double worst,
                        const char* format, const Figures& figures) {
   std::string html = fmt::format("<h2>{}</h2><table><tr><th></th>", title);
-  for (const auto& [suffix, label] : troubles) html += fmt::format("<th>{}</th>", label);
+  for (const auto& [suffix, label] : troubleColumns) html += fmt::format("<th>{}</th>", label);
   html += "</tr>\n";
   for (const char* locator : locators) {
     html += fmt::format("<tr><td>{}</td>", locator);
-    for (const auto& [suffix, label] : troubles) {
+    for (const auto& [suffix, label] : troubleColumns) {
       const Figure* f =
           figures.find("localization." + std::string{locator} + where + suffix + "." + figure);
       const double shade = f ? std::clamp(f->value / worst, 0., 1.) : 0;

@@ -109,7 +109,7 @@ double percent(const Tally& tally, const std::string& name) {
   return found == tally.rates.end() ? 0 : found->second.percent();
 }
 
-Result<Measurement> measure(const Job& job, const DataRoot& root) {
+Result<Measurement> measureVisionPlay(const Job& job, const DataRoot& root) {
   const auto tally = watchPlay(job.seed, root);
   if (!tally) return tally.error();
   Measurement measured;
@@ -136,7 +136,7 @@ Experiment visionPlayExperiment() {
   return {"vision.play",
           "The image processor that adapts its colors, through the eyes of robots that play",
           {},
-          measure};
+          measureVisionPlay};
 }
 
 }  // namespace gt

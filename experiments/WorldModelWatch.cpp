@@ -15,7 +15,7 @@ bool isOnField(const Vector2d& p) {
 }
 
 /// 0 to 70 cm, in which the ball is handled; to 150 cm; beyond that.
-const char* bandOf(double distance) {
+const char* distanceBand(double distance) {
   return distance < 700 ? "near" : distance < 1500 ? "middle" : "far";
 }
 
@@ -51,10 +51,10 @@ void BallWatch::update(const SimulatedRobot& robot, const OracledWorldState& tru
         std::string{"ball."} + names[i] + '.' + std::string{enumName(situation)};
     const double error = (model.position - ball).norm();
     tally.measure(name + ".position", "mm", error);
-    tally.measure(name + '.' + bandOf(ball.norm()) + ".position", "mm", error);
+    tally.measure(name + '.' + distanceBand(ball.norm()) + ".position", "mm", error);
     const double wrongSpeed = (model.speed - speed).norm();
     tally.measure(name + ".speed", "mm/s", wrongSpeed);
-    tally.measure(name + '.' + bandOf(ball.norm()) + ".speed", "mm/s", wrongSpeed);
+    tally.measure(name + '.' + distanceBand(ball.norm()) + ".speed", "mm/s", wrongSpeed);
   }
 }
 
@@ -129,7 +129,8 @@ void comparePlayers(const SimulatedRobot& robot, const OracledWorldState& truth,
     tally.count(mate ? "players.mates.known" : "players.opponents.known", error < known);
     const double distance = (place - truth.robotPose.translation).norm();
     if (!mate)
-      tally.count(std::string{"players.opponents."} + bandOf(distance) + ".known", error < known);
+      tally.count(std::string{"players.opponents."} + distanceBand(distance) + ".known",
+                  error < known);
     if (error < same) tally.measure("players.position", "mm", error);
   }
   for (const LocatedPlayer& p : players->opponents) {

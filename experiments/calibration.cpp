@@ -59,7 +59,7 @@ class Watcher : public RobotController {
   int found_ = 0, pictures_ = 0;
 };
 
-Result<Measurement> calibrate(const Job& job, const DataRoot& root) {
+Result<Measurement> calibrateCamera(const Job& job, const DataRoot& root) {
   constexpr int mostTicks = 240 * 125;
   auto scene = loadScene(root.path("scenes/checkerboard.scene"));
   if (!scene) return scene.error();
@@ -105,7 +105,7 @@ Experiment calibrationExperiment() {
   return {"vision.calibration",
           "Opening angles and body offsets that robots find with a checkerboard",
           {},
-          calibrate};
+          calibrateCamera};
 }
 
 }  // namespace gt

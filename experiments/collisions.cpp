@@ -133,7 +133,7 @@ class HoldUp {
 
 /// What is found within half a second after a collision began counts, and what is found while
 /// nothing was there for long is a false alarm.
-Result<Measurement> walk(const Job& job, const DataRoot& root) {
+Result<Measurement> walkAndPush(const Job& job, const DataRoot& root) {
   DefaultCollisionDetector::Parameters calibrated;
   if (auto read = readConfig(root.path(calibrationFile), calibrated); !read) return read.error();
   auto walker = Walker::make(root, job.seed, calibrated);
@@ -190,7 +190,7 @@ Result<FreeSums> walkFreely(const DataRoot& root, std::uint64_t seed) {
 }
 
 /// Each threshold a little above what nearly all sums of a free walk stay below; where there was no
-/// such walk, that of the next slower one.
+/// such walkAndPush, that of the next slower one.
 DefaultCollisionDetector::Parameters thresholdsAbove(const FreeSums& sums) {
   constexpr double nearlyAll = 0.999, margin = 1.1;
   constexpr std::size_t enough = 500;
@@ -232,7 +232,7 @@ Experiment collisionExperiment() {
   return {"worldmodel.collisions",
           "How often the collision detector finds collisions, and how often it is wrong",
           {{"minutes", "of walking", Parameter::Kind::number, {"3"}}},
-          walk};
+          walkAndPush};
 }
 
 }  // namespace gt

@@ -14,7 +14,7 @@ namespace gt {
 namespace {
 
 constexpr int seconds = 60, warmUpSeconds = 2;
-constexpr int ticksPerSecond = 1000 / static_cast<int>(tickMs);
+constexpr int oneSecond = 1000 / static_cast<int>(tickMs);  // in ticks
 
 struct Walk {
   std::string_view name;
@@ -60,8 +60,8 @@ Result<Way> walk(const DataRoot& root, const Pose2D& request, Fidelity fidelity)
   WalkingEngineOutput output;
   double height = 0, pitch = 0, pitchSquares = 0;
   Pose2D sum;
-  for (int i = 0; i < (warmUpSeconds + seconds) * ticksPerSecond; ++i) {
-    if (i == ticksPerSecond) {
+  for (int i = 0; i < (warmUpSeconds + seconds) * oneSecond; ++i) {
+    if (i == oneSecond) {
       motion.type = MotionType::walk;
       motion.walk = request;
     }
@@ -75,7 +75,7 @@ Result<Way> walk(const DataRoot& root, const Pose2D& request, Fidelity fidelity)
     if (far || i == 0) (*world)->placeRobot(0, {});
     const Pose2D before = far ? Pose2D{} : robot.pose;
     (*world)->step({&command, 1});
-    if (i < warmUpSeconds * ticksPerSecond) continue;
+    if (i < warmUpSeconds * oneSecond) continue;
     const Pose2D step = robot.pose.relativeTo(before);
     sum.rotation += step.rotation;
     sum.translation += step.translation;
@@ -85,7 +85,7 @@ Result<Way> walk(const DataRoot& root, const Pose2D& request, Fidelity fidelity)
     pitchSquares += tilt * tilt;
     way.fell |= robot.posture != Posture::standing;
   }
-  constexpr double ticks = seconds * ticksPerSecond;
+  constexpr double ticks = seconds * oneSecond;
   way.speed = {sum.rotation / seconds, sum.translation / seconds};
   way.height = height / ticks;
   way.pitch = pitch / ticks;

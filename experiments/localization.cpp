@@ -19,8 +19,6 @@
 namespace gt {
 namespace {
 
-constexpr int imagesPerMinute = 60 * 1000 / SyntheticRobot::imagePeriod;
-
 /// With so much slip the odometry alone is off by more than a meter within a minute.
 constexpr double muchSlip = 0.4, muchNoise = 2;
 
@@ -129,9 +127,9 @@ Result<Measurement> experiment1(const Job& job, const DataRoot& root) {
   std::vector<Follower> all = followers(".experiment1", beacons, job.seed);
   Pose2D truth, counted;
   std::vector<double> drift;
-  for (int i = 0; i < imagesPerMinute * minutes; ++i) {
+  for (int i = 0; i < SyntheticRobot::imagesPerMinute * minutes; ++i) {
     robot.step();
-    if (i % imagesPerMinute == 0) {
+    if (i % SyntheticRobot::imagesPerMinute == 0) {
       const Pose2D walked = robot.odometry.pose.relativeTo(counted);
       if (i > 0) drift.push_back(((truth * walked).translation - robot.pose.translation).norm());
       truth = robot.pose;
@@ -139,7 +137,7 @@ Result<Measurement> experiment1(const Job& job, const DataRoot& root) {
     }
     for (Follower& follower : all) {
       const double error = follower.look(robot);
-      if (i >= imagesPerMinute / 6) follower.errors.push_back(error);
+      if (i >= SyntheticRobot::imagesPerMinute / 6) follower.errors.push_back(error);
     }
   }
   Measurement run;
@@ -164,7 +162,7 @@ Arrival goTo(const Pose2D& goal, SimulatedWalker& robot, AnyLocator& locator) {
   goToPoint.angle = toDegrees(goal.rotation);
   goToPoint.maxSpeed = 150;
   int stood = 0;
-  for (int i = 0; i < 2 * imagesPerMinute && stood < 12; ++i) {
+  for (int i = 0; i < 2 * SyntheticRobot::imagesPerMinute && stood < 12; ++i) {
     world.self = locator(seenBy(robot));
     tactics.update(state);
     goToPoint.execute();
@@ -182,7 +180,7 @@ std::vector<Arrival> goToPoints(SimulatedWalker& robot, AnyLocator& locator, int
                                 std::uint64_t seed) {
   Random random{seed};
   std::vector<Arrival> arrivals;
-  for (int i = 0; i < imagesPerMinute / 6; ++i) {
+  for (int i = 0; i < SyntheticRobot::imagesPerMinute / 6; ++i) {
     robot.step();
     locator(seenBy(robot));
   }
@@ -302,12 +300,13 @@ std::vector<Trouble> troubles() {
 template <typename Robot>
 Measurement followThrough(Robot& robot, const std::string& suffix, const Job& job) {
   std::vector<Follower> all = followers(suffix, true, job.seed);
-  const int pictures = static_cast<int>(imagesPerMinute * job.number("minutes"));
+  const int pictures = static_cast<int>(SyntheticRobot::imagesPerMinute * job.number("minutes"));
   for (int i = 0; i < pictures; ++i) {
     robot.step();
     for (Follower& follower : all) {
       const double error = follower.look(robot);
-      if (i >= std::min(imagesPerMinute / 6, pictures / 2)) follower.errors.push_back(error);
+      if (i >= std::min(SyntheticRobot::imagesPerMinute / 6, pictures / 2))
+        follower.errors.push_back(error);
     }
   }
   Measurement run;

@@ -17,8 +17,6 @@
 namespace gt {
 namespace {
 
-constexpr int imagesPerMinute = 60 * 1000 / SyntheticRobot::imagePeriod;
-
 /// Changes numbers of a scene: "body/tilt=1.2,noise/slip=0.2"; "none" changes nothing.
 Result<void> change(SceneDescription& scene, const std::string& changes) {
   for (std::size_t from = 0; changes != "none" && from < changes.size();) {
@@ -106,7 +104,7 @@ struct MatrixErrors {
 };
 
 /// Experiment 1 of report 3.3.3.4: a walk of 18 minutes.
-Result<Measurement> walk(const Job& job, const DataRoot& root) {
+Result<Measurement> walkAbout(const Job& job, const DataRoot& root) {
   auto walker = walkerOf(job, root);
   if (!walker) return walker.error();
   SimulatedWalker& robot = **walker;
@@ -115,18 +113,18 @@ Result<Measurement> walk(const Job& job, const DataRoot& root) {
   std::vector<double> drifts, scales;
   Pose2D odometry = robot.odometry.pose, truth = robot.pose;
   double believed = 0, gone = 0;
-  const auto images = static_cast<int>(imagesPerMinute * job.number("minutes"));
+  const auto images = static_cast<int>(SyntheticRobot::imagesPerMinute * job.number("minutes"));
   std::vector<double> errors;
   for (int i = 0; i < images; ++i) {
     const Pose2D before = robot.pose, beforeByOdometry = robot.odometry.pose;
     robot.step();
     const double error = (lines(seenBy(robot)).pose.translation - robot.pose.translation).norm();
-    if (i >= imagesPerMinute / 6) errors.push_back(error);
+    if (i >= SyntheticRobot::imagesPerMinute / 6) errors.push_back(error);
     matrices.add(robot.camera, robot.trueCamera);
     const Vector2d step = robot.odometry.pose.relativeTo(beforeByOdometry).translation;
     believed += step.norm();
     if (step.norm() > 0) gone += robot.pose.relativeTo(before).translation.dot(step.normalized());
-    if (i % imagesPerMinute != 0) continue;
+    if (i % SyntheticRobot::imagesPerMinute != 0) continue;
     const Pose2D walked = robot.odometry.pose.relativeTo(odometry);
     if (i > 0) drifts.push_back(((truth * walked).translation - robot.pose.translation).norm());
     odometry = robot.odometry.pose;
@@ -159,7 +157,7 @@ Result<Measurement> goToPoint(const Job& job, const DataRoot& root) {
 
 /// Figure 3.8 of the report: Monte-Carlo localization with 100 particles, from nothing and after
 /// somebody put the robot elsewhere.
-Result<Measurement> search(const Job& job, const DataRoot& root) {
+Result<Measurement> searchItself(const Job& job, const DataRoot& root) {
   constexpr int most = 500;
   auto walker = walkerOf(job, root, false);
   if (!walker) return walker.error();
@@ -247,7 +245,7 @@ Experiments realismExperiments() {
           {"realism.search",
            "Images until the robot is found (report, figure 3.8: 14 to 40, 13)",
            {profile, changes, {"trials", "of each kind", number, {"15"}}},
-           search},
+           searchItself},
           {"realism.sway",
            "How the body of a walking robot sways",
            {profile, changes, {"fidelity", "of the motion", each, {"kinematic", "dynamic"}}},
@@ -255,7 +253,7 @@ Experiments realismExperiments() {
           {"realism.walk",
            "Errors of Lines during a walk of 18 minutes (report 3.3.3.4: 105 mm)",
            {profile, changes, {"minutes", "of walking", number, {"18"}}},
-           walk}};
+           walkAbout}};
 }
 
 }  // namespace gt

@@ -170,21 +170,21 @@ struct AimOf {
   const char* name;
   Aim aim;
 };
-const std::vector<AimOf> aims{{"ball.found", Aim::atLeast(98)},
-                              {"ball.false", Aim::atMost(0.1)},
-                              {"ball.distance.p95", Aim::atMost(5)},
-                              {"flags.found", Aim::atLeast(97)},
-                              {"flags.false", Aim::atMost(0.1)},
-                              {"flags.bearing.p95", Aim::atMost(1)},
-                              {"goals.found", Aim::atLeast(97)},
-                              {"goals.false", Aim::atMost(0.1)},
-                              {"edges.line.right", Aim::atLeast(97)},
-                              {"edges.border.right", Aim::atLeast(97)},
-                              {"edges.yellowGoal.right", Aim::atLeast(97)},
-                              {"edges.skyblueGoal.right", Aim::atLeast(97)},
-                              {"players.found", Aim::atLeast(90)},
-                              {"players.color", Aim::atLeast(99)},
-                              {"freeGround.notOverestimated", Aim::atLeast(99)}};
+const std::vector<AimOf> visionAims{{"ball.found", Aim::atLeast(98)},
+                                    {"ball.false", Aim::atMost(0.1)},
+                                    {"ball.distance.p95", Aim::atMost(5)},
+                                    {"flags.found", Aim::atLeast(97)},
+                                    {"flags.false", Aim::atMost(0.1)},
+                                    {"flags.bearing.p95", Aim::atMost(1)},
+                                    {"goals.found", Aim::atLeast(97)},
+                                    {"goals.false", Aim::atMost(0.1)},
+                                    {"edges.line.right", Aim::atLeast(97)},
+                                    {"edges.border.right", Aim::atLeast(97)},
+                                    {"edges.yellowGoal.right", Aim::atLeast(97)},
+                                    {"edges.skyblueGoal.right", Aim::atLeast(97)},
+                                    {"players.found", Aim::atLeast(90)},
+                                    {"players.color", Aim::atLeast(99)},
+                                    {"freeGround.notOverestimated", Aim::atLeast(99)}};
 
 /// A robot's part of vision.
 struct Eyes {
@@ -271,11 +271,11 @@ Result<Tally> look(const Condition& condition, const SceneDescription& scene,
 Measurement figuresOf(const Condition& condition, const Tally& tally) {
   Measurement measured;
   const auto add = [&](const std::string& name, const std::string& unit, double value) {
-    const auto aim =
-        std::find_if(aims.begin(), aims.end(), [&](const AimOf& of) { return name == of.name; });
+    const auto aim = std::find_if(visionAims.begin(), visionAims.end(),
+                                  [&](const AimOf& of) { return name == of.name; });
     const bool ofBall = condition.processor == grid3 && name.starts_with("ball.");
-    if (condition.brief && aim == aims.end() && !ofBall) return;
-    const bool asked = condition.name.empty() && aim != aims.end();
+    if (condition.brief && aim == visionAims.end() && !ofBall) return;
+    const bool asked = condition.name.empty() && aim != visionAims.end();
     measured.add("vision." + condition.name + name, unit, value, asked ? aim->aim : Aim{});
   };
   for (const auto& [name, rate] : tally.rates)
@@ -316,7 +316,7 @@ std::string parameterOf(const Condition& condition) {
   return condition.name.empty() ? "match" : condition.name.substr(0, condition.name.size() - 1);
 }
 
-Result<Measurement> measure(const Job& job, const DataRoot& root) {
+Result<Measurement> measureVision(const Job& job, const DataRoot& root) {
   auto scene = loadScene(root.path("scenes/match.scene"));
   if (!scene) return scene.error();
   static const auto colors = learnColors(root, *scene);  // the same for all jobs
@@ -344,7 +344,7 @@ Experiment visionExperiment() {
             "the measured camera pose, or the true one",
             Parameter::Kind::choice,
             {"measured", "true"}}},
-          measure};
+          measureVision};
 }
 
 }  // namespace gt

@@ -135,7 +135,7 @@ Result<Tally> watchMatch(const Job& job, const DataRoot& root) {
 }
 
 /// The mean, the median and the 95th percentile of the sizes of each kind of error, and each rate.
-Result<Measurement> measure(const Job& job, const DataRoot& root) {
+Result<Measurement> measureWorldModel(const Job& job, const DataRoot& root) {
   const auto tally = watchMatch(job, root);
   if (!tally) return tally.error();
   Measurement measured;
@@ -160,7 +160,7 @@ Experiment worldModelExperiment() {
             Parameter::Kind::choice,
             {"oracle", "ceiling"}},
            {"logs", "folder for the logs of that camera", Parameter::Kind::text, {noLogs}}},
-          measure};
+          measureWorldModel};
 }
 
 }  // namespace gt

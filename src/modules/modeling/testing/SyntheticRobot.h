@@ -56,6 +56,7 @@ class SyntheticRobot {
   void kidnap();
 
   static constexpr int imagePeriod = 40;  ///< ms
+  static constexpr int imagesPerMinute = 60 * 1000 / imagePeriod;
 
   Pose2D pose;
   OdometryData odometry;
