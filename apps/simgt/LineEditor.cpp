@@ -1,10 +1,12 @@
 #include "LineEditor.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <readline/history.h>
 #include <readline/readline.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -48,6 +50,18 @@ bool keyPressed(int milliseconds) {
   return poll(&input, 1, milliseconds) > 0;
 }
 
+/// Reads a key without waiting for it: Ctrl-C empties the terminal's queue, and with it what
+/// keyPressed found. The key 0 (set-mark) changes nothing.
+int readKey(FILE*) {
+  const int flags = fcntl(STDIN_FILENO, F_GETFL);
+  fcntl(STDIN_FILENO, F_SETFL, flags | O_NONBLOCK);
+  unsigned char key = 0;
+  const auto count = ::read(STDIN_FILENO, &key, 1);
+  const bool gone = count < 0 && (errno == EAGAIN || errno == EINTR);
+  fcntl(STDIN_FILENO, F_SETFL, flags);
+  return count > 0 || gone ? key : EOF;
+}
+
 }  // namespace
 
 LineEditor::LineEditor(Console& of) {
@@ -56,6 +70,7 @@ LineEditor::LineEditor(Console& of) {
   rl_attempted_completion_function = completeLine;
   rl_completer_word_break_characters = " \t";
   rl_catch_signals = 0;
+  rl_getc_function = readKey;
   using_history();
   stifle_history(historyLines);
   read_history(historyFile);
