@@ -88,13 +88,17 @@ struct AnyValue {
   template <typename T>
   operator T() const;
 };
-template <typename T, typename... A>
-constexpr std::size_t memberCount(A... a) {
-  if constexpr (requires { T{a..., AnyValue{}}; })
-    return memberCount<T>(a..., AnyValue{});
-  else
-    return sizeof...(A);
+/// Whether braces around that many values initialize a T.
+template <typename T, std::size_t... i>
+constexpr bool takes(std::index_sequence<i...>) {
+  return requires {
+    T{(static_cast<void>(i), AnyValue{})...};
+  };
 }
+/// Whether an aggregate has at least that many members. Asked for two numbers only, as the compiler
+/// looks for a conversion to each member.
+template <typename T, std::size_t count>
+constexpr bool hasMembers = takes<T>(std::make_index_sequence<count>{});
 
 template <typename T>
 constexpr bool namesAreDistinct() {
@@ -122,10 +126,11 @@ constexpr bool membersAreDistinct() {
 /// name the struct.
 template <typename T>
 struct CheckedFields {
+  static constexpr std::size_t count = decltype(T::fields())::count;
   // The members of a class with private ones cannot be counted.
-  static_assert(!std::is_aggregate_v<T> || decltype(T::fields())::count >= memberCount<T>(),
+  static_assert(!std::is_aggregate_v<T> || !hasMembers<T, count + 1>,
                 "fields() of a struct leaves out one of its members");
-  static_assert(!std::is_aggregate_v<T> || decltype(T::fields())::count <= memberCount<T>(),
+  static_assert(!std::is_aggregate_v<T> || hasMembers<T, count>,
                 "fields() of a struct has more entries than the struct has members");
   static_assert(namesAreDistinct<T>(), "fields() of a struct gives two of them the same name");
   static_assert(membersAreDistinct<T>(), "fields() of a struct lists a member twice");
@@ -137,7 +142,8 @@ struct CheckedFields {
 /// True if `fields()` names every member of an aggregate exactly once. All that is streamed is
 /// checked by itself: a forgotten field does not compile.
 template <typename T>
-constexpr bool complete = decltype(T::fields())::count == detail::memberCount<T>() &&
+constexpr bool complete = detail::hasMembers<T, decltype(T::fields())::count> &&
+                          !detail::hasMembers<T, decltype(T::fields())::count + 1> &&
                           detail::namesAreDistinct<T>() && detail::membersAreDistinct<T>();
 
 /// Calls visit(field, member) for each field, in the order of declaration.
