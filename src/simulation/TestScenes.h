@@ -50,6 +50,12 @@ inline RobotCommand standingCommand(const Pose2D& step = {}) {
   return {standing(), step};
 }
 
+/// All robots do the same.
+inline void run(World& world, const RobotCommand& command, int ticks) {
+  const std::vector<RobotCommand> commands(world.activeRobots(), command);
+  for (int i = 0; i < ticks; ++i) world.step(commands);
+}
+
 /// Angles drawn from all that the joints can do.
 inline JointAngles randomAngles(Random& random) {
   JointAngles angles;

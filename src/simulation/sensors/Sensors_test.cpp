@@ -7,11 +7,6 @@
 namespace gt {
 namespace {
 
-void run(World& world, const RobotCommand& command, int ticks) {
-  const std::vector<RobotCommand> commands(world.activeRobots(), command);
-  for (int i = 0; i < ticks; ++i) world.step(commands);
-}
-
 TEST(Sensors, WithoutNoiseTheyTellTheTruth) {
   const SceneDescription scene = duelScene({}, {1500, 1000});
   const auto world = worldOf(scene);

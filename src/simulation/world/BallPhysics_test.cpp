@@ -7,11 +7,6 @@
 namespace gt {
 namespace {
 
-void run(World& world, const RobotCommand& command, int ticks) {
-  const std::vector<RobotCommand> commands(world.activeRobots(), command);
-  for (int i = 0; i < ticks; ++i) world.step(commands);
-}
-
 /// As low as in walking: legs spread so that chest and head reach the ball.
 RobotCommand crouching(const Pose2D& step = {}) {
   RobotCommand command = standingCommand(step);

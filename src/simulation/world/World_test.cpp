@@ -9,11 +9,6 @@
 namespace gt {
 namespace {
 
-void run(World& world, const RobotCommand& command, int ticks) {
-  const std::vector<RobotCommand> commands(world.activeRobots(), command);
-  for (int i = 0; i < ticks; ++i) world.step(commands);
-}
-
 TEST(World, RobotsWalkByTheirOwnMotionModel) {
   const auto world = worldOf(duelScene({pi / 2, -500, -300}, {2000, 1000}));
   run(*world, standingCommand({0, 1.5, 0.5}), 200);
