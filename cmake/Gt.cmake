@@ -112,7 +112,10 @@ if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   set(GT_UNITE OFF)
 endif()
 function(gt_unite target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GT_UNITE} UNITY_BUILD_BATCH_SIZE 6)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GT_UNITE} UNITY_BUILD_BATCH_SIZE 10)
+  if(GT_UNITE)
+    target_compile_options(${target} PRIVATE -Wno-shadow)  # of another file's names
+  endif()
 endfunction()
 
 # gt_library(name [COLD [APART]] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [HOT b.cpp ... | HOT_TESTS])
@@ -173,17 +176,15 @@ function(gt_test name)
   endif()
 endfunction()
 
-# gt_program(name [HOT | APART] SOURCES main.cpp ... DEPS ...): a program under bin/, which is installed if it was built. What it has
+# gt_program(name [HOT] SOURCES main.cpp ... DEPS ...): a program under bin/, which is installed if it was built. What it has
 # of its own reads options and prints, unless it is hot.
 function(gt_program name)
-  cmake_parse_arguments(ARG "HOT;APART" "" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "HOT" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   if(NOT ARG_HOT)
     target_compile_options(${name} PRIVATE ${coldCode})
     gt_precompile(${name} REUSE_FROM gt_precompiled_programs)
-    if(NOT ARG_APART)
-      gt_unite(${name})
-    endif()
+    gt_unite(${name})
   endif()
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
   install(TARGETS ${name} OPTIONAL COMPONENT programs)

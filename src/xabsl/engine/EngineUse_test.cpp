@@ -12,7 +12,6 @@
 namespace xabsl {
 namespace {
 
-using test::declarations;
 using test::EngineTest;
 using test::Mode;
 using test::World;
@@ -164,7 +163,7 @@ TEST_F(EngineTest, SelectsAgents) {
 }
 
 TEST_F(EngineTest, RunsAnyNumberOfInstancesOfOneBehavior) {
-  const Behavior behavior = test::compiled(declarations + R"(option main {
+  const Behavior behavior = test::compiled(test::declarations + R"(option main {
     initial state a { decision { if (x > 0) goto b; else stay; } action { } }
     state b { action { } } })");
   World first;
@@ -181,7 +180,7 @@ TEST_F(EngineTest, RunsAnyNumberOfInstancesOfOneBehavior) {
 TEST_F(EngineTest, KeepsTheOldBehaviorWhenANewOneHasErrors) {
   load("option main { initial state a { action { result = 1; } } }");
   const auto reload = [&](const std::string& text) {
-    const Compilation next = compile("main.xabsl", {{"main.xabsl", declarations + text}});
+    const Compilation next = compile("main.xabsl", {{"main.xabsl", test::declarations + text}});
     if (!next.behavior) return false;
     Engine::Creation creation = Engine::create(*next.behavior, world.symbols);
     if (creation.engine) engine = std::move(creation.engine);

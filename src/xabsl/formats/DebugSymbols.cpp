@@ -11,9 +11,9 @@ namespace {
 
 /// The sections of the file one after another, each with its headline as the first compilers wrote
 /// them.
-class Writer {
+class DebugSymbolsWriter {
  public:
-  explicit Writer(const Model& model) : model_(model) {}
+  explicit DebugSymbolsWriter(const Model& model) : model_(model) {}
 
   std::string run() {
     line("// Debug Symbols for the agents of " + model_.title);
@@ -97,7 +97,7 @@ class Writer {
 }  // namespace
 
 std::string writeDebugSymbols(const Model& model) {
-  return Writer(model).run();
+  return DebugSymbolsWriter(model).run();
 }
 
 }  // namespace xabsl

@@ -88,7 +88,7 @@ bool endsWithCarriageReturns(std::string_view text) {
 }
 
 /// Writes pieces one after another and tracks which brackets are open.
-class Writer {
+class PieceWriter {
  public:
   /// `gap` is what stood before the piece in the source, `before` all that stood there on its line.
   /// Without it the lines of comments stay as they are.
@@ -153,7 +153,7 @@ std::optional<std::string> format(int file, std::string_view text, Reporter& rep
                                   CommentLines commentLines) {
   const std::vector<Piece> pieces = piecesOf(file, text, reporter);
   if (reporter.failed()) return std::nullopt;
-  Writer writer;
+  PieceWriter writer;
   const char* end = text.data();
   for (const Piece& piece : pieces) {
     const std::string_view before = lineBefore(text, piece);

@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::string_view lineEnd = "\r\n";
 
-class Writer {
+class CodeWriter {
  public:
-  Writer(const Model& model, Dialect dialect) : model_(model), dialect_(dialect) {}
+  CodeWriter(const Model& model, Dialect dialect) : model_(model), dialect_(dialect) {}
 
   IntermediateCode run() {
     text_ = "// Intermediate code for the agents of " + model_.title;
@@ -299,7 +299,7 @@ class Writer {
 }  // namespace
 
 IntermediateCode writeIntermediateCode(const Model& model, Dialect dialect) {
-  return Writer(model, dialect).run();
+  return CodeWriter(model, dialect).run();
 }
 
 }  // namespace xabsl

@@ -41,9 +41,9 @@ std::string target(const std::string& path, const syntax::Include& include) {
 }
 
 /// Follows the includes in a loop: a chain of them may be long or closed.
-class Loader {
+class SourceLoader {
  public:
-  Loader(const FileReader& read, syntax::Program& program, Reporter& reporter)
+  SourceLoader(const FileReader& read, syntax::Program& program, Reporter& reporter)
       : read_(read), program_(program), reporter_(reporter) {}
 
   void run(const std::string& path) {
@@ -135,7 +135,7 @@ void readSources(const std::string& path, const FileReader& read, syntax::Progra
                  Reporter& reporter) {
   std::string first;
   if (read(normal(path), first) || !xml::isXml(first))
-    return Loader(read, program, reporter).run(normal(path));
+    return SourceLoader(read, program, reporter).run(normal(path));
   const xml::Files files = xml::readFiles(path, read, program, reporter);
   if (!reporter.failed()) xml::validate(files, reporter);
   if (!reporter.failed()) xml::Parser(files, reporter, program).parse();

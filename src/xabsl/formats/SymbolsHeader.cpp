@@ -113,9 +113,9 @@ std::string comment(std::string_view doc, const std::string& range, const std::s
   return result;
 }
 
-class Writer {
+class HeaderWriter {
  public:
-  Writer(const Model& model, const SymbolsHeaderSettings& settings)
+  HeaderWriter(const Model& model, const SymbolsHeaderSettings& settings)
       : model_(model), settings_(settings) {}
 
   std::string run() {
@@ -282,7 +282,7 @@ class Writer {
 }  // namespace
 
 std::string writeSymbolsHeader(const Model& model, const SymbolsHeaderSettings& settings) {
-  return Writer(model, settings).run();
+  return HeaderWriter(model, settings).run();
 }
 
 }  // namespace xabsl

@@ -16,7 +16,7 @@ bool isCollection(const Element& element) {
   return element.is("symbols") || element.is("basic-behaviors") || element.is("option-definitions");
 }
 
-constexpr std::string_view boolean = "boolean-", enumerated = "enumerated-";
+constexpr std::string_view booleanPrefix = "boolean-", enumeratedPrefix = "enumerated-";
 
 bool isOutput(const Element& element) {
   constexpr std::string_view ending = "-output-symbol";
@@ -205,7 +205,7 @@ void Parser::symbols(const Element& element) {
       constant(*child, space);
     else if (child->is("enumeration"))
       enumeration(*child, space);
-    else if (old && child->name.substr(0, enumerated.size()) == enumerated)
+    else if (old && child->name.substr(0, enumeratedPrefix.size()) == enumeratedPrefix)
       enumeratedSymbol(*child, space);
     else
       symbol(*child, space);
@@ -227,8 +227,9 @@ void Parser::symbol(const Element& element, int space) {
 
 /// The type that the name of an element begins with.
 TypeName Parser::type(const Element& element) {
-  if (element.name.substr(0, boolean.size()) == boolean) return {ValueKind::boolean, {}};
-  if (element.name.substr(0, enumerated.size()) != enumerated) return {};
+  if (element.name.substr(0, booleanPrefix.size()) == booleanPrefix)
+    return {ValueKind::boolean, {}};
+  if (element.name.substr(0, enumeratedPrefix.size()) != enumeratedPrefix) return {};
   const Attribute* name = element.find("enumeration");
   return {ValueKind::enumeration, {name->value, name->location}};
 }

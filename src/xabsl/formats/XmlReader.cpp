@@ -3,27 +3,24 @@
 #include <libxml/encoding.h>
 #include <libxml/parser.h>
 #include <libxml/parserInternals.h>
-#include <libxml/tree.h>
 
 #include <algorithm>
 #include <memory>
 
+#include "xabsl/formats/XmlDocument.h"
 #include "xabsl/language/Utf8.h"
 
 namespace xabsl::xml {
 
 namespace {
 
-constexpr std::size_t mostElements = 300'000;  // of one file; each costs memory
+constexpr std::size_t mostElementsInFile = 300'000;  // of one file; each costs memory
 constexpr std::size_t longestTag = 16u << 10;  // libxml2 compares each attribute with all others
 constexpr std::string_view includeNamespaces[] = {"http://www.w3.org/2001/XInclude",
                                                   "http://www.w3.org/2003/XInclude"};
 
 struct ParserDeleter {
   void operator()(xmlParserCtxt* parser) const { xmlFreeParserCtxt(parser); }
-};
-struct DocumentDeleter {
-  void operator()(xmlDoc* document) const { xmlFreeDoc(document); }
 };
 struct StringDeleter {
   void operator()(xmlChar* text) const { xmlFree(text); }
@@ -103,8 +100,8 @@ class Reader {
     parser_->sax->serror = [](void* context, auto* error) { problem(context, *error); };
     // Entities are not replaced: so external ones are never read by libxml2 itself.
     constexpr int options = XML_PARSE_NONET | XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES;
-    const std::unique_ptr<xmlDoc, DocumentDeleter> document(xmlCtxtReadMemory(
-        parser_, text_.data(), static_cast<int>(text_.size()), nullptr, "UTF-8", options));
+    const Document document(xmlCtxtReadMemory(parser_, text_.data(), static_cast<int>(text_.size()),
+                                              nullptr, "UTF-8", options));
     if (!document) {
       if (!reported_) reporter_.error({file_, 1, 1}, "this is no well-formed XML");
     } else if (!reported_) {
@@ -164,7 +161,7 @@ class Reader {
     for (const xmlNode* node = first; node && !reported_; node = node->next) {
       if (node->type == XML_DTD_NODE || node->type == XML_PI_NODE) continue;
       if (depth > deepest) return fail(place, "nested too deeply");
-      if (++count_ > mostElements) return fail(place, "the file has too many elements");
+      if (++count_ > mostElementsInFile) return fail(place, "the file has too many elements");
       if (node->type == XML_ELEMENT_NODE) {
         element(*node, parent, place, depth);
       } else if (node->type == XML_ENTITY_REF_NODE) {

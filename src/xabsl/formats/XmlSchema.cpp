@@ -8,15 +8,13 @@
 #include <tuple>
 #include <vector>
 
+#include "xabsl/formats/XmlDocument.h"
 #include "xabsl/formats/schema/SchemaFiles.h"
 
 namespace xabsl::xml {
 
 namespace {
 
-struct DocumentDeleter {
-  void operator()(xmlDoc* document) const { xmlFreeDoc(document); }
-};
 struct SchemaDeleter {
   void operator()(xmlSchema* schema) const { xmlSchemaFree(schema); }
 };
@@ -26,7 +24,6 @@ struct SchemaParserDeleter {
 struct ValidatorDeleter {
   void operator()(xmlSchemaValidCtxt* validator) const { xmlSchemaFreeValidCtxt(validator); }
 };
-using Document = std::unique_ptr<xmlDoc, DocumentDeleter>;
 
 const xmlChar* asXml(const std::string& text) {
   return reinterpret_cast<const xmlChar*>(text.c_str());
@@ -70,7 +67,7 @@ Document joinedSchema(Dialect dialect) {
 }
 
 /// Without namespaces, line ends and full stops, which help nobody.
-std::string readable(std::string_view message) {
+std::string withoutNamespaces(std::string_view message) {
   std::string text;
   while (!message.empty()) {
     const std::size_t open = message.find('{');
@@ -160,7 +157,7 @@ class Validator {
 
   static void problem(void* context, const xmlError& error) {
     auto& validator = *static_cast<Validator*>(context);
-    const std::string message = readable(error.message ? error.message : "");
+    const std::string message = withoutNamespaces(error.message ? error.message : "");
     Location location = validator.current_->location;
     for (const Attribute& attribute : validator.current_->attributes)
       if (message.find("attribute '" + std::string(attribute.name) + "'") != std::string::npos)

@@ -15,7 +15,7 @@ namespace xabsl::xml {
 namespace {
 
 // Of a behavior as a whole, with everything in its place.
-constexpr std::size_t mostElements = 5'000'000;
+constexpr std::size_t mostElementsInAll = 5'000'000;
 constexpr int deepest = 400;
 
 /// Where a file includes another one.
@@ -41,10 +41,10 @@ void outline(std::vector<Element>& elements, int depth, Outline& result) {
   }
 }
 
-class Loader {
+class IncludeLoader {
  public:
-  Loader(const std::string& path, const FileReader& read, syntax::Program& program,
-         Reporter& reporter)
+  IncludeLoader(const std::string& path, const FileReader& read, syntax::Program& program,
+                Reporter& reporter)
       : root_(std::filesystem::path(path).lexically_normal()),
         read_(read),
         program_(program),
@@ -181,10 +181,10 @@ class Loader {
       Outline& whole = outlines_[done];
       for (const Link& link : whole.links) {
         const Outline& part = outlines_[at(link.place->file)];
-        whole.elements = std::min(whole.elements + part.elements, mostElements + 1);
+        whole.elements = std::min(whole.elements + part.elements, mostElementsInAll + 1);
         whole.height = std::max(whole.height, std::min(link.depth + part.height, deepest + 1));
       }
-      if (whole.elements > mostElements || whole.height > deepest)
+      if (whole.elements > mostElementsInAll || whole.height > deepest)
         return reporter_.fileError(files_[done].path,
                                    whole.height > deepest
                                        ? "nested too deeply, with all that is included"
@@ -226,7 +226,7 @@ class Loader {
 
 Files readFiles(const std::string& path, const FileReader& read, syntax::Program& program,
                 Reporter& reporter) {
-  return Loader(path, read, program, reporter).run();
+  return IncludeLoader(path, read, program, reporter).run();
 }
 
 }  // namespace xabsl::xml

@@ -10,8 +10,6 @@ namespace xabsl::server {
 
 namespace {
 
-using Kind = Completion::Kind;
-
 /// The tokens before a place, without the word that is being written there, and what they open.
 class Context {
  public:
@@ -141,14 +139,14 @@ class Completer {
     if (context_.writesParameter()) {
       optionParameters();
     } else if (last.is("goto")) {
-      for (const std::string& state : context_.states()) add(Kind::state, state, state);
+      for (const std::string& state : context_.states()) add(Completion::Kind::state, state, state);
     } else if (last.is("enum")) {
-      each(model_.enumerations, Kind::enumeration, Entity::Kind::enumeration);
+      each(model_.enumerations, Completion::Kind::enumeration, Entity::Kind::enumeration);
     } else if (context_.block().empty()) {
       topLevel();
     } else if (const auto* parameters = calledParameters(); parameters && beginsArgument()) {
       for (const Parameter& parameter : *parameters)
-        add(Kind::parameter, parameter.name, parameter.name + " = ",
+        add(Completion::Kind::parameter, parameter.name, parameter.name + " = ",
             describe(model_, parameter.type));
     } else if (context_.block() == "namespace") {
       keywords({"float", "bool", "enum", "input", "output", "internal", "const", "behavior"});
@@ -167,17 +165,18 @@ class Completer {
   }
 
  private:
-  void add(Kind kind, const std::string& name, const std::string& insert,
+  void add(Completion::Kind kind, const std::string& name, const std::string& insert,
            const std::string& detail = {}, const std::string& doc = {}) {
     result_.push_back({kind, name, insert, detail, doc});
   }
 
   void keywords(std::initializer_list<const char*> words) {
-    for (const char* word : words) add(Kind::keyword, word, word);
+    for (const char* word : words) add(Completion::Kind::keyword, word, word);
   }
 
   template <typename List>
-  void each(const List& list, Kind kind, Entity::Kind entity, const std::string& behind = {}) {
+  void each(const List& list, Completion::Kind kind, Entity::Kind entity,
+            const std::string& behind = {}) {
     for (std::size_t i = 0; i < list.size(); ++i)
       add(kind, list[i].name, list[i].name + behind,
           signatureOf(project_, {entity, static_cast<int>(i)}), list[i].doc);
@@ -185,7 +184,7 @@ class Completer {
 
   void topLevel() {
     const Token& before = context_.back(0);
-    if (before.is(",")) return each(model_.options, Kind::option, Entity::Kind::option);
+    if (before.is(",")) return each(model_.options, Completion::Kind::option, Entity::Kind::option);
     keywords({"include", "agent", "namespace", "option"});
   }
 
@@ -193,22 +192,22 @@ class Completer {
     for (const Option& option : model_.options)
       if (option.name == context_.optionName())
         for (const Parameter& parameter : option.parameters)
-          add(Kind::parameter, "@" + parameter.name, "@" + parameter.name,
+          add(Completion::Kind::parameter, "@" + parameter.name, "@" + parameter.name,
               describe(model_, parameter.type), parameter.doc);
   }
 
   /// What a decision or an action may begin with.
   void statement() {
     if (context_.block() == "decision") return keywords({"if", "else", "goto", "stay"});
-    each(model_.options, Kind::option, Entity::Kind::option, "(");
-    each(model_.behaviors, Kind::behavior, Entity::Kind::behavior, "(");
+    each(model_.options, Completion::Kind::option, Entity::Kind::option, "(");
+    each(model_.behaviors, Completion::Kind::behavior, Entity::Kind::behavior, "(");
     for (std::size_t i = 0; i < model_.symbols.size(); ++i)
       if (model_.symbols[i].kind != SymbolKind::input) symbol(i, " = ");
   }
 
   void symbol(std::size_t i, const std::string& behind) {
     const Symbol& symbol = model_.symbols[i];
-    add(Kind::symbol, symbol.name, symbol.name + behind,
+    add(Completion::Kind::symbol, symbol.name, symbol.name + behind,
         signatureOf(project_, {Entity::Kind::symbol, static_cast<int>(i)}), symbol.doc);
   }
 
@@ -217,11 +216,11 @@ class Completer {
     if (wanted.kind == ValueKind::enumeration && wanted.enumeration >= 0) {
       const Enumeration& found = model_.enumerations[at(wanted.enumeration)];
       for (const EnumerationElement& element : found.elements)
-        add(Kind::element, element.name, element.name, "enum " + found.name);
+        add(Completion::Kind::element, element.name, element.name, "enum " + found.name);
     }
     for (std::size_t i = 0; i < model_.symbols.size(); ++i)
       symbol(i, model_.symbols[i].parameters.empty() ? "" : "(");
-    each(model_.constants, Kind::constant, Entity::Kind::constant);
+    each(model_.constants, Completion::Kind::constant, Entity::Kind::constant);
     optionParameters();
     keywords({"true", "false", "state_time", "option_time", "action_done"});
   }
