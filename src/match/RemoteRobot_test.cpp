@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "network/TestWire.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

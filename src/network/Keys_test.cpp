@@ -2,8 +2,8 @@
 
 #include <sys/stat.h>
 
-#include "network/TestWire.h"
 #include "streams/File.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "network/TestWire.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

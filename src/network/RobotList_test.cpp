@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "network/RouterSettings.h"
-#include "network/TestWire.h"
 #include "streams/Config.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

@@ -1,7 +1,7 @@
 #include "network/Router.h"
 
 #include "framework/Requests.h"
-#include "network/TestWire.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

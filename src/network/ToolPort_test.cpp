@@ -9,7 +9,7 @@
 
 #include "base/FileDescriptor.h"
 #include "debug/Debug.h"
-#include "network/TestWire.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

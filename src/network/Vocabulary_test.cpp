@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "network/Router.h"
-#include "network/TestWire.h"
 #include "network/ToolPort.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

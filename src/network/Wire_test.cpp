@@ -3,7 +3,7 @@
 #include <cmath>
 #include <zmq.hpp>
 
-#include "network/TestWire.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

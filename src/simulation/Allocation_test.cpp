@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "simulation/Simulation.h"
-#include "simulation/TestScenes.h"
 #include "support/TestAllocations.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

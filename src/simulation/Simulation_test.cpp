@@ -6,7 +6,7 @@
 
 #include "base/Hash.h"
 #include "simulation/Oracle.h"
-#include "simulation/TestScenes.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

@@ -18,7 +18,6 @@
 #include "framework/Requests.h"
 #include "match/Match.h"
 #include "modules/behavior/control/BehaviorRequest.h"
-#include "network/TestWire.h"
 #include "network/ToolPort.h"
 #include "representations/behavior/BehaviorState.h"
 #include "streams/File.h"
@@ -26,6 +25,7 @@
 #include "streams/TemporaryFolder.h"
 #include "support/OtherMachine.h"
 #include "support/RobotElsewhere.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

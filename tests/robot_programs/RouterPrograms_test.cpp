@@ -7,7 +7,7 @@
 #include "base/ChildProgram.h"
 #include "framework/Requests.h"
 #include "network/RobotList.h"
-#include "network/TestWire.h"
+#include "support/TestWire.h"
 
 namespace gt {
 namespace {

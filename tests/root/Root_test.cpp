@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "robot/logs/TestLog.h"
 #include "streams/File.h"
 #include "streams/TemporaryFolder.h"
+#include "support/TestLog.h"
 
 namespace gt {
 namespace {

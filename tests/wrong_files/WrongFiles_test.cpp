@@ -13,8 +13,8 @@
 
 #include "base/Random.h"
 #include "network/Network.h"
-#include "robot/logs/TestLog.h"
 #include "streams/File.h"
+#include "support/TestLog.h"
 
 namespace gt {
 namespace {

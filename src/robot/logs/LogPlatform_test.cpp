@@ -13,7 +13,7 @@
 
 #include "representations/modeling/BallModel.h"
 #include "representations/perception/BallPercept.h"
-#include "robot/logs/TestLog.h"
+#include "support/TestLog.h"
 
 namespace gt {
 namespace {

@@ -11,7 +11,7 @@
 #include <iterator>
 
 #include "base/Random.h"
-#include "robot/logs/TestLog.h"
+#include "support/TestLog.h"
 
 namespace gt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "simulation/TestScenes.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

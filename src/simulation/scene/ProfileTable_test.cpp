@@ -9,9 +9,9 @@
 #include <set>
 #include <string>
 
-#include "simulation/TestScenes.h"
 #include "streams/Config.h"
 #include "streams/File.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

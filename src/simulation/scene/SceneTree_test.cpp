@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "simulation/TestChaos.h"
-#include "simulation/TestScenes.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

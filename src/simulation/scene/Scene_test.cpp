@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "simulation/TestScenes.h"
 #include "simulation/scene/SceneModel.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

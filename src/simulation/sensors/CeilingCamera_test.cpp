@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "simulation/TestScenes.h"
 #include "simulation/sensors/CeilingTracker.h"
 #include "streams/Mcap.h"
 #include "streams/TemporaryFolder.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

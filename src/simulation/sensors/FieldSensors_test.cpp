@@ -7,8 +7,8 @@
 #include <map>
 
 #include "simulation/Simulation.h"
-#include "simulation/TestScenes.h"
 #include "streams/File.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/Statistics.h"
-#include "simulation/TestScenes.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/perception/LandmarksPercept.h"
-#include "simulation/TestScenes.h"
 #include "simulation/scene/SceneModel.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/Statistics.h"
 #include "simulation/Simulation.h"
-#include "simulation/TestScenes.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "representations/infrastructure/RobotFootprint.h"
-#include "simulation/TestScenes.h"
 #include "simulation/world/Stance.h"
+#include "support/TestScenes.h"
 
 namespace gt {
 namespace {
