@@ -13,7 +13,7 @@ void DebugProcess::connect(PackageSender& fromProcess, PackageLink& toProcess) {
 
 PackageReceiver& DebugProcess::addReceiver() {
   in_.push_back(std::make_unique<In>());
-  enlist(in_.back()->receiver);
+  add(in_.back()->receiver);
   return in_.back()->receiver;
 }
 

@@ -25,21 +25,21 @@ ModuleProcess::ModuleProcess(const Plan::Process& plan, Blackboard blackboard, T
     times_.modules.push_back({.name = task->name});
   }
   times_.process = name();
-  enlist(debugSender_);
-  enlist(debugReceiver_);
+  add(debugSender_);
+  add(debugReceiver_);
 }
 
 PackageSender& ModuleProcess::sender(const RepresentationType& type) {
   for (const auto& sender : ownSenders_)
     if (&sender->type() == &type) return *sender;
   ownSenders_.push_back(std::make_unique<PackageSender>(type, blackboard_.get(type)));
-  enlist(*ownSenders_.back());
+  add(*ownSenders_.back());
   return *ownSenders_.back();
 }
 
 PackageReceiver& ModuleProcess::receiver(const RepresentationType& type, bool blocking) {
   ownReceivers_.push_back(std::make_unique<PackageReceiver>(type, blackboard_.get(type), blocking));
-  enlist(*ownReceivers_.back());
+  add(*ownReceivers_.back());
   return *ownReceivers_.back();
 }
 

@@ -109,8 +109,8 @@ class PackageReceiver : public PackageLink {
 };
 
 namespace detail {
-void enlist(Process& process, PackageSender& sender);
-void enlist(Process& process, PackageReceiver& receiver);
+void registerIn(Process& process, PackageSender& sender);
+void registerIn(Process& process, PackageReceiver& receiver);
 }  // namespace detail
 
 /// A sender of a custom process that is its package: `Sender<NumberPackage> numbers{*this};`
@@ -119,7 +119,7 @@ class Sender : public T, public PackageSender {
  public:
   explicit Sender(Process& process, bool blocking = false)
       : PackageSender{representation<T>(), static_cast<const T*>(this), blocking} {
-    detail::enlist(process, *this);
+    detail::registerIn(process, *this);
   }
 };
 
@@ -130,7 +130,7 @@ class Receiver : public T, public PackageReceiver {
  public:
   explicit Receiver(Process& process, bool blocking = false)
       : PackageReceiver{representation<T>(), static_cast<T*>(this), blocking} {
-    detail::enlist(process, *this);
+    detail::registerIn(process, *this);
   }
 };
 

@@ -36,11 +36,11 @@ bool PackageSender::triggers() const {
 }
 
 namespace detail {
-void enlist(Process& process, PackageSender& sender) {
-  process.enlist(sender);
+void registerIn(Process& process, PackageSender& sender) {
+  process.add(sender);
 }
-void enlist(Process& process, PackageReceiver& receiver) {
-  process.enlist(receiver);
+void registerIn(Process& process, PackageReceiver& receiver) {
+  process.add(receiver);
 }
 }  // namespace detail
 

@@ -32,8 +32,8 @@ class Process {
   /// Before when main() is not called again, whatever arrives.
   Time next() const { return next_; }
 
-  void enlist(PackageSender& sender) { senders_.push_back(&sender); }
-  void enlist(PackageReceiver& receiver) { receivers_.push_back(&receiver); }
+  void add(PackageSender& sender) { senders_.push_back(&sender); }
+  void add(PackageReceiver& receiver) { receivers_.push_back(&receiver); }
 
  protected:
   /// The process's work (report C.2). Returns the milliseconds to wait from its end to the next
