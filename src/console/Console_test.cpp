@@ -371,7 +371,7 @@ TEST_F(ConsoleTest, LosesImagesOnlyIfAskedTo) {
   expectError("st maybe", "st", "expected");
 }
 
-TEST_F(ConsoleTest, ObeysAJoystick) {
+TEST_F(ConsoleTest, FollowsAJoystick) {
   expectFine("sr BehaviorControl disabled");
   expectFine("jhc tilt");
   expectFine("jbc 1 mr headLeft");

@@ -38,7 +38,7 @@ std::unique_ptr<Robot> makeRobot(const std::string& layout = "layouts/cmd.layout
   return std::move(*robot);
 }
 
-/// Lets a robot live without a simulator: it sees gray images and its joints obey.
+/// Runs a robot without a simulator: it sees gray images, its joints follow the requests.
 void live(Robot& robot, int ms, int from = 0) {
   Image image;
   image.allocate();

@@ -14,7 +14,7 @@
 
 namespace gt::testing {
 
-/// A robot with a body that sees gray images, whose joints obey and which tells what it was
+/// A robot with a body that sees gray images, whose joints follow and which reports what it was
 /// commanded. It lives in steps of 8 ms; all that is asked and heard goes by messages.
 class LivingRobot {
  public:

@@ -72,16 +72,16 @@ void GT2003BehaviorControl::load(const Behavior& behavior, const MotionNet& moti
   if (engine_) creation.engine->resumeFrom(*engine_);
   engine_ = std::move(creation.engine);
   recording_ = false;
-  obeyed_ = {};
+  applied_ = {};
 }
 
-/// Tells the engine what a person wants it to execute, once.
-void GT2003BehaviorControl::obey(const BehaviorControlRequest& control, Debug& debug) {
-  if (control == obeyed_) return;
-  const bool otherRoot = control.root != obeyed_.root ||
-                         control.basicBehavior != obeyed_.basicBehavior ||
-                         control.parameters != obeyed_.parameters;
-  obeyed_ = control;
+/// Applies what a person wants the engine to execute, once per request.
+void GT2003BehaviorControl::apply(const BehaviorControlRequest& control, Debug& debug) {
+  if (control == applied_) return;
+  const bool otherRoot = control.root != applied_.root ||
+                         control.basicBehavior != applied_.basicBehavior ||
+                         control.parameters != applied_.parameters;
+  applied_ = control;
   if (!otherRoot) return;
   if (control.root.empty()) {
     engine_->selectAgent(engine_->selectedAgent());
@@ -100,7 +100,7 @@ void GT2003BehaviorControl::obey(const BehaviorControlRequest& control, Debug& d
 
 /// What the trace is about comes first, once; then each cycle by itself.
 void GT2003BehaviorControl::execute(Time now, const BehaviorControlRequest& control, Debug& debug) {
-  obey(control, debug);
+  apply(control, debug);
   const bool record = debug.isActive(sendTrace);
   engine_->record(record ? &recorder_ : nullptr);
   debug.stopTime(engineTime, [&] { engine_->execute(now.ms); });

@@ -50,7 +50,7 @@ class GT2003BehaviorControl {
 
  private:
   void load(const Behavior& behavior, const MotionNet& motions, Debug& debug);
-  void obey(const BehaviorControlRequest& control, Debug& debug);
+  void apply(const BehaviorControlRequest& control, Debug& debug);
   void execute(Time now, const BehaviorControlRequest& control, Debug& debug);
 
   Tactics tactics_{parameters.tactics};
@@ -62,7 +62,7 @@ class GT2003BehaviorControl {
   xabsl::Symbols symbols_;
   std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that no other gets its address
   std::optional<xabsl::Engine> engine_;
-  BehaviorControlRequest obeyed_;  ///< The request that the engine was told last.
+  BehaviorControlRequest applied_;  ///< The request that was applied last.
   xabsl::TraceRecorder recorder_{10'000};
   bool recording_ = false;
 };
