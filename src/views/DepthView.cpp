@@ -66,8 +66,8 @@ Image stereogram(const DepthImage& depth) {
   for (int y = 0; y < height; ++y) {
     std::iota(same.begin(), same.end(), 0);
     for (int x = 0; x < width; ++x) {
-      const double nearness = nearest / depth.at(x / scale, y / scale);
-      const int distance = static_cast<int>(std::lround(apart * (1 - strongest * nearness)));
+      const double inverseDepth = nearest / depth.at(x / scale, y / scale);
+      const int distance = static_cast<int>(std::lround(apart * (1 - strongest * inverseDepth)));
       const int left = x - distance / 2, right = left + distance;
       if (left >= 0 && right < width) same[static_cast<std::size_t>(right)] = left;
     }

@@ -67,15 +67,15 @@ void Projection::set(const CameraView& view, bool rollingShutter) {
   offsets_ = {nearest, 0, 0, 0, 0};
 }
 
-// Straight edges get points between, so that it is enough to distort points; a plane's nearness is
-// that of where the point should be, which is off by as little as the lens bends.
+// Straight edges get points between, so that it is enough to distort points; a plane's inverse
+// depth is that of where the point should be, which is off by as little as the lens bends.
 ScreenPoint Projection::projectByLens(const Eigen::Vector3f& point,
                                       const Eigen::Vector3f& moved) const {
   constexpr float limit = 1e5f;
   const auto bounded = [=](float v) { return std::min(limit, std::max(-limit, v)); };
   const auto project = [&](const Eigen::Vector3f& p) -> ScreenPoint {
-    const float nearness = 1 / std::max(p.x(), nearest / 4);
-    const float y = p.y() * nearness, z = p.z() * nearness;
+    const float inverseDepth = 1 / std::max(p.x(), nearest / 4);
+    const float y = p.y() * inverseDepth, z = p.z() * inverseDepth;
     const float square = std::min(y * y + z * z, distortionLimit_);
     const float factor = 1 + square * (distortion2_ + square * distortion4_);
     return {bounded(centerX_ - focalX_ * y * factor), bounded(centerY_ - focalY_ * z * factor)};

@@ -12,7 +12,7 @@ struct ScreenPoint {
   float x = 0, y = 0;
 };
 
-/// The nearness (the inverse of the distance along the optical axis, 1/m) of a plane at each place
+/// The inverse depth (1 / distance along the optical axis, 1/m) of a plane at each place
 /// of the image; within a row it is linear.
 struct ScreenPlane {
   float first0 = 0, first1 = 0, first2 = 0, column0 = 0, column1 = 0, distance0 = 1, distance1 = 0;
@@ -94,10 +94,10 @@ inline ScreenPoint Projection::project(const Eigen::Vector3f& point) const {
   }
   if (distorts_) return projectByLens(point, p);
   constexpr float limit = 1e5f;
-  const float nearness = 1 / std::max(p.x(), nearest / 4);
+  const float inverseDepth = 1 / std::max(p.x(), nearest / 4);
   const auto bounded = [=](float v) { return std::min(limit, std::max(-limit, v)); };
-  return {bounded(centerX_ - focalX_ * p.y() * nearness),
-          bounded(centerY_ - focalY_ * p.z() * nearness)};
+  return {bounded(centerX_ - focalX_ * p.y() * inverseDepth),
+          bounded(centerY_ - focalY_ * p.z() * inverseDepth)};
 }
 
 inline Projection::Visibility Projection::visibility(const Eigen::Vector3f& center,

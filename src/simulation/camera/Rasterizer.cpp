@@ -47,9 +47,9 @@ void Rasterizer::begin(int width, int height, PackedColor background, bool withG
   withGeoms_ = withGeoms;
   const std::size_t size = offset(height);
   colors_.assign(size, background);
-  nearness_.assign(size, 0.0f);
+  inverseDepth_.assign(size, 0.0f);
   if (withGeoms) geoms_.assign(size, -1);
-  for (auto* values : {&left_, &right_, &rowNearness_, &perPixel_})
+  for (auto* values : {&left_, &right_, &rowInverseDepth_, &perPixel_})
     values->resize(static_cast<std::size_t>(height));
   for (auto* pixels : {&from_, &to_}) pixels->resize(static_cast<std::size_t>(height));
 }
@@ -99,7 +99,7 @@ void Rasterizer::measureRows(int first, int end, const ScreenPlane& plane) {
   const float *left = left_.data() + skipped, *right = right_.data() + skipped;
   int* __restrict from = from_.data();
   int* __restrict to = to_.data();
-  float* __restrict nearness = rowNearness_.data();
+  float* __restrict inverseDepth = rowInverseDepth_.data();
   float* __restrict perPixel = perPixel_.data();
   for (std::size_t i = 0; i < n; ++i) {
     from[i] = pixelFrom(bounded(left[i]));
@@ -108,7 +108,7 @@ void Rasterizer::measureRows(int first, int end, const ScreenPlane& plane) {
     const float scale = 1 / plane.distanceAt(center);
     const int start = from[i] & ~(lanes - 1);
     perPixel[i] = plane.perColumnAt(center) * scale;
-    nearness[i] =
+    inverseDepth[i] =
         plane.firstColumnAt(center) * scale + perPixel[i] * (static_cast<float>(start) + 0.5f);
   }
 }
@@ -123,21 +123,21 @@ void Rasterizer::fillRows(int first, int end, PackedColor color) {
     const auto row = static_cast<std::size_t>(y - first);
     const int from = from_[row], to = to_[row];
     if (from >= to) continue;
-    const float z = rowNearness_[row], perX = perPixel_[row];
-    Floats nearness = {z, z + perX, z + 2 * perX, z + 3 * perX};
+    const float z = rowInverseDepth_[row], perX = perPixel_[row];
+    Floats inverseDepth = {z, z + perX, z + 2 * perX, z + 3 * perX};
     const float step = lanes * perX;
     PackedColor* const colorRow = colors_.data() + offset(y);
-    float* const nearnessRow = nearness_.data() + offset(y);
+    float* const inverseDepthRow = inverseDepth_.data() + offset(y);
     std::int32_t* const geomRow = withGeoms ? geoms_.data() + offset(y) : nullptr;
     const auto fillLanes = [&](int x, Ints mask) {
       if constexpr (hasDepth) {
-        const auto old = load<Floats>(nearnessRow + x);
-        mask &= nearness > old;
-        store(nearnessRow + x, choose(mask, nearness, old));
+        const auto old = load<Floats>(inverseDepthRow + x);
+        mask &= inverseDepth > old;
+        store(inverseDepthRow + x, choose(mask, inverseDepth, old));
       }
       store(colorRow + x, choose(mask, colors, load<Ints>(colorRow + x)));
       if constexpr (withGeoms) store(geomRow + x, choose(mask, geoms, load<Ints>(geomRow + x)));
-      nearness += step;
+      inverseDepth += step;
     };
     // Only the first and the last group of pixels may reach beyond the ends.
     int x = from & ~(lanes - 1);

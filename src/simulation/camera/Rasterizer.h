@@ -31,8 +31,8 @@ class Rasterizer {
 
  private:
   void addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first, int end);
-  /// What each row of a polygon has to know: its first pixel and the one behind its last, the
-  /// nearness at its first group of pixels and how it changes.
+  /// Of each row of a polygon: its first pixel and the one behind its last, the
+  /// inverse depth at its first group of pixels and how it changes.
   void measureRows(int first, int end, const ScreenPlane& plane);
   template <bool hasDepth, bool withGeoms>
   void fillRows(int first, int end, PackedColor color);
@@ -42,11 +42,11 @@ class Rasterizer {
   int geom_ = -1;
   bool hasDepth_ = true, withGeoms_ = false;
   std::vector<PackedColor> colors_;
-  std::vector<float> nearness_;
+  std::vector<float> inverseDepth_;
   std::vector<std::int32_t> geoms_;
   std::vector<float> left_, right_;  ///< The outline, by row of the image.
   std::vector<int> from_, to_;       ///< By row of the polygon, as what follows.
-  std::vector<float> rowNearness_, perPixel_;
+  std::vector<float> rowInverseDepth_, perPixel_;
 };
 
 }  // namespace gt
