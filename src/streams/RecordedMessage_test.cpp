@@ -230,7 +230,7 @@ struct Board {
   std::vector<int> cells;
   std::vector<samples::Inner> inners;
 
-  std::string_view flaw() const {
+  std::string_view validationError() const {
     return static_cast<int>(cells.size()) % width == 0 ? "" : "its last row is not whole";
   }
   static constexpr auto fields() {

@@ -101,7 +101,8 @@ Result<void> setEnumeration(Value v, std::string_view text) {
 /// Whether values of a type can be wrong at all: most are not worth looking at.
 bool isConditional(const Type& type) {
   if (type.kind == Kind::array || type.kind == Kind::list) return isConditional(type.element());
-  return type.flaw || std::any_of(type.parts.begin(), type.parts.end(), [](const Part& part) {
+  return type.validationError ||
+         std::any_of(type.parts.begin(), type.parts.end(), [](const Part& part) {
            return part.range.bounds() || isConditional(part.type());
          });
 }
@@ -139,8 +140,9 @@ Result<void> checked(ConstValue value) {
     }
     if (auto done = checked(part); !done) return in(p.name, done.error());
   }
-  const std::string_view flaw = type.flaw ? type.flaw(value.data()) : std::string_view{};
-  if (!flaw.empty()) return wrong(std::string(flaw));
+  const std::string_view validationError =
+      type.validationError ? type.validationError(value.data()) : std::string_view{};
+  if (!validationError.empty()) return wrong(std::string(validationError));
   return {};
 }
 

@@ -38,12 +38,12 @@ struct Type {
   std::span<const std::string_view> names;       ///< Of an enumeration's values.
   std::span<const std::string_view> indexNames;  ///< Of an array's elements, if they have names.
   std::vector<Part> parts;                       ///< Of a record.
-  std::string_view (*flaw)(const void*) = nullptr;  ///< Of a record, if it has flaw().
-  TypeFunction element = nullptr;                   ///< Of arrays and lists.
-  std::size_t count = 0;                            ///< Of an array's elements.
-  void* (*at)(void*, std::size_t) = nullptr;        ///< An element of an array or list.
-  std::size_t (*length)(const void*) = nullptr;     ///< Of a list.
-  void (*resize)(void*, std::size_t) = nullptr;     ///< A list.
+  std::string_view (*validationError)(const void*) = nullptr;  ///< Of records that have one.
+  TypeFunction element = nullptr;                              ///< Of arrays and lists.
+  std::size_t count = 0;                                       ///< Of an array's elements.
+  void* (*at)(void*, std::size_t) = nullptr;                   ///< An element of an array or list.
+  std::size_t (*length)(const void*) = nullptr;                ///< Of a list.
+  void (*resize)(void*, std::size_t) = nullptr;                ///< A list.
 };
 
 /// A value of a type that is known at run time only. It does not own what it refers to.
@@ -160,9 +160,9 @@ Type makeType() {
       type.parts = {makePart<T, i>()...};
     }
     (std::make_index_sequence<S::partCount>{});
-    if constexpr (requires(const T& record) { record.flaw(); })
-      type.flaw = [](const void* record) -> std::string_view {
-        return static_cast<const T*>(record)->flaw();
+    if constexpr (requires(const T& record) { record.validationError(); })
+      type.validationError = [](const void* record) -> std::string_view {
+        return static_cast<const T*>(record)->validationError();
       };
   }
   return type;
@@ -186,8 +186,9 @@ std::string scalarText(ConstValue scalar);
 Result<void> setScalar(Value scalar, std::string_view text, Range range = {});
 
 /// Whether a value is one that its type allows: each number lies in its field's range, and no
-/// record has a flaw, as its `std::string_view flaw() const` tells (empty if there is none). For
-/// what comes from outside, at the door where it comes in; the error's field is the path.
+/// record has a validation error, which its `std::string_view validationError() const` returns
+/// (empty if it is valid). For what comes from outside, at the door where it comes in; the error's
+/// field is the path.
 Result<void> checked(ConstValue value);
 
 /// Reads and writes the number of an enumeration's value, or 0 and 1 of a boolean.

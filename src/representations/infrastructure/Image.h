@@ -38,7 +38,7 @@ struct Image {
   }
   void allocate() { pixels.resize(area()); }
   /// What no image from outside may have (`checked`).
-  std::string_view flaw() const {
+  std::string_view validationError() const {
     return pixels.size() == area() ? "" : "its pixels are not as many as its size says";
   }
 
