@@ -162,8 +162,8 @@ void SimulatedWalker::placeOthers() {
   simulation_->world().placeRobot(other, place);
 }
 
-/// Mixes in what is wrong: other names, other directions.
-void SimulatedWalker::spoilPercepts() {
+/// Adds errors to the percepts: wrong names, wrong directions.
+void SimulatedWalker::disturbPercepts() {
   if (random_.chance(world_.lostPictures)) {
     percept.numberOfFlags = percept.numberOfGoals = 0;
     for (auto& points : lines.points) points.clear();
@@ -210,7 +210,7 @@ void SimulatedWalker::step(const Pose2D& speed) {
       cameraView(simulation_->world(), 0, camera.info, simulation_->camera(0).delay),
       simulation_->world().robot(0));
   trueCamera = trueMatrix(view, pose);
-  spoilPercepts();
+  disturbPercepts();
 }
 
 }  // namespace gt

@@ -65,7 +65,7 @@ class SimulatedWalker {
   Vector2d chooseGoal();
   void placeFlags();
   void placeOthers();
-  void spoilPercepts();
+  void disturbPercepts();
 
   WalkerWorld world_;
   Random random_;

@@ -99,7 +99,7 @@ class CairoPainter : public SheetPainter {
     for (const Vector2d& p : points) cairo_line_to(context, p.x(), p.y());
     if (closed) cairo_close_path(context);
   }
-  /// A context of its own: whatever Cairo dislikes about one stroke spoils no other.
+  /// A context of its own: an error of Cairo in one stroke does not affect others.
   Context contextOf(const Pen& pen) const {
     Context context{cairo_create(surface_), cairo_destroy};
     setColor(context.get(), pen.color);

@@ -201,7 +201,7 @@ Token Lexer::enclosed(Token token, TokenKind kind, char close, const char* name)
 }
 
 /// The place of `close`, or the end of the line. A string may go over lines, but not into the next
-/// statement: so a missing quote spoils one line only.
+/// statement: so a missing quote affects one line only.
 std::size_t Lexer::endOfEnclosed(char close) const {
   constexpr std::size_t farthest = 500;
   const std::size_t line = std::min(text_.find('\n', position_), text_.size());

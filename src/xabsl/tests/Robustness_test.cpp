@@ -151,7 +151,7 @@ std::vector<std::string> tokensOf(const std::string& text) {
   return tokens;
 }
 
-TEST(Robustness, TheUnspoiledBehaviorRuns) {
+TEST(Robustness, TheUnchangedBehaviorRuns) {
   EXPECT_TRUE(survives(everything, surroundings()));
   std::string joined;
   for (const std::string& token : tokensOf(everything)) joined += token + " ";
