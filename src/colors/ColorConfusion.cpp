@@ -48,7 +48,7 @@ double ColorConfusion::recall(ColorClass colorClass) const {
   return shareOf(counts_[colorClass][colorClass], are(colorClass));
 }
 
-double ColorConfusion::agreement() const {
+double ColorConfusion::accuracy() const {
   std::uint64_t same = 0;
   for (std::size_t i = 0; i < counts_.size(); ++i) same += counts_.values[i].values[i];
   return shareOf(same, total());
@@ -74,7 +74,7 @@ std::string ColorConfusion::text(const std::string& rows, const std::string& col
     text += padded(said(c) > 0 ? percent(precision(c)) : "-", width);
     text += padded(are(c) > 0 ? percent(recall(c)) : "-", width) + "\n";
   }
-  return text + "the same class: " + percent(agreement()) + " of " + std::to_string(total()) + "\n";
+  return text + "the same class: " + percent(accuracy()) + " of " + std::to_string(total()) + "\n";
 }
 
 ColorConfusion compareTables(const ColorTable64& a, const ColorTable64& b) {

@@ -14,17 +14,17 @@ class ColorConfusion {
   }
   std::uint64_t count(ColorClass truth, ColorClass said) const { return counts_[truth][said]; }
 
-  /// How many are of a class, and how many are said to be.
+  /// How many are of a class, and how many are classified as it.
   std::uint64_t are(ColorClass colorClass) const;
   std::uint64_t said(ColorClass colorClass) const;
   std::uint64_t total() const;
 
-  /// The share of what is said to be of a class that is; 1 if nothing is said to be.
+  /// The share of what is classified as a class that is of it; 1 if nothing is.
   double precision(ColorClass colorClass) const;
-  /// The share of what is of a class that is said to be; 1 if nothing is.
+  /// The share of what is of a class that is classified so; 1 if nothing is of it.
   double recall(ColorClass colorClass) const;
-  /// The share of all that is said to be what it is.
-  double agreement() const;
+  /// The share of all that is classified correctly.
+  double accuracy() const;
 
   /// As lines for people: a row for each class that there is, with its precision and recall.
   std::string text(const std::string& rows, const std::string& columns) const;

@@ -17,7 +17,7 @@ TEST(ColorConfusion, TellsPrecisionAndRecall) {
   EXPECT_DOUBLE_EQ(confusion.precision(ColorClass::orange), 0.6);
   EXPECT_DOUBLE_EQ(confusion.recall(ColorClass::orange), 0.75);
   EXPECT_DOUBLE_EQ(confusion.recall(ColorClass::yellow), 0);
-  EXPECT_DOUBLE_EQ(confusion.agreement(), 0.7);
+  EXPECT_DOUBLE_EQ(confusion.accuracy(), 0.7);
   EXPECT_THAT(confusion.text("truth", "table"), HasSubstr("60.0%     75.0%"));
   EXPECT_THAT(confusion.text("truth", "table"), testing::Not(HasSubstr("pink")));
   ColorTable64 table;

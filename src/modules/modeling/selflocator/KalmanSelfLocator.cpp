@@ -211,7 +211,7 @@ void KalmanSelfLocator::addFromView(const FieldDimensions& field, Random& random
     if (!pose || std::abs(pose->translation.x()) > field.xGroundline ||
         std::abs(pose->translation.y()) > field.ySideline)
       continue;
-    const double fits = view_.agreement(*pose, edges_.tables());
+    const double fits = view_.score(*pose, edges_.tables());
     if (fits <= most) continue;
     most = fits;
     best = pose;
@@ -220,7 +220,7 @@ void KalmanSelfLocator::addFromView(const FieldDimensions& field, Random& random
   double behind = parameters.newWeight + 1;
   if (!hypotheses_.empty() && hypotheses_.front().fit < lostFit) {
     constexpr double trust = 40, mostAhead = 6;
-    const double known = view_.agreement(hypotheses_.front().filter.pose(), edges_.tables());
+    const double known = view_.score(hypotheses_.front().filter.pose(), edges_.tables());
     behind = std::max(-mostAhead, parameters.newWeight - trust * (most - known));
   }
   add(*best, behind);

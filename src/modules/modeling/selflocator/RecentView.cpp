@@ -56,7 +56,7 @@ void RecentView::add(const Bearings& bearings, const Vector2d& cameraOffset) {
   }
 }
 
-double RecentView::agreement(const Pose2D& pose, const EdgeTables& tables) const {
+double RecentView::score(const Pose2D& pose, const EdgeTables& tables) const {
   double sum = 0, most = 0;
   for (std::size_t i = 0; i < numberOfPoints_; ++i) {
     const auto& [type, point] = points_[i];

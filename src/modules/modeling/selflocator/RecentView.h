@@ -23,9 +23,10 @@ class RecentView {
   /// Forgets all: the robot was put somewhere else.
   void clear() { numberOfPoints_ = numberOfBearings_ = 0; }
 
-  /// How much of it a pose explains, in [0, 1].
-  double agreement(const Pose2D& pose, const EdgeTables& tables) const;
-  /// A pose from which one of the things seen would be seen where it was; none if there are none.
+  /// The score of a pose: how well it explains what was seen, in [0, 1].
+  double score(const Pose2D& pose, const EdgeTables& tables) const;
+  /// A pose from which one of the things seen would be seen where it was; empty if nothing was
+  /// seen.
   std::optional<Pose2D> drawPose(const EdgeTables& tables, const FieldDimensions& field,
                                  Random& random) const;
 

@@ -26,18 +26,17 @@ TEST(RecentView, TellsPosesApart) {
     view.add(bearings, robot.percept.cameraOffset.head<2>());
     view.add(edges.chosen(), random);
     if (bearings.count < 2) continue;
-    EXPECT_GT(view.agreement(robot.pose, edges.tables()), 0.7);
-    EXPECT_LT(view.agreement(mirrored, edges.tables()),
-              view.agreement(robot.pose, edges.tables()) - 0.05);
+    EXPECT_GT(view.score(robot.pose, edges.tables()), 0.7);
+    EXPECT_LT(view.score(mirrored, edges.tables()), view.score(robot.pose, edges.tables()) - 0.05);
   }
   ASSERT_TRUE(goalSeen);
   double most = 0;
   for (int i = 0; i < 2000; ++i)
     if (const auto pose = view.drawPose(edges.tables(), robot.field, random))
-      most = std::max(most, view.agreement(*pose, edges.tables()));
+      most = std::max(most, view.score(*pose, edges.tables()));
   EXPECT_GT(most, 0.6);
   view.clear();
-  EXPECT_EQ(view.agreement(robot.pose, edges.tables()), 0);
+  EXPECT_EQ(view.score(robot.pose, edges.tables()), 0);
   EXPECT_FALSE(view.drawPose(edges.tables(), robot.field, random));
 }
 
