@@ -34,9 +34,9 @@ const std::array<Walk, 10> walks{{{"forward100", {0, 100, 0}},
 
 /// What a walk was like.
 struct Way {
-  Pose2D speed;                          ///< rad/s, mm/s in the robot's own axes
-  double height = 0;                     ///< mm, of the body
-  double pitch = 0, pitchDeviation = 0;  ///< rad, of the camera, + up
+  Pose2D speed;                                  ///< rad/s, mm/s in the robot's own axes
+  double height = 0;                             ///< mm, of the body
+  double pitch = 0, pitchStandardDeviation = 0;  ///< rad, of the camera, + up
   bool fell = false;
 };
 
@@ -89,7 +89,8 @@ Result<Way> walk(const DataRoot& root, const Pose2D& request, Fidelity fidelity)
   way.speed = {sum.rotation / seconds, sum.translation / seconds};
   way.height = height / ticks;
   way.pitch = pitch / ticks;
-  way.pitchDeviation = std::sqrt(std::max(0., pitchSquares / ticks - way.pitch * way.pitch));
+  way.pitchStandardDeviation =
+      std::sqrt(std::max(0., pitchSquares / ticks - way.pitch * way.pitch));
   return way;
 }
 
@@ -99,7 +100,7 @@ void add(Measurement& measured, const std::string& name, const Way& way) {
   measured.add(name + ".rotation", "rad/s", way.speed.rotation);
   measured.add(name + ".bodyHeight", "mm", way.height);
   measured.add(name + ".cameraPitch", "deg", toDegrees(way.pitch));
-  measured.add(name + ".cameraPitch.deviation", "deg", toDegrees(way.pitchDeviation));
+  measured.add(name + ".cameraPitch.deviation", "deg", toDegrees(way.pitchStandardDeviation));
   measured.add(name + ".fell", "", way.fell);
 }
 

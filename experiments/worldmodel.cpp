@@ -34,7 +34,7 @@ TeamMessage messageOf(const Player& player, const RobotPose& pose, const BallMod
   message.robotPoseValidity = pose.validity;
   message.ballPosition = pose.pose * ball.position;
   message.ballSpeed = rotated(ball.speed, pose.pose.rotation);
-  message.ballDeviation = ball.deviation;
+  message.ballStandardDeviation = ball.standardDeviation;
   message.ballLastSeen = ball.lastSeen;
   return message;
 }

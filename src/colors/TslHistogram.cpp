@@ -21,12 +21,12 @@ TslThresholds TslHistogram::thresholds(double share) const {
   return found;
 }
 
-Image withNoise(const Image& image, double deviation, Random& random) {
+Image withNoise(const Image& image, double standardDeviation, Random& random) {
   Image noisy = image;
   for (Pixel& pixel : noisy.pixels)
     for (std::uint8_t* value : {&pixel.y, &pixel.cb, &pixel.cr})
       *value = static_cast<std::uint8_t>(
-          std::lround(std::clamp(*value + deviation * random.gaussian(), 0.0, 255.0)));
+          std::lround(std::clamp(*value + standardDeviation * random.gaussian(), 0.0, 255.0)));
   return noisy;
 }
 

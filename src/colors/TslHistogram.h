@@ -28,8 +28,8 @@ class TslHistogram {
   ChannelHistogram tint_{256, true}, saturation_{256}, luminance_{256};
 };
 
-/// An image with noise added to all channels, of a standard deviation: the *Noise* slider, by
+/// An image with noise of a standard deviation added to all channels: the *Noise* slider, by
 /// which one sees how robust a classification is.
-Image withNoise(const Image& image, double deviation, Random& random);
+Image withNoise(const Image& image, double standardDeviation, Random& random);
 
 }  // namespace gt

@@ -31,20 +31,21 @@ struct TeamMessage {
   double robotPoseValidity = 0;
   Vector2d ballPosition = Vector2d::Zero();
   Vector2d ballSpeed = Vector2d::Zero();
-  double ballDeviation = 0;
+  double ballStandardDeviation = 0;
   Time ballLastSeen = never();
   BehaviorTeamMessage behavior;
 
   static constexpr auto fields() {
-    return Fields{field("playerNumber", &TeamMessage::playerNumber, "", "1 to 4; 0 nobody", {0, 4}),
-                  field("timeSent", &TeamMessage::timeSent, "ms", "by the sender's clock"),
-                  field("robotPose", &TeamMessage::robotPose, "mm, rad"),
-                  field("robotPoseValidity", &TeamMessage::robotPoseValidity, "", "", {0, 1}),
-                  field("ballPosition", &TeamMessage::ballPosition, "mm", "on the field"),
-                  field("ballSpeed", &TeamMessage::ballSpeed, "mm/s", "on the field"),
-                  field("ballDeviation", &TeamMessage::ballDeviation, "mm", "BallModel"),
-                  field("ballLastSeen", &TeamMessage::ballLastSeen, "ms", "by the sender's clock"),
-                  field("behavior", &TeamMessage::behavior)};
+    return Fields{
+        field("playerNumber", &TeamMessage::playerNumber, "", "1 to 4; 0 nobody", {0, 4}),
+        field("timeSent", &TeamMessage::timeSent, "ms", "by the sender's clock"),
+        field("robotPose", &TeamMessage::robotPose, "mm, rad"),
+        field("robotPoseValidity", &TeamMessage::robotPoseValidity, "", "", {0, 1}),
+        field("ballPosition", &TeamMessage::ballPosition, "mm", "on the field"),
+        field("ballSpeed", &TeamMessage::ballSpeed, "mm/s", "on the field"),
+        field("ballStandardDeviation", &TeamMessage::ballStandardDeviation, "mm", "BallModel"),
+        field("ballLastSeen", &TeamMessage::ballLastSeen, "ms", "by the sender's clock"),
+        field("behavior", &TeamMessage::behavior)};
   }
 };
 

@@ -11,7 +11,7 @@ struct BallModel {
   Vector2d speed = Vector2d::Zero();
   Time lastSeen = never();
   std::int64_t consecutiveTimeSeen = 0;
-  double deviation = 0;
+  double standardDeviation = 0;
 
   static constexpr auto fields() {
     return Fields{
@@ -19,8 +19,8 @@ struct BallModel {
         field("speed", &BallModel::speed, "mm/s", "over ground, in the robot's axes"),
         field("lastSeen", &BallModel::lastSeen, "ms"),
         field("consecutiveTimeSeen", &BallModel::consecutiveTimeSeen, "ms", "report 3.4.2"),
-        field("deviation", &BallModel::deviation, "mm",
-              "standard deviation of the position; 0 if the locator does not know")};
+        field("standardDeviation", &BallModel::standardDeviation, "mm",
+              "of the position; 0 if the locator does not estimate it")};
   }
 };
 
@@ -30,15 +30,15 @@ struct TeamBallModel {
   Vector2d position = Vector2d::Zero();
   Time lastSeen = never();
   int seenBy = 0;
-  double deviation = 0;
+  double standardDeviation = 0;
 
   static constexpr auto fields() {
     return Fields{
         field("position", &TeamBallModel::position, "mm", "on the field"),
         field("lastSeen", &TeamBallModel::lastSeen, "ms", "by the robot whose ball it is"),
         field("seenBy", &TeamBallModel::seenBy, "", "number of that player, 0 nobody"),
-        field("deviation", &TeamBallModel::deviation, "mm",
-              "standard deviation of the position; 0 if the locator does not know")};
+        field("standardDeviation", &TeamBallModel::standardDeviation, "mm",
+              "of the position; 0 if the locator does not estimate it")};
   }
 };
 

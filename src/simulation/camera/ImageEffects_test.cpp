@@ -10,9 +10,9 @@
 namespace gt {
 namespace {
 
-/// The mean and deviation of a channel.
+/// The mean and standard deviation of a channel.
 struct Statistics {
-  double mean = 0, deviation = 0;
+  double mean = 0, standardDeviation = 0;
 };
 template <typename Channel>
 Statistics statisticsOf(const Image& image, Channel channel) {
@@ -57,7 +57,7 @@ TEST_F(ImageEffectsTest, NothingChangesWithoutEffects) {
     }
 }
 
-TEST_F(ImageEffectsTest, NoiseHasTheDeviationAskedFor) {
+TEST_F(ImageEffectsTest, NoiseHasTheStandardDeviationAskedFor) {
   CameraEffects effects = CameraEffects::none();
   effects.noiseY = 5;
   effects.noiseCb = 2;
@@ -70,9 +70,9 @@ TEST_F(ImageEffectsTest, NoiseHasTheDeviationAskedFor) {
     EXPECT_NEAR(y.mean, plain_.y, 0.15);
     EXPECT_NEAR(cb.mean, plain_.cb, 0.1);
     EXPECT_NEAR(cr.mean, plain_.cr, 0.1);
-    EXPECT_NEAR(y.deviation, std::sqrt(25 + 1.0 / 12), 0.15);
-    EXPECT_NEAR(cb.deviation, std::sqrt(4 + 1.0 / 12), 0.08);
-    EXPECT_NEAR(cr.deviation, std::sqrt(1 + 1.0 / 12), 0.05);
+    EXPECT_NEAR(y.standardDeviation, std::sqrt(25 + 1.0 / 12), 0.15);
+    EXPECT_NEAR(cb.standardDeviation, std::sqrt(4 + 1.0 / 12), 0.08);
+    EXPECT_NEAR(cr.standardDeviation, std::sqrt(1 + 1.0 / 12), 0.05);
     // Neighbors, across, along and in the next channel, have nothing to do with each other.
     double across = 0, along = 0, channels = 0;
     const int width = image.info.width, height = image.info.height;
@@ -94,7 +94,8 @@ TEST_F(ImageEffectsTest, EachSeedHasItsOwnNoise) {
   const Image one = floor({}, 1), again = floor({}, 1), two = floor({}, 2);
   const std::size_t bytes = one.pixels.size() * sizeof(Pixel);
   EXPECT_EQ(std::memcmp(one.pixels.data(), again.pixels.data(), bytes), 0);
-  // Two independent values of deviation 3 are equal in one of 10 pixels, also in shifted rows.
+  // Two independent values of standard deviation 3 are equal in one of 10 pixels, also in shifted
+  // rows.
   for (int shift = 0; shift < 3; ++shift) {
     int same = 0, count = 0;
     for (int y = shift; y < one.info.height; ++y)
@@ -141,7 +142,7 @@ TEST_F(ImageEffectsTest, TheCornersLoseLight) {
     for (const int y : {0, 143}) EXPECT_NEAR(image.at(x, y).y, 0.6 * plain_.y, 1.5);
 }
 
-TEST(ImageEffects, BlurSpreadsAnEdgeByItsDeviation) {
+TEST(ImageEffects, BlurSpreadsAnEdgeByItsStandardDeviation) {
   const TestWorld world = TestWorld::fromBodies(R"(
       <geom type="box" size="0.01 2 2" pos="2 0 0" rgba="0 0 0 1"/>
       <geom type="box" size="0.01 1 2" pos="1.9 1 0" rgba="1 1 1 1"/>)");
@@ -179,9 +180,9 @@ TEST_F(ImageEffectsTest, NoiseGrowsWithTheBrightness) {
     const Image image = floor(effects);
     // It grows with the brightness before the light's own changes: what the sensor's pixel gets.
     const double factor = 1 + effects.noiseGrowth * plain_.y / 256;
-    EXPECT_NEAR(statisticsOf(image, yOf).deviation, 4 * factor, 0.15) << light;
-    EXPECT_NEAR(statisticsOf(image, cbOf).deviation, 3 * factor, 0.15) << light;
-    EXPECT_NEAR(statisticsOf(image, crOf).deviation, 2 * factor, 0.1) << light;
+    EXPECT_NEAR(statisticsOf(image, yOf).standardDeviation, 4 * factor, 0.15) << light;
+    EXPECT_NEAR(statisticsOf(image, cbOf).standardDeviation, 3 * factor, 0.15) << light;
+    EXPECT_NEAR(statisticsOf(image, crOf).standardDeviation, 2 * factor, 0.1) << light;
     EXPECT_NEAR(statisticsOf(image, yOf).mean, light * plain_.y, 0.8) << light;
   }
 }
@@ -194,7 +195,7 @@ TEST_F(ImageEffectsTest, NoiseOfNeighborsCorrelates) {
     const Image image = floor(effects);
     for (const auto channel : {yOf, cbOf}) {
       const Statistics all = statisticsOf(image, channel);
-      EXPECT_NEAR(all.deviation, 6, 0.25);
+      EXPECT_NEAR(all.standardDeviation, 6, 0.25);
       double across = 0, along = 0;
       int n = 0;
       for (int y = 1; y < image.info.height; ++y)

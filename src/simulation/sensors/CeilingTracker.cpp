@@ -22,9 +22,9 @@ void CeilingTracker::Track::follow(const Vector2d& place, Time time) {
     return;
   }
   if (seconds <= 0) return;
-  const Vector2d expected = at(time), deviation = place - expected;
-  position = expected + alpha * deviation;
-  speed += beta / seconds * deviation;
+  const Vector2d expected = at(time), innovation = place - expected;
+  position = expected + alpha * innovation;
+  speed += beta / seconds * innovation;
   seen = time;
 }
 

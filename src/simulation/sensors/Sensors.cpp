@@ -15,13 +15,13 @@ Sensors::Sensors(const NoiseParameters& noise, const Random& random, const Robot
 void Sensors::read(const World& world, std::size_t robot, SensorData& readings) {
   const RobotBody& body = world.robot(robot);
   readings.time = world.time();
-  const double deviation = fromDegrees(noise_.joints);
+  const double standardDeviation = fromDegrees(noise_.joints);
   for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
     const bool feedback = j < static_cast<std::size_t>(Joint::earL);
     const double angle = body.joints.values[j], play = build_.backlash / 2;
     geared_.values[j] = std::clamp(geared_.values[j], angle - play, angle + play);
     readings.joints.values[j] = geared_.values[j] - build_.joints.values[j] +
-                                (feedback ? deviation * random_.gaussian() : 0);
+                                (feedback ? standardDeviation * random_.gaussian() : 0);
   }
   readings.acceleration = body.specificForce + build_.acceleration;
   for (int k = 0; k < 3; ++k) readings.acceleration[k] += noise_.acceleration * random_.gaussian();

@@ -120,7 +120,7 @@ void KinematicWorld::walk(std::size_t i, const Pose2D& step) {
   constexpr double turnCounts = 100;  // mm/rad
   walking.speed = (length + turnCounts * std::abs(step.rotation)) / tickSeconds;
   if (robot.posture != Posture::standing || (length == 0 && step.rotation == 0)) return;
-  // White noise: the deviation grows with the root of the way.
+  // White noise: the standard deviation grows with the root of the path's length.
   const double translationNoise = noise_.motion * 20 * std::sqrt(length / 1000);
   const double rotationNoise =
       noise_.motion * (fromDegrees(2) * std::sqrt(length / 1000) +

@@ -30,9 +30,9 @@ TEST(RobotBuild, DiffersFromRobotToRobotAsMuchAsTheSceneSays) {
     cb.add(build.cb);
     cr.add(build.cr);
   }
-  const auto expect = [](const RunningStatistics& drawn, double mean, double deviation) {
-    EXPECT_NEAR(drawn.mean(), mean, 0.12 * deviation);
-    EXPECT_NEAR(drawn.standardDeviation(), deviation, 0.08 * deviation);
+  const auto expect = [](const RunningStatistics& drawn, double mean, double standardDeviation) {
+    EXPECT_NEAR(drawn.mean(), mean, 0.12 * standardDeviation);
+    EXPECT_NEAR(drawn.standardDeviation(), standardDeviation, 0.08 * standardDeviation);
   };
   expect(tilt, 0, 0.8);
   expect(roll, 0, 0.5);

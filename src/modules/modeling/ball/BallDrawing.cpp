@@ -19,7 +19,8 @@ void draw(const BallModel& ball, Debug& debug) {
 void draw(const TeamBallModel& ball, Debug& debug) {
   if (auto canvas = debug.onField(drawTeamBall)) {
     canvas.circle(ball.position, radius, colors::orange);
-    if (ball.deviation > 0) canvas.circle(ball.position, ball.deviation, colors::orange);
+    if (ball.standardDeviation > 0)
+      canvas.circle(ball.position, ball.standardDeviation, colors::orange);
   }
 }
 

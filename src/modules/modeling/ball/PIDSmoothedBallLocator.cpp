@@ -65,8 +65,8 @@ void PIDSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
   const double distance = std::max(offset.norm(), 1.0);
   const double far = distance / parameters.trustedDistance;
   const double trust = 1 / (1 + far * far);
-  const Vector2d away = offset / distance, deviation = offset - ball_.position;
-  const Vector2d along = away * away.dot(deviation), across = deviation - along;
+  const Vector2d away = offset / distance, difference = offset - ball_.position;
+  const Vector2d along = away * away.dot(difference), across = difference - along;
   ball_.position += parameters.proportional * (across + trust * along);
   if (seconds <= 0) return;
   ball_.speed += parameters.integral / seconds * (across + trust * trust * along);

@@ -35,13 +35,13 @@ void ProbabilisticBallLocator::update(const BallPercept& percept, const CameraMa
   const Hypothesis& ball = best();
   model = BallEstimate{ball.position(), ball.state.tail<2>(), ball.lastSeen, ball.seenSince}.model(
       frame.time, parameters.longestGap);
-  model.deviation = std::sqrt(ball.covariance.topLeftCorner<2, 2>().trace() / 2);
+  model.standardDeviation = std::sqrt(ball.covariance.topLeftCorner<2, 2>().trace() / 2);
   draw(model, debug);
   if (auto canvas = debug.onRobot(drawHypotheses))
     for (int i = 0; i < count_; ++i) {
       const Hypothesis& h = hypotheses_[static_cast<std::size_t>(i)];
-      const double deviation = std::sqrt(h.covariance.topLeftCorner<2, 2>().trace() / 2);
-      canvas.circle(h.position(), deviation, colors::orange, 1 + 2 * h.weight);
+      const double standardDeviation = std::sqrt(h.covariance.topLeftCorner<2, 2>().trace() / 2);
+      canvas.circle(h.position(), standardDeviation, colors::orange, 1 + 2 * h.weight);
     }
 }
 
@@ -130,13 +130,13 @@ double ProbabilisticBallLocator::correct(Hypothesis& h, const Vector2d& seen,
                                          const Eigen::Matrix2d& noise) const {
   const Eigen::Matrix2d spread = h.covariance.topLeftCorner<2, 2>() + noise;
   const Eigen::Matrix2d inverse = spread.inverse();
-  const Vector2d deviation = seen - h.position();
+  const Vector2d innovation = seen - h.position();
   const Eigen::Matrix<double, 4, 2> gain = h.covariance.leftCols<2>() * inverse;
   const Eigen::Matrix<double, 2, 4> rows = h.covariance.topRows<2>();
-  h.state += gain * deviation;
+  h.state += gain * innovation;
   h.covariance -= gain * rows;
   h.covariance = (h.covariance + h.covariance.transpose()).eval() / 2;
-  return std::exp(-0.5 * deviation.dot(inverse * deviation)) /
+  return std::exp(-0.5 * innovation.dot(inverse * innovation)) /
          (2 * pi * std::sqrt(spread.determinant()));
 }
 

@@ -21,7 +21,7 @@ TEST(ProbabilisticBallLocator, NoticesAKickWithinFourImages) {
   EXPECT_LT(scene.speedError(), 60);
   for (int i = 0; i < 10; ++i) scene.step({}, {0, 0}, false);  // It rolls on unseen.
   EXPECT_LT(scene.error(), 80);
-  EXPECT_GT(scene.model.deviation, 20) << "and becomes uncertain";
+  EXPECT_GT(scene.model.standardDeviation, 20) << "and becomes uncertain";
 }
 
 TEST(ProbabilisticBallLocator, WrongPerceptsAreNoBallUntilTheyAgree) {

@@ -12,7 +12,7 @@ namespace {
 const DebugKey drawHypotheses{"SelfLocator/hypotheses"};
 const DebugKey drawPose{"SelfLocator/pose"};
 
-constexpr double newDeviation = 250, newAngleDeviation = 0.25;  // mm, rad
+constexpr double newStandardDeviation = 250, newAngleStandardDeviation = 0.25;  // mm, rad
 constexpr double badFit = 0.3;
 constexpr double sameDistance = 120, sameAngle = 0.2;  // mm, rad
 
@@ -74,7 +74,7 @@ void KalmanSelfLocator::update(const LandmarksPercept& landmarks, const LinesPer
     double sum = 0;
     for (const Hypothesis& h : hypotheses_) sum += std::exp(h.weight);
     robotPose.pose = best.filter.pose();
-    robotPose.validity = best.fit / sum / (1 + squared(best.filter.deviation() / 500));
+    robotPose.validity = best.fit / sum / (1 + squared(best.filter.standardDeviation() / 500));
   }
   draw(robotPose, debug);
   gt::draw(edges_, field, robotPose.pose, debug);
@@ -240,7 +240,7 @@ void KalmanSelfLocator::addMirrored() {
 void KalmanSelfLocator::add(const Pose2D& pose, double behind) {
   double best = hypotheses_.empty() ? behind : -1e9;
   for (const Hypothesis& h : hypotheses_) best = std::max(best, h.weight);
-  add({{pose, newDeviation, newAngleDeviation}, best - behind, 0.3});
+  add({{pose, newStandardDeviation, newAngleStandardDeviation}, best - behind, 0.3});
 }
 
 /// Adds a hypothesis unless there is one like it; the worst makes room.
@@ -282,7 +282,7 @@ void KalmanSelfLocator::draw(const RobotPose& robotPose, Debug& debug) const {
       const auto shade = static_cast<std::uint8_t>(255 * std::exp(h.weight / 4));
       const Color color{colors::blue.r, colors::blue.g, colors::blue.b, shade};
       canvas.pose(h.filter.pose(), color, 150);
-      // The ellipse of one deviation of the position.
+      // The ellipse of one standard deviation of the position.
       const Matrix3d& c = h.filter.covariance();
       const double mean = (c(0, 0) + c(1, 1)) / 2, half = (c(0, 0) - c(1, 1)) / 2;
       const double root = std::hypot(half, c(0, 1));

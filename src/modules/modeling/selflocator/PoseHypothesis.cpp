@@ -5,11 +5,13 @@
 
 namespace gt {
 
-PoseHypothesis::PoseHypothesis(const Pose2D& pose, double deviation, double angleDeviation)
+PoseHypothesis::PoseHypothesis(const Pose2D& pose, double standardDeviation,
+                               double angleStandardDeviation)
     : pose_{pose},
-      covariance_{
-          Vector3d{deviation * deviation, deviation * deviation, angleDeviation * angleDeviation}
-              .asDiagonal()} {}
+      covariance_{Vector3d{standardDeviation * standardDeviation,
+                           standardDeviation * standardDeviation,
+                           angleStandardDeviation * angleStandardDeviation}
+                      .asDiagonal()} {}
 
 void PoseHypothesis::move(const Pose2D& step, const Vector3d& noise) {
   const Vector2d way = rotated(step.translation, pose_.rotation);

@@ -16,14 +16,14 @@ struct ScalarMeasurement {
 class PoseHypothesis {
  public:
   PoseHypothesis() = default;
-  /// The deviations in mm and rad.
-  PoseHypothesis(const Pose2D& pose, double deviation, double angleDeviation);
+  /// The standard deviations in mm and rad.
+  PoseHypothesis(const Pose2D& pose, double standardDeviation, double angleStandardDeviation);
 
   /// Moves by the odometry's step; the noise is the variance of the error that grows meanwhile, in
   /// the robot's system (mm^2, mm^2, rad^2).
   void move(const Pose2D& step, const Vector3d& noise);
-  /// Takes a measurement in if it is not farther off than so many deviations. Returns how likely it
-  /// was, against one that fits exactly to a pose that is exactly known; in [0, 1].
+  /// Takes a measurement in if it is not farther off than so many standard deviations. Returns how
+  /// likely it was, against one that fits exactly to a pose that is exactly known; in [0, 1].
   double correct(const ScalarMeasurement& measurement, double gate);
   /// Whether another pose lies so near that it is the same.
   bool isNear(const Pose2D& other, double distance, double angle) const;
@@ -34,8 +34,8 @@ class PoseHypothesis {
   const Pose2D& pose() const { return pose_; }
   /// mm^2, rad^2.
   const Matrix3d& covariance() const { return covariance_; }
-  /// The deviation of the position, mm.
-  double deviation() const { return std::sqrt(covariance_(0, 0) + covariance_(1, 1)); }
+  /// The standard deviation of the position, mm.
+  double standardDeviation() const { return std::sqrt(covariance_(0, 0) + covariance_(1, 1)); }
 
  private:
   Pose2D pose_;

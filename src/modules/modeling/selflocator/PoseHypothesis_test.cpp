@@ -10,9 +10,10 @@ namespace {
 /// What the linear filter knows in closed form: two measurements of one coordinate.
 TEST(PoseHypothesis, WeighsByVariances) {
   PoseHypothesis hypothesis{{0, 0, 0}, 20, 0.1};
-  const auto measure = [&](double x, double deviation) {
+  const auto measure = [&](double x, double standardDeviation) {
     return hypothesis.correct(
-        {x - hypothesis.pose().translation.x(), {1, 0, 0}, deviation * deviation}, 3);
+        {x - hypothesis.pose().translation.x(), {1, 0, 0}, standardDeviation * standardDeviation},
+        3);
   };
   const double likelihood = measure(30, 20);
   EXPECT_NEAR(hypothesis.pose().translation.x(), 15, 1e-9);

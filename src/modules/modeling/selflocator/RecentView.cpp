@@ -12,8 +12,8 @@ constexpr std::size_t pointsOfImage = 12;
 constexpr int oldest = 15;  // images
 
 /// 1 for what fits exactly, 1/2 for what is off by the tolerance.
-double fit(double deviation, double tolerance) {
-  const double ratio = deviation / tolerance;
+double fit(double error, double tolerance) {
+  const double ratio = error / tolerance;
   return 1 / (1 + ratio * ratio);
 }
 

@@ -11,7 +11,8 @@ void DefaultTeamBallLocator::update(const BallModel& ball, const RobotPose& robo
   // nobody else's counts; and an old one is better than none.
   teamBall = {};
   if (ball.lastSeen != never())
-    teamBall = {robotPose.pose * ball.position, ball.lastSeen, player.number(), ball.deviation};
+    teamBall = {robotPose.pose * ball.position, ball.lastSeen, player.number(),
+                ball.standardDeviation};
   const auto ownAge = frame.time - ball.lastSeen;
   if (ownAge > parameters.ownBallTime) {
     double best = badness(static_cast<double>(ownAge), robotPose.validity);
@@ -26,7 +27,7 @@ void DefaultTeamBallLocator::update(const BallModel& ball, const RobotPose& robo
       if (bad >= best) continue;
       best = bad;
       teamBall = {message.ballPosition, frame.time - age, message.playerNumber,
-                  message.ballDeviation};
+                  message.ballStandardDeviation};
     }
   }
   if (teamBall.seenBy == 0) return;

@@ -11,7 +11,7 @@ void DefaultTeamMessageSender::update(const RobotPose& robotPose, const BallMode
   message.robotPoseValidity = robotPose.validity;
   message.ballPosition = robotPose.pose * ball.position;
   message.ballSpeed = rotated(ball.speed, robotPose.pose.rotation);
-  message.ballDeviation = ball.deviation;
+  message.ballStandardDeviation = ball.standardDeviation;
   message.ballLastSeen = ball.lastSeen;
   message.behavior = behavior;
 }

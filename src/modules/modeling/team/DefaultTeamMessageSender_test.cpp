@@ -11,7 +11,7 @@ TEST(DefaultTeamMessageSender, TellsPoseBallAndRole) {
   BallModel ball;
   ball.position = {1000, 0};
   ball.speed = {0, 50};
-  ball.deviation = 70;
+  ball.standardDeviation = 70;
   ball.lastSeen = {4321};
   const BehaviorTeamMessage behavior{DynamicRole::striker, 1234};
   FrameInfo frame;
@@ -25,7 +25,7 @@ TEST(DefaultTeamMessageSender, TellsPoseBallAndRole) {
   EXPECT_EQ(message.robotPose.translation, pose.pose.translation);
   EXPECT_EQ(message.robotPoseValidity, 0.7);
   EXPECT_LT((message.ballSpeed - Vector2d{-50, 0}).norm(), 1e-9);
-  EXPECT_EQ(message.ballDeviation, 70);
+  EXPECT_EQ(message.ballStandardDeviation, 70);
   EXPECT_LT((message.ballPosition - Vector2d{100, 1200}).norm(), 1e-9);
   EXPECT_EQ(message.ballLastSeen, ball.lastSeen);
   EXPECT_EQ(message.behavior.role, DynamicRole::striker);

@@ -23,7 +23,8 @@ void FusedTeamBallLocator::update(const BallModel& ball, const RobotPose& robotP
   teamBall = {};
   if (count_ == 0) {  // An old own ball is better than none.
     if (ball.lastSeen != never())
-      teamBall = {robotPose.pose * ball.position, ball.lastSeen, player.number(), ball.deviation};
+      teamBall = {robotPose.pose * ball.position, ball.lastSeen, player.number(),
+                  ball.standardDeviation};
     return;
   }
   const Opinion& center = mostSupported(player.number());
@@ -58,7 +59,8 @@ void FusedTeamBallLocator::collect(const BallModel& ball, const RobotPose& robot
   count_ = 0;
   if (const auto age = now - ball.lastSeen; age <= parameters.oldestBall)
     opinions_[count_++] = {robotPose.pose * ball.position,
-                           ballVariance(ball.deviation, ball.position.norm(), age), age, self};
+                           ballVariance(ball.standardDeviation, ball.position.norm(), age), age,
+                           self};
   for (const TeamMessages::Received& received : messages.byPlayer) {
     const TeamMessage& m = received.message;
     if (m.playerNumber == 0 || m.playerNumber == self || count_ == opinions_.size()) continue;
@@ -68,7 +70,7 @@ void FusedTeamBallLocator::collect(const BallModel& ball, const RobotPose& robot
     if (silence > parameters.silence || age > parameters.oldestBall || age < 0) continue;
     const double distance = (m.ballPosition - m.robotPose.translation).norm();
     const double away = (m.ballPosition - robotPose.pose.translation).norm();
-    const double variance = ballVariance(m.ballDeviation, distance, age) +
+    const double variance = ballVariance(m.ballStandardDeviation, distance, age) +
                             poseVariance(m.robotPoseValidity, distance) +
                             poseVariance(robotPose.validity, away);
     const Opinion o{m.ballPosition + wayOf(m.ballSpeed, silence), variance, age, m.playerNumber};
@@ -84,9 +86,10 @@ Vector2d FusedTeamBallLocator::wayOf(const Vector2d& speed, std::int64_t ms) con
   return speed * seconds * (1 - a * seconds / v / 2);
 }
 
-double FusedTeamBallLocator::ballVariance(double deviation, double distance,
+double FusedTeamBallLocator::ballVariance(double standardDeviation, double distance,
                                           std::int64_t age) const {
-  const double seen = deviation > 0 ? deviation : parameters.distanceShare * distance;
+  const double seen =
+      standardDeviation > 0 ? standardDeviation : parameters.distanceShare * distance;
   return squared(parameters.leastNoise) + squared(seen) +
          squared(parameters.drift * static_cast<double>(age) / 1000);
 }

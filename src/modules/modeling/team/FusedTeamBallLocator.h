@@ -70,7 +70,7 @@ class FusedTeamBallLocator {
 
   Vector2d wayOf(const Vector2d& speed, std::int64_t ms) const;
   /// Of a ball as its seer knows it, mm^2.
-  double ballVariance(double deviation, double distance, std::int64_t age) const;
+  double ballVariance(double standardDeviation, double distance, std::int64_t age) const;
   /// What a pose's error adds to that on the field.
   double poseVariance(double validity, double distance) const;
   bool agree(const Opinion& a, const Opinion& b) const;

@@ -33,11 +33,11 @@ TEST(FusedTeamBallLocator, IsSurerThanEachRobotAlone) {
     };
     const Vector2d first = wrong();
     team.tell(1, first);
-    const double before = team.locate().deviation;
+    const double before = team.locate().standardDeviation;
     team.tell(2, wrong());
     team.tell(4, wrong());
     const TeamBallModel result = team.locate();
-    EXPECT_LT(result.deviation, before);
+    EXPECT_LT(result.standardDeviation, before);
     fused += (result.position - ball).norm();
     alone += (first - ball).norm();
   }
