@@ -59,19 +59,19 @@ bool isMirrored(const Pose2D& estimate, const Pose2D& truth) {
   return mirrored < right && std::abs(normalize(estimate.rotation - truth.rotation)) > pi / 2;
 }
 
-/// For how long an estimate is the mirror image of the truth although something that tells them
-/// apart has been seen since.
+/// For how long an estimate is the mirror image of the truth although something that
+/// distinguishes them has been seen since.
 class MirrorWatch {
  public:
   void add(bool mirrored, const LandmarksPercept& seen) {
-    told_ = mirrored && (told_ || seen.numberOfFlags + seen.numberOfGoals > 0);
-    now_ = told_ ? now_ + SyntheticRobot::imagePeriod / 1000.0 : 0;
+    distinguished_ = mirrored && (distinguished_ || seen.numberOfFlags + seen.numberOfGoals > 0);
+    now_ = distinguished_ ? now_ + SyntheticRobot::imagePeriod / 1000.0 : 0;
     longest_ = std::max(longest_, now_);
   }
   double longest() const { return longest_; }  ///< s
 
  private:
-  bool told_ = false;
+  bool distinguished_ = false;
   double now_ = 0, longest_ = 0;
 };
 

@@ -62,7 +62,7 @@ class Truth {
   const OracledWorldState* of(std::size_t robot, Tally& tally) {
     const OracledWorldState& oracle = simulation_.input(robot).oracle;
     const Player& player = simulation_.players()[robot];
-    const bool seen = tracker_.tell(player.teamColor, player.number(), oracle.time, state_);
+    const bool seen = tracker_.fill(player.teamColor, player.number(), oracle.time, state_);
     if (seen) {
       tally.measure("ceiling.robot.position", "mm",
                     (state_.robotPose.translation - oracle.robotPose.translation).norm());

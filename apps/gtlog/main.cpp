@@ -60,7 +60,7 @@ Result<int> check(const Arguments& arguments) {
   return status;
 }
 
-Result<int> tell(const Result<Transferred>& done, const std::string& to) {
+Result<int> report(const Result<Transferred>& done, const std::string& to) {
   if (!done) return done.error();
   for (const Error& lost : done->lost) fmt::print(stderr, "gtlog: {}\n", lost.text());
   fmt::print("{}: {} messages\n", to, done->messages);
@@ -158,16 +158,17 @@ void addReading(CommandLine& line, Arguments& a) {
 }
 
 void addWriting(CommandLine& line, Arguments& a) {
-  addSelection(fromTo(line.command("cut", "Writes some of a log's messages into a new one",
-                                   [&a] { return tell(cutLog(a.log, a.selection, a.out), a.out); }),
-                      a),
-               a.selection);
+  addSelection(
+      fromTo(line.command("cut", "Writes some of a log's messages into a new one",
+                          [&a] { return report(cutLog(a.log, a.selection, a.out), a.out); }),
+             a),
+      a.selection);
   CLI::App& joining = line.command("join", "Joins logs into one, in the order of time",
-                                   [&a] { return tell(joinLogs(a.logs, a.out), a.out); });
+                                   [&a] { return report(joinLogs(a.logs, a.out), a.out); });
   joining.add_option("out", a.out, "The new log")->required();
   joining.add_option("logs", a.logs)->required();
   fromTo(line.command("repair", "Writes what is whole in a damaged log into a new one",
-                      [&a] { return tell(repairLog(a.log, a.out), a.out); }),
+                      [&a] { return report(repairLog(a.log, a.out), a.out); }),
          a);
   addReplay(line.command("replay",
                          "Has a robot live on what a log's robot sensed, and compares what it "

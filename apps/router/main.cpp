@@ -63,7 +63,7 @@ void keep(const gt::RouterSettings& settings) {
     fmt::print(stderr, "router: not kept for the next time: {}\n", done.error().text());
 }
 
-void tellOf(const gt::RoutedRobot& robot) {
+void report(const gt::RoutedRobot& robot) {
   fmt::print("{} at {}{}{}\n", robot.name, robot.robot,
              robot.tools.empty() ? "" : ", tools at " + robot.tools,
              robot.team.empty() ? "" : ", team " + robot.team);
@@ -74,7 +74,7 @@ std::string state(const gt::Router::Statistics& s) {
   return s.trouble.empty() ? "not there" : "not there (" + s.trouble + ")";
 }
 
-void tell(const gt::Router& router) {
+void report(const gt::Router& router) {
   for (const auto& s : router.statistics())
     fmt::print("{}: {}, {} tools; {} messages to tools, {} to the robot, {} dropped, {} rejected\n",
                s.robot, state(s), s.tools, s.toTools, s.toRobot, s.dropped, s.rejected);
@@ -89,7 +89,7 @@ void serve(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& 
     if (const auto done = router.add(robot); !done)
       fmt::print(stderr, "router: {}\n", done.error().text());
     else
-      tellOf(robot);
+      report(robot);
     std::fflush(stdout);
   }
 }
@@ -99,15 +99,15 @@ void run(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& se
          bool verbose) {
   std::signal(SIGTERM, [](int) { stopped = 1; });
   std::signal(SIGINT, [](int) { stopped = 1; });
-  std::int64_t told = 0;
+  std::int64_t reported = 0;
   while (!stopped) {
     router.step(10);
     if (robots.searches()) serve(router, robots, settings);
-    if (!verbose || router.elapsed() - told < 10'000) continue;
-    told = router.elapsed();
-    tell(router);
+    if (!verbose || router.elapsed() - reported < 10'000) continue;
+    reported = router.elapsed();
+    report(router);
   }
-  tell(router);
+  report(router);
 }
 
 gt::Result<void> makeKeys(const std::string& folder) {
@@ -128,7 +128,7 @@ gt::Result<void> route(const gt::RouterSettings& settings, bool verbose) {
   const auto router = gt::Router::open(*options);
   if (!router) return router.error();
   keep(settings);
-  for (const gt::RoutedRobot& robot : options->robots) tellOf(robot);
+  for (const gt::RoutedRobot& robot : options->robots) report(robot);
   if (!options->all.empty()) fmt::print("tools of all robots at {}\n", options->all);
   if (!options->routers.empty()) fmt::print("other routers at {}\n", options->routers);
   std::fflush(stdout);

@@ -12,7 +12,7 @@ namespace gt {
 namespace {
 
 /// How robots outside kept up.
-void tellRemote(const Match& match) {
+void printRemote(const Match& match) {
   for (const RemoteRobot* robot : match.remoteRobots()) {
     const RemoteStatistics& s = robot->statistics();
     fmt::print("{}: {} of {} frames and {} of {} images without an answer in time\n", robot->name(),
@@ -21,7 +21,7 @@ void tellRemote(const Match& match) {
 }
 
 /// Prints what the robots reported as wrong.
-Findings tellWarnings(const Session& session) {
+Findings printWarnings(const Session& session) {
   Findings all;
   for (const auto& robot : session.robots()) all.add(robot->observed().warnings());
   for (const Error& finding : all.list()) fmt::print(stderr, "simgt: {}\n", finding.text());
@@ -100,11 +100,11 @@ Result<int> play(PlayOptions options) {
   const Referee& referee = match.simulation().referee();
   fmt::print("Final score red {} : {} blue, {:.1f} times real time\n",
              referee.score(TeamColor::red), referee.score(TeamColor::blue), times.realTimeFactor);
-  tellRemote(match);
+  printRemote(match);
   fmt::print("Report: {}\n", (out / "report.html").string());
   fmt::print("Data:   {}, {}{}\n", (out / "match.json").string(), (out / "times.json").string(),
              options.logs ? ", logs beside them (*.mcap)" : "");
-  return tellWarnings(session).fail(options.strict) ? 1 : 0;
+  return printWarnings(session).fail(options.strict) ? 1 : 0;
 }
 
 }  // namespace gt

@@ -45,12 +45,12 @@ TEST_F(ConsoleTest, EveryCommandHasHelp) {
     EXPECT_FALSE(command.topic.empty()) << command.name;
     for (const std::string& line : screen.printed) EXPECT_LE(line.size(), 100u) << line;
   }
-  const auto overview = told("help");
+  const auto overview = answers("help");
   EXPECT_LT(overview.size(), 40u);
   EXPECT_THAT(overview, Contains(HasSubstr("xbb")));
-  EXPECT_THAT(told("help motion"), Contains(HasSubstr("hmr TILT PAN ROLL MOUTH")));
-  EXPECT_THAT(told("help motion"), testing::Not(Contains(HasSubstr("xbb"))));
-  EXPECT_GT(told("help all").size(), 100u);
+  EXPECT_THAT(answers("help motion"), Contains(HasSubstr("hmr TILT PAN ROLL MOUTH")));
+  EXPECT_THAT(answers("help motion"), testing::Not(Contains(HasSubstr("xbb"))));
+  EXPECT_GT(answers("help all").size(), 100u);
   expectError("help nonsense", "nonsense", "no such command or topic");
   expectError("nonsense", "nonsense", "no such command");
   expectError("hlep", "hlep", "did you mean 'help'?");
@@ -210,15 +210,15 @@ TEST_F(ConsoleTest, MovesRobotsByHand) {
   expectFine("run 200 ms");
   EXPECT_EQ(robot(0).provided<MotionRequest>()->specialAction, "headLeft");
   EXPECT_EQ(robot(0).provided<MotionRequest>()->tail, TailRequest::wagHorizontalFast);
-  EXPECT_THAT(told("mr ?"), Contains("normal"));
-  EXPECT_THAT(told("tr ?"), Contains("noTailWag"));
-  EXPECT_THAT(told("hcm ?"), Contains("searchForLandmarks"));
+  EXPECT_THAT(answers("mr ?"), Contains("normal"));
+  EXPECT_THAT(answers("tr ?"), Contains("noTailWag"));
+  EXPECT_THAT(answers("hcm ?"), Contains("searchForLandmarks"));
   expectFine("hcm lookAtPoint 1000 -200 30");
   expectFine("run 100 ms");
   EXPECT_EQ(robot(0).provided<HeadControlMode>()->point, (Vector3d{1000, -200, 30}));
-  EXPECT_THAT(told("hmr 0 10 0 0"), Contains(HasSubstr("head control mode is lookAtPoint")));
+  EXPECT_THAT(answers("hmr 0 10 0 0"), Contains(HasSubstr("head control mode is lookAtPoint")));
   expectFine("hcm none");
-  EXPECT_THAT(told("hmr 0 10 0 0"), testing::IsEmpty());
+  EXPECT_THAT(answers("hmr 0 10 0 0"), testing::IsEmpty());
   expectError("hcm lookAtPoint", "hcm", "expected");
   expectError("hcm searchForBall 1 2 3", "hcm", "expected");
   expectError("mr normal 1 2", "mr", "expected");
@@ -227,7 +227,7 @@ TEST_F(ConsoleTest, MovesRobotsByHand) {
   expectError("tr nod", "nod", "no such tail request");
   expectError("hcm nod", "nod", "no such head control mode");
   expectFine("sr BehaviorControl GT2003-soccer");
-  EXPECT_EQ(told("mr stand").size(), 2u) << "both robots are warned that the behavior decides";
+  EXPECT_EQ(answers("mr stand").size(), 2u) << "both robots are warned that the behavior decides";
 }
 
 /// Report 5.2: to simulated robot, to all simulated robots, from simulated robot.
@@ -284,7 +284,7 @@ TEST_F(ConsoleTest, LeadsTheGame) {
 
 TEST_F(ConsoleTest, ShowsAndChangesWhatTheBehaviorDoes) {
   expectFine("xlb gt03");
-  EXPECT_THAT(told("xlb ?"), Contains("GT2003"));
+  EXPECT_THAT(answers("xlb ?"), Contains("GT2003"));
   expectFine("dk sendXabsl2DebugMessages on");
   expectFine("xis ball.seen.distance on");
   expectFine("xis ball.time-since-last-seen on");
@@ -323,11 +323,11 @@ TEST_F(ConsoleTest, ShowsAndChangesWhatTheBehaviorDoes) {
   expectFine("run 200 ms");
   look();
   EXPECT_EQ(state.activations[0].name, "play_soccer");
-  EXPECT_THAT(told("xos ?"), Contains("head_control_mode"));
-  EXPECT_THAT(told("xos head-control-mode ?"), Contains("look_left"));
-  EXPECT_THAT(told("xis ?"), Contains("ball.seen.angle"));
-  EXPECT_THAT(told("xo ?"), Contains("play_soccer"));
-  EXPECT_THAT(told("xbb ?"), Contains(HasSubstr("go_to_point x")));
+  EXPECT_THAT(answers("xos ?"), Contains("head_control_mode"));
+  EXPECT_THAT(answers("xos head-control-mode ?"), Contains("look_left"));
+  EXPECT_THAT(answers("xis ?"), Contains("ball.seen.angle"));
+  EXPECT_THAT(answers("xo ?"), Contains("play_soccer"));
+  EXPECT_THAT(answers("xbb ?"), Contains(HasSubstr("go_to_point x")));
   expectError("xbb fly", "fly", "none of this name");
   expectError("xbb go-to-point 1 2 3 4 5 6", "go_to_point", "parameters");
   expectError("xos head-control-mode nod", "nod", "is no value");
@@ -376,7 +376,7 @@ TEST_F(ConsoleTest, FollowsAJoystick) {
   expectFine("jhc tilt");
   expectFine("jbc 1 mr headLeft");
   expectFine("jbc 32 echo a  b");
-  EXPECT_THAT(told("joystick press 32"), Contains("a  b"));
+  EXPECT_THAT(answers("joystick press 32"), Contains("a  b"));
   expectFine("joystick release 32");
   expectFine("joystick press 1");
   expectFine("joystick y -1");
@@ -416,14 +416,14 @@ TEST_F(ConsoleTest, BeginsAnewWithTheScenesScript) {
   std::ofstream{file("own.con")} << "place ball 70 80\nrobot red4\n";
   std::ofstream{file("own.scene")} << "<scene script='own.con'" << scene.substr(6);
   expectFine("scene " + file("own.scene"));
-  EXPECT_THAT(told("get ball.x"), testing::ElementsAre("70"));
+  EXPECT_THAT(answers("get ball.x"), testing::ElementsAre("70"));
   expectFine("place ball 0 0");
   expectFine("robot all");
   expectFine("reset");
-  EXPECT_THAT(told("get ball.x"), testing::ElementsAre("70"));
+  EXPECT_THAT(answers("get ball.x"), testing::ElementsAre("70"));
   EXPECT_EQ(console->selection(), std::vector<std::string>{"red4"});
   expectFine("seed 3");
-  EXPECT_THAT(told("get ball.y"), testing::ElementsAre("80"));
+  EXPECT_THAT(answers("get ball.y"), testing::ElementsAre("80"));
 }
 
 TEST_F(ConsoleTest, RecordsAsOftenAsAskedFor) {
@@ -436,7 +436,7 @@ TEST_F(ConsoleTest, RecordsAsOftenAsAskedFor) {
   expectFine("film start " + file("a.mp4") + " field");
   expectError("film start " + file("b.mp4"), "film", "a.mp4 is being made");
   expectFine("run 200 ms");
-  EXPECT_THAT(told("reset"), Contains("written: " + file("a.mp4")));
+  EXPECT_THAT(answers("reset"), Contains("written: " + file("a.mp4")));
   EXPECT_GT(std::filesystem::file_size(file("a.mp4")), 500u);
   expectError("film stop", "film", "none is being made");
   EXPECT_TRUE(console->recorder().series().empty());
@@ -449,8 +449,8 @@ TEST_F(ConsoleTest, RecordsAsOftenAsAskedFor) {
 TEST_F(ConsoleTest, ViewsAreDefinedByWhatIsPainted) {
   expectFine("view plain field fieldLines flags");
   expectFine("view mine image image imageProcessor_horizon");
-  EXPECT_THAT(told("view ?"), Contains("plain  defined: plain field fieldLines flags"));
-  EXPECT_THAT(told("picture plain " + file("plain.svg")),
+  EXPECT_THAT(answers("view ?"), Contains("plain  defined: plain field fieldLines flags"));
+  EXPECT_THAT(answers("picture plain " + file("plain.svg")),
               testing::ElementsAre("written: " + file("plain.svg")));
   const std::string svg = *readFile(file("plain.svg"));
   EXPECT_THAT(svg, testing::Not(HasSubstr("#1e6e32"))) << "no grass without fieldPolygons";

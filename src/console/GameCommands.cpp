@@ -5,8 +5,8 @@
 namespace gt {
 namespace {
 
-/// Tells robots that live elsewhere what a game manager would tell them.
-Result<void> tellElsewhere(Console& console, GameState state, std::optional<TeamColor> kickOff,
+/// Sends robots that run elsewhere what a game manager would send them.
+Result<void> sendElsewhere(Console& console, GameState state, std::optional<TeamColor> kickOff,
                            std::array<int, 2> score) {
   for (const auto& known : console.session().robots()) {
     if (known->index()) continue;
@@ -53,7 +53,7 @@ Result<void> gc(Console& console, const Words& words) {
   if (state == GameState::ready)  // report J.2.6
     for (std::size_t i = 0; i < console.session().simulation().world().activeRobots(); ++i)
       referee.setPenalty(i, Penalty::none, now);
-  return tellElsewhere(console, state, kickOff, score);
+  return sendElsewhere(console, state, kickOff, score);
 }
 
 /// The report's names of penalties, of the rules of 2003.

@@ -57,7 +57,7 @@ Result<void> Session::load(const std::string& file,
   }
   if (!state_.match) work(**match);
   state_.owned = std::move(*match);
-  state_.toldEvents = simulation().referee().events().size();
+  state_.reportedEvents = simulation().referee().events().size();
   options_ = state_.match->options();
   setPace(pace_);
   return {};
@@ -78,7 +78,7 @@ bool Session::tick() {
   std::erase_if(listeners_, [](const auto& listener) { return listener.expired(); });
   for (std::size_t i = 0; i < listeners_.size(); ++i)
     if (const auto work = listeners_[i].lock()) (*work)();
-  tellNews();
+  reportNews();
   screen_.stepped();
   return true;
 }
@@ -107,7 +107,7 @@ void Session::live(std::chrono::milliseconds atMost) {
   if (!started_) {
     if (input_) input_();
     listen();
-    tellNews();
+    reportNews();
     return;
   }
   for (auto next = due(); started_ && Clock::now() < end; next = due()) {
@@ -142,11 +142,11 @@ void Session::listen() {
     if (!robot->index()) robot->observed().update();
 }
 
-void Session::tellNews() {
+void Session::reportNews() {
   const auto& events = simulation().referee().events();
-  for (; state_.toldEvents < events.size(); ++state_.toldEvents)
-    screen_.print(clockText(events[state_.toldEvents].time) + "  " +
-                  describe(events[state_.toldEvents]));
+  for (; state_.reportedEvents < events.size(); ++state_.reportedEvents)
+    screen_.print(clockText(events[state_.reportedEvents].time) + "  " +
+                  describe(events[state_.reportedEvents]));
   for (const auto& robot : state_.robots)
     for (const std::string& text : robot->observed().takeTexts())
       if (robot->printsTexts) screen_.print(robot->name() + ": " + text);
@@ -208,7 +208,7 @@ Result<void> Session::connect(const std::vector<std::string>& robots, bool gameM
   for (auto& robot : connected) state_.robots.push_back(std::move(robot));
   if (gameManager) screen_.print("game manager: " + state_.connection->gameManager());
   waitFor([&] { return state_.connection->silent().empty(); }, connecting);
-  tellNews();
+  reportNews();
   for (const std::string& robot : state_.connection->silent())
     screen_.print("router: " + robot + " does not answer; it is connected as soon as it does");
   return {};

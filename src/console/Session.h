@@ -106,7 +106,7 @@ class Session {
     Match* match = nullptr;
     std::unique_ptr<SceneTree> tree;  ///< Once it was asked for.
     std::vector<std::unique_ptr<ConsoleRobot>> robots;
-    std::size_t toldEvents = 0;
+    std::size_t reportedEvents = 0;
   };
 
   explicit Session(Screen& screen) : screen_{screen} {}
@@ -115,7 +115,7 @@ class Session {
   bool tick();
   /// Passes on and takes what robots elsewhere send while time stands.
   void listen();
-  void tellNews();
+  void reportNews();
   /// When the next step is due; nothing if steps are taken as fast as possible.
   std::optional<Clock::time_point> due();
 

@@ -56,7 +56,7 @@ class SessionTest : public ::testing::Test {
     EXPECT_THAT(done.error().what, ::testing::HasSubstr(what)) << line;
   }
   /// What a line prints.
-  std::vector<std::string> told(const std::string& line) {
+  std::vector<std::string> answers(const std::string& line) {
     screen.printed.clear();
     expectFine(line);
     return screen.printed;

@@ -17,7 +17,7 @@ class TimeCommands : public SessionTest {
     EXPECT_TRUE(truth) << text << ": " << truth.error().text();
     return *truth;
   }
-  std::string value(const std::string& path) { return told("get " + path).back(); }
+  std::string value(const std::string& path) { return answers("get " + path).back(); }
 };
 
 TEST_F(TimeCommands, TimeGoesByInAnyUnit) {
@@ -138,13 +138,13 @@ TEST_F(TimeCommands, ThingsAreMovedByHand) {
 
 TEST_F(TimeCommands, ObjectsAreListedWatchedAndMovedByPath) {
   EXPECT_THAT(
-      told("get ? robots.blue1"),
+      answers("get ? robots.blue1"),
       Contains("robots.blue1 2000 0 0  // x y in mm, and the angle in deg; the robot is put on "
                "its feet there"));
-  EXPECT_THAT(told("get ? robots.blue1"), testing::Not(Contains(HasSubstr("red1"))));
-  EXPECT_THAT(told("get ?"), Contains(HasSubstr("robots.red1.sensors.psd")));
-  EXPECT_THAT(told("get RobotPose"), Contains(HasSubstr("red1: RobotPose.pose ")));
-  EXPECT_THAT(told("get ball"), Contains("ball.x 200"));
+  EXPECT_THAT(answers("get ? robots.blue1"), testing::Not(Contains(HasSubstr("red1"))));
+  EXPECT_THAT(answers("get ?"), Contains(HasSubstr("robots.red1.sensors.psd")));
+  EXPECT_THAT(answers("get RobotPose"), Contains(HasSubstr("red1: RobotPose.pose ")));
+  EXPECT_THAT(answers("get ball"), Contains("ball.x 200"));
   expectError("get ball.speeed", "ball.speeed", "did you mean 'ball.speed'?");
   expectFine("set robots/blue1 500 100");
   EXPECT_EQ(value("robots/blue1"), "500 100 0");
@@ -165,20 +165,20 @@ TEST_F(TimeCommands, ObjectsAreListedWatchedAndMovedByPath) {
               testing::ElementsAre("robots.red1.height"));
   EXPECT_THAT(console->completions("set robots.red1.he"), testing::IsEmpty());
   for (const char* line : {"place ?", "throw ?", "stand ?"})
-    EXPECT_THAT(told(line), Contains("blue1")) << line;
-  EXPECT_THAT(told("place ?"), Contains("ball"));
-  EXPECT_THAT(told("press ?"), Contains("headFront"));
+    EXPECT_THAT(answers(line), Contains("blue1")) << line;
+  EXPECT_THAT(answers("place ?"), Contains("ball"));
+  EXPECT_THAT(answers("press ?"), Contains("headFront"));
 }
 
 TEST_F(TimeCommands, TheFidelityChangesWhileTheSceneGoesOn) {
-  EXPECT_EQ(told("fidelity"), std::vector<std::string>{"kinematic"});
-  EXPECT_EQ(told("fidelity ?"), (std::vector<std::string>{"kinematic", "dynamic"}));
+  EXPECT_EQ(answers("fidelity"), std::vector<std::string>{"kinematic"});
+  EXPECT_EQ(answers("fidelity ?"), (std::vector<std::string>{"kinematic", "dynamic"}));
   expectFine("run 2");
   const double x = session->simulation().world().robot(1).pose.translation.x();
-  EXPECT_THAT(told("fidelity dynamic"), Contains(HasSubstr("motors, contacts and friction")));
+  EXPECT_THAT(answers("fidelity dynamic"), Contains(HasSubstr("motors, contacts and friction")));
   EXPECT_EQ(session->time().ms, 2000);
   EXPECT_NEAR(session->simulation().world().robot(1).pose.translation.x(), x, 1);
-  EXPECT_THAT(told("fidelity dynamic"), testing::IsEmpty());
+  EXPECT_THAT(answers("fidelity dynamic"), testing::IsEmpty());
   expectFine("run 1");
   EXPECT_TRUE(holds("fidelity == dynamic and red4.posture == standing"));
   expectFine("save " + file("dynamic.state"));
@@ -245,13 +245,13 @@ TEST_F(TimeCommands, SituationsAreTriedManyTimes) {
   expectFine("robot all");
   expectFine("ci off");
   const auto lines =
-      told("test situation 3 0.6 \"ball.x > 300\" \"ball.x < -300\" " + file("situation.csv"));
+      answers("test situation 3 0.6 \"ball.x > 300\" \"ball.x < -300\" " + file("situation.csv"));
   EXPECT_THAT(lines, Contains(HasSubstr("ball.x > 300: 3 of 3")));
   EXPECT_EQ(session->time().ms, 0) << "this simulation is left alone";
   const auto csv = *readFile(file("situation.csv"));
   EXPECT_THAT(csv, HasSubstr("run,seed,result,seconds,red,blue,ballX,ballY\n1,1,ball.x > 300,0.3"));
   EXPECT_THAT(csv, HasSubstr("\n3,3,ball.x > 300,"));
-  EXPECT_THAT(told("test situation 2 0.1 \"ball.x > 2000\" " + file("none.csv")),
+  EXPECT_THAT(answers("test situation 2 0.1 \"ball.x > 2000\" " + file("none.csv")),
               Contains(HasSubstr("timeout: 2 of 2, after 0.1 s")));
   expectError("test situation 2 1 \"ball.x >\"", "the condition's end", "expected a value");
   expectError("test situation 2 1 nothing", "nothing", "no such value");

@@ -26,22 +26,22 @@ std::string dotted(std::string path) {
 
 /// Values, parameters and objects of the scene whose names begin so.
 void listValues(Console& console, const std::string& begin) {
-  const auto tell = [&](const std::string& name, const std::string& more, std::string_view doc) {
+  const auto list = [&](const std::string& name, const std::string& more, std::string_view doc) {
     if (name.starts_with(begin))
       console.print(name + more + (doc.empty() ? "" : "  // " + std::string{doc}));
   };
-  for (const std::string& name : valueNames(console)) tell(name, "", "");
+  for (const std::string& name : valueNames(console)) list(name, "", "");
   if (const auto robot = console.firstRobot())
     for (const ProcessDescription& process : describe(**robot))
       for (const TaskDescription& task : process.tasks)
         for (const SolutionDescription& solution : task.solutions)
           for (const ParameterDescription& p : solution.parameters)
-            tell(task.name + "." + solution.name + "." + p.path,
+            list(task.name + "." + solution.name + "." + p.path,
                  " " + p.value + (p.unit.empty() ? "" : " " + p.unit), p.doc);
   SceneTree& tree = console.session().tree();
   for (const SceneTree::Object& object : tree.list(""))
     if (const auto value = tree.get(object.path))
-      tell(dotted(object.path), " " + *value + (object.canBeSet ? "" : " (only watched)"),
+      list(dotted(object.path), " " + *value + (object.canBeSet ? "" : " (only watched)"),
            object.help);
 }
 

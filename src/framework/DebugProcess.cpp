@@ -42,7 +42,7 @@ void DebugProcess::handleRequests() {
 int DebugProcess::main() {
   handleRequests();
   fill_.update(now());
-  toTools_.tellDropped(now());
+  toTools_.reportDropped(now());
   for (const auto& in : in_)
     if (in->receiver.receivedNew()) fill_.take(in->queue, toTools_);
   // All processes must have taken the last queue before the next one is sent, or a request would be

@@ -134,12 +134,12 @@ TEST(Layout, AllErrorsAreTold) {
   const std::string text =
       "Filter\nprocess A on Nothing\nFilter Filter\nNonsense\nprocess A on Reading\n"
       "process B on Estimate\nController\n";
-  std::string told;
+  std::string reported;
   const Findings findings =
       checkLayoutText(text, "test.layout", table, {&representation<Reading>()}, {});
   for (const Error& error : findings.list())
-    told += std::to_string(error.line) + " " + error.field + "; ";
-  EXPECT_EQ(told, "1 Filter; 3 Filter; 5 A; 4 Nonsense; 2 A; 6 B; 7 Controller; ");
+    reported += std::to_string(error.line) + " " + error.field + "; ";
+  EXPECT_EQ(reported, "1 Filter; 3 Filter; 5 A; 4 Nonsense; 2 A; 6 B; 7 Controller; ");
   EXPECT_TRUE(checkLayoutText("process A on Reading\nFilter\nController\n", "test.layout", table,
                               {&representation<Reading>()}, {})
                   .empty());

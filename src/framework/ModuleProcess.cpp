@@ -382,7 +382,7 @@ void ModuleProcess::carryOut(const MessageQueue& messages, MessageQueue& answers
   messages.handleAllMessages([this](const Message& message) { handle(message); });
   sendWatched(true);
   debug_.out().moveAllMessages(answers);
-  debug_.out().tellDropped(now());
+  debug_.out().reportDropped(now());
 }
 
 int ModuleProcess::main() {
@@ -409,7 +409,7 @@ int ModuleProcess::main() {
   if (!debug_.out().empty() && debugSender_.requestedNew()) {
     debugOut_.clear();
     debug_.out().moveAllMessages(debugOut_);
-    debug_.out().tellDropped(now());
+    debug_.out().reportDropped(now());
     debugSender_.send();
   }
   return 0;

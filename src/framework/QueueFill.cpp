@@ -48,7 +48,7 @@ void QueueFill::update(Time now) {
   if ((!saves && request_.mode != QueueFillMode::collect) || now < end_) return;
   request_.mode = QueueFillMode::reject;
   if (!saves) return;
-  saved_.tellDropped(now);
+  saved_.reportDropped(now);
   if (saver_) saver_(saved_);
   saved_.clear();
 }

@@ -193,13 +193,13 @@ TEST(DebugProcess, ConnectsEveryProcessThatHoldsQueues) {
     debug.step(now);
     echo.step(now);
   }
-  std::string told;
+  std::string reported;
   debug.toTools().handleAllMessages([&](const Message& message) {
     Text text;
     ASSERT_TRUE(message.read(text));
-    told += text.text + std::to_string(message.time.ms);
+    reported += text.text + std::to_string(message.time.ms);
   });
-  EXPECT_EQ(told, "hello3");
+  EXPECT_EQ(reported, "hello3");
 }
 
 TEST_F(QueueFillTest, RefusesWrongTimes) {

@@ -16,7 +16,7 @@ TEST(Warnings, AreTextsRefusalsAndDrops) {
   ASSERT_FALSE(queue.write({16}, Text{std::string(300, 'x')}));
   MessageQueue dropped;
   queue.moveAllMessages(dropped);
-  queue.tellDropped({24});
+  queue.reportDropped({24});
   queue.copyAllMessages(dropped);
   const Findings findings = warningsIn(dropped, "red1");
   EXPECT_EQ(findings.text(),

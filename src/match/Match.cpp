@@ -83,7 +83,7 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
                          player.player(),
                          seed,
                          player.address};
-  controller->robot().tellSetup([setup] { return recordSetup(setup); });
+  controller->robot().provideSetup([setup] { return recordSetup(setup); });
   if (!options_.logs.empty())
     if (auto done = record(*controller, setup); !done) return done;
   simulation_->setCamera(index, configuration_->camera.of(player.address));

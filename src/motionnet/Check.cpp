@@ -73,9 +73,9 @@ class Checker {
     for (int requested = 0; requested < static_cast<int>(net_.motions.size()); ++requested) {
       Walk walk{net_, requested};
       checkStart(walk, requested);
-      std::vector<char> told(net_.motions.size(), 0);
+      std::vector<char> reported(net_.motions.size(), 0);
       for (int n = 0; n < static_cast<int>(net_.nodes.size()); ++n)
-        checkNode(walk, requested, n, told);
+        checkNode(walk, requested, n, reported);
     }
     checkReached();
     return std::move(errors_);
@@ -100,12 +100,12 @@ class Checker {
 
   /// The walk rests on data only, so the checks begin there. One message for each pair of motions
   /// is enough.
-  void checkNode(Walk& walk, int requested, int n, std::vector<char>& told) {
+  void checkNode(Walk& walk, int requested, int n, std::vector<char>& reported) {
     const Node& from = node(n);
-    if (from.kind != Node::Kind::data || told[static_cast<std::size_t>(from.motion)]) return;
+    if (from.kind != Node::Kind::data || reported[static_cast<std::size_t>(from.motion)]) return;
     const auto state = walk.from(walk.next(n));
     if (state == Walk::State::reaches) return;
-    told[static_cast<std::size_t>(from.motion)] = 1;
+    reported[static_cast<std::size_t>(from.motion)] = 1;
     const std::string field = "transition " + name(requested);
     if (state == Walk::State::runsOut)
       error(from, from.line, field,

@@ -13,8 +13,8 @@
 namespace gt {
 
 std::string RobotAddresses::endpoint(const std::string& process) const {
-  const auto told = elsewhere.find(process);
-  return told != elsewhere.end() ? told->second : "ipc://" + folder + "/" + robot + "." + process;
+  const auto found = elsewhere.find(process);
+  return found != elsewhere.end() ? found->second : "ipc://" + folder + "/" + robot + "." + process;
 }
 
 Result<void> checkEndpoint(const std::string& endpoint) {

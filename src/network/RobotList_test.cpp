@@ -77,10 +77,10 @@ TEST(RobotList, FindsTheRobotsOfThisMachine) {
   ASSERT_EQ(list->find(1000), 3u);
   ASSERT_TRUE(network.listen(folder.endpoint("red3.Tools")));
   ASSERT_EQ(list->find(2000), 1u);
-  std::string told;
+  std::string found;
   for (const RoutedRobot& r : list->robots())
-    told += r.name + " " + r.team + " " + r.tools.substr(r.tools.rfind(':')) + "\n";
-  EXPECT_EQ(told, "blue1 blue :15301\nred1 red :15302\nred2 red :15303\nred3 red :15304\n");
+    found += r.name + " " + r.team + " " + r.tools.substr(r.tools.rfind(':')) + "\n";
+  EXPECT_EQ(found, "blue1 blue :15301\nred1 red :15302\nred2 red :15303\nred3 red :15304\n");
   EXPECT_EQ(list->robots()[1].robot, folder.endpoint("red1.Tools"));
 }
 

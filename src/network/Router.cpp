@@ -82,18 +82,18 @@ void Router::passFromRobot(Route& route) {
 }
 
 void Router::passTeamMessage(const Route& from, const Message& message) {
-  RoutedTeamMessage told{from.robot.team, {}};
-  if (!message.read(told.message)) return;
-  tellMates(told, &from);
-  if (routers_ || !others_.empty()) toRouters_.write(message.time, told);
+  RoutedTeamMessage routed{from.robot.team, {}};
+  if (!message.read(routed.message)) return;
+  notifyTeammates(routed, &from);
+  if (routers_ || !others_.empty()) toRouters_.write(message.time, routed);
 }
 
-void Router::tellMates(const RoutedTeamMessage& told, const Route* from) {
-  const auto player = static_cast<std::size_t>(told.message.playerNumber) - 1;
+void Router::notifyTeammates(const RoutedTeamMessage& routed, const Route* from) {
+  const auto player = static_cast<std::size_t>(routed.message.playerNumber) - 1;
   for (const auto& mate : routes_) {
-    if (mate.get() == from || mate->robot.team.empty() || mate->robot.team != told.team) continue;
+    if (mate.get() == from || mate->robot.team.empty() || mate->robot.team != routed.team) continue;
     if (player >= mate->mates.byPlayer.size()) return;
-    mate->mates.byPlayer[player] = {told.message, mate->clock};
+    mate->mates.byPlayer[player] = {routed.message, mate->clock};
     mate->matesChanged = true;
   }
 }
@@ -111,8 +111,8 @@ void Router::exchangeWithRouters() {
   }
   toRouters_.clear();
   fromRouters_.handleAllMessages([&](const Message& message) {
-    RoutedTeamMessage told;
-    if (message.is<RoutedTeamMessage>() && message.read(told)) tellMates(told, nullptr);
+    RoutedTeamMessage routed;
+    if (message.is<RoutedTeamMessage>() && message.read(routed)) notifyTeammates(routed, nullptr);
   });
   fromRouters_.clear();
 }

@@ -87,7 +87,7 @@ class Router {
   void passFromRobot(Route& route);
   void passToRobot(Route& route);
   void passTeamMessage(const Route& from, const Message& message);
-  void tellMates(const RoutedTeamMessage& told, const Route* from);
+  void notifyTeammates(const RoutedTeamMessage& routed, const Route* from);
   void exchangeWithRouters();
   void askForTeamMessages(Route& route);
 

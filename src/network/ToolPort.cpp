@@ -149,7 +149,7 @@ void ToolPort::serve(Tool& tool) {
     tool.out.clear();
     tool.mayGet = false;
     dropped_ += tool.out.dropped();
-    tool.out.tellDropped(network_.now);
+    tool.out.reportDropped(network_.now);
   }
 }
 

@@ -188,16 +188,16 @@ void Wire::takeDescription(const Peer& peer, const Frame& frame) {
     auto definition = MessageDefinition::parse(description.name, description.schema);
     if (definition && inbound.topic.type->type()) {
       inbound.foreign->definition = std::move(*definition);
-      tell(what + " is read field by field");
+      report(what + " is read field by field");
     } else {
-      tell(what + " cannot be read: " +
-           (definition ? "it is not made of fields" : definition.error().text()));
+      report(what + " cannot be read: " +
+             (definition ? "it is not made of fields" : definition.error().text()));
     }
   }
 }
 
-void Wire::tell(const std::string& line) {
-  if (told_.size() < mostNews && told_.insert(line).second) news_.push_back(line);
+void Wire::report(const std::string& line) {
+  if (reported_.size() < mostNews && reported_.insert(line).second) news_.push_back(line);
 }
 
 void Wire::takePackage(Peer& peer, const Frame& frame) {
@@ -215,8 +215,8 @@ void Wire::takePackage(Peer& peer, const Frame& frame) {
   inbound->asked = -1;
   if (const auto done = deliver(*inbound, peer, frame); !done) {
     ++rejected_;
-    tell("'" + peer.name + "' sends a " + std::string{inbound->topic.type->name} +
-         " that cannot be read: " + done.error().text());
+    report("'" + peer.name + "' sends a " + std::string{inbound->topic.type->name} +
+           " that cannot be read: " + done.error().text());
   }
 }
 
@@ -239,14 +239,14 @@ Result<void> Wire::deliver(Inbound& inbound, Peer& peer, const Frame& frame) {
 void Wire::ask(Inbound& inbound) {
   if (!inbound.receiver->accepts()) return;
   const FrameKind kind = inbound.receiver->requested() ? FrameKind::request : FrameKind::accept;
-  const bool known = inbound.asked >= 0 && inbound.told == kind &&
+  const bool known = inbound.asked >= 0 && inbound.sent == kind &&
                      network_.elapsed() - inbound.asked < repeatAfter;
   if (known) return;
   Peer* peer = find(inbound.peer);
   if (!peer) return;
   peer->socket->send(peer->name, kind, inbound.topic, nullptr);
   inbound.asked = network_.elapsed();
-  inbound.told = kind;
+  inbound.sent = kind;
 }
 
 }  // namespace gt

@@ -60,7 +60,7 @@ class Wire {
     Socket* socket;
     Clock clock;
     std::string endpoint{};  ///< Where it is expected; empty if it came by itself.
-    bool missed = false;     ///< That it does not answer was told.
+    bool missed = false;     ///< That it does not answer was reported.
   };
   /// How a peer writes packages of a type, if otherwise than this program.
   struct Foreign {
@@ -72,8 +72,8 @@ class Wire {
     std::string peer;
     PackageReceiver* receiver;
     Topic topic;
-    std::int64_t asked = -1;  ///< When the peer was told last; -1 if it has to be told now.
-    FrameKind told = FrameKind::package;
+    std::int64_t asked = -1;  ///< When the peer was asked last; -1 if it has to be asked now.
+    FrameKind sent = FrameKind::package;
     std::optional<Foreign> foreign{};
   };
 
@@ -89,7 +89,7 @@ class Wire {
   Link* linkFor(Peer& peer, const Frame& frame);
   void ask(Inbound& inbound);
   void lookFor(Peer& peer);
-  void tell(const std::string& line);
+  void report(const std::string& line);
 
   Network& network_;
   std::string name_;
@@ -99,7 +99,7 @@ class Wire {
   std::vector<std::unique_ptr<Link>> links_;
   std::vector<Inbound> inbound_;
   std::uint64_t rejected_ = 0;
-  std::set<std::string> told_;
+  std::set<std::string> reported_;
   std::vector<std::string> news_;
 };
 

@@ -101,27 +101,27 @@ TEST_F(ConfigurationTest, CheckTellsAllErrorsOfAFile) {
   write("config/network.cfg", "robots x\naddress 12\n");
   fs::create_directories(root / "config/modules");
   write("config/modules/BallLocator.PIDSmoothed.cfg", "nothing 1\nnowhere 2\n");
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   const Findings findings = checkConfiguration(paths, allModules());
   for (const Error& error : findings.list())
-    told.push_back(fs::path{error.file}.stem().string() + ":" + std::to_string(error.line) + " " +
-                   error.field);
-  EXPECT_THAT(told, ::testing::UnorderedElementsAre(
-                        "field:1 ballRadus", "field:3 ballRadius", "field:4 nowhere",
-                        "robot:1 bodyTiltOffset", "robot:2 red1", "robot:6 bodyRollOfset",
-                        "robot:7 bodyRollOffset", "player:1 teamColor", "player:2 playerRole",
-                        "network:1 robots", "BallLocator.PIDSmoothed:1 nothing",
-                        "BallLocator.PIDSmoothed:2 nowhere"));
+    reported.push_back(fs::path{error.file}.stem().string() + ":" + std::to_string(error.line) +
+                       " " + error.field);
+  EXPECT_THAT(reported, ::testing::UnorderedElementsAre(
+                            "field:1 ballRadus", "field:3 ballRadius", "field:4 nowhere",
+                            "robot:1 bodyTiltOffset", "robot:2 red1", "robot:6 bodyRollOfset",
+                            "robot:7 bodyRollOffset", "player:1 teamColor", "player:2 playerRole",
+                            "network:1 robots", "BallLocator.PIDSmoothed:1 nothing",
+                            "BallLocator.PIDSmoothed:2 nowhere"));
 }
 
 TEST_F(ConfigurationTest, CheckTellsWrongAddresses) {
   write("config/network.cfg", "address 12\ntools 5\n");
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   const Findings findings = checkConfiguration(paths, allModules());
-  for (const Error& error : findings.list()) told.push_back(error.field + ": " + error.what);
-  EXPECT_THAT(told, ::testing::ElementsAre(
-                        "address: expected 12 digits, as 00022D1F626B",
-                        ::testing::StartsWith("tools: network: 5: expected an endpoint")));
+  for (const Error& error : findings.list()) reported.push_back(error.field + ": " + error.what);
+  EXPECT_THAT(reported, ::testing::ElementsAre(
+                            "address: expected 12 digits, as 00022D1F626B",
+                            ::testing::StartsWith("tools: network: 5: expected an endpoint")));
 }
 
 TEST_F(ConfigurationTest, WrongModules) {

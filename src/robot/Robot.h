@@ -87,8 +87,8 @@ class Robot {
   /// `toTools`.
   void answer();
 
-  /// Who tells what makes the robot when tools ask for it (SetupRequest).
-  void tellSetup(std::function<Result<RecordedSetup>()> setup) { setupOf_ = std::move(setup); }
+  /// Sets what provides the setup of the robot when tools ask for it (SetupRequest).
+  void provideSetup(std::function<Result<RecordedSetup>()> setup) { setupOf_ = std::move(setup); }
 
   /// Regroups the modules to the processes of another layout, between two steps. They go on with
   /// all that they remember; solutions, parameters, debug keys and representations stay as they

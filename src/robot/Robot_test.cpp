@@ -93,8 +93,8 @@ TEST(Robot, RequestsConcernWhatTheyName) {
   EXPECT_FALSE(robot->request(DebugRequest{"no such key", DebugKeyMode::always}));
 }
 
-/// All texts that the robot has told, which are taken away.
-std::string told(Robot& robot) {
+/// Takes all texts that the robot has reported.
+std::string takeTexts(Robot& robot) {
   std::string texts;
   robot.toTools().handleAllMessages([&](const Message& message) {
     Text text;
@@ -190,14 +190,14 @@ TEST(Robot, ExecutesWhatAPersonChoosesOfItsBehavior) {
   live(*robot, 400);
   EXPECT_EQ(robot->provided<MotionRequest>()->walk.translation.x(), 120);
   EXPECT_EQ(robot->provided<HeadControlMode>()->mode, HeadMode::lookLeft);
-  EXPECT_NE(told(*robot).find("walk("), std::string::npos);
+  EXPECT_NE(takeTexts(*robot).find("walk("), std::string::npos);
   control.root = "no_such_option";
   robot->fromTools().write({400}, control);
   live(*robot, 120, 400);
-  EXPECT_NE(told(*robot).find("the behavior has no no_such_option"), std::string::npos);
+  EXPECT_NE(takeTexts(*robot).find("the behavior has no no_such_option"), std::string::npos);
   robot->fromTools().write({520}, BehaviorControlRequest{});
   live(*robot, 120, 520);
-  const std::string own = told(*robot);
+  const std::string own = takeTexts(*robot);
   EXPECT_NE(own.find("play_soccer"), own.npos) << own;
 }
 
@@ -205,7 +205,7 @@ TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {
   const auto robot = makeRobot();
   ASSERT_TRUE(robot->request(DebugRequest{"BehaviorControl/activations", DebugKeyMode::always, 0}));
   live(*robot, 1000);
-  const std::string before = told(*robot);
+  const std::string before = takeTexts(*robot);
   EXPECT_NE(before.find("play_soccer() 960 ms: wait 960 ms"), before.npos) << before;
 
   const auto wrong =
@@ -217,7 +217,7 @@ TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {
       "option play_soccer { initial state wait { action { fly(); } } }";
   robot->fromTools().write({1000}, BehaviorRequest{"edited.xabsl", {{"edited.xabsl", flying}}});
   live(*robot, 1000, 1000);
-  const std::string between = told(*robot);
+  const std::string between = takeTexts(*robot);
   EXPECT_NE(between.find("edited.xabsl"), between.npos) << "the message is shown";
   EXPECT_NE(between.find("play_soccer() 1960 ms: wait 1960 ms"), between.npos) << between;
 
@@ -226,12 +226,12 @@ TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {
   edited.replace(edited.find("fly"), 3, "getup");
   robot->fromTools().write({2000}, BehaviorRequest{"edited.xabsl", {{"edited.xabsl", edited}}});
   live(*robot, 1000, 2000);
-  const std::string after = told(*robot);
+  const std::string after = takeTexts(*robot);
   EXPECT_NE(after.find("play_soccer() 2960 ms: wait 2960 ms\n  getup()"), after.npos) << after;
 
   ASSERT_TRUE(robot->request(BehaviorRequest{"behavior/GT2003.xabsl", {}}));
   live(*robot, 1000, 3000);
-  EXPECT_NE(told(*robot).find("play_soccer() 3960 ms: wait 3960 ms\n  show_role"), after.npos);
+  EXPECT_NE(takeTexts(*robot).find("play_soccer() 3960 ms: wait 3960 ms\n  show_role"), after.npos);
 }
 
 TEST(Robot, SameSeedSameRobot) {

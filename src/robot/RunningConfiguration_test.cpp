@@ -30,7 +30,7 @@ class Running {
     setup.configuration = std::move(*configuration);
     setup.layout = std::move(*layout);
     robot_ = std::move(*Robot::make(setup));
-    robot_->tellSetup([]() -> Result<RecordedSetup> {
+    robot_->provideSetup([]() -> Result<RecordedSetup> {
       RecordedSetup recorded;
       recorded.address = "00022D1F626B";
       return recorded;

@@ -188,7 +188,7 @@ void Simulation::sense(std::size_t robot) {
   const Player& player = players_[robot];
   const bool measured =
       ceilingCamera_ && ceilingCamera_->parameters().oracle &&
-      ceilingTracker_.tell(player.teamColor, player.number(), r.input.now, r.input.oracle);
+      ceilingTracker_.fill(player.teamColor, player.number(), r.input.now, r.input.oracle);
   if (!measured) askOracle(*world_, players_, robot, r.input.oracle);
 }
 

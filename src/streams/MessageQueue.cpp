@@ -107,7 +107,7 @@ void MessageQueue::countDropped(std::uint32_t id, std::string_view type) {
   }
 }
 
-void MessageQueue::tellDropped(Time now) {
+void MessageQueue::reportDropped(Time now) {
   if (!anyDropped_) return;
   DroppedMessages message;
   for (const Dropped& dropped : dropped_)

@@ -61,7 +61,7 @@ struct DroppedMessage {
 };
 
 /// Tells what a queue had no room for. Written by the queue itself, see
-/// MessageQueue::tellDropped.
+/// MessageQueue::reportDropped.
 struct DroppedMessages {
   std::vector<DroppedMessage> types;
 
@@ -108,7 +108,7 @@ class MessageQueue {
   std::uint64_t dropped() const;
   /// If messages were dropped, appends a message that tells how many of which types, and begins to
   /// count anew. It stays pending while there is no room for it either.
-  void tellDropped(Time now);
+  void reportDropped(Time now);
 
   /// Calls handler(message) for each message, the oldest first.
   template <typename Handler>

@@ -82,14 +82,14 @@ TEST(MessageQueue, CrossesAWire) {
   EXPECT_FALSE(small.assign(a.bytes()));
 }
 
-std::map<std::string, std::uint64_t> toldBy(const MessageQueue& queue) {
-  std::map<std::string, std::uint64_t> told;
+std::map<std::string, std::uint64_t> droppedOf(const MessageQueue& queue) {
+  std::map<std::string, std::uint64_t> counts;
   queue.handleAllMessages([&](const Message& message) {
     DroppedMessages dropped;
     if (message.is<DroppedMessages>() && message.read(dropped))
-      for (const DroppedMessage& d : dropped.types) told[d.type] += d.count;
+      for (const DroppedMessage& d : dropped.types) counts[d.type] += d.count;
   });
-  return told;
+  return counts;
 }
 
 TEST(MessageQueue, DropsWhatDoesNotFitAndSaysSo) {
@@ -101,16 +101,16 @@ TEST(MessageQueue, DropsWhatDoesNotFitAndSaysSo) {
   EXPECT_EQ(written, 200 / (16 + 12));
   EXPECT_EQ(queue.dropped(), 21u - static_cast<unsigned>(written));
   EXPECT_EQ(contentOf(queue).substr(0, 12), "0@0 1@1 2@2 ") << "what was there stays";
-  queue.tellDropped({99});
-  EXPECT_TRUE(toldBy(queue).empty()) << "there is no room for the report";
+  queue.reportDropped({99});
+  EXPECT_TRUE(droppedOf(queue).empty()) << "there is no room for the report";
   queue.clear();
-  queue.tellDropped({99});
+  queue.reportDropped({99});
   const std::map<std::string, std::uint64_t> all{{"Count", 20u - unsigned(written)}, {"Text", 1}};
-  EXPECT_EQ(toldBy(queue), all);
+  EXPECT_EQ(droppedOf(queue), all);
   EXPECT_EQ(queue.dropped(), 0u);
   queue.clear();
-  queue.tellDropped({99});
-  EXPECT_TRUE(queue.empty()) << "told once";
+  queue.reportDropped({99});
+  EXPECT_TRUE(queue.empty()) << "reported once";
   EXPECT_EQ(queue.bytes().data(), memory);
 }
 
@@ -119,7 +119,7 @@ TEST(MessageQueue, CountsFewTypesByNameAndAllTogether) {
   const std::vector<std::byte> large(2000);
   for (std::uint32_t id = 1; id <= 100; ++id) EXPECT_FALSE(queue.append({id, {}, large}));
   EXPECT_EQ(queue.dropped(), 100u);
-  queue.tellDropped({1});
+  queue.reportDropped({1});
   int types = 0;
   queue.handleAllMessages([&](const Message& message) {
     DroppedMessages dropped;

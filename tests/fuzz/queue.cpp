@@ -20,7 +20,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   // What a queue holds can be copied, moved, dropped and replaced, whatever it is.
   gt::MessageQueue small{size / 2}, other;
   queue.copyAllMessages(small);
-  small.tellDropped({});
+  small.reportDropped({});
   queue.copyMessages(gt::messageId<gt::Drawing>(), other);
   gt::QueueFill fill;
   (void)fill.request({gt::QueueFillMode::replace, 0}, {});

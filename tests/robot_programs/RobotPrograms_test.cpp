@@ -314,7 +314,7 @@ TEST_F(RobotProgramsTest, ABehaviorIsEditedWhileItRuns) {
   ASSERT_TRUE(playUntil([&] { return joined(); }));
   Network network;
   const auto tool = *ToolConnection::open(network, tools);
-  std::string told;
+  std::string received;
   const auto hears = [&](const std::string& text) {
     return playUntil([&] {
       MessageQueue messages;
@@ -322,11 +322,11 @@ TEST_F(RobotProgramsTest, ABehaviorIsEditedWhileItRuns) {
       messages.handleAllMessages([&](const Message& message) {
         RequestAnswer answer;
         if (message.is<RequestAnswer>() && message.read(answer) && !answer.what.empty())
-          told += answer.what + "\n";
+          received += answer.what + "\n";
         BehaviorState state;
-        if (message.is<BehaviorState>() && message.read(state)) told += toString(state);
+        if (message.is<BehaviorState>() && message.read(state)) received += toString(state);
       });
-      return told.find(text) != told.npos;
+      return received.find(text) != received.npos;
     });
   };
   const std::string edited =
@@ -337,7 +337,7 @@ TEST_F(RobotProgramsTest, ABehaviorIsEditedWhileItRuns) {
   tool->out().write({}, BehaviorRequest{"wrong.xabsl", {{"wrong.xabsl", "option play {"}}});
   EXPECT_TRUE(hears("wrong.xabsl"));
   tool->out().write({}, BehaviorRequest{"edited.xabsl", {{"edited.xabsl", edited}}});
-  EXPECT_TRUE(hears("lie()")) << told.substr(0, 500);
+  EXPECT_TRUE(hears("lie()")) << received.substr(0, 500);
   for (const auto& process : processes) EXPECT_TRUE(process->runs());
 }
 

@@ -50,7 +50,7 @@ class RouterProgramsTest : public ::testing::Test {
         },
         [&] {
           network.wait(0);  // answers who may connect
-          for (std::size_t i = 0; i < robots.size(); ++i) tell(i);
+          for (std::size_t i = 0; i < robots.size(); ++i) exchange(i);
         },
         10'000);
   }
@@ -60,7 +60,7 @@ class RouterProgramsTest : public ::testing::Test {
     MessageQueue ignored;
     robots[robot]->update(ignored);
   }
-  void tell(std::size_t robot) {
+  void exchange(std::size_t robot) {
     TeamMessage message;
     message.playerNumber = static_cast<int>(robot) + 1;
     message.timeSent = Time{round};

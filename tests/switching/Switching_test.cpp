@@ -188,14 +188,14 @@ class Editing : public Switching {
     return {};
   }
 
-  struct Told {
+  struct Logged {
     std::vector<std::pair<std::int64_t, BehaviorState>> states;  // with the time in ms
     std::string texts;
   };
-  /// What the robot told its log, once the match is over.
-  Told told() {
+  /// What the robot wrote to its log, once the match is over.
+  Logged logged() {
     EXPECT_TRUE(match_->close());
-    Told told;
+    Logged found;
     auto log = McapReader::open((folder_ / "red2.mcap").string());
     EXPECT_TRUE(log) << log.error().text();
     for (auto message = log->next(); message && *message; message = log->next()) {
@@ -203,13 +203,13 @@ class Editing : public Switching {
       BehaviorState state;
       Text text;
       if (topic == "/BehaviorState" && decode((*message)->data, state))
-        told.states.emplace_back((*message)->time / 1'000'000, std::move(state));
-      if (topic == "/Text" && decode((*message)->data, text)) told.texts += text.text + "\n";
+        found.states.emplace_back((*message)->time / 1'000'000, std::move(state));
+      if (topic == "/Text" && decode((*message)->data, text)) found.texts += text.text + "\n";
       RequestAnswer answer;
       if (topic == "/RequestAnswer" && decode((*message)->data, answer))
-        told.texts += answer.what + "\n";
+        found.texts += answer.what + "\n";
     }
-    return told;
+    return found;
   }
 
   static const BehaviorState::Activation* find(const BehaviorState& state,
@@ -241,7 +241,7 @@ TEST_P(Editing, TheRobotPlaysOn) {
   write("options/greet.xabsl", wrong.replace(wrong.find("on;"), 3, "sparkling;"));
   const auto refused = reload();
   run(100);
-  const Told log = told();
+  const Logged log = logged();
   const std::string message = GetParam() == Way::console ? refused.error().text() : log.texts;
   EXPECT_NE(message.find("options/greet.xabsl:3"), std::string::npos) << message;
   EXPECT_NE(message.find("sparkling"), std::string::npos) << message;

@@ -5,7 +5,7 @@
 namespace gt {
 namespace {
 
-TEST(OracledLocators, tellTheTruthFromTheRobotsView) {
+TEST(OracledLocators, reportTheTruthFromTheRobotsView) {
   OracledWorldState oracle;
   oracle.robotPose = {pi / 2, 100, -200};
   oracle.ballPosition = {100, 300};

@@ -129,7 +129,7 @@ Result<void> live(const RobotProgramOptions& options, const RobotModules& module
                   const RobotSetup& setup, bool servesTools) {
   const auto robot = Robot::make(setup, modules, {options.process});
   if (!robot) return robot.error();
-  (*robot)->tellSetup([&options] {
+  (*robot)->provideSetup([&options] {
     return recordSetup(
         {options.paths, options.layout, options.player, options.seed, options.hardwareAddress});
   });

@@ -59,7 +59,7 @@ class LogRobot::Link : public RobotLink {
     robot_.toRobot_.handleAllMessages([&](const Message& message) {
       if (robot_.refuses(message, answers)) return;
       robot_.robot().fromTools().append(message);
-      if (!asksOnce(message)) robot_.told_.append(message);
+      if (!asksOnce(message)) robot_.requests_.append(message);
     });
     robot_.toRobot_.clear();
     robot_.robot().answer();
@@ -74,7 +74,7 @@ class LogRobot::Link : public RobotLink {
 LogRobot::LogRobot(ReplayPlatform platform) : platform_{std::move(platform)} {
   platform_.showRecorded();
   platform_.onNewRobot([this](Robot& robot) {
-    told_.copyAllMessages(robot.fromTools());
+    requests_.copyAllMessages(robot.fromTools());
     robot.answer();
     ++beginnings_;
   });

@@ -54,7 +54,7 @@ class LogRobot {
 
   std::unique_ptr<TemporaryFolder> converted_;  ///< Of a log of 2009.
   ReplayPlatform platform_;
-  MessageQueue toRobot_, told_{4 << 20};
+  MessageQueue toRobot_, requests_{4 << 20};
   int beginnings_ = 0;
 };
 

@@ -177,7 +177,7 @@ Result<void> ReplayPlatform::makeRobot() {
   if (!robot) return robot.error();
   robot_ = std::move(*robot);
   if (!recorded_.files.empty())
-    robot_->tellSetup([setup = recorded_]() -> Result<RecordedSetup> { return setup; });
+    robot_->provideSetup([setup = recorded_]() -> Result<RecordedSetup> { return setup; });
   for (auto& channel : channels_)
     if (channel) {
       channel->provided = provides(robot_->plan(), *channel->type);

@@ -50,11 +50,11 @@ void readHsi(const ConfigurationFiles& files, Configuration& configuration, Find
 void readTable(const ConfigurationFiles& files, Configuration& configuration, Findings& findings) {
   configuration.colorTable = std::make_shared<ColorTable64>();
   readHsi(files, configuration, findings);
-  const std::string& told = files.paths.colorTable;
+  const std::string& given = files.paths.colorTable;
   if (!hsiFile(files).empty())
     *configuration.colorTable = configuration.hsiColors->table();
   else
-    take(readColorTable(told.empty() ? files.folder.path("coltable.c64") : told,
+    take(readColorTable(given.empty() ? files.folder.path("coltable.c64") : given,
                         files.paths.colorOrder),
          *configuration.colorTable, findings);
 }

@@ -40,7 +40,7 @@ Referee::Referee(const GameParameters& parameters, const RuleParameters& rules,
       kickOff_(parameters.kickOff),
       lastPoses_(players.size()) {
   if (!parameters_.referee) state_ = GameState::playing;
-  tellRobots(Time{});
+  notifyRobots(Time{});
 }
 
 std::int64_t Referee::timeLeft(Time now) const {
@@ -63,7 +63,7 @@ void Referee::changeState(GameState state, Time now) {
   ballMovedAt_ = now;
   fouls_.reset();
   if (state == GameState::set) kickedOff_ = false;
-  tellRobots(now);
+  notifyRobots(now);
 }
 
 void Referee::order(GameState state, World& world) {
@@ -72,13 +72,13 @@ void Referee::order(GameState state, World& world) {
 
 void Referee::setScore(TeamColor team, int goals, Time now) {
   score_[team] = goals;
-  tellRobots(now);
+  notifyRobots(now);
 }
 
 void Referee::setPenalty(std::size_t robot, Penalty penalty, Time now) {
   penalties_[robot] = penalty;
   backAt_[robot] = never();
-  tellRobots(now);
+  notifyRobots(now);
 }
 
 void Referee::leadByItself(Time now) {
@@ -309,7 +309,7 @@ GameEvent& Referee::record(const World& world, GameEventType type, TeamColor tea
   return events_.back();
 }
 
-void Referee::tellRobots(Time now) {
+void Referee::notifyRobots(Time now) {
   for (std::size_t i = 0; i < players_.size(); ++i) {
     const TeamColor team = players_[i].teamColor;
     GameControlData& data = data_[i];

@@ -91,7 +91,7 @@ class Referee {
   void endHalf(World& world);
   void finish(World& world);
   GameEvent& record(const World& world, GameEventType type, TeamColor team, int number = 0);
-  void tellRobots(Time now);
+  void notifyRobots(Time now);
 
   GameParameters parameters_;
   FieldDimensions field_;

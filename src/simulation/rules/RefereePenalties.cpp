@@ -31,7 +31,7 @@ void Referee::penalize(World& world, std::size_t robot, Penalty penalty) {
   backAt_[robot] = world.time() + toMs(penalty == Penalty::obstruction ? rules().obstructionRemoval
                                                                        : rules().removal);
   putAway(world, robot);
-  tellRobots(world.time());
+  notifyRobots(world.time());
 }
 
 void Referee::putAway(World& world, std::size_t robot) {
@@ -63,7 +63,7 @@ void Referee::giveBack(World& world, std::size_t robot) {
       penalties_[robot] = Penalty::requestForPickup;
     if (!placed) backAt_[robot] = world.time() + tickMs;
   }
-  tellRobots(world.time());
+  notifyRobots(world.time());
 }
 
 void Referee::giveBackWhoseTimeIsOver(World& world) {
@@ -148,7 +148,7 @@ void Referee::follow(const GameControllerMessage& message, World& world) {
       penalize(world, i, penalty);
     backAt_[i] = never();
   }
-  if (message.state == state_) return tellRobots(now);
+  if (message.state == state_) return notifyRobots(now);
   // The hands of a person: the ball at its place, badly placed robots at theirs.
   if (message.state == GameState::ready && world.ballCount() > 0) world.placeBall(0, {0, 0});
   if (message.state == GameState::set) placeForKickOff(world);

@@ -158,7 +158,7 @@ TEST_F(WrongFiles, NamesFileLineAndField) {
 }
 
 TEST_F(WrongFiles, FilesThatAreMissingAreNamedWithTheScene) {
-  const auto toldOf = [&](const std::string& attributes, const std::string& robot) {
+  const auto reportedOf = [&](const std::string& attributes, const std::string& robot) {
     const auto scene = loadScene(
         write("<scene\n" + attributes + ">\n<robots>\n<robot " + robot + "/></robots></scene>"));
     EXPECT_TRUE(scene);
@@ -170,34 +170,34 @@ TEST_F(WrongFiles, FilesThatAreMissingAreNamedWithTheScene) {
   const std::string config = "config='" + std::filesystem::absolute("config").string() + "'",
                     layout =
                         "layout='" + std::filesystem::absolute("layouts/cmd.layout").string() + "'";
-  EXPECT_EQ(toldOf(config, layout), "nothing");
-  EXPECT_EQ(toldOf("config='nowhere'", layout), "2: config");
-  EXPECT_EQ(toldOf(config + "\nscript='mine'", layout), "3: script");
-  EXPECT_EQ(toldOf(config, "layout='none.layout'"), "4: layout");
+  EXPECT_EQ(reportedOf(config, layout), "nothing");
+  EXPECT_EQ(reportedOf("config='nowhere'", layout), "2: config");
+  EXPECT_EQ(reportedOf(config + "\nscript='mine'", layout), "3: script");
+  EXPECT_EQ(reportedOf(config, "layout='none.layout'"), "4: layout");
   write("# nothing", "mine.con");
-  EXPECT_EQ(toldOf(config + "\nscript='mine'", layout), "nothing") << "has the extension .con";
+  EXPECT_EQ(reportedOf(config + "\nscript='mine'", layout), "nothing") << "has the extension .con";
 }
 
 TEST_F(WrongFiles, NamesTheColumn) {
-  const auto told = [&](const std::string& text) {
+  const auto reported = [&](const std::string& text) {
     const std::string error = errorOf(text).text();
     return error.substr(error.find("wrong.scene") + 11);
   };
-  EXPECT_EQ(told("<scene>\n  <noise psd='1' joints = \"many\"/></scene>"),
+  EXPECT_EQ(reported("<scene>\n  <noise psd='1' joints = \"many\"/></scene>"),
             ":2: joints: expected a number, found \"many\" (column 18)");
-  EXPECT_EQ(told("<scene><!-- <a b=''> -->\n<robots> <robot/>\t<leg/></robots></scene>"),
+  EXPECT_EQ(reported("<scene><!-- <a b=''> -->\n<robots> <robot/>\t<leg/></robots></scene>"),
             ":2: leg: expected <robot> (column 19)");
-  EXPECT_EQ(told("<?xml version='1.0'?>\n<scene><!-- \xc3\xa4 --><noise psd='-1'/></scene>"),
+  EXPECT_EQ(reported("<?xml version='1.0'?>\n<scene><!-- \xc3\xa4 --><noise psd='-1'/></scene>"),
             ":2: psd: must be from 0 to 1000 (column 25)");
-  EXPECT_EQ(told("<scene>\n<robots>\n  here\n</robots></scene>"),
+  EXPECT_EQ(reported("<scene>\n<robots>\n  here\n</robots></scene>"),
             ":3: text: expected <robot> (column 3)");
-  EXPECT_EQ(told("<scene><robots><robot/> <robot/></robots></scene>"),
+  EXPECT_EQ(reported("<scene><robots><robot/> <robot/></robots></scene>"),
             ":1: name: a second robot \"red1\" (column 25)");
-  EXPECT_THAT(told("<scene>\n <noise <</scene>"), HasSubstr(":2: "));
-  EXPECT_THAT(told("<scene>\n <noise <</scene>"), HasSubstr("(column 10)"));
+  EXPECT_THAT(reported("<scene>\n <noise <</scene>"), HasSubstr(":2: "));
+  EXPECT_THAT(reported("<scene>\n <noise <</scene>"), HasSubstr("(column 10)"));
   const std::string field = std::filesystem::absolute("models/field2003.xml").string();
   EXPECT_THAT(
-      told("<scene field='" + field + "'><balls>\n  <ball model='gone.xml'/></balls></scene>"),
+      reported("<scene field='" + field + "'><balls>\n  <ball model='gone.xml'/></balls></scene>"),
       testing::AllOf(HasSubstr(":2: model: there is no file"), HasSubstr("(column 3)")));
 }
 

@@ -60,7 +60,7 @@ TEST(CeilingTracker, TellsWhatAnOracleWould) {
   CeilingTracker tracker;
   Random random{2};
   OracledWorldState state;
-  EXPECT_FALSE(tracker.tell(TeamColor::blue, 3, Time{0}, state));
+  EXPECT_FALSE(tracker.fill(TeamColor::blue, 3, Time{0}, state));
   CeilingCameraPercept percept;
   Vector2d ball{-500, 0};
   for (int i = 0; i < 100; ++i) {
@@ -72,19 +72,19 @@ TEST(CeilingTracker, TellsWhatAnOracleWould) {
                       {TeamColor::red, 1, {0, -2000, 0}}};
     tracker.update(percept);
   }
-  ASSERT_TRUE(tracker.tell(TeamColor::blue, 3, percept.time, state));
+  ASSERT_TRUE(tracker.fill(TeamColor::blue, 3, percept.time, state));
   EXPECT_LT((state.ballPosition + ball).norm(), 15) << "turned by 180 degrees for blue";
   EXPECT_LT((state.ballSpeed - Vector2d{-500, 0}).norm(), 60);
   EXPECT_LT((state.robotPose.translation - Vector2d{-1000, -300}).norm(), 1e-6);
   EXPECT_NEAR(state.robotPose.rotation, -pi / 2, 1e-6);
   ASSERT_EQ(state.others.size(), 1u);
   EXPECT_EQ(state.others[0].number, 1);
-  EXPECT_FALSE(tracker.tell(TeamColor::blue, 3, percept.time + 600, state));
+  EXPECT_FALSE(tracker.fill(TeamColor::blue, 3, percept.time + 600, state));
   // What no camera can have seen is passed over.
   percept.time = percept.time + 40;
   percept.robots = {{TeamColor::blue, 77, {}}, {TeamColor::blue, 3, {std::nan(""), 0, 0}}};
   tracker.update(percept);
-  ASSERT_TRUE(tracker.tell(TeamColor::blue, 3, percept.time, state));
+  ASSERT_TRUE(tracker.fill(TeamColor::blue, 3, percept.time, state));
   EXPECT_LT((state.robotPose.translation - Vector2d{-1000, -300}).norm(), 1e-6);
 }
 

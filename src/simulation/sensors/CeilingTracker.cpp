@@ -46,7 +46,7 @@ void CeilingTracker::update(const CeilingCameraPercept& percept) {
   if (percept.ballSeen && percept.ball.allFinite()) ball_.follow(percept.ball, percept.time);
 }
 
-bool CeilingTracker::tell(TeamColor team, int number, Time now, OracledWorldState& state) const {
+bool CeilingTracker::fill(TeamColor team, int number, Time now, OracledWorldState& state) const {
   const RobotTrack& self = robots_[team][static_cast<std::size_t>(number - 1)];
   if (now - self.place.seen > lost) return false;
   state.time = now;

@@ -11,14 +11,14 @@
 
 namespace gt {
 
-/// Follows robots and ball through the images of a camera at the ceiling, and tells what an
+/// Follows robots and ball through the images of a camera at the ceiling, and provides what an
 /// oracle would: for experiments where nobody knows the truth (report 6.2.2).
 class CeilingTracker {
  public:
   void update(const CeilingCameraPercept& percept);
-  /// The world as it is now for a robot; false if that was not seen for half a second. What was not
-  /// seen lately is left out; the ball stays where it was seen last.
-  bool tell(TeamColor team, int number, Time now, OracledWorldState& state) const;
+  /// Fills in the world as it is now for a robot; false if that was not seen for half a second.
+  /// What was not seen lately is left out; the ball stays where it was seen last.
+  bool fill(TeamColor team, int number, Time now, OracledWorldState& state) const;
 
  private:
   /// A point that moves (an alpha-beta filter).

@@ -18,8 +18,8 @@ RobotBuild RobotBuild::draw(const BodyParameters& body, const SceneRobot& setup,
   return build;
 }
 
-JointAngles RobotBuild::driven(const JointAngles& told) const {
-  JointAngles angles = told;
+JointAngles RobotBuild::driven(const JointAngles& requested) const {
+  JointAngles angles = requested;
   for (std::size_t j = 0; j < angles.values.size(); ++j) angles.values[j] += joints.values[j];
   return angles;
 }

@@ -20,8 +20,8 @@ struct RobotBuild {
   /// Draws a robot. The same generator draws the same robot, more or less different.
   static RobotBuild draw(const BodyParameters& body, const SceneRobot& setup, Random random);
 
-  /// Where motors turn the joints that are told to go to these angles.
-  JointAngles driven(const JointAngles& told) const;
+  /// Where motors turn the joints if these angles are requested.
+  JointAngles driven(const JointAngles& requested) const;
   /// What the camera sees because the body leans: it turns about the body's origin.
   CameraView leaning(CameraView view, const RobotBody& body) const;
   CameraEffects seen(CameraEffects effects) const;

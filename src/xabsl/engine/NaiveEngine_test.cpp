@@ -121,12 +121,12 @@ class Comparison {
     }
   }
 
-  void compare(const std::vector<TraceEvent>& told, const std::vector<TraceEvent>& expected) {
-    ASSERT_EQ(told.size(), expected.size());
-    for (std::size_t i = 0; i < told.size(); ++i) {
-      ASSERT_EQ(told[i].kind, expected[i].kind) << i;
-      EXPECT_EQ(told[i].index, expected[i].index) << i;
-      EXPECT_TRUE(same(told[i].value, expected[i].value)) << i;
+  void compare(const std::vector<TraceEvent>& actual, const std::vector<TraceEvent>& expected) {
+    ASSERT_EQ(actual.size(), expected.size());
+    for (std::size_t i = 0; i < actual.size(); ++i) {
+      ASSERT_EQ(actual[i].kind, expected[i].kind) << i;
+      EXPECT_EQ(actual[i].index, expected[i].index) << i;
+      EXPECT_TRUE(same(actual[i].value, expected[i].value)) << i;
     }
   }
 

@@ -354,15 +354,15 @@ class ProgramWriter {
   void callBehavior(const Action& action) {
     const Bindings::Bound& behavior = bindings_.behaviors[at(action.target)];
     const int first = layout_.behaviorParameters[at(action.target)];
-    const bool tell = behavior.parametersChanged != nullptr && !behavior.order.empty();
+    const bool notifies = behavior.parametersChanged != nullptr && !behavior.order.empty();
     for (std::size_t p = 0; p < behavior.order.size(); ++p) {
       const int operand = model_.operands[at(action.operand) + p];
-      if (tell)
+      if (notifies)
         emit(Operation::pass, first + behavior.order[p], value(operand));
       else
         compute(operand, first + behavior.order[p]);
     }
-    if (tell) emit(Operation::notifyOfChanges).index = action.target;
+    if (notifies) emit(Operation::notifyOfChanges).index = action.target;
     if (recorded_) emit(Operation::recordBehavior).index = action.target;
     emit(Operation::callBehavior).index = action.target;
     keepParameters(first, behavior.order.size());

@@ -30,7 +30,7 @@ VirtualFiles converted(const VirtualFiles& files, const std::string& in, Form fo
   return conversion.files ? *conversion.files : VirtualFiles();
 }
 
-std::string toldBy(const std::string& text) {
+std::string reportedBy(const std::string& text) {
   return test::errors(
       convert("main.xabsl", {{"main.xabsl", text}}, Form::xml21, "main.xml").diagnostics);
 }
@@ -80,7 +80,7 @@ const std::string declarations = R"(
 )";
 
 TEST(Convert, TellsWhatCannotBeSaidIn21) {
-  const std::string told = toldBy(declarations + R"(
+  const std::string reported = reportedBy(declarations + R"(
     option other { initial state s { action { go(); } } }
     option main {
       initial state s capacity 2 {
@@ -100,7 +100,7 @@ TEST(Convert, TellsWhatCannotBeSaidIn21) {
         "a second option or basic behavior in a state",
         "an output symbol set after an option is called",
         "a state without option or basic behavior", "an output symbol that is read"})
-    EXPECT_NE(told.find(expected), std::string::npos) << expected << " in\n" << told;
+    EXPECT_NE(reported.find(expected), std::string::npos) << expected << " in\n" << reported;
 }
 
 /// Writes a behavior at random, of what both forms can say.

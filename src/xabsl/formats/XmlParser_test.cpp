@@ -189,11 +189,12 @@ TEST(XmlParser, TellsEachFaultAtItsPlace) {
     const std::size_t place = text.find(from);
     ASSERT_NE(place, std::string::npos) << from;
     text.replace(place, from.size(), to);
-    const std::string told = test::errors(compile("agents.xml", files).diagnostics);
+    const std::string reported = test::errors(compile("agents.xml", files).diagnostics);
     if (rest == "valid")
-      EXPECT_EQ(told, "") << to;
+      EXPECT_EQ(reported, "") << to;
     else
-      EXPECT_NE(told.find(rest), std::string::npos) << "instead of " << rest << "\ntold " << told;
+      EXPECT_NE(reported.find(rest), std::string::npos)
+          << "instead of " << rest << "\nreported " << reported;
   }
   EXPECT_GT(faults, 60);
 }

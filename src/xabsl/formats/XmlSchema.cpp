@@ -162,11 +162,11 @@ class Validator {
     for (const Attribute& attribute : validator.current_->attributes)
       if (message.find("attribute '" + std::string(attribute.name) + "'") != std::string::npos)
         location = attribute.location;
-    // A value that is wrong is told twice: with its type, then with the pattern of the type.
+    // A value that is wrong is reported twice: with its type, then with the pattern of the type.
     if (error.code == XML_SCHEMAV_CVC_ATTRIBUTE_4) return;
     // What several files include is validated with each of them.
-    const auto told = std::tuple(location.file, location.line, location.column, message);
-    if (validator.told_.insert(told).second) validator.reporter_.error(location, message);
+    const auto report = std::tuple(location.file, location.line, location.column, message);
+    if (validator.reported_.insert(report).second) validator.reporter_.error(location, message);
   }
 
   const Files& files_;
@@ -174,7 +174,7 @@ class Validator {
   xmlSchema& schema_;
   Follow follow_ = Follow::entities;
   std::set<const Element*> known_;
-  std::set<std::tuple<int, int, int, std::string>> told_;
+  std::set<std::tuple<int, int, int, std::string>> reported_;
   const Element* current_ = nullptr;
   xmlSAXHandler* handler_ = nullptr;
   void* user_ = nullptr;

@@ -149,7 +149,7 @@ TEST(Parser, TakesWhatOtherCompilersTook) {
 }
 
 TEST(Parser, KnowsThe30ThatHasNoCooperation) {
-  const auto told = [](const std::string& text) {
+  const auto errorOf = [](const std::string& text) {
     return test::errors(
         compile("main.xabsl", {{"main.xabsl", "agent a(\"A\", main);\n" + text}}, Dialect::xabsl30)
             .diagnostics);
@@ -157,12 +157,12 @@ TEST(Parser, KnowsThe30ThatHasNoCooperation) {
   const std::string state =
       "namespace n(\"N\") { bool output conflict; float input capacity; }\n"
       "option main { initial state synchronized { action { ";
-  EXPECT_EQ(told(state + "conflict = capacity > 1; } } }"), "");
-  EXPECT_EQ(told("option main { initial state s capacity 2 { action { } } }"),
+  EXPECT_EQ(errorOf(state + "conflict = capacity > 1; } } }"), "");
+  EXPECT_EQ(errorOf("option main { initial state s capacity 2 { action { } } }"),
             "main.xabsl:2:31: 'capacity' is of XABSL 3.1, in 3.0 robots do not agree about "
             "states\n");
-  EXPECT_EQ(told("option main { initial state s { decision { if (conflict) stay; else stay; }\n"
-                 "action { } } }"),
+  EXPECT_EQ(errorOf("option main { initial state s { decision { if (conflict) stay; else stay; }\n"
+                    "action { } } }"),
             "main.xabsl:2:48: 'conflict' is of XABSL 3.1 in option main\n");
 }
 

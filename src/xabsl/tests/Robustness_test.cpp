@@ -253,8 +253,8 @@ TEST(Robustness, SurvivesClocksThatJump) {
   EXPECT_FALSE(engine.activations().empty());
 }
 
-/// What is told first about a behavior in XML.
-std::string toldFirst(const VirtualFiles& files) {
+/// What is reported first about a behavior in XML.
+std::string firstReported(const VirtualFiles& files) {
   const Compilation compilation = compile("a.xml", files);
   EXPECT_FALSE(compilation.behavior);
   return compilation.diagnostics.empty() ? "" : compilation.diagnostics.front().message;
@@ -266,10 +266,10 @@ TEST(Robustness, XmlThatGrowsWithoutBoundsIsRefused) {
     const std::string last = "&e" + std::to_string(i - 1) + ";";
     bomb += "<!ENTITY e" + std::to_string(i) + " \"" + last + last + "\">";
   }
-  EXPECT_NE(toldFirst({{"a.xml", bomb + "]><a>&e29;</a>"}}), "");
+  EXPECT_NE(firstReported({{"a.xml", bomb + "]><a>&e29;</a>"}}), "");
   const std::string text(100'000, 'x');
-  EXPECT_NE(toldFirst({{"a.xml", "<!DOCTYPE a [<!ENTITY e \"" + text + "\">]><a>" +
-                                     repeated("&e;", 10'000) + "</a>"}}),
+  EXPECT_NE(firstReported({{"a.xml", "<!DOCTYPE a [<!ENTITY e \"" + text + "\">]><a>" +
+                                         repeated("&e;", 10'000) + "</a>"}}),
             "");
   VirtualFiles files;
   for (int i = 0; i < 30; ++i) {
@@ -278,8 +278,8 @@ TEST(Robustness, XmlThatGrowsWithoutBoundsIsRefused) {
         "<!DOCTYPE a [<!ENTITY e SYSTEM \"" + next + "\">]><a>" + repeated("&e;", 3) + "</a>";
   }
   files["30.xml"] = "<a/>";
-  EXPECT_EQ(toldFirst(files), "too large, with all that is included");
-  EXPECT_EQ(toldFirst({{"a.xml", "<a>" + repeated("<a/>", 350'000) + "</a>"}}),
+  EXPECT_EQ(firstReported(files), "too large, with all that is included");
+  EXPECT_EQ(firstReported({{"a.xml", "<a>" + repeated("<a/>", 350'000) + "</a>"}}),
             "the file has too many elements");
 }
 
@@ -287,31 +287,31 @@ TEST(Robustness, XmlThatIncludesItselfIsRefused) {
   const std::string entity = "<!DOCTYPE a [<!ENTITY e SYSTEM \"b.xml\">]><a>&e;</a>";
   const std::string include =
       "<a xmlns:xi=\"http://www.w3.org/2001/XInclude\"><xi:include href=\"a.xml\"/></a>";
-  EXPECT_EQ(toldFirst({{"a.xml", entity}, {"b.xml", include}}), "'a.xml' includes itself");
-  EXPECT_EQ(toldFirst({{"a.xml", include}}), "'a.xml' includes itself");
+  EXPECT_EQ(firstReported({{"a.xml", entity}, {"b.xml", include}}), "'a.xml' includes itself");
+  EXPECT_EQ(firstReported({{"a.xml", include}}), "'a.xml' includes itself");
   const std::string outside = "<!DOCTYPE a SYSTEM \"a.dtd\"><a>&e;</a>";
-  EXPECT_EQ(toldFirst({{"a.xml", outside}, {"a.dtd", "<!ENTITY e SYSTEM \"a.xml\">"}}),
+  EXPECT_EQ(firstReported({{"a.xml", outside}, {"a.dtd", "<!ENTITY e SYSTEM \"a.xml\">"}}),
             "'a.xml' includes itself");
-  EXPECT_EQ(toldFirst({{"a.xml", outside}}), "cannot include 'a.dtd': there is no such file");
-  EXPECT_EQ(
-      toldFirst({{"a.xml", outside}, {"a.dtd", "<!-- <!ENTITY e SYSTEM \"a.xml\"> --><!ENTITY"}}),
-      "entity 'e' is not declared in a.dtd");
-  EXPECT_EQ(toldFirst({{"a.xml", "<!DOCTYPE a SYSTEM \"/etc/passwd\"><a>&e;</a>"}}),
+  EXPECT_EQ(firstReported({{"a.xml", outside}}), "cannot include 'a.dtd': there is no such file");
+  EXPECT_EQ(firstReported(
+                {{"a.xml", outside}, {"a.dtd", "<!-- <!ENTITY e SYSTEM \"a.xml\"> --><!ENTITY"}}),
+            "entity 'e' is not declared in a.dtd");
+  EXPECT_EQ(firstReported({{"a.xml", "<!DOCTYPE a SYSTEM \"/etc/passwd\"><a>&e;</a>"}}),
             "cannot include '/etc/passwd': it lies outside of the folder of a.xml");
 }
 
 TEST(Robustness, XmlThatIsTooDeepOrTooWideIsRefused) {
-  EXPECT_NE(toldFirst({{"a.xml", repeated("<a>", 100'000)}}), "");
-  EXPECT_NE(toldFirst({{"a.xml", repeated("<a>", 100'000) + repeated("</a>", 100'000)}}), "");
-  EXPECT_EQ(toldFirst({{"a.xml", repeated("<a>", 250) + repeated("</a>", 250)}}).substr(0, 11),
+  EXPECT_NE(firstReported({{"a.xml", repeated("<a>", 100'000)}}), "");
+  EXPECT_NE(firstReported({{"a.xml", repeated("<a>", 100'000) + repeated("</a>", 100'000)}}), "");
+  EXPECT_EQ(firstReported({{"a.xml", repeated("<a>", 250) + repeated("</a>", 250)}}).substr(0, 11),
             "element 'a'");
   std::string attributes = "<a";
   for (int i = 0; i < 20'000; ++i) attributes += " a" + std::to_string(i) + "=\"\"";
-  EXPECT_EQ(toldFirst({{"a.xml", attributes + "/>"}}), "the tag is longer than 16 KiB");
-  EXPECT_EQ(toldFirst({{"a.xml", "<" + std::string(1'000'000, 'a') + "/>"}}),
+  EXPECT_EQ(firstReported({{"a.xml", attributes + "/>"}}), "the tag is longer than 16 KiB");
+  EXPECT_EQ(firstReported({{"a.xml", "<" + std::string(1'000'000, 'a') + "/>"}}),
             "the tag is longer than 16 KiB");
-  EXPECT_NE(toldFirst({{"a.xml", std::string(3'000'000, '<')}}), "");
-  EXPECT_NE(toldFirst({{"a.xml", "<!--" + repeated("<!--", 400'000)}}), "");
+  EXPECT_NE(firstReported({{"a.xml", std::string(3'000'000, '<')}}), "");
+  EXPECT_NE(firstReported({{"a.xml", "<!--" + repeated("<!--", 400'000)}}), "");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Watcher {
       percept.players[TeamColor::blue].push_back(relative(robotPose.pose, p));
     update();
   }
-  void tell(int number, const Vector2d& where, std::int64_t ago = 0, double validity = 0.9) {
+  void receive(int number, const Vector2d& where, std::int64_t ago = 0, double validity = 0.9) {
     auto& received = messages.byPlayer[static_cast<std::size_t>(number - 1)];
     received.timeReceived = frame.time - ago;
     received.message.playerNumber = number;
@@ -98,7 +98,7 @@ TEST(GO2003PlayersLocator, PerceptsOutsideOfTheFieldMoveToItsBorder) {
 
 TEST(GO2003PlayersLocator, TeamMatesTellWhereTheyAre) {
   Watcher watcher;
-  watcher.tell(4, {300, 300});
+  watcher.receive(4, {300, 300});
   for (int i = 0; i < 10; ++i) watcher.see({{400, 350}, {-1500, 800}}, {});
   ASSERT_EQ(watcher.players.ownTeam.size(), 2u) << "none twice";
   EXPECT_EQ(watcher.players.ownTeam[0].position, Vector2d(300, 300));
@@ -109,9 +109,9 @@ TEST(GO2003PlayersLocator, TeamMatesTellWhereTheyAre) {
 
 TEST(GO2003PlayersLocator, OldAndDoubtfulTellingsAndOnesOwnDoNotCount) {
   Watcher watcher;
-  watcher.tell(1, {-2000, 0}, 2500);
-  watcher.tell(2, {-1000, 500}, 0, 0.1);
-  watcher.tell(3, {-500, 0});
+  watcher.receive(1, {-2000, 0}, 2500);
+  watcher.receive(2, {-1000, 500}, 0, 0.1);
+  watcher.receive(3, {-500, 0});
   watcher.update();
   EXPECT_TRUE(watcher.players.ownTeam.empty());
 }

@@ -59,14 +59,15 @@ TEST(KalmanSelfLocator, LeavesTheMirrorImageWhenAGoalIsSeen) {
     LocatorOf<KalmanSelfLocator> locator{{}, seed};
     follow(robot, 200, [&](const SyntheticRobot& r) { return locator(seenBy(r)); });
     robot.pose = Pose2D{pi, 0, 0} * robot.pose;
-    int told = 0, wrong = 0;
+    int distinguished = 0, wrong = 0;
     for (int i = 0; i < 200; ++i) {
       robot.step();
       const Pose2D pose = locator(seenBy(robot)).pose;
-      told += told > 0 || robot.percept.numberOfGoals > 0;
-      wrong += told > 0 && std::abs(normalize(pose.rotation - robot.pose.rotation)) > pi / 2;
+      distinguished += distinguished > 0 || robot.percept.numberOfGoals > 0;
+      wrong +=
+          distinguished > 0 && std::abs(normalize(pose.rotation - robot.pose.rotation)) > pi / 2;
     }
-    EXPECT_GT(told, 0);
+    EXPECT_GT(distinguished, 0);
     EXPECT_LE(wrong, 25) << seed;  // a second
   }
 }

@@ -10,8 +10,8 @@ namespace {
 struct LatestTeam : TeamScene<DefaultTeamBallLocator> {
   LatestTeam() { robotPose.validity = 0.9; }
   /// The same with a message that came in `ago` ms ago.
-  void tell(int n, const Vector2d& where, std::int64_t age, std::int64_t ago, double validity) {
-    TeamScene::tell(n, where, age, validity).timeReceived = frame.time - ago;
+  void receive(int n, const Vector2d& where, std::int64_t age, std::int64_t ago, double validity) {
+    TeamScene::receive(n, where, age, validity).timeReceived = frame.time - ago;
   }
   void seeBall(std::int64_t ago) {
     ball.position = {300, 0};
@@ -27,7 +27,7 @@ TEST(DefaultTeamBallLocator, NobodyKnowsTheBall) {
 
 TEST(DefaultTeamBallLocator, OwnBallCountsWhileFresh) {
   LatestTeam team;
-  team.tell(1, {-1000, 0}, 0, 0, 1);
+  team.receive(1, {-1000, 0}, 0, 0, 1);
   for (const std::int64_t ago : {0, 2500}) {  // Seen, and not perceived for a short time.
     team.seeBall(ago);
     const TeamBallModel ball = team.locate();
@@ -40,7 +40,7 @@ TEST(DefaultTeamBallLocator, OwnBallCountsWhileFresh) {
 TEST(DefaultTeamBallLocator, ATeamMatesBallCountsWhenTheOwnIsOld) {
   LatestTeam team;
   team.seeBall(8000);
-  team.tell(1, {-1000, 0}, 500, 100, 0.9);
+  team.receive(1, {-1000, 0}, 500, 100, 0.9);
   const TeamBallModel ball = team.locate();
   EXPECT_EQ(ball.seenBy, 1);
   EXPECT_EQ(ball.position, (Vector2d{-1000, 0}));
@@ -49,23 +49,23 @@ TEST(DefaultTeamBallLocator, ATeamMatesBallCountsWhenTheOwnIsOld) {
 
 TEST(DefaultTeamBallLocator, AgeAndValidityDecideBetweenTeamMates) {
   LatestTeam team;
-  team.tell(1, {1, 0}, 2000, 0, 0.9);
-  team.tell(2, {2, 0}, 1000, 0, 0.9);
+  team.receive(1, {1, 0}, 2000, 0, 0.9);
+  team.receive(2, {2, 0}, 1000, 0, 0.9);
   EXPECT_EQ(team.locate().seenBy, 2);
-  team.tell(2, {2, 0}, 1000, 0, 0.3);  // Does not know where it is.
+  team.receive(2, {2, 0}, 1000, 0, 0.3);  // Does not know where it is.
   EXPECT_EQ(team.locate().seenBy, 1);
 }
 
 TEST(DefaultTeamBallLocator, OldBallsAndSilentMatesDoNotCount) {
   LatestTeam team;
-  team.tell(1, {1, 0}, 6000, 0, 1);
-  team.tell(2, {2, 0}, 0, 3500, 1);
+  team.receive(1, {1, 0}, 6000, 0, 1);
+  team.receive(2, {2, 0}, 0, 3500, 1);
   EXPECT_EQ(team.locate().seenBy, 0);
 }
 
 TEST(DefaultTeamBallLocator, OnesOwnMessageIsNotATeamMates) {
   LatestTeam team;
-  team.tell(3, {1, 0}, 0, 0, 1);
+  team.receive(3, {1, 0}, 0, 0, 1);
   EXPECT_EQ(team.locate().seenBy, 0);
 }
 

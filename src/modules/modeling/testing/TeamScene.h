@@ -16,9 +16,9 @@ struct TeamScene {
     player.role = PlayerRole::striker1;
     robotPose = {{pi / 2, 500, 0}, 0.95};
   }
-  /// Player n says that it saw the ball `age` ms before its message, which comes in now.
-  TeamMessages::Received& tell(int n, const Vector2d& where, std::int64_t age = 0,
-                               double validity = 0.95, const Vector2d& robot = {0, 0}) {
+  /// A message of player n that it saw the ball `age` ms before it sent that; it arrives now.
+  TeamMessages::Received& receive(int n, const Vector2d& where, std::int64_t age = 0,
+                                  double validity = 0.95, const Vector2d& robot = {0, 0}) {
     TeamMessages::Received& received = messages.byPlayer[static_cast<std::size_t>(n - 1)];
     received.timeReceived = frame.time;
     TeamMessage& m = received.message;

@@ -123,23 +123,23 @@ TEST(Kicks, LeftAndRightAreMirrored) {
   EXPECT_NEAR(left.y(), -right.y(), 1e-6);
 }
 
-/// The lunge is told as odometry: it is what the hind feet, which stand, do.
+/// The lunge is reported as odometry: it is what the hind feet, which stand, do.
 TEST(Kicks, TheLungeIsTheHindFeetsMotion) {
   MotionHarness motion;
   motion.steps(150);
   motion.perform("chestKick");
-  double told = 0, byFeet = 0;
+  double byOdometry = 0, byFeet = 0;
   double before = 0;
   for (int i = 0; i < 400; ++i) {
     motion.step();
     const double x = footPositions(motion.robot, motion.joints.angles)[3].x();
     if (motion.special.odometryStep.translation.x() > 0) byFeet += before - x;
     before = x;
-    told += motion.special.odometryStep.translation.x();
+    byOdometry += motion.special.odometryStep.translation.x();
     if (motion.performs("chestKick")) motion.request = {};
   }
-  EXPECT_GT(told, 60);
-  EXPECT_NEAR(told, byFeet, 0.05 * byFeet);
+  EXPECT_GT(byOdometry, 60);
+  EXPECT_NEAR(byOdometry, byFeet, 0.05 * byFeet);
 }
 
 TEST(Kicks, LastShortlyAndEndInTheStand) {

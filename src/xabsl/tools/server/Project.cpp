@@ -81,9 +81,9 @@ Project::Project(const std::string& root, const FileReader& read) : root_(root) 
   for (const syntax::File& file : program_.files) quiet.addFile(file.path, file.text);
   const bool whole = !failed_ && !program_.agents.empty();
   if (!program_.files.empty()) {
-    Reporter& told = whole ? reporter : quiet;
-    model_ = Analyzer(program_, told, &references_).analyze();
-    failed_ = failed_ || told.failed();
+    Reporter& used = whole ? reporter : quiet;
+    model_ = Analyzer(program_, used, &references_).analyze();
+    failed_ = failed_ || used.failed();
     if (whole && !failed_) warnAbout(model_, reporter);
   }
   diagnostics_ = reporter.take();
