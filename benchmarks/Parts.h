@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// How often a part is measured, each time for a tenth of a second, and how it is told.
+/// How often a part is measured, each time for a tenth of a second, and how it is reported.
 inline void inMilliseconds(benchmark::internal::Benchmark* part) {
   part->Repetitions(5)->MinTime(0.1)->Unit(benchmark::kMillisecond);
 }
@@ -19,7 +19,7 @@ inline void inNanoseconds(benchmark::internal::Benchmark* part) {
   part->Repetitions(5)->MinTime(0.1)->Unit(benchmark::kNanosecond);
 }
 
-/// What a part's time should be at most, in the unit in which it is told.
+/// What a part's time should be at most, in the unit in which it is reported.
 inline void aim(benchmark::State& state, double atMost) {
   state.counters["aim"] = atMost;
 }

@@ -8,7 +8,7 @@
 namespace gt {
 
 /// Compares percepts with the truth, image by image. Rates are named after what has to be true
-/// (`ball.found`), false ones `false`; all are told for each band of distances, too.
+/// (`ball.found`), false ones `false`; all are reported for each band of distances, too.
 class VisionMeasures {
  public:
   explicit VisionMeasures(const VisionTruth& truth) : truth_(truth) {}

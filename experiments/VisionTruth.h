@@ -17,7 +17,7 @@ class VisionTruth {
 
   VisionTruth(const World& world, const SceneDescription& scene);
 
-  /// Takes an image to tell about.
+  /// Takes an image to report on.
   void look(const GameView& view);
 
   const CameraMatrix& camera() const { return view_->camera; }

@@ -28,7 +28,7 @@ struct Run {
   double freeMinutes = 0;
 };
 
-/// A robot that walks about among others, as it is told.
+/// A robot that walks about among others, as requested.
 class Walker {
  public:
   static Result<std::unique_ptr<Walker>> make(const DataRoot& root, std::uint64_t seed,
@@ -100,7 +100,7 @@ class Walker {
 /// past something is no collision.
 class HoldUp {
  public:
-  /// Tells of a tick.
+  /// Reports a tick.
   void add(const RobotBody& robot, const MotionRequest& motion) {
     constexpr int apart = ticksPerSecond / 4;
     if (robot.blocked) {

@@ -52,7 +52,7 @@ void add(Measurement& measured, const std::string& name, const char* unit, doubl
 }
 
 /// Where the robot would be if the field were turned by half a circle: without goals and beacons
-/// nothing tells one from the other.
+/// nothing distinguishes them.
 bool isMirrored(const Pose2D& estimate, const Pose2D& truth) {
   const double right = (estimate.translation - truth.translation).norm();
   const double mirrored = (estimate.translation + truth.translation).norm();

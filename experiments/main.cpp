@@ -33,7 +33,7 @@ const Experiments& experiments() {
 
 namespace {
 
-/// What the command line says; each command uses a part of it.
+/// The arguments of the command line; each command uses a part of them.
 struct Arguments {
   std::string seeds = "1..10";
   JobSelection selection;

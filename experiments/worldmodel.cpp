@@ -24,7 +24,7 @@ struct Watch {
   std::array<TeamBallWatch, 3> team;
 };
 
-/// The message of a robot, with the ball of the locator that tells how sure it is.
+/// The message of a robot, with the ball of the locator that estimates its standard deviation.
 TeamMessage messageOf(const Player& player, const RobotPose& pose, const BallModel& ball,
                       Time now) {
   TeamMessage message;
@@ -58,7 +58,7 @@ class Truth {
     tracker_.update(percept_);
     if (log_) log_->write("/CeilingCameraPercept", percept_.time, percept_);
   }
-  /// How things are for a robot; null if nobody can tell. Compares camera and oracle.
+  /// How things are for a robot; null if that is unknown. Compares camera and oracle.
   const OracledWorldState* of(std::size_t robot, Tally& tally) {
     const OracledWorldState& oracle = simulation_.input(robot).oracle;
     const Player& player = simulation_.players()[robot];

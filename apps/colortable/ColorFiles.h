@@ -18,7 +18,7 @@ struct Learning {
   double share = 0.995;  ///< Of a class's pixels that shall lie in each range, of HSI and TSL.
 };
 
-/// Writes what was learnt in the form that the file's extension tells, and returns it as a table.
+/// Writes what was learnt in the form given by the file's extension, and returns it as a table.
 Result<ColorTable64> writeLearnt(const std::string& file, const ColorStatistics& statistics,
                                  const Learning& learning);
 

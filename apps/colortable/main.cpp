@@ -13,7 +13,7 @@ namespace {
 
 using namespace gt;
 
-/// What the command line says; each command uses a part of it.
+/// The arguments of the command line; each command uses a part of them.
 struct Arguments {
   ImageSource source;
   Learning learning;

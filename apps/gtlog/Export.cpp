@@ -185,7 +185,7 @@ Result<void> exportTrace(const std::string& log, const Selection& selection,
 
 namespace {
 
-/// A CSV file for each topic; those that make no table are told.
+/// A CSV file for each topic; those that make no table are reported.
 Result<std::vector<Error>> exportTables(const std::string& log, const Selection& selection,
                                         const std::vector<std::string>& topics,
                                         const std::string& to) {

@@ -13,7 +13,7 @@
 namespace gt {
 namespace {
 
-/// The messages of one topic, by their times and what is left of their bytes to tell them apart.
+/// The messages of one topic, by their times and what is left of their bytes to distinguish them.
 using Trace = std::vector<std::pair<std::int64_t, std::size_t>>;
 
 Result<std::map<std::string, Trace>> tracesOf(const std::string& log,

@@ -12,7 +12,7 @@ namespace {
 
 using namespace gt;
 
-/// What the commands are told; each uses its part.
+/// The arguments of the commands; each uses its part.
 struct Arguments {
   std::vector<std::string> logs;
   std::string log, out;

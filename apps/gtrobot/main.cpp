@@ -49,13 +49,13 @@ std::pair<std::string, std::string> splitAddress(const std::string& text) {
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-/// What the command line tells in words.
+/// The words of the command line.
 struct Arguments {
   std::vector<std::string> processes;
   std::string keys, connectKeys;
 };
 
-/// Takes from player.cfg and network.cfg what the command line does not tell.
+/// Takes from player.cfg and network.cfg what the command line does not state.
 gt::Result<void> readSettings(const CLI::App& app, gt::RobotProgramOptions& options,
                               Arguments& arguments) {
   const auto player = gt::loadPlayer(options.paths.config);
@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
     if (failed) return gt::Error{.file = crashes, .what = failed.message()};
     gt::installCrashHandler({std::string{"gtrobot-"} + gt::processName, crashes});
     if (auto done = readFiles(app, options, arguments); !done) return done;
-    // The configuration tells of its parts where in these they are.
+    // The configuration names for its parts where in these they are.
     const gt::RobotModules modules = gt::processModules();
     return gt::runRobotProgram(options, modules);
   });

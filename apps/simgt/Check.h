@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// What `simgt check` is told.
+/// The arguments of `simgt check`.
 struct CheckOptions {
   std::string root;
   bool strict = false;  ///< Warnings are failures, too.

@@ -21,7 +21,7 @@ Result<void> showLayout(const LayoutOptions& options) {
   if (!plan) return plan.error();
   fmt::print("{}", describePlan(*plan));
   if (options.svg.empty()) return {};
-  std::error_code ignored;  // then drawing tells what is wrong
+  std::error_code ignored;  // then drawing reports what is wrong
   std::filesystem::create_directories(std::filesystem::path{options.svg}.parent_path(), ignored);
   if (const auto done = writeSvg(drawPlan(*plan), options.svg); !done) return done;
   fmt::print("Drawing: {}\n", options.svg);

@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds interval{200};
 constexpr const char* clearLine = "\r\033[K";
 constexpr const char* plain = "\033[0m";
 
-/// The color in which a line is told; empty: none.
+/// The color in which a line is printed; empty: none.
 const char* colorOf(std::string_view line) {
   if (line.find("Goal for") != line.npos) return "\033[1;33m";
   if (line.find("  Kick-off") != line.npos || line.find("  Half time") != line.npos)

@@ -57,7 +57,7 @@ bool bindEnumerations(const Model& model, const std::vector<std::string>& entrie
   return true;
 }
 
-/// The rule of make that says which files the header depends on.
+/// The rule of make that lists which files the header depends on.
 std::string dependencies(const HeaderOptions& options, const Model& model) {
   const auto escaped = [](const std::string& path) {
     std::string text;

@@ -21,7 +21,7 @@ class ChildProgram {
   bool runs();
   /// Sends it a signal by which it ends, and waits until it has.
   void kill(int signal = SIGKILL);
-  /// How it ended, as waitpid() tells it.
+  /// How it ended, as waitpid() returns it.
   int status() const { return status_; }
   /// What it has of the memory, in MB.
   double memory() const;

@@ -29,7 +29,7 @@ class RunningStatistics {
   double mean() const { return mean_; }
   /// Of the numbers themselves; 0 of nothing.
   double variance() const { return count_ > 0 ? squares_ / static_cast<double>(count_) : 0; }
-  /// What the numbers tell of the variance of where they were drawn from; 0 of fewer than two.
+  /// The estimated variance of the distribution the numbers were drawn from; 0 for fewer than two.
   double sampleVariance() const {
     return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : 0;
   }

@@ -4,7 +4,7 @@
 
 namespace gt {
 
-/// A point in time in milliseconds since the robot's start, as the platform's clock tells it.
+/// A point in time in milliseconds since the robot's start, by the platform's clock.
 struct Time {
   std::int64_t ms = 0;
 

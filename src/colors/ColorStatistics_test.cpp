@@ -26,7 +26,7 @@ TEST(ColorStatistics, LearnFromImagesWithKnownClasses) {
     classes.push_back(i % 40 < 20 ? ColorClass::orange : ColorClass::green);
   for (int i = 0; i < 10; ++i)
     statistics.add({withNoise(halvedImage(orange, green), 3, random), classes, {}});
-  // What a person says of a region, beside what the simulator says of each pixel.
+  // What a person states of a region, beside what the simulator states of each pixel.
   const Pixel white{230, 128, 128, 0};
   const Image wall = withNoise(halvedImage(white, orange), 3, random);
   const std::vector<LabeledRegion> regions{{"wall", ColorClass::white, {0, 0, 19, 19}}};

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view heading = "picture,class,left,top,right,bottom";
 constexpr std::array columns{"picture", "class", "left", "top", "right", "bottom"};
 
-/// The cells of a row; fewer or more than there should be are told by their number.
+/// The cells of a row; an error states their number if it is wrong.
 std::vector<std::string_view> cellsOf(std::string_view row) {
   std::vector<std::string_view> cells;
   for (;;) {

@@ -25,14 +25,14 @@ struct ImageRegion {
   }
 };
 
-/// What a person says of an image: a rectangle that shows one color class.
+/// A label by a person: a rectangle of an image that shows one color class.
 struct LabeledRegion {
   std::string picture;  ///< A file's name, or a log's image by its number from 0.
   ColorClass colorClass = ColorClass::noColor;
   ImageRegion region;
 };
 
-/// An image of which one knows what it shows: the class of each pixel, as the simulator tells, or
+/// An image with known content: the class of each pixel, as the simulator provides it, or
 /// regions, as a person does.
 struct LabeledImage {
   const Image& image;

@@ -23,7 +23,7 @@ std::vector<Command> testCommands();
 Result<double> numberOf(const std::string& word);
 /// A number within limits.
 Result<double> numberOf(const std::string& word, double low, double high);
-/// The error of a command whose arguments are not as its usage says: reports how they should be.
+/// The error of a command whose arguments do not match its usage: reports how they should be.
 Error wrongArguments(const Words& words);
 /// A file's name with a folder and an extension if it has none.
 std::string withDefaults(const std::string& file, const std::string& folder,
@@ -38,7 +38,8 @@ std::vector<std::string> namesOf() {
 }
 /// Prints a line each.
 void list(Console& console, const std::vector<std::string>& lines);
-/// What all processes of a robot say of themselves; of a robot elsewhere, what this program knows.
+/// What all processes of a robot report about themselves; of a robot elsewhere, what this program
+/// knows.
 std::vector<ProcessDescription> describe(ConsoleRobot& robot);
 /// What follows an error about an unknown name: the known one that is spelled most like it.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);

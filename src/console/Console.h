@@ -36,7 +36,7 @@ struct Command {
   std::string_view arguments;
   std::string_view help;
   Result<void> (*execute)(Console& console, const Words& words);
-  /// What may stand for a placeholder behind the words `before`; null: what its name says.
+  /// What may stand for a placeholder behind the words `before`; null: what its name states.
   Choices choices = nullptr;
   bool changes = false;  ///< Whether it changes what happens: a loaded state does it again.
   std::string_view topic{};
@@ -87,7 +87,7 @@ class Console {
   std::vector<ConsoleRobot*> selected();
   const std::vector<std::string>& selection() const { return selected_; }
   void select(std::vector<std::string> names) { selected_ = std::move(names); }
-  /// Does something for each selected robot, up to the first error, which tells the robot's name.
+  /// Does something for each selected robot, up to the first error, which names the robot.
   Result<void> forEachRobot(const std::function<Result<void>(ConsoleRobot&)>& work);
   /// The first selected robot; an error if there is none.
   Result<ConsoleRobot*> firstRobot();

@@ -21,7 +21,7 @@ Result<void> jhc(Console& console, const Words& words) {
   return {};
 }
 
-/// Has the selected robots do what the axes say now.
+/// Controls the selected robots by the present axes.
 Result<void> moveRobots(Console& console) {
   const Time now = console.session().time();
   const auto walk = console.joystick().walk();

@@ -143,7 +143,7 @@ std::vector<std::string> taskNames(Console&, const Words& before) {
   return names;
 }
 
-/// The report's scripts say GT2003-soccer where the solution is GT2003.
+/// The report's scripts name the solution GT2003-soccer that is GT2003 here.
 std::string solutionName(const std::string& task, const std::string& word) {
   const Task* known = solutions().find(task);
   if (known && !known->find(word))
@@ -304,7 +304,7 @@ Result<void> graph(Console& console, const Words& words) {
   const std::vector<ProcessDescription> modules = describe(**robot);
   if (words.size() == 2) {
     const std::string file = withDefaults(words[1], "out/graphs", ".svg");
-    std::error_code ignored;  // then drawing tells what is wrong
+    std::error_code ignored;  // then drawing reports what is wrong
     std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
     return writeSvg(drawModules(modules), file);
   }

@@ -131,7 +131,7 @@ Result<void> writeCsv(const std::string& file, const std::vector<Outcome>& outco
                   o.ball.x(), o.ball.y());
     text += std::to_string(i + 1) + "," + std::to_string(o.seed) + "," + quoted(o.result) + numbers;
   }
-  std::error_code ignored;  // then writing tells what is wrong
+  std::error_code ignored;  // then writing reports what is wrong
   std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
   return writeFile(file, text);
 }

@@ -163,7 +163,7 @@ Result<void> reset(Console& console, const Words&) {
 
 Result<void> save(Console& console, const Words& words) {
   const std::string file = withDefaults(words[1], "out/states", ".state");
-  std::error_code ignored;  // then writing tells what is wrong
+  std::error_code ignored;  // then writing reports what is wrong
   std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
   if (auto done = console.session().match().save(file); !done) return done;
   printWritten(console, file);

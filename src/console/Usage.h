@@ -22,7 +22,7 @@ class Usage {
     std::optional<std::size_t> command{};
   };
   Next next(std::span<const std::string> before) const;
-  /// Whether words are what may stand there, as far as placeholders tell.
+  /// Whether words are what may stand there, as far as placeholders determine it.
   bool matches(std::span<const std::string> words) const;
 
  private:

@@ -17,7 +17,8 @@ struct CrashModule {
   std::string path;
 };
 
-/// What a process told when it died; see installCrashHandler(). Provided by parseCrashReport.
+/// What a process reported when it crashed; see installCrashHandler(). Provided by
+/// parseCrashReport.
 struct CrashReport {
   std::string program, signal;
   int signalNumber = 0, code = 0;
@@ -38,12 +39,12 @@ struct CrashReport {
   std::uint64_t programCounter() const { return registers.empty() ? 0 : registers.front().second; }
   /// The module in which an address lies; null if there is none.
   const CrashModule* moduleAt(std::uint64_t address) const;
-  /// The call stack: frames, or, if the process could not tell them, the crash and what looks like
-  /// a return address on the stack.
+  /// The call stack: frames, or, if the process could not report them, the crash and what looks
+  /// like a return address on the stack.
   std::vector<std::uint64_t> callStack() const;
 };
 
-/// Reads a report. What is cut off at the end is left out; errors tell the line.
+/// Reads a report. What is cut off at the end is left out; errors state the line.
 Result<CrashReport> parseCrashReport(std::string_view text, const std::string& file);
 
 }  // namespace gt

@@ -69,7 +69,7 @@ class Crash : public testing::Test {
     return *report;
   }
 
-  /// The place of a frame, the first one that tells a function of the child.
+  /// The place of a frame, the first one that names a function of the child.
   static SourcePlace placeOf(const CrashReport& report, const std::string& function,
                              const std::vector<std::string>& folders = {}) {
     Symbolizer symbolizer{report, folders};

@@ -22,9 +22,9 @@ class ElfFile {
 
   const std::string& path() const { return path_; }
   const std::string& buildId() const { return buildId_; }  ///< In hex; empty if it has none.
-  /// Whether it tells source lines.
+  /// Whether it has information about source lines.
   bool hasLines() const { return hasLines_; }
-  /// The function at an address of the file; nothing if no symbol tells.
+  /// The function at an address of the file; empty if no symbol covers it.
   std::optional<ElfFunction> functionAt(std::uint64_t address) const;
   bool hasFunctions() const { return !functions_.empty(); }
 

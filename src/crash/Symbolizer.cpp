@@ -115,7 +115,7 @@ Result<std::vector<Instruction>> Symbolizer::assembler(std::uint64_t address, st
   const Files& files = filesOf(*module);
   if (!files.code) return Error{.file = module->path, .what = "its code is not there"};
   const std::uint64_t at = address - module->base;
-  // From the function's begin on, as instructions can only be told from there.
+  // From the function's begin on, as instructions can only be decoded from there.
   std::uint64_t begin = at, end = at + 16 * count;
   if (files.symbols)
     if (const auto function = files.symbols->functionAt(at)) {

@@ -12,8 +12,8 @@ namespace gt {
 
 /// A place in the sources.
 struct SourcePlace {
-  std::string function;  ///< As in the sources; "?" if nothing tells.
-  std::string file;      ///< Empty if nothing tells.
+  std::string function;  ///< As in the sources; "?" if unknown.
+  std::string file;      ///< Empty if unknown.
   int line = 0;
 };
 

@@ -47,8 +47,8 @@ class DebugProcess : public Process {
   MessageQueue toTools_{8 << 20};
   MessageQueue fromTools_;
   MessageQueue out_;
-  /// Tells whether all processes have taken the last queue; not registered, since collecting goes on
-  /// meanwhile.
+  /// Knows whether all processes have taken the last queue; not registered, since collecting goes
+  /// on meanwhile.
   PackageSender sender_{representation<MessageQueue>(), &out_, true};
 };
 

@@ -66,7 +66,7 @@ Providers findProviders(const Layout& layout, const SolutionTable& table, Errors
   return providers;
 }
 
-/// Representations are told apart by their names, and their messages by ids made of these.
+/// Representations are distinguished by their names, and their messages by ids made of these.
 void checkNames(const Layout& layout, const SolutionTable& table, const Types& platform,
                 const Types& given, Errors& errors) {
   std::map<std::string_view, const RepresentationType*> names;

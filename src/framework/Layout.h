@@ -24,7 +24,7 @@ struct ProcessLayout {
   int line = 0;
 };
 
-/// Which process runs which modules, as a layout file says it (report 2.2.3):
+/// Which process runs which modules, as a layout file states it (report 2.2.3):
 ///
 ///     process Cognition on Image
 ///       SensorDataProcessor

@@ -46,8 +46,8 @@ class NewestMessages {
   std::vector<Newest> newest_;
 };
 
-/// Fills the queue to the tools as the last request says:
-/// - queue: with all messages; what does not fit is dropped, and that is told;
+/// Fills the queue to the tools as the last request demands:
+/// - queue: with all messages; what does not fit is dropped, and that is reported;
 /// - replace: with the newest messages (NewestMessages), here and in the queue of each tool;
 /// - reject: not at all;
 /// - collect: with all messages for some seconds, then not at all;

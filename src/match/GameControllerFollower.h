@@ -27,7 +27,7 @@ class GameControllerFollower {
   using Note = std::function<void(std::span<const std::byte> message)>;
   /// Carries out and answers what has arrived since the last call. Does not block.
   void hear(const Note& note);
-  /// Does what a message says. Returns whether it said anything new, or an error if it is no
+  /// Applies a message. Returns whether it contained anything new, or an error if it is no
   /// message of a game controller.
   Result<bool> follow(std::span<const std::byte> message);
 

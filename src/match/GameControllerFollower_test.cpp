@@ -90,7 +90,7 @@ TEST_F(GameControllerFollowerTest, AGameControllerLeadsByUdpAndIsAnswered) {
   match.step();
   EXPECT_EQ(match.history().size(), 1u);
   EXPECT_EQ(controller.answers(), 8);
-  // What it said is part of the state.
+  // Its message is part of the state.
   for (int i = 0; i < 20; ++i) match.step();
   const std::string file = (folder / "led.state").string();
   ASSERT_TRUE(match.save(file));

@@ -23,7 +23,7 @@ namespace gt {
 struct MatchOptions {
   DataRoot root{};  ///< Where the files below lie by default.
   std::string scene = root.path("scenes/match.scene");
-  std::optional<double> minutes{};  ///< Both halves together, instead of what the scene says.
+  std::optional<double> minutes{};  ///< Both halves together, instead of the scene's value.
   std::uint64_t seed = 1;
   std::size_t threads = 1;  ///< Do not change what happens.
   std::string
@@ -32,7 +32,7 @@ struct MatchOptions {
   int images = 0;       ///< How many camera images to keep for the report page.
   std::string behavior = root.path("behavior/GT2003.xabsl");
   std::string motions = root.path("motions");
-  std::string layout{};  ///< Of all robots, instead of what the scene says, if not empty.
+  std::string layout{};  ///< Of all robots, instead of the scene's, if not empty.
   /// Robots whose processes are programs of their own and connect to the simulation: for each name
   /// where it listens for them, such as tcp://10.0.1.5:5003; on this machine, if that is empty.
   std::map<std::string, std::string> remote{};
@@ -66,18 +66,18 @@ class Match {
   /// Writes the state to a file. Fails if the match cannot be repeated (`markIrreproducible`).
   Result<void> save(const std::string& path) const;
   /// A match in the state of a file, which continues with the same bits as the one that was saved.
-  /// `options` says threads, logs, images; the rest comes from the file. Fails if another match
+  /// `options` provides threads, logs, images; the rest comes from the file. Fails if another match
   /// results, because files or programs have changed since.
   static Result<std::unique_ptr<Match>> load(const std::string& path, MatchOptions options,
                                              const Perform& perform);
-  /// Does what a game controller's message says. Fails if it is none.
+  /// Applies a game controller's message. Fails if it is none.
   Result<void> control(std::span<const std::byte> message);
   /// The UDP port on which a game controller is heard, if one may lead.
   std::optional<int> gameControllerPort() const { return gameController_->port(); }
   /// Remembers what was just done to the match from outside, for `save`.
   void note(InterventionKind kind, std::string line);
   const std::vector<Intervention>& history() const { return history_; }
-  /// Says why what happens from now on cannot be repeated. The first reason counts.
+  /// Marks the match irreproducible from now on, with a reason. The first reason counts.
   void markIrreproducible(const std::string& why);
 
   /// Closes the logs. Returns the first error that happened while one was written.

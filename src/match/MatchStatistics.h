@@ -14,13 +14,13 @@ namespace gt {
 /// (ready, set, playing).
 class MatchStatistics {
  public:
-  /// The motions say which special actions are kicks.
+  /// The motions define which special actions are kicks.
   MatchStatistics(const Simulation& simulation, const std::vector<MatchRobot*>& robots,
                   const MotionNet& motions);
 
   /// Looks at the world and the robots after a tick.
   void update();
-  /// Fills in what the summary says about the robots and the ball.
+  /// Fills in the summary's part about the robots and the ball.
   void summarize(MatchSummary& summary) const;
   /// The distances between believed and true positions in mm, of all robots and images.
   std::vector<double> localizationErrors() const;

@@ -69,7 +69,7 @@ struct KickCount {
   }
 };
 
-/// What a match says about one robot.
+/// What a match's summary states about one robot.
 struct RobotSummary {
   std::string name;
   TeamColor team = TeamColor::red;

@@ -13,7 +13,7 @@ namespace gt {
 struct RemoteStatistics {
   std::int64_t frames = 0;          ///< Frames of 8 ms since it first gave commands.
   std::int64_t missedFrames = 0;    ///< Of these, without new commands.
-  std::int64_t pictures = 0;        ///< Images since it first told its team something.
+  std::int64_t pictures = 0;        ///< Images since its first message to its team.
   std::int64_t missedPictures = 0;  ///< Of these, without a new message to the team.
 };
 
@@ -72,12 +72,12 @@ class RemoteRobot : public MatchRobot {
   Wire wire_;
   InputSlots<Out> inputs_;
   CommandSlots<In> commands_;
-  std::optional<CameraSettings> camera_;  ///< As the robot told it last.
+  std::optional<CameraSettings> camera_;  ///< As the robot sent them last.
   In<RobotPose> pose_;
   In<BallModel> ball_;
   In<RobotState> state_;
   In<MotionInfo> motion_;
-  Pose2D walked_;  ///< By the robot's odometry, when it last told.
+  Pose2D walked_;  ///< By the robot's odometry, in its last message.
   Time walkedAt_ = never();
   std::int64_t images_ = 0;
   bool newMessage_ = false;

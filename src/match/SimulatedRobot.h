@@ -18,7 +18,7 @@ namespace gt {
 /// robot's processes and takes their commands. Writes the robot's log.
 ///
 /// The camera writes each image into the package that the process with the ImageProcessor receives
-/// (`nextImage`), so nobody copies it; docs/image-path.md tells the whole path.
+/// (`nextImage`), so nobody copies it; docs/image-path.md describes the whole path.
 class SimulatedRobot : public MatchRobot {
  public:
   SimulatedRobot(std::string name, std::unique_ptr<Robot> robot);

@@ -98,7 +98,7 @@ TEST(SimulatedRobot, ACameraThatIsOffRepeatsTheLastImage) {
   EXPECT_FALSE(sameBytes(simulation.image(0), last));
 }
 
-/// A robot that stands and looks, whose body leans otherwise than its joints tell (degrees).
+/// A robot that stands and looks, whose body leans otherwise than its joints measure (degrees).
 struct Lean {
   double tilt = 0, roll = 0;
 };
@@ -165,8 +165,8 @@ class LeaningBody : public MatchTest {
   }
 };
 
-/// Report B.4.5: with the corrections in robot.cfg, what leans otherwise than its joints tell sees
-/// things where they are.
+/// Report B.4.5: with the corrections in robot.cfg, what leans otherwise than its joints measure
+/// sees things where they are.
 TEST_F(LeaningBody, RobotCfgBringsPerceptsBackToTheTruth) {
   Distances upright, leaning, corrected;
   for (const std::uint64_t seed : {1u, 2u, 3u}) {

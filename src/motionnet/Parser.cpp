@@ -12,7 +12,7 @@ using Words = std::vector<std::string_view>;
 using Angles = std::vector<std::optional<int>>;
 
 constexpr std::size_t maxStatements = 20000;
-constexpr std::size_t maxErrors = 20;  // of one file; garbage is told of briefly
+constexpr std::size_t maxErrors = 20;  // of one file; garbage is reported briefly
 constexpr int maxFrames = 10000;
 constexpr int maxSpeed = 10000;
 constexpr int maxDistance = 1000;

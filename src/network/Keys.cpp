@@ -34,7 +34,7 @@ bool isKey(const std::string& text) {
 }  // namespace
 
 Result<void> makeKeys(const std::string& folder) {
-  std::error_code ignored;  // then creating the files tells what is wrong
+  std::error_code ignored;  // then creating the files reports what is wrong
   std::filesystem::create_directories(folder, ignored);
   KeyText serverPublic, serverSecret, clientPublic, clientSecret;
   if (zmq_curve_keypair(serverPublic.data(), serverSecret.data()) != 0 ||

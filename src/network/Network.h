@@ -41,7 +41,7 @@ class Network {
   Time now;
   /// A number that another start of the program does not have.
   std::uint64_t session() const { return session_; }
-  /// Milliseconds since the network was made, whatever the robot's clock says.
+  /// Milliseconds since the network was made, independent of the robot's clock.
   std::int64_t elapsed() const;
 
  private:

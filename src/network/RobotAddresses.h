@@ -7,7 +7,7 @@
 namespace gt {
 
 /// Under which names a robot's processes are found: on one machine as `ROBOT.PROCESS` in a folder
-/// that belongs to the user alone, elsewhere where one is told.
+/// that belongs to the user alone, elsewhere where one is given.
 struct RobotAddresses {
   std::string folder;
   std::string robot = "robot";

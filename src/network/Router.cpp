@@ -98,7 +98,7 @@ void Router::notifyTeammates(const RoutedTeamMessage& routed, const Route* from)
   }
 }
 
-/// What other routers tell is not passed on to further ones: so nothing goes round in circles.
+/// Messages of other routers are not passed on to further ones: nothing goes round in circles.
 void Router::exchangeWithRouters() {
   if (routers_) {
     routers_->send(toRouters_);

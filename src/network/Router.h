@@ -16,7 +16,7 @@ struct RoutedRobot {
   std::string team;   ///< Robots of the same one are team mates; empty: of none.
 };
 
-/// A team message as routers tell it to each other.
+/// A team message as routers send it to each other.
 struct RoutedTeamMessage {
   std::string team;
   TeamMessage message;

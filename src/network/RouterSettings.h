@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// What the router's command line tells, and what is kept of it for the next start.
+/// The arguments of the router's command line, and what is kept of them for the next start.
 struct RouterSettings {
   std::vector<std::string> robots;
   std::string sockets;

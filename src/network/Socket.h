@@ -54,7 +54,7 @@ class Socket {
   /// How many messages were no frames.
   std::uint64_t rejected() const { return rejected_; }
 
-  /// What tells that something came in: a socket of ZeroMQ, or if null a file descriptor.
+  /// What signals that something came in: a socket of ZeroMQ, or if null a file descriptor.
   virtual void* zeroMq() const { return nullptr; }
   virtual int file() const { return -1; }
 

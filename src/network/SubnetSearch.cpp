@@ -31,7 +31,7 @@ void SubnetSearch::begin() {
       continue;
     FileDescriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
     if (!socket) return;  // as many as the system allows; the others next time
-    // Its outcome, even if it is there at once, is what poll() tells.
+    // Its outcome, even if it is there at once, is what poll() returns.
     (void)!connect(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
     attempts_.push_back({number, std::move(socket)});
   }

@@ -35,7 +35,7 @@ bool takeTypes(const Frame& frame, Interpreter& interpreter) {
   return true;
 }
 
-/// Whether it is time to say something again.
+/// Whether it is time to report something again.
 bool isDue(std::int64_t& last, std::int64_t now) {
   if (last >= 0 && now - last < repeatAfter) return false;
   last = now;
@@ -164,7 +164,7 @@ void ToolPort::update(MessageQueue& messages) {
   });
   for (const auto& tool : tools_) {
     serve(*tool);
-    // One tool at a time may fill what is left, and each is told that the robot is there.
+    // One tool at a time may fill what is left, and each is notified that the robot is there.
     if (!hasRoom(messages) || !isDue(tool->asked, now)) continue;
     socket_->send(tool->name, FrameKind::request, topic_, nullptr);
     tool->maySend = true;

@@ -17,8 +17,8 @@ constexpr std::size_t toolQueueSize = 2 << 20;
 /// messages. Memory is bounded for each tool: what one does not take in time is dropped for that
 /// one, and one that sends without being asked is not listened to (report 5.3). A tool that takes
 /// what was kept for it late gets the newest only, if the queues were asked to be filled so
-/// (QueueFillRequest). Both sides tell by which vocabulary they write, and ask for one that they do
-/// not know before they take messages.
+/// (QueueFillRequest). Both sides state by which vocabulary they write, and ask for one that they
+/// do not know before they take messages.
 class ToolPort {
  public:
   /// Without a vocabulary messages are passed on as they are.
@@ -34,7 +34,7 @@ class ToolPort {
 
   /// From now on the messages are written by another program's vocabulary.
   void relay(const TypeDescriptions& types);
-  /// What a person should know of the tools and has not been told yet.
+  /// News about the tools that was not yet reported to the user.
   std::vector<std::string> takeNews();
 
   std::size_t tools() const { return tools_.size(); }
@@ -70,7 +70,7 @@ class ToolPort {
   NewestMessages newest_;
   std::vector<std::unique_ptr<Tool>> tools_;
   std::uint64_t rejected_ = 0;
-  std::uint64_t dropped_ = 0;  ///< That the tools were told of, or that are gone with them.
+  std::uint64_t dropped_ = 0;  ///< That were reported to the tools, or that are gone with them.
 };
 
 /// A tool's end: connects to a robot's port, or to the router's for that robot.
@@ -90,7 +90,7 @@ class ToolConnection {
   std::uint64_t rejected() const { return rejected_ + socket_->rejected(); }
   /// The vocabulary by which the robot writes, as far as it is another one.
   const TypeDescriptions& theirs() const { return interpreter_.theirs(); }
-  /// What a person should know of the robot and has not been told yet.
+  /// News about the robot that was not yet reported to the user.
   std::vector<std::string> takeNews() { return interpreter_.takeNews(); }
   /// Why the robot is not reached, as far as it is known; empty otherwise.
   std::string trouble() const { return connected() ? "" : socket_->trouble(); }

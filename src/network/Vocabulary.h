@@ -68,16 +68,16 @@ class Interpreter {
   void learn(TypeDescriptions theirs);
   /// What was learned last.
   const TypeDescriptions& theirs() const { return theirs_; }
-  /// Appends messages as this program writes them. What cannot be read is left out, and told.
+  /// Appends messages as this program writes them. What cannot be read is left out, and reported.
   void take(const MessageQueue& messages, MessageQueue& to);
-  /// What a person should know of the other program and has not been told yet.
+  /// News about the other program that was not yet reported to the user.
   std::vector<std::string> takeNews() { return std::exchange(news_, {}); }
 
  private:
   struct Foreign {
     const RepresentationType* type;
     std::optional<MessageDefinition> definition;  ///< Empty if it cannot be read.
-    bool failed = false;                          ///< That a message cannot be read was told.
+    bool failed = false;                          ///< That a message cannot be read was reported.
   };
 
   void translate(const Message& message, Foreign& foreign, MessageQueue& to);

@@ -19,7 +19,7 @@ constexpr std::size_t mostPeers = 64;
 constexpr std::uint32_t mostReceivers = 16;
 /// What is taken in one go, so that a flood does not hold the process up.
 constexpr int framesPerUpdate = 256;
-/// More is not told to a person.
+/// More is not reported to the user.
 constexpr std::size_t mostNews = 100;
 
 }  // namespace
@@ -116,7 +116,7 @@ void Wire::askForMore() {
     if (!peer->endpoint.empty()) lookFor(*peer);
 }
 
-/// Tells once that somebody does not answer, and again when he does.
+/// Reports once that a program does not answer, and again when it does.
 void Wire::lookFor(Peer& peer) {
   const bool there = peer.clock.session != 0;
   if (there == !peer.missed || (!there && network_.elapsed() < missedAfter)) return;

@@ -16,7 +16,7 @@ namespace gt {
 /// 2.2.3.1): each sender serves whoever asks for its package, each receiver asks one process for
 /// it. A process that ends is forgotten after a second; one that is started again asks anew.
 ///
-/// A package tells by which schema it was written. If that is another one than the receiver's, as
+/// A package states by which schema it was written. If that is another one than the receiver's, as
 /// the programs were built from different versions, the receiver asks for it and reads the package
 /// field by field.
 class Wire {
@@ -36,8 +36,8 @@ class Wire {
 
   /// Takes what came in. To be called before each cycle of the process.
   void takeIn();
-  /// Tells others what the receivers are ready for. To be called after each cycle, and when there
-  /// was no reason for one.
+  /// Notifies others of what the receivers are ready for. To be called after each cycle, and when
+  /// there was no reason for one.
   void askForMore();
 
   /// The newest time that a peer stamped its packages with, and the session it is in; 0 as long as
@@ -49,7 +49,7 @@ class Wire {
   Clock clockOf(std::string_view peer) const;
   /// Packages and requests that came in and could not be used.
   std::uint64_t rejected() const { return rejected_; }
-  /// What a person should know of the other programs and has not been told yet, line by line:
+  /// News about the other programs that was not yet reported to the user, line by line:
   /// who does not answer where he is expected, and whose packages are of another version.
   std::vector<std::string> takeNews() { return std::exchange(news_, {}); }
 

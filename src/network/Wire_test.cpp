@@ -337,7 +337,7 @@ TEST(Network, TellsThatAKeyDoesNotFit) {
   EXPECT_FALSE(troubled(*loadKeys(folder.file("ours/tool.key"))));
 }
 
-/// Who waits in vain for another program says so, once.
+/// Who waits in vain for another program reports that, once.
 TEST(Wire, TellsWhoDoesNotAnswer) {
   const TestFolder folder;
   Sink sink{folder.endpoint("a")};

@@ -23,7 +23,7 @@ std::string binaryKey(const std::string& text) {
   return bytes;
 }
 
-/// An end of a connection over the loopback device, as /proc/net/tcp tells it.
+/// An end of a connection over the loopback device, as /proc/net/tcp lists it.
 std::string endOf(int file, decltype(&getpeername) name) {
   sockaddr_in address{};
   socklen_t size = sizeof address;

@@ -28,7 +28,7 @@ class ZeroMq {
   std::optional<zmq::socket_t> keyKeeper_;
 };
 
-/// What ZeroMQ tells of a socket's connections.
+/// What ZeroMQ reports of a socket's connections.
 class SocketEvents {
  public:
   SocketEvents(ZeroMq& zeroMq, zmq::socket_t& watched, int kinds);

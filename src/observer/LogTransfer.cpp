@@ -27,7 +27,7 @@ struct Source {
   std::map<std::uint16_t, McapWriter::ChannelId> channels{};
   std::optional<McapMessage> message{};
 
-  /// Moves on to the next message; damage is passed over and told.
+  /// Moves on to the next message; damage is skipped and reported.
   void advance(std::vector<Error>& lost) {
     for (;;) {
       auto next = reader.next();
@@ -52,7 +52,7 @@ void copy(Source& source, McapWriter& writer) {
   writer.write(known->second, std::max<std::int64_t>(message.time, 0), message.data);
 }
 
-/// Whose log it is; empty if it does not tell.
+/// Whose log it is; empty if it does not state that.
 std::string robotOf(const McapReader& log) {
   for (const auto& m : log.metadata())
     if (const auto robot = m.entries.find("robot"); m.name == "gt2003" && robot != m.entries.end())
@@ -60,7 +60,7 @@ std::string robotOf(const McapReader& log) {
   return {};
 }
 
-/// Tells the topics of several robots apart.
+/// Distinguishes the topics of several robots.
 void nameRobots(std::vector<Source>& sources) {
   const std::string first = robotOf(sources.front().reader);
   const bool same = std::all_of(sources.begin(), sources.end(), [&](const Source& source) {

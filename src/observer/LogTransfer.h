@@ -13,8 +13,8 @@ struct Transferred {
 Result<Transferred> cutLog(const std::string& from, const Selection& selection,
                            const std::string& to);
 
-/// Joins logs by time. Metadata are told apart by the files' names where there are several, topics
-/// by the robots' names where these differ: /red1/BallModel.
+/// Joins logs by time. Metadata are distinguished by the files' names where there are several,
+/// topics by the robots' names where these differ: /red1/BallModel.
 Result<Transferred> joinLogs(const std::vector<std::string>& from, const std::string& to);
 
 /// Writes all that is whole in a damaged log into a new one with an index.

@@ -9,7 +9,7 @@ namespace gt {
 
 /// The main message queues between tools and robots (report 5.2, figure 5.3). A tool is connected
 /// to one robot of each kind at a time: to the first one of a list. Console, log recorder and views
-/// name queues when they say which robots they mean.
+/// name queues when they state which robots they mean.
 enum class QueueName {
   toPhysicalRobot,  ///< Messages for the connected one.
   toAllPhysicalRobots,

@@ -79,7 +79,7 @@ void ObservedRobot::take(const Message& message) {
   }
 }
 
-/// Refusals that nobody waits for any more are told as texts.
+/// Refusals that nobody waits for any more are reported as texts.
 void ObservedRobot::take(RequestAnswer answer) {
   if (answer.asked == asked_)
     answers_.push_back(std::move(answer));
@@ -354,7 +354,7 @@ Result<std::vector<std::string>> ObservedRobot::paths(const std::string& name) {
   return list;
 }
 
-// What its processes say of themselves.
+// What its processes report about themselves.
 
 Result<const std::vector<ProcessDescription>*> ObservedRobot::processes() {
   about_.clear();

@@ -89,7 +89,7 @@ class ObservedRobot {
   /// The paths that begin with the name of a representation or task.
   Result<std::vector<std::string>> paths(const std::string& name);
 
-  // What its processes say of themselves.
+  // What its processes report about themselves.
 
   /// Tasks, solutions, parameters, debug keys: asked for each time, since they may have changed.
   Result<const std::vector<ProcessDescription>*> processes();

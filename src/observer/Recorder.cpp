@@ -19,7 +19,7 @@ Result<void> Recorder::open() {
   log_ = std::move(*log);
   const auto& inputs = robot_.inputs();
   log_->setInputs({inputs.begin(), inputs.end()});
-  // A robot that does not tell how it was made can be recorded, too.
+  // A robot that does not provide its setup can be recorded, too.
   if (const auto setup = robot_.setup()) attach(*setup, log_->file());
   return {};
 }
@@ -76,7 +76,7 @@ void Recorder::take(const MessageQueue& messages) {
 Result<void> Recorder::save(const std::string& file) {
   if (!log_) return Error{.field = robot_.name(), .what = "nothing was recorded; log start begins"};
   log_->flush();
-  std::error_code ignored;  // then opening the file tells what is wrong
+  std::error_code ignored;  // then opening the file reports what is wrong
   std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
   const auto copied = repairLog(path(), file);
   return copied ? Result<void>{} : copied.error();

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-/// A robot that senses images and tells how it was made.
+/// A robot that senses images and provides its setup.
 class Camera : public RobotLink {
  public:
   MessageQueue& toRobot() override { return in_; }

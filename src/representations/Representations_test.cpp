@@ -79,7 +79,7 @@ void throughMessages(const T& value, Check&& check) {
   queue.handleAllMessages([&](const Message& message) {
     T read{};
     if (message.template is<T>()) {
-      // Of random values some are none that may come from outside; they are told, but read.
+      // Of random values some are none that may come from outside; they are reported, but read.
       EXPECT_EQ(static_cast<bool>(message.read(read)), static_cast<bool>(checked(valueOf(value))));
       check(read, "message");
     } else if (message.id == messageId("binary")) {
@@ -164,7 +164,7 @@ struct AnyContains {
   static bool ask(std::string_view name) { return (contains(typeOf<T>(), name) || ...); }
 };
 
-// Whoever adds a representation and forgets the list is told so.
+// Whoever adds a representation and forgets the list gets an error.
 TEST(AllRepresentations, ListsWhatIsInTheFolder) {
   int found = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator{"src/representations"}) {

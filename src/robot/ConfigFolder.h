@@ -17,7 +17,7 @@ class ConfigFolder {
   /// Reads `location.cfg`, which holds the name of a folder in this one; without it, or if it is
   /// empty, there are the common files only.
   static Result<ConfigFolder> open(const std::string& folder);
-  /// With a location told, whatever location.cfg says; empty for none.
+  /// With a given location instead of that in location.cfg; empty for none.
   ConfigFolder(std::string folder, std::string location)
       : folder_{std::move(folder)}, location_{std::move(location)} {}
 

@@ -34,7 +34,7 @@ struct ConfigurationPaths {
   std::string behavior = "behavior/GT2003.xabsl";  ///< The agents file.
   std::string colorTable{};  ///< Instead of the folder's coltable.c64, if not empty.
   ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the color table's classes.
-  std::string location{};  ///< Instead of what location.cfg says, if not empty.
+  std::string location{};  ///< Instead of that in location.cfg, if not empty.
 
   /// Those of a root; the defaults are those of the working directory.
   static ConfigurationPaths in(const DataRoot& root) {
@@ -106,7 +106,7 @@ struct Configuration {
   void share(Blackboard& blackboard, const std::string& address) const;
 };
 
-/// Compiles a behavior and links it with what this robot offers; the first error tells file, line
+/// Compiles a behavior and links it with what this robot offers; the first error states file, line
 /// and column. Without texts it is read from the file.
 Result<Behavior> loadBehavior(const BehaviorRequest& request, const MotionNet& motions);
 /// A request with the texts of a behavior: those of its file and of all that this includes.
@@ -138,7 +138,7 @@ struct ConfigurationPart {
 /// is set.
 const std::vector<ConfigurationPart>& commonParts();
 
-/// Reads all parts that are in `wanted`, or all that the modules know; the first error tells file,
+/// Reads all parts that are in `wanted`, or all that the modules know; the first error states file,
 /// line and field. Names of solutions are checked where there are solutions of the task.
 Result<std::shared_ptr<const Configuration>> loadConfiguration(
     const ConfigurationPaths& paths, const RobotModules& modules,

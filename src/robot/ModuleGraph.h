@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// The module graph of a running robot for people, from what its processes say of themselves:
+/// The module graph of a running robot for people, from what its processes report about themselves:
 /// which solution of each task runs, and where what it reads comes from. What no task provides
 /// comes from outside: the platform or the configuration.
 std::string describeModules(const std::vector<ProcessDescription>& robot);

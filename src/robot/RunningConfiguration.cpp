@@ -54,7 +54,7 @@ Result<void> savePart(ObservedRobot& robot, const ConfigurationPart& part, const
   return {};
 }
 
-/// Sets a solution's parameters line by line, as a file of the folder modules/ says.
+/// Sets a solution's parameters line by line, as in a file of the folder modules/.
 Result<void> loadParameters(ObservedRobot& robot, const Configuration::ParameterFile& file) {
   const std::string solution = file.task + "." + file.solution + ".";
   std::string section;

@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-/// Runs to the ball and tells where it is.
+/// Runs to the ball and sends where it is.
 class Runner : public RobotController {
  public:
   void cycle(const RobotInput& input, RobotOutput& output) override {

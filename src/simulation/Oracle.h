@@ -16,8 +16,8 @@ inline Pose2D toTeam(TeamColor team, const Pose2D& pose) {
   return team == TeamColor::red ? pose : Pose2D{normalize(pose.rotation + pi), -pose.translation};
 }
 
-/// Tells a robot the truth (report 5.1). `players` holds all robots of the world in their order.
-/// Without a ball its position stays the field's center; with several it is the first.
+/// Provides a robot with the truth (report 5.1). `players` holds all robots of the world in their
+/// order. Without a ball its position stays the field's center; with several it is the first.
 void askOracle(const World& world, const std::vector<Player>& players, std::size_t robot,
                OracledWorldState& state);
 

@@ -87,7 +87,7 @@ class Simulation {
     robots_[robot].settings = settings;
     robots_[robot].camera = withSettings(scene_.camera, settings);
   }
-  /// Sets the effects of one active robot's camera; at the start all are as the scene says.
+  /// Sets the effects of one active robot's camera; at the start all are those of the scene.
   void setCamera(std::size_t robot, const CameraEffects& effects) {
     robots_[robot].camera = effects;
   }

@@ -115,7 +115,7 @@ void put(Sink& sink, const T& value) {
 }
 
 /// Reads a stream from memory, never beyond its end. Its functions return false if the stream does
-/// not hold what was asked for; error() then says what and where.
+/// not hold what was asked for; error() then states what and where.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -146,7 +146,7 @@ class Reader {
   bool noValue(int number);
   /// Whether nothing is left but what DDS appends to reach a multiple of four bytes.
   bool finish();
-  /// Tells in which field the failure was, from the inside to the outside.
+  /// Names the field where the failure was, from the inside to the outside.
   bool failedIn(std::string_view name);
   bool failedIn(std::size_t index);
   Error error() const { return error_.value_or(Error{}); }

@@ -9,7 +9,7 @@
 namespace gt::detail {
 namespace {
 
-/// What a line of a config file says.
+/// The content of a line of a config file.
 struct ConfigLine {
   std::string section;      ///< Set if the line begins a section.
   std::string name;         ///< Empty for sections.

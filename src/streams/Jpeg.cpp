@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t mostPixels = 1 << 26;
 
-/// libjpeg's way to tell errors, made to jump back to where it was called.
+/// libjpeg's error handler, made to jump back to where it was called.
 struct ErrorManager {
   jpeg_error_mgr base{};
   std::jmp_buf back;

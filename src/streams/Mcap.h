@@ -41,7 +41,7 @@ struct McapChannel {
 };
 
 /// Writes a log. What was written in whole chunks is readable however the program ends. After an
-/// error (a full disk) nothing more is written; close() tells it. The same calls give the same
+/// error (a full disk) nothing more is written; close() returns it. The same calls give the same
 /// bytes.
 class McapWriter {
  public:
@@ -80,7 +80,7 @@ class McapWriter {
 
   /// Ends the chunk, so that everything up to here is readable after a crash.
   void flush();
-  /// Writes the index. Tells the first error that happened since open().
+  /// Writes the index. Returns the first error since open().
   Result<void> close();
 
  private:

@@ -229,7 +229,7 @@ bool McapReader::State::addFromSummary(Opcode opcode, std::span<const std::byte>
   }
 }
 
-/// Reads what the index at the file's end says; false if there is none or it is damaged.
+/// Reads the index at the file's end; false if there is none or it is damaged.
 bool McapReader::State::readSummary() {
   constexpr std::uint64_t tail = recordHeaderSize + footerSize + magicSize;
   Bytes bytes;

@@ -47,7 +47,7 @@ struct Span {
 
 }  // namespace
 
-/// What a writer holds: the file, the chunk that is being filled, and what the index will say.
+/// What a writer holds: the file, the chunk that is being filled, and what the index will contain.
 struct McapWriter::State {
   std::string path;
   McapOptions options;

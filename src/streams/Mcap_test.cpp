@@ -29,7 +29,7 @@ struct TemporaryFile {
   ~TemporaryFile() { std::filesystem::remove(path); }
 };
 
-/// What the message of this number says.
+/// The content of the message of this number.
 Inner inner(int i) {
   return {i % 2 == 0, "message " + std::to_string(i), i * 0.1};
 }
@@ -71,7 +71,7 @@ void writeLog(const std::string& path, const McapOptions& options = {true, 1, 50
   ASSERT_TRUE(closed) << closed.error().text();
 }
 
-/// Reads all messages; checks those of /inner. Returns how many of those there were, and tells the
+/// Reads all messages; checks those of /inner. Returns how many of those there were, and the
 /// errors.
 int readAll(McapReader& reader, std::vector<std::string>& errors) {
   int count = 0;

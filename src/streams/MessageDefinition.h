@@ -11,7 +11,7 @@
 
 namespace gt {
 
-/// A message type as the schema in a log tells it (`ros2msg`), without the C++ type it was written
+/// A message type as the schema in a log states it (`ros2msg`), without the C++ type it was written
 /// from: that may have changed since, or never have been ours. Made by parse().
 class MessageDefinition {
  public:

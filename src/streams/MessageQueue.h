@@ -60,7 +60,7 @@ struct DroppedMessage {
   }
 };
 
-/// Tells what a queue had no room for. Written by the queue itself, see
+/// Counts what a queue had no room for. Written by the queue itself, see
 /// MessageQueue::reportDropped.
 struct DroppedMessages {
   std::vector<DroppedMessage> types;
@@ -104,9 +104,9 @@ class MessageQueue {
   /// In bytes.
   std::size_t size() const { return size_; }
   std::size_t capacity() const { return capacity_; }
-  /// How many messages there was no room for since that was told.
+  /// How many messages there was no room for since the last report.
   std::uint64_t dropped() const;
-  /// If messages were dropped, appends a message that tells how many of which types, and begins to
+  /// If messages were dropped, appends a message that states how many of which types, and begins to
   /// count anew. It stays pending while there is no room for it either.
   void reportDropped(Time now);
 

@@ -199,7 +199,7 @@ std::string constantName(std::string_view name) {
   return s;
 }
 
-/// By name where the schema tells names; a value that is not there any more changes nothing.
+/// By name where the schema has names; a value that is not there any more changes nothing.
 void setEnumeration(const RecordedField& field, const Scalar& scalar, Value value) {
   std::int64_t number = 0;
   store<std::int64_t>(scalar, &number);

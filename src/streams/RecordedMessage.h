@@ -21,7 +21,7 @@ Result<void> readRecorded(const MessageDefinition& definition, std::span<const s
   return readRecorded(definition, bytes, valueOf(value));
 }
 
-/// A message as JSON: names as in the schema, enumerations by name where it tells them, lists of
+/// A message as JSON: names as in the schema, enumerations by name where it has them, lists of
 /// bytes as base64, numbers that are not finite as null.
 Result<Json> recordedJson(const MessageDefinition& definition, std::span<const std::byte> bytes);
 

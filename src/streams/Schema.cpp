@@ -82,7 +82,7 @@ class SchemaWriter {
     std::string name;
   };
 
-  /// The name of a type's message, which is told apart from other types of that name.
+  /// The name of a type's message, which is distinguished from other types of that name.
   std::string nameOf(const Type& type) {
     for (const Message& m : messages_)
       if (m.type == &type) return m.name;

@@ -19,14 +19,14 @@ namespace gt {
 /// What a streamable value is made of: all formats know these seven kinds and no others.
 enum class Kind { boolean, number, enumeration, text, array, list, record };
 
-/// A part of a record without its type: what a field's declaration says about it.
+/// A part of a record without its type: what a field's declaration states about it.
 struct PartInfo {
   std::string_view name, unit, doc;
   Range range;
 };
 
-/// How a type is streamed. This is the one place that says so, for every format; a type without a
-/// shape cannot be streamed.
+/// How a type is streamed. This is the one place that defines it, for every format; a type without
+/// a shape cannot be streamed.
 template <typename T>
 struct Shape;
 

@@ -35,7 +35,7 @@ class OutFile : public PhysicalOutStream {
  public:
   explicit OutFile(const std::string& path) : path_{path}, file_{path, std::ios::binary} {}
   void writeToStream(std::span<const std::byte> bytes) override;
-  /// Tells whether all could be written.
+  /// Returns whether all could be written.
   Result<void> close();
 
  private:

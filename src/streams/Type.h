@@ -22,7 +22,7 @@ constexpr std::size_t numberSize(Number number) {
 struct Type;
 using TypeFunction = const Type& (*)();
 
-/// A part of a record: what its declaration says, and where it lies.
+/// A part of a record: what its declaration states, and where it lies.
 struct Part : PartInfo {
   TypeFunction type;
   void* (*in)(void* record);
@@ -181,7 +181,7 @@ std::size_t width(const Type& type);
 /// gives the same bits, enumerations by name.
 std::string scalarText(ConstValue scalar);
 
-/// Sets a scalar from text. An error tells what was expected if the text is no such value or lies
+/// Sets a scalar from text. An error states what was expected if the text is no such value or lies
 /// out of the range; the scalar is as it was then.
 Result<void> setScalar(Value scalar, std::string_view text, Range range = {});
 

@@ -110,7 +110,7 @@ FilmWriter::~FilmWriter() {
 
 Result<std::unique_ptr<FilmWriter>> FilmWriter::open(const std::string& file, int width,
                                                      int height) {
-  std::error_code ignored;  // then opening the file tells what is wrong
+  std::error_code ignored;  // then opening the file reports what is wrong
   std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
   av_log_set_level(AV_LOG_ERROR);
   auto state = std::make_unique<State>();

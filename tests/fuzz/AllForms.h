@@ -17,7 +17,7 @@ inline std::string codeOf(const xabsl::Compilation& compilation) {
   return code.text->substr(code.text->find('\n'));
 }
 
-/// Whatever compiles can be written in each form that can say it, and means the same there.
+/// Whatever compiles can be written in each form that can express it, and means the same there.
 inline void goThroughAllForms(const std::string& path, const xabsl::VirtualFiles& files) {
   using xabsl::Form;
   const xabsl::Compilation source = xabsl::compile(path, files);

@@ -11,7 +11,7 @@ namespace {
 
 /// Whatever was read can be executed.
 void runCycles(const xabsl::Behavior& behavior) {
-  if (behavior.model().largestActivation > 10'000) return;  // takes long, and tells no more
+  if (behavior.model().largestActivation > 10'000) return;  // takes long, and shows no more
   const xabsl::VirtualSymbols world(behavior.model());
   xabsl::Engine::Creation creation = xabsl::Engine::create(behavior, world.symbols());
   if (!creation.engine) return;

@@ -257,7 +257,7 @@ TEST_F(RobotProgramsTest, ABrokenBehaviorStopsCognitionOnly) {
   EXPECT_TRUE(processes[1]->runs());
 }
 
-/// What a program says until something is in it, or for some seconds.
+/// What a program prints until something is in it, or for some seconds.
 std::string said(const std::vector<std::string>& words, const std::string& wanted) {
   const TemporaryFolder place;
   const std::string file = (place.path() / "said").string();
@@ -432,7 +432,7 @@ TEST_F(RobotProgramsTest, BadToolsAtTheRouterHarmNoRobot) {
   EXPECT_TRUE(router.runs());
 }
 
-/// Kills each process at random moments; GT_KILLS says how often (3).
+/// Kills each process at random moments; GT_KILLS sets how often (3).
 TEST_F(RobotProgramsTest, AnyProcessMayEndAtAnyMoment) {
   const char* wanted = std::getenv("GT_KILLS");
   const int kills = wanted ? std::atoi(wanted) : 3;

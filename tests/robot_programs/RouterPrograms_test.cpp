@@ -37,7 +37,7 @@ class RouterProgramsTest : public ::testing::Test {
                   folder.file("keys/robot.key"), "--connect-keys", folder.file("keys/tool.key")});
     return words;
   }
-  /// Each robot tells its team mates something until each has heard of the three others.
+  /// Each robot sends its teammates something until each has heard of the three others.
   bool playAsATeam() {
     ++round;
     for (auto& heard : heardOf) heard.fill(false);
@@ -86,7 +86,7 @@ class RouterProgramsTest : public ::testing::Test {
 };
 
 TEST_F(RouterProgramsTest, TheRobotsOfTwoRoutersPlayAsATeam) {
-  // One finds its robots, the other is told them.
+  // One finds its robots, the other is given them.
   ChildProgram first{command({"127.0.0", "auto", "--routers"}, firstPort)};
   ASSERT_TRUE(eventually([&] { return robots[0]->tools() > 0; }, [&] { look(0); }));
   const std::string routers = "tcp://127.0.0.1:" + std::to_string(firstPort + 299);

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// How a program ended and what it said about it.
+/// How a program ended and what it printed.
 struct Outcome {
   int status = -1;  ///< Exit status; -1 if it crashed.
   std::string errors;
@@ -57,7 +57,7 @@ class Workplace {
   }
   const fs::path& root() const { return root_; }
 
-  /// Runs a program in there; names of files in what it says are relative to it.
+  /// Runs a program in there; names of files in its output are relative to it.
   Outcome run(const std::string& arguments) const {
     const std::string log = (root_ / "errors").string();
     const std::string place =
@@ -137,7 +137,7 @@ class WrongFiles : public testing::TestWithParam<WrongFile> {
 };
 std::unique_ptr<Workplace> WrongFiles::workplace;
 
-/// The messages in what a program says: a compiler shows the line below, indented, with a caret.
+/// The messages in what a program prints: a compiler shows the line below, indented, with a caret.
 int messages(const std::string& errors) {
   std::istringstream lines{errors};
   int count = 0;

@@ -16,7 +16,7 @@ constexpr std::array columns{"picture", "time", "what", "x", "y"};
 
 using Cells = std::array<std::string_view, columns.size()>;
 
-/// A row of the table that is read; tells which cell is wrong.
+/// A row of the table that is read; an error names the cell.
 struct Row {
   const std::string& file;
   int line;

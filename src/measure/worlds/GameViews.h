@@ -53,7 +53,7 @@ class GameViews {
   CameraRenderer renderer_;
   std::vector<Sensors> sensors_;
   std::vector<SensorDataBuffer> buffers_;
-  std::vector<RobotCommand> commands_, driven_;  ///< As told, and as the motors understand it.
+  std::vector<RobotCommand> commands_, driven_;  ///< As requested, and as the motors understand it.
   std::vector<Random> delays_;
   GameView view_;
 };

@@ -12,7 +12,7 @@
 
 namespace gt {
 
-/// The robot's program: walks as it is told, turns the head, looks at images.
+/// The robot's program: walks as requested, turns the head, looks at images.
 class SimulatedWalker::Body : public RobotController {
  public:
   Body(ColorTable64 colors, const InvKinWalkingEngine::Parameters& walk)

@@ -42,7 +42,7 @@ class SimulatedWalker {
 
   /// To the next image, walking to random places.
   void step();
-  /// The same, but walks as it is told: in the robot's system, mm/s and rad/s.
+  /// The same, but walks as requested: in the robot's system, mm/s and rad/s.
   void step(const Pose2D& speed);
   /// The referee puts the robot somewhere else; its odometry knows nothing of it.
   void kidnap();

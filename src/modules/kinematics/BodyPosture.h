@@ -16,7 +16,7 @@ struct BodyPosture {
 /// The body's posture from the joints, on the assumption that roll is 0 and at least one fore and
 /// one hind foot touch the ground, as the kinematic simulator does it (report 5.1.1).
 BodyPosture bodyPosture(const RobotDimensions& robot, const JointAngles& angles);
-/// The same for a robot whose body leans otherwise than its joints tell (report B.4.5).
+/// The same for a robot whose body leans otherwise than its joints measure (report B.4.5).
 BodyPosture bodyPosture(const RobotDimensions& robot, const RobotCalibration& calibration,
                         const JointAngles& angles);
 

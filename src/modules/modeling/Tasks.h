@@ -40,7 +40,7 @@ struct RobotStateDetector {
   using Outputs = std::tuple<RobotState>;
 };
 
-/// What the robot tells its team mates by radio (report 3.4.2).
+/// The robot's message to its teammates by radio (report 3.4.2).
 struct TeamMessageSender {
   using Outputs = std::tuple<TeamMessage>;
 };

@@ -11,7 +11,7 @@ namespace gt {
 /// The roles that the team negotiates (report 3.8.2).
 enum class DynamicRole { goalie, striker, offensiveSupporter, defensiveSupporter };
 
-/// What one robot decided to tell its team mates. Provided by BehaviorControl.
+/// What one robot decided to send its teammates. Provided by BehaviorControl.
 struct BehaviorTeamMessage {
   DynamicRole role = DynamicRole::defensiveSupporter;
   double estimatedTimeToReachBall = 1e6;

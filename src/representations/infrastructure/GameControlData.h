@@ -18,7 +18,7 @@ enum class Penalty {
   requestForPickup
 };
 
-/// What the RoboCup game manager tells one robot (facts, 2.2). Provided by the platform.
+/// What the RoboCup game manager sends one robot (facts, 2.2). Provided by the platform.
 struct GameControlData {
   GameState state = GameState::initial;
   KickOff kickOff = KickOff::invalid;

@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// One pixel in YCbCr (the report says YUV); four bytes so that it is read at once.
+/// One pixel in YCbCr (the report calls it YUV); four bytes so that it is read at once.
 struct Pixel {
   std::uint8_t y = 0, cb = 128, cr = 128, unused = 0;
 

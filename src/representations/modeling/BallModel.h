@@ -24,7 +24,7 @@ struct BallModel {
   }
 };
 
-/// Where the team knows the ball to be: seen by the robot itself or told by a team mate
+/// Where the team knows the ball to be: seen by the robot itself or reported by a teammate
 /// (report 3.4.2). Provided by the TeamBallLocator.
 struct TeamBallModel {
   Vector2d position = Vector2d::Zero();

@@ -27,7 +27,7 @@ struct RobotProgramOptions {
 /// (SIGTERM, SIGINT). `modules` are those that are linked into the program: at least those of the
 /// process; only the configuration that they need is read. What it reads from and sends to the
 /// robot's other processes and the platform follows from the layout. Errors are those of a wrong
-/// start; whom it waits for and cannot understand is told on stderr.
+/// start; whom it waits for and cannot understand is printed on stderr.
 Result<void> runRobotProgram(const RobotProgramOptions& options, const RobotModules& modules);
 
 }  // namespace gt

@@ -19,7 +19,7 @@ struct LogRobotOptions {
 
 /// A robot that lives on a log as it is played: played on, back, from elsewhere, faster, again and
 /// again. Whenever it is not simply played on, the robot begins anew some seconds before, with all
-/// that it has been told by messages. What the log's robot drew, plotted and decided is shown as it
+/// that it has received by messages. What the log's robot drew, plotted and decided is shown as it
 /// was recorded, unless the robot is asked to draw it anew.
 class LogRobot {
  public:

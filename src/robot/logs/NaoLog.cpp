@@ -98,7 +98,7 @@ class Parser {
       case MessageId::imageCoordinateSystem:
         return horizon(body);
     }
-    return {};  // What other messages tell is not needed.
+    return {};  // Other messages are not needed.
   }
 
   Result<void> image(std::string_view body) {

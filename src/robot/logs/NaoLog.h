@@ -13,7 +13,8 @@
 
 namespace gt {
 
-/// What a real robot's log of 2009 tells of one camera image (facts, 3). Provided by readNaoLog.
+/// What a real robot's log of 2009 contains about one camera image (facts, 3). Provided by
+/// readNaoLog.
 struct NaoImage {
   int number = 0;  ///< From 0, in the order of the log.
   CameraMatrix cameraMatrix;
@@ -23,7 +24,7 @@ struct NaoImage {
   std::size_t jpegOffset = 0, jpegSize = 0;  ///< Where in the file the image stands.
 };
 
-/// What a real robot's log tells of one motion frame (facts, 3). Provided by readNaoLog.
+/// What a real robot's log contains about one motion frame (facts, 3). Provided by readNaoLog.
 struct NaoMotionFrame {
   Time time;
   std::array<double, 22> joints{};  ///< rad; 1000 where a joint is not there.

@@ -73,7 +73,7 @@ Result<void> ReplayPlatform::findChannels() {
   }
   pixels_ = isRecorded("Image", true);
   const bool headers = isRecorded("ImageHeader", true);
-  // A percept of each image tells at least when it was taken.
+  // A percept of each image states at least when it was taken.
   for (const std::string& percept : perceptsOfImages(solutions()))
     if (!pixels_ && !headers && perceptOfImages_.empty() && isRecorded(percept, false))
       perceptOfImages_ = percept;

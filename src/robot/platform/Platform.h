@@ -9,7 +9,7 @@ namespace gt {
 /// What the platform sends to a robot where it senses for itself: in a simulator or on hardware.
 const std::vector<const RepresentationType*>& platformRepresentations();
 
-/// What such a platform takes from the robot: its commands, and what it says to its team.
+/// What such a platform takes from the robot: its commands, and its message to its team.
 const std::vector<const RepresentationType*>& commandRepresentations();
 
 /// Whether a platform takes a type of package.

@@ -26,7 +26,7 @@ void add(const std::vector<xabsl::Diagnostic>& diagnostics, Findings& findings) 
 }
 
 /// Compiles a behavior, and links it: that finds missing symbols before a robot runs. The file that
-/// declares the special actions is made from the motions, whatever the one in the folder says.
+/// declares the special actions is made from the motions, instead of the one in the folder.
 Behavior readBehavior(const BehaviorRequest& request, const MotionNet& motions,
                       Findings& findings) {
   xabsl::VirtualFiles files;
@@ -120,7 +120,7 @@ Result<BehaviorRequest> readBehaviorTexts(const std::string& file) {
     return failure;
   };
   xabsl::syntax::Program program;
-  xabsl::Reporter reporter;  // of wrong texts the robot tells
+  xabsl::Reporter reporter;  // of wrong texts the robot reports
   xabsl::readSources(file, read, program, reporter);
   if (first) return *first;
   request.path = request.files.front().path;

@@ -97,7 +97,7 @@ struct CameraEffects {
   }
 };
 
-/// The effects with the camera set in another way (report B.4.3). Effects are as they are told with
+/// The effects with the camera set in another way (report B.4.3). Effects are as given with
 /// the settings by default: gain and shutter speed change the light by a stop's half each, gain the
 /// noise, too, shutter speed the exposure; the other white balances shift the colors as in light
 /// that they are not made for.

@@ -6,7 +6,7 @@
 namespace gt {
 namespace {
 
-/// By how much more a lens sees than its focal length tells, at most: in one of the corners.
+/// By how much more a lens sees than follows from its focal length, at most: in one of the corners.
 double widestFactor(const CameraInfo& info) {
   double widest = 1;
   for (const double x : {info.centerX, info.width - info.centerX})

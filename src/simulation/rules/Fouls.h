@@ -22,7 +22,7 @@ class FoulWatch {
   FoulWatch(const RuleParameters& rules, const FieldDimensions& field,
             const std::vector<Player>& players);
 
-  /// The fouls that became ripe in this tick of play. `away` tells which robots are not on the
+  /// The fouls that became ripe in this tick of play. `away` states which robots are not on the
   /// field; `kickOff` the team that has to play the ball first, if it has not yet.
   const std::vector<Foul>& update(const World& world, const std::vector<bool>& away,
                                   const TeamColor* kickOff);

@@ -16,8 +16,8 @@ struct Format {
   bool words;           ///< All numbers have 32 bits.
   int wideVersion;      ///< Bytes of the version.
   int skipped;          ///< Bytes up to the state: packet number, players per team, ...
-  bool stopFlag;        ///< The last but one of them tells that the game is stopped.
-  bool kickerByNumber;  ///< The team that kicks off is told by its number, not by its color.
+  bool stopFlag;        ///< The last but one of them states that the game is stopped.
+  bool kickerByNumber;  ///< The team that kicks off is given by its number, not by its color.
   int teamSkipped;      ///< Bytes between a team's color and its score.
   int afterScore;       ///< Bytes between the score and the players.
   int players, playerSize;

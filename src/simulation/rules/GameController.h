@@ -13,7 +13,7 @@
 
 namespace gt {
 
-/// What the RoboCup game controller tells all robots, in whichever of its formats: RGme of 2005
+/// What the RoboCup game controller sends all robots, in whichever of its formats: RGme of 2005
 /// (version 4), 2012 (7), 2019 (12), 2022 (14), 2023 to 2025 (15 to 18), and those of the humanoid
 /// league (19, 20). Sent by UDP to port 3838, some times a second.
 struct GameControllerMessage {
@@ -33,7 +33,7 @@ struct GameControllerMessage {
   EnumArray<TeamColor, Team> teams;
 };
 
-/// Reads a message. Teams are told apart by their color, or if that is neither red nor blue, by
+/// Reads a message. Teams are distinguished by their color, or if that is neither red nor blue, by
 /// their place: blue is the first. Penalties that 2003 did not know become those nearest to them;
 /// whoever is taken off for a reason of its own requests for pick-up. Fails if the bytes are no
 /// such message.

@@ -23,7 +23,7 @@ namespace gt {
 ///
 /// A penalized robot stands beside the field, and comes back at the halfway line, on the side away
 /// from the ball; for a kick-off all come back. Once a game controller has sent something, it
-/// leads: the referee only does what it says, until `leadByItself`.
+/// leads: the referee only follows it, until `leadByItself`.
 class Referee {
  public:
   Referee(const GameParameters& parameters, const RuleParameters& rules,
@@ -31,7 +31,7 @@ class Referee {
 
   /// Looks at the world after a tick, and puts the ball and badly placed robots by hand.
   void update(World& world);
-  /// Does what a game controller says.
+  /// Applies a message of a game controller.
   void follow(const GameControllerMessage& message, World& world);
   void leadByItself(Time now);
   bool led() const { return led_; }
@@ -58,9 +58,9 @@ class Referee {
   void order(GameState state, World& world);
   void setKickOff(TeamColor team) { kickOff_ = team; }
   void setScore(TeamColor team, int goals, Time now);
-  /// Tells a robot of a penalty, or of its end, and leaves it where it is.
+  /// Notifies a robot of a penalty, or of its end, and leaves it where it is.
   void setPenalty(std::size_t robot, Penalty penalty, Time now);
-  /// Takes a robot off the field for as long as the rules say.
+  /// Takes a robot off the field for as long as the rules demand.
   void penalize(World& world, std::size_t robot, Penalty penalty);
   /// Ends a robot's penalty and puts it back on the field.
   void giveBack(World& world, std::size_t robot);
@@ -112,7 +112,7 @@ class Referee {
   std::optional<ShootOut> shootOut_;
   std::size_t shooter_ = nobody, keeper_ = nobody;
   bool led_ = false;
-  std::int64_t ledTimeLeft_ = 0;  ///< When it was told.
+  std::int64_t ledTimeLeft_ = 0;  ///< When it was reported.
   Time ledAt_;
   std::vector<GameEvent> events_;
   struct Shot {

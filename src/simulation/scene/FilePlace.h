@@ -11,7 +11,7 @@ struct FilePlace {
   int column = 0;
 };
 
-/// What is wrong at a place of a file. An Error has no column: it is told with what is wrong.
+/// What is wrong at a place of a file. An Error has no column: it is stated with what is wrong.
 inline Error errorAt(const std::string& file, const FilePlace& place, const std::string& field,
                      const std::string& what) {
   return {file, place.line, field,

@@ -205,7 +205,7 @@ void compileFiles(const SceneDescription& scene, std::vector<Error>& errors) {
   for (const Error& error : errors) files.erase(error.file);
   for (const std::string& path : files) {
     const auto content = readFile(path);
-    if (!content) continue;  // told already
+    if (!content) continue;  // reported already
     if (auto alone = compileModel(*content, path); !alone) errors.push_back(alone.error());
   }
 }

@@ -12,7 +12,7 @@ namespace gt {
 /// inside a robot begin with the robot's name and a slash ("red1/headPan"), those inside a ball
 /// with "ball0/" and so on. Materials and classes of a model file begin with the file's stem
 /// ("ers210/gray"); the color class of a material is what stands behind the last slash, up to a
-/// dot. Robots of the blue team wear "blue" where the model says "red".
+/// dot. Robots of the blue team wear "blue" where the model names "red".
 Result<Model> composeModel(const SceneDescription& scene);
 /// Looks for all that keeps a scene's model from being made, and adds it to a list.
 void checkModel(const SceneDescription& scene, std::vector<Error>& errors);

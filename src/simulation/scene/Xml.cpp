@@ -37,7 +37,7 @@ const xmlNode* following(const xmlNode* node) {
   return node;
 }
 
-/// Goes through the text of an XML file and tells where things begin.
+/// Goes through the text of an XML file and returns where things begin.
 class XmlScan {
  public:
   explicit XmlScan(std::string_view text) : text_{text} {}

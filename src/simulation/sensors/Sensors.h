@@ -8,7 +8,8 @@
 
 namespace gt {
 
-/// Measures for one robot what its body's sensors would tell, with noise of its own (report 5.1.1).
+/// Measures for one robot what its body's sensors would measure, with noise of its own
+/// (report 5.1.1).
 class Sensors {
  public:
   Sensors(const NoiseParameters& noise, const Random& random, const RobotBuild& build = {});
@@ -36,7 +37,7 @@ class Sensors {
 };
 
 /// How far it is from a point on the field along a direction to the first thing, at most `range`
-/// (mm). `passes` tells of a geom whether it is transparent.
+/// (mm). `passes` returns whether a geom is transparent.
 double rayDistance(const World& world, const Vector3d& from, const Vector3d& direction,
                    double range, const std::function<bool(int geom)>& passes);
 

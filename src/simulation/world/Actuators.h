@@ -43,7 +43,7 @@ class Actuators {
 
   explicit Actuators(const World& world);
 
-  /// One tick: moves all as they were told, as far as nothing is in the way.
+  /// One tick: moves all as requested, as far as nothing is in the way.
   void step(World& world);
   /// Puts all where `step` left them, whatever forces did to them since.
   void hold(World& world) const;

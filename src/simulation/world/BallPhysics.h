@@ -9,8 +9,8 @@
 namespace gt {
 
 /// Moves a ball on the ground: it rolls, slows down, bounces off walls, and is pushed and kicked by
-/// whatever part of a robot touches it. MuJoCo tells where sphere and geoms touch; pairs are chosen
-/// here, by distance.
+/// whatever part of a robot touches it. MuJoCo computes where sphere and geoms touch; pairs are
+/// chosen here, by distance.
 class BallPhysics {
  public:
   /// What a ball can meet in this tick.

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-constexpr double usualSpeed = 200;  // mm/s: at which the swaying is as the scene says
+constexpr double usualSpeed = 200;  // mm/s: at which the swaying is that of the scene
 constexpr double usualLift = 25;    // mm (facts, 4)
 /// How long the irregular part of the swaying keeps its direction: half of a step.
 constexpr double wanderTime = 0.15;  // s

@@ -11,9 +11,10 @@ namespace gt {
 /// How one robot was put together: what is different about it from the robot that its program
 /// knows. The default is no difference.
 struct RobotBuild {
-  double tilt = 0, roll = 0;  ///< rad: the body leans back and to the right more than joints tell.
-  JointAngles joints{};       ///< rad: by which each joint is turned further than it measures.
-  double backlash = 0;        ///< rad
+  double tilt = 0,
+         roll = 0;       ///< rad: the body leans back and to the right more than joints measure.
+  JointAngles joints{};  ///< rad: by which each joint is turned further than it measures.
+  double backlash = 0;   ///< rad
   Vector3d acceleration = Vector3d::Zero();  ///< mm/s^2: what its sensors measure at rest.
   double light = 1, cb = 0, cr = 0;          ///< What its camera sees: a factor, and added.
 

@@ -85,7 +85,7 @@ TEST(RobotBuild, OfEachOfEightRobotsIsDifferentAndStaysTheSame) {
   EXPECT_EQ(tilts.size(), 8u);
   for (int i = 0; i < 100; ++i) (*simulation)->step();
   for (std::size_t i = 0; i < 8; ++i) {
-    // Motors turn joints until they measure what they were told: the truth is what is off.
+    // Motors turn joints until they measure what was requested: the truth is what is off.
     const auto& robot = static_cast<const Standing&>(*(*simulation)->controller(i));
     const RobotBuild& build = (*simulation)->sensors(i).build();
     const Joint knee = legJoint(Leg::hindLeft, 3);

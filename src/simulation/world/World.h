@@ -46,7 +46,7 @@ struct RobotBody {
   std::array<bool, 4> footOnGround{};  ///< in the order of Leg
   /// The other robot that it walks into; -1: none.
   int pushes = -1;
-  /// Whether something kept it from doing all that it was told in the last tick (report 5.1.1).
+  /// Whether something kept it from doing all that was requested in the last tick (report 5.1.1).
   bool blocked = false;
   Vector3d specificForce{0, 0, 9810};  ///< mm/s^2, in the body's axes: what is felt
 
@@ -109,7 +109,7 @@ class World {
   void moveJoint(int joint, std::span<const double> coordinates);
   /// Puts a geom that stands still somewhere else (mm); robots and balls meet it there.
   virtual void moveGeom(int geom, const Vector3d& position);
-  /// Sets how strongly a light of the model shines: 0 to 1 times what the model says.
+  /// Sets how strongly a light of the model shines: 0 to 1 times the model's value.
   void emit(int light, double share);
   double emission(int light) const { return shares_[static_cast<std::size_t>(light)]; }
   /// The intensity that reaches all surfaces: red, green, blue in 0 to 1.
@@ -118,7 +118,7 @@ class World {
   void turnJoint(std::size_t robot, Joint joint, double angle);
   /// Has MuJoCo measure with the model's sensors that depend on positions only.
   void measureSensors();
-  /// How far motions are from perfect from now on: as the scene says. Not all fidelities use all.
+  /// How far motions are from perfect from now on: the scene's value. Not all fidelities use all.
   virtual void change(const SceneDescription&) {}
   /// Takes over how all stands and lies, and the time, from another world of the same scene.
   void continueFrom(const World& other);

@@ -122,7 +122,7 @@ std::string Sheet::svg() const {
 
 Result<void> Sheet::write(const std::string& file) const {
   const std::filesystem::path path{file};
-  std::error_code ignored;  // then writing tells what is wrong
+  std::error_code ignored;  // then writing reports what is wrong
   std::filesystem::create_directories(path.parent_path(), ignored);
   if (path.extension() == ".png") return writePng(file, width_, height_, pixels().pixels);
   if (path.extension() == ".svg") return writeFile(file, svg());

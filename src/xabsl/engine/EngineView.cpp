@@ -3,7 +3,7 @@
 
 #include "xabsl/engine/Engine.h"
 
-/// What people and tools see of an engine (report H.8), and what it tells a recorder.
+/// What people and tools see of an engine (report H.8), and what it sends a recorder.
 namespace xabsl {
 
 const std::string& Engine::selectedAgent() const {
@@ -89,7 +89,7 @@ double Engine::callInput(std::size_t symbol, const double* arguments) const {
   return function.call(function.object.get(), arguments);
 }
 
-// What a recorder is told
+// What a recorder is sent
 
 void Engine::record(TraceRecorder* recorder) {
   recorder_ = recorder;

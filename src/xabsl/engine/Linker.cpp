@@ -138,7 +138,7 @@ class Linker {
     error(location, use, what + " is not registered", suggestion.text());
   }
 
-  /// Says besides which option needs what is wrong.
+  /// Reports besides which option needs what is wrong.
   void error(Location location, Use use, std::string message, const std::string& suggestion = {}) {
     if (use.option >= 0)
       message += ", needed by option " + model_.options[at(use.option)].name + " (" +

@@ -158,7 +158,7 @@ TEST(Linker, TakesClassesAsBasicBehaviors) {
   creation.engine->execute(1);
   EXPECT_EQ(walk.style, Style::fast);
   EXPECT_EQ(walk.way, 2);
-  EXPECT_EQ(walk.changes, 10);  // told once, with the parameters in place
+  EXPECT_EQ(walk.changes, 10);  // notified once, with the parameters in place
   ASSERT_TRUE(creation.engine->selectBehavior("walk"));
   EXPECT_TRUE(creation.engine->setParameter("x", "40"));
   creation.engine->execute(2);

@@ -9,7 +9,7 @@
 namespace xabsl {
 
 /// Compiles XABSL as text, or 2.1 or 3.1 in XML, from the file with the agents and all that it
-/// includes. Text is 3.1, or 3.0, which knows no cooperation of robots; XML says what it is.
+/// includes. Text is 3.1, or 3.0, which knows no cooperation of robots; XML states what it is.
 Compilation compile(const std::string& path, Dialect text = Dialect::xabsl31);
 
 /// The same from files in memory.

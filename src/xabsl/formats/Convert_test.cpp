@@ -103,7 +103,7 @@ TEST(Convert, TellsWhatCannotBeSaidIn21) {
     EXPECT_NE(reported.find(expected), std::string::npos) << expected << " in\n" << reported;
 }
 
-/// Writes a behavior at random, of what both forms can say.
+/// Writes a behavior at random, of what both forms can express.
 class Generator {
  public:
   explicit Generator(unsigned seed) : random_(seed) {}

@@ -57,7 +57,7 @@ bool EnumerationInference::unite(int a, int b) {
   a = root(a);
   b = root(b);
   if (a == b) return true;
-  // The named one stays the root, so that its number tells its name.
+  // The named one stays the root, so that its number identifies its name.
   if (domains_[at(a)].name.empty()) std::swap(a, b);
   if (!domains_[at(b)].name.empty()) return false;
   domains_[at(b)].parent = a;

@@ -7,7 +7,7 @@
 #include "xabsl/language/Behavior.h"
 #include "xabsl/language/OptionGraph.h"
 
-/// The part of the reader for expressions, and for what can be said at the end only.
+/// The part of the reader for expressions, and for what can be expressed at the end only.
 namespace xabsl {
 
 namespace {
@@ -290,7 +290,7 @@ Compilation readIntermediateCode(const std::string& name, std::string_view text,
                                  const Symbols* registered) {
   Compilation best;
   int furthest = -1;
-  // Nothing in the file tells the dialect; but hardly anything is sound in both.
+  // Nothing in the file states the dialect; but hardly anything is sound in both.
   for (const Dialect dialect : {Dialect::xabsl31, Dialect::xabsl30}) {
     Reporter reporter;
     reporter.addFile(name, text);

@@ -364,7 +364,7 @@ int IntermediateCodeReader::behavior(const Token& token) {
   return index;
 }
 
-/// Takes from what is registered what intermediate code does not tell.
+/// Takes from what is registered what intermediate code does not contain.
 void IntermediateCodeReader::completeInput(Symbol& symbol) {
   if (!registered_) return;
   const RegisteredFunction* known = symbol.kind == SymbolKind::input

@@ -243,7 +243,7 @@ ExpressionPtr Parser::enumElement(const Element& element) {
   return leaf(element, Expression::Kind::name, name);
 }
 
-/// Text can only tell an input symbol from something else of its name by parentheses.
+/// Text can only distinguish an input symbol from something else of its name by parentheses.
 ExpressionPtr Parser::inputSymbol(const Element& element) {
   const std::string_view name = element.attribute("ref");
   const bool shared = notInputs_.count(name) > 0;

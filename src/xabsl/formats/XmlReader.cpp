@@ -200,7 +200,7 @@ class Reader {
     parent.children.push_back(std::move(element));
   }
 
-  /// The first element that has a namespace tells that of all others.
+  /// The first element that has a namespace determines that of all others.
   bool isOfXabsl(const xmlNode& node) {
     if (!node.ns) return true;
     const std::string_view space = view(node.ns->href);

@@ -90,7 +90,7 @@ struct BasicBehavior {
   std::string doc = {};
 };
 
-/// One operation; a, b and c are indices, what into is said at Operator. A constant's a is its
+/// One operation; a, b and c are indices, what into is stated at Operator. A constant's a is its
 /// index in Model::constants, or -1 for a number that was written out.
 struct Expression {
   Operator operation = Operator::constant;

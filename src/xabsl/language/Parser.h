@@ -18,7 +18,7 @@ class Parser {
   /// Deeper nested expressions and decisions are refused.
   static constexpr int maximalNesting = 200;
 
-  /// The program says whether it is of XABSL 3.0 or 3.1.
+  /// The program states whether it is of XABSL 3.0 or 3.1.
   Parser(int file, std::string_view text, Reporter& reporter, syntax::Program& program);
 
   /// Appends to the program; what the file includes and its comments go into its

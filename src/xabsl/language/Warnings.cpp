@@ -118,7 +118,7 @@ class StateGraph {
 };
 
 /// What calls set and what they leave out. A team leaves much out on purpose: of each parameter it
-/// is told once.
+/// is reported once.
 class ParameterUse {
  public:
   ParameterUse(const Model& model, Reporter& reporter) : model_(model), reporter_(reporter) {

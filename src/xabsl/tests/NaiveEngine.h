@@ -15,11 +15,11 @@
 namespace xabsl::test {
 
 /// A second engine, which reads a model as directly as it can be read: everything is looked up, and
-/// nothing is prepared. The real one must do the same, and tell a recorder the same. Runs in the
+/// nothing is prepared. The real one must do the same, and send a recorder the same. Runs in the
 /// surroundings of VirtualSymbols, whose call it is given.
 class NaiveEngine {
  public:
-  /// What team mates tell one another: states by their indices.
+  /// What teammates send one another: states by their indices.
   struct Message {
     double priority = 0;
     std::set<int> executed, entering, options;

@@ -36,7 +36,7 @@ class GT2003BehaviorControl {
   GT2003BehaviorControl(const GT2003BehaviorControl&) = delete;  // the symbols refer to it
   GT2003BehaviorControl& operator=(const GT2003BehaviorControl&) = delete;
 
-  /// Provides what the behavior requests in this cycle and what it tells its teammates; to stand
+  /// Provides what the behavior requests in this cycle and its message to its teammates; to stand
   /// and to look at nothing without a behavior. It decides in each cycle, whether or not there is a
   /// new image: how old the models are is its own matter.
   void update(WorldState world, const Behavior& behavior, const BehaviorControlRequest& control,

@@ -119,7 +119,7 @@ class Tactics {
   /// The parameters must outlive this.
   explicit Tactics(const Parameters& parameters) : p_{parameters} {}
 
-  /// Begins a cycle: enters the teammates that told where they are among the obstacles, for the
+  /// Begins a cycle: enters the teammates that sent where they are among the obstacles, for the
   /// camera does not see what is behind the robot, and negotiates the role. The state of the world
   /// must live as long as the cycle.
   void update(const WorldState& world);

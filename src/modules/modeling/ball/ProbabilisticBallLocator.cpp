@@ -100,7 +100,7 @@ void ProbabilisticBallLocator::addKicked(double seconds) {
 }
 
 // Each hypothesis becomes more probable by how well the percept fits, or the percept was a wrong
-// one, which says nothing. The ball may also have been moved to where it is seen now.
+// one, which carries no information. The ball may also have been moved to where it is seen now.
 void ProbabilisticBallLocator::observe(const BallPercept& percept, double seconds) {
   if (count_ > 0 && percept.time - best().lastSeen > parameters.forgetAfter) count_ = 0;
   addKicked(seconds);

@@ -48,8 +48,8 @@ class GO2003PlayersLocator {
   Parameters parameters;
 
   /// Provides the players on the field. Without a new percept those known stay where they are until
-  /// they are forgotten; teammates are also where their messages say. Percepts count whether or not
-  /// the camera matrix was valid.
+  /// they are forgotten; teammates are also where their messages state. Percepts count whether or
+  /// not the camera matrix was valid.
   void update(const PlayersPercept& percept, const RobotPose& robotPose,
               const TeamMessages& messages, const FieldDimensions& field, const Player& player,
               const FrameInfo& frame, PlayersCollection& players, Debug& debug);

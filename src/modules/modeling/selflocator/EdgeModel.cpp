@@ -61,7 +61,7 @@ void EdgeModel::choose(const LinesPercept& percept, int wanted, double farthest,
     const auto type = static_cast<EdgeType>(t);
     const std::vector<Vector2d>& points = percept.points[type];
     const auto count = std::min(static_cast<std::size_t>(wanted), points.size());
-    // Evenly over the image from a random start on: neighbors tell the same.
+    // Evenly over the image from a random start on: neighbors give the same information.
     const double stride = static_cast<double>(points.size()) / static_cast<double>(count);
     const double start = random.uniform() * static_cast<double>(points.size());
     for (std::size_t i = 0; i < count; ++i) {

@@ -11,7 +11,7 @@
 namespace gt {
 
 /// Monte-Carlo localization (report 3.3.2, 3.3.3), of which the self-locators with particles are
-/// made: they differ in what they see. Particles move as the odometry says, the likelihoods of what
+/// made: they differ in what they see. Particles move by the odometry, the likelihoods of what
 /// is seen judge them, improbable ones make room for poses from which it might have been seen, and
 /// the fullest place is where the robot is.
 class ParticleLocalization {

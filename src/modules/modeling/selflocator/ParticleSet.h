@@ -15,8 +15,8 @@ namespace gt {
 /// what is seen often does not outvote what is seen rarely (report 3.3.3.1).
 enum class Likelihood { landmarks, lines, border, goals };
 
-/// How far a step may lead elsewhere than the odometry says (report (3.8)), and how far improbable
-/// particles are moved in search of a better place (3.14).
+/// How far a step may lead elsewhere than the odometry measures (report (3.8)), and how far
+/// improbable particles are moved in search of a better place (3.14).
 struct MotionModel {
   double forwardError = 0.1;
   double sidewardError = 0.02;

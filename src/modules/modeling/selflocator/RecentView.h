@@ -10,7 +10,7 @@
 namespace gt {
 
 /// What a robot has seen within the last images, moved along with it: one image shows little of
-/// the field, some of them tell poses apart that look alike in one. Judges poses by that, and draws
+/// the field, they distinguish poses that look alike in one. Judges poses by that, and draws
 /// some that fit to it.
 class RecentView {
  public:

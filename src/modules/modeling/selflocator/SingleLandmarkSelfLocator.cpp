@@ -84,7 +84,7 @@ void SingleLandmarkSelfLocator::useBestFlags(const LandmarksPercept& percept, Te
 }
 
 /// Goals come last, for their direction is the most important one (report 3.3.1.1). One that is cut
-/// by the image's border does not tell where its middle is.
+/// by the image's border leaves its middle unknown.
 void SingleLandmarkSelfLocator::useGoals(const LandmarksPercept& percept, TeamColor team,
                                          const FieldDimensions& field) {
   for (int i = 0; i < percept.numberOfGoals; ++i) {

@@ -11,7 +11,7 @@
 namespace gt {
 
 /// Solution *SingleLandmark* of SelfLocator: finds the robot's pose by drawing one estimate towards
-/// what each landmark says, by itself, about distance and direction (report 3.3.1): cheap, but
+/// what each landmark shows, by itself, about distance and direction (report 3.3.1): cheap, but
 /// never exact.
 class SingleLandmarkSelfLocator {
  public:
@@ -65,7 +65,7 @@ class SingleLandmarkSelfLocator {
               Debug& debug);
 
  private:
-  /// What one landmark says, from the robot's origin.
+  /// What one landmark yields, from the robot's origin.
   struct Measurement {
     Vector2d landmark = Vector2d::Zero();
     double distance = 0, distanceQuality = 0;

@@ -60,7 +60,7 @@ class FusedTeamBallLocator {
               const FrameInfo& frame, const Player& player, TeamBallModel& teamBall, Debug& debug);
 
  private:
-  /// Where one robot says that the ball is now.
+  /// Where one robot reports the ball to be now.
   struct Opinion {
     Vector2d position = Vector2d::Zero();  ///< mm, on the field
     double variance = 0;                   ///< mm^2, of each coordinate

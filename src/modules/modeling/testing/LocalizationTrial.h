@@ -14,7 +14,7 @@ namespace gt {
 /// Counts the images until an estimate is near the truth and stays there for a second.
 class ImagesUntilLocalized {
  public:
-  /// Tells of one image; the error in mm.
+  /// Reports one image; the error in mm.
   void add(double error) {
     ++pictures_;
     good_ = error < near ? good_ + 1 : 0;

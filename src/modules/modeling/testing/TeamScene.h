@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// A team whose robots tell each other where the ball is, and the locator of one of them.
+/// A team whose robots send each other where the ball is, and the locator of one of them.
 template <typename Locator>
 struct TeamScene {
   TeamScene() {

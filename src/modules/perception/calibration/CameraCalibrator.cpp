@@ -22,7 +22,7 @@ void CameraCalibrator::add(std::span<const Vector2d> corners, const JointAngles&
   views_.push_back({{corners.begin(), corners.end()}, joints});
 }
 
-// The board as it looks in the first image: as far away as its size tells, across the view.
+// The board as it looks in the first image: at the distance given by its size, across the view.
 CameraCalibrator::Values CameraCalibrator::guess(const CameraInfo& camera,
                                                  const RobotDimensions& robot,
                                                  const RobotCalibration& body) const {

@@ -50,7 +50,7 @@ void CheckerboardDetector::update(const Image& image, const CameraMatrix& matrix
 }
 
 // While the head turns the rows see the board from different directions; and an image from where
-// the last one was taken tells nothing new.
+// the last one was taken adds nothing new.
 void CheckerboardDetector::take(const CameraMatrix& matrix, const JointAngles& joints) {
   constexpr double mostTurning = 0.15, leastApart = 0.01;  // rad/s, rad
   const Vector3d axis = matrix.pose.rotation.col(0);

@@ -29,7 +29,7 @@ constexpr double mostHueDrift = fromDegrees(30), mostStrengthDrift = 0.7;
 
 constexpr int sampleStep = 6;       // Pixels between those that are looked at.
 constexpr double belowHorizon = 8;  // Pixels: what is below is ground, mostly.
-constexpr int minGreen = 20;        // Of an image's pixels, to trust what they say.
+constexpr int minGreen = 20;        // Of an image's pixels, to trust them.
 constexpr int maxWithout = 75;      // Images of ground without green, after which all was wrong.
 constexpr double maxRatio = 8;      // Of brightnesses over green's.
 

@@ -16,7 +16,7 @@ struct Tone {
 };
 
 /// A color table that makes itself while a robot plays (report 6.2.1; Jüngel, Hoffmann, Lötzsch: A
-/// Real-Time Auto-Adjusting Vision System for Robotic Soccer, 2003). Nobody tells it a color, but
+/// Real-Time Auto-Adjusting Vision System for Robotic Soccer, 2003). It is given no color, but
 /// heuristics about the environment do: most of what is seen below the horizon is green. Green's
 /// brightness tells the light, what is brighter than it and has no color is white and tells gray;
 /// the other colors lie around gray in a known order, and move to where recognized objects have

@@ -120,7 +120,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   const Pose2D walked = odometry.pose.relativeTo(odometry_);
   odometry_ = odometry.pose;
   Pose2D speed;
-  // After a longer time it tells nothing of this image.
+  // After a longer time it is not valid for this image.
   if (elapsed > 0 && elapsed <= 200)
     speed = {walked.rotation * 1000 / elapsed, walked.translation * 1000 / elapsed};
 

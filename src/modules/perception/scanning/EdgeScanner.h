@@ -12,7 +12,7 @@ struct GoalIndication;
 
 /// Finds points on the edges of field lines, the border and goals (report 3.2.2). Edges of white
 /// are places where the y channel changes much between neighboring pixels; how far increase and
-/// decrease lie apart tells lines from the border.
+/// decrease lie apart distinguishes lines from the border.
 class EdgeScanner {
  public:
   /// A point found, in the image.

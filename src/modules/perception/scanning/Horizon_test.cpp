@@ -87,7 +87,7 @@ TEST(CameraInfo, UndoesTheLens) {
     const Vector2d again = info.project(2.5 * info.ray(pixel.x(), pixel.y()));
     EXPECT_NEAR((again - pixel).norm(), 0, 1e-2) << k2 << " " << k4;
   }
-  // A barrel sees more than the focal length tells.
+  // A barrel distortion sees more than follows from the focal length.
   CameraInfo barrel;
   barrel.distortion2 = -0.2;
   EXPECT_GT(barrel.openingAngleX(), CameraInfo{}.openingAngleX() + 0.02);

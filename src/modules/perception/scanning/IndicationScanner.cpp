@@ -149,7 +149,7 @@ std::size_t IndicationScanner::findBall(const ScanLine& line, std::size_t first)
   return next;
 }
 
-// The colors next to pink tell the flag. Single wrong pixels between the colors are skipped.
+// The colors next to pink identify the flag. Single wrong pixels between the colors are skipped.
 void IndicationScanner::findFlag(const ScanLine& line, std::size_t first) {
   const Stretch pink = stretchFrom(first, ColorSet{ColorClass::pink}, maxGap);
   const auto partner = [&](std::size_t from, int direction) -> const Run* {

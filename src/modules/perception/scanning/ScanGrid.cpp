@@ -6,7 +6,7 @@
 namespace gt {
 namespace {
 
-/// Shrinks [low, high] to where base + t * direction lies in [0, size]; tells whether the ends
+/// Shrinks [low, high] to where base + t * direction lies in [0, size]; returns whether the ends
 /// were moved.
 void clip(double base, double direction, double size, double& low, double& high, bool& lowMoved,
           bool& highMoved) {

@@ -30,7 +30,7 @@ bool describeBall(const CameraImage& picture, const Vector3d& axis, double angle
 }
 
 // A ball neither floats nor lies deep in the ground, nor does it ever reach up to the horizon: seen
-// at the distance that its size tells, its center is at its radius above the ground.
+// at the distance that follows from its size, its center is at its radius above the ground.
 bool isOnGround(const CameraImage& picture, const BallPercept& percept, const Vector3d& axis,
                 double ballRadius) {
   if (!picture.matrix.valid) return true;

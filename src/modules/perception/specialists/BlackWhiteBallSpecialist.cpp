@@ -79,7 +79,7 @@ void BlackWhiteBallSpecialist::scanRow(const CameraImage& picture, int y, int fr
   const Pixel *above = &image.at(0, y - 1), *below = &image.at(0, y + 1);
   const auto difference = [&](int x) { return std::abs(row[x + 1].y - row[x - 1].y); };
   for (int x = from; x < to; ++x) {
-    // Most pixels are not near any edge, which their two neighbors tell, for many at once.
+    // Most pixels are not near any edge: their two neighbors show that, for many at once.
     if (x + block <= to) {
       bool any = false;
       for (int i = 0; i < block; ++i) any |= difference(x + i) >= minDifference;
@@ -203,7 +203,7 @@ bool BlackWhiteBallSpecialist::look(const CameraImage& picture, std::size_t cell
 }
 
 // From within the ball to all sides, as long as it is black and white: eleven radii and cells of
-// five pixels alone tell distances badly. Where a line or a robot is next to the ball the way goes
+// five pixels alone give poor distances. Where a line or a robot is next to the ball the way goes
 // on: only what is about as far away as the rest counts.
 bool BlackWhiteBallSpecialist::traceCircle(const CameraImage& picture, Vector2d& center,
                                            double& radius) {

@@ -134,7 +134,7 @@ bool FlagSpecialist::scanWidth(const CameraImage& picture, const Vector2d& start
   right_.clear();
   double widest = 0;
   scanRows(picture, start, m.pinkAbove ? -m.heightAbove : m.heightBelow, m.pink, widest);
-  // Green is not always to be told from the background (report 3.2.4).
+  // Green cannot always be distinguished from the background (report 3.2.4).
   if (!m.otherIsGreen)
     scanRows(picture, start, m.pinkAbove ? m.heightBelow : -m.heightAbove, m.other, widest);
   return !left_.empty() && widest >= 1.5;

@@ -136,7 +136,7 @@ bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPe
   if (distance > 0 && width * distance > 1.6 * widest) return false;
   // It stands on the ground, below the horizon.
   if (matrix.valid && !b.bottomOnBorder && b.bottom > fromDegrees(1)) return false;
-  // Of a goal whose foot is hidden the upper edge tells the distance: flags are narrower.
+  // Of a goal whose foot is hidden the upper edge gives the distance: flags are narrower.
   constexpr double narrowest = 180;
   const double above = field.goalHeight - camera.z();
   if (matrix.valid && b.bottomOnBorder && !b.topOnBorder && !b.leftOnBorder && !b.rightOnBorder &&

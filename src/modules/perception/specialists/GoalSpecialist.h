@@ -27,8 +27,8 @@ class GoalSpecialist {
   EdgeAngles left_, right_, top_, bottom_;
 };
 
-/// Where a goal stands as its boundary tells: fills in distance and angle (report 3.2.5); false if
-/// no goal can look like that.
+/// Computes from its boundary where a goal stands: fills in distance and angle (report 3.2.5);
+/// false if no goal can look like that.
 bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPercept& goal);
 
 }  // namespace gt

@@ -77,7 +77,7 @@ void PlayerSpecialist::endCluster(const CameraImage& picture, std::vector<Vector
     const auto bySize = [&](double height, double surface) {
       return focal(picture) * std::min(height / longest, std::sqrt(surface / area));
     };
-    // Of a robot so close that its feet are not in the image only the size tells.
+    // Of a robot so close that its feet are not in the image only the size gives the distance.
     const bool byFoot = foot_ < border_;
     const double distance = byFoot ? footToMiddle + std::min(foot_, bySize(mostHeight, mostTricot))
                                    : sideToMiddle + std::min(typicalShare * border_,

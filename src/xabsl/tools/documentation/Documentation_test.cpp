@@ -74,7 +74,7 @@ void expectSound(const Documentation& documentation) {
   }
 }
 
-/// Everything that has a name can be found, and its page tells of it.
+/// Everything that has a name can be found, and its page describes it.
 void expectComplete(const Documentation& documentation, const Model& model) {
   const std::string& entries = documentation.files.at("entries.js");
   const auto expect = [&](const std::string& kind, const std::string& name) {

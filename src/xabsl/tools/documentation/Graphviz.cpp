@@ -16,7 +16,7 @@ namespace xabsl::documentation {
 namespace {
 
 /// Runs dot without a shell between; true if it succeeded. Of several graphs in a file it writes
-/// only the first where `-o` says, so its output is redirected.
+/// only the first to the file of `-o`, so its output is redirected.
 bool runDot(std::string source, const std::string& drawing) {
   std::string program = "dot", format = "-Tsvg";
   const std::array<char*, 4> arguments = {program.data(), format.data(), source.data(), nullptr};

@@ -9,7 +9,7 @@
 
 namespace xabsl::documentation {
 
-/// Something that options use: an index into a list of the model, of what kind says which.
+/// Something that options use: an index into a list of the model, `kind` states which.
 struct Thing {
   enum class Kind {
     read,

@@ -236,7 +236,7 @@ class Completer {
     return xabsl::server::parametersOf(model_, name).first;
   }
 
-  /// What the left side of the operator before the place is, as far as a name tells.
+  /// What the left side of the operator before the place is, as far as a name shows it.
   Type expectedType() const {
     const bool assigns = context_.back(0).is("=");
     if (!assigns && !context_.back(0).is("==") && !context_.back(0).is("!=")) return {};

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t mostDocuments = 1000;
 
-/// Whether a text is XML of another language, of which nothing is told.
+/// Whether a text is XML of another language, about which nothing is reported.
 bool isForeign(const std::string& text) {
   return xml::isXml(text) && text.find(xml::namespace21) == std::string::npos &&
          text.find(xml::namespace31) == std::string::npos;

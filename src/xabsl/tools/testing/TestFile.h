@@ -11,7 +11,7 @@ namespace xabsl {
 // A file of tests for a behavior; comments as in XABSL.
 //
 //     behavior "../agents.xabsl";               the behavior, relative to this file
-//     step 40;                                  ms from one cycle to the next; 40 if not said
+//     step 40;                                  ms from one cycle to the next; 40 if not given
 //     function abs(a) = a < 0 ? -a : a;         what an input symbol with parameters yields
 //     ball.angle = 0.5;                         an input symbol; computed before each cycle
 //
@@ -62,7 +62,7 @@ struct TestFile {
   std::vector<BehaviorTest> tests;
 };
 
-/// Reads tests; what is wrong is told by the diagnostics, of which there are none otherwise.
+/// Reads tests; the diagnostics report what is wrong and are empty otherwise.
 TestFile parseTests(const std::string& path, std::string_view text,
                     std::vector<Diagnostic>& diagnostics);
 

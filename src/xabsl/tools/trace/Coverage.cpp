@@ -8,7 +8,7 @@ Coverage::Coverage(const TraceSubject& subject)
     : subject_(subject),
       waysOfDecision_(subject.model.decisions.size()),
       active_(subject.model.states.size()) {
-  // A decision is asked in one tree only; a trace from outside may say otherwise.
+  // A decision is asked in one tree only; a trace from outside may differ.
   std::vector<bool> seen(subject.model.decisions.size());
   for (std::size_t i = 0; i < subject.model.options.size(); ++i) {
     const Option& option = subject.model.options[i];

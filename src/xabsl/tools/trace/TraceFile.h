@@ -9,7 +9,7 @@
 
 namespace xabsl {
 
-/// What reading a trace yields; without traces the diagnostics say what is wrong.
+/// What reading a trace yields; without traces the diagnostics report what is wrong.
 struct TraceReading {
   std::vector<Trace> traces;
   std::vector<Diagnostic> diagnostics;
