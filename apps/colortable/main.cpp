@@ -38,7 +38,7 @@ void printSizes(const ColorTable64& table) {
 /// An error if there is nothing to learn from.
 Result<void> checkLabels(const ImageSource& source) {
   if (!source.simulated() && source.labels.empty())
-    return Error{.field = "--labels", .what = "must tell what the images show"};
+    return Error{.field = "--labels", .what = "must state what the images show"};
   return {};
 }
 

@@ -47,7 +47,7 @@ Result<LogCheck> checkLog(const std::string& path) {
       if (channel.messageCount != counts[channel.id])
         problem({.file = path,
                  .field = channel.topic,
-                 .what = "the index tells of " + std::to_string(channel.messageCount) +
+                 .what = "the index states " + std::to_string(channel.messageCount) +
                          " messages, there are " + std::to_string(counts[channel.id])});
   return check;
 }

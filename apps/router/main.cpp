@@ -52,7 +52,7 @@ gt::Result<void> recall(gt::RouterSettings& settings) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     return gt::Error{.field = "robots",
-                     .what = "there is none, and no last time; router --help tells more"};
+                     .what = "there is none, and no last time; router --help prints more"};
   return gt::readConfig(file, settings);
 }
 
@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
   line.app().add_option("--make-keys", keyFolder,
                         "Writes robot.key and tool.key into this folder and ends");
   bool verbose = false;
-  line.app().add_flag("--verbose", verbose, "Tells every ten seconds what went through");
+  line.app().add_flag("--verbose", verbose, "Reports every ten seconds what went through");
   return line.run([&]() -> gt::Result<void> {
     if (!keyFolder.empty()) return makeKeys(keyFolder);
     if (argc == 1)

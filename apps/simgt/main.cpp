@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
   addLayout(line.command("layout", "Shows what runs in which process and what crosses",
                          [&] { return gt::showLayout(layout); }),
             layout);
-  line.command("commands", "Tells the console's commands: docs/console.md", [] {
+  line.command("commands", "Prints the console's commands: docs/console.md", [] {
     std::fputs(gt::consoleManual().c_str(), stdout);
     return 0;
   });

@@ -22,7 +22,7 @@ inline Rgb rgbOf(const Pixel& pixel) {
 }
 
 /// A color table from another way to classify: each 4x4x4 cube of colors gets the class that
-/// `classOf(const Rgb&)` tells of its middle.
+/// `classOf(const Rgb&)` returns for its middle.
 template <typename ClassOf>
 ColorTable64 colorTableBy(ClassOf classOf) {
   ColorTable64 table;

@@ -279,7 +279,7 @@ std::vector<Command> behaviorCommands() {
        "Has an option executed instead of the engine's root option; its parameters may follow.", xo,
        choices<Names::options>, true},
       {kind, "xos", "? | OUTPUTSYMBOL (on | off | ? | unchanged | VALUE)",
-       "Shows an output symbol in the Xabsl2 view, or not; sets it to a value that lasts; tells "
+       "Shows an output symbol in the Xabsl2 view, or not; sets it to a value that lasts; prints "
        "its "
        "values; or leaves it to the engine.",
        xos, choices<Names::outputs>, true}};

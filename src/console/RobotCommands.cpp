@@ -362,7 +362,7 @@ std::vector<Command> robotCommands() {
        layout, nullptr, true},
       {kind, "msg", "off | on", "Prints texts of the robots (the default), or not.", msg, nullptr},
       {kind, "qfr", "queue | replace | reject | collect SECONDS | save SECONDS",
-       "Says how the queue of messages to the tools is filled (by default queue).", qfr, nullptr,
+       "Sets how the queue of messages to the tools is filled (by default queue).", qfr, nullptr,
        true},
       {kind, "sg", "? | ID {NUMBER}",
        "Sends up to ten numbers as generic debug data to the modules.", sg, idNames, true},

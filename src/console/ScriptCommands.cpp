@@ -40,7 +40,7 @@ void printTopics(Console& console) {
         names += (names.empty() ? "" : " ") + std::string{command.name};
     printWrapped(console, begin, std::string{topic.help} + ": " + names, widest + 2);
   }
-  console.print("help TOPIC and help COMMAND tell more, help all tells everything.");
+  console.print("help TOPIC and help COMMAND print more, help all prints everything.");
 }
 
 std::vector<std::string> helpNames(Console&, const Words&) {

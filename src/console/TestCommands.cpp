@@ -203,14 +203,14 @@ Result<void> test(Console& console, const Words& words) {
 }  // namespace
 
 std::vector<Command> testCommands() {
-  return {
-      {Command::Kind::global, "test",
-       "game N [TABLE] | situation N TIMEOUT CONDITION {CONDITION} [TABLE]",
-       "Plays N games, or N times up to TIMEOUT seconds until one of the conditions holds (in "
-       "quotes if it has spaces), each with the next seed and all that was done so far at its "
-       "beginning. Tells how they ended; the results go to a table (.csv), out/test.csv if none is "
-       "named.",
-       test, valueChoices}};
+  return {{Command::Kind::global, "test",
+           "game N [TABLE] | situation N TIMEOUT CONDITION {CONDITION} [TABLE]",
+           "Plays N games, or N times up to TIMEOUT seconds until one of the conditions holds (in "
+           "quotes if it has spaces), each with the next seed and all that was done so far at its "
+           "beginning. Prints how they ended; the results go to a table (.csv), out/test.csv if "
+           "none is "
+           "named.",
+           test, valueChoices}};
 }
 
 }  // namespace gt

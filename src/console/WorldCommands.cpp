@@ -124,7 +124,7 @@ std::vector<Command> worldCommands() {
   using enum Command::Kind;
   return {
       {global, "fidelity", "? | [kinematic | dynamic]",
-       "Goes on in the other fidelity, with all where it is; tells which one it is.", fidelity,
+       "Switches to the other fidelity, with all where it is; prints which one it is.", fidelity,
        nullptr, true},
       {global, "place", "? | ROBOT X Y [ROTATION] | BALL X Y [VX VY]",
        "Puts a robot on the field, in mm and degrees, or a ball, which may roll, in mm/s.", place,

@@ -71,7 +71,7 @@ class Blackboard {
     if (!slot.value) slot = {&type, type.make(), false};
     if (slot.type != &type)
       violate(std::string{type.qualifiedName} + " and " + std::string{slot.type->qualifiedName} +
-              " cannot be told apart: a representation's name is its own in all namespaces.");
+              " cannot be distinguished: a representation's name is its own in all namespaces.");
     return slot;
   }
 

@@ -78,7 +78,7 @@ void checkNames(const Layout& layout, const SolutionTable& table, const Types& p
       if (other != type)
         return errors.add({.file = layout.file,
                            .field = std::string{type->name},
-                           .what = "cannot be told apart: " + std::string{other->qualifiedName} +
+                           .what = "cannot be distinguished: " + std::string{other->qualifiedName} +
                                    " and " + std::string{type->qualifiedName} + "; rename one"});
   };
   std::set<const RepresentationType*> all{platform.begin(), platform.end()};

@@ -197,11 +197,11 @@ TEST(Layout, RefusesTwoRepresentationsOfOneName) {
   const auto plan = makePlan(*parseLayout("process P on Reading\nSense\n", "test.layout"), table,
                              {&representation<Reading>()}, {});
   ASSERT_FALSE(plan);
-  EXPECT_NE(plan.error().what.find("cannot be told apart"), std::string::npos);
+  EXPECT_NE(plan.error().what.find("cannot be distinguished"), std::string::npos);
   EXPECT_NE(plan.error().what.find("other::Reading"), std::string::npos);
   Blackboard blackboard;
   blackboard.get<Reading>();
-  EXPECT_DEATH(blackboard.get<other::Reading>(), "cannot be told apart");
+  EXPECT_DEATH(blackboard.get<other::Reading>(), "cannot be distinguished");
 }
 
 TEST(Layout, HasOneProcessThatCollectsMessages) {

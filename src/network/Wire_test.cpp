@@ -125,7 +125,7 @@ TEST(Wire, ReadsPackagesOfAnotherVersionFieldByField) {
   for (std::size_t i = 1; i < printed.size(); ++i) EXPECT_GT(printed[i], printed[i - 1]);
   EXPECT_EQ(printed.front(), std::floor(printed.front()));
   const auto news = program.wire.takeNews();
-  ASSERT_EQ(news.size(), 1u) << "told once";
+  ASSERT_EQ(news.size(), 1u) << "reported once";
   EXPECT_EQ(news[0],
             "'Source' was built from another version: its NumberPackage is read field by field");
   EXPECT_TRUE(program.wire.takeNews().empty());

@@ -101,7 +101,7 @@ TEST_F(ObservedRobotTest, AsksForAValueUnlessItIsSubscribed) {
     EXPECT_EQ((*robot.value<Image>())->info.width, 3) << "nothing newer has come";
     EXPECT_EQ(link->images, 4);
   }
-  EXPECT_EQ(link->images, 5) << "it was told that nobody wants it any more";
+  EXPECT_EQ(link->images, 5) << "it was notified that nobody wants it any more";
   EXPECT_EQ(robot.value("Poem").error().what, "no process of the robot has it");
   EXPECT_THAT(robot.inputs(), ElementsAre("Image"));
 }

@@ -160,7 +160,7 @@ TEST(Terminal, ShowsTimeScoreAndFactorInALiveLine) {
   terminal.until(prompt);
   terminal.type("nonsense\n");
   EXPECT_THAT(terminal.until(prompt), HasSubstr("\033[31mnonsense: there is no such command"));
-  EXPECT_EQ(terminal.exit(), 0) << "what was typed wrongly was told then";
+  EXPECT_EQ(terminal.exit(), 0) << "what was typed wrongly was reported then";
 }
 
 TEST(Terminal, TimePassesWhileLinesAreTyped) {

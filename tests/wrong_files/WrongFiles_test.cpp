@@ -107,7 +107,7 @@ Break garbage() {
 /// The file is removed.
 const Break missing;
 
-/// A wrong file: how it is broken, which program reads it, and how the line that tells of it
+/// A wrong file: how it is broken, which program reads it, and how the line that reports it
 /// begins.
 struct WrongFile {
   const char* name;
@@ -320,7 +320,7 @@ TEST(Programs, CheckTellsAllErrorsOfATree) {
         "scenes/match.scene:2: ball", "scenes/match.scene:3: joints",
         "scenes/several.scene:3: model"}) {
     const std::size_t found = outcome.errors.find("simgt: " + std::string{file}, at);
-    EXPECT_NE(found, outcome.errors.npos) << file << " is not told, or not in order:\n"
+    EXPECT_NE(found, outcome.errors.npos) << file << " is not reported, or not in order:\n"
                                           << outcome.errors;
     if (found != outcome.errors.npos) at = found;
   }
