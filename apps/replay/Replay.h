@@ -18,7 +18,7 @@ struct ReplayFiles {
   std::string labels = root.path("tests/real/nao2009-labels.csv");  ///< Empty for none.
 };
 
-/// Lets a robot live on a log, with percepts drawn, and calls `look(platform, ball, label)` after
+/// Runs a robot on a log, with percepts drawn, and calls `look(platform, ball, label)` after
 /// each image; the label is null where nobody looked.
 using ReplayVisitor =
     std::function<Result<void>(const LogPlatform&, const BallPercept&, const BallLabel*)>;

@@ -138,7 +138,7 @@ gt::Result<void> route(const gt::RouterSettings& settings, bool verbose) {
 
 }  // namespace
 
-/// Passes messages between robots and tools, and between team mates (report 5.3).
+/// Passes messages between robots and tools, and between teammates (report 5.3).
 int main(int argc, char** argv) {
   gt::CommandLine line{argc, argv,
                        "Router: passes messages between robots and tools, and between team mates"};

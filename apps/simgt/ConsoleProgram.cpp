@@ -20,8 +20,8 @@ constexpr std::chrono::milliseconds liveTime{20}, restTime{10};
 
 constexpr int statusInterrupted = 128 + SIGINT;
 
-/// Interrupts the session when a person presses Ctrl-C, for as long as it lives. Who presses it
-/// again and again while nothing happens ends the program.
+/// Interrupts the session when a person presses Ctrl-C, for as long as this object exists. Who
+/// presses it again and again while nothing happens ends the program.
 class InterruptKey {
  public:
   explicit InterruptKey(Session& session) {

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* historyFile = "out/console_history";
 constexpr int historyLines = 1000;
 
-// Readline calls plain functions, so what they work on lies here while an editor lives.
+// Readline calls plain functions, so what they work on lies here while an editor exists.
 Console* console = nullptr;
 std::vector<std::string> choices;
 bool reading = false, lineTaken = false;

@@ -10,9 +10,9 @@
 
 namespace gt {
 
-/// Names what the calling thread does for as long as it lives: a crash report shows those that are
-/// open, the outermost first, such as a process with the time of its cycle, and the module that
-/// runs. Costs a few instructions. The name must outlive it.
+/// Names what the calling thread does for as long as this object exists: a crash report shows those
+/// that are open, the outermost first, such as a process with the time of its cycle, and the module
+/// that runs. Costs a few instructions. The name must outlive it.
 class CrashContext {
  public:
   explicit CrashContext(const char* name, Time since = never())

@@ -31,7 +31,7 @@ class ConsoleRobot {
   virtual std::optional<std::size_t> index() const { return std::nullopt; }
   /// The same as its platform; null if it is none of them.
   virtual SimulatedRobot* simulated() { return nullptr; }
-  /// What it lives on, if that is a log; null otherwise.
+  /// The log it runs on; null if it runs on none.
   virtual LogRobot* onLog() { return nullptr; }
   /// Runs up to a time of the session; an error if it cannot.
   virtual Result<void> step(Time) { return {}; }
@@ -53,7 +53,7 @@ class ConsoleRobot {
 /// A robot of a scene.
 std::unique_ptr<ConsoleRobot> makeSimulatedRobot(SimulatedRobot& robot, std::size_t index);
 
-/// A robot that lives on a log from a time of the session on (report I.5.1: sl): a log of this
+/// A robot that runs on a log from a time of the session on (report I.5.1: sl): a log of this
 /// system (.mcap) or one of a real robot of 2009.
 Result<std::unique_ptr<ConsoleRobot>> makeLogRobot(const std::string& name, const std::string& file,
                                                    const LogRobotOptions& options, Time begin);

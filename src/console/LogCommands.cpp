@@ -45,7 +45,7 @@ void printPlace(Console& console, ConsoleRobot& robot) {
                 (player.loop() ? ", loops" : ""));
 }
 
-/// lp cut FILE FROM TO, and lp join FILE LOG {LOG}: of the log that a robot lives on.
+/// lp cut FILE FROM TO, and lp join FILE LOG {LOG}: of the log that a robot runs on.
 Result<void> transfer(Console& console, ConsoleRobot& robot, const Words& words) {
   const std::string out = withDefaults(words[2], "out/logs", ".mcap");
   const std::string& log = robot.onLog()->player().path();

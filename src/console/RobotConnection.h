@@ -25,7 +25,7 @@ class RobotConnection {
   void step();
   /// Where a game manager connects; empty if there is no such port.
   std::string gameManager() const { return router_->endpointOfAll(); }
-  /// The robots, which the caller keeps; they need the connection as long as they live.
+  /// The robots, which the caller keeps; the connection must outlive them.
   std::vector<std::unique_ptr<ConsoleRobot>> takeRobots() { return std::move(robots_); }
   /// What has changed since this was called last: a line for each robot that came or went.
   std::vector<std::string> news();

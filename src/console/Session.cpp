@@ -155,7 +155,7 @@ void Session::reportNews() {
 }
 
 std::optional<Session::Clock::time_point> Session::due() {
-  // Robots elsewhere live in real time.
+  // Robots elsewhere run in real time.
   const double factor = state_.connection && pace_.factor == 0 ? 1 : pace_.factor;
   if (factor == 0) return std::nullopt;
   const std::chrono::duration<double, std::milli> simulated{

@@ -75,7 +75,7 @@ class Session {
   /// Called before each step and in `live`: reads what moves the robots by hand, such as a
   /// joystick.
   void setInput(std::function<void()> input) { input_ = std::move(input); }
-  /// Calls `work` after each step, also of later matches, for as long as the handle lives.
+  /// Calls `work` after each step, also of later matches, for as long as the handle exists.
   [[nodiscard]] std::shared_ptr<const void> afterSteps(std::function<void()> work);
 
   /// A robot of the scene first, then those on logs and elsewhere.
@@ -100,7 +100,7 @@ class Session {
 
   /// What belongs to one match.
   struct State {
-    // The robots need both as long as they live.
+    // Both must outlive the robots.
     std::unique_ptr<Match> owned;
     std::unique_ptr<RobotConnection> connection;
     Match* match = nullptr;
@@ -116,7 +116,7 @@ class Session {
   /// Passes on and takes what robots elsewhere send while time stands.
   void listen();
   void reportNews();
-  /// When the next step is due; nothing if steps are taken as fast as possible.
+  /// When the next step is due; empty if steps are taken as fast as possible.
   std::optional<Clock::time_point> due();
 
   Screen& screen_;

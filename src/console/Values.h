@@ -32,7 +32,7 @@ Result<ConsoleValue> valueAt(Console& console, const std::string& path);
 /// is none. What is written with slashes is meant to be one.
 std::optional<std::string> objectPath(Session& session, std::string path);
 
-/// Where a robot or a ball is on the field, by its name; nothing if there is none.
+/// Where a robot or a ball is on the field, by its name; no value if there is none.
 std::optional<Vector2d> placeOf(Console& console, std::string_view name);
 
 /// The paths that begin a value, for completion and `get ?`.

@@ -23,7 +23,7 @@ Result<std::size_t> sceneRobot(Console& console, const std::string& name) {
   return static_cast<std::size_t>(found - names.begin());
 }
 
-/// The ball that a word names, ball or ball0 being the first; nothing if it names none.
+/// The ball that a word names, ball or ball0 being the first; empty if it names none.
 std::optional<std::size_t> ballOf(Console& console, const std::string& word) {
   const std::size_t count = console.session().simulation().world().ballCount();
   for (std::size_t i = 0; i < count; ++i)

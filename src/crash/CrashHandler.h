@@ -17,7 +17,7 @@ struct CrashSettings {
 /// do.
 void installCrashHandler(const CrashSettings& settings);
 
-/// Gives the calling thread a stack of its own for the crash handler while it lives, so that even
+/// Gives the calling thread a stack of its own for the crash handler while it exists, so that even
 /// a stack overflow is reported. installCrashHandler() does so for the thread that calls it.
 class CrashStack {
  public:

@@ -76,7 +76,7 @@ bool addRegister(std::string_view text, CrashReport& report) {
   return true;
 }
 
-/// False if the line is no such line.
+/// Returns false if the line does not match.
 bool readLine(std::string_view key, std::string_view text, CrashReport& report) {
   if (key == "program") return report.program = text, true;
   if (key == "signal") {

@@ -17,7 +17,7 @@ struct ElfFunction {
 /// What crash reports need of a program or library (64-bit ELF): its build id and its functions.
 class ElfFile {
  public:
-  /// Reads a file; an error if it is no such file. No file crashes it.
+  /// Reads a file. Returns an error if it is not a 64-bit ELF file. Safe on any input.
   static Result<ElfFile> read(const std::string& path);
 
   const std::string& path() const { return path_; }

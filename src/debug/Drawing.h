@@ -26,7 +26,7 @@ constexpr Color black{0, 0, 0}, white{255, 255, 255}, gray{128, 128, 128}, red{2
     pink{250, 90, 170}, orange{255, 130, 0};
 }
 
-/// The system of coordinates that a drawing lives in (report E.5).
+/// The system of coordinates of a drawing (report E.5).
 enum class DrawingSpace { field, robot, image };
 enum class ElementType {
   point,

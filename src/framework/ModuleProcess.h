@@ -52,7 +52,7 @@ class ModuleProcess : public Process {
   void carryOut(const MessageQueue& messages, MessageQueue& answers);
 
   bool solves(std::string_view task) const;
-  /// The name of the solution that runs; nothing if the process has no such task.
+  /// The name of the running solution; empty if the process has no such task.
   std::string activeSolution(std::string_view task) const;
   /// A parameter as text.
   Result<std::string> parameter(std::string_view task, std::string_view solution,

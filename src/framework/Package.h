@@ -24,7 +24,7 @@ class PackageLink {
   virtual void deliver(const void* package) = 0;
 };
 
-/// Sends a package, which lives elsewhere, to all receivers it is connected to (report C.3.2).
+/// Sends a package, which is stored elsewhere, to all receivers it is connected to (report C.3.2).
 /// Packages are not buffered: what is transferred is always the package as it is at that moment.
 class PackageSender {
  public:
@@ -60,7 +60,7 @@ class PackageSender {
   std::vector<Link> links_;
 };
 
-/// Receives packages into a place that lives elsewhere (report C.3.3).
+/// Receives packages into a place that is stored elsewhere (report C.3.3).
 class PackageReceiver : public PackageLink {
  public:
   PackageReceiver(const RepresentationType& type, void* package, bool blocking = false)

@@ -20,7 +20,7 @@ class GameControllerFollower {
 
   /// Listens on a UDP port; 0 takes a free one.
   Result<void> listen(int port);
-  /// The port on which it listens; nothing if it does not.
+  /// The port on which it listens; empty if it does not.
   std::optional<int> port() const { return link_ ? std::optional{link_->port()} : std::nullopt; }
 
   /// Called with each message that changed the game.

@@ -25,7 +25,7 @@ class RobotList {
   static Result<RobotList> parse(const std::vector<std::string>& words, const Places& places);
 
   /// Those that have been named or found. The first four named are the team A, the next the team B;
-  /// of those found, whose names (or addresses) differ in the last digit only are team mates.
+  /// of those found, whose names (or addresses) differ in the last digit only are teammates.
   const std::vector<RoutedRobot>& robots() const { return robots_; }
   /// Whether robots are searched for.
   bool searches() const { return here_ || !subnets_.empty(); }

@@ -117,7 +117,7 @@ void Router::exchangeWithRouters() {
   fromRouters_.clear();
 }
 
-/// Team mates need each other's messages whether or not a tool asked for them.
+/// Teammates need each other's messages whether or not a tool asked for them.
 void Router::askForTeamMessages(Route& route) {
   const bool due = route.asked < 0 || network_.elapsed() - route.asked >= askAfter;
   if (route.robot.team.empty() || !route.connection->connected() || !due) return;

@@ -13,7 +13,7 @@ struct RoutedRobot {
   std::string name;
   std::string robot;  ///< Endpoint on which the robot listens for tools.
   std::string tools;  ///< Endpoint on which the router listens for tools of it; empty: on none.
-  std::string team;   ///< Robots of the same one are team mates; empty: of none.
+  std::string team;   ///< Robots of the same one are teammates; empty: of none.
 };
 
 /// A team message as routers send it to each other.
@@ -39,7 +39,7 @@ struct RouterOptions {
 
 /// Passes message queues between robots and tools (report 5.3): each robot has a port, on which
 /// any number of tools sees all it sends and may send to it. Brings team messages to the robots'
-/// team mates, also to those at other routers: each two routers are connected, and a message goes
+/// teammates, also to those at other routers: each two routers are connected, and a message goes
 /// from the sender's router to all others.
 class Router {
  public:

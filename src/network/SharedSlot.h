@@ -30,7 +30,7 @@ class MappedMemory {
 /// moment. Handed over by LocalConnection.
 class SlotWriter {
  public:
-  /// Has room for packages of up to a number of bytes; nothing if there is no memory.
+  /// Has room for packages of up to a number of bytes; empty if there is no memory.
   static std::optional<SlotWriter> make(std::size_t size);
 
   /// Room for capacity() bytes, which hold the next package as soon as it is published.
@@ -55,7 +55,7 @@ class SlotWriter {
 /// read.
 class SlotReader {
  public:
-  /// Nothing if this is no slot, or if it has room for larger packages than wanted.
+  /// Empty if this is no slot, or if it has room for larger packages than wanted.
   static std::optional<SlotReader> open(const FileDescriptor& memory, std::size_t largest);
 
   /// Copies the package with that number; false if it has been replaced meanwhile or never was.

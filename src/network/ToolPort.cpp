@@ -22,7 +22,7 @@ Topic queuesBy(std::uint32_t vocabulary) {
   return topic;
 }
 
-/// Takes a frame's queue; false if it is none.
+/// Takes a frame's queue; returns false if the frame has no valid one.
 bool takeQueue(const Frame& frame, MessageQueue& queue) {
   return frame.type == messageId<MessageQueue>() && queue.assign(frame.bytes);
 }

@@ -16,7 +16,7 @@ constexpr std::size_t mostPoints = 100'000;
 constexpr std::size_t mostTexts = 1000;
 constexpr std::size_t mostWarnings = 1000;
 
-/// A message of that type; nothing if it is another one or damaged.
+/// A message of that type; empty if it is another one or damaged.
 template <typename T>
 std::optional<T> read(const Message& message) {
   if (!message.is<T>()) return std::nullopt;

@@ -66,7 +66,7 @@ class ObservedRobot {
   const T* newest() {
     return static_cast<const T*>(newest(representation<T>()));
   }
-  /// Has a representation sent after each cycle for as long as the subscription lives. The robot
+  /// Has a representation sent after each cycle for as long as the subscription exists. The robot
   /// must outlive the subscription.
   class Subscription;
   [[nodiscard]] Subscription subscribe(const std::string& representation);

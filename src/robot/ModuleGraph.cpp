@@ -23,7 +23,7 @@ std::map<std::string, const TaskDescription*> providersOf(
   return providers;
 }
 
-/// What the solution that runs reads; nothing if none does.
+/// What the running solution reads; empty if none runs.
 std::vector<std::string> inputsOf(const TaskDescription& task) {
   const auto active = std::ranges::find(task.solutions, task.active, &SolutionDescription::name);
   return active == task.solutions.end() ? std::vector<std::string>{} : active->inputs;

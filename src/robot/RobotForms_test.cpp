@@ -56,7 +56,7 @@ class RobotForms : public ::testing::TestWithParam<Form> {
     });
     return all;
   }
-  /// Asks, and lives until that many processes have answered; false if they do not.
+  /// Asks, and runs until that many processes have answered; false if they do not.
   template <typename Request>
   bool answered(const Request& request, std::size_t answers) {
     messages.clear();

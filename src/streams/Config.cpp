@@ -27,7 +27,7 @@ std::string joined(std::string_view prefix, std::string_view name) {
   return path += name;
 }
 
-/// The name in a line [NAME]; nothing if it is no such line.
+/// The name in a line [NAME]; no value if the line does not begin so.
 std::optional<std::string_view> sectionOf(std::string_view line) {
   if (!line.starts_with('[')) return std::nullopt;
   if (!line.ends_with(']')) return std::string_view{};

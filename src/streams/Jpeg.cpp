@@ -31,7 +31,7 @@ jpeg_error_mgr* prepare(ErrorManager& manager) {
   return &manager.base;
 }
 
-/// Everything that may jump lives in functions without objects that would have to be destroyed.
+/// Everything that may jump is in functions without objects that would have to be destroyed.
 bool start(jpeg_decompress_struct& info, ErrorManager& manager,
            std::span<const std::uint8_t> bytes) {
   if (setjmp(manager.back) != 0) return false;

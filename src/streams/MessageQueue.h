@@ -27,7 +27,7 @@ constexpr std::uint32_t messageId(std::string_view name) {
   return hashOf(name);
 }
 
-/// One message as it lies in a queue. The bytes are the queue's and live as long as it is not
+/// One message as it lies in a queue. The bytes are the queue's and stay valid as long as it is not
 /// changed.
 struct Message {
   std::uint32_t id;

@@ -171,7 +171,7 @@ class RobotProgramsTest : public ::testing::Test {
     return {share(now.missedFrames - before.missedFrames, now.frames - before.frames),
             share(now.missedPictures - before.missedPictures, now.pictures - before.pictures)};
   }
-  /// Bad tools at an endpoint harm neither the robot nor its team mates nor a good tool there.
+  /// Bad tools at an endpoint harm neither the robot nor its teammates nor a good tool there.
   void expectNoHarm(const std::string& endpoint, const std::vector<const ChildProgram*>& watched) {
     ASSERT_TRUE(playUntil([&] { return joined(); }));
     ASSERT_TRUE(answers(endpoint));

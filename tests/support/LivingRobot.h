@@ -15,7 +15,7 @@
 namespace gt::testing {
 
 /// A robot with a body that sees gray images, whose joints follow and which reports what it was
-/// commanded. It lives in steps of 8 ms; all that is asked and heard goes by messages.
+/// commanded. It runs in steps of 8 ms; all requests and answers go by messages.
 class LivingRobot {
  public:
   virtual ~LivingRobot() = default;

@@ -23,7 +23,7 @@ struct BehaviorTeamMessage {
   }
 };
 
-/// What a robot sends to its team mates by radio. Provided by the TeamMessageSender.
+/// What a robot sends to its teammates by radio. Provided by the TeamMessageSender.
 struct TeamMessage {
   int playerNumber = 0;
   Time timeSent = never();
@@ -49,7 +49,7 @@ struct TeamMessage {
   }
 };
 
-/// The newest message of each team mate, with the time when it came in. Provided by the platform.
+/// The newest message of each teammate, with the time when it came in. Provided by the platform.
 struct TeamMessages {
   struct Received {
     TeamMessage message;

@@ -17,10 +17,10 @@ struct LocatedPlayer {
   static constexpr auto fields() {
     return Fields{field("position", &LocatedPlayer::position, "mm", "on the field"),
                   field("lastSeen", &LocatedPlayer::lastSeen, "ms",
-                        "by this robot, or when it told where it is"),
+                        "by this robot, or when it sent where it is"),
                   field("validity", &LocatedPlayer::validity, "", "", {0, 1}),
                   field("number", &LocatedPlayer::number, "",
-                        "1 to 4 of a team mate that told its pose; 0 if not known")};
+                        "1 to 4 of a teammate that sent its pose; 0 if not known")};
   }
 };
 

@@ -9,7 +9,7 @@
 
 namespace gt {
 
-/// The platform of a robot that lives on a log: instead of sensor readings it sends what was
+/// The platform of a robot that runs on a log: instead of sensor readings it sends what was
 /// recorded, image by image, and drops the robot's commands.
 class LogPlatform {
  public:

@@ -17,7 +17,7 @@ struct LogRobotOptions {
   std::string colorTable{};
 };
 
-/// A robot that lives on a log as it is played: played on, back, from elsewhere, faster, again and
+/// A robot that runs on a log as it is played: played on, back, from elsewhere, faster, again and
 /// again. Whenever it is not simply played on, the robot begins anew some seconds before, with all
 /// that it has received by messages. What the log's robot drew, plotted and decided is shown as it
 /// was recorded, unless the robot is asked to draw it anew.

@@ -15,7 +15,7 @@
 namespace gt {
 namespace {
 
-/// How long a robot lives on a log before the moment that is gone to, in ms.
+/// How long a robot runs on a log before the moment that is gone to, in ms.
 constexpr std::int64_t leadIn = 10'000;
 
 bool provides(const Plan& plan, const RepresentationType& type) {

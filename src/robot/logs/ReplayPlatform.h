@@ -25,7 +25,7 @@ struct ReplayOptions {
   std::vector<Configuration::SolutionChoice> solutions{};
 };
 
-/// The platform of a robot that lives on a log: sends what the log's robot got from its platform
+/// The platform of a robot that runs on a log: sends what the log's robot got from its platform
 /// (/input/…), at the recorded times, into whatever modules the layout has, as fast as it goes.
 /// With the same modules all that they compute is the same, bit for bit. What they cannot compute,
 /// since what it is made of was not recorded, comes from the log, as far as it was recorded itself:
@@ -37,10 +37,10 @@ class ReplayPlatform {
 
   /// Sends what belongs to the next moment and lets the robot step; false at the log's end.
   Result<bool> step();
-  /// Begins anew with a new robot, which lives through the log up to a moment from some seconds
+  /// Begins anew with a new robot, which runs through the log up to a moment from some seconds
   /// before it on. References to the robot that was are no longer valid.
   Result<void> goTo(std::size_t moment);
-  /// Called with each such robot before it lives.
+  /// Called with each such robot before it runs.
   void onNewRobot(std::function<void(Robot&)> prepare) { newRobot_ = std::move(prepare); }
   /// Also has the robot send to its tools what the log's robot sent under debug keys: drawings,
   /// plots, what the behavior did; unless it computes that itself, since the key is on.
@@ -69,7 +69,7 @@ class ReplayPlatform {
     std::optional<MessageDefinition> definition;  ///< If the recorded type is another one.
     std::shared_ptr<void> value;
     bool input = false;     ///< From the platform; otherwise what the robot sent.
-    bool provided = false;  ///< By a task of the robot that lives on the log.
+    bool provided = false;  ///< By a task of the robot that runs on the log.
     bool sent = false;      ///< To that robot, as from its platform.
   };
 

@@ -19,7 +19,7 @@ struct RayHit {
 /// How the emitters of a scene light up what rays meet (report 5.1.1): the ambient intensity of the
 /// model's headlight, which reaches all surfaces, and the model's lights: directional ones, spot
 /// emitters (a cutoff below 90 degrees) and radial emitters. The radiation classes are red, green
-/// and blue, of which the camera makes its own three. The model must live on; its lights may
+/// and blue, of which the camera makes its own three. The model must outlive this; its lights may
 /// change.
 class Lighting {
  public:

@@ -49,7 +49,7 @@ bool setUserKind(const mjModel& model, FieldSensors::Sensor& sensor) {
   return false;
 }
 
-/// A sensor of the model; nothing if it is of no kind that is known.
+/// A sensor of the model; empty if its kind is unknown.
 std::optional<FieldSensors::Sensor> sensorOf(const mjModel& model, int id) {
   FieldSensors::Sensor sensor;
   sensor.name = sensorName(model, id);

@@ -321,7 +321,7 @@ void DynamicWorld::meet(std::size_t robot, int other) {
 }
 
 void DynamicWorld::undoIfBroken() {
-  // MuJoCo starts anew from the model's pose when numbers get out of hand; then all goes on from
+  // MuJoCo starts anew from the model's pose when numbers diverge; then all resumes from
   // where it last was, at rest.
   const auto coordinates = static_cast<std::size_t>(model_->nq);
   bool broken = false;

@@ -38,7 +38,7 @@ inline Matrix3d rotationFromMuJoCo(const mjtNum* matrix) {
 /// The name of an object of the model; empty if it has none.
 std::string nameOf(const mjModel& model, mjtObj type, int id);
 
-/// The numbers of a custom field of the model (MJCF's `numeric`); none if there is no such field.
+/// The numbers of a custom field of the model (MJCF's `numeric`); empty if there is no such field.
 std::vector<double> customNumbers(const mjModel& model, const std::string& name);
 
 /// The pose of a site, in millimeters.

@@ -4,7 +4,7 @@
 
 #include "xabsl/engine/Engine.h"
 
-/// How a person or a test takes an engine in hand (report H.8).
+/// How a person or a test overrides what an engine does (report H.8).
 namespace xabsl {
 
 namespace {

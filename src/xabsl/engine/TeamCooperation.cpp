@@ -52,7 +52,7 @@ void TeamCooperation::receive(const std::vector<CooperationMessage>& messages) {
   }
 }
 
-/// An announcement counts only if it goes on from cycle to cycle.
+/// An announcement counts only if it is repeated from cycle to cycle.
 void TeamCooperation::beginCycle() {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     Member& member = members_[i];

@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// Takes the behavior in hand, for debugging (report H.8, I.5.3: xbb, xo, xis, xos): the newest
+/// Overrides the behavior, for debugging (report H.8, I.5.3: xbb, xo, xis, xos): the newest
 /// request holds, an empty one lets the engine go. Names as in the behavior. Sent by tools.
 struct BehaviorControlRequest {
   /// An output symbol that keeps a value, whatever the behavior sets.

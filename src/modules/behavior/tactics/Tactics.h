@@ -121,7 +121,7 @@ class Tactics {
 
   /// Begins a cycle: enters the teammates that sent where they are among the obstacles, for the
   /// camera does not see what is behind the robot, and negotiates the role. The state of the world
-  /// must live as long as the cycle.
+  /// must exist as long as the cycle.
   void update(const WorldState& world);
 
   const WorldState& world() const { return *world_; }

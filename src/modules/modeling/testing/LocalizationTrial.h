@@ -19,7 +19,7 @@ class ImagesUntilLocalized {
     ++pictures_;
     good_ = error < near ? good_ + 1 : 0;
   }
-  /// The first image from which on the estimate was near; none if it never stayed near.
+  /// The first image from which on the estimate was near; empty if it never stayed near.
   std::optional<int> result() const {
     return done() ? std::optional{pictures_ - good_ + 1} : std::nullopt;
   }

@@ -28,7 +28,7 @@ constexpr FlagColors colorsOf(FlagType type) {
   return flagColors[static_cast<std::size_t>(type)];
 }
 
-/// The flag of these colors; nothing if there is none.
+/// The flag of these colors; no value if there is none.
 constexpr std::optional<FlagType> flagOf(FlagColors colors) {
   for (std::size_t i = 0; i < flagColors.size(); ++i)
     if (flagColors[i] == colors) return static_cast<FlagType>(i);
