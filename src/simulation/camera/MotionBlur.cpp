@@ -9,9 +9,9 @@ namespace gt {
 namespace {
 
 constexpr int channels = 4;
-/// What is smeared by the same way: so many pixels in both directions.
+/// What is smeared over the same distance: so many pixels in both directions.
 constexpr int blockWidth = 16, blockHeight = 8;
-/// No way is longer in either direction (pixels).
+/// No distance is longer in either direction (pixels).
 constexpr int longest = 32;
 constexpr int mostSamples = 16;
 

@@ -7,7 +7,7 @@
 namespace gt {
 
 /// Smears an image along the ways that its points go while a row is exposed, because the camera
-/// turns. Pixels of a block of 16 x 8 are smeared by the way of its middle.
+/// turns. Pixels of a block of 16 x 8 are smeared over the distance that its middle moves.
 class MotionBlur {
  public:
   /// Each pixel gets the mean of what passes it in `exposure` milliseconds, half of them before and

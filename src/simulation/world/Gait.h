@@ -23,7 +23,7 @@ class Gait {
   /// turn of 1 rad/s counts as 100 mm/s).
   const Sway& sway(const BodyParameters& body, const std::array<double, 4>& lifts, double speed);
 
-  /// The share of its way that a robot really goes which believes to have this speed (mm/s).
+  /// The share of its path that a robot really goes which believes to have this speed (mm/s).
   double progress(const WalkingParameters& walking, double speed);
   /// By how much the robot turns in this tick because something is in its way (rad).
   double contactTurn(const WalkingParameters& walking, bool blocked);

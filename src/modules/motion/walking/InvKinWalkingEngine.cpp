@@ -39,7 +39,7 @@ struct Step {
         height(isFore(leg) ? p.foreFootLift : p.hindFootLift) {}
 };
 
-/// How far a foot in the air has come on its way, 0 to 1, and its height.
+/// How far a foot in the air has come on its path, 0 to 1, and its height.
 struct Flight {
   double way, height;
 };

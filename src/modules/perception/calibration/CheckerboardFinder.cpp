@@ -105,7 +105,7 @@ void CheckerboardFinder::collect(const Image& image) {
     }
 }
 
-// At a corner each gradient around it is perpendicular to the way there.
+// At a corner each gradient around it is perpendicular to the direction there.
 Vector2d CheckerboardFinder::refine(const Image& image, Vector2d corner) {
   constexpr int iterations = 4;
   constexpr double sigma = 2;
@@ -133,12 +133,12 @@ Vector2d CheckerboardFinder::refine(const Image& image, Vector2d corner) {
   return corner;
 }
 
-/// The candidate that lies where a way leads to, or nothing.
-const Vector2d* CheckerboardFinder::nearest(const Vector2d& from, const Vector2d& way) const {
+/// The candidate that lies at an offset, or null.
+const Vector2d* CheckerboardFinder::nearest(const Vector2d& from, const Vector2d& offset) const {
   const Vector2d* best = nullptr;
-  double least = mostOff * way.norm();
+  double least = mostOff * offset.norm();
   for (const Vector2d& candidate : candidates_) {
-    const double off = (candidate - from - way).norm();
+    const double off = (candidate - from - offset).norm();
     if (off >= least) continue;
     least = off;
     best = &candidate;
@@ -183,7 +183,7 @@ bool CheckerboardFinder::grow(const Horizon& horizon) {
   return true;
 }
 
-// The way to the next corner is about that to the last one.
+// The offset to the next corner is about that to the last one.
 void CheckerboardFinder::step(const Place& from, int columns, int rows) {
   const Vector2d& start = candidates_[from.candidate];
   const Vector2d* next = nearest(start, columns * from.right + rows * from.down);

@@ -48,7 +48,7 @@ class CheckerboardFinder {
   void measure(const Image& image);
   void collect(const Image& image);
   static Vector2d refine(const Image& image, Vector2d corner);
-  const Vector2d* nearest(const Vector2d& from, const Vector2d& way) const;
+  const Vector2d* nearest(const Vector2d& from, const Vector2d& offset) const;
   bool grow(const Horizon& horizon);
   void step(const Place& from, int columns, int rows);
 

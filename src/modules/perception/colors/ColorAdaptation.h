@@ -8,8 +8,8 @@
 
 namespace gt {
 
-/// A color whatever the light: which way it lies from gray, and how far for its brightness. Light
-/// and shade move a color along the line from black to it, which changes neither.
+/// A color whatever the light: in which direction it lies from gray, and how far for its
+/// brightness. Light and shade move a color along the line from black to it, which changes neither.
 struct Tone {
   double hue = 0;       ///< rad, the angle of (cb, cr) around gray.
   double strength = 0;  ///< The logarithm of its distance from gray over its brightness.
