@@ -112,7 +112,8 @@ TEST_P(Versions, AToolReadsMessagesOfAnotherVersionFieldByField) {
   ASSERT_TRUE(eventually([&] { return all<newer::NumberPackage>(toTool).size() >= 10; },
                          [&] {
                            MessageQueue queue;
-                           queue.write(Time{++number}, NumberPackage{number});
+                           ++number;
+                           queue.write(Time{number}, NumberPackage{number});
                            queue.write(Time{number}, Name{"ball"});
                            port->send(queue);
                            step();

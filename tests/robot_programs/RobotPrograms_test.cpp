@@ -276,15 +276,14 @@ TEST(RobotPrograms, SayWhatIsWrongInALine) {
   const TemporaryFolder place;
   const std::string folder = place.path().string(), config = folder + "/config";
   const std::string waiting = "'Platform' does not answer at ipc://" + folder + "/robot.Platform";
-  EXPECT_THAT(
-      said({GT_PROGRAMS "/gtrobot-motion", "--sockets", folder, "--crashes", folder}, waiting),
-      ::testing::HasSubstr("gtrobot Motion: " + waiting + "\n"));
+  const std::string motion = GT_PROGRAMS "/gtrobot-motion", debug = GT_PROGRAMS "/gtrobot-debug";
+  EXPECT_THAT(said({motion, "--sockets", folder, "--crashes", folder}, waiting),
+              ::testing::HasSubstr("gtrobot Motion: " + waiting + "\n"));
 
   fs::copy("config", config, fs::copy_options::recursive);
   ASSERT_TRUE(writeFile(config + "/network.cfg", "tools 5\n"));
-  EXPECT_THAT(
-      said({GT_PROGRAMS "/gtrobot-debug", "--config", config, "--crashes", folder}, "tools"),
-      ::testing::HasSubstr("network.cfg: tools: network: 5: expected an endpoint"));
+  EXPECT_THAT(said({debug, "--config", config, "--crashes", folder}, "tools"),
+              ::testing::HasSubstr("network.cfg: tools: network: 5: expected an endpoint"));
 }
 
 /// How many messages of a channel a log holds.

@@ -78,15 +78,15 @@ Break truncated(std::size_t size) {
   return [size](const std::string& text) { return text.substr(0, size); };
 }
 
-Break truncatedAfter(std::string word) {
+Break truncatedAfter(const std::string& word) {
   return [word](const std::string& text) { return text.substr(0, text.find(word) + word.size()); };
 }
 
-Break text(std::string content) {
+Break text(const std::string& content) {
   return [content](const std::string&) { return content; };
 }
 
-Break replaced(std::string from, std::string to) {
+Break replaced(const std::string& from, const std::string& to) {
   return [from, to](std::string content) {
     const auto at = content.find(from);
     EXPECT_NE(at, content.npos) << from;
@@ -210,7 +210,8 @@ std::vector<WrongFile> wrongFiles() {
       {"LogColorTableMissing", "robot.c64", missing, see, "replay: robot.c64: "},
       {"LogColorTableTruncated", "robot.c64", truncated(5), see, "replay: robot.c64: byte 5: "},
       {"LogColorTableWrongClass", "robot.c64",
-       replaced(std::string(1, '\4') + '\0' + '\0', "\4\0\13"), see, "replay: robot.c64: byte "},
+       replaced(std::string(1, '\4') + '\0' + '\0', std::string{'\4', '\0', '\13'}), see,
+       "replay: robot.c64: byte "},
 
       {"ComparedTableGarbage", "robot.c64", garbage(),
        "colortable compare config/coltable.c64 robot.c64", "colortable: robot.c64: byte 0: "},
