@@ -121,9 +121,8 @@ std::vector<Command> logCommands() {
        "? | play | pause | step [NUMBER] | back [NUMBER] | time SECONDS | message NUMBER | speed "
        "FACTOR | loop (off | on) | cut FILE FROM TO | join FILE LOG {LOG}",
        "Log player: plays the logs that robots run from while time passes, forward and back by "
-       "what "
-       "was recorded at one time, from a time or message on, faster; prints where it is. Cuts some "
-       "seconds out of the log, or joins others to it.",
+       "what was recorded at one time, from a time or message on, faster; prints where it is. "
+       "Cuts some seconds out of the log, or joins others to it.",
        lp}};
 }
 
