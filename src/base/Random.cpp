@@ -4,22 +4,16 @@
 #include <cmath>
 
 #include "base/Hash.h"
+#include "base/SplitMix.h"
 
 namespace gt {
-namespace {
-
-/// SplitMix64, which the authors of xoshiro recommend for filling its state.
-std::uint64_t splitMix(std::uint64_t& x) {
-  std::uint64_t z = (x += 0x9e3779b97f4a7c15);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
-
-}  // namespace
 
 Random::Random(std::uint64_t seed) {
-  for (auto& word : state_) word = splitMix(seed);
+  // As the authors of xoshiro recommend.
+  for (auto& word : state_) {
+    word = splitMix(seed);
+    seed += splitMixStep;
+  }
 }
 
 Random Random::fork(std::string_view name) const {

@@ -4,8 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "base/Geometry.h"
-
 namespace gt {
 
 /// Mean, variance and extremes of numbers that come one after another (Welford 1962): no number is
@@ -29,10 +27,6 @@ class RunningStatistics {
   double mean() const { return mean_; }
   /// Of the numbers themselves; 0 of nothing.
   double variance() const { return count_ > 0 ? squares_ / static_cast<double>(count_) : 0; }
-  /// The estimated variance of the distribution the numbers were drawn from; 0 for fewer than two.
-  double sampleVariance() const {
-    return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : 0;
-  }
   double standardDeviation() const { return std::sqrt(variance()); }
   /// Infinite of nothing.
   double low() const { return low_; }
@@ -43,30 +37,6 @@ class RunningStatistics {
   double mean_ = 0, squares_ = 0;
   double low_ = std::numeric_limits<double>::infinity();
   double high_ = -std::numeric_limits<double>::infinity();
-};
-
-/// The mean of angles: the direction of the sum of their unit vectors, each with its weight.
-class CircularMean {
- public:
-  void add(double angle, double weight = 1) {
-    sum_ += weight * direction(angle);
-    weight_ += weight;
-  }
-  void clear() { *this = {}; }
-
-  double weight() const { return weight_; }
-  /// In [-pi, pi); 0 of nothing, or if the angles point to nowhere.
-  double mean() const { return normalize(angleOf(sum_)); }
-  /// How much the angles agree: 1 if all are the same, 0 if they point to nowhere.
-  double concentration() const { return weight_ > 0 ? sum_.norm() / weight_ : 0; }
-  /// The circular standard deviation, sqrt(-2 ln concentration); infinite if they point to nowhere.
-  double standardDeviation() const {
-    return std::sqrt(std::fmax(0, -2 * std::log(concentration())));
-  }
-
- private:
-  Vector2d sum_ = Vector2d::Zero();
-  double weight_ = 0;
 };
 
 /// The mean of numbers; 0 of none.

@@ -15,7 +15,6 @@ TEST(RunningStatistics, AgreesWithTheClosedForms) {
   EXPECT_EQ(numbers.count(), 1000u);
   EXPECT_DOUBLE_EQ(numbers.mean(), (n + 1) / 2.0);
   EXPECT_NEAR(numbers.variance(), (n * n - 1) / 12.0, 1e-9);
-  EXPECT_NEAR(numbers.sampleVariance(), numbers.variance() * n / (n - 1), 1e-9);
   EXPECT_EQ(numbers.low(), 1);
   EXPECT_EQ(numbers.high(), n);
 }
@@ -48,35 +47,6 @@ TEST(RunningStatistics, OfNothingAreZero) {
   const RunningStatistics none;
   EXPECT_EQ(none.mean(), 0);
   EXPECT_EQ(none.variance(), 0);
-  EXPECT_EQ(none.sampleVariance(), 0);
-}
-
-TEST(CircularMean, DoesNotMindWhereTheCircleIsCut) {
-  CircularMean angles;
-  angles.add(fromDegrees(170));
-  angles.add(fromDegrees(-160));
-  EXPECT_NEAR(angles.mean(), fromDegrees(-175), 1e-12);
-  angles.clear();
-  angles.add(fromDegrees(10), 3);
-  angles.add(fromDegrees(100), 1);
-  EXPECT_NEAR(angles.mean(), fromDegrees(10) + std::atan2(1, 3), 1e-12);
-}
-
-TEST(CircularMean, KnowsHowMuchTheAnglesAgree) {
-  CircularMean angles;
-  EXPECT_EQ(angles.concentration(), 0);
-  angles.add(1);
-  angles.add(1 + 2 * pi);
-  EXPECT_NEAR(angles.concentration(), 1, 1e-12);
-  EXPECT_NEAR(angles.standardDeviation(), 0, 1e-6);
-  angles.add(1 + pi, 2);
-  EXPECT_NEAR(angles.concentration(), 0, 1e-12);
-  // Wrapped normal angles: the concentration is exp(-s^2 / 2).
-  CircularMean normal;
-  Random random{2};
-  for (int i = 0; i < 100'000; ++i) normal.add(3 + 0.5 * random.gaussian());
-  EXPECT_NEAR(normal.mean(), 3, 0.01);
-  EXPECT_NEAR(normal.standardDeviation(), 0.5, 0.01);
 }
 
 TEST(Statistics, QuantilesAreLinearBetweenValues) {

@@ -1,10 +1,10 @@
 #include "streams/Config.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "base/Lines.h"
+#include "base/Number.h"
 
 namespace gt::detail {
 namespace {
@@ -72,9 +72,9 @@ Result<void> stepInto(Place& place, std::string_view step, bool grow) {
   std::size_t i = 0;
   while (i < type.indexNames.size() && type.indexNames[i] != step) ++i;
   if (type.indexNames.empty() || i == type.indexNames.size()) {
-    const auto [end, failure] = std::from_chars(step.data(), step.data() + step.size(), i);
-    if (failure != std::errc{} || end != step.data() + step.size())
-      return wrong("expected an index instead of " + std::string(step));
+    const auto index = numberFrom<std::size_t>(step);
+    if (!index) return wrong("expected an index instead of " + std::string(step));
+    i = *index;
   }
   const std::size_t size = place.value.size();
   if (grow && type.kind == Kind::list && i == size)

@@ -1,7 +1,8 @@
 #include "streams/Json.h"
 
-#include <charconv>
 #include <cmath>
+
+#include "base/Number.h"
 
 namespace gt {
 namespace {
@@ -14,10 +15,7 @@ Json scalarJson(ConstValue value) {
     case Number::float32: {
       if (!std::isfinite(*static_cast<const float*>(value.data()))) return {};
       // By its shortest text, so that 0.1f is 0.1 and not 0.10000000149; -0 keeps its sign.
-      const std::string text = scalarText(value);
-      double number = 0;
-      std::from_chars(text.data(), text.data() + text.size(), number);
-      return number;
+      return *numberFrom<double>(scalarText(value));
     }
     case Number::float64:
       return std::isfinite(*static_cast<const double*>(value.data()))

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 
+#include "base/Lines.h"
+#include "base/Number.h"
 #include "streams/Schema.h"
 
 namespace gt {
@@ -33,26 +34,14 @@ constexpr std::array primitives{Primitive{"bool", Kind::boolean, Number::uint8},
                                 Primitive{"float64", Kind::number, Number::float64},
                                 Primitive{"string", Kind::text, Number::uint8}};
 
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r");
-  if (begin == text.npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
 /// Takes the text up to the next blank.
-std::string_view takeWord(std::string_view& text) {
+std::string_view takeToken(std::string_view& text) {
   text = trimmed(text);
   const auto end = std::min(text.find_first_of(" \t"), text.size());
   const auto word = text.substr(0, end);
   text.remove_prefix(end);
   text = trimmed(text);
   return word;
-}
-
-std::string upper(std::string text) {
-  for (char& c : text)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return text;
 }
 
 /// package/msg/Name and package/Name are the same.
@@ -121,7 +110,7 @@ class MessageDefinitionParser {
       return {};
     }
     std::string_view rest = row;
-    const std::string_view type = takeWord(rest);
+    const std::string_view type = takeToken(rest);
     const std::string_view code = trimmed(rest.substr(0, rest.find('#')));
     if (code.empty()) return error("expected a type and a name");
     const auto end = std::min(code.find_first_of(" \t="), code.size());
@@ -135,10 +124,8 @@ class MessageDefinitionParser {
   }
 
   void readConstant(std::string_view name, std::string_view text) {
-    std::uint64_t value = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure == std::errc{} && end == text.data() + text.size())
-      constants_.push_back({std::string{name}, value});
+    if (const auto value = numberFrom<std::uint64_t>(text))
+      constants_.push_back({std::string{name}, *value});
   }
 
   Result<void> readField(std::string_view type, std::string_view name, std::string_view comment) {
@@ -176,18 +163,17 @@ class MessageDefinitionParser {
       field.size = MessageDefinition::Size::list;
       return {};
     }
-    const auto [last, failure] =
-        std::from_chars(inside.data(), inside.data() + inside.size(), field.count);
-    if (failure != std::errc{} || last != inside.data() + inside.size())
-      return error("expected a number between the brackets");
-    if (field.count > largestValue) return error("the array is too large");
+    const auto count = numberFrom<std::size_t>(inside);
+    if (!count) return error("expected a number between the brackets");
+    if (*count > largestValue) return error("the array is too large");
+    field.count = *count;
     field.size = MessageDefinition::Size::array;
     return {};
   }
 
   /// The constants before a field that begin with its name and count from 0 are its enumeration.
   void takeConstants(Field& field) {
-    const std::string prefix = upper(field.name) + "_";
+    const std::string prefix = upperCase(field.name) + "_";
     for (const Constant& constant : constants_)
       if (constant.name.starts_with(prefix) && constant.value == field.names.size())
         field.names.push_back(constant.name.substr(prefix.size()));
@@ -198,8 +184,8 @@ class MessageDefinitionParser {
   static void readIndexNames(std::string_view comment, Field& field) {
     const auto semicolon = comment.rfind(';');
     std::string_view last = semicolon == comment.npos ? comment : comment.substr(semicolon + 1);
-    if (takeWord(last) != "of") return;
-    while (!last.empty()) field.indexNames.emplace_back(snakeCase(takeWord(last)));
+    if (takeToken(last) != "of") return;
+    while (!last.empty()) field.indexNames.emplace_back(snakeCase(takeToken(last)));
     if (field.indexNames.size() != field.count) field.indexNames.clear();
   }
 

@@ -7,29 +7,21 @@
 /// and faster.
 namespace gt {
 
-/// Writes messages into a message queue, which must outlive it.
-class OutMessageQueue : public OutMemory {
- public:
-  explicit OutMessageQueue(MessageQueue& queue) : queue_{queue} {}
-
- protected:
-  bool finish(std::uint32_t id, Time time) { return queue_.append({id, time, bytes()}); }
-
- private:
-  MessageQueue& queue_;
-};
-
-/// A stream of messages: what was written since the last one was finished becomes the next one.
+/// A stream of messages into a queue, which must outlive it: what was written since the last one
+/// was finished becomes the next one.
 template <std::derived_from<StreamWriter> Format>
-class OutMessage : public OutStream<OutMessageQueue, Format> {
+class OutMessage : public OutStream<OutMemory, Format> {
  public:
-  using OutStream<OutMessageQueue, Format>::OutStream;
+  explicit OutMessage(MessageQueue& queue) : queue_{queue} {}
   /// Appends the message to the queue; false if there was no room for it.
   bool finishMessage(std::uint32_t id, Time time) {
-    const bool done = this->finish(id, time);
+    const bool done = queue_.append({id, time, this->bytes()});
     this->reset();
     return done;
   }
+
+ private:
+  MessageQueue& queue_;
 };
 
 /// Reads from a message of a queue, which must outlive it. A message can be read as often as one

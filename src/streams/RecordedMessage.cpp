@@ -7,6 +7,7 @@
 
 #include "streams/Base64.h"
 #include "streams/Binary.h"
+#include "streams/NumberType.h"
 #include "streams/Schema.h"
 
 namespace gt {
@@ -43,13 +44,9 @@ class FieldReader {
     if (!spend(1)) return false;
     if (field.kind == Kind::text) return cdr::getText(reader_, scalar.emplace<std::string>());
     if (field.kind == Kind::boolean) return takeNumber<std::uint8_t>(reader_, scalar);
-    using Take = bool (*)(Reader&, Scalar&);
-    constexpr Take take[] = {&takeNumber<std::int8_t>,  &takeNumber<std::uint8_t>,
-                             &takeNumber<std::int16_t>, &takeNumber<std::uint16_t>,
-                             &takeNumber<std::int32_t>, &takeNumber<std::uint32_t>,
-                             &takeNumber<std::int64_t>, &takeNumber<std::uint64_t>,
-                             &takeNumber<float>,        &takeNumber<double>};
-    return take[static_cast<std::size_t>(field.number)](reader_, scalar);
+    return withType(field.number, [&]<typename N>(std::type_identity<N>) {
+      return takeNumber<N>(reader_, scalar);
+    });
   }
 
   /// How many elements a field has; false if the data cannot hold that many.
@@ -170,9 +167,10 @@ N converted(From from) {
   }
 }
 
+/// The number that a scalar is; 0 of a text.
 template <typename N>
-void store(const Scalar& scalar, void* data) {
-  const N number = std::visit(
+N numberOf(const Scalar& scalar) {
+  return std::visit(
       [](const auto& from) -> N {
         if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(from)>>)
           return converted<N>(from);
@@ -180,66 +178,35 @@ void store(const Scalar& scalar, void* data) {
           return N{};
       },
       scalar);
-  std::memcpy(data, &number, sizeof number);
-}
-
-void setNumber(const Scalar& scalar, Value value) {
-  using Store = void (*)(const Scalar&, void*);
-  constexpr Store stores[] = {&store<std::int8_t>,   &store<std::uint8_t>,  &store<std::int16_t>,
-                              &store<std::uint16_t>, &store<std::int32_t>,  &store<std::uint32_t>,
-                              &store<std::int64_t>,  &store<std::uint64_t>, &store<float>,
-                              &store<double>};
-  stores[static_cast<std::size_t>(value.type->number)](scalar, value.data);
-}
-
-std::string constantName(std::string_view name) {
-  std::string s = snakeCase(name);
-  for (char& c : s)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return s;
 }
 
 /// By name where the schema has names; a value that is not there any more changes nothing.
 void setEnumeration(const RecordedField& field, const Scalar& scalar, Value value) {
-  std::int64_t number = 0;
-  store<std::int64_t>(scalar, &number);
+  auto number = numberOf<std::int64_t>(scalar);
   const auto& names = value.type->names;
   if (!field.names.empty()) {
     if (number < 0 || std::cmp_greater_equal(number, field.names.size())) return;
     const std::string& recorded = field.names[static_cast<std::size_t>(number)];
-    const auto same = [&](std::string_view name) { return constantName(name) == recorded; };
+    const auto same = [&](std::string_view name) { return upperCase(snakeCase(name)) == recorded; };
     number = std::find_if(names.begin(), names.end(), same) - names.begin();
   }
   if (number >= 0 && std::cmp_less(number, names.size())) setOrdinal(value, number);
 }
 
 void setScalar(const RecordedField& field, const Scalar& scalar, Value value) {
-  const bool isText = std::holds_alternative<std::string>(scalar);
-  switch (value.type->kind) {
-    case Kind::text:
-      if (isText) *static_cast<std::string*>(value.data) = std::get<std::string>(scalar);
-      return;
-    case Kind::number:
-      if (!isText) setNumber(scalar, value);
-      return;
-    case Kind::boolean:
-      if (!isText)
-        setOrdinal(value,
-                   std::visit(
-                       [](const auto& from) {
-                         if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(from)>>)
-                           return from != 0;
-                         else
-                           return false;
-                       },
-                       scalar));
-      return;
-    case Kind::enumeration:
-      if (!isText) setEnumeration(field, scalar, value);
-      return;
-    default:
-      return;
-  }
+  const auto* text = std::get_if<std::string>(&scalar);
+  const Kind kind = value.type->kind;
+  if (text && kind == Kind::text) *static_cast<std::string*>(value.data) = *text;
+  if (text) return;
+  if (kind == Kind::number)
+    withType(value.type->number, [&]<typename N>(std::type_identity<N>) {
+      const N number = numberOf<N>(scalar);
+      std::memcpy(value.data, &number, sizeof number);
+    });
+  else if (kind == Kind::boolean)
+    setOrdinal(value, numberOf<double>(scalar) != 0);
+  else if (kind == Kind::enumeration)
+    setEnumeration(field, scalar, value);
 }
 
 /// Reads by a definition into values; a value without a type takes nothing in.

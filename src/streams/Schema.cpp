@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/Number.h"
+
 namespace gt {
 namespace {
 
@@ -38,17 +40,13 @@ std::string messageName(const Type& type) {
   return s;
 }
 
-std::string shortNumber(double x) {
-  return scalarText(valueOf(std::as_const(x)));
-}
-
 /// What is to be known about a field, as the comment behind it.
 std::string comment(const PartInfo& info, const Type& type) {
   std::vector<std::string> parts;
   if (!info.unit.empty()) parts.emplace_back(info.unit);
   if (!info.doc.empty()) parts.emplace_back(info.doc);
   if (info.range.bounds())
-    parts.push_back("from " + shortNumber(info.range.low) + " to " + shortNumber(info.range.high));
+    parts.push_back("from " + numberText(info.range.low) + " to " + numberText(info.range.high));
   if (!type.indexNames.empty()) {
     std::string s = "of";
     for (const auto name : type.indexNames) (s += ' ') += name;
@@ -138,8 +136,7 @@ class SchemaWriter {
 
   void writeConstants(const std::string& name, const Type& type) {
     for (std::size_t i = 0; i < type.names.size(); ++i) {
-      std::string constant = name + "_" + snakeCase(type.names[i]);
-      std::transform(constant.begin(), constant.end(), constant.begin(), upper);
+      const std::string constant = upperCase(name + "_" + snakeCase(type.names[i]));
       schema_.text += "uint8 " + constant + "=" + std::to_string(i) + "\n";
     }
   }
@@ -164,6 +161,12 @@ std::string snakeCase(std::string_view name) {
     else if (isLetter(c) || isDigit(c) || (c == '_' && !s.empty() && s.back() != '_'))
       s += c;
   }
+  return s;
+}
+
+std::string upperCase(std::string_view text) {
+  std::string s{text};
+  std::ranges::transform(s, s.begin(), upper);
   return s;
 }
 

@@ -33,6 +33,8 @@ Schema schemaOf() {
 
 /// A name in the spelling that ROS demands for fields: lastSeen is last_seen.
 std::string snakeCase(std::string_view name);
+/// A text with capitals in place of small letters.
+std::string upperCase(std::string_view text);
 
 /// A point in time as ROS 2 has it (builtin_interfaces/Time).
 struct RosTime {

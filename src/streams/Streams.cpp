@@ -1,10 +1,7 @@
 #include "streams/Streams.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
-#include "streams/Binary.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -17,22 +14,40 @@ bool isBlank(char c) {
   return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
 
-/// The size of a number, enumeration or boolean in a binary stream.
-std::size_t binarySize(const Type& type) {
-  return type.kind == Kind::number ? numberSize(type.number) : 1;
+/// A medium as cdr::put() writes to it.
+struct BinarySink {
+  void align(std::size_t n) {
+    constexpr std::byte padding[8]{};
+    put(padding, cdr::aligned(size, n) - size);
+  }
+  void put(const void* data, std::size_t n) {
+    medium.writeToStream({static_cast<const std::byte*>(data), n});
+    size += n;
+  }
+
+  PhysicalOutStream& medium;
+  std::size_t& size;
+};
+
+/// The length of the comment with which a text begins.
+std::size_t commentLength(std::string_view text) {
+  if (text.starts_with('#') || text.starts_with("//"))
+    return std::min(text.find('\n'), text.size());
+  if (!text.starts_with("/*")) return 0;
+  const auto end = text.find("*/");
+  return end == text.npos ? text.size() : end + 2;
 }
 
-/// The least number of entries that a value takes in any format.
-std::size_t leastEntries(const Type& type) {
-  if (type.kind == Kind::array) return type.count * leastEntries(type.element());
-  if (type.kind != Kind::record) return 1;
+/// The length of the entry with which a text begins, or of a blank.
+std::size_t entryLength(std::string_view text) {
+  if (text.starts_with("\"\"")) return 2;
   std::size_t n = 0;
-  for (const Part& p : type.parts) n += leastEntries(p.type());
-  return n;
+  while (n < text.size() && !isBlank(text[n])) n += text[n] == '\\' ? 2 : 1;
+  return std::clamp<std::size_t>(n, 1, text.size());
 }
 
-Error wrong(std::string what, int line = 0) {
-  return {.line = line, .what = std::move(what)};
+Error wrong(std::string what) {
+  return {.what = std::move(what)};
 }
 
 Error in(Error error, std::string_view name) {
@@ -59,38 +74,27 @@ void OutMemory::writeToStream(std::span<const std::byte> bytes) {
 }
 
 InFile::InFile(const std::string& path) {
-  auto content = readFile(path);
-  if (content)
-    content_ = std::move(*content);
+  auto text = readFile(path);
+  if (text)
+    text_ = *std::move(text);
   else
-    source_ = content.error();
+    source_ = text.error();
   source_.file = path;
-}
-
-void OutBinary::put(std::span<const std::byte> bytes, std::size_t alignment,
-                    PhysicalOutStream& medium) {
-  constexpr std::byte padding[8]{};
-  if (!begun_) medium.writeToStream(cdr::header);
-  begun_ = true;
-  const std::size_t gap = (~size_ + 1) & (alignment - 1);
-  medium.writeToStream(std::span{padding}.first(gap));
-  medium.writeToStream(bytes);
-  size_ += gap + bytes.size();
+  content_ = std::as_bytes(std::span{text_});
 }
 
 void OutBinary::writeScalar(ConstValue scalar, PhysicalOutStream& medium) {
+  if (!begun_) medium.writeToStream(cdr::header);
+  begun_ = true;
+  BinarySink sink{medium, size_};
   const Type& type = scalar.type();
   if (type.kind == Kind::text) {
-    const auto& text = *static_cast<const std::string*>(scalar.data());
-    const auto length = static_cast<std::uint32_t>(text.size() + 1);
-    put(std::as_bytes(std::span{&length, 1}), sizeof length, medium);
-    put(std::as_bytes(std::span{text.c_str(), length}), 1, medium);
+    cdr::put(sink, *static_cast<const std::string*>(scalar.data()));
   } else if (type.kind == Kind::number) {
-    const std::size_t size = binarySize(type);
-    put({static_cast<const std::byte*>(scalar.data()), size}, size, medium);
+    sink.align(numberSize(type.number));
+    sink.put(scalar.data(), numberSize(type.number));
   } else {
-    const auto number = static_cast<std::uint8_t>(ordinal(scalar));
-    put(std::as_bytes(std::span{&number, 1}), 1, medium);
+    cdr::put(sink, static_cast<std::uint8_t>(ordinal(scalar)));
   }
 }
 
@@ -112,74 +116,58 @@ void OutText::writeEndLine(PhysicalOutStream& medium) {
   lineBegins_ = true;
 }
 
-bool InBinary::take(void* data, std::size_t size) {
-  if (at_ == 0) at_ = std::min(content_.size(), cdr::headerSize);
-  const std::size_t gap =
-      (size & (size - 1)) == 0 && size <= 8 ? (~(at_ - cdr::headerSize) + 1) & (size - 1) : 0;
-  if (left() < gap || left() - gap < size) return false;
-  std::memcpy(data, content_.data() + at_ + gap, size);
-  at_ += gap + size;
-  return true;
+void InBinary::begin(std::span<const std::byte> content) {
+  StreamReader::begin(content);
+  headed_ = cdr::isHeaded(content);
+  if (headed_) reader_ = cdr::Reader{content.subspan(cdr::headerSize)};
 }
 
 Result<void> InBinary::readScalar(Value scalar) {
-  if (at_ == 0 && !cdr::isHeaded(content_)) return cdr::headerError(content_);
-  const Type& type = *scalar.type;
-  std::byte bytes[8]{};
-  if (type.kind == Kind::text) {
-    std::uint32_t length = 0;
-    if (!take(&length, sizeof length) || length > left()) return wrong("the data ends too early");
-    const auto* text = reinterpret_cast<const char*>(content_.data() + at_);
-    if (length > 0 && text[length - 1] != '\0') return wrong("the text has no end");
-    static_cast<std::string*>(scalar.data)->assign(text, length > 0 ? length - 1 : 0);
-    at_ += length;
-    return {};
-  }
-  const std::size_t size = binarySize(type);
-  if (!take(bytes, size)) return wrong("the data ends too early");
-  if (type.kind == Kind::number) {
-    std::memcpy(scalar.data, bytes, size);
-    return {};
-  }
-  const auto number = std::to_integer<std::size_t>(bytes[0]);
-  if (number >= (type.kind == Kind::boolean ? 2 : type.names.size()))
-    return wrong("there is no value " + std::to_string(number));
-  setOrdinal(scalar, static_cast<std::int64_t>(number));
+  if (!headed_) return cdr::headerError(left_);
+  if (!take(scalar)) return reader_.error();
+  left_ = left_.last(reader_.left());
   return {};
 }
 
-char InText::at(std::size_t ahead) const {
-  return at_ + ahead < content_.size() ? std::to_integer<char>(content_[at_ + ahead]) : '\0';
+bool InBinary::take(Value scalar) {
+  const Type& type = *scalar.type;
+  if (type.kind == Kind::text)
+    return cdr::getText(reader_, *static_cast<std::string*>(scalar.data));
+  if (type.kind == Kind::number)
+    return reader_.align(numberSize(type.number)) &&
+           reader_.take(scalar.data, numberSize(type.number));
+  std::uint8_t number = 0;
+  if (!cdr::getScalar(reader_, number)) return false;
+  if (number >= (type.kind == Kind::boolean ? 2 : type.names.size()))
+    return reader_.noValue(number);
+  setOrdinal(scalar, number);
+  return true;
 }
 
-void InText::advance() {
-  if (at(0) == '\n') ++line_;
-  ++at_;
-}
-
-void InText::skip() {
-  while (!StreamReader::eof() && isBlank(at(0))) advance();
+char InText::take() {
+  const char c = next();
+  if (c == '\n') ++line_;
+  left_ = left_.subspan(1);
+  return c;
 }
 
 bool InText::eof() {
-  skip();
-  return StreamReader::eof();
+  while (!left_.empty() && isBlank(next())) take();
+  return left_.empty();
 }
 
 Result<void> InText::readScalar(Value scalar) {
   if (eof()) return wrong("the text ends too early");
   std::string entry;
-  if (at(0) == '"' && at(1) == '"') {
-    at_ += 2;
+  if (left() > 1 && next() == '"' && std::to_integer<char>(left_[1]) == '"') {
+    left_ = left_.subspan(2);
     return setScalar(scalar, entry);
   }
-  while (!StreamReader::eof() && !isBlank(at(0))) {
-    char c = at(0);
-    advance();
-    if (c == '\\' && !StreamReader::eof()) {
-      const auto i = escapes.find(at(0));
-      c = i == escapes.npos ? at(0) : escaped[i];
-      advance();
+  while (!left_.empty() && !isBlank(next())) {
+    char c = take();
+    if (c == '\\' && !left_.empty()) {
+      c = take();
+      if (const auto i = escapes.find(c); i != escapes.npos) c = escaped[i];
     }
     entry += c;
   }
@@ -188,37 +176,19 @@ Result<void> InText::readScalar(Value scalar) {
 }
 
 void InConfig::begin(std::span<const std::byte> content) {
-  InText::begin(content);
-  if (section_.empty()) return;
-  const std::string heading = "[" + section_ + "]";
-  while (!StreamReader::eof()) {
-    InConfig::skip();
-    std::string word;
-    const bool found = at(0) == '[';
-    while (!StreamReader::eof() && !isBlank(at(0))) {
-      word += at(0);
-      advance();
-    }
-    if (found && word == heading) break;
+  std::string_view rest{reinterpret_cast<const char*>(content.data()), content.size()};
+  bool inside = section_.empty();
+  while (!rest.empty()) {
+    const std::size_t comment = commentLength(rest);
+    const std::string_view entry = rest.substr(0, comment > 0 ? comment : entryLength(rest));
+    const bool isHeading = !section_.empty() && entry.starts_with('[');
+    if (isHeading && inside) break;
+    if (isHeading) inside = entry == "[" + section_ + "]";
+    const bool counts = inside && !isHeading && comment == 0;
+    for (const char c : entry) entries_ += counts || c == '\n' ? c : ' ';
+    rest.remove_prefix(entry.size());
   }
-}
-
-bool InConfig::eof() {
-  return InText::eof() || (!section_.empty() && at(0) == '[');
-}
-
-bool InConfig::skipComment() {
-  const bool toLineEnd = at(0) == '#' || (at(0) == '/' && at(1) == '/');
-  if (!toLineEnd && !(at(0) == '/' && at(1) == '*')) return false;
-  while (!StreamReader::eof() && !(toLineEnd ? at(0) == '\n' : at(0) == '*' && at(1) == '/'))
-    advance();
-  if (!toLineEnd && !StreamReader::eof()) at_ += 2;
-  return true;
-}
-
-void InConfig::skip() {
-  do InText::skip();
-  while (skipComment());
+  InText::begin(std::as_bytes(std::span{entries_}));
 }
 
 void detail::writeValue(ConstValue value, StreamWriter& format, PhysicalOutStream& medium) {
@@ -233,28 +203,25 @@ void detail::writeValue(ConstValue value, StreamWriter& format, PhysicalOutStrea
     format.writeScalar(value, medium);
 }
 
-std::optional<Error> detail::readValue(Value value, StreamReader& format) {
+Result<void> detail::readValue(Value value, StreamReader& format) {
   const Type& type = *value.type;
   if (type.kind == Kind::record) {
     for (const Part& p : type.parts)
-      if (auto error = readValue(value.part(p), format)) return in(*error, p.name);
-    return std::nullopt;
+      if (auto done = readValue(value.part(p), format); !done) return in(done.error(), p.name);
+    return {};
   }
-  if (type.kind != Kind::array && type.kind != Kind::list) {
-    const auto done = format.readScalar(value);
-    return done ? std::nullopt : std::optional{wrong(done.error().what, format.line())};
-  }
+  if (type.kind != Kind::array && type.kind != Kind::list) return format.readScalar(value);
   if (type.kind == Kind::list) {
     std::uint32_t length = 0;
-    if (const auto done = format.readScalar(valueOf(length)); !done)
-      return wrong(done.error().what, format.line());
-    if (length > format.left() / std::max<std::size_t>(1, leastEntries(type.element())))
-      return wrong("its length exceeds the data", format.line());
+    if (auto done = format.readScalar(valueOf(length)); !done) return done;
+    if (length > format.left() / std::max<std::size_t>(1, width(type.element())))
+      return wrong("its length exceeds the data");
     type.resize(value.data, length);
   }
   for (std::size_t i = 0; i < value.size(); ++i)
-    if (auto error = readValue(value.element(i), format)) return in(*error, std::to_string(i));
-  return std::nullopt;
+    if (auto done = readValue(value.element(i), format); !done)
+      return in(done.error(), std::to_string(i));
+  return {};
 }
 
 }  // namespace gt

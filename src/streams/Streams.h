@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/Result.h"
+#include "streams/Binary.h"
 #include "streams/Type.h"
 
 /// Streams composed of a medium and a format (report, Appendix D): `OutTextFile stream("a.txt");
@@ -71,14 +72,14 @@ class OutSize : public PhysicalOutStream {
 /// A medium that gives bytes.
 class PhysicalInStream {
  public:
-  virtual ~PhysicalInStream() = default;
   /// All that there is to be read.
-  virtual std::span<const std::byte> content() const = 0;
+  std::span<const std::byte> content() const { return content_; }
   /// The error that kept the medium from being read, with the name of the source in any case.
   const Error& source() const { return source_; }
   bool opened() const { return source_.what.empty(); }
 
  protected:
+  std::span<const std::byte> content_;
   Error source_;
 };
 
@@ -86,21 +87,16 @@ class PhysicalInStream {
 class InFile : public PhysicalInStream {
  public:
   explicit InFile(const std::string& path);
-  std::span<const std::byte> content() const override { return std::as_bytes(std::span{content_}); }
 
  private:
-  std::string content_;
+  std::string text_;
 };
 
 /// Reads from memory, which must outlive it.
 class InMemory : public PhysicalInStream {
  public:
-  explicit InMemory(std::span<const std::byte> bytes) : content_{bytes} {}
-  explicit InMemory(std::string_view text) : content_{std::as_bytes(std::span{text})} {}
-  std::span<const std::byte> content() const override { return content_; }
-
- private:
-  std::span<const std::byte> content_;
+  explicit InMemory(std::span<const std::byte> bytes) { content_ = bytes; }
+  explicit InMemory(std::string_view text) : InMemory{std::as_bytes(std::span{text})} {}
 };
 
 // --- Formats
@@ -119,9 +115,7 @@ class OutBinary : public StreamWriter {
   void writeScalar(ConstValue scalar, PhysicalOutStream& medium) override;
 
  private:
-  void put(std::span<const std::byte> bytes, std::size_t alignment, PhysicalOutStream& medium);
-
-  std::size_t size_ = 0;
+  std::size_t size_ = 0;  ///< Behind the header.
   bool begun_ = false;
 };
 
@@ -140,27 +134,30 @@ class OutText : public StreamWriter {
 class StreamReader {
  public:
   virtual ~StreamReader() = default;
-  virtual void begin(std::span<const std::byte> content) { content_ = content; }
+  virtual void begin(std::span<const std::byte> content) { left_ = content; }
   virtual Result<void> readScalar(Value scalar) = 0;
   /// In text, where the next entry is, from 1.
   virtual int line() const { return 0; }
   /// Whether nothing is left; in text, nothing but blanks.
-  virtual bool eof() { return at_ >= content_.size(); }
+  virtual bool eof() { return left_.empty(); }
   /// No list can have more elements than there are bytes left.
-  std::size_t left() const { return content_.size() - at_; }
+  std::size_t left() const { return left_.size(); }
 
  protected:
-  std::span<const std::byte> content_;
-  std::size_t at_ = 0;
+  std::span<const std::byte> left_;
 };
 
 /// Reads what OutBinary wrote.
 class InBinary : public StreamReader {
  public:
+  void begin(std::span<const std::byte> content) override;
   Result<void> readScalar(Value scalar) override;
 
  private:
-  bool take(void* data, std::size_t size);
+  bool take(Value scalar);
+
+  bool headed_ = false;
+  cdr::Reader reader_{{}};
 };
 
 /// Reads what OutText wrote; lines do not matter.
@@ -170,13 +167,10 @@ class InText : public StreamReader {
   int line() const override { return line_; }
   bool eof() override;
 
- protected:
-  /// Moves on to the begin of an entry.
-  virtual void skip();
-  char at(std::size_t ahead) const;
-  void advance();
-
  private:
+  char next() const { return std::to_integer<char>(left_[0]); }
+  char take();
+
   int line_ = 1;
 };
 
@@ -186,16 +180,10 @@ class InConfig : public InText {
  public:
   explicit InConfig(std::string section = {}) : section_{std::move(section)} {}
   void begin(std::span<const std::byte> content) override;
-  /// Also true at the end of the section.
-  bool eof() override;
-
- protected:
-  void skip() override;
 
  private:
-  bool skipComment();
-
   std::string section_;
+  std::string entries_;  ///< The content with blanks in place of all else.
 };
 
 // --- Streams
@@ -244,7 +232,7 @@ class In {
 
 namespace detail {
 void writeValue(ConstValue value, StreamWriter& format, PhysicalOutStream& medium);
-std::optional<Error> readValue(Value value, StreamReader& format);
+Result<void> readValue(Value value, StreamReader& format);
 }  // namespace detail
 
 /// A medium for writing and a format make a stream.
@@ -281,8 +269,11 @@ class InStream : public In, public Medium {
 
   void read(Value value) override {
     if (error_) return;
-    error_ = detail::readValue(value, format_);
-    if (error_) error_->file = this->source().file;
+    const auto done = detail::readValue(value, format_);
+    if (done) return;
+    error_ = done.error();
+    error_->file = this->source().file;
+    error_->line = format_.line();
   }
   bool eof() override { return error_ || format_.eof(); }
 

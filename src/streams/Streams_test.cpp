@@ -243,11 +243,11 @@ class OutNetstrings : public StreamWriter {
 class InNetstrings : public StreamReader {
  public:
   Result<void> readScalar(Value scalar) override {
-    const std::string rest{reinterpret_cast<const char*>(content_.data()) + at_, left()};
+    const std::string rest{reinterpret_cast<const char*>(left_.data()), left()};
     const std::size_t colon = rest.find(':');
     if (colon == rest.npos) return Error{.what = "no length"};
     const std::size_t size = std::stoul(rest);
-    at_ += colon + size + 2;
+    left_ = left_.subspan(colon + size + 2);
     return setScalar(scalar, rest.substr(colon + 1, size));
   }
 };

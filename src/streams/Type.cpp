@@ -6,49 +6,17 @@
 #include <limits>
 #include <type_traits>
 
+#include "base/Number.h"
+#include "streams/NumberType.h"
+
 namespace gt {
 namespace {
-
-/// Calls visit with the C++ type of a number.
-template <typename Visit>
-decltype(auto) dispatch(Number number, Visit&& visit) {
-  switch (number) {
-    case Number::int8:
-      return visit(std::type_identity<std::int8_t>{});
-    case Number::uint8:
-      return visit(std::type_identity<std::uint8_t>{});
-    case Number::int16:
-      return visit(std::type_identity<std::int16_t>{});
-    case Number::uint16:
-      return visit(std::type_identity<std::uint16_t>{});
-    case Number::int32:
-      return visit(std::type_identity<std::int32_t>{});
-    case Number::uint32:
-      return visit(std::type_identity<std::uint32_t>{});
-    case Number::int64:
-      return visit(std::type_identity<std::int64_t>{});
-    case Number::uint64:
-      return visit(std::type_identity<std::uint64_t>{});
-    case Number::float32:
-      return visit(std::type_identity<float>{});
-    case Number::float64:
-      break;
-  }
-  return visit(std::type_identity<double>{});
-}
 
 template <typename N>
 N load(const void* data) {
   N n;
   std::memcpy(&n, data, sizeof n);
   return n;
-}
-
-template <typename N>
-std::string numberText(N n) {
-  char buffer[40];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, n).ptr;
-  return {buffer, end};
 }
 
 std::string rangeText(Range range) {
@@ -108,7 +76,7 @@ bool isConditional(const Type& type) {
 }
 
 double asDouble(ConstValue number) {
-  return dispatch(number.type().number, [&]<typename N>(std::type_identity<N>) {
+  return withType(number.type().number, [&]<typename N>(std::type_identity<N>) {
     return static_cast<double>(load<N>(number.data()));
   });
 }
@@ -175,7 +143,7 @@ std::size_t width(const Type& type) {
 
 std::int64_t ordinal(ConstValue scalar) {
   if (scalar.type().kind == Kind::boolean) return *static_cast<const bool*>(scalar.data()) ? 1 : 0;
-  return dispatch(scalar.type().number, [&]<typename N>(std::type_identity<N>) {
+  return withType(scalar.type().number, [&]<typename N>(std::type_identity<N>) {
     return static_cast<std::int64_t>(load<N>(scalar.data()));
   });
 }
@@ -185,7 +153,7 @@ void setOrdinal(Value scalar, std::int64_t number) {
     *static_cast<bool*>(scalar.data) = number != 0;
     return;
   }
-  dispatch(scalar.type->number, [&]<typename N>(std::type_identity<N>) {
+  withType(scalar.type->number, [&]<typename N>(std::type_identity<N>) {
     const auto n = static_cast<N>(number);
     std::memcpy(scalar.data, &n, sizeof n);
   });
@@ -202,7 +170,7 @@ std::string scalarText(ConstValue scalar) {
       return n < scalar.type().names.size() ? std::string(scalar.type().names[n]) : "?";
     }
     default:
-      return dispatch(scalar.type().number, [&]<typename N>(std::type_identity<N>) {
+      return withType(scalar.type().number, [&]<typename N>(std::type_identity<N>) {
         return numberText(load<N>(scalar.data()));
       });
   }
@@ -220,7 +188,7 @@ Result<void> setScalar(Value scalar, std::string_view text, Range range) {
     case Kind::enumeration:
       return setEnumeration(scalar, text);
     default:
-      return dispatch(scalar.type->number, [&]<typename N>(std::type_identity<N>) {
+      return withType(scalar.type->number, [&]<typename N>(std::type_identity<N>) {
         return setNumber<N>(scalar.data, text, range);
       });
   }
