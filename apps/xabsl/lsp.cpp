@@ -36,11 +36,9 @@ bool idle() {
 /// status.
 int serve() {
   server::MessageReader reader;
-  server::Server server(
-      {[](const std::string& path, std::string& text) { return readFile(path, text); }, sourcesIn},
-      [](const std::string& message) {
-        std::cout << "Content-Length: " << message.size() << "\r\n\r\n" << message << std::flush;
-      });
+  server::Server server({diskReader(), sourcesIn}, [](const std::string& message) {
+    std::cout << "Content-Length: " << message.size() << "\r\n\r\n" << message << std::flush;
+  });
   std::array<char, 65536> bytes;
   while (!server.ended() && !reader.broken()) {
     const ssize_t count = read(STDIN_FILENO, bytes.data(), bytes.size());

@@ -324,8 +324,7 @@ bool Engine::actionDone(const OptionState& option) const {
 }
 
 bool Engine::subOptionDone(Span actions) const {
-  for (int i = actions.first; i < actions.first + actions.count; ++i) {
-    const Action& action = model_->actions[at(i)];
+  for (const Action& action : actions.of(model_->actions)) {
     if (action.kind != Action::Kind::option) continue;
     const OptionState& called = options_[at(action.target)];
     if (wasActive(called) && model_->states[at(called.state)].target) return true;

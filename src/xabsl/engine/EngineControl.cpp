@@ -7,17 +7,6 @@
 /// How a person or a test overrides what an engine does (report H.8).
 namespace xabsl {
 
-namespace {
-
-template <typename T>
-int indexOf(const std::vector<T>& list, std::string_view name) {
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (list[i].name == name) return static_cast<int>(i);
-  return -1;
-}
-
-}  // namespace
-
 bool Engine::selectAgent(std::string_view name) {
   const int index = indexOf(model_->agents, name);
   if (index < 0) return false;
@@ -62,7 +51,7 @@ void Engine::resumeFrom(const Engine& other, OptionState& option) {
   const OptionState& old = other.options_[at(before)];
   if (old.state < 0) return;
   const std::string& state = other.model_->states[at(old.state)].name;
-  for (int i = declared.states.first; i < declared.states.first + declared.states.count; ++i) {
+  for (const int i : declared.states) {
     if (model_->states[at(i)].name != state) continue;
     const int index = option.option;
     option = old;

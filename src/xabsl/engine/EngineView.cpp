@@ -1,7 +1,7 @@
-#include <charconv>
 #include <utility>
 
 #include "xabsl/engine/Engine.h"
+#include "xabsl/language/ModelText.h"
 
 /// What people and tools see of an engine (report H.8), and what it sends a recorder.
 namespace xabsl {
@@ -59,21 +59,7 @@ std::optional<NamedValue> Engine::symbol(std::string_view name) const {
 }
 
 NamedValue Engine::named(const std::string& name, Type type, double number) const {
-  NamedValue value{name, type.kind, number, {}};
-  if (type.kind == ValueKind::boolean) {
-    value.text = number != 0 ? "true" : "false";
-    return value;
-  }
-  if (type.kind == ValueKind::enumeration) {
-    const std::vector<double>& values = bindings_.elements[at(type.enumeration)];
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] == number)
-        value.text = model_->enumerations[at(type.enumeration)].elements[i].name;
-    if (!value.text.empty()) return value;
-  }
-  char buffer[32];
-  value.text.assign(buffer, std::to_chars(buffer, buffer + sizeof(buffer), number).ptr);
-  return value;
+  return {name, type.kind, number, valueText(*model_, bindings_.elements, type, number)};
 }
 
 std::vector<Diagnostic> Engine::warnings() const {

@@ -97,18 +97,17 @@ class Linker {
                        const std::string& what) {
     Bindings::Bound bound{registered.function, {}, registered.parametersChanged};
     for (const Parameter& parameter : parameters) {
-      const auto found = std::find_if(
-          registered.parameters.begin(), registered.parameters.end(),
-          [&](const RegisteredParameter& candidate) { return candidate.name == parameter.name; });
+      const int index = indexOf(registered.parameters, parameter.name);
       const std::string name = "parameter " + inQuotes(parameter.name) + " of " + what;
-      bound.order.push_back(static_cast<int>(found - registered.parameters.begin()));
-      if (found == registered.parameters.end())
+      bound.order.push_back(index);
+      if (index < 0)
         error(parameter.location, use, name + " is not registered");
       else
-        checkType(parameter.location, use, name, parameter.type, found->type);
+        checkType(parameter.location, use, name, parameter.type,
+                  registered.parameters[at(index)].type);
     }
     for (const RegisteredParameter& parameter : registered.parameters)
-      if (findParameter(parameters, parameter.name) < 0)
+      if (indexOf(parameters, parameter.name) < 0)
         error(location, use,
               "parameter " + inQuotes(parameter.name) + " of " + what +
                   " is registered, but not declared");

@@ -38,7 +38,7 @@ class ProgramWriter {
       actions(option.commonActions);
       emit(Operation::actInState);
     }
-    for (int s = option.states.first; s < option.states.first + option.states.count; ++s) {
+    for (const int s : option.states) {
       Program::StateCode& code = program_.states[at(s)];
       code.actInState = next();
       code.act = common ? act : next();
@@ -56,7 +56,7 @@ class ProgramWriter {
       beginDeciding(index);
       decide(option.commonDecision, commonAct);
     }
-    for (int s = option.states.first; s < option.states.first + option.states.count; ++s) {
+    for (const int s : option.states) {
       Program::StateCode& code = program_.states[at(s)];
       code.decideInState = next();
       code.decide = common ? decideFirst : next();
@@ -76,8 +76,8 @@ class ProgramWriter {
   }
 
   bool cooperates(const Option& option) const {
-    for (int s = option.states.first; s < option.states.first + option.states.count; ++s)
-      if (model_.states[at(s)].cooperation.kind != Cooperation::Kind::none) return true;
+    for (const State& state : option.states.of(model_.states))
+      if (state.cooperation.kind != Cooperation::Kind::none) return true;
     return false;
   }
 
@@ -325,8 +325,7 @@ class ProgramWriter {
   // Actions
 
   void actions(Span span) {
-    for (int i = span.first; i < span.first + span.count; ++i) {
-      const Action& action = model_.actions[at(i)];
+    for (const Action& action : span.of(model_.actions)) {
       if (action.kind == Action::Kind::assignment)
         assign(action);
       else if (action.kind == Action::Kind::option)

@@ -14,7 +14,7 @@ constexpr int mostTicks = 1'000'000;
 TeamCooperation::TeamCooperation(const Model& model) : memberOfState_(model.states.size(), -1) {
   for (std::size_t option = 0; option < model.options.size(); ++option) {
     const Span states = model.options[option].states;
-    for (int state = states.first; state < states.first + states.count; ++state) {
+    for (const int state : states) {
       const Cooperation& cooperation = model.states[at(state)].cooperation;
       if (cooperation.kind == Cooperation::Kind::none) continue;
       memberOfState_[at(state)] = static_cast<int>(members_.size());

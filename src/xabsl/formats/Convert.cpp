@@ -34,9 +34,7 @@ Conversion convert(const std::string& path, const FileReader& read, Form form,
 }  // namespace
 
 Conversion convert(const std::string& path, Form form, const std::string& root) {
-  return convert(
-      path, [](const std::string& name, std::string& text) { return readFile(name, text); }, form,
-      root);
+  return convert(path, diskReader(), form, root);
 }
 
 Conversion convert(const std::string& path, const VirtualFiles& files, Form form,

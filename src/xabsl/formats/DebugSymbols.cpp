@@ -21,8 +21,9 @@ class DebugSymbolsWriter {
     enumerations();
     symbols(true, "input");
     symbols(false, "output");
-    options();
-    behaviors();
+    owners("options", model_.options, sortedByName(model_.options));
+    const auto behaviors = static_cast<int>(model_.behaviors.size());
+    owners("basic behaviors", model_.behaviors, Span{0, behaviors});
     return std::move(text_);
   }
 
@@ -61,32 +62,21 @@ class DebugSymbolsWriter {
     endSection();
   }
 
-  void owner(const std::string& name, const std::vector<Parameter>& parameters) {
-    std::string text = name + " " + std::to_string(parameters.size()) + " ";
-    for (const Parameter& parameter : parameters)
-      text += typedName(model_, parameter.type, name + "." + parameter.name) + " ";
-    line(text);
-  }
-
-  void options() {
-    line("// number of options");
-    line(std::to_string(model_.options.size()));
-    line(
-        "//options: (name num-of-parameters (d decimal-parameter | b boolean_parameter | e "
-        "enum-name enumerated-parameter)*)+");
-    for (const int option : sortedByName(model_.options))
-      owner(model_.options[at(option)].name, model_.options[at(option)].parameters);
-    endSection();
-  }
-
-  void behaviors() {
-    line("// number of basic behaviors");
-    line(std::to_string(model_.behaviors.size()));
-    line(
-        "//basic behaviors: (name num-of-parameters (d decimal-parameter | b boolean_parameter | e "
-        "enum-name enumerated-parameter)*)+");
-    for (const BasicBehavior& behavior : model_.behaviors)
-      owner(behavior.name, behavior.parameters);
+  /// What has parameters; `order` lists indices.
+  template <typename Owner, typename Order>
+  void owners(const std::string& kind, const std::vector<Owner>& list, const Order& order) {
+    line("// number of " + kind);
+    line(std::to_string(list.size()));
+    line("//" + kind +
+         ": (name num-of-parameters (d decimal-parameter | b boolean_parameter | e "
+         "enum-name enumerated-parameter)*)+");
+    for (const int index : order) {
+      const Owner& owner = list[at(index)];
+      std::string text = owner.name + " " + std::to_string(owner.parameters.size()) + " ";
+      for (const Parameter& parameter : owner.parameters)
+        text += typedName(model_, parameter.type, owner.name + "." + parameter.name) + " ";
+      line(text);
+    }
     endSection();
   }
 

@@ -3,20 +3,9 @@
 #include <utility>
 
 #include "xabsl/engine/Symbols.h"
+#include "xabsl/language/Text.h"
 
 namespace xabsl {
-
-namespace {
-
-/// The name of an element without `enumeration.` before it.
-std::string_view shortName(std::string_view text, std::string_view enumeration) {
-  const bool qualified = !enumeration.empty() && text.size() > enumeration.size() &&
-                         text.substr(0, enumeration.size()) == enumeration &&
-                         text[enumeration.size()] == '.';
-  return qualified ? text.substr(enumeration.size() + 1) : text;
-}
-
-}  // namespace
 
 int EnumerationInference::named(std::string_view name) {
   const auto found = names_.find(name);
@@ -38,7 +27,7 @@ int EnumerationInference::declare(std::string_view name,
                                   Location location) {
   Enumeration enumeration{std::string(name), {}, location, true};
   for (const std::string_view element : elements)
-    enumeration.elements.push_back({std::string(shortName(element, name)), location});
+    enumeration.elements.push_back({std::string(withoutOwner(element, name)), location});
   if (!declared_.emplace(std::string(name), std::move(enumeration)).second)
     reporter_.error(location, "enumeration '" + std::string(name) + "' is declared twice");
   return named(name);
@@ -118,7 +107,7 @@ int EnumerationInference::enumerationNamed(const std::string& name,
 void EnumerationInference::addElement(Mention& mention, std::vector<Enumeration>& enumerations) {
   const int index = enumeration(mention.domain);
   Enumeration& enumeration = enumerations[at(index)];
-  const std::string name(shortName(mention.text, enumeration.name));
+  const std::string name(withoutOwner(mention.text, enumeration.name));
   const auto [entry, added] =
       elements_[at(index)].emplace(name, static_cast<int>(enumeration.elements.size()));
   mention.element = entry->second;

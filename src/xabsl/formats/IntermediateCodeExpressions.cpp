@@ -5,32 +5,22 @@
 #include "xabsl/formats/IntermediateCodeReader.h"
 #include "xabsl/formats/Sources.h"
 #include "xabsl/language/Behavior.h"
+#include "xabsl/language/ModelText.h"
+#include "xabsl/language/Operators.h"
 #include "xabsl/language/OptionGraph.h"
+#include "xabsl/language/Text.h"
 
 /// The part of the reader for expressions, and for what can be expressed at the end only.
 namespace xabsl {
 
 namespace {
 
-struct Sign {
-  std::string_view text;
-  Operator operation;
-};
-
-constexpr Sign arithmetic[] = {{"+", Operator::add},
-                               {"-", Operator::subtract},
-                               {"*", Operator::multiply},
-                               {"d", Operator::divide},
-                               {"%", Operator::modulo}};
-constexpr Sign comparisons[] = {{"=", Operator::equal},   {"n", Operator::notEqual},
-                                {"<", Operator::less},    {"l", Operator::lessEqual},
-                                {">", Operator::greater}, {"g", Operator::greaterEqual}};
-
-template <std::size_t size>
-std::optional<Operator> find(const Sign (&signs)[size], std::string_view text) {
-  for (const Sign& sign : signs)
-    if (sign.text == text) return sign.operation;
-  return std::nullopt;
+/// The operator with a code, if its level is within these.
+std::optional<Operator> find(std::string_view code, Level first, Level last) {
+  const OperatorSpelling* found = findOperator([&](const OperatorSpelling& one) {
+    return one.code == code && one.level >= first && one.level <= last;
+  });
+  return found ? std::optional(found->operation) : std::nullopt;
 }
 
 }  // namespace
@@ -51,7 +41,7 @@ int IntermediateCodeReader::decimal(int depth) {
   checkDepth(depth);
   const Token token = token_;
   if (token.text.empty()) failExpected("a number");
-  if (const auto operation = find(arithmetic, token.text))
+  if (const auto operation = find(token.text, Level::sum, Level::product))
     return operands(*operation, ValueKind::number, 2, token, depth);
   if (token.text == "v") {
     take();
@@ -88,7 +78,8 @@ int IntermediateCodeReader::constant(const Token& token) {
 int IntermediateCodeReader::boolean(int depth) {
   checkDepth(depth);
   const Token token = token_;
-  if (find(comparisons, token.text)) return comparison(token, depth);
+  if (const auto operation = find(token.text, Level::comparison, Level::comparison))
+    return operands(*operation, ValueKind::number, 2, token, depth);
   if (token.text == "p") return optionParameter(ValueKind::boolean);
   if (token.text == "i") return input(ValueKind::boolean, depth);
   if (token.text == "o") return variable(ValueKind::boolean);
@@ -140,11 +131,7 @@ IntermediateCodeReader::Element IntermediateCodeReader::element(int depth) {
     index = variable(ValueKind::enumeration);
   else
     failExpected("an element of an enumeration");
-  const Expression& expression = model_.expressions[at(index)];
-  const Type type = expression.operation == Operator::parameter
-                        ? model_.options[at(expression.a)].parameters[at(expression.b)].type
-                        : model_.symbols[at(expression.a)].type;
-  return {index, type.enumeration};
+  return {index, typeOf(model_, index).enumeration};
 }
 
 int IntermediateCodeReader::optionParameter(ValueKind kind) {
@@ -152,17 +139,13 @@ int IntermediateCodeReader::optionParameter(ValueKind kind) {
   const Token token = token_;
   name("the name of a parameter");
   const Option& option = model_.options[at(option_)];
-  std::string_view name = token.text;
-  if (name.size() > option.name.size() && name.substr(0, option.name.size()) == option.name &&
-      name[option.name.size()] == '.')
-    name.remove_prefix(option.name.size() + 1);
-  for (std::size_t i = 0; i < option.parameters.size(); ++i) {
-    if (option.parameters[i].name != name) continue;
-    if (option.parameters[i].type.kind != kind)
-      fail(token, "parameter '" + std::string(name) + "' is used with two types");
-    return add({.operation = Operator::parameter, .a = option_, .b = static_cast<int>(i)}, letter);
-  }
-  fail(token, "option '" + option.name + "' has no parameter '" + std::string(name) + "'");
+  const std::string_view name = withoutOwner(token.text, option.name);
+  const int index = indexOf(option.parameters, name);
+  if (index < 0)
+    fail(token, "option '" + option.name + "' has no parameter '" + std::string(name) + "'");
+  if (option.parameters[at(index)].type.kind != kind)
+    fail(token, "parameter '" + std::string(name) + "' is used with two types");
+  return add({.operation = Operator::parameter, .a = option_, .b = index}, letter);
 }
 
 int IntermediateCodeReader::input(ValueKind kind, int depth) {
@@ -204,9 +187,8 @@ int IntermediateCodeReader::connection(Operator operation, const Token& token, i
   return add({.operation = operation, .b = first, .c = static_cast<int>(values.size())}, token);
 }
 
+/// Of elements of an enumeration.
 int IntermediateCodeReader::comparison(const Token& token, int depth) {
-  if (token.text != "c")
-    return operands(*find(comparisons, token.text), ValueKind::number, 2, token, depth);
   take();
   const Element left = element(depth + 1);
   const Element right = element(depth + 1);

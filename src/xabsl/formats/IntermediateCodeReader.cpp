@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "xabsl/engine/Symbols.h"
-#include "xabsl/language/ExpressionAnalyzer.h"
+#include "xabsl/language/Text.h"
 
 /// The part of the reader for what is declared, and for options, states and actions.
 namespace xabsl {
@@ -12,15 +12,8 @@ namespace {
 
 constexpr std::size_t longestName = 500;
 
-bool isBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
-}
-
-/// `owner.name` without the owner.
-std::string_view withoutOwner(std::string_view name, std::string_view owner) {
-  const bool owned = name.size() > owner.size() + 1 && name.substr(0, owner.size()) == owner &&
-                     name[owner.size()] == '.';
-  return owned ? name.substr(owner.size() + 1) : name;
+bool separates(char c) {
+  return isBlank(c) || c == '\v';
 }
 
 }  // namespace
@@ -66,7 +59,7 @@ IntermediateCodeReader::Token IntermediateCodeReader::take() {
   skipBlanks();
   const std::size_t start = position_;
   const Location location = location_;
-  while (position_ < text_.size() && !isBlank(text_[position_])) ++position_;
+  while (position_ < text_.size() && !separates(text_[position_])) ++position_;
   location_.column += static_cast<int>(position_ - start);
   return std::exchange(token_, Token{text_.substr(start, position_ - start), location});
 }
@@ -82,7 +75,7 @@ void IntermediateCodeReader::skipBlanks() {
       continue;
     }
     comment = comment || (c == '/' && text_.substr(position_, 2) == "//");
-    if (!comment && !isBlank(c)) return;
+    if (!comment && !separates(c)) return;
     ++location_.column;
   }
 }
@@ -173,7 +166,7 @@ void IntermediateCodeReader::declareOptions() {
       parameter.type = typed();
       parameter.location = token_.location;
       parameter.name = withoutOwner(name("the name of a parameter"), option.name);
-      if (findParameter(option.parameters, parameter.name) >= 0)
+      if (indexOf(option.parameters, parameter.name) >= 0)
         fail({parameter.name, parameter.location},
              "parameter " + inQuotes(parameter.name) + " is declared twice");
       option.parameters.push_back(std::move(parameter));
@@ -186,7 +179,7 @@ void IntermediateCodeReader::defineOption(Option& option) {
   listStates(option);
   const Token initial = take();
   option.initialState = state(initial);
-  for (int i = 0; i < option.states.count; ++i) defineState(option.states.first + i);
+  for (const int i : option.states) defineState(i);
 }
 
 void IntermediateCodeReader::listStates(Option& option) {
@@ -429,7 +422,7 @@ int IntermediateCodeReader::parameter(const Call& call, Type type, const Token& 
   constexpr std::size_t mostParameters = 100;
   const std::string_view name = withoutOwner(token.text, nameOf(call));
   std::vector<Parameter>& parameters = parametersOf(call);
-  const int index = findParameter(parameters, name);
+  const int index = indexOf(parameters, name);
   if (index < 0) {
     if (call.kind == Action::Kind::option || parameters.size() >= mostParameters)
       fail(token, inQuotes(nameOf(call)) + " has no parameter " + inQuotes(name));

@@ -3,6 +3,8 @@
 
 #include "xabsl/formats/IntermediateCode.h"
 #include "xabsl/formats/Lowering.h"
+#include "xabsl/language/ModelText.h"
+#include "xabsl/language/Operators.h"
 
 namespace xabsl {
 
@@ -82,12 +84,11 @@ class CodeWriter {
 
   void define(const Option& option) {
     line(std::to_string(option.states.count));
-    const int end = option.states.first + option.states.count;
-    for (int i = option.states.first; i < end; ++i) listState(model_.states[at(i)]);
+    for (const State& state : option.states.of(model_.states)) listState(state);
     if (dialect_ == Dialect::xabsl30) endLine();
     endLine();
     line(model_.states[at(option.initialState)].name);
-    for (int i = option.states.first; i < end; ++i) define(option, i);
+    for (const int i : option.states) define(option, i);
     for (int i = 0; i < 3; ++i) endLine();
   }
 
@@ -118,7 +119,7 @@ class CodeWriter {
   }
 
   void actions(Span span) {
-    for (int i = span.first; i < span.first + span.count; ++i) action(model_.actions[at(i)]);
+    for (const Action& each : span.of(model_.actions)) action(each);
   }
 
   void action(const Action& action) {
@@ -128,25 +129,16 @@ class CodeWriter {
       const bool enumerated = symbol.type.kind == ValueKind::enumeration;
       line(enumerated ? "e " + symbol.name : typed(symbol.type, symbol.name));
       expression(action.operand);
-    } else if (action.kind == Action::Kind::option) {
-      const Option& option = model_.options[at(action.target)];
-      line("o " + option.name);
-      arguments(option.name, option.parameters, action.operand);
     } else {
-      const BasicBehavior& behavior = model_.behaviors[at(action.target)];
-      line("a " + behavior.name);
-      arguments(behavior.name, behavior.parameters, action.operand);
+      const std::string& name = targetName(model_, action);
+      line((action.kind == Action::Kind::option ? "o " : "a ") + name);
+      arguments(name, parametersOf(model_, action), action.operand);
     }
   }
 
   /// Only what was set, in the order in which it was.
   void arguments(const std::string& owner, const std::vector<Parameter>& parameters, int first) {
-    std::vector<int> order;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      const int parameter = model_.argumentOrder[at(first) + i];
-      if (parameter < 0) break;
-      order.push_back(parameter);
-    }
+    const auto order = model_.setParameters(first, parameters.size());
     line(std::to_string(order.size()));
     for (const int index : order) {
       const Parameter& parameter = parameters[at(index)];
@@ -195,6 +187,11 @@ class CodeWriter {
         if (dialect_ == Dialect::xabsl30)
           refuse(model_.expressionLocations[at(index)], "'conflict'");
         return line("x");
+      case Operator::stateTime:
+        return line("s");
+      case Operator::optionTime:
+      case Operator::actionDone:
+        return line("t");
       case Operator::negate:
         return negation(expression);
       case Operator::logicalAnd:
@@ -204,41 +201,9 @@ class CodeWriter {
       case Operator::notEqual:
         return equality(expression);
       default:
-        line(sign(expression.operation));
+        line(spellingOf(expression.operation).code);
         for (const int operand : {expression.a, expression.b, expression.c})
           if (operand >= 0) this->expression(operand);
-    }
-  }
-
-  static std::string_view sign(Operator operation) {
-    switch (operation) {
-      case Operator::stateTime:
-        return "s";
-      case Operator::optionTime:
-      case Operator::actionDone:
-        return "t";
-      case Operator::logicalNot:
-        return "!";
-      case Operator::add:
-        return "+";
-      case Operator::subtract:
-        return "-";
-      case Operator::multiply:
-        return "*";
-      case Operator::divide:
-        return "d";
-      case Operator::modulo:
-        return "%";
-      case Operator::less:
-        return "<";
-      case Operator::lessEqual:
-        return "l";
-      case Operator::greater:
-        return ">";
-      case Operator::greaterEqual:
-        return "g";
-      default:
-        return "q";
     }
   }
 
@@ -260,16 +225,16 @@ class CodeWriter {
 
   /// `&&` below `&&` is one, and so is `||` below `||`.
   void connection(int index) {
-    const bool both = model_.expressions[at(index)].operation == Operator::logicalAnd;
     const std::vector<int> operands = flattened(model_, index);
-    line((both ? "& " : "| ") + std::to_string(operands.size()));
+    text_ += spellingOf(model_.expressions[at(index)].operation).code;
+    line(" " + std::to_string(operands.size()));
     for (const int operand : operands) expression(operand);
   }
 
   /// Enumerations are compared by `c` alone.
   void equality(const Expression& expression) {
     const bool equal = expression.operation == Operator::equal;
-    if (isEnumerated(model_, expression.a)) {
+    if (typeOf(model_, expression.a).kind == ValueKind::enumeration) {
       if (!equal) line("!");
       line("c");
     } else {

@@ -55,22 +55,4 @@ std::vector<int> flattened(const Model& model, int connection) {
   return operands;
 }
 
-bool isEnumerated(const Model& model, int index) {
-  const Expression& expression = model.expressions[at(index)];
-  switch (expression.operation) {
-    case Operator::element:
-      return true;
-    case Operator::parameter:
-      return model.options[at(expression.a)].parameters[at(expression.b)].type.kind ==
-             ValueKind::enumeration;
-    case Operator::input:
-    case Operator::variable:
-      return model.symbols[at(expression.a)].type.kind == ValueKind::enumeration;
-    case Operator::conditional:
-      return isEnumerated(model, expression.b);
-    default:
-      return false;
-  }
-}
-
 }  // namespace xabsl

@@ -47,7 +47,4 @@ std::optional<double> signedNumber(const Model& model, const Expression& negatio
 /// The operands of `&&` or `||` together with those of the same operator below it.
 std::vector<int> flattened(const Model& model, int connection);
 
-/// Whether an expression is of an enumeration: such ones are compared otherwise than numbers.
-bool isEnumerated(const Model& model, int expression);
-
 }  // namespace xabsl

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
+
+#include "xabsl/language/Text.h"
 
 namespace xabsl {
 
@@ -13,77 +14,26 @@ using namespace syntax;
 
 namespace {
 
-/// Where the documentation of everything in a program stands.
-class Documented {
- public:
-  explicit Documented(const Program& program) {
-    add(program.namespaces);
-    add(program.enumerations);
-    add(program.symbols);
-    add(program.constants);
-    add(program.behaviors);
-    add(program.options);
-    add(program.agents);
-    for (const Symbol& symbol : program.symbols) add(symbol.parameters);
-    for (const Behavior& behavior : program.behaviors) add(behavior.parameters);
-    for (const Option& option : program.options) {
-      add(option.parameters);
-      add(option.states);
-      if (option.commonDecision) decision(*option.commonDecision);
-      for (const State& state : option.states)
-        if (state.decision) decision(*state.decision);
-    }
-  }
-
-  bool holds(const Comment& comment) const {
-    const auto found = places_.lower_bound(comment.text.data());
-    return found != places_.end() && *found < comment.text.data() + comment.text.size();
-  }
-
- private:
-  template <typename Declarations>
-  void add(const Declarations& declarations) {
-    for (const Declaration& declaration : declarations) places_.insert(declaration.doc.data());
-  }
-
-  void decision(const Decision& decision) {
-    for (const Arm& arm : decision.arms) {
-      places_.insert(arm.doc.data());
-      this->decision(*arm.decision);
-    }
-    if (decision.otherwise) this->decision(*decision.otherwise);
-  }
-
-  std::set<const char*> places_;
-};
-
 bool isBefore(Location a, Location b) {
   return std::tie(a.line, a.column) < std::tie(b.line, b.column);
 }
 
-std::string withoutMarks(const Comment& comment) {
+std::string_view withoutMarks(const Comment& comment) {
   std::string_view text = comment.text;
-  if (comment.kind == Comment::Kind::line) return std::string(text.substr(2));
+  if (comment.kind == Comment::Kind::line) return text.substr(2);
   text = text.substr(2, text.size() - 4);
   while (!text.empty() && text.front() == '*') text.remove_prefix(1);
   while (!text.empty() && text.back() == '*') text.remove_suffix(1);
-  return std::string(text);
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+  return text;
 }
 
 }  // namespace
 
 LooseComments::LooseComments(const Program& program) : taken_(program.files.size(), 0) {
-  const Documented documented(program);
   for (const File& file : program.files) {
     files_.emplace_back();
     for (const Comment& comment : file.comments)
-      if (comment.kind != Comment::Kind::header && !documented.holds(comment))
+      if (comment.kind != Comment::Kind::header && !comment.documents)
         files_.back().push_back(&comment);
   }
 }
@@ -93,7 +43,7 @@ std::vector<std::string> LooseComments::before(Location place) {
   std::vector<std::string> texts;
   std::size_t& next = taken_[file];
   for (; next < files_[file].size() && isBefore(files_[file][next]->extent.begin, place); ++next)
-    texts.push_back(trimmed(withoutMarks(*files_[file][next])));
+    texts.emplace_back(trimmed(withoutMarks(*files_[file][next])));
   return texts;
 }
 
@@ -101,7 +51,7 @@ std::vector<std::string> LooseComments::rest() {
   std::vector<std::string> texts;
   for (std::size_t file = 0; file < files_.size(); ++file)
     for (; taken_[file] < files_[file].size(); ++taken_[file])
-      texts.push_back(trimmed(withoutMarks(*files_[file][taken_[file]])));
+      texts.emplace_back(trimmed(withoutMarks(*files_[file][taken_[file]])));
   return texts;
 }
 

@@ -1,11 +1,9 @@
 #include "xabsl/formats/Sources.h"
 
 #include <algorithm>
-#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <system_error>
 #include <utility>
 
@@ -40,67 +38,27 @@ std::string target(const std::string& path, const syntax::Include& include) {
   return normal(std::filesystem::path(path).parent_path() / name);
 }
 
+std::optional<std::string> toText(std::string& text) {
+  if (!isText(text)) return "this is no text file";
+  text = toUtf8(std::move(text));
+  return std::nullopt;
+}
+
 /// Follows the includes in a loop: a chain of them may be long or closed.
-class SourceLoader {
- public:
-  SourceLoader(const FileReader& read, syntax::Program& program, Reporter& reporter)
-      : read_(read), program_(program), reporter_(reporter) {}
-
-  void run(const std::string& path) {
-    load(path, nullptr);
-    while (!pending_.empty() && !reporter_.full()) {
-      const Pending next = std::move(pending_.front());
-      pending_.pop_front();
-      load(next.path, &next.location);
+void readText(const std::string& root, SourceFiles files, syntax::Program& program,
+              Reporter& reporter) {
+  files.open(root, toText, nullptr);
+  for (std::size_t i = 0; i < program.files.size() && !reporter.full(); ++i) {
+    const auto [path, text] = std::pair(program.files[i].path, program.files[i].text);
+    Parser(static_cast<int>(i), text, reporter, program).parse();
+    const std::vector<syntax::Include> includes = program.files[i].includes;
+    for (const syntax::Include& include : includes) {
+      const std::string included = target(path, include);
+      const syntax::Include shown{included, include.location};
+      if (!reporter.full()) files.open(included, toText, &shown);
     }
-    resolveIncludes();
   }
-
- private:
-  struct Pending {
-    std::string path;
-    Location location;  // of the include
-  };
-
-  void load(const std::string& path, const Location* include) {
-    if (!indices_.emplace(path, -1).second) return;
-    std::string text;
-    std::optional<std::string> problem =
-        indices_.size() > mostFiles ? "more than 10000 files" : read_(path, text);
-    sum_ += text.size();
-    if (!problem && sum_ > largestSum) problem = "the files are larger than 8 MiB together";
-    if (!problem && !isText(text)) problem = "this is no text file";
-    if (problem) {
-      if (include)
-        reporter_.error(*include, "cannot include '" + path + "': " + *problem);
-      else
-        reporter_.fileError(path, *problem);
-      return;
-    }
-    const std::string_view kept = program_.keep(toUtf8(std::move(text)));
-    const int file = reporter_.addFile(path, kept);
-    indices_[path] = file;
-    program_.files.push_back({path, kept, {}, {}});
-    Parser(file, kept, reporter_, program_).parse();
-    for (const syntax::Include& included : program_.files.back().includes)
-      pending_.push_back({target(path, included), included.location});
-  }
-
-  void resolveIncludes() {
-    for (syntax::File& file : program_.files)
-      for (syntax::Include& include : file.includes) {
-        const auto found = indices_.find(target(file.path, include));
-        if (found != indices_.end()) include.file = found->second;
-      }
-  }
-
-  const FileReader& read_;
-  syntax::Program& program_;
-  Reporter& reporter_;
-  std::map<std::string, int> indices_;  // into the files of the program; -1: cannot be read
-  std::deque<Pending> pending_;
-  std::size_t sum_ = 0;
-};
+}
 
 }  // namespace
 
@@ -131,12 +89,43 @@ FileReader readerOf(const VirtualFiles& files) {
   };
 }
 
+std::optional<std::string> SourceFiles::read(const std::string& path, std::string& text) {
+  const std::optional<std::string> problem = read_(path, text);
+  sum_ += text.size();
+  if (problem || sum_ <= largestSum) return problem;
+  return "the files are larger than 8 MiB together";
+}
+
+void SourceFiles::refuse(const syntax::Include& include, const std::string& why) {
+  reporter_.error(include.location, "cannot include '" + std::string(include.path) + "': " + why);
+}
+
+int SourceFiles::open(const std::string& path, ToSource toSource, const syntax::Include* include) {
+  const bool full = indices_.size() >= mostFiles;
+  const auto [index, added] = indices_.emplace(path, -1);
+  if (!added) return index->second;
+  std::string text;
+  std::optional<std::string> problem = full ? "more than 10000 files" : read(path, text);
+  if (!problem) problem = toSource(text);
+  if (!problem) {
+    const std::string_view kept = program_.keep(std::move(text));
+    index->second = reporter_.addFile(path, kept);
+    program_.files.push_back({path, kept, {}, {}});
+  } else if (include) {
+    refuse(*include, *problem);
+  } else {
+    reporter_.fileError(path, *problem);
+  }
+  return index->second;
+}
+
 void readSources(const std::string& path, const FileReader& read, syntax::Program& program,
                  Reporter& reporter) {
   std::string first;
+  SourceFiles sources(read, program, reporter);
   if (read(normal(path), first) || !xml::isXml(first))
-    return SourceLoader(read, program, reporter).run(normal(path));
-  const xml::Files files = xml::readFiles(path, read, program, reporter);
+    return readText(normal(path), std::move(sources), program, reporter);
+  const xml::Files files = xml::readFiles(normal(path), std::move(sources), program, reporter);
   if (!reporter.failed()) xml::validate(files, reporter);
   if (!reporter.failed()) xml::Parser(files, reporter, program).parse();
 }

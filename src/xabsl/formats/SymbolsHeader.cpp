@@ -6,6 +6,8 @@
 #include <set>
 #include <string_view>
 
+#include "xabsl/language/Text.h"
+
 namespace xabsl {
 
 namespace {
@@ -30,10 +32,6 @@ constexpr std::array<std::string_view, 87> reserved = {
     "while",    "xor",       "Inputs",    "Outputs",   "BasicBehaviors",
     "In",       "Out"};
 
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 char changedCase(char c, bool upper) {
   if (!isLetter(c)) return c;
   return static_cast<char>(upper ? c & ~0x20 : c | 0x20);
@@ -47,12 +45,11 @@ std::string cppName(std::string_view name, bool upper) {
       std::none_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
   bool begins = true;
   for (const char c : name) {
-    const bool digit = c >= '0' && c <= '9';
-    if (!isLetter(c) && !digit) {
+    if (!isLetter(c) && !isDigit(c)) {
       begins = true;
       continue;
     }
-    if (result.empty() && digit) result += upper ? 'N' : 'n';
+    if (result.empty() && isDigit(c)) result += upper ? 'N' : 'n';
     if (result.empty())
       result += changedCase(c, upper);
     else

@@ -5,7 +5,7 @@
 #include "xabsl/formats/Formatter.h"
 #include "xabsl/formats/SourceWriter.h"
 #include "xabsl/language/Lexer.h"
-#include "xabsl/language/OperatorText.h"
+#include "xabsl/language/Operators.h"
 
 namespace xabsl {
 
@@ -261,14 +261,14 @@ class TextWriter {
 
   void expression(const Expression& expression, Level wanted) {
     if (expression.kind != Expression::Kind::operation) return leaf(expression);
-    const OperatorText operation = textOf(expression.operation);
+    const OperatorSpelling operation = spellingOf(expression.operation);
     const bool parentheses = operation.level < wanted;
     if (parentheses) text_ += "(";
     operands(expression, operation);
     if (parentheses) text_ += ")";
   }
 
-  void operands(const Expression& expression, const OperatorText& operation) {
+  void operands(const Expression& expression, const OperatorSpelling& operation) {
     const auto& operands = expression.operands;
     const Level tighter = static_cast<Level>(operation.level + 1);
     if (operands.size() == 1) {
@@ -280,7 +280,8 @@ class TextWriter {
     const bool choice = expression.operation == Operator::conditional;
     const bool leftBinds = operation.level >= sum;
     for (std::size_t i = 0; i < operands.size(); ++i) {
-      if (i > 0) text_ += choice && i == 2 ? " : " : operation.text;
+      if (i > 0)
+        text_ += choice ? (i == 1 ? " ? " : " : ") : " " + std::string(operation.text) + " ";
       this->expression(*operands[i], choice                ? disjunction
                                      : leftBinds && i == 0 ? operation.level
                                                            : tighter);

@@ -15,9 +15,9 @@ using Attributes = std::vector<std::pair<std::string_view, std::string>>;
 /// Writes elements and comments, each on a line of its own, indented by what is open.
 class XmlOutput {
  public:
-  void open(std::string_view element, const Attributes& attributes);
+  void open(std::string_view element, const Attributes& attributes = {});
   void close(std::string_view element);
-  void empty(std::string_view element, const Attributes& attributes);
+  void empty(std::string_view element, const Attributes& attributes = {});
   /// Two hyphens would end a comment; they are parted.
   void comment(std::string_view text);
   /// As it is.

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <utility>
 
+#include "xabsl/language/Text.h"
+
 /// What is declared: agents, symbols, basic behaviors and prototypes of options (report F.2 to F.4,
 /// F.10).
 namespace xabsl::xml {
@@ -22,10 +24,6 @@ bool isOutput(const Element& element) {
   constexpr std::string_view ending = "-output-symbol";
   return element.name.size() > ending.size() &&
          element.name.substr(element.name.size() - ending.size()) == ending;
-}
-
-bool isTrue(std::string_view value) {
-  return value == "true" || value == "1";
 }
 
 bool isInternal(const Element& element) {
@@ -57,16 +55,6 @@ std::string_view commonPrefix(const Enumeration& enumeration) {
   }
   return prefix;
 }
-
-}  // namespace
-
-std::string_view withoutOwner(std::string_view name, std::string_view owner) {
-  const bool qualified = name.size() > owner.size() + 1 && name.substr(0, owner.size()) == owner &&
-                         name[owner.size()] == '.';
-  return qualified ? name.substr(owner.size() + 1) : name;
-}
-
-namespace {
 
 /// Whether an enumeration has the elements of another one, which bear its name before them or not.
 bool haveSameElements(const Enumeration& known, const Enumeration& other) {
@@ -129,8 +117,7 @@ void Parser::agentCollection(const Element& root) {
 }
 
 void Parser::agent(const Element& element) {
-  Agent agent;
-  static_cast<Declaration&>(agent) = declaration(element, "id", -1);
+  auto agent = declared<Agent>(element, "id");
   agent.title = element.attribute("title");
   const Attribute* root = element.find("root-option");
   agent.rootOption = {root->value, root->location};
@@ -188,8 +175,7 @@ void Parser::checkFileName(const Element& element, std::string_view name,
 }
 
 int Parser::enterNamespace(const Element& element, Namespace::Kind kind) {
-  Namespace space;
-  static_cast<Declaration&>(space) = declaration(element, "id", -1);
+  auto space = declared<Namespace>(element, "id");
   space.kind = kind;
   space.title = element.attribute("title");
   program_.namespaces.push_back(space);
@@ -213,8 +199,7 @@ void Parser::symbols(const Element& element) {
 }
 
 void Parser::symbol(const Element& element, int space) {
-  Symbol symbol;
-  static_cast<Declaration&>(symbol) = declaration(element, "name", space);
+  auto symbol = declared<Symbol>(element, "name", space);
   symbol.kind = !isOutput(element)    ? SymbolKind::input
                 : isInternal(element) ? SymbolKind::internal
                                       : SymbolKind::output;
@@ -235,8 +220,7 @@ TypeName Parser::type(const Element& element) {
 }
 
 void Parser::enumeration(const Element& element, int space) {
-  Enumeration enumeration;
-  static_cast<Declaration&>(enumeration) = declaration(element, "name", space);
+  auto enumeration = declared<Enumeration>(element, "name", space);
   enumeration.internal = isInternal(element);
   for (const Element* child : elementsOf(element)) {
     const Attribute* name = child->find("name");
@@ -251,15 +235,13 @@ void Parser::enumeration(const Element& element, int space) {
 /// stands before all of them (`op-mode.fast`), otherwise that of the symbol; symbols with the same
 /// elements share it.
 void Parser::enumeratedSymbol(const Element& element, int space) {
-  Enumeration enumeration;
-  static_cast<Declaration&>(enumeration) = declaration(element, "name", space);
+  auto enumeration = declared<Enumeration>(element, "name", space);
   enumeration.doc = {};
   for (const Element* child : elementsOf(element)) {
     const Attribute* name = child->find("name");
     enumeration.elements.push_back({name->value, name->location});
   }
-  Symbol symbol;
-  static_cast<Declaration&>(symbol) = declaration(element, "name", space);
+  auto symbol = declared<Symbol>(element, "name", space);
   symbol.kind = element.is("enumerated-input-symbol") ? SymbolKind::input : SymbolKind::output;
   symbol.type = {ValueKind::enumeration, enumeration.name};
   const std::string_view prefix = commonPrefix(enumeration);
@@ -280,8 +262,7 @@ void Parser::enumeratedSymbol(const Element& element, int space) {
 }
 
 void Parser::constant(const Element& element, int space) {
-  Constant constant;
-  static_cast<Declaration&>(constant) = declaration(element, "name", space);
+  auto constant = declared<Constant>(element, "name", space);
   const ExpressionPtr value = number(element);
   constant.negative = value->kind == Expression::Kind::operation;
   const Expression& literal = constant.negative ? *value->operands.front() : *value;
@@ -292,8 +273,7 @@ void Parser::constant(const Element& element, int space) {
 }
 
 void Parser::behavior(const Element& element, int space) {
-  Behavior behavior;
-  static_cast<Declaration&>(behavior) = declaration(element, "name", space);
+  auto behavior = declared<Behavior>(element, "name", space);
   behavior.parameters = parameters(element);
   program_.behaviors.push_back(std::move(behavior));
 }
@@ -301,8 +281,7 @@ void Parser::behavior(const Element& element, int space) {
 std::vector<Parameter> Parser::parameters(const Element& owner) {
   std::vector<Parameter> parameters;
   for (const Element* element : elementsOf(owner)) {
-    Parameter parameter;
-    static_cast<Declaration&>(parameter) = declaration(*element, "name", -1);
+    auto parameter = declared<Parameter>(*element, "name");
     parameter.name.text = withoutOwner(parameter.name.text, owner.attribute("name"));
     parameter.type = type(*element);
     parameter.range = element->attribute("range");
@@ -310,14 +289,6 @@ std::vector<Parameter> Parser::parameters(const Element& owner) {
     parameters.push_back(parameter);
   }
   return parameters;
-}
-
-Declaration Parser::declaration(const Element& element, std::string_view key, int space) const {
-  const Attribute* name = element.find(key);
-  return {{name->value, name->location},
-          element.attribute("description"),
-          {element.location, element.location},
-          space};
 }
 
 /// A decimal value; one below zero is a sign and a number, as in XABSL text.

@@ -40,7 +40,17 @@ class Parser {
   int enterNamespace(const Element& element, syntax::Namespace::Kind kind);
   void checkFileName(const Element& element, std::string_view name, const std::string& attribute);
   std::vector<syntax::Parameter> parameters(const Element& owner);
-  syntax::Declaration declaration(const Element& element, std::string_view key, int space) const;
+  /// What all declarations have; `key` is the attribute with the name.
+  template <typename Declared>
+  static Declared declared(const Element& element, std::string_view key, int space = -1) {
+    const Attribute* name = element.find(key);
+    Declared result;
+    static_cast<syntax::Declaration&>(result) = {{name->value, name->location},
+                                                 element.attribute("description"),
+                                                 {element.location, element.location},
+                                                 space};
+    return result;
+  }
   void comments();
 
   void option(const Element& element);
@@ -82,7 +92,9 @@ class Parser {
   std::string_view option_;
 };
 
-/// A parameter may be written with the name of its owner before it: `x` of `move-to.x`.
-std::string_view withoutOwner(std::string_view name, std::string_view owner);
+/// A boolean value of the schema.
+constexpr bool isTrue(std::string_view value) {
+  return value == "true" || value == "1";
+}
 
 }  // namespace xabsl::xml

@@ -2,9 +2,10 @@
 #include <charconv>
 #include <utility>
 
-#include "xabsl/formats/XmlOperators.h"
 #include "xabsl/formats/XmlParser.h"
+#include "xabsl/language/Operators.h"
 #include "xabsl/language/Parser.h"
+#include "xabsl/language/Text.h"
 
 /// Options: their states, decision trees and expressions (report F.5 to F.9).
 namespace xabsl::xml {
@@ -25,16 +26,14 @@ ExpressionPtr leaf(const Element& element, Expression::Kind kind, std::string_vi
 
 ExpressionPtr boolean(const Element& element) {
   ExpressionPtr expression = leaf(element, Expression::Kind::boolean);
-  const std::string_view value = element.attribute("value");
-  expression->number = value == "true" || value == "1" ? 1 : 0;
+  expression->number = isTrue(element.attribute("value")) ? 1 : 0;
   return expression;
 }
 
 }  // namespace
 
 void Parser::option(const Element& element) {
-  Option option;
-  static_cast<Declaration&>(option) = declaration(element, "name", -1);
+  auto option = declared<Option>(element, "name");
   option_ = option.name.text;
   checkFileName(element, option_, "name");
   visible_.clear();
@@ -76,10 +75,8 @@ void Parser::markInitialState(const Element& element, Option& option) {
 }
 
 State Parser::state(const Element& element) {
-  State state;
-  static_cast<Declaration&>(state) = declaration(element, "name", -1);
-  const std::string_view target = element.attribute("is-target-state");
-  state.target = target == "true" || target == "1";
+  auto state = declared<State>(element, "name");
+  state.target = isTrue(element.attribute("is-target-state"));
   state.cooperation = cooperation(element);
   state.decisionLocation = element.location;
   for (const Element* child : elementsOf(element))
@@ -206,8 +203,9 @@ Arm Parser::arm(const Element& element) {
 
 ExpressionPtr Parser::expression(const Element& element) {
   using Kind = Expression::Kind;
-  for (const OperatorElement& spelling : operators)
-    if (element.is(spelling.name)) return operation(element, spelling.operation);
+  if (const OperatorSpelling* spelling =
+          findOperator([&](const OperatorSpelling& one) { return element.is(one.element); }))
+    return operation(element, spelling->operation);
   if (element.is("decimal-value")) return number(element);
   if (element.is("boolean-value")) return boolean(element);
   if (element.is("time-of-state-execution")) return leaf(element, Kind::stateTime);

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "xabsl/formats/XmlDocument.h"
+#include "xabsl/language/Text.h"
 #include "xabsl/language/Utf8.h"
 
 namespace xabsl::xml {
@@ -31,16 +32,6 @@ struct BufferDeleter {
 
 std::string_view view(const xmlChar* text) {
   return text ? reinterpret_cast<const char*>(text) : std::string_view();
-}
-
-bool isBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-  return text;
 }
 
 /// What people can do with, where libxml2 speaks of itself.

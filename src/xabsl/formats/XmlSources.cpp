@@ -1,9 +1,7 @@
 #include "xabsl/formats/XmlSources.h"
 
 #include <algorithm>
-#include <deque>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -24,11 +22,13 @@ struct Link {
   int depth;
 };
 
-/// What a file consists of, without what it includes.
+/// What a file consists of; without what it includes, until that is added.
 struct Outline {
   std::vector<Link> links;
   std::size_t elements = 0;
   int height = 0;
+  bool open = false;  ///< while that is being added
+  bool complete = false;
 };
 
 void outline(std::vector<Element>& elements, int depth, Outline& result) {
@@ -41,20 +41,23 @@ void outline(std::vector<Element>& elements, int depth, Outline& result) {
   }
 }
 
+std::optional<std::string> toXml(std::string& text) {
+  if (!isXml(text)) return "this is no XML file";
+  if (!toUtf8(text)) return "its encoding is not known or broken";
+  return std::nullopt;
+}
+
 class IncludeLoader {
  public:
-  IncludeLoader(const std::string& path, const FileReader& read, syntax::Program& program,
+  IncludeLoader(const std::string& path, SourceFiles sources, syntax::Program& program,
                 Reporter& reporter)
-      : root_(std::filesystem::path(path).lexically_normal()),
-        read_(read),
-        program_(program),
-        reporter_(reporter) {}
+      : root_(path), sources_(std::move(sources)), program_(program), reporter_(reporter) {}
 
   Files run() {
-    enter(root_.generic_string(), nullptr);
-    // In a loop: a chain of inclusions may be long or closed. Elements stay where they are when the
-    // list of files grows.
-    for (std::size_t next = 0; next < files_.size() && !reporter_.full(); ++next) {
+    sources_.open(root_.generic_string(), toXml, nullptr);
+    // In a loop: a chain of inclusions may be long or closed.
+    for (std::size_t next = 0; next < program_.files.size() && !reporter_.full(); ++next) {
+      readSource(static_cast<int>(next));
       outlines_.emplace_back();
       outline(files_[next].roots, 1, outlines_.back());
       for (const Link& link : outlines_.back().links) {
@@ -62,8 +65,8 @@ class IncludeLoader {
         if (named) follow(files_[next].path, *link.place);
       }
     }
-    if (!reporter_.failed()) checkWhole();
-    return {std::make_move_iterator(files_.begin()), std::make_move_iterator(files_.end())};
+    if (!reporter_.failed()) complete(0, 1);
+    return std::move(files_);
   }
 
  private:
@@ -91,26 +94,19 @@ class IncludeLoader {
     const auto [known, added] = doctypes_.emplace(path, Entities());
     if (!added) return &known->second;
     std::string text;
-    std::optional<std::string> problem = read_(path, text);
-    sum_ += text.size();
-    if (!problem && sum_ > largestSum) problem = "the files are larger than 8 MiB together";
-    if (problem) {
-      refuse(entity.location, entity.doctype, *problem);
+    if (const auto problem = sources_.read(path, text)) {
+      sources_.refuse({entity.doctype, entity.location}, *problem);
       return nullptr;
     }
     known->second = readEntities(text);
     return &known->second;
   }
 
-  void refuse(Location location, std::string_view target, const std::string& why) {
-    reporter_.error(location, "cannot include '" + std::string(target) + "': " + why);
-  }
-
   /// The path of what a file names, if that is below the folder of the first one.
   std::optional<std::string> resolve(const std::string& path, std::string_view target,
                                      Location location) {
     if (target.find(':') != std::string_view::npos) {
-      refuse(location, target, "only files are read, nothing is fetched");
+      sources_.refuse({target, location}, "only files are read, nothing is fetched");
       return std::nullopt;
     }
     std::string name(target);
@@ -121,112 +117,69 @@ class IncludeLoader {
     const std::filesystem::path inside =
         full.lexically_relative(folder.empty() ? std::filesystem::path(".") : folder);
     if (!inside.empty() && *inside.begin() != "..") return full.generic_string();
-    refuse(location, target,
-           "it lies outside of the folder of " + root_.filename().generic_string());
+    sources_.refuse({target, location},
+                    "it lies outside of the folder of " + root_.filename().generic_string());
     return std::nullopt;
   }
 
   void follow(const std::string& path, Element& link) {
-    const std::optional<std::string> full = resolve(path, link.text, link.location);
-    if (!full) return;
-    link.file = enter(*full, &link);
-    syntax::File& including = program_.files[at(link.location.file)];
-    including.includes.push_back({link.text, link.location, link.file});
+    const syntax::Include include{link.text, link.location};
+    if (const auto full = resolve(path, link.text, link.location))
+      link.file = sources_.open(*full, toXml, &include);
   }
 
-  int enter(const std::string& path, const Element* link) {
-    const auto known = indices_.find(path);
-    if (known != indices_.end()) return known->second;
-    std::string text;
-    std::optional<std::string> problem =
-        indices_.size() >= mostFiles ? "more than 10000 files" : read_(path, text);
-    sum_ += text.size();
-    if (!problem && sum_ > largestSum) problem = "the files are larger than 8 MiB together";
-    if (!problem && !isXml(text)) problem = "this is no XML file";
-    if (!problem && !toUtf8(text)) problem = "its encoding is not known or broken";
-    if (problem) {
-      indices_[path] = -1;
-      if (link)
-        reporter_.error(link->location,
-                        "cannot include '" + std::string(link->text) + "': " + *problem);
-      else
-        reporter_.fileError(path, *problem);
-      return -1;
-    }
-    const std::string_view kept = program_.keep(std::move(text));
-    const int file = reporter_.addFile(path, kept);
-    indices_[path] = file;
-    program_.files.push_back({path, kept, {}, {}});
-    files_.push_back({path, {}});
-    readElements(file, kept, reporter_, program_, files_.back());
-    if (!files_.back().roots.empty() && files_.back().dialect != files_.front().dialect)
-      reporter_.error({file, 1, 1}, "this file is of another version of XABSL than '" +
-                                        files_.front().path + "'");
-    return file;
+  void readSource(int index) {
+    const syntax::File& source = program_.files[at(index)];
+    File& file = files_.emplace_back();
+    file.path = source.path;
+    readElements(index, source.text, reporter_, program_, file);
+    if (!file.roots.empty() && file.dialect != files_.front().dialect)
+      reporter_.error({index, 1, 1}, "this file is of another version of XABSL than '" +
+                                         files_.front().path + "'");
   }
 
-  /// Adds up from files that include nothing to those that include them; what is left over then is
-  /// in a circle, or leads into one.
-  void checkWhole() {
-    std::vector<std::size_t> waiting(files_.size());
-    std::vector<std::vector<std::size_t>> includers(files_.size());
-    std::vector<std::size_t> ready;
-    for (std::size_t i = 0; i < files_.size(); ++i) {
-      waiting[i] = outlines_[i].links.size();
-      for (const Link& link : outlines_[i].links) includers[at(link.place->file)].push_back(i);
-      if (waiting[i] == 0) ready.push_back(i);
-    }
-    for (std::size_t next = 0; next < ready.size(); ++next) {
-      const std::size_t done = ready[next];
-      Outline& whole = outlines_[done];
-      for (const Link& link : whole.links) {
-        const Outline& part = outlines_[at(link.place->file)];
-        whole.elements = std::min(whole.elements + part.elements, mostElementsInAll + 1);
-        whole.height = std::max(whole.height, std::min(link.depth + part.height, deepest + 1));
+  /// Adds up a file with all that it includes. Refuses circles and what gets too large; false then.
+  bool complete(std::size_t file, int depth) {
+    Outline& whole = outlines_[file];
+    if (whole.complete) return true;
+    whole.open = true;
+    for (const Link& link : whole.links) {
+      const std::size_t included = at(link.place->file);
+      Outline& part = outlines_[included];
+      if (part.open) {
+        reporter_.error(link.place->location, inQuotes(files_[included].path) + " includes itself");
+        return false;
       }
-      if (whole.elements > mostElementsInAll || whole.height > deepest)
-        return reporter_.fileError(files_[done].path,
-                                   whole.height > deepest
-                                       ? "nested too deeply, with all that is included"
-                                       : "too large, with all that is included");
-      for (const std::size_t includer : includers[done])
-        if (--waiting[includer] == 0) ready.push_back(includer);
+      if (depth > deepest)
+        part.height = deepest;
+      else if (!complete(included, depth + 1))
+        return false;
+      whole.elements = std::min(whole.elements + part.elements, mostElementsInAll + 1);
+      whole.height = std::max(whole.height, link.depth + part.height);
     }
-    if (ready.size() < files_.size()) reportCircle(waiting);
-  }
-
-  void reportCircle(const std::vector<std::size_t>& waiting) {
-    std::size_t file = 0;
-    while (waiting[file] == 0) ++file;
-    std::vector<bool> seen(files_.size(), false);
-    for (;;) {
-      seen[file] = true;
-      const auto next =
-          std::find_if(outlines_[file].links.begin(), outlines_[file].links.end(),
-                       [&](const Link& link) { return waiting[at(link.place->file)] > 0; });
-      file = at(next->place->file);
-      if (seen[file])
-        return reporter_.error(next->place->location,
-                               inQuotes(files_[file].path) + " includes itself");
-    }
+    whole.open = false;
+    whole.complete = whole.height <= deepest && whole.elements <= mostElementsInAll;
+    if (!whole.complete)
+      reporter_.fileError(files_[file].path, whole.height > deepest
+                                                 ? "nested too deeply, with all that is included"
+                                                 : "too large, with all that is included");
+    return whole.complete;
   }
 
   std::filesystem::path root_;
-  const FileReader& read_;
+  SourceFiles sources_;
   syntax::Program& program_;
   Reporter& reporter_;
-  std::deque<File> files_;
-  std::deque<Outline> outlines_;
-  std::map<std::string, int> indices_;  // -1: cannot be read
+  Files files_;
+  std::vector<Outline> outlines_;
   std::map<std::string, Entities> doctypes_;
-  std::size_t sum_ = 0;
 };
 
 }  // namespace
 
-Files readFiles(const std::string& path, const FileReader& read, syntax::Program& program,
+Files readFiles(const std::string& path, SourceFiles sources, syntax::Program& program,
                 Reporter& reporter) {
-  return IncludeLoader(path, read, program, reporter).run();
+  return IncludeLoader(path, std::move(sources), program, reporter).run();
 }
 
 }  // namespace xabsl::xml

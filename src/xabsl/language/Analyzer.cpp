@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "xabsl/language/OptionGraph.h"
+#include "xabsl/language/Text.h"
 
 namespace xabsl {
 
@@ -17,7 +18,7 @@ constexpr std::size_t longestPortableName = 99;
 
 }  // namespace
 
-Analyzer::Analyzer(const syntax::Program& program, Reporter& reporter, References* references)
+Analyzer::Analyzer(syntax::Program& program, Reporter& reporter, References* references)
     : program_(program), reporter_(reporter), references_(references) {
   if (references_) references_->declare(program);
 }
@@ -78,12 +79,9 @@ void Analyzer::declareEnumerations() {
       reporter_.error(source.name.location, "enumeration " + inQuotes(source.name.text) +
                                                 " has more than " +
                                                 std::to_string(maximalElements) + " elements");
-    const std::string prefix = enumeration.name + ".";
     std::set<std::string_view> known;
     for (const syntax::Name& element : source.elements) {
-      std::string_view name = element.text;
-      if (name.size() > prefix.size() && name.substr(0, prefix.size()) == prefix)
-        name.remove_prefix(prefix.size());
+      const std::string_view name = withoutOwner(element.text, enumeration.name);
       if (!known.insert(name).second)
         reporter_.error(element.location, "element " + inQuotes(name) + " is declared twice");
       enumeration.elements.push_back({std::string(name), element.location});
@@ -235,7 +233,7 @@ void Analyzer::unknown(const Names::Table& table, const syntax::Name& name,
   reporter_.error(name.location, "unknown " + what + " " + inQuotes(name.text) + suggestion.text());
 }
 
-void Analyzer::resolveOption(const syntax::Option& source, int index) {
+void Analyzer::resolveOption(syntax::Option& source, int index) {
   const std::size_t i = static_cast<std::size_t>(index);
   ExpressionAnalyzer expressions(model_, names_, index, reporter_, references_);
   states_.clear();
@@ -246,7 +244,7 @@ void Analyzer::resolveOption(const syntax::Option& source, int index) {
     model_.options[i].commonDecision = branch(*source.commonDecision, expressions);
   model_.options[i].commonActions = actions(source.commonActions, index, expressions);
   std::size_t state = static_cast<std::size_t>(model_.options[i].states.first);
-  for (const syntax::State& stateSource : source.states) {
+  for (syntax::State& stateSource : source.states) {
     checkElse(source, stateSource);
     model_.states[state].decision = stateSource.decision
                                         ? branch(*stateSource.decision, expressions)
@@ -304,16 +302,17 @@ Branch Analyzer::transition(const syntax::Name& target, ExpressionAnalyzer& expr
   return {Branch::Kind::stay, -1};
 }
 
-Span Analyzer::actions(const std::vector<syntax::Action>& sources, int option,
+Span Analyzer::actions(std::vector<syntax::Action>& sources, int option,
                        ExpressionAnalyzer& expressions) {
   Span span{static_cast<int>(model_.actions.size()), 0};
-  for (const syntax::Action& source : sources) {
+  for (syntax::Action& source : sources) {
     Action action;
     action.location = source.name.location;
     const bool valid = source.kind == syntax::Action::Kind::assignment
                            ? assignment(source, option, expressions, action)
                            : call(source, option, expressions, action);
     if (!valid) continue;
+    source.resolved = static_cast<int>(model_.actions.size());
     model_.actions.push_back(action);
     ++span.count;
   }

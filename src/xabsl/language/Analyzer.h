@@ -15,11 +15,11 @@
 namespace xabsl {
 
 /// Resolves a syntax tree into a model: finds what names stand for, checks types and the rules of
-/// the language.
+/// the language. Expressions and actions of the tree get the indices of those of the model.
 class Analyzer {
  public:
   /// What names stand for is added to `references`, if that is given.
-  Analyzer(const syntax::Program& program, Reporter& reporter, References* references = nullptr);
+  Analyzer(syntax::Program& program, Reporter& reporter, References* references = nullptr);
 
   /// The model; of use only if the reporter has not failed.
   Model analyze();
@@ -39,19 +39,18 @@ class Analyzer {
   std::vector<Parameter> resolve(const std::vector<syntax::Parameter>& sources);
   void unknown(const Names::Table& table, const syntax::Name& name, const std::string& what);
 
-  void resolveOption(const syntax::Option& source, int index);
+  void resolveOption(syntax::Option& source, int index);
   void checkElse(const syntax::Option& option, const syntax::State& state);
   Branch branch(const syntax::Decision& source, ExpressionAnalyzer& expressions);
   Branch transition(const syntax::Name& target, ExpressionAnalyzer& expressions);
-  Span actions(const std::vector<syntax::Action>& sources, int option,
-               ExpressionAnalyzer& expressions);
+  Span actions(std::vector<syntax::Action>& sources, int option, ExpressionAnalyzer& expressions);
   bool assignment(const syntax::Action& source, int option, ExpressionAnalyzer& expressions,
                   Action& action);
   bool call(const syntax::Action& source, int option, ExpressionAnalyzer& expressions,
             Action& action);
   void unknownCallee(const syntax::Action& source, ExpressionAnalyzer& expressions);
 
-  const syntax::Program& program_;
+  syntax::Program& program_;
   Reporter& reporter_;
   References* references_;
   Names names_;

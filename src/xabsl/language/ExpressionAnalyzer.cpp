@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "xabsl/language/Operators.h"
+#include "xabsl/language/Text.h"
+
 namespace xabsl {
 
 namespace {
@@ -9,57 +12,15 @@ namespace {
 constexpr Type number{ValueKind::number, -1};
 constexpr Type boolean{ValueKind::boolean, -1};
 
-std::string_view spelling(Operator operation) {
-  switch (operation) {
-    case Operator::negate:
-    case Operator::subtract:
-      return "'-'";
-    case Operator::logicalNot:
-      return "'!'";
-    case Operator::add:
-      return "'+'";
-    case Operator::multiply:
-      return "'*'";
-    case Operator::divide:
-      return "'/'";
-    case Operator::modulo:
-      return "'%'";
-    case Operator::equal:
-      return "'=='";
-    case Operator::notEqual:
-      return "'!='";
-    case Operator::less:
-      return "'<'";
-    case Operator::lessEqual:
-      return "'<='";
-    case Operator::greater:
-      return "'>'";
-    case Operator::greaterEqual:
-      return "'>='";
-    case Operator::logicalAnd:
-      return "'&&'";
-    case Operator::logicalOr:
-      return "'||'";
-    default:
-      return "'?:'";
-  }
+/// How messages name an operator.
+std::string quoted(Operator operation) {
+  return inQuotes(spellingOf(operation).text);
 }
 
 Entity::Kind parameterKind(Entity::Kind owner) {
   if (owner == Entity::Kind::option) return Entity::Kind::optionParameter;
   return owner == Entity::Kind::behavior ? Entity::Kind::behaviorParameter
                                          : Entity::Kind::symbolParameter;
-}
-
-/// The index of an element that is written short, or with the name of the enumeration before it.
-int findElement(const Enumeration& enumeration, std::string_view name) {
-  const std::string& prefix = enumeration.name;
-  if (name.size() > prefix.size() && name.substr(0, prefix.size()) == prefix &&
-      name[prefix.size()] == '.')
-    name.remove_prefix(prefix.size() + 1);
-  for (std::size_t i = 0; i < enumeration.elements.size(); ++i)
-    if (enumeration.elements[i].name == name) return static_cast<int>(i);
-  return -1;
 }
 
 }  // namespace
@@ -72,18 +33,15 @@ std::string describe(const Model& model, Type type) {
 
 int findParameter(const std::vector<Parameter>& parameters, std::string_view name,
                   std::string_view owner) {
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (parameters[i].name == name) return static_cast<int>(i);
-  const bool qualified = !owner.empty() && name.size() > owner.size() &&
-                         name.substr(0, owner.size()) == owner && name[owner.size()] == '.';
-  return qualified ? findParameter(parameters, name.substr(owner.size() + 1)) : -1;
+  const int index = indexOf(parameters, name);
+  return index >= 0 ? index : indexOf(parameters, withoutOwner(name, owner));
 }
 
 ExpressionAnalyzer::ExpressionAnalyzer(Model& model, const Names& names, int option,
                                        Reporter& reporter, References* references)
     : model_(model), names_(names), option_(option), reporter_(reporter), references_(references) {}
 
-void ExpressionAnalyzer::refer(const Entity& entity, const syntax::Expression& source) {
+void ExpressionAnalyzer::refer(const Entity& entity, syntax::Expression& source) {
   if (references_) references_->add(entity, source.name, source.location);
 }
 
@@ -94,7 +52,7 @@ void ExpressionAnalyzer::error(Location location, const std::string& message) {
   reporter_.error(location, message.substr(0, end) + " in option " + option + message.substr(end));
 }
 
-int ExpressionAnalyzer::expression(const syntax::Expression& source, Type wanted,
+int ExpressionAnalyzer::expression(syntax::Expression& source, Type wanted,
                                    const std::string& purpose) {
   const Typed typed = analyze(source, wanted.enumeration);
   if (typed.index < 0 || typed.type == wanted) return typed.index;
@@ -136,8 +94,7 @@ int ExpressionAnalyzer::arguments(const std::vector<syntax::Argument>& sources,
   return appendOperands(operands, order);
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::analyze(const syntax::Expression& source,
-                                                      int enumeration) {
+ExpressionAnalyzer::Typed ExpressionAnalyzer::analyze(syntax::Expression& source, int enumeration) {
   using Kind = syntax::Expression::Kind;
   switch (source.kind) {
     case Kind::number:
@@ -165,8 +122,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::analyze(const syntax::Expression& 
   return {};
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& source,
-                                                   int enumeration) {
+ExpressionAnalyzer::Typed ExpressionAnalyzer::name(syntax::Expression& source, int enumeration) {
   if (enumeration >= 0) {
     const Typed found = element(source, enumeration);
     if (found.index >= 0) return found;
@@ -199,7 +155,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::name(const syntax::Expression& sou
   return {};
 }
 
-void ExpressionAnalyzer::ambiguous(const syntax::Expression& source, bool constant, bool input,
+void ExpressionAnalyzer::ambiguous(syntax::Expression& source, bool constant, bool input,
                                    bool output) {
   std::string kinds;
   const auto add = [&](bool present, const char* kind) {
@@ -214,7 +170,7 @@ void ExpressionAnalyzer::ambiguous(const syntax::Expression& source, bool consta
                    : ""));
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& source, int index) {
+ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(syntax::Expression& source, int index) {
   refer({Entity::Kind::symbol, index}, source);
   Symbol& symbol = model_.symbols[at(index)];
   if (symbol.firstUse.option < 0) symbol.firstUse = {option_, source.location};
@@ -226,11 +182,10 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::symbol(const syntax::Expression& s
   return add(source, {.operation = Operator::input, .a = index, .b = first}, symbol.type);
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::element(const syntax::Expression& source,
-                                                      int enumeration) {
-  const int index = findElement(model_.enumerations[at(enumeration)], source.name);
-  if (index < 0) return {};
+ExpressionAnalyzer::Typed ExpressionAnalyzer::element(syntax::Expression& source, int enumeration) {
   const Enumeration& found = model_.enumerations[at(enumeration)];
+  const int index = indexOf(found.elements, withoutOwner(source.name, found.name));
+  if (index < 0) return {};
   const bool qualified = source.name != found.elements[at(index)].name;
   if (references_)
     references_->addQualified({Entity::Kind::enumeration, enumeration},
@@ -240,9 +195,9 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::element(const syntax::Expression& 
              {ValueKind::enumeration, enumeration});
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::parameter(const syntax::Expression& source) {
+ExpressionAnalyzer::Typed ExpressionAnalyzer::parameter(syntax::Expression& source) {
   const std::vector<Parameter>& parameters = model_.options[at(option_)].parameters;
-  const int index = findParameter(parameters, source.name);
+  const int index = indexOf(parameters, source.name);
   if (index >= 0) {
     if (references_) {
       Location name = source.location;
@@ -259,7 +214,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::parameter(const syntax::Expression
   return {};
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::call(const syntax::Expression& source) {
+ExpressionAnalyzer::Typed ExpressionAnalyzer::call(syntax::Expression& source) {
   const int index = Names::find(names_.inputs, source.name);
   if (index >= 0) return symbol(source, index);
   if (names_.outputs.count(source.name) > 0 || names_.constants.count(source.name) > 0)
@@ -270,7 +225,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::call(const syntax::Expression& sou
   return {};
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::operation(const syntax::Expression& source,
+ExpressionAnalyzer::Typed ExpressionAnalyzer::operation(syntax::Expression& source,
                                                         int enumeration) {
   switch (source.operation) {
     case Operator::equal:
@@ -293,9 +248,9 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::operation(const syntax::Expression
 }
 
 /// An operator whose operands all have the same type.
-ExpressionAnalyzer::Typed ExpressionAnalyzer::uniform(const syntax::Expression& source,
-                                                      Type operandType, Type resultType) {
-  const std::string purpose = "operand of " + std::string(spelling(source.operation));
+ExpressionAnalyzer::Typed ExpressionAnalyzer::uniform(syntax::Expression& source, Type operandType,
+                                                      Type resultType) {
+  const std::string purpose = "operand of " + quoted(source.operation);
   std::vector<int> operands;
   bool failed = false;
   for (const syntax::ExpressionPtr& operand : source.operands) {
@@ -314,26 +269,25 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::uniform(const syntax::Expression& 
   return add(source, resolved, resultType);
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::equality(const syntax::Expression& source) {
+ExpressionAnalyzer::Typed ExpressionAnalyzer::equality(syntax::Expression& source) {
   const Typed left = analyze(*source.operands[0], -1);
   // The left side fixes the enumeration, so that the right side may name its elements short.
   const Typed right = analyze(*source.operands[1], left.type.enumeration);
   if (left.index < 0 || right.index < 0) return {};
   if (left.type != right.type) {
-    error(source.location, std::string(spelling(source.operation)) + " compares " +
-                               describe(model_, left.type) + " with " +
-                               describe(model_, right.type));
+    error(source.location, quoted(source.operation) + " compares " + describe(model_, left.type) +
+                               " with " + describe(model_, right.type));
     return {};
   }
   if (left.type.kind == ValueKind::boolean) {
-    error(source.location, std::string(spelling(source.operation)) +
-                               " compares float or enum, found bool; use '&&', '||' and '!'");
+    error(source.location,
+          quoted(source.operation) + " compares float or enum, found bool; use '&&', '||' and '!'");
     return {};
   }
   return add(source, {.operation = source.operation, .a = left.index, .b = right.index}, boolean);
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::conditional(const syntax::Expression& source,
+ExpressionAnalyzer::Typed ExpressionAnalyzer::conditional(syntax::Expression& source,
                                                           int enumeration) {
   const int condition = expression(*source.operands[0], boolean, "condition of '?:'");
   const Typed then = analyze(*source.operands[1], enumeration);
@@ -355,11 +309,12 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::conditional(const syntax::Expressi
       then.type);
 }
 
-ExpressionAnalyzer::Typed ExpressionAnalyzer::add(const syntax::Expression& source,
+ExpressionAnalyzer::Typed ExpressionAnalyzer::add(syntax::Expression& source,
                                                   const Expression& expression, Type type) {
   model_.expressions.push_back(expression);
   model_.expressionLocations.push_back(source.location);
-  return {static_cast<int>(model_.expressions.size()) - 1, type};
+  source.resolved = static_cast<int>(model_.expressions.size()) - 1;
+  return {source.resolved, type};
 }
 
 int ExpressionAnalyzer::appendOperands(const std::vector<int>& operands,
@@ -371,7 +326,7 @@ int ExpressionAnalyzer::appendOperands(const std::vector<int>& operands,
   return first;
 }
 
-void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enumeration) {
+void ExpressionAnalyzer::unknownName(syntax::Expression& source, int enumeration) {
   if (reporter_.full()) return;
   Suggestion suggestion(source.name);
   std::string message = "unknown input symbol " + inQuotes(source.name);
@@ -383,7 +338,7 @@ void ExpressionAnalyzer::unknownName(const syntax::Expression& source, int enume
   }
   if (source.name == "conflict" && model_.dialect == Dialect::xabsl30)
     return error(source.location, "'conflict' is of XABSL 3.1");
-  if (findParameter(model_.options[at(option_)].parameters, source.name) >= 0)
+  if (indexOf(model_.options[at(option_)].parameters, source.name) >= 0)
     return error(source.location, message + "; did you mean '@" + std::string(source.name) + "'?");
   for (const Names::Table* table : {&names_.inputs, &names_.outputs, &names_.constants})
     for (const auto& [candidate, index] : *table) suggestion.offer(candidate);

@@ -17,7 +17,7 @@ std::string describe(const Model& model, Type type);
 
 /// Finds a parameter by name, with or without `owner.` before it; -1: there is none.
 int findParameter(const std::vector<Parameter>& parameters, std::string_view name,
-                  std::string_view owner = {});
+                  std::string_view owner);
 
 /// Resolves names and checks types of the expressions of one option and appends them to the model.
 class ExpressionAnalyzer {
@@ -27,7 +27,7 @@ class ExpressionAnalyzer {
 
   /// The index of the resolved expression, or -1 after an error. `purpose` begins the message when
   /// the type is another one.
-  int expression(const syntax::Expression& source, Type wanted, const std::string& purpose);
+  int expression(syntax::Expression& source, Type wanted, const std::string& purpose);
 
   /// Resolves `name = value, ...`; what is not given becomes 0, false or the first element (report
   /// F.6). `entity` is what has the parameters. Returns the index of the first operand.
@@ -43,21 +43,21 @@ class ExpressionAnalyzer {
     Type type;
   };
 
-  Typed analyze(const syntax::Expression& source, int enumeration);
-  Typed name(const syntax::Expression& source, int enumeration);
-  void ambiguous(const syntax::Expression& source, bool constant, bool input, bool output);
-  Typed symbol(const syntax::Expression& source, int index);
-  Typed element(const syntax::Expression& source, int enumeration);
-  Typed parameter(const syntax::Expression& source);
-  Typed call(const syntax::Expression& source);
-  Typed operation(const syntax::Expression& source, int enumeration);
-  Typed equality(const syntax::Expression& source);
-  Typed conditional(const syntax::Expression& source, int enumeration);
-  Typed uniform(const syntax::Expression& source, Type operandType, Type resultType);
-  void refer(const Entity& entity, const syntax::Expression& source);
-  Typed add(const syntax::Expression& source, const Expression& expression, Type type);
+  Typed analyze(syntax::Expression& source, int enumeration);
+  Typed name(syntax::Expression& source, int enumeration);
+  void ambiguous(syntax::Expression& source, bool constant, bool input, bool output);
+  Typed symbol(syntax::Expression& source, int index);
+  Typed element(syntax::Expression& source, int enumeration);
+  Typed parameter(syntax::Expression& source);
+  Typed call(syntax::Expression& source);
+  Typed operation(syntax::Expression& source, int enumeration);
+  Typed equality(syntax::Expression& source);
+  Typed conditional(syntax::Expression& source, int enumeration);
+  Typed uniform(syntax::Expression& source, Type operandType, Type resultType);
+  void refer(const Entity& entity, syntax::Expression& source);
+  Typed add(syntax::Expression& source, const Expression& expression, Type type);
   int appendOperands(const std::vector<int>& operands, const std::vector<int>& order = {});
-  void unknownName(const syntax::Expression& source, int enumeration);
+  void unknownName(syntax::Expression& source, int enumeration);
 
   Model& model_;
   const Names& names_;

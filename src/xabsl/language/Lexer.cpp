@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "xabsl/language/Text.h"
 #include "xabsl/language/Utf8.h"
 
 namespace xabsl {
@@ -23,24 +24,8 @@ constexpr std::size_t longestName = 500;
 constexpr std::array<std::string_view, 6> longPunctuation = {"==", "!=", "<=", ">=", "&&", "||"};
 constexpr std::string_view shortPunctuation = "{}();,=!-+*/%<>?:";
 
-// Not <cctype>: these do not depend on the locale and take any char.
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool isNamePart(char c) {
-  return isLetter(c) || isDigit(c) || c == '.';
-}
-bool isBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-  return text;
+bool beginsName(char c) {
+  return isLetter(c) || c == '_';
 }
 
 template <typename Words>
@@ -94,12 +79,12 @@ Token Lexer::read() {
     token.location = location_;
     if (atEnd()) return token;
     const char c = peek();
-    if (isLetter(c)) {
+    if (beginsName(c)) {
       token.text = takeName();
       token.kind = isKeyword(token.text, dialect_) ? TokenKind::keyword : TokenKind::identifier;
       return token;
     }
-    if (c == '@' && isLetter(peek(1))) {
+    if (c == '@' && beginsName(peek(1))) {
       advance();
       token.text = takeName();
       token.kind = TokenKind::parameter;
@@ -217,7 +202,7 @@ Token Lexer::number(Token token) {
   const std::size_t start = position_;
   if (peek() == '.') reporter_.error(location_, "a number begins with a digit, expected '0.'");
   while (isDigit(peek())) advance();
-  if (peek() == '.' && !isLetter(peek(1))) {
+  if (peek() == '.' && !beginsName(peek(1))) {
     advance();
     while (isDigit(peek())) advance();
   }

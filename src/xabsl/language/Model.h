@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -133,6 +135,26 @@ struct Action {
 struct Span {
   int first = 0;
   int count = 0;
+
+  /// Iterates over the indices of its elements in the list.
+  struct Iterator {
+    int index;
+
+    int operator*() const { return index; }
+    Iterator& operator++() {
+      ++index;
+      return *this;
+    }
+    bool operator==(const Iterator&) const = default;
+  };
+  Iterator begin() const { return {first}; }
+  Iterator end() const { return {first + count}; }
+
+  /// Its elements.
+  template <typename Element>
+  std::span<const Element> of(const std::vector<Element>& list) const {
+    return std::span(list).subspan(at(first), at(count));
+  }
 };
 
 struct State {
@@ -165,6 +187,14 @@ struct Agent {
   std::string doc = {};
 };
 
+/// The index of what has a name in a list, or -1.
+template <typename List>
+int indexOf(const List& list, std::string_view name) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
 /// A whole behavior with all names and types resolved. Built by the compiler, never changed after
 /// that; engines and tools read it.
 struct Model {
@@ -196,6 +226,14 @@ struct Model {
 
   /// The expression that stands for a parameter not given: 0, false or the first element.
   static int defaultExpression(Type type) { return type.enumeration + 1; }
+
+  /// The parameters that a call sets, in that order, by its first operand and the number of all
+  /// parameters.
+  std::span<const int> setParameters(int first, std::size_t count) const {
+    const auto order = std::span(argumentOrder).subspan(at(first), count);
+    const auto end = std::find(order.begin(), order.end(), -1);
+    return order.first(static_cast<std::size_t>(end - order.begin()));
+  }
 
   /// The index of an input symbol by its name, or -1. An output symbol may have the same name.
   int findInput(std::string_view name) const { return findSymbol(name, true); }

@@ -2,8 +2,9 @@
 
 #include <array>
 #include <charconv>
+#include <utility>
 
-#include "xabsl/language/OperatorText.h"
+#include "xabsl/language/Operators.h"
 
 namespace xabsl {
 
@@ -23,7 +24,7 @@ class Writer {
   /// enumeration where nothing else names it.
   void write(int index, Level wanted, bool fully = false) {
     const Expression& expression = model_.expressions[at(index)];
-    const bool parentheses = textOf(expression.operation).level < wanted;
+    const bool parentheses = spellingOf(expression.operation).level < wanted;
     if (parentheses) text_ += '(';
     operation(expression, fully);
     if (parentheses) text_ += ')';
@@ -43,18 +44,18 @@ class Writer {
 
  private:
   void operation(const Expression& expression, bool fully) {
-    const OperatorText operation = textOf(expression.operation);
+    const OperatorSpelling spelling = spellingOf(expression.operation);
     switch (expression.operation) {
       case Operator::logicalAnd:
       case Operator::logicalOr:
         for (int i = 0; i < expression.c; ++i) {
-          if (i > 0) text_ += operation.text;
-          write(model_.operands[at(expression.b + i)], next(operation.level));
+          if (i > 0) between(spelling);
+          write(model_.operands[at(expression.b + i)], next(spelling.level));
         }
         return;
       case Operator::negate:
       case Operator::logicalNot:
-        text_ += operation.text;
+        text_ += spelling.text;
         // Not a decrement, which people would take two signs for.
         return write(expression.a, expression.operation == Operator::negate ? primary : sign);
       case Operator::conditional:
@@ -64,13 +65,19 @@ class Writer {
         text_ += " : ";
         return write(expression.c, disjunction);
       default:
-        if (operation.level == primary) return value(expression, fully);
+        if (spelling.level == primary) return value(expression, fully);
         // Comparisons do not associate, all others do to the left.
-        write(expression.a, operation.level == comparison ? sum : operation.level,
-              operation.level == comparison);
-        text_ += operation.text;
-        write(expression.b, next(operation.level));
+        write(expression.a, spelling.level == comparison ? sum : spelling.level,
+              spelling.level == comparison);
+        between(spelling);
+        write(expression.b, next(spelling.level));
     }
+  }
+
+  void between(const OperatorSpelling& spelling) {
+    text_ += ' ';
+    text_ += spelling.text;
+    text_ += ' ';
   }
 
   static Level next(Level level) { return static_cast<Level>(level + 1); }
@@ -111,10 +118,9 @@ class Writer {
 
   void arguments(const std::vector<Parameter>& parameters, int first) {
     text_ += '(';
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      const int parameter = model_.argumentOrder[at(first) + i];
-      if (parameter < 0) break;
-      if (i > 0) text_ += ", ";
+    const char* separator = "";
+    for (const int parameter : model_.setParameters(first, parameters.size())) {
+      text_ += std::exchange(separator, ", ");
       assignment(parameters[at(parameter)].name, model_.operands[at(first + parameter)]);
     }
     text_ += ')';
@@ -126,10 +132,57 @@ class Writer {
 
 }  // namespace
 
+Type typeOf(const Model& model, int index) {
+  const Expression& expression = model.expressions[at(index)];
+  switch (expression.operation) {
+    case Operator::constant:
+      return {expression.b >= 0 ? ValueKind::boolean : ValueKind::number, -1};
+    case Operator::element:
+      return {ValueKind::enumeration, expression.a};
+    case Operator::parameter:
+      return model.options[at(expression.a)].parameters[at(expression.b)].type;
+    case Operator::input:
+    case Operator::variable:
+      return model.symbols[at(expression.a)].type;
+    case Operator::conditional:
+      return typeOf(model, expression.b);
+    case Operator::stateTime:
+    case Operator::optionTime:
+    case Operator::negate:
+    case Operator::add:
+    case Operator::subtract:
+    case Operator::multiply:
+    case Operator::divide:
+    case Operator::modulo:
+      return {};
+    default:
+      return {ValueKind::boolean, -1};
+  }
+}
+
 std::string expressionText(const Model& model, int expression) {
   Writer writer(model);
   writer.write(expression, lowest);
   return writer.take();
+}
+
+std::string valueText(const Model& model, const std::vector<std::vector<double>>& elements,
+                      Type type, double value) {
+  if (type.kind == ValueKind::boolean) return value != 0 ? "true" : "false";
+  if (type.kind == ValueKind::enumeration) {
+    const std::vector<double>& values = elements[at(type.enumeration)];
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string& name = model.enumerations[at(type.enumeration)].elements[i].name;
+      if (values[i] == value && !name.empty()) return name;
+    }
+  }
+  return numberText(value);
+}
+
+const std::string& targetName(const Model& model, const Action& action) {
+  if (action.kind == Action::Kind::option) return model.options[at(action.target)].name;
+  if (action.kind == Action::Kind::behavior) return model.behaviors[at(action.target)].name;
+  return model.symbols[at(action.target)].name;
 }
 
 const std::vector<Parameter>& parametersOf(const Model& model, const Action& action) {
@@ -141,12 +194,11 @@ const std::vector<Parameter>& parametersOf(const Model& model, const Action& act
 
 std::string actionText(const Model& model, const Action& action) {
   Writer writer(model);
+  const std::string& name = targetName(model, action);
   if (action.kind == Action::Kind::assignment)
-    writer.assignment(model.symbols[at(action.target)].name, action.operand);
+    writer.assignment(name, action.operand);
   else
-    writer.call(action.kind == Action::Kind::option ? model.options[at(action.target)].name
-                                                    : model.behaviors[at(action.target)].name,
-                parametersOf(model, action), action.operand);
+    writer.call(name, parametersOf(model, action), action.operand);
   return writer.take();
 }
 

@@ -33,5 +33,21 @@ TEST(ModelText, KeepsExpressionsAndActions) {
               condition + "; o = b ? on : off; y = x; go(k = m, v = @p); go()");
 }
 
+/// The analyzer accepts only values of the symbol's type.
+TEST(ModelText, KnowsTheTypesOfExpressions) {
+  const Behavior behavior = test::compiled(
+      "namespace n(\"N\") { enum mode { off, on }; bool input b; float input f(float p;); "
+      "enum mode output o; bool output flag; float output y; float const limit = 5; }"
+      "option main { float @p; enum mode @m; initial state s { action { o = b ? @m : off; o = o; "
+      "y = 2; y = limit; y = -@p; y = f(p = 1) + y * state_time % option_time; y = b ? 1 : @p; "
+      "flag = true; flag = b && !flag; flag = action_done || @p < 1; flag = @m != on; } } }"
+      "agent a(\"A\", main);");
+  const Model& model = behavior.model();
+  EXPECT_EQ(model.actions.size(), 11u);
+  for (const Action& action : model.actions)
+    EXPECT_EQ(typeOf(model, action.operand), model.symbols[at(action.target)].type)
+        << actionText(model, action);
+}
+
 }  // namespace
 }  // namespace xabsl

@@ -27,20 +27,15 @@ class GraphCheck {
   }
 
  private:
-  template <typename Visit>
-  void forEachAction(Span span, Visit visit) const {
-    for (int i = span.first; i < span.first + span.count; ++i) visit(model_.actions[at(i)]);
-  }
-
   void findCallees() {
     for (std::size_t i = 0; i < model_.options.size(); ++i) {
-      const auto collect = [&](const Action& action) {
-        if (action.kind == Action::Kind::option) callees_[i].push_back(&action);
+      const auto collect = [&](Span actions) {
+        for (const Action& action : actions.of(model_.actions))
+          if (action.kind == Action::Kind::option) callees_[i].push_back(&action);
       };
       const Option& option = model_.options[i];
-      forEachAction(option.commonActions, collect);
-      for (int s = option.states.first; s < option.states.first + option.states.count; ++s)
-        forEachAction(model_.states[at(s)].actions, collect);
+      collect(option.commonActions);
+      for (const State& state : option.states.of(model_.states)) collect(state.actions);
     }
   }
 
@@ -96,7 +91,7 @@ class GraphCheck {
 
   std::size_t weight(Span span, int& length) const {
     std::size_t sum = 0;
-    forEachAction(span, [&](const Action& action) {
+    for (const Action& action : span.of(model_.actions)) {
       const std::size_t target = static_cast<std::size_t>(action.target);
       if (action.kind == Action::Kind::option) {
         sum += weights_[target];
@@ -105,7 +100,7 @@ class GraphCheck {
         sum += 1 + model_.behaviors[target].parameters.size();
       }
       sum = std::min(sum, maximalActivation + 1);
-    });
+    }
     return sum;
   }
 
@@ -114,8 +109,8 @@ class GraphCheck {
     int length = 0;
     const std::size_t common = weight(option.commonActions, length);
     std::size_t largest = 0;
-    for (int s = option.states.first; s < option.states.first + option.states.count; ++s)
-      largest = std::max(largest, weight(model_.states[at(s)].actions, length));
+    for (const State& state : option.states.of(model_.states))
+      largest = std::max(largest, weight(state.actions, length));
     const std::size_t total = 1 + option.parameters.size() + common + largest;
     weights_[at(index)] = std::min(total, maximalActivation + 1);
     lengths_[at(index)] = length + 1;

@@ -99,8 +99,19 @@ Token Parser::take() {
 }
 
 /// What a declaration that starts at the next token begins with.
-Declaration Parser::begin() const {
-  return {{}, token_.doc, {token_.location, token_.location}, space_};
+Declaration Parser::begin() {
+  return {{}, documentation(token_), {token_.location, token_.location}, space_};
+}
+
+/// The documentation before a token that begins something: its comment is no loose one then.
+std::string_view Parser::documentation(const Token& token) {
+  if (!token.doc.data()) return {};
+  std::vector<Comment>& comments = program_.files[at(file_)].comments;
+  // It is one of the last, and the last that begins before its text.
+  std::find_if(comments.rbegin(), comments.rend(), [&](const Comment& comment) {
+    return comment.text.data() < token.doc.data();
+  })->documents = true;
+  return token.doc;
 }
 
 bool Parser::accept(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "xabsl/language/Lexer.h"
+#include "xabsl/language/Operators.h"
 #include "xabsl/language/Reporter.h"
 #include "xabsl/language/Syntax.h"
 
@@ -39,7 +40,8 @@ class Parser {
   void expectSemicolon();
   syntax::Name expectName(const std::string& what);
   void warnFileName(const std::string& what, const syntax::Name& name);
-  syntax::Declaration begin() const;
+  syntax::Declaration begin();
+  std::string_view documentation(const Token& token);
   void skipToDeclaration();
   void skipToMember();
   void skipToState();
@@ -83,19 +85,12 @@ class Parser {
 
   syntax::ExpressionPtr condition();
   syntax::ExpressionPtr expression();
-  syntax::ExpressionPtr disjunction();
-  syntax::ExpressionPtr conjunction();
-  syntax::ExpressionPtr connection(std::string_view sign, Operator op,
-                                   syntax::ExpressionPtr (Parser::*operand)());
-  syntax::ExpressionPtr comparison();
-  syntax::ExpressionPtr sum();
-  syntax::ExpressionPtr product();
+  const OperatorSpelling* operatorOf(Level level) const;
+  syntax::ExpressionPtr binary(Level level);
   syntax::ExpressionPtr unary();
   syntax::ExpressionPtr primary();
   syntax::ExpressionPtr operation(Operator op, Location location,
                                   std::vector<syntax::ExpressionPtr> operands);
-  syntax::ExpressionPtr binary(Operator op, Location location, syntax::ExpressionPtr left,
-                               syntax::ExpressionPtr right);
 
   Reporter& reporter_;
   syntax::Program& program_;

@@ -60,14 +60,14 @@ std::pair<DecisionPtr, bool> Parser::arms() {
   auto choice = std::make_unique<Decision>();
   choice->kind = Decision::Kind::choose;
   choice->extent.begin = token_.location;
-  std::string_view doc = token_.doc;
+  std::string_view doc = documentation(token_);
   for (;;) {
     choice->arms.push_back(arm(doc));
     choice->extent.end = end_;
     if (!token_.is("else")) return {std::move(choice), false};
     const Token sign = take();
-    doc = token_.doc.empty() ? sign.doc : token_.doc;
     if (!token_.is("if")) return {std::move(choice), true};
+    doc = documentation(token_.doc.empty() ? sign : token_);
   }
 }
 
@@ -120,85 +120,39 @@ ExpressionPtr Parser::condition() {
 
 ExpressionPtr Parser::expression() {
   const Nesting nesting(*this);
-  ExpressionPtr condition = disjunction();
+  ExpressionPtr condition = binary(Level::disjunction);
   if (!token_.is("?")) return condition;
   const Location location = take().location;
   std::vector<ExpressionPtr> operands;
   operands.push_back(std::move(condition));
   operands.push_back(expression());
   expect(":");
-  operands.push_back(disjunction());
+  operands.push_back(binary(Level::disjunction));
   if (token_.is("?")) fail("a '?:' inside another one needs parentheses");
   return operation(Operator::conditional, location, std::move(operands));
 }
 
-ExpressionPtr Parser::disjunction() {
-  return connection("||", Operator::logicalOr, &Parser::conjunction);
+/// The operator of a level that the next token is, or null.
+const OperatorSpelling* Parser::operatorOf(Level level) const {
+  return findOperator(
+      [&](const OperatorSpelling& one) { return one.level == level && token_.is(one.text); });
 }
 
-ExpressionPtr Parser::conjunction() {
-  return connection("&&", Operator::logicalAnd, &Parser::comparison);
-}
-
-/// Operands with one sign between them become one operation.
-ExpressionPtr Parser::connection(std::string_view sign, Operator op,
-                                 ExpressionPtr (Parser::*operand)()) {
-  ExpressionPtr first = (this->*operand)();
-  if (!token_.is(sign)) return first;
-  const Location location = token_.location;
-  std::vector<ExpressionPtr> operands;
-  operands.push_back(std::move(first));
-  while (accept(sign)) operands.push_back((this->*operand)());
-  return operation(op, location, std::move(operands));
-}
-
-namespace {
-
-struct Spelling {
-  std::string_view text;
-  Operator operation;
-};
-
-constexpr Spelling comparisons[] = {{"==", Operator::equal},     {"!=", Operator::notEqual},
-                                    {"<", Operator::less},       {">", Operator::greater},
-                                    {"<=", Operator::lessEqual}, {">=", Operator::greaterEqual}};
-constexpr Spelling sums[] = {{"+", Operator::add}, {"-", Operator::subtract}};
-constexpr Spelling products[] = {
-    {"*", Operator::multiply}, {"/", Operator::divide}, {"%", Operator::modulo}};
-
-template <std::size_t size>
-const Spelling* find(const Spelling (&spellings)[size], const Token& token) {
-  for (const Spelling& spelling : spellings)
-    if (token.is(spelling.text)) return &spelling;
-  return nullptr;
-}
-
-}  // namespace
-
-ExpressionPtr Parser::comparison() {
-  ExpressionPtr left = sum();
-  const Spelling* spelling = find(comparisons, token_);
-  if (!spelling) return left;
-  const Location location = take().location;
-  ExpressionPtr right = sum();
-  if (find(comparisons, token_)) fail("comparisons cannot be chained, use '&&'");
-  return binary(spelling->operation, location, std::move(left), std::move(right));
-}
-
-ExpressionPtr Parser::sum() {
-  ExpressionPtr left = product();
-  while (const Spelling* spelling = find(sums, token_)) {
+/// Operators of a level, between what binds tighter. `&&` and `||` have any number of operands,
+/// of all others the first one binds its operands first.
+ExpressionPtr Parser::binary(Level level) {
+  if (level == Level::sign) return unary();
+  const Level tighter = static_cast<Level>(level + 1);
+  ExpressionPtr left = binary(tighter);
+  while (const OperatorSpelling* found = operatorOf(level)) {
     const Location location = take().location;
-    left = binary(spelling->operation, location, std::move(left), product());
-  }
-  return left;
-}
-
-ExpressionPtr Parser::product() {
-  ExpressionPtr left = unary();
-  while (const Spelling* spelling = find(products, token_)) {
-    const Location location = take().location;
-    left = binary(spelling->operation, location, std::move(left), unary());
+    std::vector<ExpressionPtr> operands;
+    operands.push_back(std::move(left));
+    operands.push_back(binary(tighter));
+    while (level <= Level::conjunction && accept(found->text)) operands.push_back(binary(tighter));
+    if (level == Level::comparison && operatorOf(level))
+      fail("comparisons cannot be chained, use '&&'");
+    left = operation(found->operation, location, std::move(operands));
   }
   return left;
 }
@@ -274,14 +228,6 @@ ExpressionPtr Parser::operation(Operator op, Location location,
   if (node->depth > maximalNesting)
     fail("expression is too long, at most " + std::to_string(maximalNesting) + " levels");
   return node;
-}
-
-ExpressionPtr Parser::binary(Operator op, Location location, ExpressionPtr left,
-                             ExpressionPtr right) {
-  std::vector<ExpressionPtr> operands;
-  operands.push_back(std::move(left));
-  operands.push_back(std::move(right));
-  return operation(op, location, std::move(operands));
 }
 
 }  // namespace xabsl

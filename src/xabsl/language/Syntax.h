@@ -10,8 +10,8 @@
 #include "xabsl/language/Diagnostic.h"
 #include "xabsl/language/Language.h"
 
-/// The syntax tree: what stands in the sources, before names and types are resolved. Built by the
-/// Parser, read by the Analyzer, by writers and by editors. All texts are views into the sources,
+/// The syntax tree: what stands in the sources. Built by the Parser; the Analyzer adds what names
+/// stand for; read by writers and by editors. All texts are views into the sources,
 /// or into the pool of the Program.
 namespace xabsl::syntax {
 
@@ -28,6 +28,7 @@ struct Comment {
   Kind kind = Kind::line;
   std::string_view text;
   Extent extent;
+  bool documents = false;  ///< is the documentation of a declaration or a condition
 };
 
 struct Name {
@@ -67,7 +68,8 @@ struct Expression {
   Operator operation = Operator::constant;
   std::vector<ExpressionPtr> operands;
   std::vector<Argument> arguments;
-  int depth = 1;  ///< levels from here down
+  int depth = 1;      ///< levels from here down
+  int resolved = -1;  ///< by the Analyzer: index into Model::expressions
 };
 
 struct TypeName {
@@ -152,6 +154,7 @@ struct Action {
   Extent extent;
   ExpressionPtr value;
   std::vector<Argument> arguments;
+  int resolved = -1;  ///< by the Analyzer: index into Model::actions
 };
 
 struct State : Declaration {
@@ -181,7 +184,6 @@ struct Agent : Declaration {
 struct Include {
   std::string_view path;  ///< as written, relative to the including file
   Location location;
-  int file = -1;  ///< what it names, an index into Program::files; -1: it cannot be read
 };
 
 /// One source: what it includes, in its order. What it declares has its index in the locations.

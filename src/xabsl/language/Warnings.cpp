@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "xabsl/language/ModelText.h"
+
 namespace xabsl {
 
 namespace {
@@ -163,11 +165,8 @@ class ParameterUse {
 
   void count(int first, Location location, Counts& counts) {
     std::vector<bool> given(counts.size(), false);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      const int parameter = model_.argumentOrder[at(first) + i];
-      if (parameter < 0) break;
+    for (const int parameter : model_.setParameters(first, counts.size()))
       given[at(parameter)] = true;
-    }
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (!given[i] && counts[i].missing == 0) counts[i].firstMissing = location;
       ++(given[i] ? counts[i].set : counts[i].missing);
@@ -250,16 +249,15 @@ std::vector<Unused> unusedOptions(const Model& model) {
     open.push_back(option);
   };
   const auto useCallees = [&](Span span) {
-    for (int i = span.first; i < span.first + span.count; ++i)
-      if (model.actions[at(i)].kind == Action::Kind::option) use(model.actions[at(i)].target);
+    for (const Action& action : span.of(model.actions))
+      if (action.kind == Action::Kind::option) use(action.target);
   };
   for (const Agent& agent : model.agents) use(agent.rootOption);
   while (!open.empty()) {
     const Option& option = model.options[at(open.back())];
     open.pop_back();
     useCallees(option.commonActions);
-    for (int i = 0; i < option.states.count; ++i)
-      useCallees(model.states[at(option.states.first + i)].actions);
+    for (const State& state : option.states.of(model.states)) useCallees(state.actions);
   }
   std::vector<Unused> unused;
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -288,25 +286,23 @@ std::vector<Unused> unusedDeclarations(const Model& model) {
 void warnOfRepeatedCalls(const Model& model, Reporter& reporter) {
   std::set<std::pair<Action::Kind, int>> called;
   const auto call = [&](Span actions, bool report) {
-    for (int i = actions.first; i < actions.first + actions.count; ++i) {
-      const Action& action = model.actions[at(i)];
+    for (const Action& action : actions.of(model.actions)) {
       if (action.kind == Action::Kind::assignment) continue;
       if (called.insert({action.kind, action.target}).second || !report) continue;
       const bool option = action.kind == Action::Kind::option;
       reporter.warning(action.location,
                        (option ? "option " : "basic behavior ") +
-                           inQuotes(option ? model.options[at(action.target)].name
-                                           : model.behaviors[at(action.target)].name) +
+                           inQuotes(targetName(model, action)) +
                            " is executed twice in a cycle; some engines refuse such a behavior");
     }
   };
   for (const Option& option : model.options) {
     called.clear();
     call(option.commonActions, true);
-    for (int i = 0; i < option.states.count; ++i) {
+    for (const State& state : option.states.of(model.states)) {
       called.clear();
       call(option.commonActions, false);
-      call(model.states[at(option.states.first + i)].actions, true);
+      call(state.actions, true);
     }
   }
 }

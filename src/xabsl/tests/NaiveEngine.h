@@ -113,7 +113,7 @@ class NaiveEngine {
   void informTeam(const Option& option, int index) {
     message_.options.insert(index);
     const int active = memories_[index].state;
-    for (int s = option.states.first; s < option.states.first + option.states.count; ++s) {
+    for (const int s : option.states) {
       message_.executed.erase(s);
       message_.entering.erase(s);
       if (s == active)
@@ -187,8 +187,7 @@ class NaiveEngine {
   }
 
   void act(Span span, int option, int depth) {
-    for (int i = span.first; i < span.first + span.count; ++i) {
-      const Action& action = in(model_.actions, i);
+    for (const Action& action : span.of(model_.actions)) {
       if (action.kind == Action::Kind::assignment) {
         variables_[action.target] = value(action.operand, option);
         note(TraceEvent::Kind::assign, action.target, variables_[action.target]);
@@ -214,8 +213,7 @@ class NaiveEngine {
   bool actionDone(int option) {
     for (const Span& span : {in(model_.options, option).commonActions,
                              in(model_.states, memories_[option].state).actions})
-      for (int i = span.first; i < span.first + span.count; ++i) {
-        const Action& action = in(model_.actions, i);
+      for (const Action& action : span.of(model_.actions)) {
         if (action.kind == Action::Kind::option && wasActive_.count(action.target) &&
             in(model_.states, memories_[action.target].state).target)
           return true;

@@ -176,11 +176,9 @@ class Describer {
   void addCalls(Graph& graph, const std::string& from, Span actions,
                 std::set<Thing>& callees) const {
     std::set<Thing> known;
-    for (int i = actions.first; i < actions.first + actions.count; ++i) {
-      const Action& action = model_.actions[at(i)];
+    for (const Action& action : actions.of(model_.actions)) {
       if (action.kind == Action::Kind::assignment) continue;
-      const bool option = action.kind == Action::Kind::option;
-      const Thing callee{option ? Thing::Kind::option : Thing::Kind::behavior, action.target};
+      const Thing callee = thingOf(action);
       if (callees.insert(callee).second) addCallee(graph, callee);
       if (known.insert(callee).second)
         graph.edge(from, idOf(callee), "call", ", style=dotted, arrowhead=open");
@@ -191,8 +189,7 @@ class Describer {
     const Option& option = model_.options[at(index)];
     Graph graph("rankdir=TB; nodesep=0.3; ranksep=0.5;");
     std::set<Thing> callees;
-    for (int i = option.states.first; i < option.states.first + option.states.count; ++i)
-      addState(graph, id("s", i), i, "state");
+    for (const int i : option.states) addState(graph, id("s", i), i, "state");
     graph.node("start", "start", "", ", shape=point, width=0.1");
     if (option.initialState >= 0) graph.edge("start", id("s", option.initialState), "transition");
     if (option.commonDecision.kind == Branch::Kind::decision) {
@@ -200,13 +197,13 @@ class Describer {
                  ", shape=box, style=dashed" + linked(links_.commonDecision(index), ""));
       addTransitions(graph, "common", -1, option.commonDecision, links_.commonDecision(index));
     }
-    for (int i = option.states.first; i < option.states.first + option.states.count; ++i)
+    for (const int i : option.states)
       addTransitions(graph, id("s", i), i, model_.states[at(i)].decision, links_.state(i));
     addCalls(graph, "all", option.commonActions, callees);
     if (!callees.empty())
       graph.node("all", "common", "every state",
                  ", shape=box, style=dashed" + linked(links_.option(index) + "#common-action", ""));
-    for (int i = option.states.first; i < option.states.first + option.states.count; ++i)
+    for (const int i : option.states)
       addCalls(graph, id("s", i), model_.states[at(i)].actions, callees);
     std::string last;
     for (const Thing& callee : callees) last += idOf(callee) + "; ";

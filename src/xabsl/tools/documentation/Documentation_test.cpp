@@ -89,7 +89,7 @@ void expectComplete(const Documentation& documentation, const Model& model) {
   for (const Enumeration& enumeration : model.enumerations) expect("enumeration", enumeration.name);
   for (const Option& option : model.options) {
     expect("option", option.name);
-    for (int i = option.states.first; i < option.states.first + option.states.count; ++i)
+    for (const int i : option.states)
       expect("state", option.name + "." + model.states[static_cast<std::size_t>(i)].name);
   }
 }

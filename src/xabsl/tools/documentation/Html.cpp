@@ -4,20 +4,10 @@
 #include <string>
 
 #include "xabsl/formats/XmlOutput.h"
+#include "xabsl/language/Text.h"
 #include "xabsl/language/Utf8.h"
 
 namespace xabsl::documentation {
-
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-}  // namespace
 
 std::string utf8(std::string_view text) {
   std::string result = toUtf8(std::string(text));

@@ -27,19 +27,10 @@ std::string actionList(const Content& content, Span actions) {
   const Model& model = content.model;
   if (actions.count == 0) return "<p class=\"soft\">No actions.</p>\n";
   std::string text = "<ul class=\"actions\">\n";
-  for (int i = actions.first; i < actions.first + actions.count; ++i) {
-    const Action& action = model.actions[at(i)];
+  for (const Action& action : actions.of(model.actions)) {
     const std::string whole = actionText(model, action);
-    const bool option = action.kind == Action::Kind::option;
-    const bool assignment = action.kind == Action::Kind::assignment;
-    const std::string& name = assignment ? model.symbols[at(action.target)].name
-                              : option   ? model.options[at(action.target)].name
-                                         : model.behaviors[at(action.target)].name;
-    const Thing thing{assignment ? Thing::Kind::written
-                      : option   ? Thing::Kind::option
-                                 : Thing::Kind::behavior,
-                      action.target};
-    text += "<li><code>" + anchor(content.links.target(thing), name) +
+    const std::string& name = targetName(model, action);
+    text += "<li><code>" + anchor(content.links.target(thingOf(action)), name) +
             escaped(whole.substr(name.size())) + "</code></li>\n";
   }
   return text + "</ul>\n";
@@ -154,8 +145,7 @@ std::string optionPage(const Content& content, int index) {
     text += "<section id=\"common-action\">\n<h2>Actions in every state</h2>\n" +
             actionList(content, option.commonActions) + "</section>\n";
   text += "<h2 id=\"states\">States</h2>\n";
-  for (int i = option.states.first; i < option.states.first + option.states.count; ++i)
-    text += stateSection(content, option, i);
+  for (const int i : option.states) text += stateSection(content, option, i);
   return text + uses(content, index) + declared(content.model, option.location);
 }
 

@@ -35,8 +35,7 @@ void Usage::add(const Thing& thing, Place place) {
 void Usage::collect(const Option& option, int index) {
   collect(option.commonDecision, {index, -1});
   collect(option.commonActions, {index, -1});
-  for (int state = option.states.first; state < option.states.first + option.states.count;
-       ++state) {
+  for (const int state : option.states) {
     collect(model_.states[at(state)].decision, {index, state});
     collect(model_.states[at(state)].actions, {index, state});
   }
@@ -53,26 +52,19 @@ void Usage::collect(Branch branch, Place place) {
 }
 
 void Usage::collect(Span actions, Place place) {
-  for (int i = actions.first; i < actions.first + actions.count; ++i) {
-    const Action& action = model_.actions[at(i)];
-    if (action.kind == Action::Kind::assignment) {
+  for (const Action& action : actions.of(model_.actions)) {
+    if (action.kind == Action::Kind::assignment)
       collectExpression(action.operand, place);
-      add({Thing::Kind::written, action.target}, place);
-      continue;
-    }
-    collectOperands(action.operand, parametersOf(model_, action).size(), place);
-    const bool option = action.kind == Action::Kind::option;
-    add({option ? Thing::Kind::option : Thing::Kind::behavior, action.target}, place);
+    else
+      collectOperands(action.operand, parametersOf(model_, action).size(), place);
+    add(thingOf(action), place);
   }
 }
 
 /// What was not set has its default, which is no use of anything.
 void Usage::collectOperands(int first, std::size_t count, Place place) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const int parameter = model_.argumentOrder[at(first) + i];
-    if (parameter < 0) return;
+  for (const int parameter : model_.setParameters(first, count))
     collectExpression(model_.operands[at(first + parameter)], place);
-  }
 }
 
 void Usage::collectExpression(int index, Place place) {

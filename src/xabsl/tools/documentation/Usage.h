@@ -27,6 +27,15 @@ struct Thing {
   auto operator<=>(const Thing&) const = default;
 };
 
+/// What an action calls or sets.
+inline Thing thingOf(const Action& action) {
+  using Kind = Action::Kind;
+  return {action.kind == Kind::assignment ? Thing::Kind::written
+          : action.kind == Kind::option   ? Thing::Kind::option
+                                          : Thing::Kind::behavior,
+          action.target};
+}
+
 /// A state that uses something; -1: all states of the option do, by its common decision tree or
 /// actions.
 struct Place {

@@ -4,6 +4,7 @@
 
 #include "xabsl/language/ExpressionAnalyzer.h"
 #include "xabsl/language/Lexer.h"
+#include "xabsl/language/Text.h"
 #include "xabsl/tools/server/Project.h"
 
 namespace xabsl::server {
@@ -98,11 +99,6 @@ class Context {
   }
 
  private:
-  static bool isNamePart(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '.';
-  }
-
   void findOption() {
     option_ = all_.size();
     for (std::size_t i = 0; i < tokens_.size() && i + 1 < all_.size(); ++i)
@@ -252,7 +248,7 @@ class Completer {
   }
 
   static Type typeOf(const std::vector<Parameter>& parameters, std::string_view name) {
-    const int index = findParameter(parameters, name);
+    const int index = indexOf(parameters, name);
     return index < 0 ? Type{} : parameters[at(index)].type;
   }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "xabsl/formats/XmlReader.h"
+#include "xabsl/language/Text.h"
 #include "xabsl/language/Utf8.h"
 #include "xabsl/tools/server/Protocol.h"
 #include "xabsl/tools/server/Uri.h"
@@ -32,16 +33,12 @@ bool mayBeRootOf(const std::string& candidate, const std::string& text, const st
 
 /// The end of the word at a place, for what is underlined.
 Location wordEnd(std::string_view line, Location location) {
-  const auto inWord = [](char c) {
-    return c == '_' || c == '.' || (c >= '0' && c <= '9') ||
-           ((c | 0x20) >= 'a' && (c | 0x20) <= 'z');
-  };
   std::size_t i = 0;
   int column = 1;
   for (; i < line.size() && column < location.column; ++i)
     if (i + 1 >= line.size() || !continuesLetter(line[i + 1])) ++column;
   const int first = location.column;
-  for (; i < line.size() && inWord(line[i]); ++i) ++location.column;
+  for (; i < line.size() && isNamePart(line[i]); ++i) ++location.column;
   if (location.column == first) ++location.column;
   return location;
 }

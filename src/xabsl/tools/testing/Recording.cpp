@@ -65,10 +65,7 @@ double Recording::translated(const TraceSubject& subject, Type from, Type to, do
   if (from.kind != ValueKind::enumeration) return value;
   const std::string name = subject.valueText(from, value);
   const auto& elements = model_.enumerations[at(to.enumeration)].elements;
-  const auto found =
-      std::find_if(elements.begin(), elements.end(),
-                   [&](const EnumerationElement& element) { return element.name == name; });
-  return found == elements.end() ? -1 : static_cast<double>(found - elements.begin());
+  return indexOf(elements, name);
 }
 
 void Recording::take(const Trace& trace, const TraceEvent& event) {

@@ -13,7 +13,7 @@ Coverage::Coverage(const TraceSubject& subject)
   for (std::size_t i = 0; i < subject.model.options.size(); ++i) {
     const Option& option = subject.model.options[i];
     collect(option.commonDecision, static_cast<int>(i), -1, -1, true, seen);
-    for (int s = option.states.first; s < option.states.first + option.states.count; ++s)
+    for (const int s : option.states)
       collect(subject.state(s).decision, static_cast<int>(i), s, -1, true, seen);
   }
 }
@@ -70,7 +70,7 @@ std::string Coverage::report() const {
   std::string text;
   for (std::size_t i = 0; i < subject_.model.options.size(); ++i) {
     const Option& option = subject_.model.options[i];
-    for (int s = option.states.first; s < option.states.first + option.states.count; ++s) {
+    for (const int s : option.states) {
       if (active_[at(s)] == 0) {
         text += subject_.place(subject_.state(s).location) + ": state " + option.name + "/" +
                 subject_.state(s).name + " was never active\n";

@@ -135,8 +135,8 @@ void Question::Inside::declareOption(std::size_t index) {
   const Option& option = moment.subject().model.options[index];
   const Moment::OptionMoment& now = moment.option(static_cast<int>(index));
   std::vector<std::string> states;
-  for (int i = 0; i < option.states.count; ++i)
-    states.push_back(moment.subject().state(option.states.first + i).name);
+  for (const State& state : option.states.of(moment.subject().model.states))
+    states.push_back(state.name);
   const std::string enumeration = option.name + ".state";
   declareEnumeration(enumeration, std::move(states));
   declareState(option.name, enumeration, option.states, now.state);

@@ -1,7 +1,5 @@
 #include "xabsl/tools/trace/Trace.h"
 
-#include <charconv>
-
 #include "xabsl/language/ModelText.h"
 
 namespace xabsl {
@@ -29,17 +27,9 @@ TraceSubject::Read readOf(const Model& model, std::size_t index) {
   TraceSubject::Read read;
   if (!isRead(expression.operation)) return read;
   read.text = expressionText(model, static_cast<int>(index));
-  const auto a = static_cast<std::size_t>(expression.a);
-  if (expression.operation == Operator::parameter) {
-    read.type = model.options[a].parameters[at(expression.b)].type;
-  } else if (expression.operation == Operator::input ||
-             expression.operation == Operator::variable) {
-    read.type = model.symbols[a].type;
+  read.type = typeOf(model, static_cast<int>(index));
+  if (expression.operation == Operator::input || expression.operation == Operator::variable)
     read.symbol = expression.a;
-  } else if (expression.operation == Operator::actionDone ||
-             expression.operation == Operator::conflict) {
-    read.type.kind = ValueKind::boolean;
-  }
   return read;
 }
 
@@ -66,15 +56,7 @@ TraceSubject TraceSubject::of(const Engine& engine) {
 }
 
 std::string TraceSubject::valueText(Type type, double value) const {
-  if (type.kind == ValueKind::boolean) return value != 0 ? "true" : "false";
-  if (type.kind == ValueKind::enumeration) {
-    const auto enumeration = static_cast<std::size_t>(type.enumeration);
-    for (std::size_t i = 0; i < elementValues[enumeration].size(); ++i)
-      if (elementValues[enumeration][i] == value)
-        return model.enumerations[enumeration].elements[i].name;
-  }
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr};
+  return xabsl::valueText(model, elementValues, type, value);
 }
 
 std::string TraceSubject::place(Location location) const {

@@ -50,7 +50,7 @@ class SubjectWriter {
   void write(const Option& option) {
     line("option " + place(option.location) + tree(option.commonDecision) + option.name);
     parameters(option.parameters);
-    for (int i = option.states.first; i < option.states.first + option.states.count; ++i) {
+    for (const int i : option.states) {
       const State& state = subject_.state(i);
       const bool initial = i == option.initialState;
       line("state " + place(state.location) +
