@@ -10,6 +10,7 @@
 #include "Experiments.h"
 #include "LocalizationPage.h"
 #include "commandline/CommandLine.h"
+#include "crash/CrashHandler.h"
 #include "measure/RunJobs.h"
 #include "robot/SetupFiles.h"
 #include "streams/File.h"
@@ -235,6 +236,7 @@ void addCommands(CommandLine& line, Arguments& a, const DataRoot& root) {
 
 /// Reproduces the project's figures of accuracy against the truth, over several seeds.
 int main(int argc, char** argv) {
+  gt::installCrashHandler({"experiment"});
   gt::CommandLine line{argc, argv,
                        "Experiments: accuracy against the truth, over several seeds. Without a "
                        "command: lists the jobs, runs them and merges their results"};

@@ -7,6 +7,7 @@
 #include "Play.h"
 #include "commandline/CommandLine.h"
 #include "console/Manual.h"
+#include "crash/CrashHandler.h"
 
 namespace {
 
@@ -23,6 +24,8 @@ void addMatchOptions(CLI::App& command, gt::MatchOptions& match) {
   command.add_option("--motions", match.motions, "Folder of motion descriptions")
       ->capture_default_str();
   command.add_option("--layout", match.layout, "Process layout of all robots, not the scene's");
+  command.add_option("--profile", match.profile, "How far all is from perfect, not the scene's")
+      ->check(CLI::IsMember(gt::enumNames<gt::Profile>));
 }
 
 void addPlay(CLI::App& command, gt::PlayOptions& play) {
@@ -95,6 +98,7 @@ void addLayout(CLI::App& command, gt::LayoutOptions& layout) {
 
 /// SimGT2003: plays scenes of simulated robots.
 int main(int argc, char** argv) {
+  gt::installCrashHandler({"simgt"});
   gt::CommandLine line{argc, argv, "SimGT2003: simulated robots that play soccer"};
   const gt::DataRoot root = line.root();
   const gt::MatchOptions match{root};

@@ -27,8 +27,8 @@ inline std::string hexText(std::uint64_t number) {
   return "0x" + digits;
 }
 
-/// The build id among the notes of an ELF file or of a program in memory, in hexadecimal digits;
-/// empty if it has none. Safe on any input.
+/// The build id among the notes of a program in memory, in hexadecimal digits; empty if it has
+/// none. Safe on any input.
 inline std::string buildIdOf(std::string_view notes) {
   while (notes.size() >= sizeof(Elf64_Nhdr)) {
     Elf64_Nhdr note;

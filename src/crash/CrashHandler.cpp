@@ -5,6 +5,7 @@
 #include <libunwind.h>
 #include <link.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -19,6 +20,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -43,7 +45,8 @@ constexpr int deepestFrame = 200;
 
 // A signal handler takes no arguments: what it needs has to lie where it finds it.
 struct Prepared {
-  std::array<char, PATH_MAX> path{};
+  std::array<char, PATH_MAX> path{};  ///< Of the report, absolute.
+  std::array<char, 100> program{};
   std::array<char, 64 * 1024> head{};  ///< The program and its modules, as the report shows them.
   std::size_t headSize = 0;
   std::atomic_flag dying = ATOMIC_FLAG_INIT;
@@ -206,8 +209,23 @@ void writeFrames(Output& out, ucontext_t& context) {
   }
 }
 
+/// Opens the report, for which it makes the folders; negative if that fails.
+int openReport() {
+  for (char& c : prepared.path) {
+    if (c != '/' || &c == prepared.path.data()) continue;
+    c = 0;
+    mkdir(prepared.path.data(), 0755);
+    c = '/';
+  }
+  return open(prepared.path.data(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+}
+
 void writeReport(int number, const siginfo_t& info, ucontext_t& context) {
-  const int file = open(prepared.path.data(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int file = openReport();
+  Output{STDERR_FILENO} << (isatty(STDERR_FILENO) ? "\n" : "")  // behind a progress bar
+                        << prepared.program.data() << ": crashed; "
+                        << (file < 0 ? "cannot write " : "crashlog reads the report ")
+                        << prepared.path.data() << "\n";
   if (file < 0) return;
   {
     Output out{file};
@@ -306,9 +324,11 @@ CrashStack::~CrashStack() {
 }
 
 void installCrashHandler(const CrashSettings& settings) {
-  const std::string path =
-      settings.folder + "/crash-" + settings.program + "-" + std::to_string(getpid()) + ".txt";
+  const std::string name = "crash-" + settings.program + "-" + std::to_string(getpid()) + ".txt";
+  std::error_code failed;
+  const auto path = std::filesystem::absolute(settings.folder, failed) / name;
   std::strncpy(prepared.path.data(), path.c_str(), prepared.path.size() - 1);
+  std::strncpy(prepared.program.data(), settings.program.c_str(), prepared.program.size() - 1);
   prepared.headSize = 0;
   Head head;
   head.add("gt2003 crash report 1\nprogram " + settings.program + "\n");

@@ -5,16 +5,17 @@ namespace gt {
 
 /// Where crash reports of a program go.
 struct CrashSettings {
-  std::string program;       ///< Its name.
-  std::string folder = ".";  ///< Must exist. The report is crash-PROGRAM-PID.txt.
+  std::string program;  ///< Its name.
+  /// Made when a report is written. The report is crash-PROGRAM-PID.txt.
+  std::string folder = "out/crashes";
 };
 
 /// From now on this process writes a crash report when a signal ends it (report 5.5: the robot's
 /// emon.log): signal, registers, stack, loaded modules with their build ids, what ran, the last
-/// notes, and the call stack. Then it dies of that signal as it would have. Everything is prepared
-/// here, so that the handler needs neither memory nor locks; what cannot be prepared is left out.
-/// Call it once, when all libraries are loaded. What it prepares belongs to the process, as signals
-/// do.
+/// notes, and the call stack. A line on stderr names the report. Then the process dies of that
+/// signal as it would have. Everything is prepared here, so that the handler needs neither memory
+/// nor locks; what cannot be prepared is left out. Call it once, when all libraries are loaded.
+/// What it prepares belongs to the process, as signals do.
 void installCrashHandler(const CrashSettings& settings);
 
 /// Gives the calling thread a stack of its own for the crash handler while it exists, so that even

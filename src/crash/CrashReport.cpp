@@ -1,9 +1,10 @@
 #include "crash/CrashReport.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <optional>
+
+#include "base/Number.h"
 
 namespace gt {
 namespace {
@@ -19,21 +20,9 @@ std::string_view takeWord(std::string_view& text) {
   return word;
 }
 
-template <typename N>
-std::optional<N> decimal(std::string_view text) {
-  N number{};
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 std::optional<std::uint64_t> hex(std::string_view text) {
   if (!text.starts_with("0x")) return std::nullopt;
-  text.remove_prefix(2);
-  std::uint64_t number = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number, 16);
-  if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
+  return numberFrom<std::uint64_t>(text.substr(2), 16);
 }
 
 template <typename N>
@@ -60,10 +49,9 @@ bool addStack(std::string_view text, CrashReport& report) {
   if (report.stack.empty()) report.stackBegin = *begin;
   if (*begin != report.stackBegin + report.stack.size()) return false;
   for (std::size_t i = 0; i < text.size(); i += 2) {
-    unsigned char byte = 0;
-    const auto [end, failure] = std::from_chars(text.data() + i, text.data() + i + 2, byte, 16);
-    if (failure != std::errc{} || end != text.data() + i + 2) return false;
-    report.stack.push_back(byte);
+    const auto byte = numberFrom<unsigned char>(text.substr(i, 2), 16);
+    if (!byte) return false;
+    report.stack.push_back(*byte);
   }
   return true;
 }
@@ -80,15 +68,15 @@ bool addRegister(std::string_view text, CrashReport& report) {
 bool readLine(std::string_view key, std::string_view text, CrashReport& report) {
   if (key == "program") return report.program = text, true;
   if (key == "signal") {
-    const bool good = set(report.signalNumber, decimal<int>(takeWord(text)));
+    const bool good = set(report.signalNumber, numberFrom<int>(takeWord(text)));
     return report.signal = text, good;
   }
-  if (key == "code") return set(report.code, decimal<int>(text));
-  if (key == "sender") return set(report.sender, decimal<std::int64_t>(text));
+  if (key == "code") return set(report.code, numberFrom<int>(text));
+  if (key == "sender") return set(report.sender, numberFrom<std::int64_t>(text));
   if (key == "address") return set(report.address, hex(text));
-  if (key == "time") return set(report.time, decimal<std::int64_t>(text));
-  if (key == "process") return set(report.process, decimal<std::int64_t>(text));
-  if (key == "thread") return set(report.thread, decimal<std::int64_t>(text));
+  if (key == "time") return set(report.time, numberFrom<std::int64_t>(text));
+  if (key == "process") return set(report.process, numberFrom<std::int64_t>(text));
+  if (key == "thread") return set(report.thread, numberFrom<std::int64_t>(text));
   if (key == "register") return addRegister(text, report);
   if (key == "module") return addModule(text, report);
   if (key == "running") return report.running = text, true;

@@ -1,19 +1,20 @@
 #pragma once
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "crash/CrashReport.h"
-#include "crash/ElfFile.h"
+
+struct Dwfl;
+struct Dwfl_Module;
 
 namespace gt {
 
 /// A place in the sources.
 struct SourcePlace {
-  std::string function;  ///< As in the sources; "?" if unknown.
-  std::string file;      ///< Empty if unknown.
+  std::string function = "?";  ///< As in the sources; "?" if unknown.
+  std::string file;            ///< Empty if unknown.
   int line = 0;
 };
 
@@ -25,12 +26,13 @@ struct Instruction {
 };
 
 /// Turns the addresses of a crash report into places in the sources and into assembler. Binaries
-/// are known by their build ids; if one was stripped, its symbols are looked for in the folders
-/// given, and in Debian's (/usr/lib/debug): as .build-id/ab/cdef….debug, or under any name.
-/// addr2line and objdump (binutils) read the debug information and the machine's code.
+/// are recognized by their build ids; if one was stripped, its symbols are looked for in the
+/// folders given, and in Debian's (/usr/lib/debug): as .build-id/ab/cdef….debug, or under any name.
+/// elfutils read symbols and debug information, objdump (binutils) the machine's code. Safe on any
+/// file.
 class Symbolizer {
  public:
-  Symbolizer(const CrashReport& report, std::vector<std::string> symbolFolders);
+  Symbolizer(const CrashReport& report, const std::vector<std::string>& symbolFolders);
 
   /// The place of an address, after it those that it was inlined into. Never empty.
   std::vector<SourcePlace> places(std::uint64_t address);
@@ -40,17 +42,19 @@ class Symbolizer {
   const std::vector<Error>& missing() const { return missing_; }
 
  private:
-  /// What is known of a module: where its code is, and where its symbols are.
   struct Files {
-    std::optional<ElfFile> code, symbols;
+    std::string code;  ///< Empty if it is not there.
+    std::shared_ptr<Dwfl> session;
+    Dwfl_Module* symbols = nullptr;  ///< Of the session; null if there is no file.
+
+    /// Reads symbols from a file. Returns whether they include source lines.
+    bool open(const std::string& path);
   };
 
   Files& filesOf(const CrashModule& module);
-  std::optional<ElfFile> findSymbols(const std::string& buildId) const;
-  std::vector<SourcePlace> placesIn(const Files& files, std::uint64_t address) const;
 
   const CrashReport& report_;
-  std::vector<std::string> folders_;
+  std::multimap<std::string, std::string> symbols_;  ///< Files of the folders by their build ids.
   std::map<const CrashModule*, Files> files_;
   std::vector<Error> missing_;
 };

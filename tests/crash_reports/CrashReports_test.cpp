@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include "base/ChildProgram.h"
+#include "crash/CrashReport.h"
+#include "streams/File.h"
+#include "streams/TemporaryFolder.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::minutes patience{2};  // under a sanitizer programs take long
+
+/// A program that runs in a folder of its own, and what it wrote there.
+class CrashReports : public testing::Test {
+ protected:
+  /// Runs a program until a text stands in what it prints, and has a signal crash it. Returns its
+  /// report.
+  CrashReport crash(const std::string& name, const std::string& arguments,
+                    const std::string& sign) {
+    ChildProgram program{{"/bin/sh", "-c",
+                          "cd " + folder.path().string() + " && exec " GT_PROGRAMS "/" + name +
+                              " " + arguments + " >printed 2>&1"}};
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (program.runs() && printed().find(sign) == std::string::npos &&
+           std::chrono::steady_clock::now() < end)
+      std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    EXPECT_TRUE(program.runs()) << printed();
+    program.kill(SIGSEGV);
+    EXPECT_TRUE(WIFSIGNALED(program.status()));
+    EXPECT_EQ(WTERMSIG(program.status()), SIGSEGV);
+    std::error_code failed;
+    const fs::directory_iterator reports{folder.path() / "out/crashes", failed};
+    EXPECT_FALSE(failed) << printed();
+    if (failed) return {};
+    const std::string path = reports->path().string();
+    EXPECT_THAT(printed(),
+                testing::EndsWith(": crashed; crashlog reads the report " + path + "\n"));
+    const auto text = readFile(path);
+    EXPECT_TRUE(text) << text.error().text();
+    const auto report = parseCrashReport(*text, path);
+    EXPECT_TRUE(report) << report.error().text();
+    if (!report) return {};
+    EXPECT_TRUE(report->complete);
+    EXPECT_THAT(report->program, testing::StrCaseEq(name));
+    EXPECT_EQ(report->signal, "SIGSEGV");
+    EXPECT_FALSE(report->frames.empty());
+    return *report;
+  }
+  std::string printed() const {
+    const auto text = readFile((folder.path() / "printed").string());
+    return text ? *text : "";
+  }
+
+  const TemporaryFolder folder;
+  const std::string root = fs::current_path().string();
+};
+
+TEST_F(CrashReports, OfAMatch) {
+  crash("simgt", "play " + root + "/scenes/match.scene --threads 1 --no-logs", "Kick-off");
+}
+
+TEST_F(CrashReports, OfAConsole) {
+  crash("simgt", "console " + root + "/scenes/one-robot.scene -c 'echo begins' -c 'run 10000'",
+        "begins");
+}
+
+/// The thread that dies does the job, mostly in a process of a robot.
+TEST_F(CrashReports, OfAJob) {
+  const auto report = crash(
+      "experiment",
+      "run --job 'fidelity walk=forward100 seed=1' --job 'match minutes=1000 seed=7' --threads 1",
+      "1/2");
+  EXPECT_THAT(report.running,
+              testing::MatchesRegex("match minutes=1000 seed=7[^,]*(, (red|blue)[1-4].*)?"));
+}
+
+TEST_F(CrashReports, OfARobotsProcess) {
+  crash("gtrobot-debug", "--sockets .", "does not answer");
+}
+
+}  // namespace
+}  // namespace gt
