@@ -1,5 +1,3 @@
-#include <filesystem>
-
 #include "Process.h"
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
@@ -115,14 +113,11 @@ int main(int argc, char** argv) {
   app.add_option("--keys", arguments.keys,
                  "Key file for listening (robot.key of router --make-keys)");
   app.add_option("--connect-keys", arguments.connectKeys, "Key file for connecting (tool.key)");
-  std::string crashes = "out/crashes";
-  app.add_option("--crashes", crashes, "Folder for a crash report, which crashlog reads")
+  gt::CrashSettings crashes{std::string{"gtrobot-"} + gt::processName};
+  app.add_option("--crashes", crashes.folder, "Folder for a crash report, which crashlog reads")
       ->capture_default_str();
   return line.run([&]() -> gt::Result<void> {
-    std::error_code failed;
-    std::filesystem::create_directories(crashes, failed);
-    if (failed) return gt::Error{.file = crashes, .what = failed.message()};
-    gt::installCrashHandler({std::string{"gtrobot-"} + gt::processName, crashes});
+    gt::installCrashHandler(crashes);
     if (auto done = readFiles(app, options, arguments); !done) return done;
     // The configuration names for its parts where in these they are.
     const gt::RobotModules modules = gt::processModules();
