@@ -16,7 +16,7 @@ namespace {
 
 /// How long the simulation runs at most before the keyboard is looked at again, and how long it
 /// rests if it stands.
-constexpr std::chrono::milliseconds liveTime{20}, restTime{10};
+constexpr std::chrono::milliseconds updateTime{20}, restTime{10};
 
 constexpr int statusInterrupted = 128 + SIGINT;
 
@@ -114,7 +114,7 @@ class ConsoleProgram {
       std::string line;
       prompt_ = screen_.prompt(console_);
       const auto key = editor.read(
-          line, prompt_, [&] { return live(editor); },
+          line, prompt_, [&] { return update(editor); },
           [&] { return console_.session().takeInterrupt(); });
       InterruptKey::release();
       if (key == LineEditor::Key::end) break;
@@ -133,9 +133,9 @@ class ConsoleProgram {
   }
 
  private:
-  int live(LineEditor& editor) {
+  int update(LineEditor& editor) {
     Session& session = console_.session();
-    session.live(liveTime);
+    session.update(updateTime);
     std::string prompt = screen_.prompt(console_);
     if (prompt != prompt_) editor.setPrompt(prompt);
     prompt_ = std::move(prompt);

@@ -84,7 +84,7 @@ LineEditor::~LineEditor() {
 }
 
 LineEditor::Key LineEditor::read(std::string& line, const std::string& prompt,
-                                 const std::function<int()>& live,
+                                 const std::function<int()>& update,
                                  const std::function<bool()>& interrupted) {
   for (const std::string& offer : console->takeOffers()) add_history(offer.c_str());
   typed.reset();
@@ -92,7 +92,7 @@ LineEditor::Key LineEditor::read(std::string& line, const std::string& prompt,
   reading = true;
   rl_callback_handler_install(prompt.c_str(), takeLine);
   while (!lineTaken) {
-    const bool pressed = keyPressed(live());
+    const bool pressed = keyPressed(update());
     if (interrupted()) {
       rl_callback_sigcleanup();
       rl_free_line_state();

@@ -19,9 +19,9 @@ class LineEditor {
 
   /// What a person may do instead of typing a line.
   enum class Key { line, end, interrupt };
-  /// Waits for the next line. Calls `live` again and again meanwhile, which returns soon, with the
-  /// ms until it has to be called again. Returns early if `interrupted` returns true.
-  Key read(std::string& line, const std::string& prompt, const std::function<int()>& live,
+  /// Waits for the next line. Calls `update` again and again meanwhile, which returns soon, with
+  /// the ms until it has to be called again. Returns early if `interrupted` returns true.
+  Key read(std::string& line, const std::string& prompt, const std::function<int()>& update,
            const std::function<bool()>& interrupted);
 
   /// Takes the line that is being typed from the terminal, and puts it there again.

@@ -272,8 +272,8 @@ std::vector<Command> behaviorCommands() {
       {kind, "xis", "? | INPUTSYMBOL (on | off)",
        "Shows an input symbol in the Xabsl2 view, or not.", xis, choices<Names::inputs>, true},
       {kind, "xlb", "? | NAME",
-       "Loads a behavior, and has the robots go on with it: one of behavior/ or a file. Without it "
-       "the commands for Xabsl2 know the behavior that the robots began with.",
+       "Loads a behavior, one of behavior/ or a file, and switches the robots to it. Without it "
+       "the commands for Xabsl2 accept the names of the behavior that the robots began with.",
        xlb, behaviorChoices, true},
       {kind, "xo", "? | unchanged | OPTION {VALUE}",
        "Has an option executed instead of the engine's root option; its parameters may follow.", xo,

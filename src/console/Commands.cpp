@@ -1,30 +1,24 @@
 #include "console/Commands.h"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
+#include "base/Number.h"
 #include "xabsl/language/Reporter.h"
 
 namespace gt {
 
 Result<double> numberOf(const std::string& word) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(number))
-    return Error{.field = word, .what = "is no number"};
-  return number;
+  const auto number = numberFrom<double>(word);
+  if (!number || !std::isfinite(*number)) return Error{.field = word, .what = "is no number"};
+  return *number;
 }
 
 Result<double> numberOf(const std::string& word, double low, double high) {
   const auto number = numberOf(word);
-  if (number && (*number < low || *number > high)) {
-    const auto shortText = [](double value) {
-      char text[32];
-      return std::string{text, std::to_chars(text, text + sizeof text, value).ptr};
-    };
-    return Error{.field = word, .what = "is not from " + shortText(low) + " to " + shortText(high)};
-  }
+  if (number && (*number < low || *number > high))
+    return Error{.field = word,
+                 .what = "is not from " + numberText(low) + " to " + numberText(high)};
   return number;
 }
 

@@ -1,9 +1,10 @@
 #include "console/Condition.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
+
+#include "base/Number.h"
 
 namespace gt {
 
@@ -132,13 +133,11 @@ class ConditionParser {
     return node;
   }
   int readNumber() {
-    double number = 0;
-    const char* const end = token_.data() + token_.size();
-    const auto [stop, error] = std::from_chars(token_.data(), end, number);
-    if (error != std::errc{} || stop != end) return fail("is no number");
+    const auto number = numberFrom<double>(token_);
+    if (!number) return fail("is no number");
     next();
     const int node = add(Operator::number);
-    condition_.nodes_.back().number = number;
+    condition_.nodes_.back().number = *number;
     return node;
   }
   int readCall(const std::string& function) {

@@ -17,7 +17,7 @@
 namespace gt {
 
 /// The words of a command line, the first is the command. A backslash takes the next character as
-/// it is; what begins with a quote goes on to the next one.
+/// it is; what begins with a quote extends to the next one.
 struct Words : std::vector<std::string> {
   using vector::vector;
   std::string rest;  ///< What stands behind the command, as it was typed.
@@ -71,7 +71,7 @@ class Console {
   /// Ends the scripts that run and the program.
   void end() { ended_ = true; }
   bool ended() const { return ended_; }
-  /// The session has begun anew: forgets what was selected, plotted and loaded, and ends the film.
+  /// The session was restarted: forgets what was selected, plotted and loaded, and ends the film.
   void forget();
 
   static const std::vector<Command>& commands();
@@ -92,13 +92,13 @@ class Console {
   /// The first selected robot; an error if there is none.
   Result<ConsoleRobot*> firstRobot();
 
-  /// The special actions whose names the command mr knows: those of the session's folder.
+  /// The special actions whose names the command mr accepts: those of the session's folder.
   Result<const MotionNet*> motions();
-  /// The behavior whose names the x commands know: what `xlb` loaded, or what the robots run.
+  /// The behavior whose names the x commands accept: what `xlb` loaded, or what the robots run.
   Result<const xabsl::Model*> behavior();
   void forgetBehavior() { behavior_.reset(); }
 
-  /// Keeps a command for who types to execute or not (report I.5.2: echo).
+  /// Queues a command that the user may run or discard (report I.5.2: echo).
   void offer(std::string line) {
     if (offers_.size() < mostOffers) offers_.push_back(std::move(line));
   }
@@ -107,7 +107,7 @@ class Console {
 
   /// The views that there are: those of the report, and those that were defined (command view).
   std::vector<std::shared_ptr<const View>> views() const;
-  /// Defines a view, or a defined one anew.
+  /// Defines or redefines a view.
   void define(std::shared_ptr<const View> view);
   /// Forgets a defined view; false if there is none of this name.
   bool forgetView(std::string_view name);

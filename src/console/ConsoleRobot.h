@@ -14,7 +14,7 @@ namespace gt {
 
 class SimulatedRobot;
 
-/// A robot as a console knows it, wherever its processes run: in the simulator, on a log, or as
+/// A robot that a console works on, wherever its processes run: in the simulator, on a log, or as
 /// programs elsewhere. Provided by the Session.
 class ConsoleRobot {
  public:
@@ -25,7 +25,7 @@ class ConsoleRobot {
   ConsoleRobot& operator=(const ConsoleRobot&) = delete;
 
   const std::string& name() const { return observed_.name(); }
-  /// What is known of it, and what it can be asked.
+  /// What its messages report, and what can be requested of it.
   ObservedRobot& observed() { return observed_; }
   /// Its index among the scene's active robots, if it is one of them.
   virtual std::optional<std::size_t> index() const { return std::nullopt; }

@@ -97,7 +97,7 @@ std::vector<Command> gameCommands() {
       {robot, "pr",
        "continue | illegalDefender | obstruction | keeperCharged | ballHolding | "
        "fieldPlayerCharged | illegalDefense | requestForPickup",
-       "Penalizes robots, or lets them go on.", pr, nullptr, true}};
+       "Penalizes robots, or ends their penalties.", pr, nullptr, true}};
 }
 
 }  // namespace gt

@@ -24,7 +24,6 @@ class Joystick {
   void setCommand(int button, std::string command) { commands_[button] = std::move(command); }
   /// Which joint of the head the accelerator lever moves; pan without a word.
   void setHeadAxis(HeadAxis axis) { headAxis_ = axis; }
-  HeadAxis headAxis() const { return headAxis_; }
 
   /// Moves an axis, from -1 to 1.
   void move(Axis axis, double value) {

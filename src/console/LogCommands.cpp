@@ -102,7 +102,7 @@ Result<void> playLog(Console& console, ConsoleRobot& robot, const Words& words) 
 
 Result<void> lp(Console& console, const Words& words) {
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (!robot.onLog()) return Error{.field = robot.name(), .what = "does not live on a log"};
+    if (!robot.onLog()) return Error{.field = robot.name(), .what = "does not run on a log"};
     return playLog(console, robot, words);
   });
 }

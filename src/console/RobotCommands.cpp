@@ -168,7 +168,7 @@ Result<void> switchSolution(Console& console, ConsoleRobot& robot, const std::st
   if (!here && inReport(task, solution)) {
     if (!off)
       console.print(robot.name() + ": this system has no solution " + solution + " of " + task +
-                    "; what it has goes on");
+                    "; the present one keeps running");
     return {};
   }
   // What no process of this robot does is disabled already; on a log, the log does it.
@@ -349,7 +349,7 @@ std::vector<Command> robotCommands() {
       {kind, "dk", "? | KEY (off | on | NUMBER | every NUMBER [ms])",
        "Sets a debug key: never, always, so many times, every so many times or ms. The report's "
        "keys "
-       "are known, too, and send with a representation's name: sendRobotPose.",
+       "are accepted, too, and send with a representation's name: sendRobotPose.",
        dk, debugKeyNames, true},
       {kind, "graph", "[FILE]",
        "Prints which solution of each task runs and where what it reads comes from; draws it into "

@@ -10,8 +10,8 @@
 
 namespace gt {
 
-/// The way to robots whose processes are programs elsewhere (report I.5.1: sc): a router runs in
-/// the background, and a tool is connected to each of its robots.
+/// The connection to robots whose processes are programs elsewhere (report I.5.1: sc): a router
+/// runs in the background, and a tool is connected to each of its robots.
 class RobotConnection {
  public:
   /// Robots as the router takes them (RobotList), named by the last number of their address. With

@@ -106,7 +106,7 @@ std::vector<Command> scriptCommands() {
        call},
       {global, "cls", "", "Clears the console.", cls},
       {global, "echo", "[TEXT]",
-       "Prints a text. If that is a command, who types finds it in the history.", echo},
+       "Prints a text. If that is a command, the user finds it in the history.", echo},
       {global, "exit", "", "Ends the scripts that run, and the program.", end},
       {global, "help", "[TOPIC | NAME | ? | all]",
        "Lists the topics with their commands, or explains one of them, or all.", help, helpNames},

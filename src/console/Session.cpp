@@ -102,7 +102,7 @@ void Session::start() {
   setPace(pace_);
 }
 
-void Session::live(std::chrono::milliseconds atMost) {
+void Session::update(std::chrono::milliseconds atMost) {
   const auto end = Clock::now() + atMost;
   if (!started_) {
     if (input_) input_();
@@ -190,7 +190,7 @@ Result<void> Session::replay(const std::string& name, const std::string& file,
   options.colorTable = colorTable;
   auto robot = makeLogRobot(name, file, options, time());
   if (!robot) return robot.error();
-  match().markIrreproducible("a robot lives on a log");
+  match().markIrreproducible("a robot runs on a log");
   state_.robots.push_back(std::move(*robot));
   return {};
 }
@@ -204,7 +204,7 @@ Result<void> Session::connect(const std::vector<std::string>& robots, bool gameM
     if (find(robot->name()))
       return Error{.field = robot->name(), .what = "there is already a robot of this name"};
   state_.connection = std::move(*connection);
-  match().markIrreproducible("robots live elsewhere");
+  match().markIrreproducible("robots run elsewhere");
   for (auto& robot : connected) state_.robots.push_back(std::move(robot));
   if (gameManager) screen_.print("game manager: " + state_.connection->gameManager());
   waitFor([&] { return state_.connection->silent().empty(); }, connecting);

@@ -31,18 +31,18 @@ struct Pace {
 };
 
 /// A simulation that a console works on: a scene with its robots, robots on logs, robots elsewhere,
-/// and the clock. Time passes while it runs: by `run`, or from `start` to `stop` by `live`.
-/// Messages of robots elsewhere are passed on either way.
+/// and the clock. Time passes while it runs: by `run`, or from `start` to `stop` by `update`.
+/// Messages of robots elsewhere are passed on in both cases.
 class Session {
  public:
   static Result<std::unique_ptr<Session>> make(const MatchOptions& options, Screen& screen);
 
-  /// Begins anew with another scene, seed, or whatever is different. Robots on logs and elsewhere
+  /// Starts again with another scene, seed, or whatever is different. Robots on logs and elsewhere
   /// are gone, and nothing has been done yet. An error leaves all as it was.
   Result<void> restart(const MatchOptions& options);
   const MatchOptions& options() const { return options_; }
-  /// Goes on where a match was when it was saved (Match::save): begins anew and does again what was
-  /// done to it, by `perform`. An error leaves all as it was.
+  /// Resumes a match from where it was saved (Match::save): starts again and repeats what was done
+  /// to it, by `perform`. An error leaves all as it was.
   Result<void> load(const std::string& file,
                     const std::function<Result<void>(const std::string& line)>& perform);
 
@@ -57,13 +57,13 @@ class Session {
   /// Takes steps until `done` returns true, which is asked before each of them.
   RunEnd run(const std::function<bool()>& done);
 
-  /// Lets time pass in `live` from now on.
+  /// Lets time pass in `update` from now on.
   void start();
   void stop() { started_ = false; }
   bool started() const { return started_; }
   /// What happens while a person types: takes steps if the session was started, and passes messages
   /// on. Returns after `atMost`, or as soon as there is nothing to do.
-  void live(std::chrono::milliseconds atMost);
+  void update(std::chrono::milliseconds atMost);
   /// Passes messages of robots elsewhere on until `holds` returns true; false if it did not within
   /// `patience`. Simulated time stands.
   bool waitFor(const std::function<bool()>& holds, std::chrono::milliseconds patience);
@@ -72,7 +72,7 @@ class Session {
   /// Whether `interrupt` was called since this was asked last.
   bool takeInterrupt() { return interrupted_.exchange(false); }
 
-  /// Called before each step and in `live`: reads what moves the robots by hand, such as a
+  /// Called before each step and in `update`: reads what moves the robots by hand, such as a
   /// joystick.
   void setInput(std::function<void()> input) { input_ = std::move(input); }
   /// Calls `work` after each step, also of later matches, for as long as the handle exists.

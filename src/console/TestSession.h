@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "console/Condition.h"
 #include "console/Console.h"
 #include "streams/TemporaryFolder.h"
 
@@ -61,6 +62,15 @@ class SessionTest : public ::testing::Test {
     expectFine(line);
     return screen.printed;
   }
+  /// Whether a condition holds now.
+  bool holds(const std::string& text) {
+    const auto condition = Condition::parse(text);
+    EXPECT_TRUE(condition) << text << ": " << condition.error().text();
+    const auto truth = condition->holds(*console);
+    EXPECT_TRUE(truth) << text << ": " << truth.error().text();
+    return *truth;
+  }
+  std::string value(const std::string& path) { return answers("get " + path).back(); }
   Robot& robot(std::size_t i) { return session->match().robots()[i]->robot(); }
   std::string file(const std::string& name) const { return (folder.path() / name).string(); }
 

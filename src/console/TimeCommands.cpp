@@ -136,7 +136,7 @@ Result<void> until(Console& console, const Words& words) {
   return Error{.field = "until", .what = "did not come true: " + words.rest};
 }
 
-/// Begins anew as the program does: with the scene's script (report I.4).
+/// Restarts as the program begins: with the scene's script (report I.4).
 Result<void> restart(Console& console, const MatchOptions& options) {
   if (auto done = console.session().restart(options); !done) return done;
   console.forget();
@@ -197,9 +197,8 @@ Result<void> load(Console& console, const Words& words) {
 std::vector<Command> timeCommands() {
   using enum Command::Kind;
   return {
-      {global, "load", "STATE", "Goes on where a simulation was when it was saved.", load},
-      {global, "reset", "", "Begins anew, with the same scene, its script, and the same seed.",
-       reset},
+      {global, "load", "STATE", "Resumes a simulation from where it was saved.", load},
+      {global, "reset", "", "Restarts, with the same scene, its script, and the same seed.", reset},
       {global, "run", "TIME [s | ms | min | steps]",
        "Lets simulated time pass; TIME may also have its unit behind it: 30s. Ctrl-C stops it, and "
        "all is kept.",
@@ -210,7 +209,7 @@ std::vector<Command> timeCommands() {
        "extension.",
        save},
       {global, "scene", "SCENE", "Begins with another scene, and its script.", scene},
-      {global, "seed", "NUMBER", "Begins anew with another seed.", seed},
+      {global, "seed", "NUMBER", "Restarts with another seed.", seed},
       {global, "st", "off [SLOWNESS] | on [FACTOR]",
        "Simulated time, on by default: each step advances it by 8 ms, as fast as it goes or at "
        "most "

@@ -81,7 +81,7 @@ class UsageParser {
   std::size_t at_ = 0;
 };
 
-/// Follows all ways through a usage on which the words may lie.
+/// Follows all paths through a usage that match the words.
 class UsageMatcher {
  public:
   using Node = Usage::Node;

@@ -1,17 +1,15 @@
 #include "console/Values.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "base/Number.h"
 #include "console/Commands.h"
 
 namespace gt {
 namespace {
 
 ConsoleValue ofNumber(double number) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
-  return {{text, end}, number};
+  return {numberText(number), number};
 }
 
 ConsoleValue ofText(std::string text) {
@@ -50,12 +48,9 @@ std::optional<ConsoleValue> gameValue(Session& session, const std::string& path)
 /// The index of a ball by its name: ball is the first, ball1 the second.
 std::optional<std::size_t> ballIndex(std::string_view name, std::size_t count) {
   if (!name.starts_with("ball")) return std::nullopt;
-  const std::string_view digits = name.substr(4);
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-  const bool whole =
-      digits.empty() || (error == std::errc{} && end == digits.data() + digits.size());
-  return whole && index < count ? std::optional{index} : std::nullopt;
+  const auto index =
+      name == "ball" ? std::optional{std::size_t{0}} : numberFrom<std::size_t>(name.substr(4));
+  return index && *index < count ? index : std::nullopt;
 }
 
 std::optional<ConsoleValue> ballValue(Session& session, const std::string& name,
@@ -81,13 +76,9 @@ std::optional<ConsoleValue> ballValue(Session& session, const std::string& name,
 
 /// The index in the world of a robot of the scene, active or passive.
 std::optional<std::size_t> robotIndex(const SceneDescription& scene, std::string_view name) {
-  std::size_t index = 0;
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) {
-      if (robot.name == name) return index;
-      ++index;
-    }
-  return std::nullopt;
+  const auto robots = scene.allRobots();
+  const auto found = std::ranges::find(robots, name, &SceneRobot::name);
+  return found == robots.end() ? std::nullopt : std::optional{std::size_t(found - robots.begin())};
 }
 
 std::optional<ConsoleValue> bodyValue(const RobotBody& body, const std::string& field) {
@@ -165,12 +156,9 @@ std::vector<std::string> valueNames(Console& console) {
   for (std::size_t i = 0; i < session.simulation().world().ballCount(); ++i)
     for (const char* field : {"x", "y", "speed", "toucher"})
       names.push_back("ball" + (i == 0 ? "" : std::to_string(i)) + "." + field);
-  const SceneDescription& scene = session.simulation().scene();
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group)
-      for (const char* field :
-           {"x", "y", "rotation", "height", "tilt", "roll", "walked", "posture"})
-        names.push_back(robot.name + "." + field);
+  for (const SceneRobot* robot : session.simulation().scene().allRobots())
+    for (const char* field : {"x", "y", "rotation", "height", "tilt", "roll", "walked", "posture"})
+      names.push_back(robot->name + "." + field);
   const auto first = console.firstRobot();
   if (!first) return names;
   ObservedRobot& robot = (*first)->observed();

@@ -8,10 +8,9 @@ namespace {
 
 /// The robots of the scene, active and passive, in the world's order.
 std::vector<std::string> sceneRobots(Console& console) {
-  const SceneDescription& scene = console.session().simulation().scene();
   std::vector<std::string> names;
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) names.push_back(robot.name);
+  for (const SceneRobot* robot : console.session().simulation().scene().allRobots())
+    names.push_back(robot->name);
   return names;
 }
 
