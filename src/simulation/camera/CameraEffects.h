@@ -58,7 +58,7 @@ struct CameraEffects {
         field("rollingShutter", &CameraEffects::rollingShutter, "",
               "rows are exposed one after another; otherwise all with the middle row"),
         field("blur", &CameraEffects::blur, "pixel", "standard deviation of the lens' blur",
-              {0, 0.93}),
+              {0, 2}),
         field("vignetting", &CameraEffects::vignetting, "", "part of the light lost in the corners",
               {0, 0.9}),
         field("brightness", &CameraEffects::brightness, "", "factor on all light", {0, 1.9}),

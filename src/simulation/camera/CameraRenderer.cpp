@@ -33,12 +33,13 @@ void CameraRenderer::render(const mjData& data, const CameraView& view,
     readTruth(*truth);
     if (truth->withDepths) measureDepths(data, view, effects.rollingShutter, truth->depths);
   }
+  takePlanes(rasterizer_, planes_);
   if (effects.exposure > 0 && isFinite(view.first) && isFinite(view.last))
-    motionBlur_.apply(view, effects.exposure, rasterizer_);
+    motionBlur_.apply(view, effects.exposure, planes_);
   if (effects.colors())
-    effects_.apply(rasterizer_, view, effects, seed, image);
+    effects_.apply(planes_, view, effects, seed, image);
   else
-    ImageEffects::copy(rasterizer_, image);
+    joinPlanes(planes_, image);
 }
 
 void CameraRenderer::drawScene(const mjData& data, int hiddenBody) {

@@ -10,6 +10,7 @@
 #include "simulation/camera/CameraScene.h"
 #include "simulation/camera/CameraView.h"
 #include "simulation/camera/ImageEffects.h"
+#include "simulation/camera/ImagePlanes.h"
 #include "simulation/camera/MotionBlur.h"
 #include "simulation/camera/Projection.h"
 #include "simulation/camera/Rasterizer.h"
@@ -45,6 +46,7 @@ class CameraRenderer {
   const CameraScene* scene_;
   Projection projection_;
   Rasterizer rasterizer_;
+  ImagePlanes planes_;
   MotionBlur motionBlur_;
   ImageEffects effects_;
 };

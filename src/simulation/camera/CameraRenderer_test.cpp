@@ -251,7 +251,35 @@ TEST(CameraRenderer, APoleIsSkewedByTheTurningRateAndTheRowTime) {
   }
 }
 
-class AgreesWithMuJoCosRays : public testing::TestWithParam<LensDistortion> {};
+class AgreesWithMuJoCosRays : public testing::TestWithParam<LensDistortion> {
+ protected:
+  /// Compares what is seen in every third pixel of an image with what a ray hits.
+  void compare(TestWorld& world, const CameraView& view, const ImageTruth& truth) {
+    for (int y = 1; y < view.info.height - 1; y += 3) {
+      const Pose3D pose = poseAtRow(view, y + 0.5);
+      const Vector3d from = pose.translation / 1000;
+      for (int x = 1; x < view.info.width - 1; x += 3) {
+        const Vector3d ray = pose.rotation * view.info.ray(x + 0.5, y + 0.5).normalized();
+        int geom = -1;
+        mj_ray(&world.model(), &world.data(), from.data(), ray.data(), nullptr, 1, -1, &geom);
+        // Along edges a neighbor may be meant.
+        bool seen = false, same = false;
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) {
+            const bool here =
+                truth.geoms[static_cast<std::size_t>((y + dy) * view.info.width + x + dx)] == geom;
+            seen |= here;
+            same |= here && dx == 0 && dy == 0;
+          }
+        ++pixels;
+        different += !same;
+        unknown += !seen;
+      }
+    }
+  }
+
+  int pixels = 0, different = 0, unknown = 0;
+};
 
 TEST_P(AgreesWithMuJoCosRays, ForEveryPixel) {
   // Every form, some of them in a robot whose arm reaches far, seen while the camera moves.
@@ -276,7 +304,6 @@ TEST_P(AgreesWithMuJoCosRays, ForEveryPixel) {
                                           R"(<mesh name="wedge"
       vertex="0 0 0  0.1 0 0  0 0.1 0  0 0 0.1"/>)");
   Random random{8};
-  int pixels = 0, different = 0, unknown = 0;
   const bool even = GetParam().none();
   for (int i = 0; i < (even ? 60 : 20); ++i) {
     CameraView view =
@@ -298,27 +325,7 @@ TEST_P(AgreesWithMuJoCosRays, ForEveryPixel) {
     effects.rollingShutter = true;
     ImageTruth truth;
     world.picture(view, effects, &truth);
-    for (int y = 1; y < view.info.height - 1; y += 3) {
-      const Pose3D pose = poseAtRow(view, y + 0.5);
-      const Vector3d from = pose.translation / 1000;
-      for (int x = 1; x < view.info.width - 1; x += 3) {
-        const Vector3d ray = pose.rotation * view.info.ray(x + 0.5, y + 0.5).normalized();
-        int geom = -1;
-        mj_ray(&world.model(), &world.data(), from.data(), ray.data(), nullptr, 1, -1, &geom);
-        // Along edges a neighbor may be meant.
-        bool seen = false, same = false;
-        for (int dy = -1; dy <= 1; ++dy)
-          for (int dx = -1; dx <= 1; ++dx) {
-            const bool here =
-                truth.geoms[static_cast<std::size_t>((y + dy) * view.info.width + x + dx)] == geom;
-            seen |= here;
-            same |= here && dx == 0 && dy == 0;
-          }
-        ++pixels;
-        different += !same;
-        unknown += !seen;
-      }
-    }
+    compare(world, view, truth);
   }
   EXPECT_LT(different, pixels / 100);
   // Where round forms nearly touch each other, the flat depth of their outlines may mistake them.

@@ -6,7 +6,7 @@
 #include "representations/infrastructure/Image.h"
 #include "simulation/camera/CameraEffects.h"
 #include "simulation/camera/CameraView.h"
-#include "simulation/camera/Rasterizer.h"
+#include "simulation/camera/ImagePlanes.h"
 #include "simulation/camera/UnevenLight.h"
 
 namespace gt {
@@ -16,35 +16,37 @@ namespace gt {
 class ImageEffects {
  public:
   /// The same input gives the same bytes. `image` and `view`, in which the image was drawn, have
-  /// the rasterizer's size.
-  void apply(const Rasterizer& picture, const CameraView& view, const CameraEffects& effects,
+  /// the size of the planes.
+  void apply(const ImagePlanes& picture, const CameraView& view, const CameraEffects& effects,
              std::uint64_t seed, Image& image);
-  /// The perfect image.
-  static void copy(const Rasterizer& picture, Image& image);
 
  private:
-  void setTables(int width, const CameraEffects& effects);
-  void setLight(int width, const CameraEffects& effects);
-  void setNoise(const CameraEffects& effects);
-  void setAdded(const CameraEffects& effects);
-  void setRim(int width, const CameraEffects& effects);
-  /// A row with the colors that bleed into it.
-  const std::uint8_t* colorRow(const Rasterizer& picture, int y);
-  const std::uint8_t* blurRow(const Rasterizer& picture, int y, int weight);
-  void prepareRow(const std::uint8_t* in, int y, int height, std::int16_t rowLoss);
+  static constexpr std::size_t channels = 3;
+  template <typename T>
+  using Rows = std::array<std::vector<T>, channels>;
 
-  // Four entries for each pixel of a row: y, cb, cr and the unused byte. Made for `known_`.
-  std::vector<std::int16_t> offset_, gain_;
-  std::vector<std::int16_t> added_;  ///< Noise and color cast, an image takes rows of it.
-  std::vector<std::int16_t> noise_;  ///< Four times the noise where y is 0, likewise.
-  std::vector<std::int16_t> columnCast_, rowCast_, rowLight_, rowNoise_;
-  std::vector<std::int16_t> uneven_;  ///< An entry for each pixel of a row.
-  UnevenLight light_;
-  std::vector<std::uint8_t> vertical_, blurred_;
-  std::array<std::vector<std::uint8_t>, 3> bled_;  ///< The last rows of `colorRow`,
-  std::array<int, 3> bledRow_{};                   ///< and which they are.
-  int width_ = 0;
-  CameraEffects known_;
+  /// What depends on the column only.
+  void setColumns(const CameraEffects& effects, int width, std::size_t padded);
+  void setNoise(double correlation);
+  void applyWide(const ImagePlanes& picture, const CameraEffects& effects, std::uint64_t seed,
+                 Image& image);
+  struct Spread;
+  /// Mixes the rows of a plane with those above and below. The result is in `out` unless nothing
+  /// changes.
+  const Plane& spreadRows(const Plane& plane, const Spread& spread, Plane& out);
+  /// Mixes the pixels of a row with those beside them, likewise.
+  const std::uint8_t* spreadRow(const std::uint8_t* row, const Spread& spread, std::uint8_t* out);
+
+  ImagePlanes spread_;
+  Plane mixed_, mixedRow_;  ///< Between two passes; a whole image and one row.
+  Rows<std::uint8_t> blurred_, shaded_;
+  std::vector<std::int16_t> gain_, uneven_, light_;  ///< Of each column.
+  Rows<std::int16_t> cast_;                          ///< Of each column.
+  int width_ = 0;                                    ///< For which columns were set,
+  CameraEffects known_;                              ///< and these.
+  Rows<std::int16_t> noise_;  ///< Rows of images begin anywhere in it. Made for `correlation_`.
+  double correlation_ = -1;
+  UnevenLight unevenLight_;
 };
 
 }  // namespace gt

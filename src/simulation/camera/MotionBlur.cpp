@@ -2,31 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstring>
+
+#include "simulation/camera/WideInstructions.h"
 
 namespace gt {
 namespace {
 
-constexpr int channels = 4;
 /// What is smeared over the same distance: so many pixels in both directions.
-constexpr int blockWidth = 16, blockHeight = 8;
-/// No distance is longer in either direction (pixels).
-constexpr int longest = 32;
-constexpr int mostSamples = 16;
-
-/// The bytes of a row of a block.
-using BlockRow = std::array<std::uint8_t, channels * blockWidth>;
-
-/// Averages bytes with others; halves are rounded up or down.
-void average(BlockRow& bytes, const BlockRow& others, bool up) {
-  const std::uint8_t flip = up ? 0 : 255;
-  for (std::size_t k = 0; k < bytes.size(); ++k) {
-    const auto one = static_cast<std::uint8_t>(bytes[k] ^ flip);
-    const auto two = static_cast<std::uint8_t>(others[k] ^ flip);
-    bytes[k] = static_cast<std::uint8_t>(static_cast<std::uint8_t>((one + two + 1) >> 1) ^ flip);
-  }
-}
+constexpr int blockWidth = Plane::step, blockHeight = 8;
+/// No distance is longer to either side (pixels).
+constexpr int longest = Plane::margin - blockWidth;
+constexpr std::size_t mostSamples = 16;
 
 /// How the camera turns while a row is exposed, in its own axes (rad).
 Vector3d turnOf(const CameraView& view, double exposure) {
@@ -44,69 +32,85 @@ Vector2d wayAt(const CameraInfo& info, double x, double y, const Vector3d& turn)
           -info.focalY * (change.z() - ray.z() * change.x())};
 }
 
+int rounded(double pixels) {
+  return static_cast<int>(pixels + longest + 0.5) - longest;
+}
+
 /// The whole pixels from a pixel to those whose mean it gets: 1, 4, 8 or 16.
 struct Path {
   std::array<int, mostSamples> x, y;
-  int count = 0;
+  std::size_t count = 0;
 
   explicit Path(const Vector2d& way) {
     const double length = way.cwiseAbs().maxCoeff();
     count = length < 0.6 ? 1 : length <= 4 ? 4 : length <= 8 ? 8 : mostSamples;
-    for (int i = 0; i < count; ++i) {
-      const double part = (i + 0.5) / count - 0.5;
-      const auto index = static_cast<std::size_t>(i);
-      x[index] = std::clamp(static_cast<int>(std::lround(part * way.x())), -longest, longest);
-      y[index] = static_cast<int>(std::lround(part * way.y()));
+    const Vector2d most = way.cwiseMax(-2 * longest).cwiseMin(2 * longest);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(count) - 0.5;
+      x[i] = rounded(part * most.x());
+      y[i] = rounded(part * most.y());
     }
   }
 };
 
+/// From the first byte of a plane to those whose mean pixels get.
+using Offsets = std::array<std::ptrdiff_t, mostSamples>;
+
+/// The means of so many pixels each.
+template <std::size_t count>
+struct Mean {
+  const std::uint8_t* sharp;
+  const Offsets& offsets;
+
+  [[gnu::always_inline]] inline void operator()(std::uint8_t* __restrict out,
+                                                std::size_t size) const {
+    for (std::size_t k = 0; k < size; ++k) {
+      std::uint16_t sum = count / 2;
+      for (std::size_t i = 0; i < count; ++i)
+        sum = static_cast<std::uint16_t>(sum + sharp[offsets[i] + static_cast<std::ptrdiff_t>(k)]);
+      out[k] = static_cast<std::uint8_t>(sum / count);
+    }
+  }
+};
+
+/// Smears a row of a block.
+[[gnu::always_inline]] inline void smear(const std::uint8_t* sharp, const Offsets& offsets,
+                                         std::size_t count, std::uint8_t* out) {
+  if (count == 1)
+    std::memcpy(out, sharp + offsets[0], blockWidth);
+  else if (count == 4)
+    Mean<4>{sharp, offsets}(out, blockWidth);
+  else if (count == 8)
+    Mean<8>{sharp, offsets}(out, blockWidth);
+  else
+    Mean<mostSamples>{sharp, offsets}(out, blockWidth);
+}
+
 }  // namespace
 
-void MotionBlur::apply(const CameraView& view, double exposure, Rasterizer& picture) {
+void MotionBlur::apply(const CameraView& view, double exposure, ImagePlanes& picture) {
   const Vector3d turn = turnOf(view, exposure);
   constexpr double least = 1e-3;  // rad, a sixth of a pixel
   if (turn.norm() < least) return;
-  copySharp(picture);
-  std::array<BlockRow, mostSamples> samples{};
-  for (int y = 0; y < picture.height(); y += blockHeight)
-    for (int x = 0; x < picture.width(); x += blockWidth) {
-      const Path path{wayAt(view.info, x + blockWidth / 2.0, y + blockHeight / 2.0, turn)};
-      const int below = std::min(y + blockHeight, picture.height());
-      for (int row = y; row < below && path.count > 1; ++row) {
-        for (int i = 0; i < path.count; ++i) {
-          const auto index = static_cast<std::size_t>(i);
-          const int from = std::clamp(row + path.y[index], 0, picture.height() - 1);
-          std::memcpy(samples[index].data(), sharpAt(x + path.x[index], from), sizeof(BlockRow));
-        }
-        bool up = true;
-        for (auto left = static_cast<std::size_t>(path.count); left > 1; left /= 2, up = !up)
-          for (std::size_t i = 0; i < left / 2; ++i) average(samples[i], samples[left - 1 - i], up);
-        PackedColor* out = picture.row(row) + x;
-        for (int k = 0; k < std::min(blockWidth, picture.width() - x); ++k) {
-          PackedColor mean = 0;
-          std::memcpy(&mean, &samples[0][static_cast<std::size_t>(channels * k)], channels);
-          out[k] = (out[k] & 0xff000000) | (mean & 0x00ffffff);
+  std::swap(picture, sharp_);
+  for (std::size_t channel = 0; channel < picture.size(); ++channel) {
+    picture[channel].resize(view.info.width, view.info.height);
+    for (int y = 0; y < view.info.height; ++y) sharp_[channel].fillMargins(y);
+  }
+  withWideInstructions([&]() __attribute__((always_inline)) {
+    for (int y = 0; y < view.info.height; y += blockHeight)
+      for (int x = 0; x < view.info.width; x += blockWidth) {
+        const Path path{wayAt(view.info, x + blockWidth / 2.0, y + blockHeight / 2.0, turn)};
+        for (int row = y; row < std::min(y + blockHeight, view.info.height); ++row) {
+          const std::uint8_t* const first = sharp_[0].row(0);
+          Offsets offsets;
+          for (std::size_t i = 0; i < path.count; ++i)
+            offsets[i] = sharp_[0].nearestRow(row + path.y[i]) - first + x + path.x[i];
+          for (std::size_t channel = 0; channel < picture.size(); ++channel)
+            smear(sharp_[channel].row(0), offsets, path.count, picture[channel].row(row) + x);
         }
       }
-    }
-}
-
-void MotionBlur::copySharp(const Rasterizer& picture) {
-  const int width = picture.width();
-  stride_ = width + 2 * longest + blockWidth;
-  sharp_.resize(static_cast<std::size_t>(stride_ * picture.height()));
-  for (int y = 0; y < picture.height(); ++y) {
-    PackedColor* row = &sharp_[static_cast<std::size_t>(y * stride_)];
-    std::fill_n(row, longest, picture.row(y)[0]);
-    std::copy_n(picture.row(y), width, row + longest);
-    std::fill_n(row + longest + width, longest + blockWidth, picture.row(y)[width - 1]);
-  }
-}
-
-const std::uint8_t* MotionBlur::sharpAt(int x, int y) const {
-  return reinterpret_cast<const std::uint8_t*>(
-      &sharp_[static_cast<std::size_t>(y * stride_ + longest + x)]);
+  });
 }
 
 }  // namespace gt

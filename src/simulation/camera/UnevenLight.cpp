@@ -3,13 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/camera/WideInstructions.h"
+
 namespace gt {
 namespace {
 
-constexpr int apart = 16;                                 // pixels
+constexpr int apartBits = 4, apart = 1 << apartBits;      // pixels
 constexpr double one = 1 << 14;                           // a light as on average
 constexpr double farthest = 3000;                         // mm, from the robot and the center
 constexpr double lampsApartX = 2600, lampsApartY = 1900;  // mm
+
+/// The values between points of two rows.
+struct Interpolate {
+  const std::int16_t *upper, *lower;
+  int below;
+
+  [[gnu::always_inline]] inline void operator()(std::int16_t* __restrict out,
+                                                std::size_t points) const {
+    const auto between = [&](std::size_t c) {
+      return upper[c] + ((lower[c] - upper[c]) * below >> apartBits);
+    };
+    for (std::size_t c = 0; c < points; ++c) {
+      const int left = between(c), right = between(c + 1);
+      for (int k = 0; k < apart; ++k)
+        out[apart * c + static_cast<std::size_t>(k)] =
+            static_cast<std::int16_t>(left + ((right - left) * k >> apartBits));
+    }
+  }
+};
 
 }  // namespace
 
@@ -19,7 +40,6 @@ double UnevenLight::at(const Vector2d& place) {
 }
 
 void UnevenLight::set(const CameraView& view, double share) {
-  width_ = view.info.width;
   columns_ = (view.info.width + apart - 1) / apart + 1;
   const int rows = (view.info.height + apart - 1) / apart + 1;
   points_.clear();
@@ -38,17 +58,10 @@ void UnevenLight::set(const CameraView& view, double share) {
 }
 
 void UnevenLight::row(int y, std::int16_t* light) const {
-  const int below = y % apart;
   const std::int16_t* upper = &points_[static_cast<std::size_t>(y / apart * columns_)];
-  const std::int16_t* lower = upper + columns_;
-  const auto between = [&](int c) { return upper[c] + (lower[c] - upper[c]) * below / apart; };
-  int right = between(0);
-  for (int x = 0, c = 0; x < width_; ++c) {
-    const int left = right;
-    right = between(c + 1);
-    for (int k = 0; k < apart && x < width_; ++k, ++x)
-      light[x] = static_cast<std::int16_t>(left + (right - left) * k / apart);
-  }
+  withWideInstructions([&]() __attribute__((always_inline)) {
+    Interpolate{upper, upper + columns_, y % apart}(light, static_cast<std::size_t>(columns_ - 1));
+  });
 }
 
 }  // namespace gt

@@ -16,11 +16,12 @@ class UnevenLight {
   /// Sets what the next rows see; places differ by at most `share`. Rays that meet the ground
   /// nowhere, or farther away, see the light 3 m ahead.
   void set(const CameraView& view, double share);
-  /// The light of the pixels of a row: 1 << 14 where it is as on average.
+  /// The light of the pixels of a row, and of more up to a multiple of 16: 1 << 14 where it is as
+  /// on average.
   void row(int y, std::int16_t* light) const;
 
  private:
-  int width_ = 0, columns_ = 0;
+  int columns_ = 0;
   std::vector<std::int16_t> points_;  ///< Row by row.
 };
 

@@ -31,7 +31,7 @@ TEST(UnevenLight, IsInterpolatedWhereTheGroundIsSeen) {
     view.info.centerX = width / 2.0;
     UnevenLight light;
     light.set(view, 0.5);
-    std::vector<std::int16_t> row(static_cast<std::size_t>(width));
+    std::vector<std::int16_t> row(static_cast<std::size_t>(width + 16));
     for (const int y : {60, 77, 143}) {
       light.row(y, row.data());
       for (const int x : {0, 17, width - 1}) {

@@ -1,0 +1,63 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "representations/infrastructure/Image.h"
+#include "simulation/camera/Rasterizer.h"
+
+namespace gt {
+
+/// One channel of an image. All rows have the same margins on both sides, so that loops may run in
+/// whole steps and neighbors need no question.
+class Plane {
+ public:
+  /// Pixels that can be read beyond both ends of a row.
+  static constexpr int margin = 64;
+  /// Rows have room for a width that is a multiple of this.
+  static constexpr int step = 32;
+
+  void resize(int width, int height);
+  int height() const { return height_; }
+  /// The width, rounded up to whole steps.
+  std::size_t paddedWidth() const { return paddedWidth_; }
+  const std::uint8_t* row(int y) const { return &values_[offset(y)]; }
+  std::uint8_t* row(int y) { return &values_[offset(y)]; }
+  /// A row, or the outermost one above or below.
+  const std::uint8_t* nearestRow(int y) const { return row(std::clamp(y, 0, height_ - 1)); }
+  /// Gives the margins of a row the values of its outermost pixels.
+  void fillMargins(int y);
+
+ private:
+  std::size_t offset(int y) const {
+    return static_cast<std::size_t>(y) * (paddedWidth_ + 2 * margin) + margin;
+  }
+
+  int width_ = 0, height_ = 0;
+  std::size_t paddedWidth_ = 0;
+  std::vector<std::uint8_t> values_;
+};
+
+/// An image by channels: y, cb and cr.
+using ImagePlanes = std::array<Plane, 3>;
+
+/// Takes the drawn image apart; the margins stay as they are.
+void takePlanes(const Rasterizer& picture, ImagePlanes& planes);
+/// Puts a row of each channel together.
+[[gnu::always_inline]] inline void joinRow(const std::array<const std::uint8_t*, 3>& channels,
+                                           std::span<Pixel> row) {
+  auto* __restrict out = reinterpret_cast<std::uint8_t*>(row.data());
+  const auto [y, cb, cr] = channels;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const PackedColor color =
+        PackedColor{y[i]} | PackedColor{cb[i]} << 8 | PackedColor{cr[i]} << 16;
+    std::memcpy(out + sizeof color * i, &color, sizeof color);
+  }
+}
+/// Puts all rows together; the image has the planes' size.
+void joinPlanes(const ImagePlanes& planes, Image& image);
+
+}  // namespace gt
