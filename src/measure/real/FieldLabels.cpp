@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "base/Number.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -27,12 +27,8 @@ struct Row {
   }
   template <typename T>
   Result<T> number(std::size_t column) const {
-    const std::string_view cell = cells[column];
-    T value{};
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc{} || end != cell.data() + cell.size())
-      return wrong(column, "a number was expected");
-    return value;
+    if (const auto value = numberFrom<T>(cells[column])) return *value;
+    return wrong(column, "a number was expected");
   }
 };
 

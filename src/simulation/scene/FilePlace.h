@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// A place in a file, from 1; column 0 where only the line is known.
+/// A place in a file, from 1; column 0 if only the line is known.
 struct FilePlace {
   int line = 0;
   int column = 0;

@@ -17,7 +17,7 @@
 namespace gt {
 namespace {
 
-/// Reads the elements of one scene file, and goes on after errors.
+/// Reads the elements of one scene file, and continues after errors.
 class SceneReader {
  public:
   SceneReader(const std::string& path, const xmlDoc& document, std::string_view text,
@@ -60,7 +60,7 @@ void forEachChild(const xmlNode* node, const Visit& visit) {
     if (child->type != XML_COMMENT_NODE) visit(child);
 }
 
-/// An element as a person knows it: <robot>.
+/// An element as it stands in a file: <robot>.
 std::string tag(const xmlNode* node) {
   return std::string{"<"}.append(nameOf(node)).append(">");
 }
@@ -120,6 +120,10 @@ void SceneReader::expectEmpty(const xmlNode* node) {
 
 template <typename Visit>
 void SceneReader::forEachMember(const xmlNode* group, const std::string& element, Visit visit) {
+  struct NoAttributes {
+    static constexpr auto fields() { return Fields{}; }
+  } none;
+  readAttributes(group, none);
   forEachChild(group, [&](const xmlNode* node) {
     if (node->type != XML_ELEMENT_NODE || nameOf(node) != element)
       return error(node, nameOf(node), "expected <" + element + ">");
@@ -150,48 +154,31 @@ void SceneReader::readBalls(const xmlNode* group, std::vector<SceneBall>& into) 
 
 void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
   const std::string name = nameOf(node);
-  const auto readLeaf = [&](auto& parameters) {
-    readAttributes(node, parameters);
+  std::map<std::string, std::function<void()>> readers;
+  const auto addLeaf = [&](std::string_view element, auto& parameters) {
+    readers.emplace(element, [this, node, &parameters] {
+      readAttributes(node, parameters);
+      expectEmpty(node);
+    });
+  };
+  forEachProfileElement(scene, addLeaf);
+  addLeaf("optics", scene.optics);
+  addLeaf("game", scene.game);
+  addLeaf("rules", scene.rules);
+  readers["ceilingCamera"] = [&] {
+    readAttributes(node, scene.ceilingCamera.emplace());
     expectEmpty(node);
   };
-  struct NoAttributes {
-    static constexpr auto fields() { return Fields{}; }
-  } none;
-  const std::map<std::string, std::function<void()>> readers{
-      {"noise", [&] { readLeaf(scene.noise); }},
-      {"body", [&] { readLeaf(scene.body); }},
-      {"walking", [&] { readLeaf(scene.walking); }},
-      {"camera", [&] { readLeaf(scene.camera); }},
-      {"optics",
-       [&] {
-         readLeaf(scene.optics);
-         checkOptics(node, scene.optics);
-       }},
-      {"physics", [&] { readLeaf(scene.physics); }},
-      {"radio",
-       [&] {
-         readLeaf(scene.radio);
-         if (scene.radio.delayMin > scene.radio.delayMax)
-           error(node, "delayMin", "is greater than delayMax");
-       }},
-      {"game", [&] { readLeaf(scene.game); }},
-      {"ceilingCamera", [&] { readLeaf(scene.ceilingCamera.emplace()); }},
-      {"rules", [&] { readLeaf(scene.rules); }},
-      {"robots",
-       [&] {
-         readAttributes(node, none);
-         readRobots(node, scene.robots);
-       }},
-      {"extras",
-       [&] {
-         readAttributes(node, none);
-         readRobots(node, scene.extras);
-       }},
-      {"balls", [&] {
-         readAttributes(node, none);
-         readBalls(node, scene.balls);
-       }}};
-  if (const auto reader = readers.find(name); reader != readers.end()) return reader->second();
+  readers["robots"] = [&] { readRobots(node, scene.robots); };
+  readers["extras"] = [&] { readRobots(node, scene.extras); };
+  readers["balls"] = [&] { readBalls(node, scene.balls); };
+  if (const auto reader = readers.find(name); reader != readers.end()) {
+    reader->second();
+    if (name == "optics") checkOptics(node, scene.optics);
+    if (name == "radio" && scene.radio.delayMin > scene.radio.delayMax)
+      error(node, "delayMin", "is greater than delayMax");
+    return;
+  }
   std::string names;
   for (const auto& [known, read] : readers) names += (names.empty() ? "<" : ", <") + known + ">";
   error(node, name, "expected one of " + names);
@@ -201,24 +188,23 @@ void SceneReader::checkRobots(const SceneDescription& scene) {
   std::set<std::string> names;
   std::set<std::pair<TeamColor, PlayerRole>> players;
   std::size_t count = 0;
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) {
-      if (++count == maxSceneRobots + 1)
-        error(robot.place, "robot", "is one more than " + std::to_string(maxSceneRobots));
-      if (robot.name.find('/') != std::string::npos)
-        error(robot.place, "name", "\"" + robot.name + "\" must not contain a slash");
-      constexpr std::string_view digits = "0123456789ABCDEF";
-      if (!robot.address.empty() && (robot.address.size() != 12 ||
-                                     robot.address.find_first_not_of(digits) != std::string::npos))
-        error(robot.place, "address", "expected 12 digits 0 to F, found \"" + robot.address + "\"");
-      if (!names.insert(robot.name).second)
-        error(robot.place, "name", "a second robot \"" + robot.name + "\"");
-      const bool plays = scene.game.referee && group == &scene.robots;
-      if (plays && !players.insert({robot.team, robot.role}).second)
-        error(robot.place, "role",
-              "a second " + std::string{enumName(robot.role)} + " of the " +
-                  std::string{enumName(robot.team)} + " team");
-    }
+  for (const SceneRobot* robot : scene.allRobots()) {
+    const std::string &name = robot->name, &address = robot->address;
+    if (++count == maxSceneRobots + 1)
+      error(robot->place, "robot", "is one more than " + std::to_string(maxSceneRobots));
+    if (name.find('/') != std::string::npos)
+      error(robot->place, "name", "\"" + name + "\" must not contain a slash");
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    if (!address.empty() &&
+        (address.size() != 12 || address.find_first_not_of(digits) != std::string::npos))
+      error(robot->place, "address", "expected 12 digits 0 to F, found \"" + address + "\"");
+    if (!names.insert(name).second) error(robot->place, "name", "a second robot \"" + name + "\"");
+    const bool plays = scene.game.referee && count <= scene.robots.size();
+    if (plays && !players.insert({robot->team, robot->role}).second)
+      error(robot->place, "role",
+            "a second " + std::string{enumName(robot->role)} + " of the " +
+                std::string{enumName(robot->team)} + " team");
+  }
 }
 
 SceneDescription SceneReader::read(const xmlNode* root) {
@@ -243,6 +229,13 @@ SceneDescription SceneReader::read(const xmlNode* root) {
 }
 
 }  // namespace
+
+std::vector<const SceneRobot*> SceneDescription::allRobots() const {
+  std::vector<const SceneRobot*> all;
+  for (const auto* group : {&robots, &extras})
+    for (const SceneRobot& robot : *group) all.push_back(&robot);
+  return all;
+}
 
 std::string SceneDescription::resolve(const std::string& path) const {
   const std::filesystem::path p{path};

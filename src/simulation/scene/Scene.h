@@ -41,7 +41,8 @@ struct NoiseParameters {
               "white noise of steps; 1: 20 mm and 2 degrees over 1 m, 5 degrees over a turn",
               {0, 100}),
         field("psdReflections", &NoiseParameters::psdReflections, "",
-              "share of the distance sensor's readings that are anything, by reflections", {0, 1})};
+              "share of the distance sensor's readings that are random, because of reflections",
+              {0, 1})};
   }
 };
 
@@ -69,7 +70,7 @@ struct BodyParameters {
     return Fields{
         field("tilt", &P::tilt, "deg",
               "standard deviation, from robot to robot, of how much the body leans back more than "
-              "joints and robot.cfg tell",
+              "joints and robot.cfg state",
               degrees),
         field("roll", &P::roll, "deg", "likewise to the right", degrees),
         field("jointOffset", &P::jointOffset, "deg",
@@ -93,8 +94,8 @@ struct BodyParameters {
   }
 };
 
-/// How the carpet shortens ways, and where feet slip on it. The dynamic fidelity does not need it:
-/// friction does it there. Element `walking`.
+/// How the carpet shortens walked distances, and where feet slip on it. The dynamic fidelity does
+/// not need it: friction has this effect there. Element `walking`.
 struct WalkingParameters {
   double shortfall = 0;
   double gaitShortfall = 0;
@@ -106,14 +107,15 @@ struct WalkingParameters {
   static constexpr auto fields() {
     using P = WalkingParameters;
     return Fields{
-        field("shortfall", &P::shortfall, "", "share by which all ways are shorter on this carpet",
-              {-0.5, 0.9}),
+        field("shortfall", &P::shortfall, "",
+              "share by which all walked distances are shorter on this carpet", {-0.5, 0.9}),
         field("gaitShortfall", &P::gaitShortfall, "",
               "share that is added to it at 200 mm/s, in proportion to the speed", {-0.5, 0.9}),
         field("bursts", &P::bursts, "1/min", "how often a robot that walks begins to slip",
               {0, 1000}),
         field("burstTime", &P::burstTime, "s", "mean time for which it slips", {0.01, 60}),
-        field("burstSlip", &P::burstSlip, "", "share of the way that is lost meanwhile", {0, 1}),
+        field("burstSlip", &P::burstSlip, "", "share of the distance that is lost meanwhile",
+              {0, 1}),
         field("contactTurn", &P::contactTurn, "deg/s",
               "at most, by which a robot is turned that walks against a wall or a robot",
               {0, 360})};
@@ -200,7 +202,7 @@ struct CeilingCameraParameters {
                   field("highX", &P::highX, "mm", "where it ends", {-1e4, 1e4}),
                   field("period", &P::period, "ms", "from image to image", {8, 10'000}),
                   field("oracle", &P::oracle, "",
-                        "the oracle tells the robots what this camera saw instead of the truth")};
+                        "the oracle reports what this camera saw instead of the truth")};
   }
 };
 
@@ -267,7 +269,7 @@ struct RuleParameters {
         field("illegalDefense", &RuleParameters::illegalDefense, "s",
               "in the center circle at the other team's kick-off", seconds),
         field("obstruction", &RuleParameters::obstruction, "s",
-              "standing in an opponent's way, far from the ball", seconds),
+              "standing in an opponent's path, far from the ball", seconds),
         field("requestForPickup", &RuleParameters::requestForPickup, "s",
               "lying on the side without getting up", seconds),
         field("removal", &RuleParameters::removal, "s", "for all penalties but obstruction",
@@ -305,7 +307,7 @@ struct SceneRobot {
         field("layout", &SceneRobot::layout, "", "process layout, from the scene's folder"),
         field("address", &SceneRobot::address, "", "hardware address, for robot.cfg"),
         field("bodyTilt", &SceneRobot::bodyTilt, "deg",
-              "the body leans back so much more than its joints tell (report B.4.5)", {-20, 20}),
+              "the body leans back so much more than its joints state (report B.4.5)", {-20, 20}),
         field("bodyRoll", &SceneRobot::bodyRoll, "deg", "likewise to the right", {-20, 20})};
   }
 };
@@ -326,14 +328,14 @@ struct SceneBall {
 };
 
 /// How far the world and the robots' hardware are from perfect: sets all numbers of the elements
-/// `noise`, `body`, `walking`, `camera`, `physics`, `radio` and the audience; what the scene says
-/// of one of them counts more (docs/realism.md). Perfect: no errors. Benign: noise only. Padova: as
-/// on the real robots of 2003. Rough: twice as bad.
+/// `noise`, `body`, `walking`, `camera`, `physics`, `radio` and the audience; what the scene
+/// states of one of them takes precedence (docs/realism.md). Perfect: no errors. Benign: noise
+/// only. Padova: as on the real robots of 2003. Rough: twice as bad.
 enum class Profile { perfect, benign, padova, rough };
 
-/// A simulation scene: who stands where, and how the world is (report I.4). Read from a `.scene`
-/// file. Its coordinates are the field's: origin at the center, x to the sky-blue goal, as the red
-/// team sees it.
+/// A simulation scene: which robots and balls stand where, and how the world is (report I.4). Read
+/// from a `.scene` file. Its coordinates are the field's: origin at the center, x to the sky-blue
+/// goal, as the red team sees it.
 struct SceneDescription {
   std::string file;
   FilePlace fieldPlace, configPlace, scriptPlace;  ///< Of these attributes, or of the scene.
@@ -359,6 +361,8 @@ struct SceneDescription {
   std::vector<SceneRobot> extras;
   std::vector<SceneBall> balls;
 
+  /// The robots of both groups in the world's order: the active ones first.
+  std::vector<const SceneRobot*> allRobots() const;
   /// A path of the scene as a path from where the program runs.
   std::string resolve(const std::string& path) const;
   /// The script to begin with, as a path from where the program runs: the scene's, with .con if it
@@ -373,7 +377,7 @@ struct SceneDescription {
         gt::field("script", &SceneDescription::script, "",
                   "console script to begin with, from the scene's folder"),
         gt::field("profile", &SceneDescription::profile, "",
-                  "how far all is from perfect, where the scene does not say it"),
+                  "how far all is from perfect, where the scene does not state it"),
         gt::field("fidelity", &SceneDescription::fidelity),
         gt::field("flags", &SceneDescription::flags, "",
                   "whether the field has its flags: what is of the model's class flag"),

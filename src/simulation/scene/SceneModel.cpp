@@ -182,8 +182,7 @@ std::optional<std::string> Composer::compose() {
   addAudience(childOf(root_, "worldbody", true), scene_.audience);
   addReferees(childOf(root_, "worldbody", true), scene_.referees);
   if (scene_.fidelity == Fidelity::dynamic) separateField();
-  for (const auto* group : {&scene_.robots, &scene_.extras})
-    for (const SceneRobot& robot : *group) addRobot(robot);
+  for (const SceneRobot* robot : scene_.allRobots()) addRobot(*robot);
   for (std::size_t i = 0; i < scene_.balls.size(); ++i) addBall(scene_.balls[i], i);
   if (errors_.size() > before) return std::nullopt;
 
@@ -196,11 +195,10 @@ std::optional<std::string> Composer::compose() {
 }
 
 /// Compiles each file of a scene alone that is not among the errors yet: lines of the joined text
-/// tell nothing.
+/// mean nothing to a person.
 void compileFiles(const SceneDescription& scene, std::vector<Error>& errors) {
   std::set<std::string> files{scene.resolve(scene.field)};
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) files.insert(scene.resolve(robot.model));
+  for (const SceneRobot* robot : scene.allRobots()) files.insert(scene.resolve(robot->model));
   for (const SceneBall& ball : scene.balls) files.insert(scene.resolve(ball.model));
   for (const Error& error : errors) files.erase(error.file);
   for (const std::string& path : files) {

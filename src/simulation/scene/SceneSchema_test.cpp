@@ -162,7 +162,7 @@ TEST(SceneSchema, AgreesWithTheLoader) {
                            "<walking bursts=\"-1\"/>",
                            "<noise slip=\"0.9\"/>",
                            "<noise slip=\"0.95\"/>",
-                           "<camera blur=\"0.95\"/>",
+                           "<camera blur=\"2.5\"/>",
                            "<camera vignetting=\"0.9\"/>",
                            "<optics width=\"1281\"/>",
                            "<optics width=\"320\"/>",

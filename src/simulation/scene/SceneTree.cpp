@@ -1,12 +1,12 @@
 #include "simulation/scene/SceneTree.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <span>
 #include <sstream>
 
 #include "base/Enum.h"
+#include "base/Number.h"
 #include "simulation/scene/ProfileTable.h"
 #include "streams/Config.h"
 
@@ -18,12 +18,8 @@ constexpr double farthest = 1e5;  // mm: nothing is put further away
 std::string textOf(std::span<const double> numbers) {
   std::string text;
   for (const double number : numbers) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(),
-                                   std::round(number * 1000) / 1000 + 0.0)
-                         .ptr;
     if (!text.empty()) text += ' ';
-    text.append(digits.data(), end);
+    text += numberText(std::round(number * 1000) / 1000 + 0.0);
   }
   return text;
 }
@@ -52,10 +48,8 @@ Result<std::vector<double>> numbersOf(const std::string& text) {
 }  // namespace
 
 SceneTree::SceneTree(Simulation& simulation) : simulation_(simulation) {
-  const SceneDescription& scene = simulation_.scene();
   std::size_t i = 0;
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) addRobot(i++, robot.name);
+  for (const SceneRobot* robot : simulation_.scene().allRobots()) addRobot(i++, robot->name);
   for (std::size_t ball = 0; ball < simulation_.world().ballCount(); ++ball) addBall(ball);
   addActuators();
   addFieldSensors();
@@ -292,17 +286,16 @@ void SceneTree::addCeilingCamera() {
     return percept.ballSeen ? textOf({percept.ball.x(), percept.ball.y()}) : "none";
   });
   std::size_t i = 0;
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group)
-      add("ceilingCamera/" + robot.name,
-          "x y in mm and the angle in deg as measured last; none if it was not seen",
-          [&s, player = s.players()[i++]]() -> std::string {
-            for (const MarkedRobot& seen : s.lastCeilingPercept().robots)
-              if (seen.teamColor == player.teamColor && seen.number == player.number())
-                return textOf({seen.pose.translation.x(), seen.pose.translation.y(),
-                               toDegrees(seen.pose.rotation)});
-            return "none";
-          });
+  for (const SceneRobot* robot : scene.allRobots())
+    add("ceilingCamera/" + robot->name,
+        "x y in mm and the angle in deg as measured last; none if it was not seen",
+        [&s, player = s.players()[i++]]() -> std::string {
+          for (const MarkedRobot& seen : s.lastCeilingPercept().robots)
+            if (seen.teamColor == player.teamColor && seen.number == player.number())
+              return textOf({seen.pose.translation.x(), seen.pose.translation.y(),
+                             toDegrees(seen.pose.rotation)});
+          return "none";
+        });
 }
 
 void SceneTree::addEmitters() {

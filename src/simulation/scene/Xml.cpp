@@ -45,7 +45,7 @@ class XmlScan {
   FilePlace place() const { return {line_, column_}; }
   bool ended() const { return at_ >= text_.size(); }
   bool sees(std::string_view begin) const { return text_.substr(at_).starts_with(begin); }
-  /// Goes on by so many bytes.
+  /// Advances by so many bytes.
   void skip(std::size_t bytes) {
     const std::size_t end = std::min(text_.size(), at_ + bytes);
     for (; at_ < end; ++at_) {
@@ -58,7 +58,7 @@ class XmlScan {
       }
     }
   }
-  /// Goes on behind the next occurrence of a text.
+  /// Advances behind the next occurrence of a text.
   void skipBehind(std::string_view end) {
     const std::size_t found = text_.find(end, at_);
     skip(found == text_.npos ? text_.npos - at_ : found + end.size() - at_);

@@ -33,7 +33,7 @@ void setAttribute(xmlNode* node, const char* name, const std::string& value);
 /// An element's line in its file.
 int lineOf(const xmlNode* node);
 
-/// Where the elements, attributes and texts of a document begin: libxml2 knows lines only.
+/// Where the elements, attributes and texts of a document begin: libxml2 reports lines only.
 class XmlPlaces {
  public:
   /// The document was read from a file of this text.
