@@ -143,6 +143,27 @@ Result<void> measureGrowth(Figures& figures, const MatchSpeedOptions& options) {
   return {};
 }
 
+/// How many times as long as in `benign` a match takes in `padova`; in turn, as machines are now
+/// faster, now slower.
+Result<void> measureProfiles(Figures& figures, const MatchSpeedOptions& options) {
+  MatchOptions match{options.root};
+  match.minutes = options.minutes;
+  std::vector<double> costs;
+  for (int i = 1; i <= options.runs; ++i) {
+    match.seed = static_cast<std::uint64_t>(i);
+    std::map<std::string, double> factors;
+    for (const char* profile : {"benign", "padova"}) {
+      match.profile = profile;
+      const auto run = play(match, false);
+      if (!run) return run.error();
+      factors[profile] = run->realTimeFactor;
+    }
+    costs.push_back(factors["benign"] / factors["padova"]);
+  }
+  figures.add("speed.match.padova.cost", "x", costs, Aim::atMost(1.25));
+  return {};
+}
+
 }  // namespace
 
 Result<void> measureMatchSpeed(Figures& figures, const MatchSpeedOptions& options) {
@@ -161,6 +182,7 @@ Result<void> measureMatchSpeed(Figures& figures, const MatchSpeedOptions& option
     if (&kind == kinds.data()) addParts(figures, *runs);
   }
   std::filesystem::remove_all(logs);
+  if (auto done = measureProfiles(figures, options); !done) return done;
   return measureGrowth(figures, options);
 }
 

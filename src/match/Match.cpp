@@ -5,6 +5,7 @@
 
 #include "base/Hash.h"
 #include "robot/Configuration.h"
+#include "simulation/scene/ProfileTable.h"
 #include "streams/File.h"
 #include "streams/Json.h"
 
@@ -25,6 +26,11 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   if (!scene) return scene.error();
   if (auto found = findSceneFiles(*scene); !found) return found.error();
   if (options.minutes) scene->game.minutes = *options.minutes;
+  if (!options.profile.empty()) {
+    const auto profile = enumValue<Profile>(options.profile);
+    if (!profile) return Error{.field = "profile", .what = "unknown: \"" + options.profile + "\""};
+    setProfile(*scene, *profile);
+  }
   std::unique_ptr<Match> match{new Match{options}};
   const auto configuration =
       loadConfiguration({scene->resolve(scene->config), options.motions, options.behavior});
@@ -163,6 +169,7 @@ Result<void> Match::save(const std::string& path) const {
     return Error{.file = path, .what = "this match cannot be repeated: " + irreproducible_};
   const MatchState state{.scene = options_.scene,
                          .layout = options_.layout,
+                         .profile = options_.profile,
                          .behavior = options_.behavior,
                          .motions = options_.motions,
                          .minutes = simulation_->scene().game.minutes,
@@ -179,6 +186,7 @@ Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions
   if (!state) return state.error();
   options.scene = state->scene;
   options.layout = state->layout;
+  options.profile = state->profile;
   options.behavior = state->behavior;
   options.motions = state->motions;
   options.minutes = state->minutes;

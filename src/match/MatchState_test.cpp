@@ -16,6 +16,7 @@ TEST_F(MatchStateTest, ASavedMatchGoesOnWithTheSameBits) {
   for (const char* scene : {"scenes/match.scene", "scenes/dynamic.scene"}) {
     MatchOptions options;
     options.scene = scene;
+    options.profile = "padova";
     options.seed = 11;
     auto made = Match::make(options);
     ASSERT_TRUE(made) << made.error().text();
@@ -59,6 +60,7 @@ TEST_F(MatchStateTest, StatesThatDoNotFitAreRefused) {
   EXPECT_NE(errorOf("\"seed\": 1", "\"seed\": 2").find("went another way"), std::string::npos);
   EXPECT_NE(errorOf("\"time\": 200", "\"time\": 201").find("time"), std::string::npos);
   EXPECT_NE(errorOf("\"time\": 200", "\"time\": 8000000").find("over before"), std::string::npos);
+  EXPECT_NE(errorOf("\"profile\": \"\"", "\"profile\": \"pisa\"").find("pisa"), std::string::npos);
   EXPECT_NE(errorOf("match.scene", "no.scene").find("no.scene"), std::string::npos);
   EXPECT_NE(errorOf("[]", "[{\"time\": 800}]").find("history"), std::string::npos);
   EXPECT_NE(errorOf("{", "").find("match.state"), std::string::npos);

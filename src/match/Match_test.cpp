@@ -23,6 +23,22 @@ TEST_F(MatchTest, SameSeedSameBytesWithAnyNumberOfThreads) {
   }
 }
 
+TEST_F(MatchTest, SameSeedSameBytesInEveryProfile) {
+  std::map<std::string, std::string> before;
+  for (const std::string_view name : enumNames<Profile>) {
+    const std::string profile{name};
+    const auto play = [&](std::size_t threads) {
+      return this->play(profile + std::to_string(threads), 5, threads, 0.04, "scenes/match.scene",
+                        profile);
+    };
+    const auto one = play(1), two = play(2);
+    EXPECT_EQ(one.size(), 9u);
+    for (const auto& [file, bytes] : one) EXPECT_TRUE(bytes == two.at(file)) << profile << file;
+    EXPECT_FALSE(one == before) << profile;
+    before = one;
+  }
+}
+
 /// The report 2.2.3: modules are grouped to processes without a change of their code.
 TEST_F(MatchTest, EveryLayoutPlaysTheSameMatch) {
   std::string first;

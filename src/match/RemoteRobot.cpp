@@ -37,7 +37,7 @@ bool isSane(const TeamMessage& message) {
 RemoteRobot::RemoteRobot() : wire_{network_, platformProcess} {}
 
 template <typename T>
-void RemoteRobot::receive(In<T>& in, const Plan& plan) {
+void RemoteRobot::receive(ReceivedPackage<T>& in, const Plan& plan) {
   if (const std::string from = senderOf(plan, representation<T>()); !from.empty())
     wire_.receive(from, in.receiver);
 }
@@ -70,7 +70,7 @@ void RemoteRobot::cycle(const RobotInput& input, RobotOutput& output) {
 
 void RemoteRobot::send(const RobotInput& input) {
   input.forEach([this]<typename T>(const T& package) {
-    Out<T>& out = std::get<Out<T>>(inputs_);
+    SentPackage<T>& out = std::get<SentPackage<T>>(inputs_);
     if (&out.value != &package) out.value = package;  // the image lies there already
     out.sender.send();
   });

@@ -29,8 +29,8 @@ class RemoteRobot : public MatchRobot {
                                                    const std::optional<Keys>& keys);
 
   void cycle(const RobotInput& input, RobotOutput& output) override;
-  Image* nextImage() override { return &std::get<Out<Image>>(inputs_).value; }
-  const Image* lastImage() const override { return &std::get<Out<Image>>(inputs_).value; }
+  Image* nextImage() override { return &std::get<SentPackage<Image>>(inputs_).value; }
+  const Image* lastImage() const override { return &std::get<SentPackage<Image>>(inputs_).value; }
 
   const RobotPose* pose() const override { return &pose_.value; }
   const BallModel* ball() const override { return &ball_.value; }
@@ -40,28 +40,12 @@ class RemoteRobot : public MatchRobot {
   const RemoteStatistics& statistics() const { return statistics_; }
 
  private:
-  template <typename T>
-  struct Out {
-    T value;
-    PackageSender sender{representation<T>(), &value};
-  };
-  template <typename T>
-  struct In {
-    T value;
-    PackageReceiver receiver{representation<T>(), &value};
-    bool take() {
-      receiver.receive();
-      receiver.request();
-      return receiver.receivedNew();
-    }
-  };
-
   RemoteRobot();
   template <typename T>
-  void receive(In<T>& in, const Plan& plan);
+  void receive(ReceivedPackage<T>& in, const Plan& plan);
   template <typename T>
-  In<T>& command() {
-    return std::get<In<T>>(commands_);
+  ReceivedPackage<T>& command() {
+    return std::get<ReceivedPackage<T>>(commands_);
   }
   void send(const RobotInput& input);
   void takeCommands(const RobotInput& input, RobotOutput& output);
@@ -70,13 +54,13 @@ class RemoteRobot : public MatchRobot {
   std::string name_;
   Network network_;
   Wire wire_;
-  InputSlots<Out> inputs_;
-  CommandSlots<In> commands_;
+  InputSlots<SentPackage> inputs_;
+  CommandSlots<ReceivedPackage> commands_;
   std::optional<CameraSettings> camera_;  ///< As the robot sent them last.
-  In<RobotPose> pose_;
-  In<BallModel> ball_;
-  In<RobotState> state_;
-  In<MotionInfo> motion_;
+  ReceivedPackage<RobotPose> pose_;
+  ReceivedPackage<BallModel> ball_;
+  ReceivedPackage<RobotState> state_;
+  ReceivedPackage<MotionInfo> motion_;
   Pose2D walked_;  ///< By the robot's odometry, in its last message.
   Time walkedAt_ = never();
   std::int64_t images_ = 0;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/CrashNotes.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/modeling/PlayersCollection.h"
 #include "robot/LocalLink.h"
@@ -75,6 +76,7 @@ void SimulatedRobot::send(Time now, const T& package) {
 }
 
 void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
+  const CrashContext context{name_.c_str()};
   const bool lost = input.image && slowness_ > 0 && isBusy(input.now);
   const bool withImage = input.image && !lost;
   lostImages_ += lost;

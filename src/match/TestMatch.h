@@ -40,9 +40,11 @@ class MatchTest : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder); }
 
   std::unique_ptr<Match> make(const std::string& name, std::uint64_t seed, std::size_t threads,
-                              double minutes, const std::string& scene = "scenes/match.scene") {
+                              double minutes, const std::string& scene = "scenes/match.scene",
+                              const std::string& profile = "") {
     MatchOptions options;
     options.scene = scene;
+    options.profile = profile;
     options.seed = seed;
     options.threads = threads;
     options.minutes = minutes;
@@ -56,8 +58,9 @@ class MatchTest : public ::testing::Test {
   /// Everything that a match leaves, as bytes by name.
   std::map<std::string, std::string> play(const std::string& name, std::uint64_t seed,
                                           std::size_t threads, double minutes = 0.5,
-                                          const std::string& scene = "scenes/match.scene") {
-    const auto match = make(name, seed, threads, minutes, scene);
+                                          const std::string& scene = "scenes/match.scene",
+                                          const std::string& profile = "") {
+    const auto match = make(name, seed, threads, minutes, scene, profile);
     while (!isOver(*match)) match->step();
     EXPECT_TRUE(match->close());
     std::map<std::string, std::string> files;
