@@ -143,5 +143,18 @@ TEST_F(TacticsTest, FindsRoomBehindABallAtTheWall) {
   }
 }
 
+TEST_F(TacticsTest, ShootsAtTheGoalButPlaysABallBesideItBack) {
+  for (const double y : {-700., -500., 500., 700.}) {
+    world.ball.position = {1400, y};
+    const double crossing = y + std::tan(tactics().kickDirection()) * (2100 - 1400);
+    EXPECT_LT(std::abs(crossing), 300) << "in the goal";
+    EXPECT_LT(crossing * y, 0) << "on the side that the keeper does not guard";
+    world.ball.position = {1900, y};
+    const Vector2d way = direction(tactics().kickDirection());
+    EXPECT_LT(way.x(), 0);
+    EXPECT_LT(way.y() * y, 0);
+  }
+}
+
 }  // namespace
 }  // namespace gt

@@ -141,5 +141,16 @@ TEST(GO2003PlayersLocator, AllocatesNothing) {
   EXPECT_EQ(allocations(), before);
 }
 
+TEST(GO2003PlayersLocator, NewPerceptsCountMoreThanOldOnes) {
+  Watcher watcher;
+  const Vector2d before{500, 300}, now{600, 300};
+  for (int i = 0; i < 5; ++i) watcher.see({}, {before});
+  for (int i = 0; i < 30; ++i) watcher.see({}, {});
+  for (int i = 0; i < 5; ++i) watcher.see({}, {now});
+  ASSERT_EQ(watcher.players.opponents.size(), 1u);
+  // On average 1480 ms old, and 80 ms.
+  EXPECT_NEAR(watcher.players.opponents[0].position.x(), 500 + 100 * 0.96 / (0.26 + 0.96), 1);
+}
+
 }  // namespace
 }  // namespace gt

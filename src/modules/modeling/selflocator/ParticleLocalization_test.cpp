@@ -92,5 +92,36 @@ TEST(ParticleLocalization, ACandidateReplacesImprobableParticlesAsOftenAsItIsVal
   EXPECT_NEAR(half, whole / 2, 0.1);
 }
 
+TEST(ParticleLocalization, PosesFromWhichAnEdgeIsSeenReplaceImprobableParticles) {
+  ParticleBench bench;
+  bench.motion = {0, 0, 0, 0, 0, 0};
+  bench.edges.correction = 0;  // nothing else moves a particle
+  bench.templates.replacement = bench.templates.randomReplacement = 0;
+  bench.robot.lines.time = never();  // not seen yet
+  bench.robot.percept.time = never();
+  bench.update();
+  const ParticleSet before = bench.localization.particles();
+  for (int i = 0; i < 10; ++i) {
+    bench.robot.lines.time = bench.robot.time + i;
+    bench.update();
+  }
+  const FieldEdges edges{bench.robot.field, bench.robot.player.teamColor};
+  const ParticleSet& after = bench.localization.particles();
+  int fresh = 0;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (std::find(before.x.begin(), before.x.end(), after.x[i]) != before.x.end()) continue;
+    ++fresh;
+    double nearest = 1e9;
+    for (std::size_t t = 0; t < enumCount<EdgeType>; ++t)
+      for (const Vector2d& point : bench.robot.lines.points[static_cast<EdgeType>(t)]) {
+        const Vector2d place = after.pose(i) * point;
+        nearest =
+            std::min(nearest, (edges.closest(static_cast<EdgeType>(t), place) - place).norm());
+      }
+    EXPECT_LT(nearest, 60);
+  }
+  EXPECT_GT(fresh, 10);
+}
+
 }  // namespace
 }  // namespace gt

@@ -142,5 +142,22 @@ TEST(SingleLandmarkSelfLocator, FollowsAWalkingRobotAndFindsOneThatWasPutElsewhe
   EXPECT_LT(quantile(again, 0.5), 300);
 }
 
+// Report 3.3.1.1: what comes last has the last word.
+TEST(SingleLandmarkSelfLocator, AGoalComesAfterAFlagOfTheSameImage) {
+  Bench bench;
+  bench.locator.parameters.flagAngleQuality = bench.locator.parameters.goalAngleQuality;
+  constexpr double wrong = 0.5;
+  bench.see({-wrong, 0, 0}, {leftFlag}, true);
+  bench.percept.flags[0].distance = 0;
+  bench.percept.goals[0].angle = 0;
+  for (int i = 0; i < 100; ++i) {
+    bench.percept.time = bench.percept.time + 40;
+    bench.locator.update(bench.percept, bench.odometry, bench.field, bench.player, bench.estimate,
+                         bench.debug);
+  }
+  EXPECT_GT(bench.estimate.pose.rotation, -0.49 * wrong) << "closer to the goal's";
+  EXPECT_LT(bench.estimate.pose.rotation, 0) << "but not without the flag";
+}
+
 }  // namespace
 }  // namespace gt

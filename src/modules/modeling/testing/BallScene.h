@@ -30,10 +30,11 @@ struct BallScene {
     else
       locator.update(percept, odometry, frame, model, debug);
   }
-  double error() const { return (model.position - relative(odometry.pose, ball)).norm(); }
-  double speedError() const {
-    return (model.speed - rotated(ballSpeed, -odometry.pose.rotation)).norm();
-  }
+  /// Of the ball, as the robot should see it.
+  Vector2d truth() const { return relative(odometry.pose, ball); }
+  Vector2d trueSpeed() const { return rotated(ballSpeed, -odometry.pose.rotation); }
+  double error() const { return (model.position - truth()).norm(); }
+  double speedError() const { return (model.speed - trueSpeed()).norm(); }
 
   Locator locator;
   Vector2d ball{800, 100}, ballSpeed{0, 0};

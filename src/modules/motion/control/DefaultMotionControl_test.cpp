@@ -31,6 +31,7 @@ TEST(DefaultMotionControl, WalksAsFarAsRequested) {
   motion.walk(150, 0, 0);
   motion.steps(625);  // 5 s
   EXPECT_EQ(motion.info.executed.type, MotionType::walk);
+  EXPECT_EQ(motion.info.executed.walk.translation, (Vector2d{150, 0}));
   EXPECT_NEAR(motion.odometry.pose.translation.x(), 750, 40);  // less while it accelerates
   EXPECT_NEAR(motion.odometry.pose.rotation, 0, 1e-9);
 }
@@ -135,6 +136,26 @@ TEST(DefaultMotionControl, TheHeadIsFreeUnlessAnActionNeedsIt) {
   motion.steps(80);
   ASSERT_TRUE(motion.performs("headLeft"));
   EXPECT_LT(motion.joints.angles[Joint::headPan], -0.4);
+}
+
+TEST(DefaultMotionControl, WagsTheTail) {
+  const auto widest = [](TailRequest tail, Joint joint) {
+    MotionHarness motion;
+    motion.request.tail = tail;
+    double least = 0, most = 0;
+    for (int i = 0; i < 500; ++i) {
+      motion.step();
+      least = std::min(least, motion.joints.angles[joint]);
+      most = std::max(most, motion.joints.angles[joint]);
+    }
+    EXPECT_NEAR(least, -most, 0.01) << "to both sides";
+    return most;
+  };
+  EXPECT_EQ(widest(TailRequest::noTailWag, Joint::tailPan), 0);
+  EXPECT_GT(widest(TailRequest::wagHorizontal, Joint::tailPan), 0.2);
+  EXPECT_EQ(widest(TailRequest::wagHorizontal, Joint::tailTilt), 0);
+  EXPECT_GT(widest(TailRequest::wagVertical, Joint::tailTilt), 0.2);
+  EXPECT_EQ(widest(TailRequest::wagVertical, Joint::tailPan), 0);
 }
 
 }  // namespace

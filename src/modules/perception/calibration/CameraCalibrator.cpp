@@ -77,49 +77,60 @@ double CameraCalibrator::squaredError(const Problem& problem, const Values& valu
   return sum;
 }
 
-bool CameraCalibrator::calibrate(const CameraInfo& camera, const RobotDimensions& robot,
-                                 const RobotCalibration& body, CameraCalibration& result) const {
+Eigen::MatrixXd CameraCalibrator::jacobian(const Problem& problem, const Fit& fit) const {
+  Values steps;
+  steps << 0.01, 0.01, 1e-5, 1e-5, 0.01, 0.01, 1e-5;
+  std::vector<double> moved;
+  Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(fit.residuals.size()), unknowns);
+  for (int k = 0; k < unknowns; ++k) {
+    Values other = fit.values;
+    other[k] += steps[k];
+    residuals(problem, other, moved);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      jacobian(static_cast<Eigen::Index>(i), k) = (moved[i] - fit.residuals[i]) / steps[k];
+  }
+  return jacobian;
+}
+
+CameraCalibrator::Fit CameraCalibrator::fit(const Problem& problem, const Values& first) const {
   constexpr int iterations = 60;
   constexpr double enough = 1e-9;
-  if (views_.empty()) return false;
-  const Problem problem{camera, robot};
-  Values values = guess(camera, robot, body), steps;
-  steps << 0.01, 0.01, 1e-5, 1e-5, 0.01, 0.01, 1e-5;
-  std::vector<double> now, moved;
-  double error = squaredError(problem, values, now), damping = 1e-3;
-  using Normal = Eigen::Matrix<double, unknowns, unknowns>;
-  Normal normal = Normal::Identity();
+  Fit fit;
+  fit.values = first;
+  fit.error = squaredError(problem, fit.values, fit.residuals);
+  double damping = 1e-3;
+  std::vector<double> moved;
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(now.size()), unknowns);
-    for (int k = 0; k < unknowns; ++k) {
-      Values other = values;
-      other[k] += steps[k];
-      residuals(problem, other, moved);
-      for (std::size_t i = 0; i < now.size(); ++i)
-        jacobian(static_cast<Eigen::Index>(i), k) = (moved[i] - now[i]) / steps[k];
-    }
-    const Eigen::Map<const Eigen::VectorXd> residual(now.data(),
-                                                     static_cast<Eigen::Index>(now.size()));
-    normal = jacobian.transpose() * jacobian;
-    const Values slope = jacobian.transpose() * residual;
-    double before = error;
+    const Eigen::MatrixXd derivatives = jacobian(problem, fit);
+    const Eigen::Map<const Eigen::VectorXd> residual(
+        fit.residuals.data(), static_cast<Eigen::Index>(fit.residuals.size()));
+    fit.normal = derivatives.transpose() * derivatives;
+    const Values slope = derivatives.transpose() * residual;
+    const double before = fit.error;
     for (int attempt = 0; attempt < 10; ++attempt) {
-      Normal damped = normal;
+      Normal damped = fit.normal;
       damped.diagonal() *= 1 + damping;
-      const Values next = values - Values{damped.ldlt().solve(slope)};
+      const Values next = fit.values - Values{damped.ldlt().solve(slope)};
       const double nextError = squaredError(problem, next, moved);
-      if (std::isfinite(nextError) && nextError < error) {
-        values = next;
-        error = nextError;
+      if (std::isfinite(nextError) && nextError < fit.error) {
+        fit.values = next;
+        fit.error = nextError;
+        std::swap(fit.residuals, moved);
         damping /= 10;
         break;
       }
       damping *= 10;
     }
-    residuals(problem, values, now);
-    if (before - error <= enough * before) break;
+    if (before - fit.error <= enough * before) break;
   }
-  const double freedom = static_cast<double>(now.size()) - unknowns;
+  return fit;
+}
+
+bool CameraCalibrator::calibrate(const CameraInfo& camera, const RobotDimensions& robot,
+                                 const RobotCalibration& body, CameraCalibration& result) const {
+  if (views_.empty()) return false;
+  const auto [values, residuals, error, normal] = fit({camera, robot}, guess(camera, robot, body));
+  const double freedom = static_cast<double>(residuals.size()) - unknowns;
   const Normal covariance = normal.inverse() * (error / std::max(freedom, 1.0));
   if (freedom <= 0 || !covariance.allFinite() || !values.allFinite() || values[focalX] <= 1 ||
       values[focalY] <= 1)
@@ -135,7 +146,7 @@ bool CameraCalibrator::calibrate(const CameraInfo& camera, const RobotDimensions
   result.body = {values[bodyTilt], values[bodyRoll]};
   result.boardPosition = {values[boardX], values[boardY]};
   result.boardRotation = normalize(values[boardTurn]);
-  result.error = std::sqrt(2 * error / static_cast<double>(now.size()));
+  result.error = std::sqrt(2 * error / static_cast<double>(residuals.size()));
   const double focalError =
       std::sqrt(std::max(covariance(focalX, focalX), covariance(focalY, focalY)));
   result.openingAngleError = focalError * camera.width / (found.focalX * found.focalX);

@@ -68,10 +68,18 @@ class CameraCalibrator {
   /// What is unknown.
   static constexpr int unknowns = 7;
   using Values = Eigen::Matrix<double, unknowns, 1>;
+  using Normal = Eigen::Matrix<double, unknowns, unknowns>;
   enum { focalX, focalY, bodyTilt, bodyRoll, boardX, boardY, boardTurn };
   struct Problem {
     const CameraInfo& camera;
     const RobotDimensions& robot;
+  };
+  /// The values with the least squared error that were found.
+  struct Fit {
+    Values values;
+    std::vector<double> residuals;
+    double error = 0;                    ///< Sum of their squares.
+    Normal normal = Normal::Identity();  ///< Of the last step: J^T J.
   };
 
   Values guess(const CameraInfo& camera, const RobotDimensions& robot,
@@ -79,6 +87,9 @@ class CameraCalibrator {
   Vector3d corner(const Values& values, std::size_t i) const;
   void residuals(const Problem& problem, const Values& values, std::vector<double>& out) const;
   double squaredError(const Problem& problem, const Values& values, std::vector<double>& out) const;
+  /// The derivatives of the residuals with respect to the values.
+  Eigen::MatrixXd jacobian(const Problem& problem, const Fit& fit) const;
+  Fit fit(const Problem& problem, const Values& first) const;
 
   Checkerboard board_;
   std::vector<View> views_;

@@ -79,5 +79,25 @@ TEST_F(ColorAdaptationTest, MovesAColorToWhereRecognizedObjectsHaveIt) {
   EXPECT_EQ(colors_.tone(ColorClass::orange).hue, orangeTone.hue) << "sky-blue is no orange";
 }
 
+TEST_F(ColorAdaptationTest, ForgetsTheGreenOfACarpetThatItDoesNotSeeAnyMore) {
+  const Horizon horizon = horizonOf(scene_.matrix);
+  const Vector3d turquoise{110, 150, 80};
+  const auto watchGround = [&](const Vector3d& ground, int pictures) {
+    scene_.draw([&](const Vector3d& ray) { return ray.z() < 0 ? ground : fieldWhite; }, 1, 3,
+                random_);
+    for (int i = 0; i < pictures; ++i) {
+      colors_.observe(scene_.image, horizon);
+      colors_.refresh();
+    }
+  };
+  watchGround(turquoise, 60);
+  EXPECT_GT(rightShare(turquoise, 1, ColorClass::green), 0.9);
+  watchGround(fieldGreen, 70);
+  EXPECT_GT(rightShare(turquoise, 1, ColorClass::green), 0.9) << "for three seconds it may lie";
+  watchGround(fieldGreen, 60);
+  EXPECT_GT(rightShare(fieldGreen, 1, ColorClass::green), 0.9);
+  EXPECT_LT(rightShare(turquoise, 1, ColorClass::green), 0.1);
+}
+
 }  // namespace
 }  // namespace gt

@@ -43,15 +43,7 @@ void GT2003ImageProcessor::look(const Image& image, const CameraMatrix& matrix,
   const bool watched = debug.isActive(drawSpecialistsPaths);
   const CameraImage picture{image, colors, matrix, horizon, watched ? &paths_ : nullptr};
   grid_.build(image.info, horizon, spacing(matrix, field));
-  scanner_.clear();
-  edgeScanner_.clear();
-  for (const ScanLine& line : grid_.lines()) {
-    scanner_.scan(picture, line, field);
-    if (line.whole) edgeScanner_.scanDown(picture, line, field);
-  }
-  for (const ScanLine& row : grid_.rows()) edgeScanner_.scanAcross(picture, row, field);
-  for (const GoalIndication& goal : scanner_.goals) edgeScanner_.addGoal(picture, goal);
-
+  scan(picture, grid_, field, scanner_, edgeScanner_);
   findBall(picture, scanner_.balls);
   found.landmarks.cameraOffset = matrix.pose.translation;
   flagSpecialist_.find(picture, scanner_.flags, field, found.landmarks);

@@ -144,4 +144,16 @@ void EdgeScanner::finish(LinesPercept& percept) {
   for (const EdgePoint& point : points_) percept.points[point.type].push_back(point.onGround);
 }
 
+void scan(const CameraImage& picture, const ScanGrid& grid, const FieldDimensions& field,
+          IndicationScanner& objects, EdgeScanner& edges) {
+  objects.clear();
+  edges.clear();
+  for (const ScanLine& line : grid.lines()) {
+    objects.scan(picture, line, field);
+    if (line.whole) edges.scanDown(picture, line, field);
+  }
+  for (const ScanLine& row : grid.rows()) edges.scanAcross(picture, row, field);
+  for (const GoalIndication& goal : objects.goals) edges.addGoal(picture, goal);
+}
+
 }  // namespace gt

@@ -9,6 +9,7 @@
 namespace gt {
 
 struct GoalIndication;
+class IndicationScanner;
 
 /// Finds points on the edges of field lines, the border and goals (report 3.2.2). Edges of white
 /// are places where the y channel changes much between neighboring pixels; how far increase and
@@ -54,5 +55,9 @@ class EdgeScanner {
   std::vector<Bright> bright_;
   std::vector<EdgePoint> points_;
 };
+
+/// Looks along all lines of a grid, for objects and for points on edges.
+void scan(const CameraImage& picture, const ScanGrid& grid, const FieldDimensions& field,
+          IndicationScanner& objects, EdgeScanner& edges);
 
 }  // namespace gt

@@ -48,5 +48,23 @@ TEST_F(EdgeScannerTest, AnEmptyCarpetHasNoEdges) {
   for (const FreeGround& line : obstacles_.lines) EXPECT_GT(line.farPoint.norm(), 1500);
 }
 
+TEST_F(EdgeScannerTest, ASpeckIsNoLine) {
+  for (double x = 500; x < 800; x += 20) {
+    isLine_ = [&](double at, double y) { return at > x && at < x + 25 && y > 0 && y < 25; };
+    look(0, -0.3);
+    EXPECT_TRUE(lines_.points[EdgeType::line].empty()) << x;
+  }
+}
+
+// A robot's white feet in front of its body look like a piece of the border.
+TEST_F(EdgeScannerTest, AmongManyLinesAFewPointsAreNoBorder) {
+  isLine_ = [](double x, double) { return x > 500 && x < 525; };
+  boxes_ = {{{900, -90, 0}, {910, 90, 100}, ColorClass::white},
+            {{910, -90, 0}, {1000, 90, 300}, ColorClass::gray}};
+  look(0, -0.3);
+  EXPECT_GE(lines_.points[EdgeType::line].size(), 15u);
+  EXPECT_TRUE(lines_.points[EdgeType::border].empty());
+}
+
 }  // namespace
 }  // namespace gt

@@ -88,6 +88,8 @@ TEST(IndicationScanner, GreenReachesUpToWhatIsNeitherGreenNorALine) {
   EXPECT_NEAR(column.scan({{gray, 60}, {green, 1}}).greens[0].begin.y(), 61.5, 1);
   const auto begin = column.scan({{gray, 60}, {green, 30}, {white, 2}, {green, 1}}).greens[0].begin;
   EXPECT_NEAR(begin.y(), 61.5, 1) << "a line is a gap";
+  const auto wide = column.scan({{gray, 40}, {green, 20}, {white, 30}, {green, 1}}).greens[0].begin;
+  EXPECT_NEAR(wide.y(), 91.5, 1) << "nine times as wide as a line there";
 }
 
 }  // namespace

@@ -71,5 +71,19 @@ TEST(ScanGrid, WalksOverThePixelsOfALine) {
   }
 }
 
+// What is bright on one side of an edge is met in both orders.
+TEST(ScanGrid, RowsAlternateInDirection) {
+  const CameraInfo info;
+  Horizon horizon;
+  horizon.base = {info.width / 2.0, 0};
+  ScanGrid grid;
+  grid.build(info, horizon, {});
+  ASSERT_GE(grid.rows().size(), 4u);
+  for (std::size_t i = 0; i + 1 < grid.rows().size(); ++i) {
+    EXPECT_EQ(grid.rows()[i].step, -grid.rows()[i + 1].step);
+    EXPECT_LT(grid.rows()[i].start.y(), grid.rows()[i + 1].start.y());
+  }
+}
+
 }  // namespace
 }  // namespace gt

@@ -60,5 +60,128 @@ TEST_F(BallSpecialistTest, UsesTheSizeWhereTheCameraCannotBeTrusted) {
   EXPECT_NEAR(percepts_.ball.offset.x(), 700, 60);
 }
 
+TEST_F(BallSpecialistTest, ALargerBallOrOneInTheAirIsNone) {
+  random_ = Random{7};
+  ball_ = Vector3d{700, 0, 150};
+  FieldDimensions larger = field_;
+  larger.ballRadius = 150;
+  std::swap(field_, larger);
+  look(0, -0.1, 0);
+  EXPECT_TRUE(percepts_.ball.seen);
+  percepts_.lookWith(processor_, image_, matrix_, colors_, larger);
+  EXPECT_FALSE(percepts_.ball.seen);
+  std::swap(field_, larger);
+  ball_->z() = 300;
+  look(0, 0, 0);
+  EXPECT_FALSE(percepts_.ball.seen);
+}
+
+/// A ball so blurred that its boundary cannot be traced, and pieces of it on scan lines made by
+/// hand: only the report's cases remain.
+class BlurredBall : public testing::Test {
+ protected:
+  static constexpr double radius = 43;
+  CameraMatrix matrix_ = cameraAt({60, 10, 180}, 0, -0.35, 0);
+  Image image_;
+  ColorTable64 colors_;
+  std::vector<BallSegment> segments_;
+  BallPercept percept_;
+  Vector3d ball_ = Vector3d::Zero();
+  Vector2d center_ = Vector2d::Zero();
+  double pixels_ = 0;  ///< Its radius.
+
+  BlurredBall() {
+    image_.info = matrix_.info;
+    image_.allocate();
+    // Orange is what has more than half of the red.
+    for (int y = 0; y < 64; ++y)
+      for (int cb = 0; cb < 64; ++cb)
+        for (int cr = 38; cr < 64; ++cr)
+          colors_.classes[static_cast<std::size_t>(y << 12 | cb << 6 | cr)] = ColorClass::orange;
+  }
+  Vector2d pixelOf(const Vector3d& place) const {
+    return pointIn(matrix_, place - matrix_.pose.translation);
+  }
+  void draw(const Vector3d& ball) {
+    ball_ = ball;
+    center_ = pixelOf(ball);
+    pixels_ = matrix_.info.focalX * std::tan(std::asin(radius / distance()));
+    for (int y = 0; y < image_.info.height; ++y)
+      for (int x = 0; x < image_.info.width; ++x) {
+        const double off = (Vector2d{x + 0.5, y + 0.5} - center_).norm() / pixels_;
+        const double cr = 152 + 40 * (1 - off);
+        image_.at(x, y) = {100, 128, static_cast<std::uint8_t>(std::clamp(cr, 0., 255.)), 0};
+      }
+  }
+  double distance() const { return (ball_ - matrix_.pose.translation).norm(); }
+  void add(const Vector2d& upper, const Vector2d& lower, bool upperKnown, bool lowerKnown) {
+    BallSegment segment;
+    segment.u = upper.x();
+    segment.upper = upper;
+    segment.lower = lower;
+    segment.upperKnown = upperKnown;
+    segment.lowerKnown = lowerKnown;
+    segment.orange = static_cast<int>(lower.y() - upper.y());
+    segments_.push_back(segment);
+  }
+  void addCircle() {
+    for (const double part : {-0.8, -0.6, -0.4, -0.2, 0.1, 0.3, 0.5, 0.7, 0.9}) {
+      const Vector2d side{part * pixels_, 0}, up{0, pixels_ * std::sqrt(1 - part * part)};
+      add(center_ + side - up, center_ + side + up, true, true);
+    }
+  }
+  void look() {
+    const Horizon horizon = horizonOf(matrix_);
+    BallSpecialist{}.find({image_, colors_, matrix_, horizon}, segments_, radius, percept_);
+  }
+};
+
+TEST_F(BlurredBall, ThreePointsMakeACircle) {
+  draw({350, -20, radius});
+  addCircle();
+  look();
+  ASSERT_TRUE(percept_.seen);
+  EXPECT_NEAR(percept_.distanceBySize / distance(), 1, 0.03);
+  EXPECT_NEAR((percept_.centerInImage - center_).norm(), 0, 1);
+}
+
+TEST_F(BlurredBall, PointsBeyondTheOppositeEndsOfMostSegmentsAreOutliers) {
+  for (const bool below : {true, false}) {
+    segments_.clear();
+    draw({350, -20, radius});
+    addCircle();
+    // Ends of orange specks in a row away from the ball.
+    for (double away = pixels_ + 2; away < 2 * pixels_; away += 6) {
+      const Vector2d from = center_ + Vector2d{pixels_, below ? away : -away};
+      const Vector2d to = from + Vector2d{0, below ? 4 : -4};
+      if (below)
+        add(from, to, true, false);
+      else
+        add(to, from, false, true);
+    }
+    look();
+    ASSERT_TRUE(percept_.seen);
+    EXPECT_NEAR(percept_.distanceBySize / distance(), 1, 0.03);
+  }
+}
+
+// Report 3.2.3: the highest point lies on the plane through the top of a ball on the ground, the
+// lowest one on the ground.
+TEST_F(BlurredBall, OnePointIsTheHighestOrTheLowest) {
+  for (const bool highest : {true, false}) {
+    segments_.clear();
+    draw({300, 30, radius});
+    const Vector2d point = pixelOf({300, 30, highest ? 2 * radius : 0});
+    if (highest)
+      add(point, center_, true, false);
+    else
+      add(center_, point, false, true);
+    look();
+    ASSERT_TRUE(percept_.seen);
+    EXPECT_EQ(percept_.distanceBySize, 0);
+    EXPECT_NEAR((percept_.offset - Vector2d{300, 30}).norm(), 0, 1);
+  }
+}
+
 }  // namespace
 }  // namespace gt

@@ -64,5 +64,21 @@ TEST_F(BlackWhiteBallTest, IsNotSeenOnAFieldWithoutOne) {
   }
 }
 
+// The report wants a tenth of it black.
+TEST_F(BlackWhiteBallTest, AWhiteBallWithABlackDotIsNone) {
+  for (int i = 0; i < 30; ++i) {
+    const Vector3d ball{random_.uniform(300, 600), 0, radius}, from{0, 0, 170};
+    DrawnField scene{-0.25};
+    scene.draw(
+        [&](const Vector3d& ray) {
+          const double along = (ball - from).dot(ray), off = (ball - from - ray * along).norm();
+          return off > radius ? fieldAt(ray) : off < 0.22 * radius ? fieldBlack : fieldWhite;
+        },
+        1, 2, random_);
+    look(scene);
+    EXPECT_FALSE(percept_.seen) << i;
+  }
+}
+
 }  // namespace
 }  // namespace gt

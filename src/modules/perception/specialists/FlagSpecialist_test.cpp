@@ -2,12 +2,27 @@
 
 #include <gtest/gtest.h>
 
+#include "modules/perception/testing/DrawnBoxes.h"
 #include "modules/perception/testing/DrawnLandmarks.h"
 
 namespace gt {
 namespace {
 
 using FlagSpecialistTest = DrawnLandmarks;
+
+/// Boards in the colors of flags, which are as wide and as high as a flag's.
+class LikeAFlag : public DrawnBoxes {
+ protected:
+  static constexpr double x = 1500, half = 50, middle = 310;
+
+  static Box board(double bottom, double top, ColorClass color, double halfWidth = half) {
+    return {{x, -halfWidth, bottom}, {x + 10, halfWidth, top}, color};
+  }
+  int flags() {
+    look(0, 0.1);
+    return percepts_.landmarks.numberOfFlags;
+  }
+};
 
 TEST_F(FlagSpecialistTest, MeasuresEachFlag) {
   random_ = Random{8};
@@ -40,6 +55,35 @@ TEST_F(FlagSpecialistTest, TellsAFlagsEdgeThatIsNotInTheImage) {
   EXPECT_TRUE(b.rightOnBorder);
   EXPECT_FALSE(b.leftOnBorder || b.topOnBorder || b.bottomOnBorder);
   EXPECT_NEAR(landmarks_.flags[0].angle, 0, fromDegrees(0.5));
+}
+
+TEST_F(LikeAFlag, StandsAtItsHeight) {
+  for (const double higher : {0., 450.}) {
+    boxes_ = {board(210 + higher, middle + higher, ColorClass::yellow),
+              board(middle + higher, 410 + higher, ColorClass::pink)};
+    EXPECT_EQ(flags(), higher == 0) << higher;
+  }
+}
+
+TEST_F(LikeAFlag, HasTwoFieldsOfTheSameWidth) {
+  for (const double halfWidth : {half, half / 5}) {
+    boxes_ = {board(210, middle, ColorClass::green, halfWidth),
+              board(middle, 410, ColorClass::pink)};
+    EXPECT_EQ(flags(), halfWidth == half) << "a square on a pole of " << 2 * halfWidth << " mm";
+  }
+}
+
+// Far away, pink between two colors could be that of either flag.
+TEST_F(LikeAFlag, HasNoThirdColor) {
+  constexpr double far = 3000;
+  const auto add = [&](double bottom, ColorClass color) {
+    boxes_.push_back({{far, -half, bottom}, {far + 10, half, bottom + 100}, color});
+  };
+  add(210, ColorClass::skyblue);
+  add(middle, ColorClass::pink);
+  EXPECT_EQ(flags(), 1);
+  add(410, ColorClass::yellow);
+  EXPECT_EQ(flags(), 0);
 }
 
 }  // namespace

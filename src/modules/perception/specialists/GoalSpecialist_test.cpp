@@ -10,6 +10,7 @@ namespace {
 
 using GoalSpecialistTest = DrawnLandmarks;
 using GoalBehindARobot = DrawnBoxes;
+using LikeAGoal = DrawnBoxes;
 
 TEST_F(GoalSpecialistTest, MeasuresTheGoal) {
   random_ = Random{10};
@@ -48,6 +49,15 @@ TEST_F(GoalBehindARobot, ARobotHidesTheFootOfAGoalButNotTheGoal) {
   const ConditionalBoundary& b = percepts_.landmarks.goals[0].boundary;
   EXPECT_NEAR(toDegrees(b.left), toDegrees(std::atan2(290, 1410)), 1);
   EXPECT_NEAR(toDegrees(b.right), toDegrees(std::atan2(-310, 1410)), 1);
+}
+
+// As high as it is seen, a goal would have to be far away, and so would its foot.
+TEST_F(LikeAGoal, ASmallYellowBoxIsNone) {
+  for (const double height : {300., 60.}) {
+    boxes_ = {{{900, -60, 0}, {910, 60, height}, ColorClass::yellow}};
+    look(0, -0.1);
+    EXPECT_EQ(percepts_.landmarks.numberOfGoals, height == 300) << height;
+  }
 }
 
 }  // namespace

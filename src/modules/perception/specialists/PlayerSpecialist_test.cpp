@@ -31,13 +31,16 @@ TEST_F(PlayerSpecialistTest, RobotsAreFoundByTheirTricots) {
 
 // Green is seen between the legs, and the nearest foot stands beside the tricot.
 TEST_F(PlayerSpecialistTest, ARobotIsAsFarAsItsNearestFoot) {
-  boxes_ = {{{900, -60, 110}, {1000, 60, 185}, ColorClass::red},
-            {{820, 60, 0}, {850, 90, 110}, ColorClass::gray},
-            {{1040, -60, 0}, {1070, -30, 110}, ColorClass::gray}};
-  look(0, -0.25);
-  ASSERT_EQ(players_.players[TeamColor::red].size(), 1u);
-  EXPECT_NEAR(players_.players[TeamColor::red].front().x(), 890, 60);
-  EXPECT_TRUE(players_.players[TeamColor::blue].empty());
+  for (const bool left : {true, false}) {
+    const double nearer = left ? 60 : -90, farther = left ? -60 : 30;
+    boxes_ = {{{900, -60, 110}, {1000, 60, 185}, ColorClass::red},
+              {{820, nearer, 0}, {850, nearer + 30, 110}, ColorClass::gray},
+              {{1040, farther, 0}, {1070, farther + 30, 110}, ColorClass::gray}};
+    look(0, -0.25);
+    ASSERT_EQ(players_.players[TeamColor::red].size(), 1u);
+    EXPECT_NEAR(players_.players[TeamColor::red].front().x(), 890, 60);
+    EXPECT_TRUE(players_.players[TeamColor::blue].empty());
+  }
 }
 
 TEST_F(PlayerSpecialistTest, ARobotSoCloseThatItsFeetAreNotSeenIsJudgedBySize) {
@@ -47,6 +50,20 @@ TEST_F(PlayerSpecialistTest, ARobotSoCloseThatItsFeetAreNotSeenIsJudgedBySize) {
   look(0, 0.1);
   ASSERT_EQ(players_.players[TeamColor::blue].size(), 1u);
   EXPECT_NEAR(players_.players[TeamColor::blue].front().x(), 390, 120);
+}
+
+// The middle of an ERS-210 that comes towards the camera is 105 mm behind its forefeet.
+TEST_F(PlayerSpecialistTest, ARobotIsWhereItsMiddleIs) {
+  for (const double middle : {600., 900., 1200.}) {
+    boxes_ = {{{middle - 105, -75, 0}, {middle - 65, -35, 110}, ColorClass::gray},
+              {{middle - 105, 35, 0}, {middle - 65, 75, 110}, ColorClass::gray},
+              {{middle + 40, -75, 0}, {middle + 80, -35, 110}, ColorClass::gray},
+              {{middle + 40, 35, 0}, {middle + 80, 75, 110}, ColorClass::gray},
+              {{middle - 85, -45, 110}, {middle + 85, 45, 185}, ColorClass::red}};
+    look(0, -0.25);
+    ASSERT_EQ(players_.players[TeamColor::red].size(), 1u) << middle;
+    EXPECT_NEAR(players_.players[TeamColor::red].front().x(), middle, 30);
+  }
 }
 
 }  // namespace

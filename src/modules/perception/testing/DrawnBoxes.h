@@ -33,6 +33,9 @@ class DrawnBoxes : public testing::Test {
   static const Palette& palette() {
     static const Palette colors{{{ColorClass::green, {90, 110, 100}},
                                  {ColorClass::white, {220, 128, 128}},
+                                 {ColorClass::orange, {130, 80, 185}},
+                                 {ColorClass::yellow, {190, 40, 145}},
+                                 {ColorClass::pink, {140, 135, 195}},
                                  {ColorClass::red, {80, 110, 190}},
                                  {ColorClass::blue, {50, 170, 110}},
                                  {ColorClass::skyblue, {150, 175, 80}},
