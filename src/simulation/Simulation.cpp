@@ -12,8 +12,7 @@ namespace {
 
 std::vector<Player> playersOf(const SceneDescription& scene) {
   std::vector<Player> players;
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) players.push_back(robot.player());
+  for (const SceneRobot* robot : scene.allRobots()) players.push_back(robot->player());
   return players;
 }
 

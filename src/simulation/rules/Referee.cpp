@@ -21,10 +21,6 @@ constexpr double stuckMm = 50;
 /// A robot reaches this far around its middle, at most.
 constexpr double robotRadius = 150;
 
-std::int64_t toMs(double seconds) {
-  return std::llround(1000 * seconds);
-}
-
 }  // namespace
 
 Referee::Referee(const GameParameters& parameters, const RuleParameters& rules,
@@ -79,12 +75,6 @@ void Referee::setPenalty(std::size_t robot, Penalty penalty, Time now) {
   penalties_[robot] = penalty;
   backAt_[robot] = never();
   notifyRobots(now);
-}
-
-void Referee::leadByItself(Time now) {
-  led_ = false;
-  clockRuns_ = state_ == GameState::playing;
-  halfStarted_ = now - (toMs(parameters_.minutes * 60) / 2 - ledTimeLeft_);
 }
 
 void Referee::update(World& world) {
@@ -211,14 +201,20 @@ void Referee::placeForKickOff(World& world) {
   if (world.ballCount() > 0) world.placeBall(0, {0, 0});
 }
 
+Referee::BallPlace Referee::ballPlace(const World& world) const {
+  const Vector2d ball = world.ball(0).position.cwiseAbs();
+  const double behindLine = ball.x() - field_.xGroundline;
+  if (ball.y() < field_.yGoal)
+    return behindLine > field_.ballRadius ? BallPlace::inGoal : BallPlace::onField;
+  return behindLine > 0 || ball.y() > field_.ySideline ? BallPlace::out : BallPlace::onField;
+}
+
 void Referee::updatePlaying(World& world) {
   if (parameters_.penalties) penalizeFouls(world);
   if (world.ballCount() == 0) return;
-  const Vector2d& ball = world.ball(0).position;
-  const bool betweenPosts = std::abs(ball.y()) < field_.yGoal;
-  const double behindLine = std::abs(ball.x()) - field_.xGroundline;
-  if (betweenPosts && behindLine > field_.ballRadius) return countGoal(world);
-  if ((!betweenPosts && behindLine > 0) || std::abs(ball.y()) > field_.ySideline) {
+  const BallPlace place = ballPlace(world);
+  if (place == BallPlace::inGoal) return countGoal(world);
+  if (place == BallPlace::out) {
     record(world, GameEventType::ballOut, TeamColor::red);
     world.placeBall(0, {0, 0});
   }

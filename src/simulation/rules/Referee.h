@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,7 @@ namespace gt {
 ///
 /// A penalized robot stands beside the field, and comes back at the halfway line, on the side away
 /// from the ball; for a kick-off all come back. Once a game controller has sent something, it
-/// leads: the referee only follows it, until `leadByItself`.
+/// leads: the referee only follows it.
 class Referee {
  public:
   Referee(const GameParameters& parameters, const RuleParameters& rules,
@@ -33,7 +34,6 @@ class Referee {
   void update(World& world);
   /// Applies a message of a game controller.
   void follow(const GameControllerMessage& message, World& world);
-  void leadByItself(Time now);
   bool led() const { return led_; }
 
   const GameControlData& dataFor(std::size_t robot) const { return data_[robot]; }
@@ -68,11 +68,16 @@ class Referee {
 
  private:
   static constexpr std::size_t nobody = ~std::size_t{0};
+  /// In the goal: between the posts, and behind the line with all of the ball.
+  enum class BallPlace { onField, inGoal, out };
+
+  static std::int64_t toMs(double seconds) { return std::llround(1000 * seconds); }
 
   void changeState(GameState state, Time now);
   void beginReady(World& world);
   void updateReady(World& world);
   void updatePlaying(World& world);
+  BallPlace ballPlace(const World& world) const;
   void updateShot(World& world);
   void beginShot(World& world);
   void endShot(World& world, bool goal);

@@ -12,10 +12,6 @@ constexpr double besideField = 350;
 /// Where they come back: that far from the side wall.
 constexpr double returnInside = 200;
 
-std::int64_t toMs(double seconds) {
-  return std::llround(1000 * seconds);
-}
-
 }  // namespace
 
 void Referee::penalizeFouls(World& world) {
@@ -109,13 +105,9 @@ void Referee::updateShot(World& world) {
   }
   if (state_ != GameState::playing) return;
   if (timeLeft(world.time()) == 0 || world.ballCount() == 0) return endShot(world, false);
-  const Vector2d ball = toTeam(kickOff_, world.ball(0).position);
-  const double behindLine = std::abs(ball.x()) - field_.xGroundline;
-  const bool betweenPosts = std::abs(ball.y()) < field_.yGoal;
-  if (betweenPosts && behindLine > field_.ballRadius)
-    endShot(world, ball.x() > 0);
-  else if ((!betweenPosts && behindLine > 0) || std::abs(ball.y()) > field_.ySideline)
-    endShot(world, false);
+  const BallPlace place = ballPlace(world);
+  if (place != BallPlace::onField)
+    endShot(world, place == BallPlace::inGoal && toTeam(kickOff_, world.ball(0).position).x() > 0);
 }
 
 void Referee::endShot(World& world, bool goal) {

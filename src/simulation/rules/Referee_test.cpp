@@ -453,9 +453,6 @@ TEST_F(RefereeMatch, AGameControllerLeads) {
   world_->placeBall(0, {2200, 0});
   tick();
   EXPECT_EQ(referee_->score(TeamColor::red), 0);
-  referee_->leadByItself(world_->time());
-  tick();
-  EXPECT_EQ(referee_->score(TeamColor::red), 1);
 }
 
 }  // namespace

@@ -14,6 +14,21 @@ namespace {
 constexpr double farthest = 10;  // m, of a whisker without a cutoff
 constexpr int receptorRays = 5;  // in each direction
 
+/// The kinds that MJCF knows: the unit of their values in MuJoCo's, and how many there are.
+struct MjcfKind {
+  int type;
+  FieldSensorKind kind;
+  double unit;
+  std::size_t numbers;
+};
+constexpr std::array mjcfKinds{
+    MjcfKind{mjSENS_RANGEFINDER, FieldSensorKind::whisker, 1000, 1},
+    MjcfKind{mjSENS_TOUCH, FieldSensorKind::touch, 1, 1},
+    MjcfKind{mjSENS_ACCELEROMETER, FieldSensorKind::acceleration, 1000, 3},
+    MjcfKind{mjSENS_GYRO, FieldSensorKind::turning, toDegrees(1), 3},
+    MjcfKind{mjSENS_VELOCIMETER, FieldSensorKind::speed, 1000, 3},
+    MjcfKind{mjSENS_MAGNETOMETER, FieldSensorKind::compass, toDegrees(1), 1}};
+
 /// The kinds that MJCF does not know, and the numbers that their `numeric` has.
 struct UserKind {
   FieldSensorKind kind;
@@ -56,49 +71,27 @@ std::optional<FieldSensors::Sensor> sensorOf(const mjModel& model, int id) {
   sensor.id = id;
   if (model.sensor_objtype[id] == mjOBJ_SITE) sensor.site = model.sensor_objid[id];
   double unit = 1;
-  std::size_t numbers = 3;
-  switch (model.sensor_type[id]) {
-    case mjSENS_RANGEFINDER:
-      sensor.kind = FieldSensorKind::whisker;
+  std::size_t numbers = 1;
+  const auto known = std::ranges::find(mjcfKinds, model.sensor_type[id], &MjcfKind::type);
+  if (known != mjcfKinds.end()) {
+    sensor.kind = known->kind;
+    unit = known->unit;
+    numbers = known->numbers;
+    if (sensor.kind == FieldSensorKind::whisker)
       sensor.range = model.sensor_cutoff[id] > 0 ? model.sensor_cutoff[id] : farthest;
+  } else if (model.sensor_type[id] == mjSENS_USER) {
+    if (model.sensor_objtype[id] != mjOBJ_SITE || !setUserKind(model, sensor)) return std::nullopt;
+    const bool distance =
+        sensor.kind == FieldSensorKind::ultrasonic || sensor.kind == FieldSensorKind::whiskerField;
+    if (distance)
       unit = 1000;
-      numbers = 1;
-      break;
-    case mjSENS_TOUCH:
-      sensor.kind = FieldSensorKind::touch;
-      numbers = 1;
-      break;
-    case mjSENS_ACCELEROMETER:
-      sensor.kind = FieldSensorKind::acceleration;
-      unit = 1000;
-      break;
-    case mjSENS_GYRO:
-      sensor.kind = FieldSensorKind::turning;
-      unit = toDegrees(1);
-      break;
-    case mjSENS_VELOCIMETER:
-      sensor.kind = FieldSensorKind::speed;
-      unit = 1000;
-      break;
-    case mjSENS_MAGNETOMETER:
-      sensor.kind = FieldSensorKind::compass;
-      unit = toDegrees(1);
-      numbers = 1;
-      break;
-    case mjSENS_USER: {
-      if (model.sensor_objtype[id] != mjOBJ_SITE || !setUserKind(model, sensor))
-        return std::nullopt;
-      const bool distance = sensor.kind == FieldSensorKind::ultrasonic ||
-                            sensor.kind == FieldSensorKind::whiskerField;
-      if (distance) unit = 1000;
-      if (sensor.kind == FieldSensorKind::ultrasonic) numbers = 1;
-      if (sensor.kind == FieldSensorKind::whiskerField || sensor.kind == FieldSensorKind::facette)
-        numbers = static_cast<std::size_t>(sensor.columns * sensor.rows) * (distance ? 1 : 3);
-      break;
-    }
-    default:
-      if (model.sensor_needstage[id] != mjSTAGE_POS) return std::nullopt;
-      numbers = static_cast<std::size_t>(model.sensor_dim[id]);
+    else
+      numbers = 3;
+    if (sensor.kind == FieldSensorKind::whiskerField || sensor.kind == FieldSensorKind::facette)
+      numbers *= static_cast<std::size_t>(sensor.columns * sensor.rows);
+  } else {
+    if (model.sensor_needstage[id] != mjSTAGE_POS) return std::nullopt;
+    numbers = static_cast<std::size_t>(model.sensor_dim[id]);
   }
   sensor.noise = unit * model.sensor_noise[id];
   sensor.value.resize(numbers);
@@ -183,31 +176,14 @@ void measureMotion(const Pose3D& pose, FieldSensors::Sensor& sensor) {
 }  // namespace
 
 std::string_view describe(FieldSensorKind kind) {
-  switch (kind) {
-    case FieldSensorKind::whisker:
-      return "mm to what is ahead";
-    case FieldSensorKind::whiskerField:
-      return "mm to what is ahead, row by row from the top left";
-    case FieldSensorKind::ultrasonic:
-      return "mm to the nearest surface in its cone";
-    case FieldSensorKind::receptor:
-      return "y, cb and cr of what is ahead, in the mean";
-    case FieldSensorKind::facette:
-      return "y, cb and cr of each pixel, row by row from the top left";
-    case FieldSensorKind::touch:
-      return "1 if something but the floor touches it";
-    case FieldSensorKind::acceleration:
-      return "mm/s^2 in its own axes, with gravity";
-    case FieldSensorKind::turning:
-      return "deg/s about its own axes";
-    case FieldSensorKind::speed:
-      return "mm/s in its own axes";
-    case FieldSensorKind::compass:
-      return "deg: where its x axis points, 0 to the sky-blue goal";
-    case FieldSensorKind::other:
-      return "as MuJoCo measures it: m, rad";
-  }
-  return "";
+  static constexpr EnumArray<FieldSensorKind, std::string_view> descriptions{
+      {"mm to what is ahead", "mm to what is ahead, row by row from the top left",
+       "mm to the nearest surface in its cone", "y, cb and cr of what is ahead, in the mean",
+       "y, cb and cr of each pixel, row by row from the top left",
+       "1 if something but the floor touches it", "mm/s^2 in its own axes, with gravity",
+       "deg/s about its own axes", "mm/s in its own axes",
+       "deg: where its x axis points, 0 to the sky-blue goal", "as MuJoCo measures it: m, rad"}};
+  return descriptions[kind];
 }
 
 Result<void> checkFieldSensors(const mjModel& model, const std::string& file) {

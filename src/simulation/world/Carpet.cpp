@@ -2,22 +2,13 @@
 
 #include <cmath>
 
+#include "base/SplitMix.h"
+
 namespace gt {
-namespace {
-
-/// Mixes a counter (splitmix64, Steele, Lea and Flood 2014).
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15;
-  x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9;
-  x = (x ^ x >> 27) * 0x94d049bb133111eb;
-  return x ^ x >> 31;
-}
-
-}  // namespace
 
 Vector2d Carpet::pullAt(std::int64_t x, std::int64_t y) const {
-  const std::uint64_t chance =
-      mixed(mixed(mixed(seed_) + static_cast<std::uint64_t>(x)) + static_cast<std::uint64_t>(y));
+  const std::uint64_t chance = splitMix(splitMix(splitMix(seed_) + static_cast<std::uint64_t>(x)) +
+                                        static_cast<std::uint64_t>(y));
   const auto symmetric = [](std::uint64_t bits) {
     return static_cast<double>(bits & 0xffffffff) / 0x80000000 - 1;
   };

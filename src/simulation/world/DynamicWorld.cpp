@@ -51,8 +51,7 @@ double reachDown(const mjModel& model, const mjData& data, int geom) {
 DynamicWorld::DynamicWorld(const SceneDescription& scene, Model model, const Random& random)
     : World(scene, std::move(model)),
       ballParameters_(scene.physics),
-      carpetSeed_(random.fork("carpet")()),
-      obstacles_(*model_) {}
+      carpetSeed_(random.fork("carpet")()) {}
 
 Result<std::unique_ptr<World>> DynamicWorld::make(const SceneDescription& scene, Model model,
                                                   const Random& random) {

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "simulation/world/Carpet.h"
-#include "simulation/world/Obstacles.h"
 #include "simulation/world/Servo.h"
 #include "simulation/world/World.h"
 
@@ -20,10 +19,6 @@ class DynamicWorld : public World {
 
   void step(std::span<const RobotCommand> commands) override;
   void change(const SceneDescription& scene) override;
-  void moveGeom(int geom, const Vector3d& position) override {
-    World::moveGeom(geom, position);
-    obstacles_ = Obstacles{*model_};
-  }
 
  private:
   /// A robot's motors, and what is to be known of it for measuring.
@@ -63,7 +58,6 @@ class DynamicWorld : public World {
 
   BallParameters ballParameters_;
   std::uint64_t carpetSeed_;
-  Obstacles obstacles_;
   std::vector<Motors> motors_;
   std::vector<int> robotOfBody_;       ///< By root body; -1: none.
   std::vector<int> ballOfBody_;        ///< By root body; -1: none.

@@ -46,7 +46,6 @@ KinematicWorld::KinematicWorld(const SceneDescription& scene, Model model, const
       noise_(scene.noise),
       body_(scene.body),
       walkingParameters_(scene.walking),
-      obstacles_(*model_),
       ballPhysics_(scene.physics, *model_, random.fork("carpet")()) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Walking walking{.random = random.fork("walking " + std::to_string(i)),

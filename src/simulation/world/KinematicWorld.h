@@ -3,7 +3,6 @@
 
 #include "simulation/world/BallPhysics.h"
 #include "simulation/world/Gait.h"
-#include "simulation/world/Obstacles.h"
 #include "simulation/world/World.h"
 
 namespace gt {
@@ -20,7 +19,6 @@ class KinematicWorld : public World {
   void change(const SceneDescription& scene) override;
   void moveGeom(int geom, const Vector3d& position) override {
     World::moveGeom(geom, position);
-    obstacles_ = Obstacles{*model_};
     std::fill(clear_.begin(), clear_.end(), Clearance{});
   }
 
@@ -53,7 +51,6 @@ class KinematicWorld : public World {
   NoiseParameters noise_;
   BodyParameters body_;
   WalkingParameters walkingParameters_;
-  Obstacles obstacles_;
   BallPhysics ballPhysics_;
   std::vector<Walking> walking_;
   std::vector<Clearance> clear_;

@@ -32,8 +32,7 @@ bool Obstacles::overlaps(const Obstacle& obstacle, const Vector2d& center, doubl
   const Vector2d d = center - obstacle.center;
   const double reach = radius + obstacle.bound;
   if (d.squaredNorm() >= reach * reach) return false;
-  const Vector2d local{obstacle.cosine * d.x() + obstacle.sine * d.y(),
-                       obstacle.cosine * d.y() - obstacle.sine * d.x()};
+  const Vector2d local = obstacle.local(d);
   const Vector2d nearest{std::clamp(local.x(), -obstacle.half.x(), obstacle.half.x()),
                          std::clamp(local.y(), -obstacle.half.y(), obstacle.half.y())};
   const Vector2d away = local - nearest;
@@ -62,10 +61,8 @@ bool Obstacles::overlaps(const Obstacle& obstacle, const Vector2d& center, doubl
 double Obstacles::distanceTo(const Vector2d& point) const {
   double nearest = std::numeric_limits<double>::max();
   for (const Obstacle& obstacle : obstacles_) {
-    const Vector2d d = point - obstacle.center;
-    const Vector2d local{obstacle.cosine * d.x() + obstacle.sine * d.y(),
-                         obstacle.cosine * d.y() - obstacle.sine * d.x()};
-    const Vector2d outside = (local.cwiseAbs() - obstacle.half).cwiseMax(0.);
+    const Vector2d outside =
+        (obstacle.local(point - obstacle.center).cwiseAbs() - obstacle.half).cwiseMax(0.);
     nearest = std::min(nearest, outside.norm() - obstacle.round);
   }
   return std::max(nearest, 0.);

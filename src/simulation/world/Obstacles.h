@@ -39,6 +39,11 @@ class Obstacles {
     double cosine, sine;
     double round;
     double bound;
+
+    /// A direction of the field in its own axes.
+    Vector2d local(const Vector2d& d) const {
+      return {cosine * d.x() + sine * d.y(), cosine * d.y() - sine * d.x()};
+    }
   };
 
   static bool overlaps(const Obstacle& obstacle, const Vector2d& center, double radius,

@@ -17,18 +17,12 @@ Pose3D RobotBody::origin() const {
 }
 
 World::World(const SceneDescription& scene, Model model)
-    : model_(std::move(model)), data_(makeData(*model_)), active_(scene.robots.size()) {
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) {
-      RobotBody body;
-      body.pose = robot.pose();
-      robots_.push_back(body);
-    }
-  for (const SceneBall& ball : scene.balls) {
-    BallState state;
-    state.position = ball.position();
-    balls_.push_back(state);
-  }
+    : model_(std::move(model)),
+      data_(makeData(*model_)),
+      obstacles_(*model_),
+      active_(scene.robots.size()) {
+  for (const SceneRobot* robot : scene.allRobots()) robots_.emplace_back().pose = robot->pose();
+  for (const SceneBall& ball : scene.balls) balls_.emplace_back().position = ball.position();
   placed_.resize(robots_.size(), true);
   placedBalls_.resize(balls_.size(), true);
   cameras_.resize(robots_.size());
@@ -37,12 +31,11 @@ World::World(const SceneDescription& scene, Model model)
 }
 
 Result<void> World::findParts(const SceneDescription& scene) {
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) {
-      const auto parts = findRobotParts(*model_, robot.name, scene.resolve(robot.model));
-      if (!parts) return parts.error();
-      parts_.push_back(*parts);
-    }
+  for (const SceneRobot* robot : scene.allRobots()) {
+    const auto parts = findRobotParts(*model_, robot->name, scene.resolve(robot->model));
+    if (!parts) return parts.error();
+    parts_.push_back(*parts);
+  }
   for (std::size_t i = 0; i < scene.balls.size(); ++i) {
     const auto parts = findBallParts(*model_, i, scene.resolve(scene.balls[i].model));
     if (!parts) return parts.error();
@@ -91,6 +84,7 @@ void World::moveGeom(int geom, const Vector3d& position) {
   const Vector3d local = rotation.transpose() * (position - fromMuJoCo(data_->xpos + 3 * body));
   for (int k = 0; k < 3; ++k) model_->geom_pos[3 * geom + k] = local[k] / 1000;
   updateKinematics();
+  obstacles_ = Obstacles{*model_};
 }
 
 void World::emit(int light, double share) {

@@ -12,6 +12,7 @@
 #include "representations/infrastructure/Joints.h"
 #include "simulation/scene/Scene.h"
 #include "simulation/world/MuJoCo.h"
+#include "simulation/world/Obstacles.h"
 #include "simulation/world/RobotParts.h"
 
 namespace gt {
@@ -135,6 +136,7 @@ class World {
 
   Model model_;
   ModelData data_;
+  Obstacles obstacles_;
   std::vector<RobotParts> parts_;
   std::vector<BallParts> ballParts_;
   std::vector<RobotBody> robots_;
