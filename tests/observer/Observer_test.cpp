@@ -16,9 +16,7 @@ namespace gt {
 namespace {
 
 using ::testing::AllOf;
-using ::testing::Contains;
 using ::testing::HasSubstr;
-using ::testing::IsSupersetOf;
 
 /// Keeps what was printed.
 class TextScreen : public Screen {
@@ -264,7 +262,7 @@ TEST(ThreeRobots, GiveTheSameAnswers) {
     const bool onLog = questions[i].starts_with("lp ");
     EXPECT_EQ(programs[i], simulated[i]);
     if (onLog)
-      EXPECT_THAT(simulated[i], HasSubstr("does not live on a log"));
+      EXPECT_THAT(simulated[i], HasSubstr("does not run on a log"));
     else
       EXPECT_EQ(logged[i], simulated[i]);
     std::printf("%s\n", programs[i] == simulated[i] && (onLog || logged[i] == simulated[i])
