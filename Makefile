@@ -12,18 +12,20 @@ JOBS    ?= $(shell nproc)
 # A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
-.PHONY: help install play film play-remote robots kill-test test replay bench experiments docs build packages format check-format lint sanitize sanitize-layers fuzz clean
+.PHONY: help install play film play-remote robots kill-test test replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make film          films half a minute of a match: out/match.mp4'
 	@echo 'make test          builds everything and runs all tests'
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
+	@echo 'make realism-page  compares images of real robots with simulated ones: out/realism/index.html'
 	@echo 'make robots        builds the programs of robots, with their source lines beside them for crashlog'
 	@echo 'make play-remote   plays a minute against a team whose robots consist of three programs each'
 	@echo 'make kill-test     kills each program of a robot 50 times during a match'
 	@echo 'make bench         measures speed, also against other libraries: out/bench.json; one part with ONLY=camera'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html; a group with ONLY=vision'
+	@echo 'make mutants       breaks the modules as tests/mutants/ lists and checks that their tests fail; MUTANTS=N breaks N places by chance, with SEED'
 	@echo 'make install       installs the programs and their data below PREFIX=$(PREFIX)'
 	@echo 'make docs          writes pages with charts about the soccer behavior, out/docs/index.html, and about the sources'"'"' interfaces, out/docs/api/index.html'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
@@ -33,7 +35,7 @@ help:
 	@echo 'make lint          checks all sources with clang-tidy; SINCE=COMMIT those changed since, MINUTES_OF_LINT=N for N minutes'
 	@echo 'make build         only builds, into $(BUILD); make packages only installs what is missing'
 	@echo 'make clean         removes build/ and out/'
-	@echo 'Settings: MINUTES, SEED, SEEDS, ONLY, SECONDS, OUT, PREFIX, PRESET (release, debug, asan, tsan, clang), JOBS'
+	@echo 'Settings: MINUTES, SEED, SEEDS, ONLY, SECONDS, MUTANTS, OUT, PREFIX, PRESET (release, debug, asan, tsan, clang), JOBS'
 
 packages:
 	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14) $(PACKAGES)
@@ -61,6 +63,11 @@ test: build
 replay: build
 	@$(BUILD)/bin/replay --out out/replay
 
+realism-page: TARGETS = --target simgt gtlog
+realism-page: PACKAGES += python3-numpy python3-pil python3-scipy python3-matplotlib python3-sklearn
+realism-page: build
+	@scripts/real-beside-simulated --build $(BUILD)
+
 # As they go to a robot: stripped, their source lines beside them.
 robots: packages
 	@cmake --preset symbols >/dev/null
@@ -83,6 +90,10 @@ bench: build
 experiments: TARGETS = --target experiment
 experiments: build
 	@$(BUILD)/bin/experiment --seeds $(SEEDS) $(if $(ONLY),--only $(ONLY)) --threads $(JOBS) --json out/experiments.json
+
+mutants: TARGETS = --target gt_behavior_test gt_kinematics_test gt_modeling_test gt_motion_test gt_perception_test
+mutants: build
+	@nice scripts/mutants $(BUILD) $(if $(MUTANTS),--sample $(MUTANTS) --seed $(SEED),tests/mutants/*.list) --jobs $(JOBS)
 
 docs: TARGETS = --target xabsl
 docs: PACKAGES += doxygen
@@ -125,7 +136,7 @@ check-format:
 
 # The headers that the build generates have to be there; the preset "clang" has no precompiled headers.
 lint:
-	@scripts/install-packages clang-14 clang-tidy-14 python3
+	@scripts/install-packages clang-14 clang-tidy-14
 	@cmake --preset clang >/dev/null
 	@cmake --build --preset clang --parallel $(JOBS) --target commit gt_behavior_symbols
 	@scripts/lint build/clang $(if $(SINCE),--since $(SINCE)) $(if $(MINUTES_OF_LINT),--minutes $(MINUTES_OF_LINT))

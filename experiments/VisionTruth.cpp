@@ -7,8 +7,7 @@
 namespace gt {
 
 VisionTruth::VisionTruth(const World& world, const SceneDescription& scene) : world_(world) {
-  for (const auto* group : {&scene.robots, &scene.extras})
-    for (const SceneRobot& robot : *group) players_.push_back(robot.player());
+  for (const SceneRobot* robot : scene.allRobots()) players_.push_back(robot->player());
   objects_.push_back({Kind::background, 0});
   const CameraScene camera{world.model()};
   for (int geom = 0; geom < world.model().ngeom; ++geom)

@@ -22,13 +22,13 @@ std::string percent(double share) {
 
 }  // namespace
 
-std::uint64_t ColorConfusion::are(ColorClass colorClass) const {
+std::uint64_t ColorConfusion::actualCount(ColorClass colorClass) const {
   std::uint64_t sum = 0;
   for (const std::uint64_t n : counts_[colorClass]) sum += n;
   return sum;
 }
 
-std::uint64_t ColorConfusion::said(ColorClass colorClass) const {
+std::uint64_t ColorConfusion::predictedCount(ColorClass colorClass) const {
   std::uint64_t sum = 0;
   for (const auto& row : counts_) sum += row[colorClass];
   return sum;
@@ -36,16 +36,16 @@ std::uint64_t ColorConfusion::said(ColorClass colorClass) const {
 
 std::uint64_t ColorConfusion::total() const {
   std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < counts_.size(); ++i) sum += are(static_cast<ColorClass>(i));
+  for (std::size_t i = 0; i < counts_.size(); ++i) sum += actualCount(static_cast<ColorClass>(i));
   return sum;
 }
 
 double ColorConfusion::precision(ColorClass colorClass) const {
-  return shareOf(counts_[colorClass][colorClass], said(colorClass));
+  return shareOf(counts_[colorClass][colorClass], predictedCount(colorClass));
 }
 
 double ColorConfusion::recall(ColorClass colorClass) const {
-  return shareOf(counts_[colorClass][colorClass], are(colorClass));
+  return shareOf(counts_[colorClass][colorClass], actualCount(colorClass));
 }
 
 double ColorConfusion::accuracy() const {
@@ -59,7 +59,7 @@ std::string ColorConfusion::text(const std::string& rows, const std::string& col
   const auto name = [](std::size_t i) { return enumNames<ColorClass>[i]; };
   const auto exists = [&](std::size_t i) {
     const auto c = static_cast<ColorClass>(i);
-    return are(c) + said(c) > 0;
+    return actualCount(c) + predictedCount(c) > 0;
   };
   std::string text = padded(rows, width);
   for (std::size_t i = 0; i < counts_.size(); ++i)
@@ -71,8 +71,8 @@ std::string ColorConfusion::text(const std::string& rows, const std::string& col
     for (std::size_t k = 0; k < counts_.size(); ++k)
       if (exists(k)) text += padded(std::to_string(counts_.values[i].values[k]), width);
     const auto c = static_cast<ColorClass>(i);
-    text += padded(said(c) > 0 ? percent(precision(c)) : "-", width);
-    text += padded(are(c) > 0 ? percent(recall(c)) : "-", width) + "\n";
+    text += padded(predictedCount(c) > 0 ? percent(precision(c)) : "-", width);
+    text += padded(actualCount(c) > 0 ? percent(recall(c)) : "-", width) + "\n";
   }
   return text + "the same class: " + percent(accuracy()) + " of " + std::to_string(total()) + "\n";
 }

@@ -9,14 +9,16 @@ namespace gt {
 /// How often colors of one class are taken for which other one: a confusion matrix.
 class ColorConfusion {
  public:
-  void add(ColorClass truth, ColorClass said, std::uint64_t times = 1) {
-    counts_[truth][said] += times;
+  void add(ColorClass actual, ColorClass predicted, std::uint64_t times = 1) {
+    counts_[actual][predicted] += times;
   }
-  std::uint64_t count(ColorClass truth, ColorClass said) const { return counts_[truth][said]; }
+  std::uint64_t count(ColorClass actual, ColorClass predicted) const {
+    return counts_[actual][predicted];
+  }
 
   /// How many are of a class, and how many are classified as it.
-  std::uint64_t are(ColorClass colorClass) const;
-  std::uint64_t said(ColorClass colorClass) const;
+  std::uint64_t actualCount(ColorClass colorClass) const;
+  std::uint64_t predictedCount(ColorClass colorClass) const;
   std::uint64_t total() const;
 
   /// The share of what is classified as a class that is of it; 1 if nothing is.

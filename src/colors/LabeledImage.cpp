@@ -1,8 +1,8 @@
 #include "colors/LabeledImage.h"
 
 #include <array>
-#include <charconv>
 
+#include "base/Number.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -37,8 +37,8 @@ Result<LabeledRegion> parseRow(std::string_view row, const std::string& file, in
   std::array<int, 4> corners{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::string_view cell = cells[2 + i];
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), corners[i]);
-    if (error != std::errc{} || end != cell.data() + cell.size() || corners[i] < 0)
+    corners[i] = numberFrom<int>(cell).value_or(-1);
+    if (corners[i] < 0)
       return Error{.file = file,
                    .line = line,
                    .field = columns[2 + i],

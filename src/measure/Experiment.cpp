@@ -1,9 +1,10 @@
 #include "measure/Experiment.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
+
+#include "base/Number.h"
 
 namespace gt {
 namespace {
@@ -16,10 +17,8 @@ bool isWanted(const std::string& name, const std::string& wanted) {
 Result<void> checkValue(const Parameter& parameter, const std::string& value) {
   if (parameter.kind == Parameter::Kind::text) return {};
   if (parameter.kind == Parameter::Kind::number) {
-    double number = 0;
-    const char* const end = value.data() + value.size();
-    const auto [stop, error] = std::from_chars(value.data(), end, number);
-    if (error == std::errc{} && stop == end && std::isfinite(number)) return {};
+    const auto number = numberFrom<double>(value);
+    if (number && std::isfinite(*number)) return {};
     return Error{.field = parameter.name, .what = "'" + value + "' is not a number"};
   }
   if (std::ranges::find(parameter.values, value) != parameter.values.end()) return {};

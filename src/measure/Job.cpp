@@ -1,8 +1,8 @@
 #include "measure/Job.h"
 
-#include <charconv>
 #include <sstream>
 
+#include "base/Number.h"
 #include "streams/Json.h"
 
 namespace gt {
@@ -19,12 +19,6 @@ struct ResultLine {
 };
 static_assert(complete<ResultLine>);
 
-template <typename T>
-bool readNumber(std::string_view text, T& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size();
-}
-
 }  // namespace
 
 std::string Job::text() const {
@@ -35,9 +29,7 @@ std::string Job::text() const {
 }
 
 double Job::number(const std::string& name) const {
-  double number = 0;
-  readNumber(parameter(name), number);  // `completed` has looked at it
-  return number;
+  return numberFrom<double>(parameter(name)).value_or(0);  // `completed` has looked at it
 }
 
 Result<Job> parseJob(std::string_view line) {
@@ -51,9 +43,11 @@ Result<Job> parseJob(std::string_view line) {
     const std::string name = word.substr(0, equals), value = word.substr(equals + 1);
     if (name == "commit")
       job.commit = value;
-    else if (name == "seed" && !readNumber(value, job.seed))
-      return Error{.field = word, .what = "expected a whole number"};
-    else if (name != "seed" && !job.parameters.emplace(name, value).second)
+    else if (name == "seed") {
+      const auto seed = numberFrom<std::uint64_t>(value);
+      if (!seed) return Error{.field = word, .what = "expected a whole number"};
+      job.seed = *seed;
+    } else if (!job.parameters.emplace(name, value).second)
       return Error{.field = word, .what = "is given twice"};
   }
   return job;

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 
+#include "base/CrashNotes.h"
 #include "measure/InParallel.h"
 
 namespace gt {
@@ -34,6 +35,8 @@ class Runner {
     return *findExperiment(experiments_, job.experiment);
   }
   Result<Measurement> measure(const Job& job) const {
+    const std::string text = job.text();
+    const CrashContext context{text.c_str()};
     auto measurement = experiment(job).measure(job, root_);
     if (!measurement) return measurement;
     for (const Measurement::Value& value : measurement->values)

@@ -1,9 +1,9 @@
 #include "network/RobotList.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
+#include "base/Number.h"
 #include "network/LocalSocket.h"
 
 namespace gt {
@@ -19,11 +19,8 @@ constexpr std::int64_t period = 1000;
 constexpr std::string_view toolsEnding = ".Tools";
 
 std::optional<int> numberIn(std::string_view text, int low, int high) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size() || number < low || number > high)
-    return {};
-  return number;
+  const auto number = numberFrom<int>(text);
+  return number && *number >= low && *number <= high ? number : std::nullopt;
 }
 
 /// The parts of an address of numbers between dots; empty if it is none.

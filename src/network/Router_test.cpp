@@ -101,48 +101,59 @@ TEST_F(RouterTest, BringsTeamMessagesToTeamMates) {
 
 /// Four routers, each two of them joined; with the robots of the first team (two), the first (one),
 /// the second (one), and none.
-TEST(Routers, BringTeamMessagesToTheTeamMatesOfOthers) {
-  const TestFolder folder;
-  ASSERT_TRUE(makeKeys(folder.file("keys")));
-  Network network;
-  std::vector<std::unique_ptr<ToolPort>> robots;
-  std::vector<std::unique_ptr<Router>> routers;
-  std::vector<std::string> opened;
-  for (const std::string teams : {"AA", "A", "B", ""}) {
-    RouterOptions options;
-    options.listenKeys = *loadKeys(folder.file("keys/robot.key"));
-    options.connectKeys = *loadKeys(folder.file("keys/tool.key"));
-    for (const char team : teams) {
-      const std::string name = "robot" + std::to_string(robots.size());
-      robots.push_back(*ToolPort::open(network, folder.endpoint(name)));
-      options.robots.push_back({name, folder.endpoint(name), "", {team}});
+class JoinedRouters : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(makeKeys(folder.file("keys")));
+    std::vector<std::string> opened;
+    for (const std::string teams : {"AA", "A", "B", ""}) {
+      RouterOptions options;
+      options.listenKeys = *loadKeys(folder.file("keys/robot.key"));
+      options.connectKeys = *loadKeys(folder.file("keys/tool.key"));
+      for (const char team : teams) {
+        const std::string name = "robot" + std::to_string(robots.size());
+        robots.push_back(*ToolPort::open(network, folder.endpoint(name)));
+        options.robots.push_back({name, folder.endpoint(name), "", {team}});
+      }
+      options.routers = "tcp://127.0.0.1:0";
+      options.others = opened;
+      auto router = Router::open(options);
+      ASSERT_TRUE(router) << router.error().text();
+      opened.push_back((*router)->endpointOfRouters());
+      routers.push_back(std::move(*router));
     }
-    options.routers = "tcp://127.0.0.1:0";
-    options.others = opened;
-    auto router = Router::open(options);
-    ASSERT_TRUE(router) << router.error().text();
-    opened.push_back((*router)->endpointOfRouters());
-    routers.push_back(std::move(*router));
+    toRobots.resize(robots.size());
   }
-  std::vector<MessageQueue> toRobots(robots.size());
-  const auto step = [&] {
+  void step() {
     for (std::size_t i = 0; i < robots.size(); ++i) robots[i]->update(toRobots[i]);
     for (const auto& router : routers) router->step(0);
-  };
-  ASSERT_TRUE(eventually(
-      [&] {
-        return std::ranges::all_of(routers, [](const auto& r) { return r->routers() == 3; }) &&
-               std::ranges::all_of(robots, [](const auto& r) { return r->tools() == 1; });
-      },
-      step));
-  const auto heardOf = [&](std::size_t robot, std::size_t player) {
+  }
+  /// Whether something comes true while all of them work.
+  bool comesTrue(const std::function<bool()>& condition) {
+    return eventually(condition, [this] { step(); });
+  }
+  /// When a player sent the newest of its messages that have reached a robot.
+  Time heardOf(std::size_t robot, std::size_t player) {
     TeamMessages mates;
     toRobots[robot].handleAllMessages([&](const Message& m) {
       if (!m.is<TeamMessages>()) return;
       EXPECT_TRUE(m.read(mates));
     });
     return mates.byPlayer[player].message.timeSent;
-  };
+  }
+
+  const TestFolder folder;
+  Network network;
+  std::vector<std::unique_ptr<ToolPort>> robots;
+  std::vector<std::unique_ptr<Router>> routers;
+  std::vector<MessageQueue> toRobots;
+};
+
+TEST_F(JoinedRouters, BringTeamMessagesToTheTeamMatesOfOthers) {
+  ASSERT_TRUE(comesTrue([&] {
+    return std::ranges::all_of(routers, [](const auto& r) { return r->routers() == 3; }) &&
+           std::ranges::all_of(robots, [](const auto& r) { return r->tools() == 1; });
+  }));
   for (std::size_t i = 0; i < robots.size(); ++i) {
     TeamMessage message;
     message.playerNumber = static_cast<int>(i) + 1;
@@ -151,13 +162,10 @@ TEST(Routers, BringTeamMessagesToTheTeamMatesOfOthers) {
     queue.write(Time{100}, message);
     robots[i]->send(queue);
   }
-  EXPECT_TRUE(eventually(
-      [&] {
-        return heardOf(0, 1) == Time{101} && heardOf(0, 2) == Time{102} &&
-               heardOf(1, 0) == Time{100} && heardOf(1, 2) == Time{102} &&
-               heardOf(2, 0) == Time{100} && heardOf(2, 1) == Time{101};
-      },
-      step));
+  EXPECT_TRUE(comesTrue([&] {
+    return heardOf(0, 1) == Time{101} && heardOf(0, 2) == Time{102} && heardOf(1, 0) == Time{100} &&
+           heardOf(1, 2) == Time{102} && heardOf(2, 0) == Time{100} && heardOf(2, 1) == Time{101};
+  }));
   for (int i = 0; i < 100; ++i) step();
   EXPECT_EQ(heardOf(0, 3), never()) << "of the other team";
   for (const std::size_t player : {0, 1, 2}) EXPECT_EQ(heardOf(3, player), never());

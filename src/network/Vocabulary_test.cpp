@@ -13,26 +13,13 @@ namespace {
 using testing::eventually;
 using testing::NumberPackage;
 using testing::TestFolder;
+namespace newer = testing::newer;
 
 struct Name {
   std::string name;
 
   static constexpr auto fields() { return Fields{field("name", &Name::name)}; }
 };
-
-namespace newer {
-
-/// The package as another version of the program has it.
-struct NumberPackage {
-  double more = 0.5;
-  double number = 0;
-
-  static constexpr auto fields() {
-    return Fields{field("more", &NumberPackage::more), field("number", &NumberPackage::number)};
-  }
-};
-
-}  // namespace newer
 
 const Vocabulary& robots() {
   static const Vocabulary known{{&representation<NumberPackage>(), &representation<Name>()}};

@@ -12,6 +12,7 @@ using testing::Custom;
 using testing::eventually;
 using testing::NumberPackage;
 using testing::TestFolder;
+namespace newer = testing::newer;
 
 /// A program with one process, as on the robot.
 struct Program {
@@ -89,26 +90,11 @@ TEST(Wire, AProcessMayHaveTwoReceiversOfOneType) {
   EXPECT_EQ(source.wire.rejected() + sink.wire.rejected(), 0u);
 }
 
-namespace another {
-
-/// The package as another version of the program has it.
-struct NumberPackage {
-  double more = 0.5;
-  double number = 0;
-
-  static constexpr auto fields() {
-    return Fields{field("more", &NumberPackage::more), field("number", &NumberPackage::number)};
-  }
-};
-static_assert(complete<NumberPackage>);
-
-}  // namespace another
-
 TEST(Wire, ReadsPackagesOfAnotherVersionFieldByField) {
   const TestFolder folder;
   Source source{folder.endpoint("a")};
   Program program{"Sink"};
-  Receiver<another::NumberPackage> numbers{program.process, true};
+  Receiver<newer::NumberPackage> numbers{program.process, true};
   ASSERT_TRUE(program.wire.connect("Source", folder.endpoint("a")));
   program.wire.receive("Source", numbers);
   program.process.pause = 0;

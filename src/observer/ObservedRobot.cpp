@@ -269,17 +269,6 @@ Result<void> ObservedRobot::watch(const std::string& representation, DebugKeyReq
   return {};
 }
 
-void ObservedRobot::renew() {
-  representations_.clear();
-  for (const auto& [id, newest] : newest_) {
-    const RepresentationType* type = messageType(id);
-    const DebugKeyRequest wanted =
-        newest.subscriptions > 0 ? DebugKeyRequest{DebugKeyMode::always, 0} : newest.watched;
-    if (type && wanted.mode != DebugKeyMode::disabled)
-      static_cast<void>(write(WatchRequest{std::string{type->name}, "", wanted.mode, wanted.n}));
-  }
-}
-
 const std::vector<std::string>& ObservedRobot::representations() {
   static_cast<void>(isKnown(""));
   return representations_;

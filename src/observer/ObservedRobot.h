@@ -46,8 +46,6 @@ class ObservedRobot {
   void take(const MessageQueue& messages);
   /// Takes what has come by the link meanwhile.
   void update();
-  /// Asks again for all that is subscribed: the robot has been started anew.
-  void renew();
 
   // Values of representations, by name.
 

@@ -1,12 +1,12 @@
 #include "observer/RecordedSetup.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <optional>
 
 #include "base/Enum.h"
+#include "base/Number.h"
 
 namespace gt {
 namespace {
@@ -55,11 +55,11 @@ Result<RecordedSetup> recordedSetup(const McapReader& log, const std::string& fi
   RecordedSetup setup;
   const auto team = enumOf<TeamColor>(entry("team"));
   const auto role = enumOf<PlayerRole>(entry("role"));
-  const std::string seed = entry("seed");
-  const auto [end, failure] = std::from_chars(seed.data(), seed.data() + seed.size(), setup.seed);
-  if (!team || !role || failure != std::errc{} || end != seed.data() + seed.size())
+  const auto seed = numberFrom<std::uint64_t>(entry("seed"));
+  if (!team || !role || !seed)
     return Error{.file = file, .field = metadataName, .what = "does not tell team, role and seed"};
   setup.player = {*team, *role};
+  setup.seed = *seed;
   setup.address = entry("address");
   setup.layout = entry("layout");
   setup.behavior = entry("behavior");

@@ -10,7 +10,7 @@
 #include "representations/motion/OdometryData.h"
 #include "representations/perception/CameraMatrix.h"
 #include "streams/File.h"
-#include "support/LivingRobot.h"
+#include "support/SteppedRobot.h"
 
 namespace gt {
 namespace {
@@ -36,10 +36,10 @@ class RobotForms : public ::testing::TestWithParam<Form> {
     // Programs find each other after a while.
     for (int i = 0; i < 100 && answersTo<DescriptionRequest>().size() < 2; ++i) {
       robot->ask(DescriptionRequest{});
-      robot->live(200);
+      robot->runFor(200);
     }
     EXPECT_GE(answersTo<DescriptionRequest>().size(), 2u);
-    robot->live(1000);
+    robot->runFor(1000);
     hear();
     messages.clear();
   }
@@ -61,7 +61,7 @@ class RobotForms : public ::testing::TestWithParam<Form> {
   bool answered(const Request& request, std::size_t answers) {
     messages.clear();
     robot->ask(request);
-    return robot->liveUntil([&] { return answersTo<Request>().size() >= answers; });
+    return robot->runUntil([&] { return answersTo<Request>().size() >= answers; });
   }
   template <typename Request>
   std::vector<RequestAnswer> answersTo() {
@@ -82,10 +82,10 @@ class RobotForms : public ::testing::TestWithParam<Form> {
   }
   template <typename T>
   bool arrives() {
-    return robot->liveUntil([&] { return !heard<T>().empty(); });
+    return robot->runUntil([&] { return !heard<T>().empty(); });
   }
 
-  std::unique_ptr<testing::LivingRobot> robot;
+  std::unique_ptr<testing::SteppedRobot> robot;
   MessageQueue messages{16 << 20};
 };
 
@@ -138,7 +138,7 @@ TEST_P(RobotForms, RepresentationsAreWatchedWhereverTheyAre) {
 
 TEST_P(RobotForms, ALayoutIsChangedInOneProgramOnly) {
   robot->ask(LayoutRequest{"single.layout", *readFile("layouts/single.layout")});
-  ASSERT_TRUE(robot->liveUntil([&] { return !answersTo<LayoutRequest>().empty(); }));
+  ASSERT_TRUE(robot->runUntil([&] { return !answersTo<LayoutRequest>().empty(); }));
   const RequestAnswer answer = answersTo<LayoutRequest>().front();
   if (GetParam() == Form::inOneProgram) {
     EXPECT_EQ(answer.outcome, RequestOutcome::done);
@@ -157,7 +157,7 @@ TEST_P(RobotForms, ABehaviorComesAsTextOrByItsName) {
             RequestOutcome::done);
   const auto playing = [&](const std::string& option) {
     messages.clear();
-    return robot->liveUntil([&] {
+    return robot->runUntil([&] {
       const auto states = heard<BehaviorState>();
       return !states.empty() && toString(states.back()).find(option) != std::string::npos;
     });
@@ -197,7 +197,7 @@ TEST_P(RobotForms, NoFileIsChosenFromOutside) {
 TEST_P(RobotForms, ItsConfigurationIsReplacedWhileItRuns) {
   // The head is held still, and so is the camera.
   ASSERT_EQ(answerTo(SolutionRequest{"HeadControl", "disabled"}).outcome, RequestOutcome::done);
-  robot->live(2000);
+  robot->runFor(2000);
   ASSERT_EQ(answerTo(WatchRequest{"CameraMatrix", ""}).outcome, RequestOutcome::done);
   const auto rotation = [&]() -> Matrix3d {
     messages.clear();
@@ -206,7 +206,7 @@ TEST_P(RobotForms, ItsConfigurationIsReplacedWhileItRuns) {
   };
   const Matrix3d before = rotation();
   robot->ask(RobotCalibration{0.2, 0});
-  EXPECT_TRUE(robot->liveUntil([&] {
+  EXPECT_TRUE(robot->runUntil([&] {
     const double turned = std::acos(((rotation() * before.transpose()).trace() - 1) / 2);
     return std::abs(turned - 0.2) < 0.02;
   })) << "the camera leans";
@@ -222,20 +222,20 @@ TEST_P(RobotForms, ItsConfigurationIsReplacedWhileItRuns) {
   colors.classes.fill(ColorClass::pink);
   EXPECT_NE(table().classes, colors.classes);
   robot->ask(colors);
-  robot->live(200);
+  robot->runFor(200);
   EXPECT_EQ(table().classes, colors.classes);
   EXPECT_NE((*loadConfiguration({}))->colorTable->classes, colors.classes);
 
   HsiColors hsi;
   hsi.ranges[ColorClass::green] = {{0, 359}, {0, 100}, {0, 100}};
   robot->ask(hsi);
-  robot->live(200);
+  robot->runFor(200);
   EXPECT_EQ(table().classes, hsi.table().classes);
 
   TslColors tsl;
   tsl.classes[ColorClass::orange].saturation = {10, 20};
   robot->ask(tsl);
-  robot->live(200);
+  robot->runFor(200);
   messages.clear();
   robot->ask(WatchRequest{"TslColors", "", DebugKeyMode::times, 1});
   ASSERT_TRUE(arrives<TslColors>());
@@ -243,11 +243,11 @@ TEST_P(RobotForms, ItsConfigurationIsReplacedWhileItRuns) {
 }
 
 TEST_P(RobotForms, CameraSettingsReachTheBody) {
-  EXPECT_TRUE(robot->liveUntil([&] { return robot->output.camera.has_value(); }));
+  EXPECT_TRUE(robot->runUntil([&] { return robot->output.camera.has_value(); }));
   const CameraSettings dark{WhiteBalance::wb_fl_mode, Gain::gain_low, ShutterSpeed::shutter_fast};
   EXPECT_NE(*robot->output.camera, dark);
   robot->ask(dark);
-  EXPECT_TRUE(robot->liveUntil([&] { return *robot->output.camera == dark; }));
+  EXPECT_TRUE(robot->runUntil([&] { return *robot->output.camera == dark; }));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RobotForms, ::testing::Values(Form::inOneProgram, Form::asPrograms),

@@ -39,7 +39,7 @@ std::unique_ptr<Robot> makeRobot(const std::string& layout = "layouts/cmd.layout
 }
 
 /// Runs a robot without a simulator: it sees gray images, its joints follow the requests.
-void live(Robot& robot, int ms, int from = 0) {
+void runFor(Robot& robot, int ms, int from = 0) {
   Image image;
   image.allocate();
   SensorDataBuffer sensors;
@@ -63,7 +63,7 @@ TEST(Robot, EveryLayoutOfTheRepositoryMakesOne) {
     if (entry.path().filename() == "replay.layout") continue;
     const auto robot = makeRobot(entry.path().string());
     ASSERT_TRUE(robot);
-    live(*robot, 400);
+    runFor(*robot, 400);
     for (const Task& task :
          {*solutions().find("MotionControl"), *solutions().find("BehaviorControl")})
       for (const auto& process : robot->processes())
@@ -78,7 +78,7 @@ TEST(Robot, EveryLayoutOfTheRepositoryMakesOne) {
 
 TEST(Robot, CognitionRunsByImageMotionByFrame) {
   const auto robot = makeRobot();
-  live(*robot, 4000);
+  runFor(*robot, 4000);
   for (const auto& process : robot->processes())
     EXPECT_EQ(process->times().front().count, process->name() == "Cognition" ? 100 : 500)
         << process->name();
@@ -112,7 +112,7 @@ std::string takeTexts(Robot& robot) {
 /// How often a robot sends a representation within a second.
 int sentOf(Robot& robot, const RepresentationType& type, int from) {
   robot.toTools().clear();
-  live(robot, 1000, from);
+  runFor(robot, 1000, from);
   int count = 0;
   robot.toTools().handleAllMessages([&](const Message& m) { count += m.id == type.id; });
   return count;
@@ -120,7 +120,7 @@ int sentOf(Robot& robot, const RepresentationType& type, int from) {
 
 TEST(Robot, SendsRepresentationsAsOftenAsAskedFor) {
   const auto robot = makeRobot();
-  live(*robot, 200);
+  runFor(*robot, 200);
   const auto& odometry = representation<OdometryData>();
   ASSERT_TRUE(robot->watch("OdometryData"));
   EXPECT_NEAR(sentOf(*robot, odometry, 200), 125, 1);
@@ -140,7 +140,7 @@ TEST(Robot, LivesOnWhatToolsAndTheOracleSayWhereItsTasksAreDisabled) {
   RobotPose truth;
   truth.pose = {1, 200, 300};
   robot->fromTools().write({}, sit);
-  live(*robot, 400);
+  runFor(*robot, 400);
   robot->layIfDisabled(truth);
   EXPECT_NE(robot->provided<MotionRequest>()->type, MotionType::specialAction);
   EXPECT_NE(robot->provided<RobotPose>()->pose.translation.x(), 200);
@@ -148,7 +148,7 @@ TEST(Robot, LivesOnWhatToolsAndTheOracleSayWhereItsTasksAreDisabled) {
     ASSERT_TRUE(robot->request(SolutionRequest{task, "disabled"}));
   robot->fromTools().write({400}, sit);
   robot->layIfDisabled(truth);
-  live(*robot, 400, 400);
+  runFor(*robot, 400, 400);
   EXPECT_EQ(robot->provided<MotionRequest>()->type, MotionType::specialAction);
   EXPECT_EQ(robot->provided<MotionInfo>()->executed.specialAction, "chestKick");
   EXPECT_EQ(robot->provided<RobotPose>()->pose.translation.x(), 200);
@@ -162,13 +162,13 @@ TEST(Robot, MovesHeadAndTailByHand) {
   MotionRequest wag;
   wag.tail = TailRequest::wagHorizontalFast;
   robot->fromTools().write({}, wag);
-  live(*robot, 2000);
+  runFor(*robot, 2000);
   const JointAngles& angles = robot->provided<JointData>()->angles;
   EXPECT_NEAR(angles[Joint::headTilt], -0.4, 1e-9);
   EXPECT_NEAR(angles[Joint::headPan], 0.7, 1e-9);
   double least = 0, most = 0;
   for (int i = 0; i < 50; ++i) {
-    live(*robot, 8, 2000 + 8 * i);
+    runFor(*robot, 8, 2000 + 8 * i);
     const double pan = robot->provided<JointData>()->angles[Joint::tailPan];
     least = std::min(least, pan);
     most = std::max(most, pan);
@@ -187,16 +187,16 @@ TEST(Robot, ExecutesWhatAPersonChoosesOfItsBehavior) {
   control.outputs = {{"head_control_mode", "look_left"}};
   control.shown = {"head_control_mode"};
   robot->fromTools().write({}, control);
-  live(*robot, 400);
+  runFor(*robot, 400);
   EXPECT_EQ(robot->provided<MotionRequest>()->walk.translation.x(), 120);
   EXPECT_EQ(robot->provided<HeadControlMode>()->mode, HeadMode::lookLeft);
   EXPECT_NE(takeTexts(*robot).find("walk("), std::string::npos);
   control.root = "no_such_option";
   robot->fromTools().write({400}, control);
-  live(*robot, 120, 400);
+  runFor(*robot, 120, 400);
   EXPECT_NE(takeTexts(*robot).find("the behavior has no no_such_option"), std::string::npos);
   robot->fromTools().write({520}, BehaviorControlRequest{});
-  live(*robot, 120, 520);
+  runFor(*robot, 120, 520);
   const std::string own = takeTexts(*robot);
   EXPECT_NE(own.find("play_soccer"), own.npos) << own;
 }
@@ -204,7 +204,7 @@ TEST(Robot, ExecutesWhatAPersonChoosesOfItsBehavior) {
 TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {
   const auto robot = makeRobot();
   ASSERT_TRUE(robot->request(DebugRequest{"BehaviorControl/activations", DebugKeyMode::always, 0}));
-  live(*robot, 1000);
+  runFor(*robot, 1000);
   const std::string before = takeTexts(*robot);
   EXPECT_NE(before.find("play_soccer() 960 ms: wait 960 ms"), before.npos) << before;
 
@@ -216,7 +216,7 @@ TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {
       "namespace s(\"\") { behavior fly {} } agent a(\"\", play_soccer);"
       "option play_soccer { initial state wait { action { fly(); } } }";
   robot->fromTools().write({1000}, BehaviorRequest{"edited.xabsl", {{"edited.xabsl", flying}}});
-  live(*robot, 1000, 1000);
+  runFor(*robot, 1000, 1000);
   const std::string between = takeTexts(*robot);
   EXPECT_NE(between.find("edited.xabsl"), between.npos) << "the message is shown";
   EXPECT_NE(between.find("play_soccer() 1960 ms: wait 1960 ms"), between.npos) << between;
@@ -225,12 +225,12 @@ TEST(Robot, PlaysOnWhileItsBehaviorIsEdited) {
   edited.replace(edited.find("fly"), 3, "getup");
   edited.replace(edited.find("fly"), 3, "getup");
   robot->fromTools().write({2000}, BehaviorRequest{"edited.xabsl", {{"edited.xabsl", edited}}});
-  live(*robot, 1000, 2000);
+  runFor(*robot, 1000, 2000);
   const std::string after = takeTexts(*robot);
   EXPECT_NE(after.find("play_soccer() 2960 ms: wait 2960 ms\n  getup()"), after.npos) << after;
 
   ASSERT_TRUE(robot->request(BehaviorRequest{"behavior/GT2003.xabsl", {}}));
-  live(*robot, 1000, 3000);
+  runFor(*robot, 1000, 3000);
   EXPECT_NE(takeTexts(*robot).find("play_soccer() 3960 ms: wait 3960 ms\n  show_role"), after.npos);
 }
 
@@ -242,7 +242,7 @@ TEST(Robot, SameSeedSameRobot) {
     GameControlData game;
     game.state = GameState::playing;
     robot->send(game);
-    live(*robot, 2000);
+    runFor(*robot, 2000);
     const auto bytes = robot->toTools().bytes();
     return std::vector<std::byte>{bytes.begin(), bytes.end()};
   };

@@ -1,6 +1,6 @@
-#include <charconv>
 #include <cmath>
 
+#include "base/Number.h"
 #include "representations/behavior/BehaviorState.h"
 #include "views/ViewText.h"
 #include "views/Views.h"
@@ -10,12 +10,10 @@ namespace {
 
 /// A value with its unit; numbers with as many digits as a person can use.
 std::string textOf(const BehaviorValue& value) {
-  const char* const end = value.value.data() + value.value.size();
-  double number = 0;
-  const auto [stop, error] = std::from_chars(value.value.data(), end, number);
+  const auto number = numberFrom<double>(value.value);
   std::string text = value.value;
-  if (error == std::errc{} && stop == end && std::isfinite(number)) {
-    text = decimal(number, std::abs(number) < 10 ? 2 : 1);
+  if (number && std::isfinite(*number)) {
+    text = decimal(*number, std::abs(*number) < 10 ? 2 : 1);
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
   }

@@ -258,9 +258,9 @@ TEST_F(RobotProgramsTest, ABrokenBehaviorStopsCognitionOnly) {
 }
 
 /// What a program prints until something is in it, or for some seconds.
-std::string said(const std::vector<std::string>& words, const std::string& wanted) {
+std::string printed(const std::vector<std::string>& words, const std::string& wanted) {
   const TemporaryFolder place;
-  const std::string file = (place.path() / "said").string();
+  const std::string file = (place.path() / "printed").string();
   std::string line = "exec";
   for (const std::string& word : words) line += " " + word;
   ChildProgram program{{"/bin/sh", "-c", line + " 2>" + file}};
@@ -277,12 +277,12 @@ TEST(RobotPrograms, SayWhatIsWrongInALine) {
   const std::string folder = place.path().string(), config = folder + "/config";
   const std::string waiting = "'Platform' does not answer at ipc://" + folder + "/robot.Platform";
   const std::string motion = GT_PROGRAMS "/gtrobot-motion", debug = GT_PROGRAMS "/gtrobot-debug";
-  EXPECT_THAT(said({motion, "--sockets", folder, "--crashes", folder}, waiting),
+  EXPECT_THAT(printed({motion, "--sockets", folder, "--crashes", folder}, waiting),
               ::testing::HasSubstr("gtrobot Motion: " + waiting + "\n"));
 
   fs::copy("config", config, fs::copy_options::recursive);
   ASSERT_TRUE(writeFile(config + "/network.cfg", "tools 5\n"));
-  EXPECT_THAT(said({debug, "--config", config, "--crashes", folder}, "tools"),
+  EXPECT_THAT(printed({debug, "--config", config, "--crashes", folder}, "tools"),
               ::testing::HasSubstr("network.cfg: tools: network: 5: expected an endpoint"));
 }
 

@@ -35,6 +35,21 @@ struct NumberPackage {
   static constexpr auto fields() { return Fields{field("number", &NumberPackage::number)}; }
 };
 
+namespace newer {
+
+/// The package as another version of the program has it.
+struct NumberPackage {
+  double more = 0.5;
+  double number = 0;
+
+  static constexpr auto fields() {
+    return Fields{field("more", &NumberPackage::more), field("number", &NumberPackage::number)};
+  }
+};
+static_assert(complete<NumberPackage>);
+
+}  // namespace newer
+
 /// A process whose main() is given by the test.
 struct Custom : Process {
   explicit Custom(const std::string& name) : Process{name} {}

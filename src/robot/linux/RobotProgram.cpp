@@ -123,10 +123,10 @@ void print(const RobotProgramOptions& options, const std::vector<std::string>& n
     std::fprintf(stderr, "gtrobot %s: %s\n", options.process.c_str(), line.c_str());
 }
 
-/// A life of the process: it ends when the program shall end, or, as modules live by the platform's
-/// clock, when that began anew.
-Result<void> live(const RobotProgramOptions& options, const RobotModules& modules,
-                  const RobotSetup& setup, bool servesTools) {
+/// Runs the process until the program shall end, or, as modules follow the platform's clock, until
+/// the platform starts again.
+Result<void> runSession(const RobotProgramOptions& options, const RobotModules& modules,
+                        const RobotSetup& setup, bool servesTools) {
   const auto robot = Robot::make(setup, modules, {options.process});
   if (!robot) return robot.error();
   (*robot)->provideSetup([&options] {
@@ -188,7 +188,8 @@ Result<void> runRobotProgram(const RobotProgramOptions& options, const RobotModu
       *configuration,         *layout, options.player, options.seed, platformRepresentations(),
       options.hardwareAddress};
   do {
-    if (auto done = live(options, modules, setup, process->collectsMessages); !done) return done;
+    if (auto done = runSession(options, modules, setup, process->collectsMessages); !done)
+      return done;
   } while (!stopped);
   return {};
 }

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "framework/Package.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/CameraSettings.h"
@@ -93,6 +94,26 @@ using InputSlots = decltype(detail::slotsFor<Slot>(
     std::tuple_cat(RobotInput::eachTick(), RobotInput::eachImage())));
 template <template <typename> class Slot>
 using CommandSlots = decltype(detail::slotsFor<Slot>(RobotOutput::commands()));
+
+/// A package with the sender or the receiver by which a body exchanges it with the robot's
+/// processes.
+template <typename T>
+struct SentPackage {
+  T value;
+  PackageSender sender{representation<T>(), &value};
+};
+template <typename T>
+struct ReceivedPackage {
+  T value;
+  PackageReceiver receiver{representation<T>(), &value};
+
+  /// Whether a new one has come since the last call.
+  bool take() {
+    receiver.receive();
+    receiver.request();
+    return receiver.receivedNew();
+  }
+};
 
 template <typename Take>
 void RobotInput::forEach(Take&& take, bool withPicture) const {

@@ -16,12 +16,12 @@ namespace gt::testing {
 
 /// A robot with a body that sees gray images, whose joints follow and which reports what it was
 /// commanded. It runs in steps of 8 ms; all requests and answers go by messages.
-class LivingRobot {
+class SteppedRobot {
  public:
-  virtual ~LivingRobot() = default;
+  virtual ~SteppedRobot() = default;
 
-  /// Lives for some ms.
-  void live(std::int64_t ms) {
+  /// Runs for some ms.
+  void runFor(std::int64_t ms) {
     for (const Time end = input_.now + ms; input_.now < end;) {
       input_.now = input_.now + 8;
       SensorData frame = input_.sensors.newest();
@@ -34,10 +34,10 @@ class LivingRobot {
       step(input_);
     }
   }
-  /// Lives until something holds; false if it does not in time.
+  /// Runs until something holds; false if it does not in time.
   template <typename Condition>
-  bool liveUntil(Condition condition, std::int64_t ms = 20'000) {
-    for (const Time end = input_.now + ms; input_.now < end; live(8))
+  bool runUntil(Condition condition, std::int64_t ms = 20'000) {
+    for (const Time end = input_.now + ms; input_.now < end; runFor(8))
       if (condition()) return true;
     return condition();
   }
@@ -53,7 +53,7 @@ class LivingRobot {
   RobotOutput output;  ///< The robot's commands.
 
  protected:
-  LivingRobot() { image.allocate(); }
+  SteppedRobot() { image.allocate(); }
   virtual void step(const RobotInput& input) = 0;
 
  private:
@@ -61,7 +61,7 @@ class LivingRobot {
 };
 
 /// All of its processes in this program.
-class RobotInOneProgram : public LivingRobot {
+class RobotInOneProgram : public SteppedRobot {
  public:
   explicit RobotInOneProgram(const RobotSetup& setup) : robot_{std::move(*Robot::make(setup))} {}
   MessageQueue& fromTools() override { return robot_->fromTools(); }
@@ -81,7 +81,7 @@ class RobotInOneProgram : public LivingRobot {
 };
 
 /// Each process with a network of its own, as if it were a program of its own; and so the body.
-class RobotAsPrograms : public LivingRobot {
+class RobotAsPrograms : public SteppedRobot {
  public:
   explicit RobotAsPrograms(const RobotSetup& setup) {
     const RobotAddresses addresses{folder_.path().string(), "robot", {}};
@@ -132,21 +132,6 @@ class RobotAsPrograms : public LivingRobot {
     std::unique_ptr<Robot> robot;
   };
 
-  template <typename T>
-  struct Out {
-    T value;
-    PackageSender sender{representation<T>(), &value};
-  };
-  template <typename T>
-  struct In {
-    T value;
-    PackageReceiver receiver{representation<T>(), &value};
-    bool take() {
-      receiver.receive();
-      receiver.request();
-      return receiver.receivedNew();
-    }
-  };
   struct Body {
     Body(const RobotAddresses& addresses, const RobotSetup& setup)
         : wire{network, platformProcess} {
@@ -161,25 +146,25 @@ class RobotAsPrograms : public LivingRobot {
     }
     void send(const RobotInput& input) {
       input.forEach([this]<typename T>(const T& package) {
-        std::get<Out<T>>(inputs).value = package;
-        std::get<Out<T>>(inputs).sender.send();
+        std::get<SentPackage<T>>(inputs).value = package;
+        std::get<SentPackage<T>>(inputs).sender.send();
       });
     }
     void exchange(Time now, RobotOutput& output) {
       network.now = now;
       network.wait(0);
       wire.takeIn();
-      if (auto& joints = std::get<In<JointData>>(commands); joints.take())
+      if (auto& joints = std::get<ReceivedPackage<JointData>>(commands); joints.take())
         output.joints = joints.value;
-      if (auto& camera = std::get<In<CameraSettings>>(commands); camera.take())
+      if (auto& camera = std::get<ReceivedPackage<CameraSettings>>(commands); camera.take())
         output.camera = camera.value;
       wire.askForMore();
       std::apply([](auto&... out) { (out.sender.sendLater(), ...); }, inputs);
     }
     Network network;
     Wire wire;
-    InputSlots<Out> inputs;
-    CommandSlots<In> commands;
+    InputSlots<SentPackage> inputs;
+    CommandSlots<ReceivedPackage> commands;
   };
 
   const TemporaryFolder folder_;
