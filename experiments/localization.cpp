@@ -10,6 +10,7 @@
 #include "Experiments.h"
 #include "GoToPoints.h"
 #include "base/Statistics.h"
+#include "measure/Tally.h"
 #include "measure/worlds/SimulatedWalker.h"
 #include "modules/behavior/skills/GoToPoint.h"
 #include "modules/behavior/testing/ImaginedWorld.h"
@@ -49,6 +50,11 @@ const std::map<std::string, Aim> aims{
 void add(Measurement& measured, const std::string& name, const char* unit, double value) {
   const auto aim = aims.find(name);
   measured.add("localization." + name, unit, value, aim == aims.end() ? Aim{} : aim->second);
+}
+
+void addSummary(Measurement& measured, const std::string& name, const char* unit,
+                const std::vector<double>& errors) {
+  for (const auto& [of, value] : summaryOf(errors)) add(measured, name + '.' + of, unit, value);
 }
 
 /// Where the robot would be if the field were turned by half a circle: without goals and beacons
@@ -96,9 +102,7 @@ struct Follower {
     const double average = mean(errors);
     const auto below =
         std::count_if(errors.begin(), errors.end(), [&](double e) { return e < average; });
-    add(run, name + ".error.mean", "mm", average);
-    add(run, name + ".error.median", "mm", quantile(errors, 0.5));
-    add(run, name + ".error.p95", "mm", quantile(errors, 0.95));
+    addSummary(run, name + ".error", "mm", errors);
     add(run, name + ".error.belowMean", "%",
         100 * static_cast<double>(below) / static_cast<double>(errors.size()));
     add(run, name + ".lost.longest", "s", longestLost);
@@ -204,12 +208,8 @@ void experiment2(SimulatedWalker& robot, AnyLocator& locator, std::uint64_t seed
     stops.push_back(arrival.ofRobot);
     estimates.push_back(arrival.ofEstimate);
   }
-  add(run, name + ".experiment2.stop.mean", "mm", mean(stops));
-  add(run, name + ".experiment2.stop.median", "mm", quantile(stops, 0.5));
-  add(run, name + ".experiment2.stop.p95", "mm", quantile(stops, 0.95));
-  add(run, name + ".experiment2.estimate.mean", "mm", mean(estimates));
-  add(run, name + ".experiment2.estimate.median", "mm", quantile(estimates, 0.5));
-  add(run, name + ".experiment2.estimate.p95", "mm", quantile(estimates, 0.95));
+  addSummary(run, name + ".experiment2.stop", "mm", stops);
+  addSummary(run, name + ".experiment2.estimate", "mm", estimates);
 }
 
 /// Images until each locator's pose is within 20 cm and stays, all seeing the same.
@@ -251,12 +251,8 @@ Result<Measurement> relocalizing(const Job& job, const DataRoot& root) {
   }
   Measurement run;
   for (const auto& [name, pictures] : nothing) {
-    add(run, name + ".fromNothing.median", "pictures", quantile(pictures, 0.5));
-    add(run, name + ".fromNothing.mean", "pictures", mean(pictures));
-    add(run, name + ".fromNothing.p95", "pictures", quantile(pictures, 0.95));
-    add(run, name + ".kidnapped.median", "pictures", quantile(kidnapped[name], 0.5));
-    add(run, name + ".kidnapped.mean", "pictures", mean(kidnapped[name]));
-    add(run, name + ".kidnapped.p95", "pictures", quantile(kidnapped[name], 0.95));
+    addSummary(run, name + ".fromNothing", "pictures", pictures);
+    addSummary(run, name + ".kidnapped", "pictures", kidnapped[name]);
     add(run, name + ".search.mirrored.longest", "s", mirrored[name]);
   }
   return run;

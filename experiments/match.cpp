@@ -38,6 +38,7 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   measured.add("match.stuckBalls", "balls", stuckBalls);
   measured.add("match.penalties", "robots", penalties);
   measured.add("match.walked", "m", walked);
+  measured.add("match.localization.error.mean", "mm", localization.mean);
   measured.add("match.localization.error.median", "mm", localization.median, Aim::atMost(150));
   measured.add("match.localization.error.p95", "mm", localization.percentile95, Aim::atMost(600));
   measured.add("match.localization.error.max", "mm", localization.maximum);

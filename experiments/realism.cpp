@@ -7,6 +7,7 @@
 #include "GoToPoints.h"
 #include "base/Enum.h"
 #include "base/Statistics.h"
+#include "measure/Tally.h"
 #include "modules/modeling/selflocator/LinesSelfLocator.h"
 #include "modules/modeling/selflocator/MonteCarloSelfLocator.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
@@ -69,12 +70,10 @@ double percentBelow(const std::vector<double>& errors, double limit) {
   return 100 * static_cast<double>(below) / static_cast<double>(errors.size());
 }
 
-/// Mean and share below it, as the report states them.
+/// A summary, and the share below the mean, which the report states.
 void addErrors(Measurement& run, const std::string& name, const std::vector<double>& errors) {
-  run.add(name + ".mean", "mm", mean(errors));
+  for (const auto& [of, value] : summaryOf(errors)) run.add(name + '.' + of, "mm", value);
   run.add(name + ".belowMean", "%", percentBelow(errors, mean(errors)));
-  run.add(name + ".median", "mm", quantile(errors, 0.5));
-  run.add(name + ".p95", "mm", quantile(errors, 0.95));
 }
 
 /// How far a measured camera matrix is from the true one: where its axis points up, and how it
@@ -175,12 +174,9 @@ Result<Measurement> searchItself(const Job& job, const DataRoot& root) {
     displaced.push_back(imagesUntilLocalized(robot, most, locate));
   }
   Measurement run;
-  for (const auto& [name, images] : {std::pair{"fromNothing", nothing}, {"displaced", displaced}}) {
-    run.add(nameOf(job, "montecarlo." + std::string{name} + ".median"), "images",
-            quantile(images, 0.5));
-    run.add(nameOf(job, "montecarlo." + std::string{name} + ".p95"), "images",
-            quantile(images, 0.95));
-  }
+  for (const auto& [name, images] : {std::pair{"fromNothing", nothing}, {"displaced", displaced}})
+    for (const auto& [of, value] : summaryOf(images))
+      run.add(nameOf(job, "montecarlo." + std::string{name} + '.' + of), "images", value);
   return run;
 }
 

@@ -284,9 +284,9 @@ Measurement figuresOf(const Condition& condition, const Tally& tally) {
     else
       add(name, "%", rate.percent());
   for (const auto& [name, errors] : tally.errors) {
-    add(name + ".mean", errors.unit, errors.mean());
-    add(name + ".median", errors.unit, errors.size(0.5));
-    add(name + ".p95", errors.unit, errors.size(0.95));
+    add(name + ".bias", errors.unit, errors.bias());
+    for (const auto& [of, value] : summaryOf(errors.sizes()))
+      add(name + '.' + of, errors.unit, value);
   }
   return measured;
 }

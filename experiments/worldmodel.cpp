@@ -134,18 +134,16 @@ Result<Tally> watchMatch(const Job& job, const DataRoot& root) {
   return tally;
 }
 
-/// The mean, the median and the 95th percentile of the sizes of each kind of error, and each rate.
+/// Each rate, and a summary of the sizes of each kind of error.
 Result<Measurement> measureWorldModel(const Job& job, const DataRoot& root) {
   const auto tally = watchMatch(job, root);
   if (!tally) return tally.error();
   Measurement measured;
   for (const auto& [name, rate] : tally->rates)
     measured.add("worldmodel." + name, "%", rate.percent());
-  for (const auto& [name, errors] : tally->errors) {
-    measured.add("worldmodel." + name + ".mean", errors.unit, errors.meanSize());
-    measured.add("worldmodel." + name + ".median", errors.unit, errors.size(0.5));
-    measured.add("worldmodel." + name + ".p95", errors.unit, errors.size(0.95));
-  }
+  for (const auto& [name, errors] : tally->errors)
+    for (const auto& [of, value] : summaryOf(errors.sizes()))
+      measured.add("worldmodel." + name + '.' + of, errors.unit, value);
   return measured;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
 #include <utility>
 
@@ -12,10 +13,16 @@
 
 namespace gt {
 
-void Figures::add(std::string name, std::string unit, const std::vector<double>& runs, Aim aim) {
+void Figures::add(std::string name, std::string unit, const std::vector<double>& runs, Aim aim,
+                  const std::vector<std::uint64_t>& seeds) {
   if (runs.empty()) return;
+  assert(seeds.empty() || seeds.size() == runs.size());
   figures_.push_back({std::move(name), std::move(unit), mean(runs), runs.size(), quantile(runs, 0),
                       quantile(runs, 1), quantile(runs, 0.5), quantile(runs, 0.95), aim, runs});
+  if (seeds.empty()) return;
+  const auto [low, high] = std::ranges::minmax_element(runs);
+  figures_.back().lowSeed = seeds[static_cast<std::size_t>(low - runs.begin())];
+  figures_.back().highSeed = seeds[static_cast<std::size_t>(high - runs.begin())];
 }
 
 void Figures::addRatio(std::string name, std::string_view figure, std::string_view to, Aim aim) {
@@ -40,15 +47,18 @@ const Figure* Figures::find(std::string_view name) const {
 }
 
 void Figures::print() const {
-  fmt::print("{:<52} {:>9} {:<9} {:>4} {:>9} {:>9}  {}\n", "figure", "value", "unit", "n", "low",
-             "high", "aim");
+  const auto seedOf = [](const std::optional<std::uint64_t>& seed) {
+    return seed ? fmt::format("({})", *seed) : "";
+  };
+  fmt::print("{:<52} {:>9} {:<9} {:>4} {:>9} {:<6} {:>9} {:<6}  {}\n", "figure", "value", "unit",
+             "n", "low", "(seed)", "high", "(seed)", "aim");
   for (const Figure& f : figures_) {
     std::string aim;
     if (f.aim.kind != Aim::Kind::none)
       aim = fmt::format("{} {:g}  {}", f.aim.kind == Aim::Kind::atMost ? "<=" : ">=", f.aim.value,
                         f.aim.met(f.value) ? "met" : "MISSED");
-    fmt::print("{:<52} {:>9.1f} {:<9} {:>4} {:>9.1f} {:>9.1f}  {}\n", f.name, f.value, f.unit, f.n,
-               f.low, f.high, aim);
+    fmt::print("{:<52} {:>9.1f} {:<9} {:>4} {:>9.1f} {:<6} {:>9.1f} {:<6}  {}\n", f.name, f.value,
+               f.unit, f.n, f.low, seedOf(f.lowSeed), f.high, seedOf(f.highSeed), aim);
   }
 }
 
@@ -61,6 +71,8 @@ std::string Figures::json() const {
       object["aim"] = f.aim.value;
       object["met"] = f.aim.met(f.value);
     }
+    if (f.lowSeed) object["lowSeed"] = *f.lowSeed;
+    if (f.highSeed) object["highSeed"] = *f.highSeed;
     if (!f.runs.empty()) object["runs"] = f.runs;
     list.push_back(std::move(object));
   }

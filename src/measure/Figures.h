@@ -1,5 +1,7 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,13 +36,17 @@ struct Figure {
   double low = 0, high = 0, median = 0, p95 = 0;
   Aim aim;
   std::vector<double> runs;  ///< The raw values; empty for a ratio of two figures.
+  /// The seeds of the runs with the lowest and the highest value; empty if the runs have none.
+  std::optional<std::uint64_t> lowSeed{}, highSeed{};
 };
 
 /// Measured figures, each with one stable name whose first word is its group.
 class Figures {
  public:
-  /// Adds a figure of which each run gave one value. Without runs nothing is added.
-  void add(std::string name, std::string unit, const std::vector<double>& runs, Aim aim = {});
+  /// Adds a figure of which each run gave one value. Without runs nothing is added. `seeds` are
+  /// those of the runs, if these have seeds.
+  void add(std::string name, std::string unit, const std::vector<double>& runs, Aim aim = {},
+           const std::vector<std::uint64_t>& seeds = {});
   /// Adds the ratio of a figure to another one, if both were added before.
   void addRatio(std::string name, std::string_view figure, std::string_view to, Aim aim = {});
 
@@ -48,10 +54,10 @@ class Figures {
   /// Null if there is no figure of that name.
   const Figure* find(std::string_view name) const;
 
-  /// Prints a table.
+  /// Prints a table. Behind the lowest and the highest value stand the seeds that gave them.
   void print() const;
   /// An array of objects: name, value, unit, n, low, high, median, p95, runs; where there is an
-  /// aim, also aim and met.
+  /// aim, also aim and met; where there are seeds, also lowSeed and highSeed.
   std::string json() const;
   /// Writes `json` to a file, whose folder is made if it is missing.
   Result<void> write(const std::string& path) const;

@@ -24,6 +24,16 @@ TEST(Figures, AFigureIsTheMeanOfItsRunsAndTellsTheirSpread) {
   EXPECT_TRUE(figure.aim.met(figure.value));
 }
 
+TEST(Figures, TheSeedsOfTheLowestAndTheHighestRunAreNamed) {
+  Figures figures;
+  figures.add("group.error", "mm", {3, 1, 8}, {}, {21, 23, 22});
+  EXPECT_EQ(figures.all().front().lowSeed, 23u);
+  EXPECT_EQ(figures.all().front().highSeed, 22u);
+  const Json json = *parseJson(figures.json(), "");
+  EXPECT_EQ(json[0]["lowSeed"], 23);
+  EXPECT_EQ(json[0]["highSeed"], 22);
+}
+
 TEST(Figures, WithoutRunsThereIsNoFigure) {
   Figures figures;
   figures.add("group.error", "mm", {});
@@ -58,6 +68,7 @@ TEST(Figures, TheFileHoldsNamesUnitsRunsAndAims) {
   EXPECT_EQ(json[0]["aim"], 1);
   EXPECT_EQ(json[0]["met"], false);
   EXPECT_FALSE(json[1].contains("met"));
+  EXPECT_FALSE(json[1].contains("lowSeed"));
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ Result<Figures> merge(JobResults& all) {
     std::string unit;
     Aim aim;
     std::vector<double> runs;
+    std::vector<std::uint64_t> seeds;
     Job first;
   };
   std::map<std::string, Column> columns;
@@ -105,7 +106,7 @@ Result<Figures> merge(JobResults& all) {
     last = &result;
     for (const Measurement::Value& value : result.measurement.values) {
       const auto [place, isNew] =
-          columns.try_emplace(value.name, Column{value.unit, value.aim, {}, result.job});
+          columns.try_emplace(value.name, Column{value.unit, value.aim, {}, {}, result.job});
       Column& column = place->second;
       if (column.first.experiment != result.job.experiment ||
           column.first.parameters != result.job.parameters)
@@ -113,11 +114,12 @@ Result<Figures> merge(JobResults& all) {
                      .what = "was measured by '" + column.first.text() + "' and by '" +
                              result.job.text() + "'"};
       column.runs.push_back(value.value);
+      column.seeds.push_back(result.job.seed);
     }
   }
   Figures figures;
   for (const auto& [name, column] : columns)
-    figures.add(name, column.unit, column.runs, column.aim);
+    figures.add(name, column.unit, column.runs, column.aim, column.seeds);
   return figures;
 }
 

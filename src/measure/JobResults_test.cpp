@@ -68,6 +68,8 @@ TEST(JobResults, RunsStandInTheOrderOfTheSeeds) {
   const auto figures = merge(results);
   EXPECT_EQ(figures->find("walk.error")->runs.front(), 1 / 7.0);
   EXPECT_EQ(figures->find("walk.error")->runs.back(), 11 / 7.0);
+  EXPECT_EQ(figures->find("walk.error")->lowSeed, 1u);
+  EXPECT_EQ(figures->find("walk.error")->highSeed, 11u);
   EXPECT_EQ(figures->find("walk.error")->aim, Aim::atMost(5));
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -7,6 +8,16 @@
 #include "base/Statistics.h"
 
 namespace gt {
+
+/// One number of a summary: mean, median, p95 or worst.
+struct SummaryValue {
+  const char* name;
+  double value;
+};
+
+/// What is reported of the sizes of errors: their mean, median, 95th percentile and worst case, so
+/// that none of them stands alone. All 0 of none.
+std::array<SummaryValue, 4> summaryOf(const std::vector<double>& sizes);
 
 /// What one run counted and measured, by name.
 class Tally {
@@ -22,12 +33,8 @@ class Tally {
     std::string unit;
     std::vector<double> values;
 
-    double mean() const { return gt::mean(values); }
-    double meanSize() const { return gt::mean(sizes()); }
-    /// The size that a share (0 .. 1) of the errors does not exceed.
-    double size(double share) const { return quantile(sizes(), share); }
-
-   private:
+    /// The mean of the errors with their signs.
+    double bias() const { return gt::mean(values); }
     std::vector<double> sizes() const {
       std::vector<double> sizes;
       for (const double v : values) sizes.push_back(std::abs(v));
