@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/Pairs.h"
 #include "modules/perception/scanning/CameraImage.h"
 
 namespace gt {
 namespace {
 
 using Thing = VisionTruth::Kind;
+
+constexpr double widestMiss = fromDegrees(4);  ///< Up to which a direction counts as right.
+constexpr int leastVisible = 4;  ///< Pixels below which a landmark does not count as seen.
 
 std::string bandOf(double distance) {
   return distance < 500    ? "to500mm"
@@ -73,9 +77,10 @@ void VisionMeasures::compareSensors(const RobotBody& body, const CameraMatrix& m
   tally.measure("body.roll", "deg", toDegrees(percept.roll - body.roll));
 }
 
-// A ball counts with a radius of three pixels and half of it visible. It is a false one if what was
-// found lies elsewhere.
+// A ball counts with a radius of three pixels and half of it visible. A percept is at its place if
+// both its direction and its place on the ground are the ball's.
 void VisionMeasures::compareBall(const BallPercept& percept, Tally& tally) const {
+  constexpr double share = 0.25, least = 100;  // Of the distance, at least so many mm.
   const Vector2d place = truth_.ball();
   const Vector3d ray =
       Vector3d{place.x(), place.y(), field_.ballRadius} - truth_.camera().pose.translation;
@@ -83,9 +88,11 @@ void VisionMeasures::compareBall(const BallPercept& percept, Tally& tally) const
   const double radius = truth_.camera().info.focalX * std::tan(angle);
   const double miss =
       std::acos(std::clamp(ray.normalized().dot(directionOf(percept.angle)), -1., 1.));
-  const bool right = percept.seen && miss < std::max(fromDegrees(4), angle);
+  const int visible = truth_.pixels(Thing::ball);
+  const bool right = percept.seen && visible > 0 && miss < std::max(widestMiss, angle) &&
+                     (percept.offset - place).norm() < std::max(least, share * place.norm());
   tally.count("ball.false", percept.seen && !right);
-  if (radius < 3 || truth_.pixels(Thing::ball) < pi * radius * radius / 2) return;
+  if (radius < 3 || visible < pi * radius * radius / 2) return;
   Banded ball{tally, "ball", away};
   ball.count("found", right);
   if (!right) return;
@@ -94,63 +101,87 @@ void VisionMeasures::compareBall(const BallPercept& percept, Tally& tally) const
   if (away < 1500) ball.measure("distance", "%", error);
 }
 
+// One percept is right for a flag; what is seen of a flag that is not seen as a whole lies anywhere
+// within it.
 void VisionMeasures::compareFlags(const LandmarksPercept& percept, Tally& tally) const {
-  constexpr int least = 4;  // Pixels, below which a thing does not count as seen.
-  constexpr double elsewhere = fromDegrees(4);
   for (std::size_t type = 0; type < enumCount<FlagType>; ++type) {
     const Vector2d place = truth_.flag(static_cast<FlagType>(type));
     const double away = distance(place);
     const int visible = truth_.pixels(Thing::flag, type);
     const double whole = 2 * field_.flagRadius * (field_.flagTop - field_.flagBottom) *
                          std::pow(truth_.camera().info.focalX / away, 2);
-    const auto end = percept.flags.begin() + percept.numberOfFlags;
-    const auto found = std::find_if(percept.flags.begin(), end, [&](const FlagPercept& flag) {
-      return flag.type == static_cast<FlagType>(type);
-    });
-    Banded flags{tally, "flags", away};
     const bool isWhole = visible > 0.9 * whole;
-    if (away < 3000 && isWhole) {
-      flags.count("found", found != end);
-      tally.count("flags." + std::string{enumNames<FlagType>[type]} + ".found", found != end);
-    }
-    if (found == end) continue;
-    const double error = normalize(found->angle - angleOf(place));
-    // What is seen of a flag that the image cuts off lies anywhere within it.
     const double half = std::asin(std::min(1., field_.flagRadius / away));
-    const bool wrong = visible < least || std::abs(error) > elsewhere + half;
-    tally.count("flags.false", wrong);
-    if (wrong || !isWhole) continue;
-    flags.measure("bearing", "deg", toDegrees(error));
-    if (found->distance > 0)
-      flags.measure("distance", "%", 100 * (found->distance / place.norm() - 1));
+    Banded flags{tally, "flags", away};
+    bool found = false;
+    for (int i = 0; i < percept.numberOfFlags; ++i) {
+      const FlagPercept& flag = percept.flags[static_cast<std::size_t>(i)];
+      if (flag.type != static_cast<FlagType>(type)) continue;
+      const double error = normalize(flag.angle - angleOf(place));
+      const bool right =
+          !found && visible >= leastVisible && std::abs(error) < widestMiss + (isWhole ? 0 : half);
+      tally.count("flags.false", !right);
+      if (!right) continue;
+      found = true;
+      if (!isWhole) continue;
+      flags.measure("bearing", "deg", toDegrees(error));
+      if (flag.distance > 0)
+        flags.measure("distance", "%", 100 * (flag.distance / place.norm() - 1));
+    }
+    if (away < 3000 && isWhole) {
+      flags.count("found", found);
+      tally.count("flags." + std::string{enumNames<FlagType>[type]} + ".found", found);
+    }
   }
 }
 
+// The edges that the percept knows are at the posts; edges on the border of the image and the
+// middle of what is seen are between them.
+bool VisionMeasures::isAtGoal(const GoalPercept& goal) const {
+  const Vector2d leftPost = truth_.post(goal.color, true);
+  const Vector2d rightPost = truth_.post(goal.color, false);
+  const auto isNear = [](double angle, double other) {
+    return std::abs(normalize(angle - other)) < widestMiss;
+  };
+  const auto isBetween = [](double angle, double left, double right) {
+    return normalize(angle - right) > -widestMiss && normalize(left - angle) > -widestMiss;
+  };
+  const double left = bearing(leftPost), right = bearing(rightPost);
+  const ConditionalBoundary& b = goal.boundary;
+  return (b.leftOnBorder ? isBetween(b.left, left, right) : isNear(b.left, left)) &&
+         (b.rightOnBorder ? isBetween(b.right, left, right) : isNear(b.right, right)) &&
+         isBetween(goal.angle, angleOf(leftPost), angleOf(rightPost));
+}
+
+// One percept is right for a goal.
 void VisionMeasures::compareGoals(const LandmarksPercept& percept, Tally& tally) const {
-  constexpr int least = 4, well = 150;  // Pixels.
+  constexpr int well = 150;  // Pixels.
   for (const GoalColor color : {GoalColor::yellow, GoalColor::skyblue}) {
     const Vector2d leftPost = truth_.post(color, true), rightPost = truth_.post(color, false);
     const int visible = truth_.pixels(Thing::goal, static_cast<std::size_t>(color));
-    const auto end = percept.goals.begin() + percept.numberOfGoals;
-    const auto found = std::find_if(percept.goals.begin(), end,
-                                    [&](const GoalPercept& goal) { return goal.color == color; });
     Banded goals{tally, "goals", distance((leftPost + rightPost) / 2)};
-    if (visible > well) {
-      goals.count("found", found != end);
-      tally.count("goals." + std::string{enumName(color)} + ".found", found != end);
+    bool found = false;
+    for (int i = 0; i < percept.numberOfGoals; ++i) {
+      const GoalPercept& goal = percept.goals[static_cast<std::size_t>(i)];
+      if (goal.color != color) continue;
+      const bool right = !found && visible >= leastVisible && isAtGoal(goal);
+      tally.count("goals.false", !right);
+      if (!right) continue;
+      found = true;
+      const ConditionalBoundary& b = goal.boundary;
+      if (!b.leftOnBorder)
+        goals.measure("bearing", "deg", toDegrees(normalize(b.left - bearing(leftPost))));
+      if (!b.rightOnBorder)
+        goals.measure("bearing", "deg", toDegrees(normalize(b.right - bearing(rightPost))));
+      const bool whole = !b.leftOnBorder && !b.rightOnBorder && !b.topOnBorder && !b.bottomOnBorder;
+      if (whole && goal.distance > 0)
+        goals.measure("distance", "%",
+                      100 * (goal.distance / ((leftPost + rightPost) / 2).norm() - 1));
     }
-    if (found == end) continue;
-    tally.count("goals.false", visible < least);
-    if (visible < least) continue;
-    const ConditionalBoundary& b = found->boundary;
-    if (!b.leftOnBorder)
-      goals.measure("bearing", "deg", toDegrees(normalize(b.left - bearing(leftPost))));
-    if (!b.rightOnBorder)
-      goals.measure("bearing", "deg", toDegrees(normalize(b.right - bearing(rightPost))));
-    const bool whole = !b.leftOnBorder && !b.rightOnBorder && !b.topOnBorder && !b.bottomOnBorder;
-    if (whole && found->distance > 0)
-      goals.measure("distance", "%",
-                    100 * (found->distance / ((leftPost + rightPost) / 2).norm() - 1));
+    if (visible > well) {
+      goals.count("found", found);
+      tally.count("goals." + std::string{enumName(color)} + ".found", found);
+    }
   }
 }
 
@@ -173,57 +204,80 @@ void VisionMeasures::compareEdges(const LinesPercept& percept, const CameraMatri
   }
 }
 
-// A percept belongs to a robot of its color whose tricot is seen in that direction, if there is
-// one.
+// Percepts belong one to one to robots whose tricot is seen: first to those of their color, then to
+// those of the other one.
 void VisionMeasures::comparePlayers(const PlayersPercept& percept, Tally& tally) const {
-  constexpr int least = 40;  // Pixels of tricot.
-  for (std::size_t i = 0; i < truth_.robots(); ++i) {
-    const Vector2d place = truth_.robot(i);
-    if (truth_.isOwn(i) || truth_.pixels(Thing::tricot, i) < least) continue;
-    double error = 1e9, range = 0;
-    for (const Vector2d& p : percept.players[truth_.team(i)]) {
-      if ((p - place).norm() >= error) continue;
-      error = (p - place).norm();
-      range = p.norm() - place.norm();
+  constexpr int least = 40;         // Pixels of tricot.
+  constexpr double farthest = 250;  // mm, from a robot to its percept.
+  EnumArray<TeamColor, std::vector<Vector2d>> missed, left;
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {
+    std::vector<std::size_t> robots;
+    std::vector<Vector2d> places;
+    for (std::size_t i = 0; i < truth_.robots(); ++i) {
+      if (truth_.isOwn(i) || truth_.team(i) != team || truth_.pixels(Thing::tricot, i) == 0)
+        continue;
+      robots.push_back(i);
+      places.push_back(truth_.robot(i));
     }
-    const bool found = error < std::max(250., 0.25 * place.norm());
-    Banded players{tally, place.norm() < 1200 ? "players" : "players.distant", place.norm()};
-    players.count("found", found);
-    players.count(std::string{enumName(truth_.team(i))} + ".found", found);
-    if (found) players.measure("error", "mm", error);
-    if (found) players.measure("range", "mm", range);
-  }
-  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
-    for (const Vector2d& p : percept.players[team]) {
-      bool any = false, right = false;
-      for (std::size_t i = 0; i < truth_.robots(); ++i) {
-        if (truth_.isOwn(i) || truth_.pixels(Thing::tricot, i) == 0) continue;
-        const double wide = std::max(fromDegrees(5), std::atan2(200, distance(truth_.robot(i))));
-        if (std::abs(normalize(bearing(truth_.robot(i)) - bearing(p))) > wide) continue;
-        any = true;
-        right = right || truth_.team(i) == team;
+    const std::vector<Vector2d>& percepts = percept.players[team];
+    const auto assigned = pairNearest(places, percepts, farthest);
+    std::vector<bool> used(percepts.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (assigned[k])
+        used[*assigned[k]] = true;
+      else
+        missed[team].push_back(places[k]);
+      if (truth_.pixels(Thing::tricot, robots[k]) < least) continue;
+      const double away = places[k].norm();
+      Banded players{tally, away < 1200 ? "players" : "players.distant", away};
+      players.count("found", assigned[k].has_value());
+      players.count(std::string{enumName(team)} + ".found", assigned[k].has_value());
+      if (!assigned[k]) continue;
+      const Vector2d& p = percepts[*assigned[k]];
+      players.measure("error", "mm", (p - places[k]).norm());
+      players.measure("range", "mm", p.norm() - away);
+    }
+    for (std::size_t k = 0; k < percepts.size(); ++k) {
+      if (!used[k]) {
+        left[team].push_back(percepts[k]);
+        continue;
       }
-      tally.count("players.false", !any);
-      if (any) tally.count("players.color", right);
+      Banded{tally, "players", percepts[k].norm()}.count("false", false);
+      tally.count("players.color", true);
     }
+  }
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {
+    const auto robotOf = pairNearest(left[team], missed[opponent(team)], farthest);
+    for (std::size_t k = 0; k < left[team].size(); ++k) {
+      Banded{tally, "players", left[team][k].norm()}.count("false", !robotOf[k]);
+      if (robotOf[k]) tally.count("players.color", false);
+    }
+  }
 }
 
-// Free ground is overestimated where something stands on it, 15 cm before its far point or nearer.
+double VisionMeasures::freeLength(const FreeGround& line) const {
+  constexpr double step = 20, longest = 6000;  // mm; that is longer than the field.
+  const double length = (line.farPoint - line.nearPoint).norm();
+  const Vector2d along = length > 0 ? Vector2d{line.farPoint - line.nearPoint}
+                                    : line.nearPoint - truth_.camera().pose.translation.head<2>();
+  double s = 0;
+  for (; s < std::max(length, longest); s += step) {
+    const auto kind = truth_.at(line.nearPoint + s * along.normalized());
+    if (!kind && s > length) break;  // the border of the image
+    if (kind && *kind != Thing::ground && *kind != Thing::line && *kind != Thing::background) break;
+  }
+  return s;
+}
+
+// Free ground is overestimated where something stands on it, 15 cm before its far point or nearer,
+// underestimated where nothing does up to 15 cm behind its far point.
 void VisionMeasures::compareObstacles(const ObstaclesPercept& percept, Tally& tally) const {
-  constexpr double step = 20, tolerance = 150;  // mm
+  constexpr double tolerance = 150;  // mm
   for (const FreeGround& line : percept.lines) {
-    const Vector2d way = line.farPoint - line.nearPoint;
-    const double length = way.norm();
-    double free = length;
-    for (double s = 0; s < length; s += step) {
-      const auto kind = truth_.at(line.nearPoint + s / length * way);
-      if (!kind || *kind == Thing::ground || *kind == Thing::line || *kind == Thing::background)
-        continue;
-      free = s;
-      break;
-    }
-    Banded ground{tally, "freeGround", line.nearPoint.norm() + free};
+    const double length = (line.farPoint - line.nearPoint).norm(), free = freeLength(line);
+    Banded ground{tally, "freeGround", line.nearPoint.norm() + std::min(length, free)};
     ground.count("notOverestimated", length - free <= tolerance);
+    ground.count("notUnderestimated", free - length <= tolerance);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/Pairs.h"
 #include "modules/behavior/tactics/FreeSpace.h"
 
 namespace gt {
@@ -58,27 +59,28 @@ void BallWatch::update(const SimulatedRobot& robot, const OracledWorldState& tru
   }
 }
 
-void TeamBallWatch::send(const TeamMessage& sent, Time now) {
-  if (random_.chance(loss_)) return;
-  TeamMessages::Received& received =
-      messages_.byPlayer[static_cast<std::size_t>(sent.playerNumber - 1)];
-  received = {sent, now};
-  if (!oneIsLost_ || sent.playerNumber != 2) return;
-  // The second player believes, and is sure, that it stands turned by a right angle, a meter aside.
-  const Pose2D wrong{pi / 2, 0, 1000};
-  TeamMessage& message = received.message;
-  const Pose2D believed = message.robotPose * wrong;
-  message.ballPosition = believed * relative(message.robotPose, message.ballPosition);
-  message.ballSpeed = rotated(message.ballSpeed, wrong.rotation);
-  message.robotPose = believed;
+void TeamBallWatch::send(std::size_t robot, TeamMessage message, Time now) {
+  if (oneIsLost_ && message.playerNumber == 2) {
+    // The second player believes, and is sure, that it stands turned by a right angle, a meter
+    // aside.
+    const Pose2D wrong{pi / 2, 0, 1000};
+    const Pose2D believed = message.robotPose * wrong;
+    message.ballPosition = believed * relative(message.robotPose, message.ballPosition);
+    message.ballSpeed = rotated(message.ballSpeed, wrong.rotation);
+    message.robotPose = believed;
+  }
+  radio_.send(robot, message, now);
 }
 
-void TeamBallWatch::update(const BallModel& ball, const RobotPose& pose,
-                           const OracledWorldState& truth, const Player& player, Tally& tally) {
+void TeamBallWatch::update(std::size_t robot, const BallModel& ball, const RobotPose& pose,
+                           const OracledWorldState& truth, Tally& tally) {
+  Receiver& receiver = robots_[robot];
+  radio_.receive(robot, truth.time, receiver.messages);
   const FrameInfo frame{truth.time};
+  const Player& player = players_[robot];
   TeamBallModel chosen, fused;
-  default_.update(ball, pose, messages_, frame, player, chosen, debug_);
-  fused_.update(ball, pose, messages_, frame, player, fused, debug_);
+  receiver.chooses.update(ball, pose, receiver.messages, frame, player, chosen, debug_);
+  receiver.fuses.update(ball, pose, receiver.messages, frame, player, fused, debug_);
   debug_.out().clear();
   const auto measure = [&](const char* of, const Vector2d& position) {
     tally.measure("teamball." + name_ + '.' + of, "mm", (position - truth.ballPosition).norm());
@@ -110,34 +112,32 @@ void compareObstacles(const SimulatedRobot& robot, const OracledWorldState& trut
   }
 }
 
-void comparePlayers(const SimulatedRobot& robot, const OracledWorldState& truth, Tally& tally) {
-  const auto* players = robot.robot().provided<PlayersCollection>();
-  if (!players) return;
-  const TeamColor own = robot.robot().setup().player.teamColor;
-  constexpr double known = 300, same = 500;
-  const auto nearest = [&](const Vector2d& to, const std::vector<LocatedPlayer>& among) {
-    double least = 1e9;
-    for (const LocatedPlayer& p : among) least = std::min(least, (p.position - to).norm());
-    return least;
-  };
-  for (const OracledRobot& other : truth.others) {
-    const Vector2d& place = other.pose.translation;
-    if (!isOnField(place)) continue;
-    const bool mate = other.teamColor == own;
-    const double error = nearest(place, mate ? players->ownTeam : players->opponents);
-    tally.count("players.known", error < known);
-    tally.count(mate ? "players.mates.known" : "players.opponents.known", error < known);
-    const double distance = (place - truth.robotPose.translation).norm();
-    if (!mate)
-      tally.count(std::string{"players.opponents."} + distanceBand(distance) + ".known",
-                  error < known);
-    if (error < same) tally.measure("players.position", "mm", error);
-  }
-  for (const LocatedPlayer& p : players->opponents) {
-    double least = 1e9;
+void comparePlayers(const PlayersCollection& players, TeamColor own, const OracledWorldState& truth,
+                    Tally& tally) {
+  constexpr double known = 300, same = 500;  // mm
+  for (const bool mates : {true, false}) {
+    std::vector<Vector2d> places, located;
     for (const OracledRobot& other : truth.others)
-      least = std::min(least, (other.pose.translation - p.position).norm());
-    tally.count("players.opponents.true", least < same);
+      if ((other.teamColor == own) == mates) places.push_back(other.pose.translation);
+    for (const LocatedPlayer& p : mates ? players.ownTeam : players.opponents)
+      located.push_back(p.position);
+
+    const auto assigned = pairNearest(places, located, known);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!isOnField(places[i])) continue;
+      const bool isKnown = assigned[i].has_value();
+      tally.count("players.known", isKnown);
+      tally.count(mates ? "players.mates.known" : "players.opponents.known", isKnown);
+      const double distance = (places[i] - truth.robotPose.translation).norm();
+      if (!mates)
+        tally.count(std::string{"players.opponents."} + distanceBand(distance) + ".known", isKnown);
+    }
+
+    const auto real = pairNearest(located, places, same);
+    for (std::size_t i = 0; i < located.size(); ++i) {
+      if (!mates) tally.count("players.opponents.true", real[i].has_value());
+      if (real[i]) tally.measure("players.position", "mm", (places[*real[i]] - located[i]).norm());
+    }
   }
 }
 

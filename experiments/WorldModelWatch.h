@@ -35,32 +35,45 @@ class BallWatch {
   Debug debug_{1024};
 };
 
-/// What the team makes of its robots' balls while some of their messages get lost, and perhaps one
-/// robot is lost itself.
+/// What all robots make of their teammates' balls, which reach them through a radio of this watch's
+/// own, and perhaps of one robot that is lost.
 class TeamBallWatch {
  public:
-  TeamBallWatch(std::string name, double loss, bool oneIsLost, std::uint64_t seed)
-      : name_{std::move(name)}, loss_{loss}, oneIsLost_{oneIsLost}, random_{seed} {}
+  /// `players` are all robots of the simulation in their order.
+  TeamBallWatch(std::string name, const RadioParameters& radio, bool oneIsLost,
+                const std::vector<Player>& players, const Random& random)
+      : name_{std::move(name)},
+        oneIsLost_{oneIsLost},
+        radio_{radio, players, random},
+        players_{players},
+        robots_(players.size()) {}
 
-  /// One message of one robot to another, if it comes through.
-  void send(const TeamMessage& message, Time now);
-  /// The team ball of a robot, against its own.
-  void update(const BallModel& ball, const RobotPose& pose, const OracledWorldState& truth,
-              const Player& player, Tally& tally);
+  /// A robot sends a message to its teammates, where it arrives late or never.
+  void send(std::size_t robot, TeamMessage message, Time now);
+  /// The team ball of a robot that has received what has arrived by now, against its own ball.
+  void update(std::size_t robot, const BallModel& ball, const RobotPose& pose,
+              const OracledWorldState& truth, Tally& tally);
 
  private:
+  struct Receiver {
+    TeamMessages messages;
+    DefaultTeamBallLocator chooses;
+    FusedTeamBallLocator fuses;
+  };
+
   std::string name_;
-  double loss_;
   bool oneIsLost_;
-  Random random_;
-  TeamMessages messages_;
-  DefaultTeamBallLocator default_;
-  FusedTeamBallLocator fused_;
+  Radio radio_;
+  std::vector<Player> players_;
+  std::vector<Receiver> robots_;
   Debug debug_{1024};
 };
 
-/// The obstacles and players of one robot, which it has modeled itself, against the truth.
+/// The obstacles of one robot, which it has modeled itself, against the truth.
 void compareObstacles(const SimulatedRobot& robot, const OracledWorldState& truth, Tally& tally);
-void comparePlayers(const SimulatedRobot& robot, const OracledWorldState& truth, Tally& tally);
+/// The players that a robot of a team knows, against the truth. One that it knows stands for one
+/// robot of that team at most.
+void comparePlayers(const PlayersCollection& players, TeamColor own, const OracledWorldState& truth,
+                    Tally& tally);
 
 }  // namespace gt

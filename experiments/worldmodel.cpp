@@ -14,14 +14,22 @@ namespace {
 
 constexpr const char* noLogs = "none";
 
-/// What is watched of one robot.
-struct Watch {
-  explicit Watch(std::uint64_t seed)
-      : team{{{"loss5", 0.05, false, seed},
-              {"loss50", 0.5, false, seed},
-              {"onelost", 0.05, true, seed}}} {}
-  BallWatch ball;
-  std::array<TeamBallWatch, 3> team;
+/// What is watched: the ball by each robot, and the team's ball by radios like the scene's.
+struct Watches {
+  Watches(const Simulation& simulation, std::uint64_t seed) {
+    const std::vector<Player>& players = simulation.players();
+    balls.resize(players.size());
+    RadioParameters radio = simulation.scene().radio;
+    const auto add = [&](const std::string& name, bool oneIsLost) {
+      team.emplace_back(name, radio, oneIsLost, players, Random{seed}.fork("team ball " + name));
+    };
+    add("radio", false);
+    add("onelost", true);
+    radio.loss = 0.5;
+    add("loss50", false);
+  }
+  std::vector<BallWatch> balls;  ///< Of each robot of the simulation.
+  std::vector<TeamBallWatch> team;
 };
 
 /// The message of a robot, with the ball of the locator that estimates its standard deviation.
@@ -85,29 +93,28 @@ class Truth {
 };
 
 /// Looks at all robots after an image.
-void look(Match& match, std::vector<std::unique_ptr<Watch>>& watches, int picture, Truth& truths,
-          Tally& tally) {
+void look(Match& match, Watches& watches, int picture, Truth& truths, Tally& tally) {
   const auto& robots = match.robots();
+  std::vector<std::pair<std::size_t, TeamMessage>> messages;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const std::size_t index = match.robotIndex(i);
     if (match.simulation().input(index).game.penalty != Penalty::none || !robots[i]->pose())
       continue;
     const OracledWorldState* truth = truths.of(index, tally);
     if (!truth) continue;
-    watches[i]->ball.update(*robots[i], *truth, tally);
+    watches.balls[index].update(*robots[i], *truth, tally);
     compareObstacles(*robots[i], *truth, tally);
-    comparePlayers(*robots[i], *truth, tally);
     const Player& player = robots[i]->robot().setup().player;
+    if (const auto* players = robots[i]->robot().provided<PlayersCollection>())
+      comparePlayers(*players, player.teamColor, *truth, tally);
     const RobotPose& pose = *robots[i]->pose();
-    const BallModel& ball = watches[i]->ball.probabilistic();
-    const Time now = truth->time;
-    for (TeamBallWatch& team : watches[i]->team) team.update(ball, pose, *truth, player, tally);
-    if (picture % imagesPerTeamMessage != 0) continue;
-    for (std::size_t k = 0; k < robots.size(); ++k)
-      if (k != i && robots[k]->robot().setup().player.teamColor == player.teamColor)
-        for (TeamBallWatch& team : watches[k]->team)
-          team.send(messageOf(player, pose, ball, now), now);
+    const BallModel& ball = watches.balls[index].probabilistic();
+    for (TeamBallWatch& team : watches.team) team.update(index, ball, pose, *truth, tally);
+    if (picture % imagesPerTeamMessage == 0)
+      messages.emplace_back(index, messageOf(player, pose, ball, truth->time));
   }
+  for (const auto& [index, message] : messages)
+    for (TeamBallWatch& team : watches.team) team.send(index, message, message.timeSent);
 }
 
 Result<Tally> watchMatch(const Job& job, const DataRoot& root) {
@@ -120,9 +127,7 @@ Result<Tally> watchMatch(const Job& job, const DataRoot& root) {
   if (const std::string& folder = job.parameter("logs"); folder != noLogs)
     if (auto done = truth.record(folder + "/ceiling-" + std::to_string(job.seed) + ".mcap"); !done)
       return done.error();
-  std::vector<std::unique_ptr<Watch>> watches;
-  for (std::size_t i = 0; i < (*match)->robots().size(); ++i)
-    watches.push_back(std::make_unique<Watch>(job.seed * 100 + i));
+  Watches watches{(*match)->simulation(), job.seed};
   Tally tally;
   for (int picture = 0; !(*match)->finished();) {
     (*match)->step();
