@@ -42,7 +42,7 @@ class Radio {
   std::vector<Player> players_;
   std::vector<std::vector<Underway>> underway_;  ///< By receiver.
   std::vector<bool> off_;                        ///< Robots cut off.
-  /// Whether the network has broken down for now.
+  /// Whether the network is down at the moment.
   bool isDown(Time now);
 
   Random random_, breakdowns_;

@@ -24,7 +24,12 @@ constexpr int weightOne = 8;
 /// So many rows share the light of their places; it changes by less than a percent among them.
 constexpr int rowsOfLight = 4;
 constexpr std::size_t noisePixels = 1 << 14;
-constexpr std::size_t channelCount = 3;
+
+std::int16_t fixed(double value) {
+  constexpr int low = -32768, high = 32767;
+  return static_cast<std::int16_t>(
+      static_cast<int>(std::clamp<double>(value, low, high) - low + 0.5) + low);
+}
 
 /// Normally distributed numbers for each channel, in units of 1 / noiseOne, that all images share:
 /// each row of an image begins at a random place.
@@ -50,7 +55,7 @@ class NoiseTable {
     for (std::size_t i = 0; i < noisePixels; ++i) {
       const double beside =
           i == 0 || i + 1 == noisePixels ? 0 : values_[i - 1][c] + values_[i + 1][c];
-      values[i] = static_cast<std::int16_t>(std::lround(norm * (values_[i][c] + a * beside)));
+      values[i] = fixed(norm * (values_[i][c] + a * beside));
     }
     return values;
   }
@@ -64,12 +69,6 @@ class NoiseTable {
   std::vector<std::array<std::int16_t, channelCount>> values_;
 };
 const NoiseTable noiseTable{2003};
-
-std::int16_t fixed(double value) {
-  constexpr int low = -32768, high = 32767;
-  return static_cast<std::int16_t>(
-      static_cast<int>(std::clamp<double>(value, low, high) - low + 0.5) + low);
-}
 
 /// Half of the squared distance from the middle, of a column or a row: both together are 1 in the
 /// corners.
@@ -161,13 +160,14 @@ void ImageEffects::setColumns(const CameraEffects& effects, int width, std::size
   for (auto* row : {&gain_, &uneven_, &light_}) row->resize(padded);
   for (auto* rows : {&blurred_, &shaded_})
     for (auto& row : *rows) row.resize(padded);
-  const std::array<double, channels> base{0.5, 128.5 + effects.shiftCb, 128.5 + effects.shiftCr};
-  const std::array<double, channels> rim{0, effects.rimCb, effects.rimCr};
+  const std::array<double, channelCount> base{0.5, 128.5 + effects.shiftCb,
+                                              128.5 + effects.shiftCr};
+  const std::array<double, channelCount> rim{0, effects.rimCb, effects.rimCr};
   for (auto& column : cast_) column.resize(padded);
   for (std::size_t x = 0; x < padded; ++x) {
     const double out = outward(static_cast<int>(x), width);
     gain_[x] = fixed(effects.brightness * lightOne * (1 - effects.vignetting * out));
-    for (std::size_t c = 0; c < channels; ++c)
+    for (std::size_t c = 0; c < channelCount; ++c)
       cast_[c][x] = fixed((base[c] + rim[c] * out) * fractionOne);
   }
 }
@@ -175,7 +175,7 @@ void ImageEffects::setColumns(const CameraEffects& effects, int width, std::size
 void ImageEffects::setNoise(double correlation) {
   if (correlation == correlation_) return;
   correlation_ = correlation;
-  for (std::size_t c = 0; c < channels; ++c) noise_[c] = noiseTable.channel(c, correlation);
+  for (std::size_t c = 0; c < channelCount; ++c) noise_[c] = noiseTable.channel(c, correlation);
 }
 
 /// A blur of some variance (square pixels): passes with the kernel w/2, 1 - w, w/2, whose variance
@@ -225,14 +225,14 @@ struct ImageEffects::Spread {
   const std::size_t padded = picture[0].paddedWidth();
   const double lens = effects.blur * effects.blur;
   const Spread along{lens};
-  std::array<const Plane*, channels> spread{};
-  for (std::size_t c = 0; c < channels; ++c) {
+  std::array<const Plane*, channelCount> spread{};
+  for (std::size_t c = 0; c < channelCount; ++c) {
     const double bleeding = c > 0 ? effects.chromaBlur * effects.chromaBlur : 0;
     spread[c] = &spreadRows(picture[c], Spread{lens + bleeding}, spread_[c]);
   }
-  constexpr std::array<std::int16_t, channels> neutral{0, 128, 128};
-  const std::array<double, channels> rim{0, effects.rimCb, effects.rimCr};
-  const std::array<double, channels> noise{effects.noiseY, effects.noiseCb, effects.noiseCr};
+  constexpr std::array<std::int16_t, channelCount> neutral{0, 128, 128};
+  const std::array<double, channelCount> rim{0, effects.rimCb, effects.rimCr};
+  const std::array<double, channelCount> noise{effects.noiseY, effects.noiseCb, effects.noiseCr};
   constexpr double strengthOne = fractionOne * 65536 / noiseOne;
   for (int y = 0; y < height; ++y) {
     const double out = outward(y, height);
@@ -241,7 +241,7 @@ struct ImageEffects::Spread {
     Illuminate{gain_.data(), uneven_.data(), rowLoss}(light_.data(), padded);
     const std::size_t place = NoiseTable::place(seed, y, width);
     const std::uint8_t* bright = nullptr;
-    for (std::size_t c = 0; c < channels; ++c) {
+    for (std::size_t c = 0; c < channelCount; ++c) {
       const std::uint8_t* in = spreadRow(spread[c]->row(y), along, blurred_[c].data());
       if (c == 0) bright = in;
       const std::int16_t deviation = fixed(noise[c] * strengthOne);

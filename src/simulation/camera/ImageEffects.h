@@ -21,9 +21,8 @@ class ImageEffects {
              std::uint64_t seed, Image& image);
 
  private:
-  static constexpr std::size_t channels = 3;
   template <typename T>
-  using Rows = std::array<std::vector<T>, channels>;
+  using Rows = std::array<std::vector<T>, channelCount>;
 
   /// What depends on the column only.
   void setColumns(const CameraEffects& effects, int width, std::size_t padded);

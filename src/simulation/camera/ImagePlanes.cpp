@@ -37,9 +37,9 @@ void takePlanes(const Rasterizer& picture, ImagePlanes& planes) {
   for (Plane& plane : planes) plane.resize(picture.width(), picture.height());
   withWideInstructions([&]() __attribute__((always_inline)) {
     for (int y = 0; y < picture.height(); ++y)
-      for (int c = 0; c < 3; ++c)
-        TakeChannel{picture.row(y), 8 * c}(planes[static_cast<std::size_t>(c)].row(y),
-                                           static_cast<std::size_t>(picture.width()));
+      for (std::size_t c = 0; c < channelCount; ++c)
+        TakeChannel{picture.row(y), 8 * static_cast<int>(c)}(
+            planes[c].row(y), static_cast<std::size_t>(picture.width()));
   });
 }
 

@@ -41,14 +41,15 @@ class Plane {
   std::vector<std::uint8_t> values_;
 };
 
+constexpr std::size_t channelCount = 3;
 /// An image by channels: y, cb and cr.
-using ImagePlanes = std::array<Plane, 3>;
+using ImagePlanes = std::array<Plane, channelCount>;
 
 /// Takes the drawn image apart; the margins stay as they are.
 void takePlanes(const Rasterizer& picture, ImagePlanes& planes);
 /// Puts a row of each channel together.
-[[gnu::always_inline]] inline void joinRow(const std::array<const std::uint8_t*, 3>& channels,
-                                           std::span<Pixel> row) {
+[[gnu::always_inline]] inline void joinRow(
+    const std::array<const std::uint8_t*, channelCount>& channels, std::span<Pixel> row) {
   auto* __restrict out = reinterpret_cast<std::uint8_t*>(row.data());
   const auto [y, cb, cr] = channels;
   for (std::size_t i = 0; i < row.size(); ++i) {

@@ -25,7 +25,7 @@ Vector3d turnOf(const CameraView& view, double exposure) {
 }
 
 /// How far what is seen at a place goes in the image if the camera turns.
-Vector2d wayAt(const CameraInfo& info, double x, double y, const Vector3d& turn) {
+Vector2d motionAt(const CameraInfo& info, double x, double y, const Vector3d& turn) {
   const Vector3d ray = info.ray(x, y);
   const Vector3d change = -turn.cross(ray);
   return {-info.focalX * (change.y() - ray.y() * change.x()),
@@ -41,10 +41,10 @@ struct Path {
   std::array<int, mostSamples> x, y;
   std::size_t count = 0;
 
-  explicit Path(const Vector2d& way) {
-    const double length = way.cwiseAbs().maxCoeff();
+  explicit Path(const Vector2d& motion) {
+    const double length = motion.cwiseAbs().maxCoeff();
     count = length < 0.6 ? 1 : length <= 4 ? 4 : length <= 8 ? 8 : mostSamples;
-    const Vector2d most = way.cwiseMax(-2 * longest).cwiseMin(2 * longest);
+    const Vector2d most = motion.cwiseMax(-2 * longest).cwiseMin(2 * longest);
     for (std::size_t i = 0; i < count; ++i) {
       const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(count) - 0.5;
       x[i] = rounded(part * most.x());
@@ -100,7 +100,7 @@ void MotionBlur::apply(const CameraView& view, double exposure, ImagePlanes& pic
   withWideInstructions([&]() __attribute__((always_inline)) {
     for (int y = 0; y < view.info.height; y += blockHeight)
       for (int x = 0; x < view.info.width; x += blockWidth) {
-        const Path path{wayAt(view.info, x + blockWidth / 2.0, y + blockHeight / 2.0, turn)};
+        const Path path{motionAt(view.info, x + blockWidth / 2.0, y + blockHeight / 2.0, turn)};
         for (int row = y; row < std::min(y + blockHeight, view.info.height); ++row) {
           const std::uint8_t* const first = sharp_[0].row(0);
           Offsets offsets;

@@ -4,7 +4,7 @@
 
 namespace gt {
 
-/// Smears an image along the ways that its points go while a row is exposed, because the camera
+/// Smears an image along the paths that its points go while a row is exposed, because the camera
 /// turns. Pixels of a block of 32 x 8 are smeared over the distance that its middle moves.
 class MotionBlur {
  public:
