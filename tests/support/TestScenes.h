@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "representations/infrastructure/RobotDimensions.h"
+#include "simulation/scene/ProfileTable.h"
 #include "simulation/world/World.h"
 
 namespace gt {
@@ -12,7 +13,7 @@ namespace gt {
 inline SceneDescription matchScene() {
   auto scene = loadScene("scenes/match.scene");
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().text());
-  scene->noise = {0, 0, 0, 0, 0};
+  setProfile(*scene, Profile::perfect);
   return *scene;
 }
 

@@ -107,6 +107,9 @@ TEST(ProfileTable, WhatTheSceneSaysCountsMore) {
   expected["noise/slip"] = 0.01;
   expected["body/tilt"] = 2;
   EXPECT_EQ(numbersOf(*scene), expected);
+  ASSERT_TRUE(writeFile(file, "<scene/>"));
+  scene = loadScene(file);
+  EXPECT_EQ(numbersOf(*scene), numbersOf(padova));
   ASSERT_TRUE(writeFile(file, "<scene profile=\"pisa\"/>"));
   scene = loadScene(file);
   ASSERT_FALSE(scene);

@@ -98,8 +98,7 @@ void SceneReader::readAttributes(const xmlNode* node, T& into) {
 /// Sets what the profile sets, before anything else of the scene is read. What is wrong with its
 /// name is found with the other attributes.
 void SceneReader::readProfile(const xmlNode* root, SceneDescription& scene) {
-  if (const auto profile = enumValue<Profile>(attribute(root, "profile")))
-    setProfile(scene, *profile);
+  setProfile(scene, enumValue<Profile>(attribute(root, "profile")).value_or(Profile::padova));
 }
 
 void SceneReader::checkOptics(const xmlNode* node, CameraInfo& optics) {

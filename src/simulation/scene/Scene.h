@@ -330,7 +330,7 @@ struct SceneBall {
 /// How far the world and the robots' hardware are from perfect: sets all numbers of the elements
 /// `noise`, `body`, `walking`, `camera`, `physics`, `radio` and the audience; what the scene
 /// states of one of them takes precedence (docs/realism.md). Perfect: no errors. Benign: noise
-/// only. Padova: as on the real robots of 2003. Rough: twice as bad.
+/// only. Padova: as on the real robots of 2003, the default of scene files. Rough: twice as bad.
 enum class Profile { perfect, benign, padova, rough };
 
 /// A simulation scene: which robots and balls stand where, and how the world is (report I.4). Read
@@ -342,7 +342,7 @@ struct SceneDescription {
   std::string field = "../models/field2003.xml";
   std::string config = "../config";
   std::string script;
-  Profile profile = Profile::benign;
+  Profile profile = Profile::benign;  ///< Whose numbers the elements have if nobody sets them.
   Fidelity fidelity = Fidelity::kinematic;
   bool flags = true;
   int audience = 0;
@@ -376,8 +376,9 @@ struct SceneDescription {
         gt::field("config", &SceneDescription::config, "", "folder of the configuration files"),
         gt::field("script", &SceneDescription::script, "",
                   "console script to begin with, from the scene's folder"),
-        gt::field("profile", &SceneDescription::profile, "",
-                  "how far all is from perfect, where the scene does not state it"),
+        gt::field(
+            "profile", &SceneDescription::profile, "",
+            "how far all is from perfect, where the scene does not state it; by default padova"),
         gt::field("fidelity", &SceneDescription::fidelity),
         gt::field("flags", &SceneDescription::flags, "",
                   "whether the field has its flags: what is of the model's class flag"),

@@ -137,7 +137,7 @@ TEST_F(WrongFiles, NamesFileLineAndField) {
   expectError("<scene>\n<noise joints=\"nan\"/></scene>", 2, "joints", "must be from 0");
   expectError("<scene>\n<optics centerX=\"nan\"/></scene>", 2, "centerX", "expected a number");
   expectError("<scene>\n<radio loss=\"1.5\"/></scene>", 2, "loss", "must be from");
-  expectError("<scene>\n<radio delayMin=\"200\"/></scene>", 2, "delayMin", "greater");
+  expectError("<scene>\n<radio delayMin=\"300\"/></scene>", 2, "delayMin", "greater");
   expectError("<scene\naudience=\"-1\"/>", 2, "audience", "must be from");
   expectError("<scene\nreferees=\"1.5\"/>", 2, "referees", "whole number");
   expectError("<scene>\n<game referee=\"maybe\"/></scene>", 2, "referee", "true | false");
