@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "Experiments.h"
+#include "Profiles.h"
 #include "VisionMeasures.h"
 #include "match/Match.h"
 #include "modules/perception/processors/GridImageProcessor2.h"
@@ -79,15 +80,16 @@ class Spectator {
   Debug debug_{1024};
 };
 
-Result<PlayTally> watchPlay(std::uint64_t seed, const DataRoot& root) {
+Result<PlayTally> watchPlay(const Job& job, const DataRoot& root) {
   MatchOptions options{root};
-  options.seed = seed;
+  options.seed = job.seed;
+  options.profile = job.parameter("profile");
   auto match = Match::make(options);
   if (!match) return match.error();
   // A goalie, a defender and a striker.
   std::vector<std::unique_ptr<Spectator>> spectators;
   for (const std::size_t robot : {0u, 2u, 5u})
-    spectators.push_back(std::make_unique<Spectator>(**match, robot, seed * 100 + robot));
+    spectators.push_back(std::make_unique<Spectator>(**match, robot, job.seed * 100 + robot));
   PlayTally tally;
   double seconds = 0;
   for (std::size_t phase = 0; phase < phases.size();) {
@@ -110,7 +112,7 @@ double percent(const Tally& tally, const std::string& name) {
 }
 
 Result<Measurement> measureVisionPlay(const Job& job, const DataRoot& root) {
-  const auto tally = watchPlay(job.seed, root);
+  const auto tally = watchPlay(job, root);
   if (!tally) return tally.error();
   Measurement measured;
   for (std::size_t phase = 0; phase < phases.size(); ++phase) {
@@ -135,7 +137,7 @@ Result<Measurement> measureVisionPlay(const Job& job, const DataRoot& root) {
 Experiment visionPlayExperiment() {
   return {"vision.play",
           "The image processor that adapts its colors, through the eyes of robots that play",
-          {},
+          {profileParameter()},
           measureVisionPlay};
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "Experiments.h"
+#include "Profiles.h"
 #include "modules/perception/calibration/CheckerboardDetector.h"
 #include "modules/perception/processors/DefaultSensorDataProcessor.h"
 #include "modules/perception/testing/FoundPercepts.h"
@@ -61,7 +62,7 @@ class Watcher : public RobotController {
 
 Result<Measurement> calibrateCamera(const Job& job, const DataRoot& root) {
   constexpr int mostTicks = 240 * 125;
-  auto scene = loadScene(root.path("scenes/checkerboard.scene"));
+  auto scene = loadScene(job, root, "scenes/checkerboard.scene");
   if (!scene) return scene.error();
   Random random{Random{job.seed}.fork("calibration")};
   SceneRobot& robot = scene->robots.front();
@@ -104,7 +105,7 @@ Result<Measurement> calibrateCamera(const Job& job, const DataRoot& root) {
 Experiment calibrationExperiment() {
   return {"vision.calibration",
           "Opening angles and body offsets that robots find with a checkerboard",
-          {},
+          {profileParameter()},
           calibrateCamera};
 }
 

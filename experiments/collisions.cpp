@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "Experiments.h"
+#include "Profiles.h"
 #include "base/Random.h"
 #include "base/Statistics.h"
 #include "measure/InParallel.h"
 #include "modules/motion/control/DefaultCollisionDetector.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
-#include "simulation/sensors/Sensors.h"
-#include "simulation/world/World.h"
+#include "simulation/Simulation.h"
 #include "streams/Config.h"
 #include "streams/File.h"
 
@@ -28,54 +28,34 @@ struct Run {
   double freeMinutes = 0;
 };
 
-/// A robot that walks about among others, as requested.
-class Walker {
+/// The program of a robot that walks about.
+class Walker : public RobotController {
  public:
-  static Result<std::unique_ptr<Walker>> make(const DataRoot& root, std::uint64_t seed,
-                                              const DefaultCollisionDetector::Parameters& how) {
-    auto scene = loadScene(root.path("scenes/obstacle-challenge.scene"));
-    if (!scene) return scene.error();
-    scene->fidelity = Fidelity::dynamic;
-    auto world = makeWorld(*scene, Random{seed});
-    if (!world) return world.error();
-    std::unique_ptr<Walker> walker{new Walker{std::move(*world), scene->noise, seed}};
-    if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"),
-                               walker->engine_.parameters);
-        !read)
-      return read.error();
-    walker->detector_.parameters = how;
-    return walker;
+  Walker(std::uint64_t seed, const InvKinWalkingEngine::Parameters& walk,
+         const DefaultCollisionDetector::Parameters& how)
+      : random_{Random{seed}.fork("walker")} {
+    engine_.parameters = walk;
+    detector_.parameters = how;
   }
 
-  void step() {
-    if (world_->time() >= changeAt_) choose();
-    engine_.update({world_->time()}, request_, {}, {info_}, output_);
-    info_.executed = request_;
-    info_.executed.walk = output_.speed;
-    const RobotCommand command{
-        output_.joints.angles,
-        {output_.speed.rotation * tickSeconds, output_.speed.translation * tickSeconds}};
-    world_->step({&command, 1});
-    SensorData data;
-    sensors_.read(*world_, 0, data);
-    buffer_.push(data);
-    detector_.update(buffer_, {command.joints}, info_, percept, debug_);
+  void cycle(const RobotInput& input, RobotOutput& output) override {
+    detector_.update(input.sensors, output.joints, info_, percept, debug_);
     debug_.out().clear();
-    if (robot().posture != Posture::standing) world_->placeRobot(0, {});
+    if (input.now >= changeAt_) choose(input.now);
+    engine_.update({input.now}, request_, {}, {info_}, walk_);
+    info_.executed = request_;
+    info_.executed.walk = walk_.speed;
+    output.joints = walk_.joints;
+    output.odometry.pose = output.odometry.pose * walk_.odometryStep;
   }
-  const RobotBody& robot() const { return world_->robot(0); }
   const MotionRequest& motion() const { return info_.executed; }
-  Time time() const { return world_->time(); }
 
   CollisionPercept percept;
 
  private:
-  Walker(std::unique_ptr<World> world, const NoiseParameters& noise, std::uint64_t seed)
-      : world_{std::move(world)}, random_{seed}, sensors_{noise, random_.fork("sensors")} {}
-
   /// Another walk for some seconds: mostly ahead, as in a game.
-  void choose() {
-    changeAt_ = world_->time() + static_cast<std::int64_t>(random_.uniform(2000, 5000));
+  void choose(Time now) {
+    changeAt_ = now + static_cast<std::int64_t>(random_.uniform(2000, 5000));
     request_.type = MotionType::walk;
     request_.walk = {0.3 * random_.symmetric(), random_.uniform(80, 200), 0};
     const double kind = random_.uniform();
@@ -83,17 +63,54 @@ class Walker {
     if (kind > 0.8) request_.walk = {random_.chance(0.5) ? 1. : -1., 0, 0};
   }
 
-  std::unique_ptr<World> world_;
   Random random_;
-  Sensors sensors_;
   InvKinWalkingEngine engine_;
-  WalkingEngineOutput output_;
+  WalkingEngineOutput walk_;
   MotionRequest request_;
   MotionInfo info_;
-  SensorDataBuffer buffer_;
   DefaultCollisionDetector detector_;
   Debug debug_{1024};
   Time changeAt_ = Time{1000};
+};
+
+/// A robot that walks about among others, which stand.
+class WalkAmongOthers {
+ public:
+  static Result<std::unique_ptr<WalkAmongOthers>> make(
+      const DataRoot& root, std::uint64_t seed, Profile profile,
+      const DefaultCollisionDetector::Parameters& how) {
+    auto scene = loadScene(root.path("scenes/obstacle-challenge.scene"));
+    if (!scene) return scene.error();
+    setProfile(*scene, profile);
+    scene->fidelity = Fidelity::dynamic;
+    scene->game.referee = false;
+    InvKinWalkingEngine::Parameters parameters;
+    if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), parameters);
+        !read)
+      return read.error();
+    auto simulation = Simulation::make(*scene, seed);
+    if (!simulation) return simulation.error();
+    (*simulation)->takeImages(false);
+    auto walker = std::make_unique<Walker>(seed, parameters, how);
+    std::unique_ptr<WalkAmongOthers> walk{new WalkAmongOthers{*std::move(simulation), *walker}};
+    walk->simulation_->attach(0, std::move(walker));
+    return walk;
+  }
+
+  void step() {
+    simulation_->step();
+    if (robot().posture != Posture::standing) simulation_->world().placeRobot(0, {});
+  }
+  const RobotBody& robot() const { return simulation_->world().robot(0); }
+  const MotionRequest& motion() const { return walker_.motion(); }
+  const CollisionPercept& percept() const { return walker_.percept; }
+
+ private:
+  WalkAmongOthers(std::unique_ptr<Simulation> simulation, const Walker& walker)
+      : simulation_{std::move(simulation)}, walker_{walker} {}
+
+  std::unique_ptr<Simulation> simulation_;
+  const Walker& walker_;  ///< Owned by the simulation.
 };
 
 /// A touch that holds the robot up: while it lasts, less than half of the way is made. Brushing
@@ -136,17 +153,17 @@ class HoldUp {
 Result<Measurement> walkAndPush(const Job& job, const DataRoot& root) {
   DefaultCollisionDetector::Parameters calibrated;
   if (auto read = readConfig(root.path(calibrationFile), calibrated); !read) return read.error();
-  auto walker = Walker::make(root, job.seed, calibrated);
-  if (!walker) return walker.error();
+  auto walk = WalkAmongOthers::make(root, job.seed, profileOf(job), calibrated);
+  if (!walk) return walk.error();
   Run run;
   HoldUp touch;
   bool found = false, alarm = false;
   const int ticks = static_cast<int>(job.number("minutes") * 60) * ticksPerSecond;
   for (int i = 0; i < ticks; ++i) {
-    (*walker)->step();
+    (*walk)->step();
     if (i < 2 * ticksPerSecond) continue;
-    const bool collision = (*walker)->percept.collision();
-    touch.add((*walker)->robot(), (*walker)->motion());
+    const bool collision = (*walk)->percept().collision();
+    touch.add((*walk)->robot(), (*walk)->motion());
     found = touch.ticks() > 0 && (found || collision);
     if (touch.ticks() == static_cast<int>(soon * ticksPerSecond) && touch.holds()) {
       ++run.collisions;
@@ -174,17 +191,17 @@ Result<FreeSums> walkFreely(const DataRoot& root, std::uint64_t seed) {
   // With a threshold of 1 the strength is the sum itself.
   DefaultCollisionDetector::Parameters bare;
   for (auto& table : bare.thresholds) table.fill(1);
-  auto walker = Walker::make(root, seed, bare);
-  if (!walker) return walker.error();
+  auto walk = WalkAmongOthers::make(root, seed, Profile::padova, bare);
+  if (!walk) return walk.error();
   FreeSums sums;
   HoldUp touch;
   const int ticks = minutes * 60 * ticksPerSecond;
   for (int i = 0; i < ticks; ++i) {
-    (*walker)->step();
-    touch.add((*walker)->robot(), (*walker)->motion());
-    const auto place = DefaultCollisionDetector::placeOf((*walker)->motion());
-    if (touch.freeTicks() > ticksPerSecond && (*walker)->percept.strength > 0)
-      sums[place.gait][place.speed].push_back((*walker)->percept.strength);
+    (*walk)->step();
+    touch.add((*walk)->robot(), (*walk)->motion());
+    const auto place = DefaultCollisionDetector::placeOf((*walk)->motion());
+    if (touch.freeTicks() > ticksPerSecond && (*walk)->percept().strength > 0)
+      sums[place.gait][place.speed].push_back((*walk)->percept().strength);
   }
   return sums;
 }
@@ -231,7 +248,7 @@ Result<void> calibrateCollisions(const std::vector<std::uint64_t>& seeds, const 
 Experiment collisionExperiment() {
   return {"worldmodel.collisions",
           "How often the collision detector finds collisions, and how often it is wrong",
-          {{"minutes", "of walking", Parameter::Kind::number, {"3"}}},
+          {profileParameter(), {"minutes", "of walking", Parameter::Kind::number, {"3"}}},
           walkAndPush};
 }
 

@@ -7,6 +7,7 @@
 
 #include "Experiments.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
+#include "simulation/scene/ProfileTable.h"
 #include "simulation/world/World.h"
 #include "streams/Config.h"
 
@@ -44,7 +45,7 @@ Result<Way> walk(const DataRoot& root, const Pose2D& request, Fidelity fidelity)
   auto scene = loadScene(root.path("scenes/match.scene"));
   if (!scene) return scene.error();
   scene->fidelity = fidelity;
-  scene->noise = {0, 0, 0, 0, 0};
+  setProfile(*scene, Profile::perfect);
   scene->robots.resize(1);
   scene->balls.clear();
   auto world = makeWorld(*scene, Random{1});

@@ -9,6 +9,7 @@
 
 #include "Experiments.h"
 #include "GoToPoints.h"
+#include "Profiles.h"
 #include "base/Statistics.h"
 #include "measure/Tally.h"
 #include "measure/worlds/SimulatedWalker.h"
@@ -124,8 +125,9 @@ std::vector<Follower> followers(const std::string& suffix, bool beacons, std::ui
 Result<Measurement> experiment1(const Job& job, const DataRoot& root) {
   constexpr int minutes = 18;
   const bool beacons = job.flag("beacons");
-  auto made = SimulatedWalker::make(root, job.seed,
-                                    {.slip = muchSlip, .motion = muchNoise, .flags = beacons});
+  auto made = SimulatedWalker::make(
+      root, job.seed,
+      {.profile = profileOf(job), .slip = muchSlip, .motion = muchNoise, .flags = beacons});
   if (!made) return made.error();
   SimulatedWalker& robot = **made;
   std::vector<Follower> all = followers(".experiment1", beacons, job.seed);
@@ -236,7 +238,8 @@ void search(SimulatedWalker& robot, std::vector<Follower>& all,
 Result<Measurement> relocalizing(const Job& job, const DataRoot& root) {
   constexpr int trials = 15;
   const bool beacons = job.flag("beacons");
-  auto made = SimulatedWalker::make(root, job.seed, {.flags = beacons, .walks = false});
+  auto made = SimulatedWalker::make(root, job.seed,
+                                    {.profile = profileOf(job), .flags = beacons, .walks = false});
   if (!made) return made.error();
   SimulatedWalker& robot = **made;
   std::map<std::string, std::vector<double>> nothing, kidnapped;
@@ -331,7 +334,8 @@ Result<Measurement> robustnessOnBench(const Job& job, const DataRoot&) {
 
 /// The same in the simulator with its images.
 Result<Measurement> robustnessOnImages(const Job& job, const DataRoot& root) {
-  const Trouble trouble = troubleOf(job);
+  Trouble trouble = troubleOf(job);
+  trouble.pictures.profile = profileOf(job);
   auto walker = SimulatedWalker::make(root, job.seed, trouble.pictures);
   if (!walker) return walker.error();
   return followThrough(**walker, ".pictures" + suffixOf(trouble), job);
@@ -346,7 +350,8 @@ Result<Measurement> goingToPoints(const Job& job, const DataRoot& root) {
   Measurement run;
   for (const LocatorKind& kind : locatorKinds()) {
     if (kind.name != name.substr(0, name.find(withoutBeacons))) continue;
-    auto robot = SimulatedWalker::make(root, job.seed, {.flags = beacons});
+    auto robot =
+        SimulatedWalker::make(root, job.seed, {.profile = profileOf(job), .flags = beacons});
     if (!robot) return robot.error();
     const auto locator = kind.make(job.seed);
     experiment2(**robot, *locator, job.seed, name, run);
@@ -371,7 +376,7 @@ Experiments localizationExperiments() {
   };
   return {{"localization.goToPoint",
            "How precisely points are reached (report 3.3.3.4, experiment 2)",
-           {locator},
+           {profileParameter(), locator},
            goingToPoints},
           {"localization.robustness.bench",
            "Errors while something goes wrong, on a test bench without images",
@@ -379,15 +384,15 @@ Experiments localizationExperiments() {
            robustnessOnBench},
           {"localization.robustness.pictures",
            "Errors while something goes wrong, in the simulator with its images",
-           {trouble, minutes("3")},
+           {profileParameter(), trouble, minutes("3")},
            robustnessOnImages},
           {"localization.search",
            "Images until a robot finds where it is, from nothing and carried away (figure 3.8)",
-           {beacons},
+           {profileParameter(), beacons},
            relocalizing},
           {"localization.walk",
            "Errors during a walk of 18 minutes (report 3.3.3.4, experiment 1)",
-           {beacons},
+           {profileParameter(), beacons},
            experiment1}};
 }
 

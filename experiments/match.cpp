@@ -2,6 +2,7 @@
 #include "match/Match.h"
 
 #include "Experiments.h"
+#include "Profiles.h"
 
 namespace gt {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   MatchOptions options{root};
   options.seed = job.seed;
+  options.profile = job.parameter("profile");
   options.minutes = job.number("minutes");
   auto match = Match::make(options);
   if (!match) return match.error();
@@ -49,10 +51,11 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
 }  // namespace
 
 Experiment matchExperiment() {
-  return {"match",
-          "Whole matches: goals, kicks, penalties, localization against the truth",
-          {{"minutes", "both halves together", Parameter::Kind::number, {"10"}}},
-          playMatch};
+  return {
+      "match",
+      "Whole matches: goals, kicks, penalties, localization against the truth",
+      {profileParameter(), {"minutes", "both halves together", Parameter::Kind::number, {"10"}}},
+      playMatch};
 }
 
 }  // namespace gt

@@ -5,14 +5,13 @@
 
 #include "Experiments.h"
 #include "GoToPoints.h"
-#include "base/Enum.h"
+#include "Profiles.h"
 #include "base/Statistics.h"
 #include "measure/Tally.h"
 #include "modules/modeling/selflocator/LinesSelfLocator.h"
 #include "modules/modeling/selflocator/MonteCarloSelfLocator.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
-#include "simulation/scene/ProfileTable.h"
 #include "streams/Config.h"
 
 namespace gt {
@@ -42,18 +41,12 @@ Result<std::unique_ptr<SimulatedWalker>> walkerOf(const Job& job, const DataRoot
                                                   bool walks = true) {
   Result<void> changed;
   WalkerWorld world;
+  world.profile = profileOf(job);
   world.walks = walks;
-  world.change = [&](SceneDescription& scene) {
-    setProfile(scene, *enumValue<Profile>(job.parameter("profile")));
-    changed = change(scene, job.parameter("change"));
-  };
+  world.change = [&](SceneDescription& scene) { changed = change(scene, job.parameter("change")); };
   auto walker = SimulatedWalker::make(root, job.seed, world);
   if (!changed) return changed.error();
   return walker;
-}
-
-std::string nameOf(const Job& job, const std::string& what) {
-  return "realism." + job.parameter("profile") + "." + what;
 }
 
 /// Lines with 100 particles and one point of each type in an image, as on the robot of 2003.
@@ -130,10 +123,10 @@ Result<Measurement> walkAbout(const Job& job, const DataRoot& root) {
     truth = robot.pose;
   }
   Measurement run;
-  addErrors(run, nameOf(job, "lines.walk"), errors);
-  matrices.addTo(run, nameOf(job, "matrix"));
-  if (!drifts.empty()) run.add(nameOf(job, "odometry.minute"), "mm", mean(drifts));
-  run.add(nameOf(job, "odometry.length"), "%", 100 * gone / std::max(believed, 1.0));
+  addErrors(run, "realism.lines.walk", errors);
+  matrices.addTo(run, "realism.matrix");
+  if (!drifts.empty()) run.add("realism.odometry.minute", "mm", mean(drifts));
+  run.add("realism.odometry.length", "%", 100 * gone / std::max(believed, 1.0));
   return run;
 }
 
@@ -149,8 +142,8 @@ Result<Measurement> goToPoint(const Job& job, const DataRoot& root) {
     estimates.push_back(arrival.ofEstimate);
   }
   Measurement run;
-  addErrors(run, nameOf(job, "lines.goal"), stops);
-  addErrors(run, nameOf(job, "lines.estimate"), estimates);
+  addErrors(run, "realism.lines.goal", stops);
+  addErrors(run, "realism.lines.estimate", estimates);
   return run;
 }
 
@@ -176,7 +169,7 @@ Result<Measurement> searchItself(const Job& job, const DataRoot& root) {
   Measurement run;
   for (const auto& [name, images] : {std::pair{"fromNothing", nothing}, {"displaced", displaced}})
     for (const auto& [of, value] : summaryOf(images))
-      run.add(nameOf(job, "montecarlo." + std::string{name} + '.' + of), "images", value);
+      run.add("realism.montecarlo." + std::string{name} + '.' + of, "images", value);
   return run;
 }
 
@@ -184,9 +177,8 @@ Result<Measurement> searchItself(const Job& job, const DataRoot& root) {
 /// in the kinematic one is chosen by.
 Result<Measurement> sway(const Job& job, const DataRoot& root) {
   constexpr int ticks = 30 * 125, warmUp = 2 * 125;
-  auto scene = loadScene(root.path("scenes/match.scene"));
+  auto scene = loadScene(job, root);
   if (!scene) return scene.error();
-  setProfile(*scene, *enumValue<Profile>(job.parameter("profile")));
   if (auto done = change(*scene, job.parameter("change")); !done) return done.error();
   scene->fidelity = *enumValue<Fidelity>(job.parameter("fidelity"));
   scene->robots.resize(1);
@@ -220,7 +212,7 @@ Result<Measurement> sway(const Job& job, const DataRoot& root) {
     height.add(body.height);
   }
   Measurement run;
-  const std::string name = nameOf(job, "sway." + job.parameter("fidelity"));
+  const std::string name = "realism.sway." + job.parameter("fidelity");
   run.add(name + ".tilt", "deg", tilt.standardDeviation());
   run.add(name + ".roll", "deg", roll.standardDeviation());
   run.add(name + ".height", "mm", height.standardDeviation());
@@ -231,7 +223,7 @@ Result<Measurement> sway(const Job& job, const DataRoot& root) {
 
 Experiments realismExperiments() {
   using enum Parameter::Kind;
-  const Parameter profile{"profile", "how far all is from perfect", each, {"benign", "padova"}};
+  const Parameter profile = profileParameter();
   const Parameter changes{
       "change", "numbers of the profile to change: body/tilt=1,noise/slip=0", text, {"none"}};
   return {{"realism.goToPoint",

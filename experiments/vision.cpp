@@ -1,6 +1,10 @@
 // Looks at random moments of matches and compares what is found in the images with the truth.
 
+#include <map>
+#include <mutex>
+
 #include "Experiments.h"
+#include "Profiles.h"
 #include "VisionMeasures.h"
 #include "colors/ColorStatistics.h"
 #include "colors/ColorTableFile.h"
@@ -10,7 +14,6 @@
 #include "modules/perception/processors/GridImageProcessor3.h"
 #include "modules/perception/processors/GridImageProcessorTSL.h"
 #include "modules/perception/processors/LinesImageProcessor.h"
-#include "simulation/scene/ProfileTable.h"
 
 namespace gt {
 namespace {
@@ -96,7 +99,6 @@ std::vector<Condition> conditions() {
   return {{"", 1, false, [](Scene&) {}},
           {"dark.", 1, false, light(0.75)},
           {"bright.", 1, false, light(1.25)},
-          {"padova.", 0.2, false, [](Scene& scene) { setProfile(scene, Profile::padova); }},
           {"hard.dim.", 0.2, true, light(0.5)},
           {"hard.changing.", 0.2, true,
            [](Scene& scene) {
@@ -291,8 +293,7 @@ Measurement figuresOf(const Condition& condition, const Tally& tally) {
   return measured;
 }
 
-Result<std::unique_ptr<const KnownColors>> learnColors(const DataRoot& root,
-                                                       const SceneDescription& scene) {
+Result<KnownColors> learnColors(const DataRoot& root, const SceneDescription& scene) {
   const auto table = readColorTable(root.path("config/coltable.c64"));
   if (!table) return table.error();
   const auto hand = readHsiColors(root.path("experiments/colors/hand.hsi"));
@@ -300,8 +301,17 @@ Result<std::unique_ptr<const KnownColors>> learnColors(const DataRoot& root,
   const auto statistics = lookAround(scene);
   if (!statistics) return statistics.error();
   constexpr int growth = 4;
-  return std::make_unique<const KnownColors>(
-      KnownColors{*table, hand->table(), statistics->table(growth), learnTsl(*statistics)});
+  return KnownColors{*table, hand->table(), statistics->table(growth), learnTsl(*statistics)};
+}
+
+/// The colors that all jobs of a profile share; `scene` is the scene as it is in that profile.
+const Result<KnownColors>& knownColors(const DataRoot& root, const SceneDescription& scene) {
+  static std::mutex mutex;
+  static std::map<Profile, Result<KnownColors>> known;
+  const std::lock_guard lock{mutex};
+  const auto found = known.find(scene.profile);
+  if (found != known.end()) return found->second;
+  return known.emplace(scene.profile, learnColors(root, scene)).first->second;
 }
 
 std::vector<Condition> allConditions() {
@@ -317,14 +327,14 @@ std::string parameterOf(const Condition& condition) {
 }
 
 Result<Measurement> measureVision(const Job& job, const DataRoot& root) {
-  auto scene = loadScene(root.path("scenes/match.scene"));
+  auto scene = loadScene(job, root);
   if (!scene) return scene.error();
-  static const auto colors = learnColors(root, *scene);  // the same for all jobs
+  const auto& colors = knownColors(root, *scene);
   if (!colors) return colors.error();
   for (const Condition& condition : allConditions()) {
     if (parameterOf(condition) != job.parameter("condition")) continue;
     condition.change(*scene);
-    const auto tally = look(condition, *scene, **colors, job);
+    const auto tally = look(condition, *scene, *colors, job);
     if (!tally) return tally.error();
     return figuresOf(condition, *tally);
   }
@@ -338,7 +348,8 @@ Experiment visionExperiment() {
   for (const Condition& condition : allConditions()) which.values.push_back(parameterOf(condition));
   return {"vision.pictures",
           "Percepts in random moments of matches against the truth",
-          {which,
+          {profileParameter(),
+           which,
            {"moments", "each gives one image a robot", Parameter::Kind::number, {"250"}},
            {"camera",
             "the measured camera pose, or the true one",

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "Experiments.h"
+#include "Profiles.h"
 #include "WorldModelWatch.h"
 #include "simulation/sensors/CeilingCamera.h"
 #include "simulation/sensors/CeilingTracker.h"
@@ -120,6 +121,7 @@ void look(Match& match, Watches& watches, int picture, Truth& truths, Tally& tal
 Result<Tally> watchMatch(const Job& job, const DataRoot& root) {
   MatchOptions options{root};
   options.seed = job.seed;
+  options.profile = job.parameter("profile");
   options.minutes = job.number("minutes");
   auto match = Match::make(options);
   if (!match) return match.error();
@@ -157,7 +159,8 @@ Result<Measurement> measureWorldModel(const Job& job, const DataRoot& root) {
 Experiment worldModelExperiment() {
   return {"worldmodel.play",
           "What robots that play know of ball, obstacles and other players, against the truth",
-          {{"minutes", "of the match", Parameter::Kind::number, {"4"}},
+          {profileParameter(),
+           {"minutes", "of the match", Parameter::Kind::number, {"4"}},
            {"truth",
             "the simulator's, or that of a camera at the ceiling",
             Parameter::Kind::choice,

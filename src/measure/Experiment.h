@@ -18,6 +18,9 @@ struct Parameter {
   std::string name, description;
   Kind kind;
   std::vector<std::string> values;
+  /// Whether the figures' names tell the value, behind their group, unless it is the first:
+  /// match.benign.goals.
+  bool inNames = false;
 };
 
 /// Something that can be measured on a seed. The first word of its name is the group of its

@@ -39,9 +39,19 @@ class Runner {
     const CrashContext context{text.c_str()};
     auto measurement = experiment(job).measure(job, root_);
     if (!measurement) return measurement;
-    for (const Measurement::Value& value : measurement->values)
+    for (Measurement::Value& value : measurement->values) {
       if (!std::isfinite(value.value)) return Error{.field = value.name, .what = "is not a number"};
+      value.name = nameOf(job, value.name);
+    }
     return measurement;
+  }
+  /// The name of a figure with the values of the parameters that names tell.
+  std::string nameOf(const Job& job, std::string figure) const {
+    for (const Parameter& parameter : experiment(job).parameters)
+      if (const std::string& value = job.parameter(parameter.name);
+          parameter.inNames && value != parameter.values.front())
+        figure.insert(std::min(figure.find('.'), figure.size()), "." + value);
+    return figure;
   }
   void finish(const Job& job, const Result<Measurement>& measurement) {
     const std::lock_guard lock{mutex_};

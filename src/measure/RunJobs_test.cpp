@@ -21,8 +21,8 @@ Result<Measurement> square(const Job& job, const DataRoot&) {
   ++running;
   Measurement measurement;
   const double x = job.number("x");
-  measurement.add("test.square." + job.parameter("kind"), "",
-                  x * x + static_cast<double>(job.seed));
+  const double more = job.parameter("kind") == "b" ? 100 : 0;
+  measurement.add("test.square", "", x * x + static_cast<double>(job.seed) + more);
   --running;
   return measurement;
 }
@@ -41,13 +41,13 @@ Result<Measurement> watch(const Job&, const DataRoot&) {
   return Measurement{};
 }
 
-const Experiments experiments{
-    {"test.square",
-     "",
-     {{"kind", "", Parameter::Kind::each, {"a", "b"}}, {"x", "", Parameter::Kind::number, {"2"}}},
-     square},
-    {"wrong", "", {}, misbehave},
-    {"watch", "", {}, watch, true, true}};
+const Experiments experiments{{"test.square",
+                               "",
+                               {{"kind", "", Parameter::Kind::each, {"a", "b"}, true},
+                                {"x", "", Parameter::Kind::number, {"2"}}},
+                               square},
+                              {"wrong", "", {}, misbehave},
+                              {"watch", "", {}, watch, true, true}};
 
 std::vector<std::string> textsOf(const Result<std::vector<Job>>& jobs) {
   if (!jobs) return {jobs.error().text()};
@@ -129,7 +129,15 @@ TEST(RunJobs, MeasuresTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(one.results.results.size(), 40u);
   const auto figures = merge(one.results);
   EXPECT_EQ(figures->json(), merge(three.results)->json());
-  EXPECT_EQ(figures->find("test.square.a")->runs[2], 7);
+  EXPECT_EQ(figures->find("test.square")->runs[2], 7);
+}
+
+TEST(RunJobs, NamesTellAValueUnlessItIsTheFirst) {
+  Done done = run(*listJobs(experiments, {{1}, {"test"}, {}}, ""), 1);
+  const auto figures = merge(done.results);
+  EXPECT_EQ(figures->all().size(), 2u);
+  EXPECT_EQ(figures->find("test.square")->value, 5);
+  EXPECT_EQ(figures->find("test.b.square")->value, 105);
 }
 
 TEST(RunJobs, AJobThatFailsDoesNotKeepTheOthersFromBeingDone) {

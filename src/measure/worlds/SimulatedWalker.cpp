@@ -8,6 +8,7 @@
 #include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "modules/perception/processors/DefaultSensorDataProcessor.h"
 #include "modules/perception/processors/GT2003ImageProcessor.h"
+#include "simulation/scene/ProfileTable.h"
 #include "streams/Config.h"
 
 namespace gt {
@@ -85,9 +86,10 @@ Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(const DataRoot& r
   InvKinWalkingEngine::Parameters walk;
   if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), walk); !read)
     return read.error();
+  setProfile(*scene, world.profile);
   if (world.change) world.change(*scene);
-  scene->noise.slip = world.slip.value_or(scene->noise.slip);
-  scene->noise.motion = world.motion.value_or(scene->noise.motion);
+  scene->noise.slip = std::max(world.slip, scene->noise.slip);
+  scene->noise.motion = std::max(world.motion, scene->noise.motion);
   scene->flags = world.flags;
   scene->game.referee = false;
   scene->robots.resize(1 + std::min(world.others, scene->robots.size() - 1));

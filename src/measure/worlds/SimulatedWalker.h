@@ -18,7 +18,8 @@ namespace gt {
 
 /// What is different from the match scene around a SimulatedWalker.
 struct WalkerWorld {
-  std::optional<double> slip{}, motion{};           ///< As in the scene's element noise.
+  Profile profile = Profile::padova;
+  double slip = 0, motion = 0;                      ///< At least, as in the scene's element noise.
   std::function<void(SceneDescription&)> change{};  ///< All else of the scene.
   bool flags = true;
   double walkingSpeed = 150;  ///< mm/s
