@@ -17,7 +17,7 @@ namespace {
 std::vector<GameImage> takeImages() {
   const auto scene = loadScene(dataRoot().path("scenes/match.scene"));
   if (!scene) throw std::runtime_error(scene.error().text());
-  auto views = GameViews::make(*scene, 1);
+  auto views = GameViews::make(dataRoot(), *scene, 1);
   if (!views) throw std::runtime_error(views.error().text());
   std::vector<GameImage> pictures;
   for (int moment = 0; moment < 8; ++moment) {

@@ -48,14 +48,15 @@ class Spectator {
         random_{seed} {}
 
   void look(double light, Found& found) {
-    const Simulation& simulation = match_.simulation();
+    Simulation& simulation = match_.simulation();
     const std::size_t index = match_.robotIndex(robot_);
     const Robot& robot = match_.robots()[robot_]->robot();
     const CameraMatrix& matrix = *robot.provided<CameraMatrix>();
     CameraEffects effects = simulation.scene().camera;
     effects.brightness = light;
+    effects = simulation.sensors(index).build().seen(effects);
     view_.robot = index;
-    const CameraView camera = cameraView(simulation.world(), index, matrix.info);
+    const CameraView& camera = simulation.lastView(index);
     renderer_.render(simulation.world().data(), camera, effects, random_(), view_.image,
                      &view_.truth);
     view_.image.time = simulation.time();

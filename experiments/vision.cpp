@@ -213,10 +213,10 @@ struct Eyes {
 };
 
 /// What some images show of each color.
-Result<ColorStatistics> lookAround(const SceneDescription& scene) {
+Result<ColorStatistics> lookAround(const DataRoot& root, const SceneDescription& scene) {
   constexpr std::uint64_t seed = 2003;  // Not one of those that are measured by default.
   constexpr int moments = 60;
-  auto views = GameViews::make(scene, seed);
+  auto views = GameViews::make(root, scene, seed);
   if (!views) return views.error();
   ColorStatistics statistics;
   for (int i = 0; i < moments; ++i) {
@@ -246,9 +246,9 @@ TslColors learnTsl(const ColorStatistics& statistics) {
 }
 
 /// Percepts of a condition compared with the truth.
-Result<Tally> look(const Condition& condition, const SceneDescription& scene,
+Result<Tally> look(const Condition& condition, const DataRoot& root, const SceneDescription& scene,
                    const KnownColors& colors, const Job& job) {
-  auto views = GameViews::make(scene, job.seed);
+  auto views = GameViews::make(root, scene, job.seed);
   if (!views) return views.error();
   VisionTruth truth{views->world(), views->scene()};
   VisionMeasures measures{truth};
@@ -298,7 +298,7 @@ Result<KnownColors> learnColors(const DataRoot& root, const SceneDescription& sc
   if (!table) return table.error();
   const auto hand = readHsiColors(root.path("experiments/colors/hand.hsi"));
   if (!hand) return hand.error();
-  const auto statistics = lookAround(scene);
+  const auto statistics = lookAround(root, scene);
   if (!statistics) return statistics.error();
   constexpr int growth = 4;
   return KnownColors{*table, hand->table(), statistics->table(growth), learnTsl(*statistics)};
@@ -334,7 +334,7 @@ Result<Measurement> measureVision(const Job& job, const DataRoot& root) {
   for (const Condition& condition : allConditions()) {
     if (parameterOf(condition) != job.parameter("condition")) continue;
     condition.change(*scene);
-    const auto tally = look(condition, *scene, *colors, job);
+    const auto tally = look(condition, root, *scene, *colors, job);
     if (!tally) return tally.error();
     return figuresOf(condition, *tally);
   }

@@ -1,7 +1,8 @@
 // Measures what robots know of the world around them while they play: the ball by each locator, the
 // team's ball, obstacles and players, against the truth (report 3.4 to 3.7).
-#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "Experiments.h"
 #include "Profiles.h"

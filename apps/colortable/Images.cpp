@@ -48,7 +48,7 @@ class Labels {
 Result<void> visitSimulated(const ImageSource& source, const ImageVisitor& visit) {
   const auto scene = loadScene(source.scene);
   if (!scene) return scene.error();
-  auto views = GameViews::make(*scene, source.seed);
+  auto views = GameViews::make(source.root, *scene, source.seed);
   if (!views) return views.error();
   constexpr std::array share{-1.0, -1.0 / 3, 0.0, 1.0 / 3, 1.0};
   for (int i = 0; i < source.moments; ++i) {

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "base/DataRoot.h"
 #include "colors/LabeledImage.h"
 
 namespace gt {
 
 /// Where images come from: a simulated scene, a log, or files.
 struct ImageSource {
+  DataRoot root;  ///< Of the simulated robots' walk.
   std::string scene;
   std::uint64_t seed = 1;
   int moments = 400;    ///< Each gives one image a robot.

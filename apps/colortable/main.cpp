@@ -217,6 +217,7 @@ void addPainting(CommandLine& line, Arguments& a) {
 int main(int argc, char** argv) {
   CommandLine line{argc, argv, "Color tables (.c64), HSI ranges (.hsi) and TSL thresholds (.tsl)"};
   Arguments arguments;
+  arguments.source.root = line.root();
   arguments.source.scene = line.root().path("scenes/match.scene");
   addLearning(line, arguments);
   addJudging(line, arguments);

@@ -26,7 +26,7 @@ class Pictures {
     auto scene = loadScene(dataRoot().path("scenes/match.scene"));
     if (!scene) throw std::runtime_error(scene.error().text());
     for (SceneBall& ball : scene->balls) ball.model = "../models/ball-black-white.xml";
-    auto views = GameViews::make(*scene, 1);
+    auto views = GameViews::make(dataRoot(), *scene, 1);
     if (!views) throw std::runtime_error(views.error().text());
     auto table = readColorTable(dataRoot().path("config/coltable.c64"));
     if (!table) throw std::runtime_error(table.error().text());

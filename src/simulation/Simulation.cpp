@@ -197,8 +197,7 @@ void Simulation::takeImage(std::size_t robot, CameraRenderer& renderer) {
   Image* const place = r.controller->nextImage();
   Image& image = place ? *place : r.image;
   if (r.cameraOn) {
-    const CameraEffects effects = r.sensors.build().seen(r.camera.at(r.input.now));
-    renderer.render(world_->data(), viewOf(robot), effects, r.imageSeeds(), image);
+    takeImage(robot, renderer, image, nullptr);
   } else {
     if (r.image.pixels.empty()) {
       r.image.info = scene_.optics;
@@ -208,6 +207,15 @@ void Simulation::takeImage(std::size_t robot, CameraRenderer& renderer) {
   }
   image.time = r.input.now;
   r.input.image = &image;
+}
+
+void Simulation::takeImage(std::size_t robot, CameraRenderer& renderer, Image& image,
+                           ImageTruth* truth) {
+  Hardware& r = robots_[robot];
+  r.view = viewOf(robot);
+  const CameraEffects effects = r.sensors.build().seen(r.camera.at(time()));
+  renderer.render(world_->data(), r.view, effects, r.imageSeeds(), image, truth);
+  image.time = time();
 }
 
 CameraView Simulation::viewOf(std::size_t robot) {

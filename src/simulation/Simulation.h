@@ -132,6 +132,11 @@ class Simulation {
   const RobotOutput& output(std::size_t robot) const { return robots_[robot].output; }
   /// A robot's last image, also in ticks without a new one; without pixels before the first.
   const Image& image(std::size_t robot) const;
+  /// What its camera looked at in that image.
+  const CameraView& lastView(std::size_t robot) const { return robots_[robot].view; }
+  /// Takes an image of a robot now, with all errors of its camera, and what is true in it, if
+  /// `truth` is not null. The robot does not get it.
+  void takeImage(std::size_t robot, CameraRenderer& renderer, Image& image, ImageTruth* truth);
   /// A hash of the state of world, game and radio and of what the robots sense and do. Equal runs
   /// have equal fingerprints; different ones almost never.
   std::uint64_t fingerprint() const;
@@ -156,6 +161,7 @@ class Simulation {
     Pose2D odometry;
     Random delays;              ///< Of the images.
     CameraSettings settings{};  ///< Of the camera, that the robot asked for last.
+    CameraView view{};          ///< Of the last image.
     /// Commands that the motors do not act on yet: a ring, and how many there have been.
     std::array<RobotCommand, mostDue> due{};
     std::size_t commands = 0;

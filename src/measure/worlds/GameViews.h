@@ -2,13 +2,11 @@
 #include <memory>
 #include <vector>
 
+#include "base/DataRoot.h"
+#include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/perception/CameraMatrix.h"
 #include "simulation/Simulation.h"
-#include "simulation/camera/CameraRenderer.h"
-#include "simulation/scene/Scene.h"
-#include "simulation/sensors/Sensors.h"
-#include "simulation/world/World.h"
 
 namespace gt {
 
@@ -26,35 +24,36 @@ struct GameView {
 CameraMatrix trueMatrix(const CameraView& camera, const Pose2D& robot);
 
 /// Random moments of matches as the robots of a scene see them: robots and ball are anywhere, some
-/// robots walk, legs differ, heads look around. For experiments and for learning colors.
+/// robots walk, legs of the others differ, heads look around. Bodies, sensors and cameras are those
+/// of a simulation, with all errors of the scene. For experiments and for learning colors.
 class GameViews {
  public:
-  static Result<GameViews> make(const SceneDescription& scene, std::uint64_t seed);
+  /// Fails if the scene's models or the configuration of the walk are wrong.
+  static Result<GameViews> make(const DataRoot& root, const SceneDescription& scene,
+                                std::uint64_t seed);
 
-  /// Puts everything somewhere else and lets the heads turn for a while.
+  /// Puts everything somewhere else and lets robots walk and heads turn for a while.
   void shuffle();
-  /// What a robot sees now. The pointer is valid until the next call.
+  /// What a robot sees now. The reference is valid until the next call.
   const GameView& look(std::size_t robot, const CameraEffects& effects);
-  const World& world() const { return *world_; }
-  const SceneDescription& scene() const { return scene_; }
+  const World& world() const { return simulation_->world(); }
+  const SceneDescription& scene() const { return simulation_->scene(); }
 
  private:
-  GameViews(SceneDescription scene, std::unique_ptr<World> world, std::uint64_t seed);
+  class Body;
+
+  GameViews(std::unique_ptr<Simulation> simulation, const WalkParameters& walk, std::uint64_t seed);
   Vector2d somewhere(double x, double y);
   void placeRobot(std::size_t robot);
   void placeBall();
   void placeReferees();
-  void step();
+  void run(std::size_t ticks);
 
-  SceneDescription scene_;
-  std::unique_ptr<World> world_;
+  std::unique_ptr<Simulation> simulation_;
   Random random_;
   std::unique_ptr<CameraScene> cameraScene_;
   CameraRenderer renderer_;
-  std::vector<Sensors> sensors_;
-  std::vector<SensorDataBuffer> buffers_;
-  std::vector<RobotCommand> commands_, driven_;  ///< As requested, and as the motors understand it.
-  std::vector<Random> delays_;
+  std::vector<Body*> bodies_;  ///< Of the active robots; owned by the simulation.
   GameView view_;
 };
 

@@ -208,10 +208,7 @@ void SimulatedWalker::step(const Pose2D& speed) {
   percept = body_->landmarks;
   lines = body_->lines;
   camera = body_->matrix;
-  const CameraView view = simulation_->sensors(0).build().leaning(
-      cameraView(simulation_->world(), 0, camera.info, simulation_->camera(0).delay),
-      simulation_->world().robot(0));
-  trueCamera = trueMatrix(view, pose);
+  trueCamera = trueMatrix(simulation_->lastView(0), pose);
   disturbPercepts();
 }
 

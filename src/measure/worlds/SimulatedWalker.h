@@ -53,7 +53,7 @@ class SimulatedWalker {
   LandmarksPercept percept;
   LinesPercept lines;
   CameraMatrix camera;
-  CameraMatrix trueCamera;  ///< What `camera` should be, but for the delays' chance.
+  CameraMatrix trueCamera;  ///< What `camera` should be.
   FieldDimensions field;
   Player player;
   Time time;
