@@ -8,6 +8,7 @@
 #include "Profiles.h"
 #include "base/Statistics.h"
 #include "measure/Tally.h"
+#include "measure/real/MatrixFit.h"
 #include "modules/modeling/selflocator/LinesSelfLocator.h"
 #include "modules/modeling/selflocator/MonteCarloSelfLocator.h"
 #include "modules/modeling/testing/LocalizationTrial.h"
@@ -173,6 +174,40 @@ Result<Measurement> searchItself(const Job& job, const DataRoot& root) {
   return run;
 }
 
+/// What the lines that a robot sees say of its camera matrices, by the estimator that looks at the
+/// real robot's log: it is told where each line really is in the image.
+Result<Measurement> fitMatrices(const Job& job, const DataRoot& root) {
+  auto walker = walkerOf(job, root);
+  if (!walker) return walker.error();
+  SimulatedWalker& robot = **walker;
+  constexpr int every = 10;
+  constexpr double spacing = 8;  // pixels
+  const MatrixFit fit{robot.field};
+  std::vector<double> checked, tilt, roll;
+  MatrixErrors truth;
+  const auto images = static_cast<int>(SyntheticRobot::imagesPerMinute * job.number("minutes"));
+  for (int i = 0; i < images; ++i) {
+    robot.step();
+    if (i % every != 0 || !robot.camera.valid) continue;
+    const auto lines = linesInImage(fit.linePoints(), robot.trueCamera, robot.pose, spacing);
+    const auto correction = fit.fit(robot.camera, lines);
+    checked.push_back(correction ? 100 : 0);
+    if (!correction) continue;
+    tilt.push_back(toDegrees(std::abs(correction->tilt)));
+    roll.push_back(toDegrees(std::abs(correction->roll)));
+    truth.add(robot.camera, robot.trueCamera);
+  }
+  Measurement run;
+  run.add("realism.fit.checked", "%", mean(checked));
+  if (tilt.empty()) return run;
+  run.add("realism.fit.tilt.mean", "deg", mean(tilt));
+  run.add("realism.fit.tilt.p95", "deg", quantile(tilt, 0.95));
+  run.add("realism.fit.roll.mean", "deg", mean(roll));
+  run.add("realism.fit.roll.p95", "deg", quantile(roll, 0.95));
+  truth.addTo(run, "realism.fit.truth");
+  return run;
+}
+
 /// How the body of a robot sways that walks ahead, in both fidelities: what the profile's swaying
 /// in the kinematic one is chosen by.
 Result<Measurement> sway(const Job& job, const DataRoot& root) {
@@ -226,7 +261,11 @@ Experiments realismExperiments() {
   const Parameter profile = profileParameter();
   const Parameter changes{
       "change", "numbers of the profile to change: body/tilt=1,noise/slip=0", text, {"none"}};
-  return {{"realism.goToPoint",
+  return {{"realism.fit",
+           "What the lines in images say of their camera matrices",
+           {profile, changes, {"minutes", "of walking", number, {"4"}}},
+           fitMatrices},
+          {"realism.goToPoint",
            "How precisely Lines reaches 68 points (report 3.3.3.4: 94 and 84 mm)",
            {profile, changes, {"points", "to reach", number, {"68"}}},
            goToPoint},

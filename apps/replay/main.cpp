@@ -60,8 +60,12 @@ class FieldWatch {
     const auto* lines = platform.robot().provided<LinesPercept>();
     const auto* landmarks = platform.robot().provided<LandmarksPercept>();
     const auto label = labels_.find(platform.picture().number);
-    if (lines && landmarks && label != labels_.end())
-      comparison_.add(*lines, *landmarks, platform.picture().cameraMatrix, label->second);
+    if (label == labels_.end() || label->second.time != platform.picture().cameraMatrix.time.ms)
+      return;
+    const CameraMatrix& matrix = platform.picture().cameraMatrix;
+    if (lines && landmarks) comparison_.add(*lines, *landmarks, matrix, label->second);
+    const MatrixFit fit{*platform.robot().setup().configuration->field};
+    comparison_.add(fit.fit(matrix, label->second.lines));
   }
   const FieldComparison& comparison() const { return comparison_; }
 

@@ -23,6 +23,11 @@ std::vector<Vector2d> inImage(const LinesPercept& lines, const CameraMatrix& mat
   return points;
 }
 
+std::vector<double> absolute(std::vector<double> values) {
+  for (double& v : values) v = std::abs(v);
+  return values;
+}
+
 }  // namespace
 
 void FieldComparison::add(const LinesPercept& lines, const LandmarksPercept& landmarks,
@@ -72,6 +77,13 @@ void FieldComparison::addGoal(const LandmarksPercept& landmarks, const CameraMat
   compare(label.rightPost, goal->boundary.right, goal->boundary.rightOnBorder);
 }
 
+void FieldComparison::add(const std::optional<MatrixCorrection>& correction) {
+  matrixKnown_.push_back(correction ? 100 : 0);
+  if (!correction) return;
+  tilts_.push_back(toDegrees(correction->tilt));
+  rolls_.push_back(toDegrees(correction->roll));
+}
+
 std::string FieldComparison::text() const {
   const auto percent = [](const std::vector<double>& list) {
     return list.empty() ? std::string{"-"} : fmt::format("{:.1f} %", mean(list));
@@ -79,10 +91,14 @@ std::string FieldComparison::text() const {
   return fmt::format(
       "lines and goals labeled in {} images: {} of {} labeled points of lines found, {} of {} "
       "points found lie on labels, {:.2f} pixels from their middle; goal found in {} of {} "
-      "images, false in {} of {}\n",
+      "images, false in {} of {}\n"
+      "camera matrices checked by labeled lines in {} of {} images: tilt off by {:.2f} degrees on "
+      "average, 95 % below {:.2f}, mean {:+.2f}; roll {:.2f}, {:.2f}, {:+.2f}\n",
       pictures_, percent(labelsFound_), labelsFound_.size(), percent(pointsOnLabels_),
       pointsOnLabels_.size(), lineErrors_.empty() ? 0 : mean(lineErrors_), percent(goalsFound_),
-      goalsFound_.size(), percent(goalsFalse_), goalsFalse_.size());
+      goalsFound_.size(), percent(goalsFalse_), goalsFalse_.size(), tilts_.size(),
+      matrixKnown_.size(), mean(absolute(tilts_)), quantile(absolute(tilts_), 0.95), mean(tilts_),
+      mean(absolute(rolls_)), quantile(absolute(rolls_), 0.95), mean(rolls_));
 }
 
 void FieldComparison::addTo(Figures& figures) const {
@@ -92,6 +108,9 @@ void FieldComparison::addTo(Figures& figures) const {
   figures.add("vision.real.goal.found", "%", goalsFound_);
   figures.add("vision.real.goal.false", "%", goalsFalse_);
   figures.add("vision.real.goal.post.error", "deg", postErrors_);
+  figures.add("vision.real.matrix.checked", "%", matrixKnown_);
+  figures.add("vision.real.matrix.tilt", "deg", absolute(tilts_));
+  figures.add("vision.real.matrix.roll", "deg", absolute(rolls_));
 }
 
 }  // namespace gt

@@ -1,21 +1,26 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "measure/Figures.h"
 #include "measure/real/FieldLabels.h"
+#include "measure/real/MatrixFit.h"
 #include "representations/perception/CameraMatrix.h"
 #include "representations/perception/LandmarksPercept.h"
 #include "representations/perception/LinesPercept.h"
 
 namespace gt {
 
-/// Compares the points on lines and the goals that vision found in a log's images with what a
+/// Compares the points on lines, the goals and the camera matrices of a log's images with what a
 /// person saw in them.
 class FieldComparison {
  public:
   /// One more image; a label for another time is passed over.
   void add(const LinesPercept& lines, const LandmarksPercept& landmarks, const CameraMatrix& matrix,
            const FieldLabel& label);
+
+  /// What the labels of one more image say of its camera matrix; empty if not enough.
+  void add(const std::optional<MatrixCorrection>& correction);
 
   /// The summary, for people: a few lines.
   std::string text() const;
@@ -32,6 +37,8 @@ class FieldComparison {
   std::vector<double> lineErrors_;                    ///< Pixels.
   std::vector<double> goalsFound_, goalsFalse_;       ///< 100 or 0 each image.
   std::vector<double> postErrors_;                    ///< Degrees.
+  std::vector<double> matrixKnown_;                   ///< 100 or 0 each image.
+  std::vector<double> tilts_, rolls_;                 ///< Of the corrections, degrees.
 };
 
 }  // namespace gt

@@ -36,5 +36,19 @@ TEST(FieldComparison, MeasuresDistancesFromLabels) {
   EXPECT_NEAR(value("vision.real.lines.error"), 0.5, 0.01);
 }
 
+TEST(FieldComparison, SummarizesCameraMatricesWithoutTheirSigns) {
+  FieldComparison comparison;
+  comparison.add(MatrixCorrection{.tilt = fromDegrees(1), .roll = fromDegrees(-0.5)});
+  comparison.add(std::nullopt);
+  comparison.add(MatrixCorrection{.tilt = fromDegrees(-2), .roll = fromDegrees(-0.5)});
+  comparison.add(std::nullopt);
+  Figures figures;
+  comparison.addTo(figures);
+  EXPECT_DOUBLE_EQ(figures.find("vision.real.matrix.checked")->value, 50);
+  EXPECT_NEAR(figures.find("vision.real.matrix.tilt")->value, 1.5, 1e-9);
+  EXPECT_NEAR(figures.find("vision.real.matrix.roll")->value, 0.5, 1e-9);
+  EXPECT_THAT(comparison.text(), testing::HasSubstr("mean -0.50; roll 0.50, 0.50, -0.50"));
+}
+
 }  // namespace
 }  // namespace gt
