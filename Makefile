@@ -8,16 +8,18 @@ SEEDS   ?= 1..10
 OUT     ?= out/match
 PREFIX  ?= /usr/local
 SECONDS ?= 60
+PYTHON  ?= /usr/bin/python3
 JOBS    ?= $(shell nproc)
 # A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
-.PHONY: help install play film play-remote robots kill-test test replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers fuzz clean
+.PHONY: help install play film play-remote robots kill-test test python replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make film          films half a minute of a match: out/match.mp4'
 	@echo 'make test          builds everything and runs all tests'
+	@echo 'make python        makes the environment build/python with the package gt2003, for PYTHON=$(PYTHON)'
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
 	@echo 'make realism-page  compares images of real robots with simulated ones: out/realism/index.html'
 	@echo 'make robots        builds the programs of robots, with their source lines beside them for crashlog'
@@ -41,6 +43,7 @@ packages:
 	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14) $(PACKAGES)
 
 build: packages
+	@$(if $(ENVIRONMENT),scripts/python-environment $(ENVIRONMENT) $(PYTHON))
 	@cmake --preset $(PRESET) >/dev/null
 	@cmake --build --preset $(PRESET) --parallel $(JOBS) $(TARGETS)
 
@@ -57,8 +60,16 @@ film: build
 install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
+test python: ENVIRONMENT = build/python
+test python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
 test: build
 	@$(CTEST) --test-dir $(BUILD)
+
+python: TARGETS = --target gt2003_python_package
+python: build
+	@build/python/bin/pip install --quiet --disable-pip-version-check --no-build-isolation --no-deps --force-reinstall \
+	  --config-settings cmake.define.GT_BUILD=$(CURDIR)/$(BUILD) ./python
+	@echo 'Now: build/python/bin/python python/examples/first_match.py'
 
 replay: build
 	@$(BUILD)/bin/replay --out out/replay

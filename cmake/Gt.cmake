@@ -25,6 +25,8 @@ endif()
 
 # The same seed gives the same bits: no contraction of a*b+c that one compiler does and another does not.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror -ffp-contract=off)
+# The Python package links the libraries into a shared one.
+add_compile_options(-fPIC -fno-semantic-interposition)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   add_compile_options(-Wno-restrict)  # gcc 12 warns of its own std::string (GCC bug 105651)
 endif()

@@ -218,6 +218,17 @@ Result<std::string> ModuleProcess::parameter(std::string_view task, std::string_
   return (*module)->get(path);
 }
 
+Result<ConstValue> ModuleProcess::parameterValue(std::string_view task, std::string_view solution,
+                                                 std::string_view path) {
+  const auto module = find(task, solution);
+  if (!module) return module.error();
+  const auto parameters = (*module)->parameters();
+  const auto found = std::ranges::find(parameters, path, &PathInfo::path);
+  if (found == parameters.end())
+    return Error{.field = std::string{path}, .what = "there is no such parameter"};
+  return ConstValue{found->value};
+}
+
 bool ModuleProcess::provides(const RepresentationType& type) const {
   return std::ranges::any_of(slots_, [&](const Slot& slot) {
     return std::ranges::find(slot.task->outputs, &type) != slot.task->outputs.end();

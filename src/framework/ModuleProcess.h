@@ -57,6 +57,9 @@ class ModuleProcess : public Process {
   /// A parameter as text.
   Result<std::string> parameter(std::string_view task, std::string_view solution,
                                 std::string_view path);
+  /// The same as a value, which is valid until the parameter is set.
+  Result<ConstValue> parameterValue(std::string_view task, std::string_view solution,
+                                    std::string_view path);
   /// Of all tasks, or of one.
   ProcessDescription describe(std::string_view task = {});
   /// Carries out messages of the tools that the framework does not know; returns false for those

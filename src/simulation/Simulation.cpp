@@ -131,6 +131,15 @@ const Image& Simulation::image(std::size_t robot) const {
   return own ? *own : r.image;
 }
 
+void Simulation::keepTruth(std::size_t robot) {
+  if (!robots_[robot].truth) robots_[robot].truth = std::make_unique<ImageTruth>();
+}
+
+const ImageTruth* Simulation::truth(std::size_t robot) const {
+  const ImageTruth* kept = robots_[robot].truth.get();
+  return kept && !kept->classes.empty() ? kept : nullptr;
+}
+
 void Simulation::step() {
   {
     const Stopwatch::Lap lap{worldTime_};
@@ -197,7 +206,7 @@ void Simulation::takeImage(std::size_t robot, CameraRenderer& renderer) {
   Image* const place = r.controller->nextImage();
   Image& image = place ? *place : r.image;
   if (r.cameraOn) {
-    takeImage(robot, renderer, image, nullptr);
+    takeImage(robot, renderer, image, r.truth.get());
   } else {
     if (r.image.pixels.empty()) {
       r.image.info = scene_.optics;

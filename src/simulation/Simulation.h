@@ -130,6 +130,10 @@ class Simulation {
   /// What a robot received and returned in the last tick.
   const RobotInput& input(std::size_t robot) const { return robots_[robot].input; }
   const RobotOutput& output(std::size_t robot) const { return robots_[robot].output; }
+  /// Has the true class and geom of each pixel kept with one active robot's images from now on.
+  void keepTruth(std::size_t robot);
+  /// Those of its last image; null if they are not kept, or there was no image since then.
+  const ImageTruth* truth(std::size_t robot) const;
   /// A robot's last image, also in ticks without a new one; without pixels before the first.
   const Image& image(std::size_t robot) const;
   /// What its camera looked at in that image.
@@ -167,6 +171,7 @@ class Simulation {
     std::size_t commands = 0;
     Stopwatch sensorTime{"sensors"}, cameraTime{"camera"};
     std::string failure{};
+    std::unique_ptr<ImageTruth> truth{};  ///< Of the last image, if it is kept.
   };
 
   Simulation(const SceneDescription& scene, std::unique_ptr<World> world, const Random& random,

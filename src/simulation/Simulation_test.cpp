@@ -140,6 +140,31 @@ TEST(Simulation, AnImageShowsTheBallWhereTheCameraLooks) {
   }
 }
 
+TEST(Simulation, TheTruthOfAnImageIsKeptIfWanted) {
+  SceneDescription scene = duelScene({0, -800, 0}, {0, 0});
+  scene.camera = CameraEffects::none();
+  auto made = Simulation::make(scene, 1);
+  ASSERT_TRUE(made);
+  Simulation& sim = **made;
+  sim.attach(0, std::make_unique<Dribbler>(1));
+  sim.step();
+  EXPECT_EQ(sim.truth(0), nullptr);
+  sim.keepTruth(0);
+  EXPECT_EQ(sim.truth(0), nullptr);
+  for (int i = 0; i < 5; ++i) sim.step();
+  ASSERT_NE(sim.truth(0), nullptr);
+  const Image& image = sim.image(0);
+  ASSERT_EQ(sim.truth(0)->classes.size(), image.pixels.size());
+  int orange = 0, looksOrange = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    if (sim.truth(0)->classes[i] == ColorClass::orange) {
+      ++orange;
+      looksOrange += image.pixels[i].cr > 180 && image.pixels[i].cb < 80;
+    }
+  EXPECT_GT(orange, 20);
+  EXPECT_GT(looksOrange, 0.8 * orange);
+}
+
 TEST(Simulation, SensorBufferReachesBackAndTeamMatesAreHeard) {
   const auto match = simulation(noisyMatch(), 3, 1);
   for (int i = 0; i < 100; ++i) match->step();

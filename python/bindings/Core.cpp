@@ -1,0 +1,42 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+#include "Failure.h"
+#include "Match.h"
+#include "Modules.h"
+#include "Root.h"
+#include "Types.h"
+
+namespace gt::python {
+namespace {
+
+void raise(const std::exception_ptr& thrown, void*) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const Failure& failure) {
+    const Error& e = failure.error;
+    const nanobind::object type = nanobind::module_::import_("gt2003._error").attr("Error");
+    const nanobind::object error = type(e.what, e.file, e.line, e.field);
+    PyErr_SetObject(type.ptr(), error.ptr());
+  }
+}
+
+}  // namespace
+
+DataRoot findRoot(const std::string& root) {
+  auto places = DataRoot::places(root);
+  // The package's own data lie in its folder data; below the sources these are found.
+  const nanobind::object package = nanobind::module_::import_("gt2003").attr("__path__")[0];
+  places.program = nanobind::cast<std::string>(package) + "/data/program";
+  return orThrow(DataRoot::find(places));
+}
+
+}  // namespace gt::python
+
+NB_MODULE(_core, module) {
+  module.doc() = "The compiled part of gt2003.";
+  nanobind::register_exception_translator(&gt::python::raise);
+  gt::python::bindTypes(module);
+  gt::python::bindMatch(module);
+  gt::python::bindModules(module);
+}

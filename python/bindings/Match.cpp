@@ -1,0 +1,228 @@
+#include "Match.h"
+
+#include <mujoco/mujoco.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "Failure.h"
+#include "PlayedMatch.h"
+#include "PlayedRobot.h"
+#include "Root.h"
+#include "Values.h"
+#include "base/Lines.h"
+#include "base/Number.h"
+#include "match/report/Report.h"
+
+namespace gt::python {
+namespace {
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+/// As many as `simgt play` keeps.
+constexpr int imagesOfReports = 12;
+
+/// A scene's file: as it is named, or of the folder scenes of the root.
+std::string sceneFile(const DataRoot& root, const std::string& scene) {
+  const std::filesystem::path path{scene};
+  if (path.has_parent_path() || path.has_extension()) return scene;
+  return root.path("scenes/" + scene + ".scene");
+}
+
+MatchOptions optionsOf(const std::string& root, const std::string& scene, std::size_t threads,
+                       const std::string& logs) {
+  constexpr std::size_t mostThreads = 256;
+  if (threads < 1 || threads > mostThreads)
+    throw Failure{Error{.field = "threads", .what = "must be from 1 to 256"}};
+  MatchOptions options{.root = findRoot(root)};
+  options.scene = sceneFile(options.root, scene);
+  options.threads = threads;
+  if (logs.empty()) return options;
+  options.logs = logs;
+  options.images = imagesOfReports;  // what is drawn in them stands in the logs
+  std::error_code failed;
+  std::filesystem::create_directories(logs, failed);
+  if (failed) throw Failure{Error{.file = logs, .what = failed.message()}};
+  return options;
+}
+
+void initialize(PlayedMatch* self, const std::string& scene, std::uint64_t seed,
+                std::optional<double> minutes, const std::string& profile, std::size_t threads,
+                const std::string& logs, bool labels, const std::string& root) {
+  MatchOptions options = optionsOf(root, scene, threads, logs);
+  options.seed = seed;
+  options.minutes = minutes;
+  options.profile = profile;
+  if (minutes && !(*minutes >= 0.01 && *minutes <= 1e4))
+    throw Failure{Error{.field = "minutes", .what = "must be from 0.01 to 10000"}};
+  new (self) PlayedMatch{options};
+  if (labels) self->keepLabels();
+}
+
+std::unique_ptr<PlayedMatch> load(const std::string& file, std::size_t threads,
+                                  const std::string& logs, bool labels, const std::string& root) {
+  auto match = PlayedMatch::load(file, optionsOf(root, "match", threads, logs));
+  if (labels) match->keepLabels();
+  return match;
+}
+
+void place(PlayedMatch& match, const std::string& name, double x, double y,
+           std::optional<double> rotation) {
+  std::string line = "place " + quotedWord(name) + " " + numberText(x) + " " + numberText(y);
+  if (rotation) line += " " + numberText(toDegrees(*rotation));
+  match.execute(line);
+}
+
+nb::dict robotsOf(const nb::object& self) {
+  nb::dict robots;
+  const auto& all = nb::cast<PlayedMatch&>(self).match().robots();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    robots[all[i]->name().c_str()] = nb::cast(PlayedRobot{self, i});
+  return robots;
+}
+
+/// The body that each geom belongs to, such as field or red1.
+std::vector<std::string> geomBodies(PlayedMatch& match) {
+  const mjModel& model = match.match().simulation().world().model();
+  std::vector<std::string> names;
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    const int body = model.body_rootid[model.geom_bodyid[geom]];
+    const char* name = mj_id2name(&model, mjOBJ_BODY, body);
+    names.emplace_back(name ? name : "");
+  }
+  return names;
+}
+
+const BallState& ballOf(PlayedMatch& match) {
+  const World& world = match.match().simulation().world();
+  if (world.ballCount() == 0) throw Failure{Error{.field = "ball", .what = "the scene has none"}};
+  return world.ball(0);
+}
+
+void bindRobot(nb::module_& module) {
+  nb::class_<PlayedRobot>(module, "Robot",
+                          "A robot of a match. It keeps the match alive that it belongs to.")
+      .def_prop_ro("name", &PlayedRobot::name)
+      .def("get", &PlayedRobot::get, "path"_a, nb::sig("def get(self, path: str) -> typing.Any"),
+           "A value by its path, as it is now: a representation (`RobotPose`), a part of one\n"
+           "(`RobotPose.pose.translation`), or a parameter, as TASK.PATH or TASK.SOLUTION.PATH.\n"
+           "Units are those of the fields: mm, rad, ms. A copy; it does not change later.")
+      .def("set", &PlayedRobot::set, "path"_a, "value"_a.none(),
+           nb::sig("def set(self, path: str, value: typing.Any) -> None"),
+           "Sets a parameter, or a field of a representation, which lasts until its provider\n"
+           "provides it again: switch that off by `solve(task, \"disabled\")`.")
+      .def_prop_ro("representations", &PlayedRobot::representations,
+                   "The names of all representations that `get` accepts, sorted.")
+      .def_prop_ro("solutions", &PlayedRobot::solutions,
+                   "The solution of each task that the robot runs, or \"disabled\".")
+      .def("solve", &PlayedRobot::solve, "task"_a, "solution"_a,
+           "Has a task solved by another solution, or by none: \"disabled\".")
+      .def("parameters", &PlayedRobot::parameters, "task"_a, "solution"_a = "",
+           nb::sig("def parameters(self, task: str, solution: str = '') -> "
+                   "dict[str, typing.Any]"),
+           "The parameters of a solution (of the one that runs, if none is named) by path.")
+      .def_prop_ro("image", &PlayedRobot::image,
+                   nb::sig("def image(self) -> numpy.typing.NDArray[numpy.uint8] | None"),
+                   "The robot's newest camera image: (height, width, 3), uint8, YCbCr, read only;\n"
+                   "None before the first one. A view without a copy: it shows another image once\n"
+                   "the match runs on. Its time and camera are `get(\"Image.time\")` and\n"
+                   "`get(\"Image.info\")`.")
+      .def_prop_ro("labels", &PlayedRobot::labels,
+                   nb::sig("def labels(self) -> tuple[numpy.typing.NDArray[numpy.uint8], "
+                           "numpy.typing.NDArray[numpy.int32]] | None"),
+                   "What each pixel of the newest image shows: its color class (uint8, a\n"
+                   "`representations.ColorClass`) and geom (int32, -1 for the background; see\n"
+                   "`Match.geom_bodies`), both (height, width). Views as `image`. None before the\n"
+                   "first one. The match must have been made with `labels=True`.")
+      .def_prop_ro("true_pose", &PlayedRobot::truePose,
+                   nb::sig("def true_pose(self) -> gt2003.representations.Pose2D"),
+                   "Where the robot truly is on the field: a Pose2D in mm and rad.");
+}
+
+}  // namespace
+
+void bindMatch(nb::module_& module) {
+  bindRobot(module);
+  nb::class_<PlayedMatch>(module, "Match",
+                          "A simulated match: a scene that runs, with robots that play.\n\n"
+                          "Scene and seed determine it to the last bit, whatever the number of\n"
+                          "threads. Lengths are mm, angles rad, times ms, if nothing else is said.")
+      .def("__init__", &initialize, "scene"_a = "match", nb::kw_only(), "seed"_a = 1,
+           "minutes"_a = nb::none(), "profile"_a = "", "threads"_a = 1, "logs"_a = "",
+           "labels"_a = false, "root"_a = "",
+           "scene: a file, or a name of the folder scenes; minutes: both halves together, instead\n"
+           "of the scene's; profile: how far all is from perfect, instead of the scene's; logs: a\n"
+           "folder for the robots' logs; labels: whether `Robot.labels` are kept; root: the data\n"
+           "root, instead of the package's own.")
+      .def_static(
+          "load", &load, "file"_a, nb::kw_only(), "threads"_a = 1, "logs"_a = "",
+          "labels"_a = false, "root"_a = "",
+          "A match in the state of a file that `save` or the console has written. It plays\n"
+          "the match again up to there, and goes on with the same bits.")
+      .def("save", &PlayedMatch::save, "file"_a,
+           "Writes the match's state: scene, seed, and all that was done to it.")
+      .def("step", &PlayedMatch::step, "One step of 8 ms. False if the game is over.")
+      .def("run", &PlayedMatch::run, "seconds"_a = nb::none(),
+           "Lets so many seconds of simulated time pass, or plays to the end. Returns whether the\n"
+           "game goes on. Python's other threads run meanwhile.")
+      .def("until", &PlayedMatch::until, "predicate"_a, "seconds"_a = 600.0,
+           nb::sig("def until(self, predicate: collections.abc.Callable[[], bool], "
+                   "seconds: float = 600.0) -> bool"),
+           "Steps until `predicate()` is true, but no longer than so many seconds of simulated\n"
+           "time. Returns whether it is.")
+      .def("close", &PlayedMatch::close, "Closes the logs.")
+      .def("place", &place, "name"_a, "x"_a, "y"_a, "rotation"_a = nb::none(),
+           "Puts a robot on the field (mm, rad), or a ball (`ball`, `ball1`), which then rests.")
+      .def_prop_ro(
+          "time", [](PlayedMatch& m) { return m.match().time().ms; }, "Since the start: ms.")
+      .def_prop_ro("finished", [](PlayedMatch& m) { return m.match().finished(); })
+      .def_prop_ro(
+          "game_state",
+          [](PlayedMatch& m) {
+            return std::string{enumName(m.match().simulation().referee().state())};
+          },
+          "initial, ready, set, playing, ..., finished.")
+      .def_prop_ro(
+          "score",
+          [](PlayedMatch& m) {
+            const Referee& referee = m.match().simulation().referee();
+            return std::pair{referee.score(TeamColor::red), referee.score(TeamColor::blue)};
+          },
+          "Goals: red, blue.")
+      .def_prop_ro(
+          "events", [](PlayedMatch& m) { return toPython(valueOf(m.match().summary().events)); },
+          nb::sig("def events(self) -> list[gt2003.representations.MatchEvent]"),
+          "What the referee has seen so far.")
+      .def(
+          "summary", [](PlayedMatch& m) { return toPython(valueOf(m.match().summary())); },
+          nb::sig("def summary(self) -> gt2003.representations.MatchSummary"),
+          "What is to be known about the match so far.")
+      .def(
+          "write_summary",
+          [](PlayedMatch& m, const std::string& file) {
+            orThrow(writeMatchJson(file, m.match().summary()));
+          },
+          "file"_a, "Writes the summary as JSON: the same bytes as `simgt play`'s match.json.")
+      .def_prop_ro("robots", &robotsOf, nb::sig("def robots(self) -> dict[str, Robot]"),
+                   "The robots by name, in the scene's order.")
+      .def_prop_ro(
+          "ball_position", [](PlayedMatch& m) { return toPython(valueOf(ballOf(m).position)); },
+          nb::sig("def ball_position(self) -> numpy.typing.NDArray[numpy.float64]"),
+          "Where the ball truly is: (2,), mm.")
+      .def_prop_ro(
+          "ball_speed", [](PlayedMatch& m) { return toPython(valueOf(ballOf(m).speed)); },
+          nb::sig("def ball_speed(self) -> numpy.typing.NDArray[numpy.float64]"),
+          "The ball's true speed: (2,), mm/s.")
+      .def_prop_ro("geom_bodies", &geomBodies,
+                   "For each geom of `Robot.labels` the name of the body that it belongs to.");
+}
+
+}  // namespace gt::python

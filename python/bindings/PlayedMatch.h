@@ -1,0 +1,61 @@
+#pragma once
+#include <nanobind/nanobind.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "console/Console.h"
+#include "console/Session.h"
+
+namespace gt::python {
+
+/// A match that Python plays. What is done to it is done by lines of the console, which are noted:
+/// so a saved state can be loaded here and there.
+///
+/// It runs without Python's lock. Whoever uses it meanwhile in another thread gets an error.
+class PlayedMatch {
+ public:
+  explicit PlayedMatch(const MatchOptions& options);
+  static std::unique_ptr<PlayedMatch> load(const std::string& file, const MatchOptions& options);
+
+  /// One step of 8 ms; false if the game is over.
+  bool step();
+  /// Steps until `seconds` have passed, or to the end. Returns whether the game goes on.
+  bool run(std::optional<double> seconds);
+  /// Steps until the predicate returns true, but no longer than `seconds`. Returns whether it did.
+  bool until(const nanobind::callable& predicate, double seconds);
+
+  /// Executes a line of the console that changes something.
+  void execute(const std::string& line);
+  /// The same for one robot.
+  void executeFor(const std::string& robot, const std::string& line);
+  /// Has the true class and geom of each pixel kept with all robots' images from now on.
+  void keepLabels();
+  bool keepsLabels() const { return keepsLabels_; }
+  void save(const std::string& file);
+  void close();
+
+  /// The match, unless it runs. References to what it has are valid until it runs on.
+  Match& match();
+  Session& session();
+
+ private:
+  class Screen : public gt::Screen {
+    void print(std::string_view) override {}
+  };
+  /// Marks the match as running.
+  class Run;
+
+  void requireRest() const;
+  template <typename Done>
+  bool runUntil(Done done);
+
+  Screen screen_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<Console> console_;
+  bool keepsLabels_ = false;
+  bool running_ = false;  ///< Changed with Python's lock only.
+};
+
+}  // namespace gt::python

@@ -1,0 +1,147 @@
+#include "PlayedRobot.h"
+
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/string.h>
+
+#include <set>
+
+#include "Failure.h"
+#include "Values.h"
+#include "base/Lines.h"
+#include "robot/Solutions.h"
+
+namespace gt::python {
+namespace {
+
+namespace nb = nanobind;
+
+static_assert(sizeof(Pixel) == 4 && sizeof(ColorClass) == 1 && sizeof(int) == 4);
+
+/// A view of a plane of numbers that belong to `owner`.
+template <typename N>
+nb::object viewOf(const void* data, const CameraInfo& info, const nb::object& owner) {
+  const std::size_t shape[] = {static_cast<std::size_t>(info.height),
+                               static_cast<std::size_t>(info.width)};
+  return nb::ndarray<nb::numpy, const N>(data, 2, shape, owner).cast();
+}
+
+}  // namespace
+
+ModuleProcess& PlayedRobot::solving(const std::string& task) const {
+  for (const auto& process : robot().robot().processes())
+    if (process->solves(task)) return *process;
+  throw Failure{Error{.field = task, .what = "the robot has no such representation or task"}};
+}
+
+ConstValue PlayedRobot::parameterAt(const std::string& path) const {
+  const auto [task, rest] = splitPath(path);
+  ModuleProcess& process = solving(task);
+  const auto [first, behind] = splitPath(rest);
+  const Task* known = gt::solutions().find(task);
+  const bool named = known && known->find(first);
+  auto value =
+      named ? process.parameterValue(task, first, behind) : process.parameterValue(task, "", rest);
+  if (!value) throw Failure{Error{.field = path, .what = value.error().what}};
+  return *value;
+}
+
+ConstValue PlayedRobot::valueAt(const std::string& path) const {
+  const auto [representation, rest] = splitPath(path);
+  const auto value = robot().robot().value(representation);
+  return value ? at(*value, rest, path) : parameterAt(path);
+}
+
+nb::object PlayedRobot::get(const std::string& path) const {
+  return toPython(valueAt(path));
+}
+
+void PlayedRobot::set(const std::string& path, nb::handle value) const {
+  setFields(path, value, valueAt(path).type());
+}
+
+void PlayedRobot::setFields(const std::string& path, nb::handle value, const Type& type) const {
+  if (isFlat(type)) {
+    execute("set " + quotedWord(path) + " " + configText(value, type, path), path);
+    return;
+  }
+  if (type.kind != Kind::record)
+    throw Failure{Error{.field = path, .what = "is a list; set its elements"}};
+  for (const Part& part : type.parts) {
+    const std::string field{part.name};
+    if (!nb::hasattr(value, field.c_str()))
+      throw Failure{Error{.field = path, .what = "expected a " + std::string{type.name}}};
+    setFields(path + "." + field, value.attr(field.c_str()), part.type());
+  }
+}
+
+std::vector<std::string> PlayedRobot::representations() const {
+  std::set<std::string> names;
+  for (const auto& process : robot().robot().processes())
+    for (const RepresentationType* type : process->blackboard().types())
+      if (type->type() && robot().robot().value(type->name)) names.emplace(type->name);
+  return {names.begin(), names.end()};
+}
+
+std::map<std::string, std::string> PlayedRobot::solutions() const {
+  std::map<std::string, std::string> active;
+  for (const auto& [task, known] : gt::solutions().tasks())
+    for (const auto& process : robot().robot().processes())
+      if (process->solves(task)) active[task] = process->activeSolution(task);
+  return active;
+}
+
+void PlayedRobot::solve(const std::string& task, const std::string& solution) const {
+  execute("sr " + quotedWord(task) + " " + quotedWord(solution), task);
+}
+
+void PlayedRobot::execute(const std::string& line, const std::string& about) const {
+  try {
+    match_->executeFor(name(), line);
+  } catch (const Failure& failure) {
+    throw Failure{Error{.field = about, .what = failure.error.what}};
+  }
+}
+
+nb::dict PlayedRobot::parameters(const std::string& task, const std::string& solution) const {
+  ModuleProcess& process = solving(task);
+  const std::string wanted = solution.empty() ? process.activeSolution(task) : solution;
+  nb::dict values;
+  for (const TaskDescription& described : process.describe(task).tasks)
+    for (const SolutionDescription& known : described.solutions)
+      if (known.name == wanted) {
+        for (const ParameterDescription& parameter : known.parameters)
+          values[parameter.path.c_str()] =
+              toPython(*process.parameterValue(task, wanted, parameter.path));
+        return values;
+      }
+  throw Failure{Error{.field = task, .what = "there is no solution '" + wanted + "'"}};
+}
+
+nb::object PlayedRobot::image() const {
+  const Image& image = match_->match().simulation().image(inSimulation());
+  if (image.pixels.empty()) return nb::none();
+  const auto width = static_cast<std::int64_t>(image.info.width);
+  const std::size_t shape[] = {static_cast<std::size_t>(image.info.height),
+                               static_cast<std::size_t>(image.info.width), 3};
+  const std::int64_t strides[] = {4 * width, 4, 1};
+  return nb::ndarray<nb::numpy, const std::uint8_t>(&image.pixels.front().y, 3, shape, owner_,
+                                                    strides)
+      .cast();
+}
+
+nb::object PlayedRobot::labels() const {
+  const Simulation& simulation = match_->match().simulation();
+  if (!match_->keepsLabels())
+    throw Failure{Error{.field = "labels", .what = "make the match with labels=True"}};
+  const ImageTruth* truth = simulation.truth(inSimulation());
+  if (!truth) return nb::none();
+  const CameraInfo& info = simulation.image(inSimulation()).info;
+  return nb::make_tuple(viewOf<std::uint8_t>(truth->classes.data(), info, owner_),
+                        viewOf<std::int32_t>(truth->geoms.data(), info, owner_));
+}
+
+nb::object PlayedRobot::truePose() const {
+  return toPython(valueOf(match_->match().simulation().world().robot(inSimulation()).pose));
+}
+
+}  // namespace gt::python
