@@ -40,6 +40,7 @@ std::unique_ptr<PlayedMatch> PlayedMatch::load(const std::string& file,
                                                const MatchOptions& options) {
   auto loaded = std::make_unique<PlayedMatch>(options);
   Console& console = *loaded->console_;
+  const nb::gil_scoped_release released;
   orThrow(loaded->session_->load(file, [&](const std::string& line) -> Result<void> {
     const Command* command = Console::find(line.substr(0, line.find(' ')));
     if (!command || !command->changes)

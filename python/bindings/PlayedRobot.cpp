@@ -61,7 +61,9 @@ void PlayedRobot::set(const std::string& path, nb::handle value) const {
 
 void PlayedRobot::setFields(const std::string& path, nb::handle value, const Type& type) const {
   if (isFlat(type)) {
-    execute("set " + quotedWord(path) + " " + configText(value, type, path), path);
+    const std::string text = configText(value, type, path);
+    if (text.empty()) throw Failure{Error{.field = path, .what = "expected at least one element"}};
+    execute("set " + quotedWord(path) + " " + text, path);
     return;
   }
   if (type.kind != Kind::record)
@@ -98,7 +100,9 @@ void PlayedRobot::execute(const std::string& line, const std::string& about) con
   try {
     match_->executeFor(name(), line);
   } catch (const Failure& failure) {
-    throw Failure{Error{.field = about, .what = failure.error.what}};
+    std::string what = failure.error.what;
+    if (what.starts_with(about + ": ")) what.erase(0, about.size() + 2);
+    throw Failure{Error{.field = about, .what = what}};
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -155,6 +156,7 @@ void storeNumber(nb::handle object, void* data, const std::string& path) {
       PyErr_Clear();
       unexpected(path, "a number", object);
     }
+    if (!std::isfinite(number)) fail(path, "expected a finite number");
     n = static_cast<N>(number);
   } else {
     const nb::object whole = nb::steal(PyNumber_Index(object.ptr()));

@@ -27,6 +27,7 @@ def main() -> None:
 
     # An image: height, width, and the channels Y, Cb and Cr.
     image = match.robots["red1"].image
+    assert image is not None  # as it is before the first one
     print(f"red1's image: {image.shape}, mean brightness {image[:, :, 0].mean():.0f}")
 
     # Another solution and another parameter, for one robot; and the ball somewhere else.

@@ -9,12 +9,12 @@ def as_array(value: object, dtype: str, shape: tuple[int | None, ...]) -> np.nda
     """Return a value as an array that has this type and shape, in which None is any length.
 
     Numbers may become floats, and integers of any width those that can hold them. Everything else
-    is a TypeError or ValueError.
+    is a TypeError or ValueError, and so are numbers that are not finite.
     """
     array = np.asarray(value)
     wanted = np.dtype(dtype)
     if array.size == 0 and array.ndim == 1 and None in shape:
-        array = array.reshape((0, *shape[1:]))
+        array = array.reshape([length or 0 for length in shape])
     matches = array.ndim == len(shape) and all(
         length is None or length == given for length, given in zip(shape, array.shape)
     )
@@ -34,4 +34,6 @@ def as_array(value: object, dtype: str, shape: tuple[int | None, ...]) -> np.nda
         raise TypeError(f"expected an array of {wanted}, got {array.dtype}")
     elif (array.dtype.kind == "b") != (wanted.kind == "b"):
         raise TypeError(f"expected an array of {wanted}, got {array.dtype}")
+    if array.dtype.kind == "f" and not np.isfinite(array).all():
+        raise ValueError("expected finite numbers")
     return np.ascontiguousarray(array, dtype=wanted)

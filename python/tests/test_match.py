@@ -207,6 +207,19 @@ def test_runs_without_the_lock_and_refuses_others_meanwhile() -> None:
     assert robot.get("RobotPose") is not None
 
 
+def test_matches_in_several_threads_do_not_disturb_each_other() -> None:
+    matches = [gt2003.Match(seed=seed) for seed in (1, 2)]
+    runs = [threading.Thread(target=match.run, args=(2,)) for match in matches]
+    for thread in runs:
+        thread.start()
+    for thread in runs:
+        thread.join()
+    for seed, match in zip((1, 2), matches, strict=True):
+        alone = gt2003.Match(seed=seed)
+        alone.run(2)
+        assert all_values(match) == all_values(alone)
+
+
 def test_ctrl_c_ends_a_run_and_the_match_goes_on() -> None:
     match = gt2003.Match()
     threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()

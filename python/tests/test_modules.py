@@ -131,6 +131,8 @@ def test_parameters_change_what_it_does() -> None:
         ({"odometry_data": {"pose": {"translation": [1, 2, 3]}}}, "expected an array of shape (2)"),
         ({"odometry_data": {"pose": {"translation": ["a", "b"]}}}, "expected an array of float64"),
         ({"odometry_data": {"pose": {"rotation": []}}}, "odometry_data.pose.rotation: expected a n"),
+        ({"odometry_data": {"pose": {"rotation": float("inf")}}}, "expected a finite number"),
+        ({"odometry_data": {"pose": {"translation": [0, float("nan")]}}}, "expected finite numbers"),
     ],
 )
 def test_wrong_inputs_are_one_error(inputs: dict[str, object], message: str) -> None:
