@@ -1,6 +1,8 @@
 // Plays matches and counts goals, own goals, and how well the robots know where they are.
 #include "match/Match.h"
 
+#include <algorithm>
+
 #include "Experiments.h"
 #include "Profiles.h"
 
@@ -10,13 +12,14 @@ namespace {
 Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   MatchOptions options{root};
   options.seed = job.seed;
+  if (job.parameter("fidelity") == "dynamic") options.scene = root.path("scenes/dynamic.scene");
   options.profile = job.parameter("profile");
   options.minutes = job.number("minutes");
   auto match = Match::make(options);
   if (!match) return match.error();
   while (!(*match)->finished()) (*match)->step();
   const MatchSummary summary = (*match)->summary();
-  int ownGoals = 0, kicks = 0, stuckBalls = 0, penalties = 0;
+  int ownGoals = 0, kicks = 0, stuckBalls = 0, penalties = 0, falls = 0;
   double walked = 0;  // m
   for (const MatchEvent& event : summary.events) {
     ownGoals += event.kind == "goal" && event.ownGoal;
@@ -25,9 +28,13 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   }
   for (const RobotSummary& robot : summary.robots) {
     walked += robot.distanceWalked / 1000;
+    falls += robot.falls;
     for (const KickCount& kick : robot.kicks) kicks += kick.count;
   }
-  const ErrorStatistics localization = statisticsOf((*match)->statistics().localizationErrors());
+  const std::vector<double> errors = (*match)->statistics().localizationErrors();
+  const ErrorStatistics localization = statisticsOf(errors);
+  constexpr double lost = 1000;  // mm
+  const auto lostImages = std::ranges::count_if(errors, [](double error) { return error > lost; });
 
   Measurement measured;
   const int goals = summary.redScore + summary.blueScore;
@@ -39,11 +46,15 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   measured.add("match.kicks", "kicks", kicks);
   measured.add("match.stuckBalls", "balls", stuckBalls);
   measured.add("match.penalties", "robots", penalties);
+  measured.add("match.falls", "falls", falls);
   measured.add("match.walked", "m", walked);
   measured.add("match.localization.error.mean", "mm", localization.mean);
   measured.add("match.localization.error.median", "mm", localization.median, Aim::atMost(150));
   measured.add("match.localization.error.p95", "mm", localization.percentile95, Aim::atMost(600));
   measured.add("match.localization.error.max", "mm", localization.maximum);
+  measured.add(
+      "match.localization.lost.share", "%",
+      100 * static_cast<double>(lostImages) / std::max(1.0, static_cast<double>(errors.size())));
   measured.add("match.localization.lost.longest", "s", (*match)->statistics().longestLost());
   return measured;
 }
@@ -51,11 +62,12 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
 }  // namespace
 
 Experiment matchExperiment() {
-  return {
-      "match",
-      "Whole matches: goals, kicks, penalties, localization against the truth",
-      {profileParameter(), {"minutes", "both halves together", Parameter::Kind::number, {"10"}}},
-      playMatch};
+  return {"match",
+          "Whole matches: goals, kicks, penalties, localization against the truth",
+          {profileParameter(),
+           {"fidelity", "of the bodies", Parameter::Kind::choice, {"kinematic", "dynamic"}, true},
+           {"minutes", "both halves together", Parameter::Kind::number, {"10"}}},
+          playMatch};
 }
 
 }  // namespace gt
