@@ -13,7 +13,7 @@ namespace {
 
 using namespace gt;
 
-/// An area of modules: the function that adds its solutions (robot/Solutions.h), and its tasks.
+/// An area of modules: the function that adds its solutions (robot/Areas.h), and its tasks.
 struct Area {
   std::string function;
   std::vector<std::string_view> tasks;
@@ -48,8 +48,8 @@ Result<void> generate(const std::string& process, const std::string& file,
                    "const char* const processName = \"" +
                        process +
                        "\";\n\n"
-                       "RobotModules processModules() {\n  RobotModules modules = tasks();\n" +
-                       additions + "  return modules;\n}\n\n}  // namespace gt\n");
+                       "void addProcessModules([[maybe_unused]] RobotModules& modules) {\n" +
+                       additions + "}\n\n}  // namespace gt\n");
 }
 
 }  // namespace

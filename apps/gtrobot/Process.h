@@ -1,5 +1,5 @@
 #pragma once
-#include "robot/Solutions.h"
+#include "robot/Areas.h"
 
 namespace gt {
 
@@ -7,7 +7,7 @@ namespace gt {
 /// (Generate.cpp).
 extern const char* const processName;
 
-/// All tasks, and the solutions of those that this process may run in some layout.
-RobotModules processModules();
+/// Adds the areas whose tasks this process may run in some layout.
+void addProcessModules(RobotModules& modules);
 
 }  // namespace gt

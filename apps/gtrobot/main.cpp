@@ -120,7 +120,8 @@ int main(int argc, char** argv) {
     gt::installCrashHandler(crashes);
     if (auto done = readFiles(app, options, arguments); !done) return done;
     // The configuration names for its parts where in these they are.
-    const gt::RobotModules modules = gt::processModules();
+    gt::RobotModules modules = gt::tasks();
+    gt::addProcessModules(modules);
     return gt::runRobotProgram(options, modules);
   });
 }

@@ -3,6 +3,7 @@
 
 #include "framework/SolutionTable.h"
 #include "network/Vocabulary.h"
+#include "robot/Areas.h"
 #include "robot/Configuration.h"
 
 namespace gt {
@@ -22,13 +23,6 @@ struct RobotModules {
 
 /// All tasks of the robot, without solutions, and what every process may read.
 RobotModules tasks();
-/// The solutions of one area's tasks, the first of a task is its default (report, chapter 3's
-/// table). Each in a file of its own, so that a process's program links only what it needs (report
-/// 2.2.4).
-void addPerception(RobotModules& modules);
-void addModeling(RobotModules& modules);
-void addBehavior(RobotModules& modules);
-void addMotion(RobotModules& modules);
 /// The motion descriptions, which motion and behavior read.
 void addMotionNet(RobotModules& modules);
 
