@@ -39,12 +39,14 @@ Result<void> change(SceneDescription& scene, const std::string& changes) {
 
 /// A robot in the profile of a job.
 Result<std::unique_ptr<SimulatedWalker>> walkerOf(const Job& job, const DataRoot& root,
-                                                  bool walks = true) {
+                                                  WalkerWorld world = {},
+                                                  Fidelity fidelity = Fidelity::kinematic) {
   Result<void> changed;
-  WalkerWorld world;
   world.profile = profileOf(job);
-  world.walks = walks;
-  world.change = [&](SceneDescription& scene) { changed = change(scene, job.parameter("change")); };
+  world.change = [&](SceneDescription& scene) {
+    scene.fidelity = fidelity;
+    changed = change(scene, job.parameter("change"));
+  };
   auto walker = SimulatedWalker::make(root, job.seed, world);
   if (!changed) return changed.error();
   return walker;
@@ -152,7 +154,7 @@ Result<Measurement> goToPoint(const Job& job, const DataRoot& root) {
 /// somebody put the robot elsewhere.
 Result<Measurement> searchItself(const Job& job, const DataRoot& root) {
   constexpr int most = 500;
-  auto walker = walkerOf(job, root, false);
+  auto walker = walkerOf(job, root, {.walks = false});
   if (!walker) return walker.error();
   SimulatedWalker& robot = **walker;
   std::vector<double> nothing, displaced;
@@ -171,6 +173,30 @@ Result<Measurement> searchItself(const Job& job, const DataRoot& root) {
   for (const auto& [name, images] : {std::pair{"fromNothing", nothing}, {"displaced", displaced}})
     for (const auto& [of, value] : summaryOf(images))
       run.add("realism.montecarlo." + std::string{name} + '.' + of, "images", value);
+  return run;
+}
+
+/// How far the camera matrix of a robot that walks about or stands is from the true one.
+Result<Measurement> compareMatrices(const Job& job, const DataRoot& root) {
+  const std::string &gait = job.parameter("gait"), &fidelity = job.parameter("fidelity");
+  const std::string& posture = job.parameter("posture");
+  auto walker = walkerOf(job, root, {.walks = gait == "walk", .legsOnly = posture == "legs"},
+                         *enumValue<Fidelity>(fidelity));
+  if (!walker) return walker.error();
+  SimulatedWalker& robot = **walker;
+  MatrixErrors matrices;
+  const auto images = static_cast<int>(SyntheticRobot::imagesPerMinute * job.number("minutes"));
+  constexpr int second = SyntheticRobot::imagesPerMinute / 60;
+  // In the dynamic fidelity it falls while its legs move to where they stand: somebody picks it up.
+  for (int i = 0; i < 2 * second; ++i) robot.step({});
+  robot.kidnap();
+  for (int i = 0; i < images; ++i) {
+    robot.step();
+    if (i < 2 * second) continue;
+    matrices.add(robot.camera, robot.trueCamera);
+  }
+  Measurement run;
+  matrices.addTo(run, "realism.matrix." + fidelity + "." + gait + "." + posture);
   return run;
 }
 
@@ -269,6 +295,15 @@ Experiments realismExperiments() {
            "How precisely Lines reaches 68 points (report 3.3.3.4: 94 and 84 mm)",
            {profile, changes, {"points", "to reach", number, {"68"}}},
            goToPoint},
+          {"realism.matrix",
+           "How far the measured camera matrix is from the true one",
+           {profile,
+            changes,
+            {"fidelity", "of the motion", each, {"kinematic", "dynamic"}},
+            {"gait", "of the robot", each, {"walk", "stand"}},
+            {"posture", "what tilt and roll follow from", each, {"legs", "fused"}},
+            {"minutes", "that it takes images", number, {"4"}}},
+           compareMatrices},
           {"realism.search",
            "Images until the robot is found (report, figure 3.8: 14 to 40, 13)",
            {profile, changes, {"trials", "of each kind", number, {"15"}}},

@@ -190,9 +190,10 @@ const std::vector<AimOf> visionAims{{"ball.found", Aim::atLeast(98)},
 
 /// A robot's part of vision.
 struct Eyes {
-  explicit Eyes(Processor processor) : imageProcessor{std::move(processor)} {}
+  Eyes(Processor processor, std::size_t robots)
+      : sensorDataProcessors(robots), imageProcessor{std::move(processor)} {}
 
-  DefaultSensorDataProcessor sensorDataProcessor;
+  std::vector<DefaultSensorDataProcessor> sensorDataProcessors;  ///< Each robot has a body.
   Processor imageProcessor;
   OdometryData odometry;
   CameraMatrix matrix;
@@ -204,8 +205,9 @@ struct Eyes {
     // Twice, to know how the robot walks.
     for (const Time time : {Time{view.image.time.ms - tickMs}, view.image.time}) {
       odometry.pose = odometry.pose * view.step;
-      sensorDataProcessor.update({time}, view.sensors, view.image, RobotDimensions{},
-                                 RobotCalibration{}, MotionInfo{}, odometry, matrix, body, psd);
+      sensorDataProcessors[view.robot].update({time}, view.sensors, view.image, RobotDimensions{},
+                                              RobotCalibration{}, MotionInfo{}, odometry, matrix,
+                                              body, psd);
     }
     if (trueCamera) matrix = view.camera;
     imageProcessor(view.image, matrix, percepts);
@@ -253,7 +255,7 @@ Result<Tally> look(const Condition& condition, const DataRoot& root, const Scene
   VisionTruth truth{views->world(), views->scene()};
   VisionMeasures measures{truth};
   Tally tally;
-  Eyes eyes{condition.processor(colors)};
+  Eyes eyes{condition.processor(colors), views->world().activeRobots()};
   const int moments = std::max(1, static_cast<int>(job.number("moments") * condition.share));
   for (int i = 0; i < moments; ++i) {
     views->shuffle();

@@ -16,9 +16,13 @@ namespace gt {
 /// The robot's program: walks as requested, turns the head, looks at images.
 class SimulatedWalker::Body : public RobotController {
  public:
-  Body(ColorTable64 colors, const InvKinWalkingEngine::Parameters& walk)
+  Body(ColorTable64 colors, const InvKinWalkingEngine::Parameters& walk, bool legsOnly)
       : colors_{std::move(colors)} {
     engine_.parameters = walk;
+    if (legsOnly) {
+      sensorDataProcessor_.parameters.posture.lean = 0;
+      sensorDataProcessor_.parameters.posture.swayShare = 0;
+    }
   }
 
   void cycle(const RobotInput& input, RobotOutput& output) override {
@@ -99,7 +103,7 @@ Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(const DataRoot& r
   std::unique_ptr<SimulatedWalker> walker{new SimulatedWalker{seed, world}};
   walker->simulation_ = *std::move(simulation);
   walker->player.teamColor = walker->simulation_->players()[0].teamColor;
-  auto body = std::make_unique<Body>(*std::move(colors), walk);
+  auto body = std::make_unique<Body>(*std::move(colors), walk, world.legsOnly);
   walker->body_ = body.get();
   walker->simulation_->attach(0, std::move(body));
   walker->placeFlags();

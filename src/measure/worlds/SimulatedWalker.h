@@ -24,6 +24,7 @@ struct WalkerWorld {
   bool flags = true;
   double walkingSpeed = 150;  ///< mm/s
   bool walks = true;
+  bool legsOnly = false;           ///< Acceleration does not correct the body's posture.
   std::uint64_t missingFlags = 0;  ///< As many of the six beacons were taken away.
   double misplacedFlags = 0;       ///< mm, by which each stands elsewhere.
   double wrong = 0;                ///< Share of what is seen that is made something else.

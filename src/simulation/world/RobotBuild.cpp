@@ -27,11 +27,16 @@ JointAngles RobotBuild::driven(const JointAngles& requested) const {
 CameraView RobotBuild::leaning(CameraView view, const RobotBody& body) const {
   if (tilt == 0 && roll == 0) return view;
   const Pose3D upright{rotationZ(body.pose.rotation), body.origin().translation};
-  const Pose3D turn =
-      upright * Pose3D{rotationX(roll) * rotationY(-tilt), Vector3d::Zero()} * upright.inverse();
+  const Pose3D turn = upright * Pose3D{lean(), Vector3d::Zero()} * upright.inverse();
   view.first = turn * view.first;
   view.last = turn * view.last;
   return view;
+}
+
+Vector3d RobotBuild::felt(const RobotBody& body) const {
+  if (tilt == 0 && roll == 0) return body.specificForce + acceleration;
+  const Matrix3d upright = rotationZ(-body.pose.rotation) * body.origin().rotation;
+  return upright.transpose() * lean().transpose() * upright * body.specificForce + acceleration;
 }
 
 CameraEffects RobotBuild::seen(CameraEffects effects) const {

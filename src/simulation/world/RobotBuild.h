@@ -15,7 +15,7 @@ struct RobotBuild {
          roll = 0;       ///< rad: the body leans back and to the right more than joints measure.
   JointAngles joints{};  ///< rad: by which each joint is turned further than it measures.
   double backlash = 0;   ///< rad
-  Vector3d acceleration = Vector3d::Zero();  ///< mm/s^2: what its sensors measure at rest.
+  Vector3d acceleration = Vector3d::Zero();  ///< mm/s^2: what its sensors add to what they feel.
   double light = 1, cb = 0, cr = 0;          ///< What its camera sees: a factor, and added.
 
   /// Draws a robot. The same generator draws the same robot, more or less different.
@@ -25,7 +25,13 @@ struct RobotBuild {
   JointAngles driven(const JointAngles& requested) const;
   /// What the camera sees because the body leans: it turns about the body's origin.
   CameraView leaning(CameraView view, const RobotBody& body) const;
+  /// What the acceleration sensors feel: the body leans, and their zero is off (mm/s^2).
+  Vector3d felt(const RobotBody& body) const;
   CameraEffects seen(CameraEffects effects) const;
+
+ private:
+  /// By which the body leans more than the world knows.
+  Matrix3d lean() const { return rotationX(roll) * rotationY(-tilt); }
 };
 
 }  // namespace gt

@@ -60,6 +60,25 @@ TEST(RobotBuild, IsTheSameRobotMoreOrLessDifferent) {
   EXPECT_EQ(none.driven(standing()).values, standing().values);
 }
 
+// A body that leans feels gravity from where it leans to, whichever way the robot faces.
+TEST(RobotBuild, FeelsGravityAsItsBodyLeans) {
+  RobotBody body;
+  body.tilt = 0.1;
+  body.roll = 0.05;
+  RobotBuild build;
+  build.tilt = 0.02;
+  build.roll = -0.03;
+  build.acceleration = {100, -50, 20};
+  const Matrix3d leaning =
+      rotationX(build.roll) * rotationY(-build.tilt) * rotationY(-body.tilt) * rotationX(body.roll);
+  for (const double direction : {0.0, 1.3, -2.5}) {
+    body.pose.rotation = direction;
+    body.specificForce = body.origin().rotation.transpose() * Vector3d{0, 0, 9810};
+    const Vector3d expected = leaning.transpose() * Vector3d{0, 0, 9810} + build.acceleration;
+    EXPECT_LT((build.felt(body) - expected).norm(), 1e-6) << direction;
+  }
+}
+
 /// Stands, and keeps what it measures.
 class Standing : public RobotController {
  public:

@@ -33,14 +33,18 @@ bool isDuring(const SensorData& frame, Time end, double duration) {
   return age >= -halfTick && age <= duration + halfTick;
 }
 
+/// From the exposure of the first row until that of the last one (ms).
+double exposureOf(const Image& image) {
+  return (image.info.height - 1) * image.info.rowTime;
+}
+
 /// The camera's pose when an image's middle row was exposed, and how it turned meanwhile; `speed`
 /// is that of the robot (mm/s, rad/s), whose system is that of the image's end.
-CameraMatrix cameraMatrix(const SensorDataBuffer& sensors, const Image& image,
+CameraMatrix cameraMatrix(const JointMotion& joints, const Image& image,
                           const RobotDimensions& robot, const RobotCalibration& calibration,
                           const Pose2D& speed) {
   const CameraInfo& info = image.info;
-  const double duration = (info.height - 1) * info.rowTime;
-  const JointMotion joints = jointMotion(sensors, image.time, duration);
+  const double duration = exposureOf(image);
   const auto poseAt = [&](double milliseconds) {
     return cameraPoseFor(robot, calibration, joints.at(milliseconds));
   };
@@ -98,6 +102,17 @@ JointMotion jointMotion(const SensorDataBuffer& sensors, Time end, double durati
   return motion;
 }
 
+Vector3d accelerationDuring(const SensorDataBuffer& sensors, Time end, double duration) {
+  Vector3d sum = Vector3d::Zero();
+  int n = 0;
+  for (const SensorData& frame : sensors.frames) {
+    if (!isDuring(frame, end, duration)) continue;
+    sum += frame.acceleration;
+    ++n;
+  }
+  return n > 0 ? Vector3d{sum / n} : sensors.at(end).acceleration;
+}
+
 Vector3d averageAcceleration(const SensorDataBuffer& sensors, int ticks) {
   const int n = std::clamp(ticks, 1, SensorDataBuffer::capacity);
   Vector3d sum = Vector3d::Zero();
@@ -112,6 +127,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
                                         const MotionInfo& motion, const OdometryData& odometry,
                                         CameraMatrix& matrix, BodyPercept& body, PsdPercept& psd) {
   const SensorData& newest = sensors.newest();
+  fusion_.parameters = parameters.posture;
   const Vector3d shortAverage = averageAcceleration(sensors, parameters.shortAverage);
   const double elapsed = static_cast<double>(frame.time - lastUpdate_);
   const double gain = 1 - std::exp(-elapsed / parameters.longAverage);
@@ -132,10 +148,20 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   body.height = posture.height;
   body.switches = newest.switches;
 
-  matrix = cameraMatrix(sensors, image, robot, calibration, speed);
-  matrix.valid = motion.stable && body.state == BodyState::standing;
+  const double exposure = exposureOf(image);
+  const JointMotion joints = jointMotion(sensors, image.time, exposure);
+  const bool valid = motion.stable && body.state == BodyState::standing;
+  // Kicks and falls tell nothing of how the body leans where it stands.
+  if (valid)
+    fusion_.update(bodyPosture(robot, calibration, joints.at(0)),
+                   accelerationDuring(sensors, image.time, exposure), elapsed,
+                   motion.executed.type == MotionType::walk);
+  const RobotCalibration corrected{calibration.bodyTiltOffset + fusion_.tilt(),
+                                   calibration.bodyRollOffset + fusion_.roll()};
+  matrix = cameraMatrix(joints, image, robot, corrected, speed);
+  matrix.valid = valid;
 
-  const Pose3D camera = cameraPoseFor(robot, calibration, newest.joints);
+  const Pose3D camera = cameraPoseFor(robot, corrected, newest.joints);
   psd.time = newest.time;
   psd.tooFarAway = newest.psd >= psdRange;
   psd.offset = camera * Vector3d{psdForward - robot.panToCamera + newest.psd, 0, psdUp};

@@ -1,5 +1,6 @@
 #pragma once
 #include "modules/perception/Tasks.h"
+#include "modules/perception/processors/PostureFusion.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/infrastructure/RobotCalibration.h"
@@ -20,6 +21,7 @@ class DefaultSensorDataProcessor {
     double fallenAngle = fromDegrees(50);
     double liftedChange = 2500;
     double offGround = 400;
+    PostureFusion::Parameters posture;
 
     static constexpr auto fields() {
       return Fields{
@@ -32,14 +34,16 @@ class DefaultSensorDataProcessor {
           field("liftedChange", &Parameters::liftedChange, "mm/s^2",
                 "short and long average differ by more where the robot is lifted", {0, 20000}),
           field("offGround", &Parameters::offGround, "ms",
-                "all paws are longer off the ground where the robot is lifted", {0, 10000})};
+                "all paws are longer off the ground where the robot is lifted", {0, 10000}),
+          field("posture", &Parameters::posture, "",
+                "how acceleration corrects the body's tilt and roll")};
     }
   };
   Parameters parameters;
 
   /// Provides the camera matrix of the image, the body's state and the distance sensor's place. The
-  /// matrix is invalid while the robot kicks, gets up or lies; without sensor readings it is that
-  /// of the last ones.
+  /// body's tilt and roll follow from legs and acceleration. The matrix is invalid while the robot
+  /// kicks, gets up or lies; without sensor readings it is that of the last ones.
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
               const RobotDimensions& robot, const RobotCalibration& calibration,
               const MotionInfo& motion, const OdometryData& odometry, CameraMatrix& matrix,
@@ -48,6 +52,7 @@ class DefaultSensorDataProcessor {
  private:
   BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest);
 
+  PostureFusion fusion_;
   Pose2D odometry_;
   Vector3d longAverage_ = Vector3d::Zero();
   Time lastUpdate_ = never();
@@ -65,6 +70,10 @@ struct JointMotion {
 /// The joints' motion from `duration` milliseconds before a point in time until then, around the
 /// moment halfway; the newest frame that is not younger if none lies in between.
 JointMotion jointMotion(const SensorDataBuffer& sensors, Time end, double duration);
+
+/// The mean acceleration from `duration` milliseconds before a point in time until then; that of
+/// the newest frame that is not younger if none lies in between.
+Vector3d accelerationDuring(const SensorDataBuffer& sensors, Time end, double duration);
 
 /// The mean acceleration of the last ticks (report 3.1); of all there are if they are fewer.
 Vector3d averageAcceleration(const SensorDataBuffer& sensors, int ticks);

@@ -60,6 +60,7 @@ TEST_F(DefaultSensorDataProcessorTest, GivesEachRowTheRotationOfItsMoment) {
 }
 
 TEST_F(DefaultSensorDataProcessorTest, CorrectsTheBodysPostureForThisRobot) {
+  processor_.parameters.posture.lean = 0;  // only the legs count
   fill(0);
   run();
   const Vector3d uncorrected = matrix_.pose.rotation.col(0);
@@ -70,6 +71,37 @@ TEST_F(DefaultSensorDataProcessorTest, CorrectsTheBodysPostureForThisRobot) {
   calibration_ = {0, 0.1};
   run();
   EXPECT_NEAR(std::asin(matrix_.pose.rotation.col(1).z()), 0.1, 1e-3) << "right side down";
+}
+
+// The legs measure a tilt, gravity another one: the camera's and the distance sensor's poses take
+// what acceleration is worth, but not while the robot kicks.
+TEST_F(DefaultSensorDataProcessorTest, CorrectsTheBodysPostureByGravity) {
+  fill(0);
+  processor_.parameters.posture = {.lean = 1, .zero = 1, .disturbance = 0.02};
+  const BodyPosture legs = bodyPosture(robot_, sensors_.newest().joints);
+  const Vector3d felt =
+      bodyPose({legs.height, legs.tilt + 0.04, 0.03}).rotation.transpose() * Vector3d{0, 0, 9810};
+  const Pose3D expected =
+      cameraPose(robot_, bodyPose({legs.height, legs.tilt + 0.04, 0.03}), {-0.3, 0, 0});
+  fill(0, felt);
+  motion_.stable = false;
+  run();
+  EXPECT_GT((matrix_.pose.rotation - expected.rotation).norm(), 0.02);
+  motion_.stable = true;
+  run();
+  EXPECT_LT((matrix_.pose.rotation - expected.rotation).norm(), 1e-3);
+  EXPECT_LT((matrix_.pose.translation - expected.translation).norm(), 0.2);
+  EXPECT_NEAR((psd_.offset - matrix_.pose.translation).dot(matrix_.pose.rotation.col(1)), 0, 1e-3)
+      << "straight ahead of the camera";
+}
+
+TEST_F(DefaultSensorDataProcessorTest, TakesTheAccelerationDuringTheExposure) {
+  fill(0);
+  for (int i = 0; i < SensorDataBuffer::capacity; ++i)
+    sensors_.frames[static_cast<std::size_t>(i)].acceleration.x() = 100 * i;
+  EXPECT_NEAR(accelerationDuring(sensors_, now_, 33).x(), (1100 + 1500) / 2.0, 1e-9);
+  EXPECT_NEAR(accelerationDuring(sensors_, Time{now_.ms + 1000}, 33).x(), 1500, 1e-9)
+      << "none then";
 }
 
 TEST_F(DefaultSensorDataProcessorTest, StandsStill) {
@@ -133,6 +165,7 @@ TEST_F(DefaultSensorDataProcessorTest, AveragesTheJointsNoiseDuringTheExposure) 
   constexpr double noise = 0.004;
   Random random{1};
   RunningStatistics errors;
+  processor_.parameters.posture.lean = 0;  // only the legs count
   fill(0);
   run();
   const double truth = std::asin(matrix_.pose.rotation.col(0).z());
