@@ -1,5 +1,5 @@
 // Lets GridImageProcessor2 look through the eyes of robots that play, from no color at all, while
-// the light changes, and compares it with GT2003 and its table made by hand.
+// the light changes, and compares it with GT2003 and its color table.
 #include <array>
 #include <memory>
 
@@ -24,7 +24,7 @@ constexpr std::array phases{
 
 /// What both processors found in a phase.
 struct Found {
-  Tally hand, adaptive;
+  Tally table, adaptive;
 };
 using PlayTally = std::array<Found, phases.size()>;
 
@@ -62,7 +62,7 @@ class Spectator {
     view_.image.time = simulation.time();
     view_.camera = trueMatrix(camera, simulation.world().robot(index).pose);
     truth_.look(view_);
-    measures_.comparePercepts(perceptsOf(robot), matrix, found.hand);
+    measures_.comparePercepts(perceptsOf(robot), matrix, found.table);
     processor_.update(view_.image, matrix, FieldDimensions{}, percepts_, debug_);
     measures_.comparePercepts(percepts_, matrix, found.adaptive);
   }
@@ -122,11 +122,11 @@ Result<Measurement> measureVisionPlay(const Job& job, const DataRoot& root) {
          {"ball.found", "flags.found", "goals.found", "edges.line.right", "edges.border.right",
           "players.found", "players.color", "ball.false", "flags.false", "goals.false"}) {
       const Found& found = (*tally)[phase];
-      const double hand = percent(found.hand, name), own = percent(found.adaptive, name);
+      const double table = percent(found.table, name), own = percent(found.adaptive, name);
       measured.add(base + name, "%", own);
       const bool compared = name == "ball.found" || name == "flags.found" || name == "goals.found";
-      if (compared && hand > 0)
-        measured.add(base + name + ".ofHandMade", "%", 100 * own / hand,
+      if (compared && table > 0)
+        measured.add(base + name + ".ofTable", "%", 100 * own / table,
                      phase == 0 ? Aim{} : Aim::atLeast(90));
     }
   }
