@@ -17,7 +17,7 @@ constexpr std::array locators{"singlelandmark", "montecarlo", "fusion", "lines",
 constexpr const char* head =
     R"(<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Self-locators</title><style>
 body { font: 15px/1.45 sans-serif; max-width: 1080px; margin: 2em auto; padding: 0 1em; color: #222; }
-h1, h2 { font-weight: 600; } h2 { margin-top: 1.8em; }
+h1, h2, h3 { font-weight: 600; } h2, h3 { margin-top: 1.8em; }
 .charts { display: grid; grid-template-columns: 1fr 1fr; gap: 1em 2em; }
 figure { margin: 0; } figcaption { font-weight: 600; margin-bottom: .3em; }
 table { border-collapse: collapse; font-size: 13px; } td, th { padding: .25em .6em; text-align: right; border-bottom: 1px solid #ddd; }
@@ -66,7 +66,7 @@ constexpr std::array troubleColumns{std::pair{"", "as in a match"},
                                     std::pair{".slip30percent", "slip of 30 %"}};
 
 /// A chart of horizontal bars as SVG.
-std::string draw(const Chart& chart, const Figures& figures) {
+std::string draw(const Chart& chart, const Figures& figures, const std::string& group) {
   constexpr double left = 150, width = 300, row = 17;
   struct Bar {
     std::string label;
@@ -78,7 +78,7 @@ std::string draw(const Chart& chart, const Figures& figures) {
   for (const char* locator : locators)
     for (const bool beacons : {true, false}) {
       const std::string name = std::string{locator} + (beacons ? "" : ".nobeacons");
-      const Figure* figure = figures.find("localization." + name + "." + chart.figure);
+      const Figure* figure = figures.find(group + name + "." + chart.figure);
       if (!figure) continue;
       bars.push_back({beacons ? locator : "", beacons ? "#3b6fb6" : "#e08a2c", figure});
       most = std::max(most, figure->high);
@@ -110,16 +110,16 @@ std::string draw(const Chart& chart, const Figures& figures) {
 }
 
 /// The table of a figure by locator and trouble, the darker the worse.
-std::string robustness(const char* title, const char* where, const char* figure, double worst,
-                       const char* format, const Figures& figures) {
-  std::string html = fmt::format("<h2>{}</h2><table><tr><th></th>", title);
+std::string robustness(const std::string& title, const std::string& group, const char* where,
+                       const char* figure, double worst, const char* format,
+                       const Figures& figures) {
+  std::string html = fmt::format("<h3>{}</h3><table><tr><th></th>", title);
   for (const auto& [suffix, label] : troubleColumns) html += fmt::format("<th>{}</th>", label);
   html += "</tr>\n";
   for (const char* locator : locators) {
     html += fmt::format("<tr><td>{}</td>", locator);
     for (const auto& [suffix, label] : troubleColumns) {
-      const Figure* f =
-          figures.find("localization." + std::string{locator} + where + suffix + "." + figure);
+      const Figure* f = figures.find(group + std::string{locator} + where + suffix + "." + figure);
       const double shade = f ? std::clamp(f->value / worst, 0., 1.) : 0;
       html += fmt::format("<td style=\"background:rgba(220,60,40,{:.2f})\">{}</td>", 0.6 * shade,
                           f ? fmt::format(fmt::runtime(format), f->value) : "");
@@ -152,17 +152,20 @@ std::string table(const Figures& figures) {
 }  // namespace
 
 Result<void> writeLocalizationPage(const std::string& path, const Figures& figures) {
-  std::string html = std::string{head} + "<div class=\"charts\">\n";
-  for (const Chart& chart : charts) html += draw(chart, figures);
-  html += "</div>\n";
-  html += robustness("Robustness on simulated images: mean error (mm)", ".pictures", "error.mean",
-                     400, "{:.0f}", figures);
-  html += robustness("Robustness on simulated images: longest time off by more than 60 cm (s)",
-                     ".pictures", "lost.longest", 20, "{:.1f}", figures);
-  html += robustness("Robustness on the test bench: mean error (mm)", "", "error.mean", 400,
-                     "{:.0f}", figures);
-  html += robustness("Robustness on the test bench: longest time off by more than 60 cm (s)", "",
-                     "lost.longest", 20, "{:.1f}", figures);
+  const auto both = [&](const std::string& title, const std::string& group, const char* where) {
+    return robustness(title + ": mean error (mm)", group, where, "error.mean", 400, "{:.0f}",
+                      figures) +
+           robustness(title + ": longest time off by more than 60 cm (s)", group, where,
+                      "lost.longest", 20, "{:.1f}", figures);
+  };
+  const std::string all = "localization.";
+  std::string html = head;
+  for (const auto& [profile, group] : {std::pair{"padova", all}, {"benign", all + "benign."}}) {
+    html += fmt::format("<h2>In the profile {}</h2>\n<div class=\"charts\">\n", profile);
+    for (const Chart& chart : charts) html += draw(chart, figures, group);
+    html += "</div>\n" + both("Robustness on simulated images", group, ".pictures");
+  }
+  html += "<h2>Without simulated images</h2>\n" + both("Robustness on the test bench", all, "");
   html += table(figures) + "</body></html>\n";
   return writeFile(path, html);
 }
