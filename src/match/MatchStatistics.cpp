@@ -95,6 +95,22 @@ double MatchStatistics::longestLost() const {
   return longest * tickSeconds * Simulation::ticksPerImage;
 }
 
+namespace {
+
+/// From second to second, so that what sways does not walk; who was carried away did not walk
+/// either.
+double distanceWalked(const std::vector<RobotSample>& samples) {
+  constexpr double longest = 500;  // mm
+  double distance = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double step = (samples[i].pose.translation - samples[i - 1].pose.translation).norm();
+    if (step <= longest) distance += step;
+  }
+  return distance;
+}
+
+}  // namespace
+
 void MatchStatistics::summarize(MatchSummary& summary) const {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotRecord& record = records_[i];
@@ -107,7 +123,7 @@ void MatchStatistics::summarize(MatchSummary& summary) const {
     robot.localizationError = statisticsOf(record.localization);
     robot.rotationError = statisticsOf(record.rotation);
     robot.ballError = statisticsOf(record.ball);
-    robot.distanceWalked = simulation_.world().robot(i).walked;
+    robot.distanceWalked = distanceWalked(record.samples);
     robot.falls = record.falls;
     for (const auto& [kick, count] : record.kicks) robot.kicks.push_back({kick, count});
     robot.samples = record.samples;

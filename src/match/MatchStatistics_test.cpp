@@ -61,8 +61,29 @@ TEST(MatchStatistics, ComparesEachImageWithTheTruth) {
   EXPECT_NEAR(summary.robots[0].rotationError.maximum, 0, 0.01);
   EXPECT_EQ(summary.robots[0].falls, 1);
   EXPECT_EQ(summary.robots[0].samples.size(), 2u) << "one a second";
+  EXPECT_NEAR(summary.robots[0].distanceWalked, 0, 1);
   EXPECT_NEAR(statistics.longestLost(), 0.8, 0.05) << "seconds off by more than a meter";
   EXPECT_EQ(statistics.localizationErrors().size(), 50u);
+}
+
+TEST(MatchStatistics, TheDistanceWalkedKnowsNeitherSwayingNorReferees) {
+  auto simulation = Simulation::make(duelScene({0, -800, 0}, {0, 0}), 1);
+  ASSERT_TRUE(simulation) << simulation.error().text();
+  auto robot = std::make_unique<Believer>();
+  const std::vector<MatchRobot*> robots{robot.get()};
+  (*simulation)->attach(0, std::move(robot));
+  const MotionNet motions;
+  MatchStatistics statistics{**simulation, robots, motions};
+  // Ten seconds at 100 mm/s, 10 mm to and fro each tick; meanwhile somebody carries it by 2 m.
+  for (int i = 0; i < 10 * 125; ++i) {
+    const double carried = i < 5 * 125 ? 0 : 2000;
+    (*simulation)->world().placeRobot(0, {0, -800 + 0.8 * i, carried + (i % 2 == 0 ? 10. : 0.)});
+    (*simulation)->step();
+    statistics.update();
+  }
+  MatchSummary summary;
+  statistics.summarize(summary);
+  EXPECT_NEAR(summary.robots[0].distanceWalked, 800, 110);
 }
 
 }  // namespace
