@@ -18,25 +18,6 @@
 namespace gt {
 namespace {
 
-/// Changes numbers of a scene: "body/tilt=1.2,noise/slip=0.2"; "none" changes nothing.
-Result<void> change(SceneDescription& scene, const std::string& changes) {
-  for (std::size_t from = 0; changes != "none" && from < changes.size();) {
-    const std::size_t to = std::min(changes.find(',', from), changes.size());
-    const std::string one = changes.substr(from, to - from);
-    const std::size_t slash = one.find('/'), equals = one.find('=');
-    from = to + 1;
-    Result<void> done = Error{.what = "expected element/number=value, found \"" + one + "\""};
-    if (slash < equals && equals < one.size())
-      forEachProfileElement(scene, [&](std::string_view element, auto& parameters) {
-        if (element == one.substr(0, slash))
-          done = setByPath(parameters, one.substr(slash + 1, equals - slash - 1),
-                           one.substr(equals + 1));
-      });
-    if (!done) return done;
-  }
-  return {};
-}
-
 /// A robot in the profile of a job.
 Result<std::unique_ptr<SimulatedWalker>> walkerOf(const Job& job, const DataRoot& root,
                                                   WalkerWorld world = {},
@@ -45,7 +26,7 @@ Result<std::unique_ptr<SimulatedWalker>> walkerOf(const Job& job, const DataRoot
   world.profile = profileOf(job);
   world.change = [&](SceneDescription& scene) {
     scene.fidelity = fidelity;
-    changed = change(scene, job.parameter("change"));
+    changed = changeNumbers(scene, job.parameter("change"));
   };
   auto walker = SimulatedWalker::make(root, job.seed, world);
   if (!changed) return changed.error();
@@ -240,7 +221,6 @@ Result<Measurement> sway(const Job& job, const DataRoot& root) {
   constexpr int ticks = 30 * 125, warmUp = 2 * 125;
   auto scene = loadScene(job, root);
   if (!scene) return scene.error();
-  if (auto done = change(*scene, job.parameter("change")); !done) return done.error();
   scene->fidelity = *enumValue<Fidelity>(job.parameter("fidelity"));
   scene->robots.resize(1);
   scene->balls.clear();
@@ -285,8 +265,7 @@ Result<Measurement> sway(const Job& job, const DataRoot& root) {
 Experiments realismExperiments() {
   using enum Parameter::Kind;
   const Parameter profile = profileParameter();
-  const Parameter changes{
-      "change", "numbers of the profile to change: body/tilt=1,noise/slip=0", text, {"none"}};
+  const Parameter changes = changeParameter();
   return {{"realism.fit",
            "What the lines in images say of their camera matrices",
            {profile, changes, {"minutes", "of walking", number, {"4"}}},

@@ -351,6 +351,7 @@ Experiment visionExperiment() {
   return {"vision.pictures",
           "Percepts in random moments of matches against the truth",
           {profileParameter(),
+           changeParameter(),
            which,
            {"moments", "each gives one image a robot", Parameter::Kind::number, {"250"}},
            {"camera",
