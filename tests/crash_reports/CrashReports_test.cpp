@@ -78,9 +78,9 @@ TEST_F(CrashReports, OfAJob) {
       "experiment",
       "run --job 'fidelity walk=forward100 seed=1' --job 'match minutes=1000 seed=7' --threads 1",
       "1/2");
-  EXPECT_THAT(
-      report.running,
-      testing::MatchesRegex("match minutes=1000 profile=padova seed=7[^,]*(, (red|blue)[1-4].*)?"));
+  EXPECT_THAT(report.running,
+              testing::MatchesRegex("match fidelity=kinematic minutes=1000 profile=padova "
+                                    "seed=7[^,]*(, (red|blue)[1-4].*)?"));
 }
 
 TEST_F(CrashReports, OfARobotsProcess) {
