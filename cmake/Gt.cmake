@@ -18,9 +18,15 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
     CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_INODECACHE=true CCACHE_DEPEND=true ${CCACHE})
 endif()
+set(GT_SANITIZE "" CACHE STRING "Sanitizers to build with, as for -fsanitize=: address,undefined or thread")
 find_program(MOLD mold)
 if(MOLD)
   add_link_options(-fuse-ld=mold)
+  # What a shared library leaves open mold would take from our archives, with all that the taken part needs, unless a library
+  # before them has it. A sanitizer's library must come first itself.
+  if(NOT GT_SANITIZE)
+    add_link_options(-lstdc++)
+  endif()
 endif()
 
 # The same seed gives the same bits: no contraction of a*b+c that one compiler does and another does not.
@@ -33,7 +39,6 @@ endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")  # with assertions, as in all builds
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
 
-set(GT_SANITIZE "" CACHE STRING "Sanitizers to build with, as for -fsanitize=: address,undefined or thread")
 if(GT_SANITIZE)
   add_compile_options(-fsanitize=${GT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
   add_link_options(-fsanitize=${GT_SANITIZE})

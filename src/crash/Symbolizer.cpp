@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -39,10 +40,13 @@ Result<std::string> buildIdOfFile(const std::string& path) {
   return size > 0 ? hexDigits({static_cast<const char*>(id), static_cast<std::size_t>(size)}) : "";
 }
 
+/// A function's name as in the source: without what tells the compiler's copies of it apart, such
+/// as .cold and .localalias.
 std::string demangled(const char* name) {
   if (!name) return "?";
+  const std::string own{name, std::strcspn(name, ".")};
   const std::unique_ptr<char, void (*)(void*)> text{
-      abi::__cxa_demangle(name, nullptr, nullptr, nullptr), std::free};
+      abi::__cxa_demangle(own.c_str(), nullptr, nullptr, nullptr), std::free};
   return text ? text.get() : name;
 }
 
