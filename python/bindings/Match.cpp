@@ -54,9 +54,32 @@ MatchOptions optionsOf(const std::string& root, const std::string& scene, std::s
   return options;
 }
 
+using Solutions = std::map<std::string, std::map<std::string, nb::object>>;
+
+void solveAll(PlayedMatch& match, const Solutions& solutions) {
+  const auto& robots = match.match().robots();
+  for (const auto& [name, tasks] : solutions) {
+    const auto robot = std::ranges::find(robots, name, &SimulatedRobot::name);
+    if (robot == robots.end())
+      throw Failure{Error{.field = "solutions", .what = "there is no robot '" + name + "'"}};
+    for (const auto& [task, solution] : tasks)
+      match.solve(static_cast<std::size_t>(robot - robots.begin()), task, solution);
+  }
+}
+
+nb::list failuresOf(PlayedMatch& match) {
+  const nb::object type = nb::module_::import_("gt2003._solution").attr("SolutionFailure");
+  nb::list all;
+  for (const SolutionFailures::Failure& failure : match.failures())
+    all.append(type(match.match().robots()[failure.robot]->name(), failure.task, failure.solution,
+                    failure.time.ms, failure.trace));
+  return all;
+}
+
 void initialize(PlayedMatch* self, const std::string& scene, std::uint64_t seed,
                 std::optional<double> minutes, const std::string& profile, std::size_t threads,
-                const std::string& logs, bool labels, const std::string& root) {
+                const std::string& logs, bool labels, const nb::object& solutions,
+                const std::string& root) {
   MatchOptions options = optionsOf(root, scene, threads, logs);
   options.seed = seed;
   options.minutes = minutes;
@@ -64,7 +87,13 @@ void initialize(PlayedMatch* self, const std::string& scene, std::uint64_t seed,
   if (minutes && !(*minutes >= 0.01 && *minutes <= 1e4))
     throw Failure{Error{.field = "minutes", .what = "must be from 0.01 to 10000"}};
   new (self) PlayedMatch{options};
-  if (labels) self->keepLabels();
+  try {
+    if (labels) self->keepLabels();
+    if (!solutions.is_none()) solveAll(*self, nb::cast<Solutions>(solutions));
+  } catch (...) {
+    self->~PlayedMatch();
+    throw;
+  }
 }
 
 std::unique_ptr<PlayedMatch> load(const std::string& file, std::size_t threads,
@@ -107,8 +136,36 @@ const BallState& ballOf(PlayedMatch& match) {
   return world.ball(0);
 }
 
+// Solutions written in Python may refer to their match: the garbage collector has to see that.
+
+int traverseMatch(PyObject* self, visitproc visit, void* arg) {
+  Py_VISIT(Py_TYPE(self));
+  if (nb::inst_ready(self))
+    for (const PythonSolution& solution : nb::inst_ptr<PlayedMatch>(self)->joined())
+      if (const int done = solution.traverse(visit, arg); done != 0) return done;
+  return 0;
+}
+
+int clearMatch(PyObject* self) {
+  if (nb::inst_ready(self))
+    for (PythonSolution& solution : nb::inst_ptr<PlayedMatch>(self)->joined()) solution.clear();
+  return 0;
+}
+
+int traverseRobot(PyObject* self, visitproc visit, void* arg) {
+  Py_VISIT(Py_TYPE(self));
+  if (nb::inst_ready(self)) Py_VISIT(nb::inst_ptr<PlayedRobot>(self)->owner().ptr());
+  return 0;
+}
+
+PyType_Slot matchSlots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverseMatch)},
+                            {Py_tp_clear, reinterpret_cast<void*>(&clearMatch)},
+                            {0, nullptr}};
+PyType_Slot robotSlots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverseRobot)},
+                            {0, nullptr}};
+
 void bindRobot(nb::module_& module) {
-  nb::class_<PlayedRobot>(module, "Robot",
+  nb::class_<PlayedRobot>(module, "Robot", nb::type_slots(robotSlots),
                           "A robot of a match. It keeps the match alive that it belongs to.")
       .def_prop_ro("name", &PlayedRobot::name)
       .def("get", &PlayedRobot::get, "path"_a, nb::sig("def get(self, path: str) -> typing.Any"),
@@ -123,8 +180,20 @@ void bindRobot(nb::module_& module) {
                    "The names of all representations that `get` accepts, sorted.")
       .def_prop_ro("solutions", &PlayedRobot::solutions,
                    "The solution of each task that the robot runs, or \"disabled\".")
-      .def("solve", &PlayedRobot::solve, "task"_a, "solution"_a,
-           "Has a task solved by another solution, or by none: \"disabled\".")
+      .def(
+          "solve", &PlayedRobot::solve, "task"_a, "solution"_a,
+          nb::sig("def solve(self, task: str, solution: str | "
+                  "collections.abc.Callable[[], typing.Any]) -> typing.Any"),
+          "Has a task solved by another solution: by its name (\"disabled\": by none), or by a\n"
+          "class of Python, of which an object is made for this robot and returned. Its method\n"
+          "`update` takes representations by the names of `gt2003.modules`, annotated with their\n"
+          "classes (`ball_percept: BallPercept`), and returns what the task provides (one object,\n"
+          "or a tuple in the order of `gt2003.modules`), annotated, too. An argument annotated as\n"
+          "`numpy.random.Generator` is the robot's chance, `gt2003.Previous[BallModel]` a value\n"
+          "of the last cycle. If `update` raises, the solution that was there before takes over.")
+      .def_prop_ro("times", &PlayedRobot::times,
+                   nb::sig("def times(self) -> dict[str, gt2003.representations.Stopwatch]"),
+                   "How long each task's solutions have taken so far, by the machine's clock.")
       .def("parameters", &PlayedRobot::parameters, "task"_a, "solution"_a = "",
            nb::sig("def parameters(self, task: str, solution: str = '') -> "
                    "dict[str, typing.Any]"),
@@ -151,17 +220,24 @@ void bindRobot(nb::module_& module) {
 
 void bindMatch(nb::module_& module) {
   bindRobot(module);
-  nb::class_<PlayedMatch>(module, "Match",
+  nb::class_<PlayedMatch>(module, "Match", nb::type_slots(matchSlots),
                           "A simulated match: a scene that runs, with robots that play.\n\n"
                           "Scene and seed determine it to the last bit, whatever the number of\n"
                           "threads. Lengths are mm, angles rad, times ms, if nothing else is said.")
-      .def("__init__", &initialize, "scene"_a = "match", nb::kw_only(), "seed"_a = 1,
-           "minutes"_a = nb::none(), "profile"_a = "", "threads"_a = 1, "logs"_a = "",
-           "labels"_a = false, "root"_a = "",
-           "scene: a file, or a name of the folder scenes; minutes: both halves together, instead\n"
-           "of the scene's; profile: how far all is from perfect, instead of the scene's; logs: a\n"
-           "folder for the robots' logs; labels: whether `Robot.labels` are kept; root: the data\n"
-           "root, instead of the package's own.")
+      .def(
+          "__init__", &initialize, "scene"_a = "match", nb::kw_only(), "seed"_a = 1,
+          "minutes"_a = nb::none(), "profile"_a = "", "threads"_a = 1, "logs"_a = "",
+          "labels"_a = false, "solutions"_a = nb::none(), "root"_a = "",
+          nb::sig("def __init__(self, scene: str = 'match', *, seed: int = 1, "
+                  "minutes: float | None = None, profile: str = '', threads: int = 1, "
+                  "logs: str = '', labels: bool = False, solutions: dict[str, dict[str, str | "
+                  "collections.abc.Callable[[], typing.Any]]] | None = None, root: str = '') "
+                  "-> None"),
+          "scene: a file, or a name of the folder scenes; minutes: both halves together, instead\n"
+          "of the scene's; profile: how far all is from perfect, instead of the scene's; logs: a\n"
+          "folder for the robots' logs; labels: whether `Robot.labels` are kept; solutions: for\n"
+          "robots by name and tasks what `Robot.solve` takes; root: the data root, instead of the\n"
+          "package's own.")
       .def_static(
           "load", &load, "file"_a, nb::kw_only(), "threads"_a = 1, "logs"_a = "",
           "labels"_a = false, "root"_a = "",
@@ -211,6 +287,15 @@ void bindMatch(nb::module_& module) {
             orThrow(writeMatchJson(file, m.match().summary()));
           },
           "file"_a, "Writes the summary as JSON: the same bytes as `simgt play`'s match.json.")
+      .def_prop_ro("failures", &failuresOf,
+                   nb::sig("def failures(self) -> list[gt2003.SolutionFailure]"),
+                   "What solutions written in Python raised, or returned wrongly, so far.")
+      .def_prop_ro(
+          "times", [](PlayedMatch& m) { return toPython(valueOf(m.match().times())); },
+          nb::sig("def times(self) -> list[gt2003.representations.PartTime]"),
+          "How long each task took so far, over all robots, and the parts of the simulator, by "
+          "the\n"
+          "machine's clock.")
       .def_prop_ro("robots", &robotsOf, nb::sig("def robots(self) -> dict[str, Robot]"),
                    "The robots by name, in the scene's order.")
       .def_prop_ro(

@@ -1,9 +1,13 @@
 #include "PlayedMatch.h"
 
+#include <nanobind/stl/string.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "Failure.h"
 #include "base/Lines.h"
+#include "robot/Solutions.h"
 
 namespace gt::python {
 namespace {
@@ -65,6 +69,13 @@ Session& PlayedMatch::session() {
 
 template <typename Done>
 bool PlayedMatch::runUntil(Done done) {
+  const bool goesOn = stepUntil(done);
+  warnOfFailures();
+  return goesOn;
+}
+
+template <typename Done>
+bool PlayedMatch::stepUntil(Done done) {
   const Run run{*this};
   const nb::gil_scoped_release released;
   Match& match = session_->match();
@@ -105,9 +116,76 @@ void PlayedMatch::execute(const std::string& line) {
   orThrow(console_->execute(line));
 }
 
-void PlayedMatch::executeFor(const std::string& robot, const std::string& line) {
+void PlayedMatch::executeFor(const std::string& robot, const std::string& line,
+                             const std::string& about) {
   execute("robot " + quotedWord(robot));
-  execute(line);
+  try {
+    execute(line);
+  } catch (const Failure& failure) {
+    std::string what = failure.error.what;
+    if (what.starts_with(about + ": ")) what.erase(0, about.size() + 2);
+    throw Failure{Error{.field = about, .what = what}};
+  }
+}
+
+const PlayedMatch::Joined* PlayedMatch::findJoined(std::size_t robot, const std::string& task,
+                                                   const std::string& name) const {
+  const auto found = std::ranges::find_if(joined_, [&](const Joined& joined) {
+    return joined.robot == robot && joined.task == task && joined.solution.name() == name;
+  });
+  return found == joined_.end() ? nullptr : &*found;
+}
+
+nb::object PlayedMatch::solve(std::size_t robot, const std::string& task, nb::handle solution) {
+  if (!nb::isinstance<nb::str>(solution)) return join(robot, task, solution);
+  const auto name = nb::cast<std::string>(solution);
+  SimulatedRobot& known = *match().robots()[robot];
+  if (findJoined(robot, task, name))
+    orThrow(known.robot().request(SolutionRequest{task, name}));
+  else
+    executeFor(known.name(), "sr " + quotedWord(task) + " " + quotedWord(name), task);
+  return nb::none();
+}
+
+nb::object PlayedMatch::join(std::size_t robot, const std::string& task, nb::handle made) {
+  if (!PyCallable_Check(made.ptr()))
+    throw Failure{Error{.field = task,
+                        .what = "expected a solution's name, or a class of solutions that is made "
+                                "without arguments"}};
+  const nb::object object = made();
+  SimulatedRobot& known = *match().robots()[robot];
+  const Task* described = solutions().find(task);
+  if (!described) throw Failure{Error{.field = task, .what = "there is no such task"}};
+  std::string instead{SolutionTable::disabled};
+  for (const auto& process : known.robot().processes())
+    if (process->solves(task)) instead = process->activeSolution(task);
+  if (const Joined* active = findJoined(robot, task, instead)) instead = active->solution.instead();
+  PythonSolution solution{*described, object, robot, instead, failures_};
+  orThrow(known.add(task, solution.entry()));
+  orThrow(known.robot().request(SolutionRequest{task, solution.name()}));
+  std::erase_if(joined_, [&](const Joined& other) {
+    return other.robot == robot && other.task == task && other.solution.name() == solution.name();
+  });
+  joined_.push_back({robot, task, std::move(solution)});
+  match().markIrreproducible(known.name() + " has a solution that is written in Python");
+  return object;
+}
+
+std::vector<PythonSolution> PlayedMatch::joined() const {
+  std::vector<PythonSolution> all;
+  for (const Joined& joined : joined_) all.push_back(joined.solution);
+  return all;
+}
+
+void PlayedMatch::warnOfFailures() {
+  const auto all = failures_->all();
+  while (toldFailures_ < all.size()) {
+    const SolutionFailures::Failure& failure = all[toldFailures_++];
+    const std::string text = match().robots()[failure.robot]->name() + "'s " + failure.task + " " +
+                             failure.solution + " failed at " + std::to_string(failure.time.ms) +
+                             " ms and is switched off:\n" + failure.trace;
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw nb::python_error();
+  }
 }
 
 void PlayedMatch::keepLabels() {

@@ -4,7 +4,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "PythonSolution.h"
 #include "console/Console.h"
 #include "console/Session.h"
 
@@ -28,8 +30,15 @@ class PlayedMatch {
 
   /// Executes a line of the console that changes something.
   void execute(const std::string& line);
-  /// The same for one robot.
-  void executeFor(const std::string& robot, const std::string& line);
+  /// The same for one robot; an error is about what was given.
+  void executeFor(const std::string& robot, const std::string& line, const std::string& about);
+  /// Has a robot's task solved by another solution: by its name, or by a new object of Python that
+  /// `solution` makes, which is returned. Such a match cannot be saved.
+  nanobind::object solve(std::size_t robot, const std::string& task, nanobind::handle solution);
+  /// The solutions written in Python.
+  std::vector<PythonSolution> joined() const;
+  /// What they did wrong.
+  std::vector<SolutionFailures::Failure> failures() const { return failures_->all(); }
   /// Has the true class and geom of each pixel kept with all robots' images from now on.
   void keepLabels();
   bool keepsLabels() const { return keepsLabels_; }
@@ -47,13 +56,29 @@ class PlayedMatch {
   /// Marks the match as running.
   class Run;
 
+  struct Joined {
+    std::size_t robot;
+    std::string task;
+    PythonSolution solution;
+  };
+
   void requireRest() const;
+  const Joined* findJoined(std::size_t robot, const std::string& task,
+                           const std::string& name) const;
+  nanobind::object join(std::size_t robot, const std::string& task, nanobind::handle made);
+  /// Tells by a warning of Python what went wrong since the last time.
+  void warnOfFailures();
   template <typename Done>
   bool runUntil(Done done);
+  template <typename Done>
+  bool stepUntil(Done done);
 
   Screen screen_;
   std::unique_ptr<Session> session_;
   std::unique_ptr<Console> console_;
+  std::vector<Joined> joined_;
+  std::shared_ptr<SolutionFailures> failures_ = std::make_shared<SolutionFailures>();
+  std::size_t toldFailures_ = 0;
   bool keepsLabels_ = false;
   bool running_ = false;  ///< Changed with Python's lock only.
 };

@@ -92,18 +92,20 @@ std::map<std::string, std::string> PlayedRobot::solutions() const {
   return active;
 }
 
-void PlayedRobot::solve(const std::string& task, const std::string& solution) const {
-  execute("sr " + quotedWord(task) + " " + quotedWord(solution), task);
+nb::object PlayedRobot::solve(const std::string& task, nb::handle solution) const {
+  return match_->solve(index_, task, solution);
 }
 
 void PlayedRobot::execute(const std::string& line, const std::string& about) const {
-  try {
-    match_->executeFor(name(), line);
-  } catch (const Failure& failure) {
-    std::string what = failure.error.what;
-    if (what.starts_with(about + ": ")) what.erase(0, about.size() + 2);
-    throw Failure{Error{.field = about, .what = what}};
-  }
+  match_->executeFor(name(), line, about);
+}
+
+nb::dict PlayedRobot::times() const {
+  nb::dict all;
+  for (const auto& process : robot().robot().processes())
+    for (const Stopwatch& watch : process->times())
+      all[watch.name.c_str()] = toPython(valueOf(watch));
+  return all;
 }
 
 nb::dict PlayedRobot::parameters(const std::string& task, const std::string& solution) const {

@@ -16,16 +16,18 @@ class PlayedRobot {
   PlayedRobot(nanobind::object match, std::size_t index)
       : owner_{std::move(match)}, match_{&nanobind::cast<PlayedMatch&>(owner_)}, index_{index} {}
 
+  const nanobind::object& owner() const { return owner_; }
   std::string name() const { return robot().name(); }
   nanobind::object get(const std::string& path) const;
   void set(const std::string& path, nanobind::handle value) const;
   std::vector<std::string> representations() const;
   std::map<std::string, std::string> solutions() const;
-  void solve(const std::string& task, const std::string& solution) const;
+  nanobind::object solve(const std::string& task, nanobind::handle solution) const;
   nanobind::dict parameters(const std::string& task, const std::string& solution) const;
   nanobind::object image() const;
   nanobind::object labels() const;
   nanobind::object truePose() const;
+  nanobind::dict times() const;
 
  private:
   SimulatedRobot& robot() const { return *match_->match().robots()[index_]; }

@@ -81,6 +81,7 @@ void forEachRepresentation(Visit visit) {
     for (const Solution& solution : task.solutions)
       for (const Port& port : solution.ports) visit(*port.type);
   visit(representation<MatchSummary>());
+  visit(representation<MatchTimes>());
 }
 
 std::unordered_map<const Type*, PythonClass>& classes() {

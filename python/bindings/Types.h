@@ -34,7 +34,7 @@ struct PythonClass {
   std::vector<nb::handle> names;  ///< Of records: the attributes, in the order of the parts.
 };
 
-/// The representations and messages of all modules, and the summary of a match, by name.
+/// The representations and messages of all modules, the summary and times of a match, by name.
 const std::map<std::string, const RepresentationType*>& knownRepresentations();
 /// The class of a record or an enumeration, which gt2003.representations has made.
 const PythonClass& classOf(const Type& type);

@@ -147,6 +147,12 @@ nb::object listToPython(ConstValue value) {
 
 // From Python to C++.
 
+bool isAnyBool(nb::handle object) {
+  if (PyBool_Check(object.ptr())) return true;
+  if (PyFloat_CheckExact(object.ptr()) || PyLong_CheckExact(object.ptr())) return false;
+  return typeNameOf(object) == "bool_" || typeNameOf(object) == "bool";
+}
+
 template <typename N>
 void storeNumber(nb::handle object, void* data, const std::string& path) {
   N n{};
@@ -170,17 +176,13 @@ void storeNumber(nb::handle object, void* data, const std::string& path) {
   std::memcpy(data, &n, sizeof n);
 }
 
-bool isNumpyBool(nb::handle object) {
-  return typeNameOf(object) == "bool" || typeNameOf(object) == "bool_";
-}
-
 void scalarFromPython(nb::handle object, Value value, const std::string& path) {
   const Type& type = *value.type;
   if (type.kind == Kind::boolean) {
-    if (!isNumpyBool(object)) unexpected(path, "a bool", object);
+    if (!isAnyBool(object)) unexpected(path, "a bool", object);
     setOrdinal(value, PyObject_IsTrue(object.ptr()));
   } else if (type.kind == Kind::number) {
-    if (isNumpyBool(object)) unexpected(path, "a number", object);
+    if (isAnyBool(object)) unexpected(path, "a number", object);
     withType(type.number,
              [&]<typename N>(std::type_identity<N>) { storeNumber<N>(object, value.data, path); });
   } else if (type.kind == Kind::text) {
@@ -215,7 +217,34 @@ Array arrayOf(nb::handle object, const Dense& dense, bool anyLength, const std::
   }
 }
 
+/// Copies an array that is already as it has to be: of float64, of this shape, finite, and not
+/// empty. Most are; the others take longer.
+bool copyDoubles(nb::handle object, Value value, const Dense& dense) {
+  if (dense.scalar->kind != Kind::number || dense.scalar->number != Number::float64) return false;
+  Py_buffer view;
+  if (PyObject_GetBuffer(object.ptr(), &view, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0) {
+    PyErr_Clear();
+    return false;
+  }
+  const auto* numbers = static_cast<const double*>(view.buf);
+  const auto count = static_cast<std::size_t>(view.len) / sizeof(double);
+  const bool fits =
+      view.format && std::string_view{view.format} == "d" && count > 0 &&
+      std::equal(dense.shape.begin(), dense.shape.end(), view.shape, view.shape + view.ndim,
+                 [](std::size_t a, Py_ssize_t b) { return std::cmp_equal(a, b); }) &&
+      std::all_of(numbers, numbers + count, [](double n) { return std::isfinite(n); });
+  if (fits) {
+    auto* place = static_cast<std::byte*>(view.buf);
+    forEachScalar(value, place, [](std::byte* to, const std::byte* from, std::size_t n) {
+      std::memcpy(to, from, n);
+    });
+  }
+  PyBuffer_Release(&view);
+  return fits;
+}
+
 void arrayFromPython(nb::handle object, Value value, const Dense& dense, const std::string& path) {
+  if (copyDoubles(object, value, dense)) return;
   const bool list = value.type->kind == Kind::list;
   const Array array = arrayOf(object, dense, list, path);
   if (list) value.type->resize(value.data, array.shape(0));

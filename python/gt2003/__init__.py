@@ -7,5 +7,14 @@ from ._error import Error
 from . import representations
 from . import modules
 from ._core import Match, Robot
+from ._solution import Previous, SolutionFailure
 
-__all__ = ["Error", "Match", "Robot", "modules", "representations"]
+__all__ = [
+    "Error",
+    "Match",
+    "Previous",
+    "Robot",
+    "SolutionFailure",
+    "modules",
+    "representations",
+]

@@ -1,8 +1,10 @@
 #pragma once
+#include <exception>
 #include <memory>
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/Random.h"
@@ -163,11 +165,26 @@ struct Ports<M> : Signature<decltype(&M::update)> {};
 
 }  // namespace detail
 
+/// Thrown by a module that failed and does not go on: one that a user wrote in another language.
+/// Modules of C++ do not throw. Its process switches to the solution `instead`.
+class ModuleFailure : public std::exception {
+ public:
+  ModuleFailure(std::string why, std::string instead)
+      : why_{std::move(why)}, instead_{std::move(instead)} {}
+
+  const char* what() const noexcept override { return why_.c_str(); }
+  const std::string& instead() const { return instead_; }
+
+ private:
+  std::string why_, instead_;
+};
+
 /// A module as the framework sees it: one solution of a task, bound to the representations of its
 /// process.
 class AnyModule {
  public:
   virtual ~AnyModule() = default;
+  /// Runs once. May throw a ModuleFailure only.
   virtual void run() = 0;
   /// Reads the parameters from a configuration file's text; an error leaves them as they were.
   virtual Findings configure(std::string_view text, std::string_view file) = 0;

@@ -285,8 +285,10 @@ void ModuleProcess::adopt(ModuleProcess& other) {
     times_.modules[static_cast<std::size_t>(&slot - slots_.data())] =
         other.times_.modules[static_cast<std::size_t>(before - other.slots_.data())];
     for (std::size_t i = 0; i < slot.solutions.size(); ++i) {
-      slot.solutions[i]->adopt(*before->solutions[i]);
-      if (before->solutions[i].get() == before->active) slot.active = slot.solutions[i].get();
+      const auto same = other.find(slot.task->name, slot.task->solutions[i].name);
+      if (!same) continue;
+      slot.solutions[i]->adopt(**same);
+      if (*same == before->active) slot.active = slot.solutions[i].get();
     }
     if (!before->active) slot.active = nullptr;
   }
@@ -380,6 +382,21 @@ bool ModuleProcess::isDue(const Slot& slot) const {
          });
 }
 
+/// If the active solution fails, that which it names runs instead of it, in the same cycle.
+void ModuleProcess::run(Slot& slot) {
+  while (slot.active) {
+    try {
+      return slot.active->run();
+    } catch (const ModuleFailure& failure) {
+      const std::string failed = activeSolution(slot.task->name);
+      const auto instead = find(slot.task->name, failure.instead());
+      slot.active = instead && *instead != slot.active ? *instead : nullptr;
+      debug_.warn(slot.task->name + ": " + failed + " failed, now " +
+                  activeSolution(slot.task->name) + ": " + failure.what());
+    }
+  }
+}
+
 void ModuleProcess::sendWatched(bool onlyTimes) {
   std::erase_if(watched_, [&](Watched& watched) {
     const bool times = watched.state.request().mode == DebugKeyMode::times;
@@ -409,7 +426,7 @@ int ModuleProcess::main() {
       {
         const CrashContext module{slots_[i].task->name.c_str()};
         const Stopwatch::Lap lap{times_.modules[i]};
-        slots_[i].active->run();
+        run(slots_[i]);
       }
       if (!held_.empty())
         for (const RepresentationType* output : slots_[i].task->outputs) setHeld(*output);

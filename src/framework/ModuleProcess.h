@@ -118,6 +118,7 @@ class ModuleProcess : public Process {
   Slot* find(std::string_view task);
   Result<AnyModule*> find(std::string_view task, std::string_view solution);
   bool isDue(const Slot& slot) const;
+  void run(Slot& slot);
   void handle(const Message& message);
   void send(RequestAnswer answer);
   bool handlePackage(const Message& message);

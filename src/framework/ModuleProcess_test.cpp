@@ -248,6 +248,65 @@ TEST(SharedConfiguration, IsCopiedWhenItIsChanged) {
   EXPECT_EQ(shared->value, 3);
 }
 
+/// Fails in its third cycle.
+class FailingFilter {
+ public:
+  void update(const Reading&, Estimate& estimate) {
+    if (++cycles_ > 2) throw ModuleFailure{"no more", "Direct"};
+    estimate.value = 100;
+  }
+
+ private:
+  int cycles_ = 0;
+};
+
+Solution failing(std::string name, std::vector<Port> ports) {
+  return {std::move(name), std::move(ports), [](ModuleContext context) {
+            return std::make_unique<ModuleAdapter<FailingFilter>>(std::move(context));
+          }};
+}
+
+TEST_F(ModuleProcessTest, SwitchesToAnotherSolutionWhenOneFails) {
+  table.add<testing::Filter, FailingFilter>("Failing");
+  Blackboard blackboard;
+  Time& time = blackboard.get<FrameTime>().time;
+  ModuleProcess other{plan.processes[0], std::move(blackboard), time, Random{1}};
+  PackageReceiver& receiver = other.receiver(representation<Reading>(), true);
+  ASSERT_TRUE(other.request(SolutionRequest{"Filter", "Failing"}));
+  reading.value = 7;
+  for (const double expected : {100, 100, 7, 7}) {
+    receiver.deliver(&reading);
+    now = now + 8;
+    ASSERT_TRUE(other.step(now));
+    EXPECT_EQ(other.blackboard().get<Estimate>().value, expected);
+  }
+  EXPECT_EQ(other.activeSolution("Filter"), "Direct");
+  std::vector<std::string> warnings;
+  other.debug().out().handleAllMessages([&](const Message& message) {
+    if (Text text; message.is<Text>() && message.read(text)) warnings.push_back(text.text);
+  });
+  EXPECT_EQ(warnings, std::vector<std::string>{"Filter: Failing failed, now Direct: no more"});
+}
+
+TEST(SolutionTable, TakesSolutionsAtRunTimeThatFit) {
+  SolutionTable table = testing::table();
+  const Port estimate{PortKind::output, &representation<Estimate>()};
+  const auto refused = [&](const char* task, Solution solution) {
+    const auto done = table.add(task, std::move(solution));
+    return done ? std::string{} : done.error().text();
+  };
+  EXPECT_EQ(refused("Fliter", failing("New", {estimate})), "Fliter: there is no such task");
+  EXPECT_EQ(refused("Controller", failing("New", {estimate})),
+            "Controller: 'New' does not provide what the task provides");
+  for (const char* taken : {"Smooth", "disabled"})
+    EXPECT_EQ(refused("Filter", failing(taken, {estimate})),
+              "Filter: has a solution '" + std::string{taken} + "' already; choose another name");
+  EXPECT_EQ(refused("Filter", failing("New", {estimate})), "");
+  EXPECT_EQ(refused("Filter", failing("New", {estimate, {PortKind::input, estimate.type}})), "");
+  EXPECT_EQ(table.find("Filter")->solutions.size(), 3u);
+  EXPECT_EQ(table.find("Filter")->find("New")->ports.size(), 2u);
+}
+
 /// Leaves a note for a crash report.
 class NotingFilter {
  public:

@@ -63,6 +63,7 @@ struct Solution {
   std::string name;
   std::vector<Port> ports;
   std::function<std::unique_ptr<AnyModule>(ModuleContext)> make;
+  bool added = false;  ///< At run time, by `SolutionTable::add(task, solution)`.
 };
 
 /// One task of the robot's information processing, which modules solve (report 2.2.1).
@@ -94,6 +95,10 @@ class SolutionTable {
            return std::make_unique<ModuleAdapter<M>>(std::move(context));
          }});
   }
+
+  /// Adds a solution that is known at run time only, or replaces one of its name that was added so.
+  /// An error if there is no such task, the name is taken, or the outputs are not the task's.
+  Result<void> add(std::string_view task, Solution solution);
 
   /// Makes a task known; without a solution if another program solves it.
   template <typename T>

@@ -38,6 +38,12 @@ class SimulatedRobot : public MatchRobot {
 
   /// The robot's message queues, between its cycles. The robot must outlive it.
   std::unique_ptr<RobotLink> link();
+  /// Adds a solution of a task, between two cycles; see Robot::add.
+  Result<void> add(const std::string& task, Solution solution) {
+    auto done = robot_->add(task, std::move(solution));
+    bind();
+    return done;
+  }
   /// Called after each cycle with what the robot sends to its tools, in the thread of the cycle, in
   /// the order in which they were added.
   using Observer = std::function<void(const MessageQueue& messages)>;

@@ -136,6 +136,20 @@ Result<void> Robot::changeLayout(const Layout& layout) {
   return {};
 }
 
+Result<void> Robot::add(const std::string& task, Solution solution) {
+  if (std::ranges::none_of(processes_, [&](const auto& process) { return process->solves(task); }))
+    return Error{.field = task, .what = "no process of the robot solves this task"};
+  auto modules = std::make_shared<RobotModules>(*modules_);
+  if (auto done = modules->solutions.add(task, std::move(solution)); !done) return done;
+  const RobotModules* before = std::exchange(modules_, modules.get());
+  if (auto done = changeLayout(setup_.layout); !done) {
+    modules_ = before;
+    return done;
+  }
+  ownModules_ = std::move(modules);
+  return {};
+}
+
 Result<void> Robot::configure(const Configuration& configuration) {
   for (const Configuration::SolutionChoice& choice : configuration.solutions)
     if (here_.empty() && std::ranges::none_of(processes_, [&](const auto& process) {

@@ -96,6 +96,11 @@ class Robot {
   /// it was. Only for robots in one program.
   Result<void> changeLayout(const Layout& layout);
 
+  /// Adds a solution of a task, between two steps, to which the robot can be switched from then on.
+  /// It replaces one of its name that was added before. Otherwise as `changeLayout` with the same
+  /// layout. An error also if no process solves the task, or nobody provides an input.
+  Result<void> add(const std::string& task, Solution solution);
+
   /// Messages from and to the robot's processes, where the Debug process runs.
   MessageQueue& toTools() { return debug_->toTools(); }
   MessageQueue& fromTools() { return debug_->fromTools(); }
@@ -139,7 +144,8 @@ class Robot {
 
   RobotSetup setup_;
   const RobotModules* modules_;
-  std::vector<std::string> here_;  ///< Empty: all.
+  std::shared_ptr<const RobotModules> ownModules_;  ///< Once solutions were added.
+  std::vector<std::string> here_;                   ///< Empty: all.
   Plan plan_;
   std::vector<std::unique_ptr<ModuleProcess>> processes_;
   std::unique_ptr<DebugProcess> debug_;

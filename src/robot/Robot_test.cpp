@@ -1,17 +1,20 @@
 #include "robot/Robot.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <filesystem>
 
 #include "modules/behavior/control/BehaviorControlRequest.h"
 #include "modules/behavior/control/BehaviorRequest.h"
+#include "observer/RobotLog.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"
+#include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameControlData.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/infrastructure/SensorData.h"
+#include "representations/modeling/BallModel.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/motion/HeadMotionRequest.h"
 #include "representations/motion/MotionInfo.h"
@@ -152,6 +155,66 @@ TEST(Robot, LivesOnWhatToolsAndTheOracleSayWhereItsTasksAreDisabled) {
   EXPECT_EQ(robot->provided<MotionRequest>()->type, MotionType::specialAction);
   EXPECT_EQ(robot->provided<MotionInfo>()->executed.specialAction, "chestKick");
   EXPECT_EQ(robot->provided<RobotPose>()->pose.translation.x(), 200);
+}
+
+/// Has the ball one meter ahead.
+class BallAhead {
+ public:
+  void update(const FrameInfo& frame, BallModel& ball) {
+    ball.position = {1000, 0};
+    ball.lastSeen = frame.time;
+  }
+};
+
+Solution ballAhead(std::vector<Port> more = {}) {
+  auto ports = ModuleAdapter<BallAhead>::ports();
+  ports.insert(ports.end(), more.begin(), more.end());
+  return {"Ahead", ports, [](ModuleContext context) {
+            return std::make_unique<ModuleAdapter<BallAhead>>(std::move(context));
+          }};
+}
+
+TEST(Robot, TakesSolutionsAtRunTime) {
+  const auto robot = makeRobot();
+  const auto other = makeRobot();
+  for (Robot* each : {robot.get(), other.get()}) {
+    ASSERT_TRUE(each->request(SolutionRequest{"BallLocator", "Probabilistic"}));
+    runFor(*each, 400);
+  }
+  ASSERT_TRUE(robot->add("BallLocator", ballAhead()));
+  EXPECT_FALSE(other->request(SolutionRequest{"BallLocator", "Ahead"})) << "of another robot";
+  for (Robot* each : {robot.get(), other.get()}) runFor(*each, 400, 400);
+  std::vector<std::byte> bytes, otherBytes;
+  for (auto [each, to] : {std::pair{robot.get(), &bytes}, std::pair{other.get(), &otherBytes}}) {
+    encode(*each->provided<RobotPose>(), *to);
+    encode(*each->provided<JointData>(), *to);
+  }
+  EXPECT_EQ(bytes, otherBytes);
+  for (const auto& process : robot->processes())
+    if (process->solves("BallLocator")) {
+      EXPECT_EQ(process->activeSolution("BallLocator"), "Probabilistic");
+    }
+  ASSERT_TRUE(robot->request(SolutionRequest{"BallLocator", "Ahead"}));
+  ASSERT_TRUE(robot->add("BallLocator", ballAhead())) << "in place of itself";
+  runFor(*robot, 400, 800);
+  EXPECT_EQ(robot->provided<BallModel>()->position, (Vector2d{1000, 0}));
+}
+
+TEST(Robot, RefusesSolutionsThatItsLayoutCannotRun) {
+  const auto robot = makeRobot("layouts/cmd.layout");
+  const auto whatOf = [&](const char* task, Solution solution) {
+    const auto done = robot->add(task, std::move(solution));
+    return done ? std::string{} : done.error().what;
+  };
+  EXPECT_EQ(whatOf("BallFinder", ballAhead()), "no process of the robot solves this task");
+  EXPECT_THAT(
+      whatOf("BallLocator", ballAhead({{PortKind::input, &representation<MotionRequest>()}})),
+      ::testing::StartsWith("a circle of tasks"));
+  EXPECT_EQ(whatOf("BallLocator", ballAhead({{PortKind::input, &representation<ImageHeader>()}})),
+            "nobody provides its ImageHeader");
+  EXPECT_FALSE(robot->request(SolutionRequest{"BallLocator", "Ahead"}));
+  runFor(*robot, 400);
+  EXPECT_TRUE(robot->add("BallLocator", ballAhead()));
 }
 
 TEST(Robot, MovesHeadAndTailByHand) {
