@@ -2,6 +2,7 @@
 #include <nanobind/stl/string.h>
 
 #include "Failure.h"
+#include "Logs.h"
 #include "Match.h"
 #include "Modules.h"
 #include "Root.h"
@@ -37,6 +38,7 @@ NB_MODULE(_core, module) {
   module.doc() = "The compiled part of gt2003.";
   nanobind::register_exception_translator(&gt::python::raise);
   gt::python::bindTypes(module);
+  gt::python::bindLogs(module);
   gt::python::bindMatch(module);
   gt::python::bindModules(module);
 }

@@ -10,6 +10,7 @@
 
 #include "Values.h"
 #include "match/MatchSummary.h"
+#include "observer/RobotLog.h"
 #include "robot/Solutions.h"
 
 namespace gt::python {
@@ -27,9 +28,7 @@ bool consistsOfNumbers(const Type& record) {
 }
 
 std::string dtypeOf(const Type& scalar) {
-  constexpr std::array names{"int8",   "uint8", "int16",  "uint16",  "int32",
-                             "uint32", "int64", "uint64", "float32", "float64"};
-  return scalar.kind == Kind::boolean ? "bool" : names[static_cast<std::size_t>(scalar.number)];
+  return scalar.kind == Kind::boolean ? "bool" : numberName(scalar.number);
 }
 
 /// Whether a record is an array in Python: a vector, or bytes such as those of a pixel.
@@ -82,6 +81,8 @@ void forEachRepresentation(Visit visit) {
       for (const Port& port : solution.ports) visit(*port.type);
   visit(representation<MatchSummary>());
   visit(representation<MatchTimes>());
+  visit(representation<ImageHeader>());
+  visit(representation<SensorData>());
 }
 
 std::unordered_map<const Type*, PythonClass>& classes() {
@@ -229,6 +230,12 @@ std::optional<Dense> denseOf(const Type& type) {
 std::optional<Dense> denseElementOf(const Type& sequence) {
   const Type& element = sequence.element();
   return isScalar(element) ? Dense{&element, {}} : denseOf(element);
+}
+
+std::string numberName(Number number) {
+  constexpr std::array names{"int8",   "uint8", "int16",  "uint16",  "int32",
+                             "uint32", "int64", "uint64", "float32", "float64"};
+  return names[static_cast<std::size_t>(number)];
 }
 
 const std::map<std::string, const RepresentationType*>& knownRepresentations() {

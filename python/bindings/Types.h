@@ -12,6 +12,9 @@ namespace gt::python {
 
 namespace nb = nanobind;
 
+/// NumPy's name of a number's type, such as "float64".
+std::string numberName(Number number);
+
 /// How a type's scalars lie in a NumPy array: one number for each, and the shape.
 struct Dense {
   const Type* scalar;              ///< A boolean, a number or an enumeration.
@@ -34,7 +37,8 @@ struct PythonClass {
   std::vector<nb::handle> names;  ///< Of records: the attributes, in the order of the parts.
 };
 
-/// The representations and messages of all modules, the summary and times of a match, by name.
+/// The representations and messages of all modules, those of matches, and
+/// what only logs have, by name.
 const std::map<std::string, const RepresentationType*>& knownRepresentations();
 /// The class of a record or an enumeration, which gt2003.representations has made.
 const PythonClass& classOf(const Type& type);

@@ -4,17 +4,20 @@ See docs/python.md of the project.
 """
 
 from ._error import Error
-from . import representations
+from . import logs, representations
 from . import modules
 from ._core import Match, Robot
 from ._solution import Previous, SolutionFailure
+from .logs import Log
 
 __all__ = [
     "Error",
+    "Log",
     "Match",
     "Previous",
     "Robot",
     "SolutionFailure",
+    "logs",
     "modules",
     "representations",
 ]

@@ -2,6 +2,7 @@
 
 #include "Fuzz.h"
 #include "streams/RecordedMessage.h"
+#include "streams/RecordedTable.h"
 #include "streams/Schema.h"
 
 // A schema up to the first zero, then a message of it.
@@ -14,5 +15,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static_cast<void>(gt::recordedJson(*definition, std::as_bytes(message)));
   gt::CompressedImage image;
   static_cast<void>(gt::readRecorded(*definition, std::as_bytes(message), image));
+  if (auto table = gt::RecordedTable::make(*definition))
+    for (int i = 0; i < 2; ++i) static_cast<void>(table->add(std::as_bytes(message)));
   return 0;
 }

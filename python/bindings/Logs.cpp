@@ -1,0 +1,247 @@
+#include "Logs.h"
+
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "Failure.h"
+#include "Types.h"
+#include "Values.h"
+#include "streams/Jpeg.h"
+#include "streams/Mcap.h"
+#include "streams/RecordedMessage.h"
+#include "streams/RecordedTable.h"
+
+namespace gt::python {
+namespace {
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+using Topics = std::vector<std::string>;
+
+/// An array that has taken a vector over.
+template <typename N, typename T>
+nb::object arrayOf(std::vector<T> numbers) {
+  auto* const data = new std::vector<T>{std::move(numbers)};
+  const nb::capsule owner{data, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); }};
+  const std::size_t shape[] = {data->size() * sizeof(T) / sizeof(N)};
+  return nb::ndarray<nb::numpy, N>(data->data(), 1, shape, owner).cast();
+}
+
+nb::dict describe(const RecordedTable::Element& element);
+
+nb::dict describe(const RecordedTable::Field& field) {
+  nb::dict about = describe(field.element);
+  about["name"] = field.name;
+  about["count"] = field.count;
+  about["list"] = field.pool;
+  about["index_names"] = field.indexNames;
+  return about;
+}
+
+nb::dict describe(const RecordedTable::Element& element) {
+  nb::dict about;
+  const bool text = element.kind == Kind::text, record = element.kind == Kind::record;
+  about["letters"] = text ? nb::object{nb::int_(element.pool)} : nb::object{nb::none()};
+  about["dtype"] = element.kind == Kind::boolean ? "bool" : numberName(element.number);
+  about["names"] = element.names;
+  nb::list fields;
+  for (const RecordedTable::Field& field : element.fields) fields.append(describe(field));
+  about["fields"] = record ? nb::object{fields} : nb::object{nb::none()};
+  return about;
+}
+
+/// Reads an MCAP log from its begin with each call.
+class LogFile {
+ public:
+  /// If it is strict, a log that is damaged anywhere is an error.
+  LogFile(std::string path, bool strict)
+      : path_{std::move(path)}, strict_{strict}, reader_{orThrow(McapReader::open(path_))} {
+    if (strict_ && reader_.damage()) throw Failure{*reader_.damage()};
+  }
+
+  std::optional<std::string> damage() const {
+    if (!reader_.damage()) return std::nullopt;
+    return reader_.damage()->text();
+  }
+
+  /// For each channel its topic, the name of its schema, and how many messages it has, if the log
+  /// tells.
+  nb::list channels() const {
+    nb::list all;
+    for (const McapChannel& channel : reader_.channels())
+      all.append(nb::make_tuple(channel.topic, channel.schemaName, channel.messageCount));
+    return all;
+  }
+
+  nb::dict metadata() const {
+    nb::dict all;
+    for (const McapReader::Metadata& metadata : reader_.metadata())
+      all[metadata.name.c_str()] = metadata.entries;
+    return all;
+  }
+
+  nb::dict attachments() const {
+    nb::dict all;
+    for (const McapReader::Attachment& attachment : reader_.attachments())
+      all[attachment.name.c_str()] = nb::bytes(attachment.data.data(), attachment.data.size());
+    return all;
+  }
+
+  /// For each of some topics how a row is made up, the rows, the pools, and the times (ns).
+  nb::dict read(const Topics& topics) {
+    std::map<std::string, Table> tables;
+    {
+      const nb::gil_scoped_release released;
+      readTables(topics, tables);
+    }
+    nb::dict all;
+    for (auto& [topic, table] : tables) {
+      const nb::dict row = describe(table.rows->row());
+      auto [rows, pools] = std::move(*table.rows).release();
+      nb::list asArrays;
+      for (RecordedTable::Pool& pool : pools)
+        asArrays.append(arrayOf<std::uint8_t>(std::move(pool)));
+      all[topic.c_str()] = nb::make_tuple(row, arrayOf<std::uint8_t>(std::move(rows)), asArrays,
+                                          arrayOf<std::int64_t>(std::move(table.times)));
+    }
+    return all;
+  }
+
+  /// The messages of some topics in the log's order: time (ns), topic, object.
+  nb::list messages(const Topics& topics) {
+    std::map<std::uint16_t, Recorded> recorded;
+    for (const McapChannel* channel : channelsOf(topics))
+      recorded.emplace(channel->id, Recorded{channel, definitionOf(*channel), typeOf(*channel)});
+    nb::list all;
+    forEachMessage([&](const McapMessage& message) {
+      const auto found = recorded.find(message.channel);
+      if (found == recorded.end()) return;
+      const auto& [channel, definition, type] = found->second;
+      const auto value = type->make();
+      if (const auto done = readRecorded(definition, message.data, {type->type(), value.get()});
+          !done)
+        return fail(*channel, done.error());
+      all.append(
+          nb::make_tuple(message.time, channel->topic, toPython({*type->type(), value.get()})));
+    });
+    return all;
+  }
+
+ private:
+  struct Table {
+    const McapChannel* first = nullptr;
+    std::unique_ptr<RecordedTable> rows;
+    std::vector<std::int64_t> times;
+  };
+  struct Recorded {
+    const McapChannel* channel;
+    MessageDefinition definition;
+    const RepresentationType* type;
+  };
+
+  [[noreturn]] void fail(const McapChannel& channel, const Error& error) const {
+    const std::string field = error.field.empty() ? "" : "." + error.field;
+    throw Failure{Error{.file = path_, .field = channel.topic + field, .what = error.what}};
+  }
+
+  std::vector<const McapChannel*> channelsOf(const Topics& topics) const {
+    std::vector<const McapChannel*> found;
+    for (const std::string& topic : topics) {
+      const std::size_t before = found.size();
+      for (const McapChannel& channel : reader_.channels())
+        if (channel.topic == topic) found.push_back(&channel);
+      if (found.size() == before)
+        throw Failure{Error{.file = path_, .field = topic, .what = "the log has no such topic"}};
+    }
+    return found;
+  }
+
+  MessageDefinition definitionOf(const McapChannel& channel) const {
+    if (channel.messageEncoding != "cdr" || channel.schemaEncoding != "ros2msg")
+      fail(channel, Error{.what = "its messages are no CDR with a schema of ros2msg"});
+    auto definition = MessageDefinition::parse(channel.schemaName, channel.schemaText);
+    if (!definition) fail(channel, definition.error());
+    return *definition;
+  }
+
+  const RepresentationType* typeOf(const McapChannel& channel) const {
+    const std::string& schema = channel.schemaName;
+    const std::string name = schema.substr(schema.rfind('/') + 1);
+    const auto found = knownRepresentations().find(name);
+    if (found == knownRepresentations().end())
+      fail(channel, Error{.what = "gt2003.representations has no class " + name});
+    return found->second;
+  }
+
+  template <typename Take>
+  void forEachMessage(Take&& take) {
+    reader_.seek(0);
+    while (true) {
+      const auto message = reader_.next();
+      if (message) {
+        if (!*message) return;
+        take(**message);
+      } else if (strict_) {
+        throw Failure{message.error()};
+      }
+    }
+  }
+
+  void readTables(const Topics& topics, std::map<std::string, Table>& tables) {
+    std::map<std::uint16_t, Table*> byChannel;
+    for (const McapChannel* channel : channelsOf(topics)) {
+      Table& table = tables[channel->topic];
+      if (!table.rows) {
+        auto rows = RecordedTable::make(definitionOf(*channel));
+        if (!rows) fail(*channel, rows.error());
+        table.first = channel;
+        table.rows = std::make_unique<RecordedTable>(std::move(*rows));
+      } else if (table.first->schemaText != channel->schemaText) {
+        fail(*channel, Error{.what = "has messages of two schemas"});
+      }
+      byChannel[channel->id] = &table;
+    }
+    forEachMessage([&](const McapMessage& message) {
+      const auto found = byChannel.find(message.channel);
+      if (found == byChannel.end()) return;
+      Table& table = *found->second;
+      if (const auto done = table.rows->add(message.data); !done) fail(*table.first, done.error());
+      table.times.push_back(message.time);
+    });
+  }
+
+  std::string path_;
+  bool strict_;
+  McapReader reader_;
+};
+
+nb::object decodedJpeg(
+    const nb::ndarray<const std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>& bytes) {
+  RawImage image = orThrow(decodeJpeg({bytes.data(), bytes.size()}));
+  const nb::object flat = arrayOf<std::uint8_t>(std::move(image.data));
+  return flat.attr("reshape")(image.height, image.width, image.components);
+}
+
+}  // namespace
+
+void bindLogs(nb::module_& module) {
+  module.def("_decode_jpeg", &decodedJpeg);
+  nb::class_<LogFile>(module, "LogFile", "The file of a `gt2003.Log`.")
+      .def(nb::init<std::string, bool>(), "path"_a, "strict"_a)
+      .def_prop_ro("damage", &LogFile::damage)
+      .def("channels", &LogFile::channels)
+      .def("metadata", &LogFile::metadata)
+      .def("attachments", &LogFile::attachments)
+      .def("read", &LogFile::read, "topics"_a)
+      .def("messages", &LogFile::messages, "topics"_a);
+}
+
+}  // namespace gt::python
