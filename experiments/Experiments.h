@@ -1,13 +1,21 @@
 #pragma once
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "measure/Experiment.h"
+#include "measure/Figures.h"
 
 namespace gt {
 
 /// All experiments, in the order of their names.
 const Experiments& experiments();
+
+/// Merges files of results and writes the figures to a file; beside it the page of the
+/// self-locators, if they were measured. What was dropped, and which jobs of a list have no result,
+/// joins the warnings.
+Result<Figures> mergeFiles(const std::vector<std::string>& files, const std::vector<Job>& jobs,
+                           const std::string& json, std::vector<Error>& warnings);
 
 /// The same walks in the kinematic and in the dynamic fidelity. Nothing in it is left to chance.
 Experiment fidelityExperiment();

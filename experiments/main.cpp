@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "Experiments.h"
-#include "LocalizationPage.h"
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
 #include "measure/RunJobs.h"
@@ -16,21 +15,6 @@
 #include "streams/File.h"
 
 namespace gt {
-
-const Experiments& experiments() {
-  static const Experiments all = [] {
-    Experiments list = localizationExperiments();
-    for (const auto& experiment : realismExperiments()) list.push_back(experiment);
-    for (const auto& experiment :
-         {fidelityExperiment(), matchExperiment(), soakExperiment(), calibrationExperiment(),
-          visionExperiment(), visionPlayExperiment(), collisionExperiment(),
-          worldModelExperiment()})
-      list.push_back(experiment);
-    std::ranges::sort(list, {}, &Experiment::name);
-    return list;
-  }();
-  return all;
-}
 
 namespace {
 
@@ -107,8 +91,8 @@ Result<std::vector<Job>> readJobs(const std::vector<std::string>& lists,
   return each;
 }
 
-void warn(const JobResults& results) {
-  for (const Error& warning : results.warnings)
+void warn(const std::vector<Error>& warnings) {
+  for (const Error& warning : warnings)
     fmt::print(stderr, "experiment: warning: {}\n", warning.text());
 }
 
@@ -118,7 +102,7 @@ Result<int> run(const Arguments& arguments, const DataRoot& root) {
   if (!arguments.out.empty() && std::filesystem::exists(arguments.out)) {
     JobResults before;
     if (auto done = before.read(arguments.out); !done) return done.error();
-    warn(before);
+    warn(before.warnings);
     const std::size_t all = jobs->size();
     *jobs = missingJobs(*jobs, before.results);
     if (jobs->size() < all)
@@ -127,27 +111,14 @@ Result<int> run(const Arguments& arguments, const DataRoot& root) {
   return runAll(*jobs, arguments.out, root, arguments.threads);
 }
 
-/// Writes the page of the self-locators beside the figures' file, if they were measured.
-Result<void> writePages(const Figures& figures, const std::filesystem::path& json) {
-  const auto ofLocators = [](const Figure& f) { return f.name.starts_with("localization."); };
-  if (std::ranges::none_of(figures.all(), ofLocators)) return {};
-  return writeLocalizationPage(std::filesystem::path{json}.replace_extension(".html"), figures);
-}
-
-/// Merges results; jobs of a list of which there is none are reported. Returns the exit status.
+/// Merges results and prints the figures. Returns the exit status.
 Result<int> mergeAll(const std::vector<std::string>& files, const std::vector<Job>& jobs,
                      const std::string& json) {
-  JobResults results;
-  for (const std::string& file : files)
-    if (auto done = results.read(file); !done) return done.error();
-  const auto figures = merge(results);
+  std::vector<Error> warnings;
+  const auto figures = mergeFiles(files, jobs, json, warnings);
   if (!figures) return figures.error();
-  for (const Job& job : missingJobs(jobs, results.results))
-    results.warnings.push_back({.field = job.text(), .what = "has no result"});
-  warn(results);
+  warn(warnings);
   figures->print();
-  if (auto done = figures->write(json); !done) return done.error();
-  if (auto done = writePages(*figures, json); !done) return done.error();
   return 0;
 }
 

@@ -11,6 +11,31 @@
 namespace gt {
 namespace {
 
+const Experiment& experimentOf(const Job& job, const Experiments& experiments) {
+  return *findExperiment(experiments, job.experiment);
+}
+
+/// The name of a figure with the values of the parameters that names tell.
+std::string nameOf(const Job& job, const Experiment& experiment, std::string figure) {
+  for (const Parameter& parameter : experiment.parameters)
+    if (const std::string& value = job.parameter(parameter.name);
+        parameter.inNames && value != parameter.values.front())
+      figure.insert(std::min(figure.find('.'), figure.size()), "." + value);
+  return figure;
+}
+
+Result<Measurement> measure(const Job& job, const Experiment& experiment, const DataRoot& root) {
+  const std::string text = job.text();
+  const CrashContext context{text.c_str()};
+  auto measurement = experiment.measure(job, root);
+  if (!measurement) return measurement;
+  for (Measurement::Value& value : measurement->values) {
+    if (!std::isfinite(value.value)) return Error{.field = value.name, .what = "is not a number"};
+    value.name = nameOf(job, experiment, value.name);
+  }
+  return measurement;
+}
+
 /// Does jobs and writes what they measured.
 class Runner {
  public:
@@ -20,47 +45,25 @@ class Runner {
 
   void run(const std::vector<Job>& jobs, unsigned threads) {
     inParallel(jobs.size(), threads, [&](std::size_t i) {
-      finish(jobs[i], guarded([&] { return measure(jobs[i]); }));
+      finish(jobs[i], measureJob(jobs[i], experiments_, root_));
       return Result<void>{};
     });
   }
-  bool isAlone(const Job& job) const { return experiment(job).alone; }
+  bool isAlone(const Job& job) const { return experimentOf(job, experiments_).alone; }
   Result<int> failed() const {
     if (unwritten_) return *unwritten_;
     return failed_;
   }
 
  private:
-  const Experiment& experiment(const Job& job) const {
-    return *findExperiment(experiments_, job.experiment);
-  }
-  Result<Measurement> measure(const Job& job) const {
-    const std::string text = job.text();
-    const CrashContext context{text.c_str()};
-    auto measurement = experiment(job).measure(job, root_);
-    if (!measurement) return measurement;
-    for (Measurement::Value& value : measurement->values) {
-      if (!std::isfinite(value.value)) return Error{.field = value.name, .what = "is not a number"};
-      value.name = nameOf(job, value.name);
-    }
-    return measurement;
-  }
-  /// The name of a figure with the values of the parameters that names tell.
-  std::string nameOf(const Job& job, std::string figure) const {
-    for (const Parameter& parameter : experiment(job).parameters)
-      if (const std::string& value = job.parameter(parameter.name);
-          parameter.inNames && value != parameter.values.front())
-        figure.insert(std::min(figure.find('.'), figure.size()), "." + value);
-    return figure;
-  }
-  void finish(const Job& job, const Result<Measurement>& measurement) {
+  void finish(const Job& job, const Result<JobResult>& measured) {
     const std::lock_guard lock{mutex_};
     Result<void> done;
-    if (measurement) {
-      done = writer_.write({job, *measurement});
+    if (measured) {
+      done = writer_.write(*measured);
       if (!done) unwritten_ = done.error();
     } else {
-      done = measurement.error();
+      done = measured.error();
       ++failed_;
     }
     if (options_.report) options_.report(job, done);
@@ -76,6 +79,12 @@ class Runner {
 };
 
 }  // namespace
+
+Result<JobResult> measureJob(const Job& job, const Experiments& experiments, const DataRoot& root) {
+  auto measured = guarded([&] { return measure(job, experimentOf(job, experiments), root); });
+  if (!measured) return measured.error();
+  return JobResult{job, *std::move(measured)};
+}
 
 Result<int> runJobs(const std::vector<Job>& jobs, const Experiments& experiments,
                     const DataRoot& root, JobResultWriter& writer, const RunOptions& options) {

@@ -13,6 +13,9 @@ struct RunOptions {
   std::function<void(const Job&, const Result<void>&)> report;
 };
 
+/// Does one job that is `completed`. An exception that leaves the experiment becomes its error.
+Result<JobResult> measureJob(const Job& job, const Experiments& experiments, const DataRoot& root);
+
 /// Does jobs that are `completed`, several at once; those that must be alone come last. Each result
 /// is written as soon as its job is done. A job that fails does not keep the others from being
 /// done. Returns how many failed, or the error that kept results from being written.
