@@ -2,6 +2,7 @@
 #include <nanobind/stl/string.h>
 
 #include "Failure.h"
+#include "Jobs.h"
 #include "Logs.h"
 #include "Match.h"
 #include "Modules.h"
@@ -41,4 +42,5 @@ NB_MODULE(_core, module) {
   gt::python::bindLogs(module);
   gt::python::bindMatch(module);
   gt::python::bindModules(module);
+  gt::python::bindJobs(module);
 }

@@ -5,7 +5,7 @@ See docs/python.md of the project.
 
 from ._error import Error
 from . import logs, representations
-from . import modules
+from . import jobs, modules
 from ._core import Match, Robot
 from ._solution import Previous, SolutionFailure
 from .logs import Log
@@ -17,6 +17,7 @@ __all__ = [
     "Previous",
     "Robot",
     "SolutionFailure",
+    "jobs",
     "logs",
     "modules",
     "representations",

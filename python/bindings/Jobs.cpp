@@ -1,0 +1,88 @@
+#include "Jobs.h"
+
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "Failure.h"
+#include "Root.h"
+#include "base/Enum.h"
+#include "experiments/Experiments.h"
+#include "measure/RunJobs.h"
+#include "robot/SetupFiles.h"
+
+namespace gt::python {
+namespace {
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+nb::list describeExperiments() {
+  nb::list all;
+  for (const Experiment& experiment : experiments()) {
+    nb::list parameters;
+    for (const Parameter& parameter : experiment.parameters)
+      parameters.append(nb::make_tuple(parameter.name, parameter.description,
+                                       std::string{enumName(parameter.kind)}, parameter.values));
+    all.append(nb::make_tuple(experiment.name, experiment.description, parameters));
+  }
+  return all;
+}
+
+Job jobOf(const std::string& line) {
+  return orThrow(completed(orThrow(parseJob(line)), experiments(), commit()));
+}
+
+std::vector<std::string> list(const std::string& seeds, const std::vector<std::string>& only,
+                              const std::vector<std::string>& settings) {
+  const JobSelection selection{orThrow(parseSeeds(seeds)), only, settings};
+  std::vector<std::string> lines;
+  for (const Job& job : orThrow(listJobs(experiments(), selection, commit())))
+    lines.push_back(job.text());
+  return lines;
+}
+
+std::string measure(const std::string& line, const std::string& root) {
+  const Job job = jobOf(line);
+  const DataRoot data = findRoot(root);
+  const nb::gil_scoped_release release;
+  return orThrow(measureJob(job, experiments(), data)).text();
+}
+
+std::vector<std::string> texts(const std::vector<Error>& errors) {
+  std::vector<std::string> texts;
+  for (const Error& error : errors) texts.push_back(error.text());
+  return texts;
+}
+
+/// The jobs that a file has results of, and the warnings.
+auto readResults(const std::string& file) {
+  JobResults results;
+  orThrow(results.read(file));
+  std::vector<std::string> jobs;
+  for (const JobResult& result : results.results) jobs.push_back(result.job.text());
+  return std::pair{jobs, texts(results.warnings)};
+}
+
+std::vector<std::string> mergeResults(const std::vector<std::string>& files,
+                                      const std::vector<std::string>& lines,
+                                      const std::string& json) {
+  std::vector<Job> jobs;
+  for (const std::string& line : lines) jobs.push_back(jobOf(line));
+  std::vector<Error> warnings;
+  orThrow(mergeFiles(files, jobs, json, warnings));
+  return texts(warnings);
+}
+
+}  // namespace
+
+void bindJobs(nb::module_& module) {
+  module.def("_experiments", &describeExperiments);
+  module.def("_list_jobs", &list, "seeds"_a, "only"_a, "settings"_a);
+  module.def("_complete_job", [](const std::string& line) { return jobOf(line).text(); });
+  module.def("_measure_job", &measure, "job"_a, "root"_a);
+  module.def("_read_results", &readResults, "file"_a);
+  module.def("_merge_results", &mergeResults, "files"_a, "jobs"_a, "json"_a);
+}
+
+}  // namespace gt::python

@@ -1,0 +1,72 @@
+"""The command `gt2003`: runs jobs of experiments on this machine or on a Ray cluster."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from . import jobs
+from ._error import Error
+from ._run import run, workers
+
+
+def _add_workers(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--address",
+        metavar="ADDRESS",
+        help="of a Ray cluster; auto: the one of this machine or of RAY_ADDRESS, and if there is none, "
+        "Ray on this machine alone; by default processes without Ray",
+    )
+    parser.add_argument("--processes", type=int, metavar="N", help="on this machine; by default one a CPU")
+    parser.add_argument(
+        "--retries", type=int, default=3, help="times a job is done again whose worker died (default: 3)"
+    )
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="gt2003", description=__doc__)
+    commands = parser.add_subparsers(dest="command", required=True)
+    running = commands.add_parser("run", help="does jobs and merges their results")
+    running.add_argument("what", help="experiments, or a file with jobs, one a line")
+    running.add_argument("--seeds", default="1..10", help="a range like 101..110, or one (default: 1..10)")
+    running.add_argument("--only", default="", help="experiments or groups, separated by commas")
+    running.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of a parameter")
+    running.add_argument(
+        "--out", type=Path, default=Path("out/run"), metavar="FOLDER",
+        help="for jobs, results.jsonl, experiments.json and experiments.html; what is there is not done "
+        "again (default: out/run)",
+    )
+    _add_workers(running)
+    return parser
+
+
+def _jobs_of(given: argparse.Namespace) -> list[str]:
+    if given.what == "experiments":
+        return jobs.select(given.seeds, [name for name in given.only.split(",") if name], given.set)
+    return jobs.read(given.what)
+
+
+def main() -> int:
+    """Run the command; return its exit status: 2 if something was wrong or a job failed."""
+    given = _parser().parse_args()
+    try:
+        todo = _jobs_of(given)
+        who = workers(given.address, given.processes, given.retries)
+        try:
+            failed = run(todo, given.out, who)
+        finally:
+            who.close()
+    except Error as error:
+        print(f"gt2003: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("gt2003: stopped; the same command goes on", file=sys.stderr)
+        return 130
+    if failed:
+        print(f"gt2003: {failed} jobs failed", file=sys.stderr)
+    return 2 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,117 @@
+"""Does lists of jobs and merges their results: `gt2003 run`."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TextIO
+
+from . import _core, jobs
+from ._error import Error
+from ._workers import Outcome, Processes, Ray
+
+
+class Results:
+    """A file of results, one a line, to which each is appended by one write."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.warnings: list[str] = []
+        self.done: set[str] = set()
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if path.exists():
+            done, self.warnings = _core._read_results(str(path))
+            self.done = set(done)
+        self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o666)
+        size = os.lseek(self._file, 0, os.SEEK_END)
+        if size and os.pread(self._file, 1, size - 1) != b"\n":
+            os.write(self._file, b"\n")  # somebody was stopped in the middle of a line
+
+    def add(self, job: str, line: str) -> None:
+        """Append a result; the second one of a job is passed over."""
+        if job not in self.done:
+            self.done.add(job)
+            os.write(self._file, line.encode() + b"\n")
+
+
+class Progress:
+    """Prints how far a list of jobs is, what it has cost and how long it will take."""
+
+    def __init__(self, total: int, stream: TextIO = sys.stderr) -> None:
+        self._total, self._stream = total, stream
+        self._began = self._printed = time.monotonic()
+        self._done = self._failed = 0
+        self._seconds = 0.0
+
+    def add(self, outcome: Outcome, cpus: int) -> None:
+        """Count a job; at most once a second (in a file: ten) there is a line."""
+        self._done += 1
+        self._seconds += outcome.seconds
+        if outcome.error:
+            self._failed += 1
+            self._print(f"{outcome.job}: {outcome.error}\n")
+        now = time.monotonic()
+        terminal = self._stream.isatty()
+        last = self._done == self._total
+        if last or now - self._printed >= (1 if terminal else 10):
+            self._printed = now
+            self._print(self.text(cpus, now) + ("\r" if terminal and not last else "\n"))
+
+    def text(self, cpus: int, now: float) -> str:
+        """Return the line."""
+        left = (now - self._began) / max(1, self._done) * (self._total - self._done)
+        failed = f", {self._failed} failed" if self._failed else ""
+        return (
+            f"{self._done}/{self._total} jobs{failed}, {self._seconds / 3600:.3f} CPU hours, "
+            f"{cpus} at once, {_clock(now - self._began)} gone, {_clock(left)} left"
+        )
+
+    def _print(self, text: str) -> None:
+        self._stream.write(text)
+        self._stream.flush()
+
+
+def _clock(seconds: float) -> str:
+    minutes, seconds = divmod(round(seconds), 60)
+    return f"{minutes // 60}:{minutes % 60:02}:{seconds:02}"
+
+
+def workers(address: str | None, count: int | None, retries: int) -> Processes | Ray:
+    """Return what does jobs: Ray, if an address is given, or processes of this machine."""
+    return Ray(address, count, retries) if address else Processes(count, retries)
+
+
+def do(todo: Sequence[str], results: Results, who: Processes | Ray) -> int:
+    """Do those jobs that have no result. Return how many failed."""
+    missing = [job for job in todo if job not in results.done]
+    if len(missing) < len(todo):
+        print(f"{results.path}: {len(todo) - len(missing)} of {len(todo)} jobs are done", file=sys.stderr)
+    progress, failed = Progress(len(missing)), 0
+    for outcome in who.results(missing):
+        if outcome.error:
+            failed += 1
+        else:
+            results.add(outcome.job, outcome.result)
+        progress.add(outcome, who.cpus)
+    return failed
+
+
+def run(todo: Iterable[str], out: Path, who: Processes | Ray) -> int:
+    """Do jobs, and write results, figures and pages into a folder. Return how many failed.
+
+    A run that was stopped goes on where it was: jobs that have a result there are not done again.
+    """
+    listed = list(dict.fromkeys(todo))
+    results = Results(out / "results.jsonl")
+    others = sorted(results.done.difference(listed))
+    if others:
+        raise Error("holds results of other jobs; choose another folder", str(results.path), field=others[0])
+    (out / "jobs").write_text("".join(job + "\n" for job in listed))
+    failed = do(listed, results, who)
+    warnings = results.warnings + jobs.merge([results.path], out / "experiments.json", listed)
+    for warning in dict.fromkeys(warnings):
+        print(f"gt2003: warning: {warning}", file=sys.stderr)
+    return failed

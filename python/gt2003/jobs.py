@@ -1,0 +1,102 @@
+"""Experiments and their jobs, as the program `experiment` does them.
+
+A job is a line of text: an experiment with its parameters, on a seed, by the program built from a
+commit. Its result is a line of JSON with the values that it measured. Both are those of `experiment`,
+to the byte (docs/experiments.md).
+
+    for job in gt2003.jobs.select(seeds="1..4", only=["match"], settings=["minutes=1"]):
+        print(gt2003.jobs.measure(job))
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import _core
+from ._error import Error
+
+__all__ = ["Experiment", "Parameter", "complete", "experiments", "measure", "merge", "read", "select"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of an experiment: one of `values` (each, choice), or of which this is the default."""
+
+    name: str
+    description: str
+    kind: str
+    values: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """Something that can be measured on a seed."""
+
+    name: str
+    description: str
+    parameters: tuple[Parameter, ...]
+
+
+def experiments() -> list[Experiment]:
+    """Return all experiments, in the order of their names."""
+    return [
+        Experiment(name, description, tuple(Parameter(*p[:3], tuple(p[3])) for p in parameters))
+        for name, description, parameters in _core._experiments()
+    ]
+
+
+def select(
+    seeds: str = "1..10", only: Iterable[str] = (), settings: Iterable[str] = ()
+) -> list[str]:
+    """Return the jobs of experiments or groups of them (all, if none is named).
+
+    seeds: a range like 1..10, or one; settings: NAME=VALUE of parameters, for all experiments that
+    have them. The same as `experiment list`.
+    """
+    return _core._list_jobs(seeds, list(only), list(settings))
+
+
+def complete(job: str) -> str:
+    """Return a job with all its parameters and the commit; an Error says what is wrong with it."""
+    return _core._complete_job(job)
+
+
+def read(file: str | os.PathLike[str]) -> list[str]:
+    """Return the jobs that a file lists, one a line, completed and each once; # begins a comment."""
+    try:
+        lines = Path(file).read_text().splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise Error(getattr(error, "strerror", None) or "is not text", str(file)) from None
+    jobs: dict[str, None] = {}
+    for number, line in enumerate(lines, 1):
+        if not line.strip() or line.strip().startswith("#"):
+            continue
+        try:
+            jobs[complete(line)] = None
+        except Error as error:
+            raise Error(error.what, str(file), number, error.field) from None
+    return list(jobs)
+
+
+def measure(job: str, *, root: str = "") -> str:
+    """Do a job and return its result, a line of JSON. The interpreter's lock is released meanwhile.
+
+    root: the data root, instead of the package's own.
+    """
+    return _core._measure_job(job, root)
+
+
+def merge(
+    files: Iterable[str | os.PathLike[str]],
+    json: str | os.PathLike[str],
+    jobs: Iterable[str] = (),
+) -> list[str]:
+    """Merge files of results to figures in a file `json`, and pages beside it.
+
+    Returns warnings: what was dropped, and which of the jobs have no result. The same results give
+    the same bytes as `experiment merge`, in whatever order they come.
+    """
+    return _core._merge_results([os.fspath(f) for f in files], list(jobs), os.fspath(json))

@@ -1,0 +1,174 @@
+"""Jobs of experiments: the same bytes as the program, by processes, by Ray, after a stop."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+import gt2003
+from gt2003 import jobs
+from gt2003._run import Results
+from gt2003._workers import Processes
+
+BUILD = Path(os.environ["GT_BUILD"])
+SHORT = ["trouble=none", "minutes=0.1"]
+
+
+def some(seeds: str) -> list[str]:
+    return jobs.select(seeds, ["localization.robustness.bench"], SHORT)
+
+
+def experiment(*arguments: str | Path) -> str:
+    program = [BUILD / "bin/experiment", *arguments]
+    return subprocess.run(program, check=True, capture_output=True, text=True).stdout
+
+
+def command(*arguments: str | Path, **options: object) -> subprocess.CompletedProcess[str]:
+    line = [sys.executable, "-m", "gt2003", *map(str, arguments)]
+    return subprocess.run(line, capture_output=True, text=True, **options)  # type: ignore[call-overload]
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The figures of twelve jobs by the program `experiment`."""
+    folder = tmp_path_factory.mktemp("expected")
+    (folder / "jobs").write_text("\n".join(some("1..12")))
+    experiment("run", folder / "jobs", "--out", folder / "results.jsonl")
+    experiment("merge", folder / "results.jsonl", "--json", folder / "experiments.json")
+    return folder
+
+
+def test_experiments_and_jobs_are_those_of_the_program() -> None:
+    names = [experiment.name for experiment in jobs.experiments()]
+    assert names == sorted(names) and "match" in names
+    match = next(e for e in jobs.experiments() if e.name == "match")
+    minutes = next(p for p in match.parameters if p.name == "minutes")
+    assert (minutes.kind, minutes.values) == ("number", ("10",))
+    assert jobs.select("3..4") == experiment("list", "--seeds", "3..4").splitlines()
+
+
+def test_results_and_figures_are_the_programs_bytes(expected: Path, tmp_path: Path) -> None:
+    results = [jobs.measure(job) for job in some("1..12")]
+    assert sorted(results) == sorted((expected / "results.jsonl").read_text().splitlines())
+    (tmp_path / "a.jsonl").write_text("\n".join(results[:5]) + "\n")
+    (tmp_path / "b.jsonl").write_text("\n".join(results[5:]) + "\n")
+    files = [tmp_path / "b.jsonl", tmp_path / "a.jsonl"]
+    assert jobs.merge(files, tmp_path / "merged.json", some("1..13")) == [
+        some("13")[0] + ": has no result"
+    ]
+    for name in ("json", "html"):
+        merged = (tmp_path / "merged").with_suffix(f".{name}").read_bytes()
+        assert merged == (expected / "experiments").with_suffix(f".{name}").read_bytes()
+
+
+def test_the_interpreter_runs_while_a_job_does() -> None:
+    job = jobs.select("1", ["localization.robustness.bench"], ["trouble=none", "minutes=6"])[0]
+    worker = threading.Thread(target=jobs.measure, args=(job,))
+    worker.start()
+    turns = 0
+    while worker.is_alive():
+        turns += 1
+    assert turns > 100  # with the lock held there would be none or one
+
+
+@pytest.mark.parametrize("way", [["--processes", "2"], ["--address", "auto"]], ids=["processes", "ray"])
+def test_a_run_gives_the_programs_bytes(way: list[str], expected: Path, tmp_path: Path) -> None:
+    told = command("run", expected / "jobs", "--out", tmp_path, *way)
+    assert told.returncode == 0, told.stderr
+    assert "12/12 jobs" in told.stderr
+    figures = (tmp_path / "experiments.json").read_bytes()
+    assert figures == (expected / "experiments.json").read_bytes()
+    assert (tmp_path / "experiments.html").exists()
+    before = (tmp_path / "results.jsonl").read_bytes()
+    assert len(before.splitlines()) == 12
+    told = command("run", expected / "jobs", "--out", tmp_path)
+    assert "12 of 12 jobs are done" in told.stderr
+    assert (tmp_path / "results.jsonl").read_bytes() == before
+
+
+def test_a_run_goes_on_behind_half_a_line(expected: Path, tmp_path: Path) -> None:
+    lines = (expected / "results.jsonl").read_text().splitlines(keepends=True)
+    (tmp_path / "results.jsonl").write_text("".join(lines[:4]) + lines[4][:100])
+    told = command("run", expected / "jobs", "--out", tmp_path)
+    assert told.returncode == 0, told.stderr
+    assert "4 of 12 jobs are done" in told.stderr
+    assert "results.jsonl:5: is not a whole result" in told.stderr
+    figures = (tmp_path / "experiments.json").read_bytes()
+    assert figures == (expected / "experiments.json").read_bytes()
+
+
+def test_a_worker_that_dies_loses_no_job() -> None:
+    workers = Processes(2)
+    outcomes = {}
+    for outcome in workers.results(some("1..30")):
+        assert outcome.job not in outcomes
+        outcomes[outcome.job] = outcome
+        if len(outcomes) in (2, 8):
+            workers._all[-1].send_signal(signal.SIGKILL)
+    workers.close()
+    assert len(workers._all) == 4
+    assert [json.loads(outcomes[job].result)["job"] for job in some("1..30")] == some("1..30")
+
+
+def test_a_job_that_kills_its_workers_fails_alone() -> None:
+    class Deadly(Processes):
+        @staticmethod
+        def _ask(process: subprocess.Popen[str], job: str) -> object:
+            if job == deadly:
+                process.kill()
+            return Processes._ask(process, job)
+
+    deadly = some("1..3")[1]
+    workers = Deadly(1, retries=1)
+    errors = {outcome.job: outcome.error for outcome in workers.results(some("1..3"))}
+    workers.close()
+    assert errors.pop(deadly) == "its worker died 2 times"
+    assert list(errors.values()) == ["", ""]
+
+
+def test_a_result_is_written_once(tmp_path: Path) -> None:
+    results = Results(tmp_path / "results.jsonl")
+    line = jobs.measure(some("1")[0])
+    results.add(some("1")[0], line)
+    results.add(some("1")[0], line)
+    assert (tmp_path / "results.jsonl").read_text() == line + "\n"
+
+
+def test_what_is_wrong_is_told_in_one_line(expected: Path, tmp_path: Path) -> None:
+    def wrong(*arguments: str | Path) -> str:
+        told = command("run", *arguments)
+        assert told.returncode == 2 and told.stdout == ""
+        assert len(told.stderr.splitlines()) == 1, told.stderr
+        return told.stderr
+
+    file = tmp_path / "jobs"
+    assert "nowhere: No such file" in wrong("nowhere")
+    file.write_text("match minutes=1\n\n# more\nmatch minuets=1\n")
+    assert f"{file}:4: minuets: is not a parameter of match" in wrong(file)
+    file.write_text("match commit=0\n")
+    assert "is another commit than this program's" in wrong(file)
+    assert "--seeds: '3..1' are not" in wrong("experiments", "--seeds", "3..1")
+    assert "nothing: is neither an experiment" in wrong("experiments", "--only", "nothing")
+    others = tmp_path / "others"
+    others.mkdir()
+    (others / "results.jsonl").write_bytes((expected / "results.jsonl").read_bytes())
+    file.write_text(some("1")[0])
+    assert "holds results of other jobs" in wrong(file, "--out", others)
+    assert "1.2.3.4:x: there is no Ray cluster" in wrong(file, "--out", tmp_path / "a", "--address", "1.2.3.4:x")
+
+
+def test_errors_are_exceptions() -> None:
+    with pytest.raises(gt2003.Error, match="there is no such experiment") as raised:
+        jobs.complete("nothing seed=1")
+    assert raised.value.field == "nothing"
+    with pytest.raises(gt2003.Error, match="expected NAME=VALUE"):
+        jobs.measure("match minutes")
+    with pytest.raises(gt2003.Error, match="there is no such file"):
+        jobs.merge(["nowhere"], "out.json")
