@@ -104,6 +104,7 @@ void Simulation::change(const SceneDescription& scene) {
   scene_.noise = scene.noise;
   scene_.body = scene.body;
   scene_.walking = scene.walking;
+  scene_.dynamics = scene.dynamics;
   scene_.physics = scene.physics;
   scene_.radio = scene.radio;
   const bool sameCamera = scene_.camera == scene.camera;

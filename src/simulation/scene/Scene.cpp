@@ -162,6 +162,7 @@ void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
   };
   forEachProfileElement(scene, addLeaf);
   addLeaf("optics", scene.optics);
+  addLeaf("dynamics", scene.dynamics);
   addLeaf("game", scene.game);
   addLeaf("rules", scene.rules);
   readers["ceilingCamera"] = [&] {

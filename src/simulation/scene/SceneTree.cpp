@@ -361,6 +361,7 @@ void SceneTree::addGame() {
   addElement("noise", &SceneDescription::noise);
   addElement("body", &SceneDescription::body);
   addElement("walking", &SceneDescription::walking);
+  addElement("dynamics", &SceneDescription::dynamics);
   addElement("physics", &SceneDescription::physics);
   addValue(
       "profile",

@@ -14,14 +14,20 @@ constexpr double stepSeconds = tickSeconds / stepsPerTick;
 constexpr double gravity = 9.81;       // m/s^2
 constexpr double gearInertia = 6e-4;   // kg m^2, of a motor as seen from behind its gear; ESTIMATE
 constexpr double groundGap = 0.0005;   // m: the floor lies that far below the carpet's surface
-constexpr std::int64_t heldMs = 1500;  // how long robots are held at most when they are switched on
+constexpr std::int64_t heldMs = 3000;  // how long robots are held at most when they are switched on
+constexpr int restTicks = 4;           // for which their legs rest before they are put down
 constexpr double fastest = 20, widestTurn = 100;  // m/s, rad/s: no body moves faster
+constexpr double fastestRobot = 2;                // m/s: as after a fall from 20 cm
 constexpr double rollingMass = 1.4;  // share of its mass that a rolling ball's inertia feels like
 constexpr double fallen = 0.5;       // cosine of the angle between the body's z and the vertical
 
 // What a geom is, as bits of its contype: one for each robot, since all meet all others.
 constexpr int floorBit = 1, wallBit = 2, ballBit = 4, firstRobotBit = 8;
 static_assert(maxSceneRobots <= 28);
+
+bool isOfLeg(Joint joint) {
+  return joint >= Joint::legFR1 && joint <= Joint::legHL3;
+}
 
 Vector3d threeOf(const mjtNum* numbers) {
   return Eigen::Map<const Vector3d>(numbers);
@@ -59,9 +65,11 @@ Result<std::unique_ptr<World>> DynamicWorld::make(const SceneDescription& scene,
   if (auto found = world->findParts(scene); !found) return found.error();
   world->prepareModel();
   world->prepareContacts();
+  world->setDynamics(scene.dynamics);
   // As they stand up from the power-on pose: on straight legs.
   world->putByHand();
   for (std::size_t i = 0; i < world->robots_.size(); ++i) world->readRobot(i);
+  world->placed_.assign(world->robots_.size(), false);
   return std::unique_ptr<World>{std::move(world)};
 }
 
@@ -86,6 +94,26 @@ void DynamicWorld::prepareModel() {
   setFriction();
 }
 
+void DynamicWorld::setDynamics(const DynamicsParameters& dynamics) {
+  if (dynamics == dynamics_) return;
+  mjModel& model = *model_;
+  const double mass = dynamics.mass / dynamics_.mass;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    for (int geom = parts_[i].firstGeom; geom < parts_[i].lastGeom; ++geom)
+      model.geom_friction[3 * geom] *= dynamics.friction / dynamics_.friction;
+    for (int body = parts_[i].body; body < model.nbody && model.body_rootid[body] == parts_[i].body;
+         ++body) {
+      model.body_mass[body] *= mass;
+      for (int k = 0; k < 3; ++k) model.body_inertia[3 * body + k] *= mass;
+    }
+    for (Servo& servo : motors_[i].servos) servo.setStrength(dynamics.strength);
+  }
+  dynamics_ = dynamics;
+  // What MuJoCo derives from masses is derived in a state of its own: this one goes on.
+  const ModelData scratch = makeData(model);
+  mj_setConst(&model, scratch.get());
+}
+
 void DynamicWorld::setFriction() {
   // A force of rolling friction m g c / r on the ball slows it down by 5/7 g c / r.
   for (const BallParts& ball : ballParts_)
@@ -96,6 +124,7 @@ void DynamicWorld::setFriction() {
 void DynamicWorld::change(const SceneDescription& scene) {
   ballParameters_ = scene.physics;
   setFriction();
+  setDynamics(scene.dynamics);
 }
 
 void DynamicWorld::prepareContacts() {
@@ -188,16 +217,18 @@ void DynamicWorld::pullBalls() {
 }
 
 void DynamicWorld::holdRobots() {
-  // Nobody lets go of a robot that was switched on before its legs are where they shall be.
-  if (time().ms >= heldMs) return;
+  // A robot that was switched on is put down once its legs have come to where they shall be, unless
+  // somebody has put it down already.
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (!motors_[i].held) continue;
-    motors_[i].held = false;
-    for (Servo& servo : motors_[i].servos) {
-      const auto j = static_cast<std::size_t>(&servo - motors_[i].servos.data());
-      robots_[i].joints.values[j] = servo.turnFreely(tickSeconds);
-      motors_[i].held |= !servo.atTarget();
+    Motors& motors = motors_[i];
+    if (placed_[i] || time().ms >= heldMs) motors.rested = restTicks;
+    if (motors.rested >= restTicks) continue;
+    bool rests = true;
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
+      rests &= motors.servos[j].atTarget() || !isOfLeg(static_cast<Joint>(j));
+      robots_[i].joints.values[j] = motors.servos[j].turnFreely(tickSeconds);
     }
+    motors.rested = rests ? motors.rested + 1 : 0;
     placed_[i] = true;
   }
 }
@@ -333,7 +364,11 @@ void DynamicWorld::undoIfBroken() {
     std::fill_n(data_->qvel, model_->nv, 0);
     std::fill_n(data_->qacc_warmstart, model_->nv, 0);
   }
-  for (const RobotParts& parts : parts_) slowDown(parts.poseAddress, parts.body);
+  for (const RobotParts& parts : parts_) {
+    slowDown(parts.poseAddress, parts.body);
+    Eigen::Map<Vector3d> speed{data_->qvel + model_->body_dofadr[parts.body]};
+    if (const double tooFast = speed.norm() / fastestRobot; tooFast > 1) speed /= tooFast;
+  }
   for (const BallParts& ball : ballParts_) slowDown(ball.poseAddress, ball.body);
   goodPositions_.assign(data_->qpos, data_->qpos + coordinates);
 }

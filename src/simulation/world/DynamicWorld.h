@@ -27,7 +27,8 @@ class DynamicWorld : public World {
     std::vector<int> solidGeoms;
     int firstDof = 0;  ///< Of the body; those of the joints follow it.
     Vector3d speed = Vector3d::Zero();
-    bool held = true;  ///< In somebody's hand, since it was switched on.
+    /// Ticks for which its legs have rested since it was switched on; it is held until then.
+    int rested = 0;
   };
 
   DynamicWorld(const SceneDescription& scene, Model model, const Random& random);
@@ -37,6 +38,7 @@ class DynamicWorld : public World {
   void lookAround();
   int jointDof(std::size_t robot, std::size_t joint) const;
   void setFriction();
+  void setDynamics(const DynamicsParameters& dynamics);
   void drive();
   /// Has the carpet's dents pull at balls that roll.
   void pullBalls();
@@ -58,6 +60,7 @@ class DynamicWorld : public World {
 
   BallParameters ballParameters_;
   std::uint64_t carpetSeed_;
+  DynamicsParameters dynamics_;  ///< As the model is now.
   std::vector<Motors> motors_;
   std::vector<int> robotOfBody_;       ///< By root body; -1: none.
   std::vector<int> ballOfBody_;        ///< By root body; -1: none.

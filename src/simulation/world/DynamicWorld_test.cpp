@@ -45,6 +45,21 @@ TEST(DynamicWorld, StandsOnItsMotors) {
     EXPECT_NEAR(robot.joints.values[j], firmStand().values[j], fromDegrees(4)) << j;
 }
 
+TEST(DynamicWorld, IsPutDownOnceItsLegsAreWhereTheyShallBe) {
+  const auto world = worldOf(dynamicDuel({0.5, -300, 200}, {1000, 0}));
+  // Slowly from the straight legs with which it was switched on, as DefaultMotionControl does it.
+  for (int i = 1; i <= 100; ++i) {
+    JointAngles angles;
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+      angles.values[j] = firmStand().values[j] * i / 100;
+    run(*world, angles, 1);
+    ASSERT_NEAR(world->robot(0).tilt, 0, 0.01) << i;
+  }
+  run(*world, firmStand(), 400);
+  EXPECT_EQ(world->robot(0).posture, Posture::standing);
+  EXPECT_LT((world->robot(0).pose.translation - Vector2d{-300, 200}).norm(), 40);
+}
+
 TEST(DynamicWorld, WhatARobotBelievesToWalkMovesNothing) {
   const auto world = worldOf(dynamicDuel({}, {1000, 0}));
   run(*world, firmStand(), 250);
@@ -107,6 +122,40 @@ TEST(DynamicWorld, LegsMoveTheBallAndAreRemembered) {
   run(*world, kick, 60);
   EXPECT_GT(world->ball(0).position.x(), 160);
   EXPECT_EQ(world->ball(0).lastToucher, 0);
+}
+
+/// The angle by which a fore knee gives way under a standing robot (rad).
+double kneeGivesWay(const DynamicsParameters& dynamics) {
+  SceneDescription scene = dynamicDuel({}, {1000, 0});
+  scene.dynamics = dynamics;
+  const auto world = worldOf(scene);
+  run(*world, firmStand(), 500);
+  return world->robot(0).joints[Joint::legFR3] - firmStand()[Joint::legFR3];
+}
+
+TEST(DynamicWorld, HeavyAndWeakRobotsGiveWayMore) {
+  const double usual = kneeGivesWay({});
+  ASSERT_GT(std::abs(usual), 0.001);
+  EXPECT_GT(std::abs(kneeGivesWay({.mass = 1.3})), 1.1 * std::abs(usual));
+  EXPECT_GT(std::abs(kneeGivesWay({.strength = 0.7})), 1.1 * std::abs(usual));
+}
+
+TEST(DynamicWorld, OnIceTheFeetSlip) {
+  const auto moves = [](double friction) {
+    SceneDescription scene = dynamicDuel({}, {1000, 0});
+    const auto world = worldOf(scene);
+    run(*world, firmStand(), 250);
+    scene.dynamics.friction = friction;
+    world->change(scene);
+    JointAngles push = firmStand();  // ahead, with all legs
+    for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft})
+      push[legJoint(leg, 1)] += isFore(leg) ? -0.4 : 0.4;
+    const Vector2d before = world->robot(0).pose.translation;
+    run(*world, push, 30);
+    return world->robot(0).pose.translation.x() - before.x();
+  };
+  EXPECT_GT(moves(1), 15);
+  EXPECT_LT(moves(0.1), 0.9 * moves(1));
 }
 
 TEST(DynamicWorld, SurvivesAnything) {

@@ -58,6 +58,12 @@ void Servo::rest(double angle) {
   integral_ = 0;
 }
 
+void Servo::setStrength(double factor) {
+  gains_.p *= factor / strength_;
+  gains_.torque *= factor / strength_;
+  strength_ = factor;
+}
+
 void Servo::setTarget(double angle) {
   if (std::isfinite(angle)) target_ = std::clamp(angle, low_, high_);
 }

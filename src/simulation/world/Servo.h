@@ -35,9 +35,12 @@ class Servo {
   bool atTarget() const { return reference_ == target_; }
 
   const ServoGains& gains() const { return gains_; }
+  /// A factor on torque and P gain, such as of a weak battery.
+  void setStrength(double factor);
 
  private:
   ServoGains gains_;
+  double strength_ = 1;
   double low_, high_, speed_;
   double target_ = 0;
   double reference_ = 0;  ///< Runs to the target at the joint's speed.

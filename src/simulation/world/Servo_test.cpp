@@ -59,5 +59,16 @@ TEST(Servo, GivesWayToALoadAndComesBack) {
   EXPECT_LT(servo.torque(-100, 0.001), servo.gains().torque + 1e-12);
 }
 
+TEST(Servo, IsAsStrongAsItsBattery) {
+  Servo servo{Joint::legFR3};
+  const ServoGains full = servo.gains();
+  servo.setStrength(0.8);
+  servo.setStrength(0.9);
+  EXPECT_NEAR(servo.gains().p, 0.9 * full.p, 1e-12);
+  EXPECT_NEAR(servo.gains().torque, 0.9 * full.torque, 1e-12);
+  servo.rest(0.5);
+  EXPECT_NEAR(servo.torque(-100, 0.001), 0.9 * full.torque, 1e-12);
+}
+
 }  // namespace
 }  // namespace gt
