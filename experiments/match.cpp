@@ -12,7 +12,7 @@ namespace {
 Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   MatchOptions options{root};
   options.seed = job.seed;
-  if (job.parameter("fidelity") == "dynamic") options.scene = root.path("scenes/dynamic.scene");
+  options.fidelity = job.parameter("fidelity");
   options.profile = job.parameter("profile");
   options.minutes = job.number("minutes");
   auto match = Match::make(options);

@@ -26,6 +26,8 @@ void addMatchOptions(CLI::App& command, gt::MatchOptions& match) {
   command.add_option("--layout", match.layout, "Process layout of all robots, not the scene's");
   command.add_option("--profile", match.profile, "How far all is from perfect, not the scene's")
       ->check(CLI::IsMember(gt::enumNames<gt::Profile>));
+  command.add_option("--fidelity", match.fidelity, "How truly bodies move, not the scene's")
+      ->check(CLI::IsMember(gt::enumNames<gt::Fidelity>));
 }
 
 void addPlay(CLI::App& command, gt::PlayOptions& play) {

@@ -31,6 +31,12 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     if (!profile) return Error{.field = "profile", .what = "unknown: \"" + options.profile + "\""};
     setProfile(*scene, *profile);
   }
+  if (!options.fidelity.empty()) {
+    const auto fidelity = enumValue<Fidelity>(options.fidelity);
+    if (!fidelity)
+      return Error{.field = "fidelity", .what = "unknown: \"" + options.fidelity + "\""};
+    scene->fidelity = *fidelity;
+  }
   std::unique_ptr<Match> match{new Match{options}};
   const auto configuration =
       loadConfiguration({scene->resolve(scene->config), options.motions, options.behavior});
@@ -170,6 +176,7 @@ Result<void> Match::save(const std::string& path) const {
   const MatchState state{.scene = options_.scene,
                          .layout = options_.layout,
                          .profile = options_.profile,
+                         .fidelity = options_.fidelity,
                          .behavior = options_.behavior,
                          .motions = options_.motions,
                          .minutes = simulation_->scene().game.minutes,
@@ -187,6 +194,7 @@ Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions
   options.scene = state->scene;
   options.layout = state->layout;
   options.profile = state->profile;
+  options.fidelity = state->fidelity;
   options.behavior = state->behavior;
   options.motions = state->motions;
   options.minutes = state->minutes;

@@ -34,6 +34,7 @@ struct MatchOptions {
   std::string motions = root.path("motions");
   std::string layout{};   ///< Of all robots, instead of the scene's, if not empty.
   std::string profile{};  ///< Instead of the scene's and of what it says in elements, if not empty.
+  std::string fidelity{};  ///< Instead of the scene's, if not empty.
   /// Robots whose processes are programs of their own and connect to the simulation: for each name
   /// where it listens for them, such as tcp://10.0.1.5:5003; on this machine, if that is empty.
   std::map<std::string, std::string> remote{};

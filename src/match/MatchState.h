@@ -40,7 +40,7 @@ struct Intervention {
 /// module, and each field that a module's author forgets would be a silent error; this is right for
 /// every module. The price is time: a minute of a match takes some seconds to load.
 struct MatchState {
-  std::string scene, layout, profile, behavior, motions;
+  std::string scene, layout, profile, fidelity, behavior, motions;
   double minutes = 0;
   std::uint64_t seed = 0;
   Time time;
@@ -52,6 +52,7 @@ struct MatchState {
         field("scene", &MatchState::scene, "", "file"),
         field("layout", &MatchState::layout, "", "of all robots, if not empty"),
         field("profile", &MatchState::profile, "", "of the scene, if not empty"),
+        field("fidelity", &MatchState::fidelity, "", "of the scene, if not empty"),
         field("behavior", &MatchState::behavior, "", "agents file"),
         field("motions", &MatchState::motions, "", "folder"),
         field("minutes", &MatchState::minutes, "min", "both halves together", {0.01, 1e4}),
