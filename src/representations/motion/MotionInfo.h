@@ -8,13 +8,16 @@ struct MotionInfo {
   MotionRequest executed;
   double positionInWalkCycle = 0;
   bool stable = true;
+  bool arriving = false;
 
   static constexpr auto fields() {
     return Fields{
         field("executed", &MotionInfo::executed, "", "the request that is being carried out"),
         field("positionInWalkCycle", &MotionInfo::positionInWalkCycle, "", "", {0, 1}),
         field("stable", &MotionInfo::stable, "",
-              "the camera matrix can be trusted: neither kick nor getup")};
+              "the camera matrix can be trusted: neither kick nor getup"),
+        field("arriving", &MotionInfo::arriving, "",
+              "the legs are on their way to the stand, from which a walk begins")};
   }
 };
 

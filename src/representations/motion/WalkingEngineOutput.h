@@ -11,15 +11,18 @@ struct WalkingEngineOutput {
   Pose2D speed;
   bool mayLeave = true;
   double positionInWalkCycle = 0;
+  bool holdsHead = false;
 
   static constexpr auto fields() {
     return Fields{
-        field("joints", &WalkingEngineOutput::joints, "", "the legs; the others are 0"),
+        field("joints", &WalkingEngineOutput::joints, "", "the legs, and the head if it is held"),
         field("odometryStep", &WalkingEngineOutput::odometryStep, "mm, rad", "of this frame"),
         field("speed", &WalkingEngineOutput::speed, "mm/s, rad/s",
               "the request as far as step sizes and accelerations allow"),
         field("mayLeave", &WalkingEngineOutput::mayLeave, "", "all feet are on the ground"),
-        field("positionInWalkCycle", &WalkingEngineOutput::positionInWalkCycle, "", "", {0, 1})};
+        field("positionInWalkCycle", &WalkingEngineOutput::positionInWalkCycle, "", "", {0, 1}),
+        field("holdsHead", &WalkingEngineOutput::holdsHead, "",
+              "the walk turns head and mouth itself")};
   }
 };
 

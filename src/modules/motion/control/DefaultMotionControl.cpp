@@ -59,6 +59,11 @@ void setHead(JointAngles& angles, const HeadMotionRequest& head) {
   angles[Joint::mouth] = head.mouth;
 }
 
+HeadMotionRequest headOf(const JointAngles& angles) {
+  return {angles[Joint::headTilt], angles[Joint::headPan], angles[Joint::headRoll],
+          angles[Joint::mouth]};
+}
+
 /// Angles that the motors can take: within their limits, and with the legs beside the body.
 void keepWithinLimits(JointAngles& angles) {
   for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -89,6 +94,7 @@ void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& r
     step = special.odometryStep;
   } else {
     for (const auto leg : legs) setLeg(target, leg, legOf(walking.joints.angles, leg));
+    if (walking.holdsHead) setHead(target, headOf(walking.joints.angles));
     setTail(target, wanted.tail, frame.time);
     step = walking.odometryStep;
   }
@@ -127,6 +133,10 @@ void DefaultMotionControl::protect(const JointAngles& target) {
       slow(joint, parameters.changeSpeed);
       if (angles_[joint] != target[joint]) changing_ = true;
     }
+  if (!changing_ && settling_ > 0) {
+    --settling_;
+    changing_ = true;
+  }
 }
 
 void DefaultMotionControl::report(const MotionRequest& wanted, const WalkingEngineOutput& walking,
@@ -147,6 +157,7 @@ void DefaultMotionControl::report(const MotionRequest& wanted, const WalkingEngi
     info.stable = true;
   }
   info.positionInWalkCycle = walking.positionInWalkCycle;
+  info.arriving = changing_;
 }
 
 }  // namespace gt

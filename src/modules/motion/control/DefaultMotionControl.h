@@ -48,6 +48,7 @@ class DefaultMotionControl {
 
   bool special_ = false;
   bool changing_ = true;  ///< The legs are still on their way to where the walk has them.
+  int settling_ = 12;     ///< Frames for which it then rests, once it was switched on.
   JointAngles angles_;
   Pose2D odometry_;
 };

@@ -138,6 +138,34 @@ TEST(DefaultMotionControl, TheHeadIsFreeUnlessAnActionNeedsIt) {
   EXPECT_LT(motion.joints.angles[Joint::headPan], -0.4);
 }
 
+TEST(DefaultMotionControl, AWalkMayHoldTheHead) {
+  MotionHarness motion;
+  motion.head = {-0.3, 0.8, 0, -0.1};
+  motion.walkingEngine.parameters.holdsHead = true;
+  motion.walkingEngine.parameters.headTilt = -0.6;
+  motion.walk(100, 0, 0);
+  motion.steps(200);
+  EXPECT_NEAR(motion.joints.angles[Joint::headPan], 0, 1e-9);
+  EXPECT_NEAR(motion.joints.angles[Joint::headTilt], -0.6, 1e-9);
+}
+
+TEST(DefaultMotionControl, WalksOnceTheLegsHaveArrivedAtTheStand) {
+  MotionHarness motion;
+  motion.walk(100, 0, 0);
+  JointAngles stand;
+  int frames = 0;
+  for (motion.step(); motion.info.arriving; motion.step()) {
+    stand = motion.joints.angles;
+    ASSERT_LT(++frames, 200);
+  }
+  EXPECT_GT(frames, 50);
+  for (const auto leg : allLegs)
+    EXPECT_NEAR(stand[legJoint(leg, 3)], motion.walking.joints.angles[legJoint(leg, 3)], 1e-9);
+  EXPECT_EQ(motion.odometry.pose.translation, Vector2d::Zero());
+  motion.steps(100);
+  EXPECT_GT(motion.odometry.pose.translation.x(), 40);
+}
+
 TEST(DefaultMotionControl, WagsTheTail) {
   const auto widest = [](TailRequest tail, Joint joint) {
     MotionHarness motion;

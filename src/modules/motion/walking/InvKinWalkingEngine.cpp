@@ -28,31 +28,12 @@ double approach(double value, double target, double maxChange) {
   return value + std::clamp(target - value, -maxChange, maxChange);
 }
 
-/// The part of the parameters that times one foot (report, figure 3.22).
-struct Step {
-  double inAir, lift, lowering, height;
-
-  Step(const WalkParameters& p, Leg leg)
-      : inAir(1 - (isFore(leg) ? p.foreGroundPhase : p.hindGroundPhase)),
-        lift(isFore(leg) ? p.foreLiftPhase : p.hindLiftPhase),
-        lowering(isFore(leg) ? p.foreLoweringPhase : p.hindLoweringPhase),
-        height(isFore(leg) ? p.foreFootLift : p.hindFootLift) {}
-};
-
-/// How far a foot in the air has come on its path, 0 to 1, and its height.
-struct Flight {
-  double way, height;
-};
-
-Flight flightAt(FootMode mode, const Step& step, double phase) {
-  if (mode == FootMode::rectangle) {
-    const double across = std::max(step.inAir - step.lift - step.lowering, 1e-3);
-    return {std::clamp((phase - step.lift) / across, 0.0, 1.0),
-            step.height * std::min({1.0, phase / step.lift, (step.inAir - phase) / step.lowering})};
-  }
-  const double angle = pi * phase / step.inAir;
-  return {(1 - std::cos(angle)) / 2, step.height * std::sin(angle)};
+/// A phase as a share of the cycle, in [0, 1).
+double wrapped(double phase) {
+  return phase - std::floor(phase);
 }
+
+constexpr double still = 0.5;  // mm: what is nearer to where it stands counts as there
 
 }  // namespace
 
@@ -60,7 +41,8 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
                                  const RobotDimensions& robot, Previous<MotionInfo> motion,
                                  WalkingEngineOutput& output) {
   const auto executed = motion->executed.type;
-  const bool active = executed == MotionType::walk || executed == MotionType::stand;
+  const bool active =
+      !motion->arriving && (executed == MotionType::walk || executed == MotionType::stand);
   const MotionRequest& request = motionRequest.validAt(frame.time);
   output.odometryStep = {};
   if (!active || frame_ < 0) {
@@ -70,7 +52,10 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
     if (!isZero(speed_) || !standing()) {
       frame_ = (frame_ + 1) % parameters.stepLen;
       for (const auto leg : legs) moveFoot(leg);
+      shiftBody();
       output.odometryStep = motionDuring(measured(speed_), frameTime);
+    } else {
+      rest();
     }
   }
   output.speed = measured(speed_);
@@ -78,25 +63,41 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
   output.mayLeave = true;
   output.joints = {};
   for (const auto leg : legs) {
-    if (footOf(leg).lift > 0.5) output.mayLeave = false;
+    const Foot& foot = footOf(leg);
+    if (foot.inAir && std::abs(foot.offset.z()) > still) output.mayLeave = false;
     setLeg(output.joints.angles, leg, legAngles(robot, leg, target(robot, leg)).angles);
+  }
+  output.holdsHead = parameters.holdsHead;
+  if (!parameters.holdsHead) return;
+  output.joints.angles[Joint::headTilt] = parameters.headTilt;
+  output.joints.angles[Joint::headPan] = parameters.headPan;
+  output.joints.angles[Joint::headRoll] = parameters.headRoll;
+  output.joints.angles[Joint::mouth] = parameters.mouth;
+}
+
+void InvKinWalkingEngine::rest() {
+  frame_ = parameters.stepLen - 1;  // the next walk begins with a new cycle
+  for (const auto leg : legs) {
+    footOf(leg).rests = true;
+    footOf(leg).offset = offset(leg, FootPath{parameters, leg}.landing());
   }
 }
 
 void InvKinWalkingEngine::reset(const RobotDimensions& robot) {
-  frame_ = 0;
   speed_ = {};
+  bodyShift_ = Vector2d::Zero();
+  swing_ = 0;
   for (const auto leg : legs) {
     const bool fore = isFore(leg);
     const double width = fore ? parameters.foreWidth : parameters.hindWidth;
     Foot& foot = footOf(leg);
+    foot = {};
     foot.center = {
         shoulderOf(robot, leg).x() + (fore ? parameters.foreCenterX : parameters.hindCenterX),
         isLeft(leg) ? width : -width};
     foot.position = foot.liftedAt = foot.center;
-    foot.lift = 0;
-    foot.inAir = phaseOf(leg) < Step{parameters, leg}.inAir;
   }
+  rest();
 }
 
 Pose2D InvKinWalkingEngine::measured(const Pose2D& ofFeet) const {
@@ -116,9 +117,11 @@ Pose2D InvKinWalkingEngine::allowed(const Pose2D& request) const {
   for (const auto leg : legs) {
     const Pose2D ofLeg = speedOf(leg, speed);
     const Vector2d center = footOf(leg).center;
-    const double halfTime = timeOnGround(leg) / 2;
-    const double x = (ofLeg.translation.x() - ofLeg.rotation * center.y()) * halfTime;
-    const double across = (ofLeg.translation.y() + ofLeg.rotation * center.x()) * halfTime;
+    const FootPath path{parameters, leg};
+    const double time =
+        unitTime(path) * std::max(std::abs(path.landing().along), std::abs(path.lifting().along));
+    const double x = (ofLeg.translation.x() - ofLeg.rotation * center.y()) * time;
+    const double across = (ofLeg.translation.y() + ofLeg.rotation * center.x()) * time;
     farthest = std::max(farthest,
                         std::hypot(x / parameters.maxStepSizeX, across / parameters.maxStepSizeY));
   }
@@ -134,31 +137,65 @@ void InvKinWalkingEngine::accelerate(const Pose2D& target) {
 }
 
 void InvKinWalkingEngine::moveFoot(Leg leg) {
-  const Step step{parameters, leg};
-  const double phase = phaseOf(leg);
+  const FootPath path{parameters, leg};
+  const double phase = phaseOf(leg), before = phase - 1. / parameters.stepLen;
   const Pose2D speed = speedOf(leg, speed_);
+  const double seconds = unitTime(path);  // for each unit along the path
+  const auto landing = path.landing(), lifting = path.lifting();
+  const bool begins = before < 0;  // a new cycle
   Foot& foot = footOf(leg);
-  const bool wasInAir = foot.inAir;
-  foot.inAir = phase < step.inAir;
-  const Vector2d landing = motionDuring(speed, timeOnGround(leg) / 2) * foot.center;
-  if (!wasInAir) {  // on the ground it stays where it is while the body moves on
-    foot.position = motionDuring(speed, frameTime).inverse() * foot.position;
+  const auto stand = [&](double from, double to) {  // while the body moves on
+    const double moved = foot.rests ? frameTime : (from - to) * seconds;
+    foot.position = motionDuring(speed, moved).inverse() * foot.position;
     foot.liftedAt = foot.position;
-  } else if (!foot.inAir) {
-    foot.position = landing;
+  };
+  if (begins) {
+    if (!foot.inAir) stand(path.at(wrapped(before)).along, lifting.along);
+    foot.rests = isZero(speed_) && isCentered(foot);
+    foot.inAir = !foot.rests;
   }
-  foot.lift = 0;
-  if (foot.inAir) {
-    const auto flight = flightAt(parameters.footMode, step, phase);
-    foot.position = foot.liftedAt + flight.way * (landing - foot.liftedAt);
-    foot.lift = flight.height;
+  const auto point = foot.rests ? landing : path.at(phase);
+  const Vector2d landsAt = motionDuring(speed, seconds * landing.along) * foot.center;
+  if (!begins && !foot.inAir) {
+    stand(path.at(before).along, point.along);
+  } else if (foot.inAir && !path.inAir(phase)) {
+    foot.inAir = false;
+    foot.position = landsAt;
+    stand(landing.along, point.along);
+  } else if (foot.inAir) {
+    const double share = (point.along - lifting.along) / (landing.along - lifting.along);
+    foot.position = foot.liftedAt + share * (landsAt - foot.liftedAt);
+  }
+  foot.offset = offset(leg, point);
+  const Vector2d way = landsAt - foot.liftedAt;
+  const double length = way.norm(), beyond = std::clamp(point.beyond, -length / 2, length / 2);
+  if (foot.inAir && length > 0) foot.offset.head<2>() += beyond / length * way;
+}
+
+void InvKinWalkingEngine::shiftBody() {
+  const double target = isZero(speed_) ? 0 : 1;
+  swing_ = approach(swing_, target, 2. / parameters.stepLen);
+  bodyShift_ = Vector2d::Zero();
+  for (const auto leg : legs) {
+    const double phase = wrapped(phaseOf(leg) + parameters.bodyShiftOffset);
+    const FootPath path{parameters, leg};
+    if (!path.inAir(phase)) continue;
+    const double share = swing_ * std::sin(pi * phase / path.airPhase());
+    bodyShift_ += share * Vector2d{isFore(leg) ? -parameters.bodyShiftX : parameters.bodyShiftX,
+                                   isLeft(leg) ? -parameters.bodyShiftY : parameters.bodyShiftY};
   }
 }
 
 bool InvKinWalkingEngine::standing() const {
-  return std::all_of(feet_.begin(), feet_.end(), [](const Foot& foot) {
-    return foot.lift < 0.5 && (foot.position - foot.center).norm() < 0.5;
-  });
+  return swing_ == 0 && std::all_of(legs.begin(), legs.end(), [&](Leg leg) {
+           const Foot& foot = footOf(leg);
+           const double landing = FootPath{parameters, leg}.landing().height;
+           return !foot.inAir && isCentered(foot) && std::abs(foot.offset.z() - landing) < still;
+         });
+}
+
+bool InvKinWalkingEngine::isCentered(const Foot& foot) {
+  return (foot.position - foot.center).norm() < still;
 }
 
 Pose2D InvKinWalkingEngine::speedOf(Leg leg, const Pose2D& speed) const {
@@ -168,24 +205,31 @@ Pose2D InvKinWalkingEngine::speedOf(Leg leg, const Pose2D& speed) const {
           speed.translation.y() * p.legSpeedFactorY};
 }
 
-double InvKinWalkingEngine::timeOnGround(Leg leg) const {
-  return (1 - Step{parameters, leg}.inAir) * parameters.stepLen * frameTime;
+double InvKinWalkingEngine::unitTime(const FootPath& path) const {
+  constexpr double shortest = 0.1;
+  const double units = std::max(path.landing().along - path.lifting().along, shortest);
+  return path.groundPhase() * parameters.stepLen * frameTime / units;
 }
 
 double InvKinWalkingEngine::phaseOf(Leg leg) const {
   constexpr double rounding = 1e-9;  // a foot lands in its frame, not in the next
-  const double phase =
-      static_cast<double>(frame_) / parameters.stepLen - parameters.legPhase[leg] + rounding;
-  return phase - std::floor(phase);
+  return wrapped(static_cast<double>(frame_) / parameters.stepLen - parameters.legPhase[leg] +
+                 rounding);
+}
+
+Vector3d InvKinWalkingEngine::offset(Leg leg, const FootPath::Point& point) {
+  return {0, isLeft(leg) ? point.aside : -point.aside, point.height};
 }
 
 Vector3d InvKinWalkingEngine::target(const RobotDimensions& robot, Leg leg) const {
   const auto& p = parameters;
   const Foot& foot = footOf(leg);
+  const Vector2d position = foot.position + foot.offset.head<2>();
   const double height = isFore(leg) ? p.foreHeight : p.hindHeight;
   const double tilt = std::tan(isFore(leg) ? p.foreFootTilt : p.hindFootTilt);
-  const double z = (foot.position.x() - foot.center.x()) * tilt - height + foot.lift;
-  return {foot.position.x(), foot.position.y(), shoulderOf(robot, leg).z() + z};
+  const double z = (position.x() - foot.center.x()) * tilt - height + foot.offset.z();
+  return {position.x() - bodyShift_.x(), position.y() - bodyShift_.y(),
+          shoulderOf(robot, leg).z() + z};
 }
 
 }  // namespace gt

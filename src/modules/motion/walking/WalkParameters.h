@@ -1,0 +1,132 @@
+#pragma once
+#include <array>
+
+#include "base/Enum.h"
+#include "base/Geometry.h"
+#include "representations/infrastructure/RobotDimensions.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// The closed path of a foot, seen from its side (report, figure 3.20). In all of them it passes
+/// the ground from front to back; footLift is how high they are.
+enum class FootMode {
+  rectangle,    ///< Straight up, ahead, and straight down.
+  halfEllipse,  ///< Up and ahead along half an ellipse.
+  ellipse,      ///< A whole one: on the ground the foot presses the body up by half of footLift.
+  oval,         ///< Two straight lines, joined by half circles behind and ahead of them.
+  freeFormQuad  ///< Along the sides of a quadruple, whose corners are parameters.
+};
+
+/// A walk as parameters, with the names of report 3.9.1.2. Lengths in mm; shares are those of the
+/// step cycle.
+struct WalkParameters {
+  /// The corners of FootMode::freeFormQuad, where the foot is on its way: it lands at the first, is
+  /// lifted at the second, and returns by the third and fourth. Coordinates: x ahead, in units of
+  /// half the way on the ground; y away from the body; z up.
+  using Quadruple = std::array<Vector3d, 4>;
+  static Quadruple trapezoid() {
+    return {Vector3d{1, 0, 0}, Vector3d{-1, 0, 0}, Vector3d{-0.6, 0, 15}, Vector3d{0.9, 0, 15}};
+  }
+
+  FootMode footMode = FootMode::halfEllipse;
+  double foreHeight = 105, foreWidth = 82, foreCenterX = 15;
+  double hindHeight = 110, hindWidth = 82, hindCenterX = -15;
+  double foreFootTilt = 0.03, hindFootTilt = 0.03;
+  double foreFootLift = 15, hindFootLift = 15;
+  double legSpeedFactorX = 1, legSpeedFactorY = 1, legSpeedFactorR = 1;
+  double maxStepSizeX = 36, maxStepSizeY = 27;
+  double maxSpeedXChange = 500, maxSpeedYChange = 400, maxRotationChange = 5;
+  double counterRotation = 0;
+  int stepLen = 80;
+  double foreGroundPhase = 0.5, hindGroundPhase = 0.5;
+  double foreLiftPhase = 1. / 6, hindLiftPhase = 1. / 6;
+  double foreLoweringPhase = 1. / 6, hindLoweringPhase = 1. / 6;
+  EnumArray<Leg, double> legPhase{{0.5, 0, 0, 0.5}};
+  double bodyShiftX = 0, bodyShiftY = 0, bodyShiftOffset = 0;
+  bool holdsHead = false;
+  double headTilt = 0, headPan = 0, headRoll = 0, mouth = 0;
+  Quadruple foreFreeFormQuadPos = trapezoid(), hindFreeFormQuadPos = trapezoid();
+  double correctionX = 1, correctionY = 1, correctionR = 1;
+
+  static constexpr auto fields() {
+    using P = WalkParameters;
+    constexpr Range shift{-50, 50};
+    return Fields{
+        field("footMode", &P::footMode, "", "path of a foot"),
+        field("foreHeight", &P::foreHeight, "mm", "height of the shoulder above the foot ball",
+              {50, 130}),
+        field("foreWidth", &P::foreWidth, "mm", "distance of the foot from the body's middle",
+              {40, 150}),
+        field("foreCenterX", &P::foreCenterX, "mm", "distance of the foot before the shoulder",
+              {-80, 100}),
+        field("hindHeight", &P::hindHeight, "mm", "height of the shoulder above the foot ball",
+              {50, 140}),
+        field("hindWidth", &P::hindWidth, "mm", "distance of the foot from the body's middle",
+              {40, 150}),
+        field("hindCenterX", &P::hindCenterX, "mm", "distance of the foot before the shoulder",
+              {-100, 80}),
+        field("foreFootTilt", &P::foreFootTilt, "rad", "tilt of the foot's path, + front up",
+              {-0.5, 0.5}),
+        field("hindFootTilt", &P::hindFootTilt, "rad", "tilt of the foot's path, + front up",
+              {-0.5, 0.5}),
+        field("foreFootLift", &P::foreFootLift, "mm", "height of the foot's path", {0, 60}),
+        field("hindFootLift", &P::hindFootLift, "mm", "height of the foot's path", {0, 60}),
+        field("legSpeedFactorX", &P::legSpeedFactorX, "",
+              "speed of the hind feet, as a share of the fore feet's", {0.1, 3}),
+        field("legSpeedFactorY", &P::legSpeedFactorY, "",
+              "speed of the hind feet, as a share of the fore feet's", {0.1, 3}),
+        field("legSpeedFactorR", &P::legSpeedFactorR, "",
+              "speed of the hind feet, as a share of the fore feet's", {0.1, 3}),
+        field("maxStepSizeX", &P::maxStepSizeX, "mm", "greatest distance of a foot from its center",
+              {1, 80}),
+        field("maxStepSizeY", &P::maxStepSizeY, "mm", "greatest distance of a foot from its center",
+              {1, 80}),
+        field("maxSpeedXChange", &P::maxSpeedXChange, "mm/s^2", "greatest acceleration", {1, 1e5}),
+        field("maxSpeedYChange", &P::maxSpeedYChange, "mm/s^2", "greatest acceleration", {1, 1e5}),
+        field("maxRotationChange", &P::maxRotationChange, "rad/s^2", "greatest acceleration",
+              {0.01, 1e3}),
+        field("counterRotation", &P::counterRotation, "rad/mm",
+              "turn for each mm walked sideways, against the turn that slipping makes",
+              {-0.01, 0.01}),
+        field("stepLen", &P::stepLen, "frames", "length of one step cycle, in frames of 8 ms",
+              {8, 400}),
+        field("foreGroundPhase", &P::foreGroundPhase, "", "share of the cycle on the ground",
+              {0.2, 0.9}),
+        field("hindGroundPhase", &P::hindGroundPhase, "", "share of the cycle on the ground",
+              {0.2, 0.9}),
+        field("foreLiftPhase", &P::foreLiftPhase, "", "share of the cycle for lifting",
+              {0.001, 0.4}),
+        field("hindLiftPhase", &P::hindLiftPhase, "", "share of the cycle for lifting",
+              {0.001, 0.4}),
+        field("foreLoweringPhase", &P::foreLoweringPhase, "", "share of the cycle for lowering",
+              {0.001, 0.4}),
+        field("hindLoweringPhase", &P::hindLoweringPhase, "", "share of the cycle for lowering",
+              {0.001, 0.4}),
+        field("legPhase", &P::legPhase, "", "share of the cycle after which the foot is lifted",
+              {0, 1}),
+        field("bodyShiftX", &P::bodyShiftX, "mm",
+              "by which the body moves back from a lifted fore foot, and ahead from a hind one",
+              shift),
+        field("bodyShiftY", &P::bodyShiftY, "mm", "by which it moves sideways from a lifted foot",
+              shift),
+        field("bodyShiftOffset", &P::bodyShiftOffset, "",
+              "share of the cycle by which it does so before the foot is lifted", {-0.5, 0.5}),
+        field("holdsHead", &P::holdsHead, "", "whether the walk itself turns the head and mouth"),
+        field("headTilt", &P::headTilt, "rad", "if it does", {-1.44, 0.76}),
+        field("headPan", &P::headPan, "rad", "if it does", {-1.57, 1.57}),
+        field("headRoll", &P::headRoll, "rad", "if it does", {-0.51, 0.51}),
+        field("mouth", &P::mouth, "rad", "if it does", {-0.83, 0}),
+        field("foreFreeFormQuadPos", &P::foreFreeFormQuadPos, "",
+              "corners of a fore foot's path: x in half ways on the ground, y and z in mm"),
+        field("hindFreeFormQuadPos", &P::hindFreeFormQuadPos, "", "those of a hind foot's path"),
+        field("correctionX", &P::correctionX, "",
+              "measured speed, as a share of that of the feet (3.9.1.3)", {0.2, 5}),
+        field("correctionY", &P::correctionY, "", "measured speed, as a share of that of the feet",
+              {0.2, 5}),
+        field("correctionR", &P::correctionR, "", "measured speed, as a share of that of the feet",
+              {0.2, 5})};
+  }
+};
+
+}  // namespace gt
