@@ -13,10 +13,11 @@ const Experiments& experiments() {
   static const Experiments all = [] {
     Experiments list = localizationExperiments();
     for (const auto& experiment : realismExperiments()) list.push_back(experiment);
+    for (const auto& experiment : motionExperiments()) list.push_back(experiment);
     for (const auto& experiment :
-         {fidelityExperiment(), matchExperiment(), soakExperiment(), calibrationExperiment(),
-          visionExperiment(), visionPlayExperiment(), collisionExperiment(),
-          worldModelExperiment()})
+         {fidelityExperiment(), kickExperiment(), matchExperiment(), soakExperiment(),
+          calibrationExperiment(), visionExperiment(), visionPlayExperiment(),
+          collisionExperiment(), worldModelExperiment()})
       list.push_back(experiment);
     std::ranges::sort(list, {}, &Experiment::name);
     return list;

@@ -28,6 +28,11 @@ Experiments localizationExperiments();
 Experiments realismExperiments();
 /// Whole matches: goals, own goals, localization against the truth.
 Experiment matchExperiment();
+/// How robots move in the dynamic fidelity: whether they stand, how fast and straight they walk,
+/// how often they fall.
+Experiments motionExperiments();
+/// What the kicks do, with balls anywhere where they reach them.
+Experiment kickExperiment();
 /// 22 robots and 10 balls while everything goes wrong: half an hour in the kinematic fidelity, some
 /// minutes in the dynamic one.
 Experiment soakExperiment();

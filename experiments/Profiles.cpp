@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/Number.h"
+#include "base/Random.h"
 #include "streams/Config.h"
 
 namespace gt {
@@ -37,6 +38,20 @@ Result<SceneDescription> loadScene(const Job& job, const DataRoot& root, const s
   setProfile(*scene, profileOf(job));
   if (const auto changes = job.parameters.find("change"); changes != job.parameters.end())
     if (auto done = changeNumbers(*scene, changes->second); !done) return done.error();
+  return scene;
+}
+
+Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root) {
+  auto scene = loadScene(job, root);
+  if (!scene) return scene;
+  constexpr double variety = 0.1;
+  Random random = Random{job.seed}.fork("dynamics");
+  scene->fidelity = *enumValue<Fidelity>(job.parameter("fidelity"));
+  scene->dynamics = {1 + variety * random.symmetric(), 1 + variety * random.symmetric(),
+                     1 + variety * random.symmetric()};
+  scene->game.referee = false;
+  scene->robots.resize(1);
+  scene->balls.clear();
   return scene;
 }
 

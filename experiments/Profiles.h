@@ -28,4 +28,13 @@ Result<void> changeNumbers(SceneDescription& scene, const std::string& changes);
 Result<SceneDescription> loadScene(const Job& job, const DataRoot& root,
                                    const std::string& path = "scenes/match.scene");
 
+/// The parameter of what moves bodies, in the dynamic fidelity first.
+inline Parameter fidelityParameter() {
+  return {"fidelity", "of the body", Parameter::Kind::choice, {"dynamic", "kinematic"}, true};
+}
+/// A scene of the root as a job asks for it, with one robot alone and no ball. In the dynamic
+/// fidelity friction, masses and the servos' strength differ from the model's by up to a tenth,
+/// each seed otherwise.
+Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root);
+
 }  // namespace gt

@@ -49,7 +49,7 @@ std::vector<double> errorsOfViews(Profile profile) {
   std::vector<double> errors;
   SceneDescription scene = *loadScene(DataRoot{}.path("scenes/match.scene"));
   setProfile(scene, profile);
-  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
     auto views = *GameViews::make(DataRoot{}, scene, seed);
     for (int i = 0; i < 25; ++i) {
       views.shuffle();

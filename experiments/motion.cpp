@@ -1,0 +1,199 @@
+// How well robots move in the dynamic fidelity: whether they stand, walk and fall.
+#include <algorithm>
+
+#include "Experiments.h"
+#include "Profiles.h"
+#include "match/Match.h"
+#include "measure/worlds/MovedRobot.h"
+
+namespace gt {
+namespace {
+
+/// Counts how often robots lose their feet.
+class Falls {
+ public:
+  explicit Falls(const World& world) : world_{world}, stands_(world.activeRobots(), true) {}
+
+  void look() {
+    for (std::size_t i = 0; i < stands_.size(); ++i) {
+      const bool stands = world_.robot(i).posture == Posture::standing && !liesOnItsNose(i);
+      count_ += stands_[i] && !stands;
+      stands_[i] = stands;
+    }
+  }
+  int count() const { return count_; }
+
+ private:
+  bool liesOnItsNose(std::size_t i) const {
+    constexpr double lying = 0.6;  // rad
+    return std::abs(world_.robot(i).tilt) > lying;
+  }
+
+  const World& world_;
+  std::vector<bool> stands_;
+  int count_ = 0;
+};
+
+Result<Measurement> stand(const Job& job, const DataRoot& root) {
+  MatchOptions options{root};
+  options.seed = job.seed;
+  options.scene = root.path("scenes/" + job.parameter("scene") + ".scene");
+  options.profile = job.parameter("profile");
+  options.fidelity = "dynamic";
+  auto match = Match::make(options);
+  if (!match) return match.error();
+  Simulation& simulation = (*match)->simulation();
+  Falls falls{simulation.world()};
+  while (simulation.time().ms < 10'000) {
+    (*match)->step();
+    falls.look();
+  }
+  Measurement measured;
+  measured.add("motion.stand." + job.parameter("scene") + ".falls", "falls", falls.count(),
+               Aim::atMost(0));
+  return measured;
+}
+
+/// A walk at full speed.
+struct FullWalk {
+  std::string_view name;
+  Pose2D request;  // mm/s, rad/s
+  Aim speed;       // mm/s, or degrees/s of a turn
+};
+
+constexpr double full = 1000, fullTurn = 10;
+const std::array<FullWalk, 6> fullWalks{{{"forward", {0, full, 0}, Aim::atLeast(220)},
+                                         {"backward", {0, -full, 0}, Aim::atLeast(150)},
+                                         {"left", {0, 0, full}, Aim::atLeast(150)},
+                                         {"right", {0, 0, -full}, Aim::atLeast(150)},
+                                         {"turnLeft", {fullTurn, 0, 0}, Aim::atLeast(120)},
+                                         {"turnRight", {-fullTurn, 0, 0}, Aim::atLeast(120)}}};
+
+/// A robot alone on the field, which walks with the parameters of a job.
+Result<std::unique_ptr<MovedRobot>> walker(const Job& job, const DataRoot& root) {
+  const auto scene = dynamicScene(job, root);
+  if (!scene) return scene.error();
+  auto robot = MovedRobot::make(root, *scene, job.seed);
+  if (!robot || job.parameter("walk") == "configured") return robot;
+  // As in a job's one word: stepLen=60,foreHeight=95.
+  std::string parameters = job.parameter("walk");
+  std::ranges::replace(parameters, '=', ' ');
+  std::ranges::replace(parameters, ',', '\n');
+  if (auto done = (*robot)->configure("WalkingEngine", "InvKin", parameters); !done)
+    return done.error();
+  return robot;
+}
+
+Result<Measurement> walkFully(const Job& job, const DataRoot& root) {
+  const FullWalk& walk = *std::ranges::find(fullWalks, job.parameter("direction"), &FullWalk::name);
+  auto made = walker(job, root);
+  if (!made) return made.error();
+  MovedRobot& robot = **made;
+  robot.standUp();
+  // Along the field, which is long enough for that.
+  const bool turns = walk.request.rotation != 0;
+  const double ahead = angleOf(walk.request.translation);
+  robot.world().placeRobot(0, turns ? Pose2D{} : Pose2D{normalize(-ahead), -1800, 0});
+  robot.run(0.5);
+  robot.request.type = MotionType::walk;
+  robot.request.walk = walk.request;
+  constexpr double warmUp = 2, measured = 8;  // s
+  robot.run(warmUp);
+
+  Pose2D way, byOdometry;
+  bool fell = false;
+  for (double time = 0; time < measured; time += tickSeconds) {
+    const Pose2D before = robot.body().pose, counted = robot.odometry().pose;
+    robot.step();
+    const auto add = [](Pose2D& sum, const Pose2D& from, const Pose2D& to) {
+      const Pose2D step = to.relativeTo(from);
+      sum.rotation += step.rotation;
+      sum.translation += step.translation;
+    };
+    add(way, before, robot.body().pose);
+    add(byOdometry, counted, robot.odometry().pose);
+    fell |= robot.hasFallen();
+  }
+  const auto speed = [&](const Pose2D& sum) {
+    return turns ? toDegrees(sum.rotation) / measured * (walk.request.rotation > 0 ? 1 : -1)
+                 : sum.translation.dot(direction(ahead)) / measured;
+  };
+  Measurement measurement;
+  const std::string name = "motion.walk." + std::string{walk.name};
+  measurement.add(name + ".speed", turns ? "deg/s" : "mm/s", speed(way), walk.speed);
+  measurement.add(name + ".odometryError", "%", 100 * std::abs(speed(byOdometry) / speed(way) - 1),
+                  Aim::atMost(5));
+  if (turns)
+    measurement.add(name + ".drift", "mm/s", way.translation.norm() / measured);
+  else
+    measurement.add(name + ".turning", "deg/s", std::abs(toDegrees(way.rotation)) / measured,
+                    Aim::atMost(2));
+  measurement.add(name + ".falls", "falls", fell, Aim::atMost(0));
+  return measurement;
+}
+
+Result<Measurement> wander(const Job& job, const DataRoot& root) {
+  auto made = walker(job, root);
+  if (!made) return made.error();
+  MovedRobot& robot = **made;
+  robot.standUp();
+  Random random = Random{job.seed}.fork("wander");
+  const double seconds = 60 * job.number("minutes");
+  int falls = 0;
+  double until = 0;  // s: walks like this
+  robot.request.type = MotionType::walk;
+  while (static_cast<double>(robot.simulation().time().ms) < 1000 * seconds) {
+    const double now = static_cast<double>(robot.simulation().time().ms) / 1000;
+    const bool atTheWall = std::abs(robot.body().pose.translation.x()) > 1500 ||
+                           std::abs(robot.body().pose.translation.y()) > 900;
+    if (now >= until) {
+      robot.request.walk = {fullTurn * random.symmetric() * random.uniform(),
+                            full * direction(pi * random.symmetric())};
+      until = now + random.uniform(0.5, 4);
+    }
+    // Back to the middle of the field, before a wall is in the way.
+    if (atTheWall) robot.world().placeRobot(0, {robot.body().pose.rotation, 0, 0});
+    robot.step();
+    if (!robot.hasFallen()) continue;
+    ++falls;
+    robot.world().standUp(0);
+  }
+  Measurement measurement;
+  measurement.add("motion.wander.falls", "1/h", falls / seconds * 3600, Aim::atMost(1));
+  return measurement;
+}
+
+}  // namespace
+
+Experiments motionExperiments() {
+  const Parameter parameters{"walk",
+                             "parameters of the walking engine: stepLen=60,foreHeight=95",
+                             Parameter::Kind::text,
+                             {"configured"}};
+  Parameter directions{"direction", "in which it walks at full speed", Parameter::Kind::each, {}};
+  for (const FullWalk& each : fullWalks) directions.values.emplace_back(each.name);
+  return {{"motion.walk",
+           "Speed, drift and odometry of walks at full speed; friction, masses and strength differ "
+           "by up to a tenth",
+           {profileParameter(), changeParameter(), fidelityParameter(), directions, parameters},
+           walkFully},
+          {"motion.wander",
+           "Falls of a robot that walks at full speed in random directions",
+           {profileParameter(),
+            changeParameter(),
+            fidelityParameter(),
+            parameters,
+            {"minutes", "of walking", Parameter::Kind::number, {"10"}}},
+           wander},
+          {"motion.stand",
+           "Who falls in the first ten seconds of a scene",
+           {profileParameter(),
+            {"scene",
+             "from the folder scenes, in the dynamic fidelity",
+             Parameter::Kind::each,
+             {"match", "one-robot", "penalty-shoot-out", "ball-challenge", "localization-challenge",
+              "obstacle-challenge"}}},
+           stand}};
+}
+
+}  // namespace gt
