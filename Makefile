@@ -125,7 +125,10 @@ sanitize-layers: packages
 	@$(CTEST) --test-dir build/asan --label-regex layers
 
 # What is found stays in out/fuzz as a file that reproduces it.
-fuzz:
+fuzz: TARGETS = --target gt2003_python_package
+fuzz: ENVIRONMENT = build/python
+fuzz: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
+fuzz: build
 	@scripts/install-packages clang-14 libclang-rt-14-dev
 	@cmake --preset fuzz >/dev/null
 	@cmake --build --preset fuzz --parallel $(JOBS)
@@ -135,6 +138,7 @@ fuzz:
 	  $$target build/fuzz/corpus/$$name -max_total_time=$(SECONDS) -timeout=10 -rss_limit_mb=4096 \
 	    -artifact_prefix=out/fuzz/$$name- -print_final_stats=1 -verbosity=0 || exit 1; \
 	done
+	@PYTHONPATH=$(BUILD)/python build/python/bin/python python/tests/fuzz_bindings.py --seconds $(SECONDS) --seed $(SEED)
 
 format:
 	@scripts/install-packages clang-format-14

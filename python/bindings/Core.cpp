@@ -7,6 +7,7 @@
 #include "Match.h"
 #include "Modules.h"
 #include "Root.h"
+#include "Tools.h"
 #include "Types.h"
 
 namespace gt::python {
@@ -39,8 +40,13 @@ NB_MODULE(_core, module) {
   module.doc() = "The compiled part of gt2003.";
   nanobind::register_exception_translator(&gt::python::raise);
   gt::python::bindTypes(module);
+  module.def("_data_path",
+             [](const std::string& path) { return gt::python::findRoot("").path(path); });
+  gt::python::bindColors(module);
   gt::python::bindLogs(module);
   gt::python::bindMatch(module);
   gt::python::bindModules(module);
   gt::python::bindJobs(module);
+  gt::python::bindMotions(module);
+  gt::python::bindXabsl(module);
 }

@@ -20,6 +20,11 @@ class Failure : public std::exception {
   std::string text_;
 };
 
+/// Throws a Failure about what was given.
+[[noreturn]] inline void refuse(const std::string& field, std::string what) {
+  throw Failure{Error{.field = field, .what = std::move(what)}};
+}
+
 /// The value of a result; throws its error.
 template <typename T>
 T orThrow(Result<T> result) {

@@ -4,8 +4,9 @@ See docs/python.md of the project.
 """
 
 from ._error import Error
-from . import logs, representations
-from . import jobs, modules
+from . import representations
+from . import modules
+from . import colors, jobs, logs, motions, xabsl
 from ._core import Match, Robot
 from ._solution import Previous, SolutionFailure
 from .logs import Log
@@ -17,8 +18,11 @@ __all__ = [
     "Previous",
     "Robot",
     "SolutionFailure",
+    "colors",
     "jobs",
     "logs",
     "modules",
+    "motions",
     "representations",
+    "xabsl",
 ]

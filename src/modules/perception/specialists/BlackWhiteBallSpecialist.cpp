@@ -57,6 +57,7 @@ void BlackWhiteBallSpecialist::findEdges(const CameraImage& picture, double ball
   for (int y = 1; y < info.height - 1;) {
     const double left = picture.horizon.fromImage({0, y + 0.5}).y();
     const double right = picture.horizon.fromImage({double(info.width), y + 0.5}).y();
+    if (!std::isfinite(left + right + grows)) return;  // of a camera matrix that overflows
     int from = 1, to = info.width - 1;
     if (left < highest || right < highest) {
       // Where the row crosses the border of what is looked at.

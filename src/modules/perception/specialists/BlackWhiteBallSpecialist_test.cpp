@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "modules/perception/testing/DrawnField.h"
 
 namespace gt {
@@ -61,6 +63,18 @@ TEST_F(BlackWhiteBallTest, IsNotSeenOnAFieldWithoutOne) {
     scene.draw(fieldAt, 1, 3, random_);
     look(scene);
     EXPECT_FALSE(percept_.seen) << i;
+  }
+}
+
+TEST_F(BlackWhiteBallTest, IsNotSeenWithACameraMatrixThatOverflows) {
+  DrawnField scene{-0.25};
+  scene.draw(fieldAt, 1, 2, random_);
+  for (const double height : {1e308, -1e308, std::numeric_limits<double>::quiet_NaN()}) {
+    scene.matrix.pose.translation.z() = height;
+    look(scene);
+    scene.matrix.pose.rotation(2, 2) = height;
+    look(scene);
+    EXPECT_FALSE(percept_.seen) << height;
   }
 }
 
