@@ -1,0 +1,164 @@
+"""Measures the figures python.*, and adds them to those that `bench` has written.
+
+bench.py --build build/release [--only match|log|solution] [--json out/bench.json]
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import gt2003
+from gt2003.representations import BallModel, BallPercept, FrameInfo
+from mcap_ros2.reader import read_ros2_messages
+
+Figure = dict[str, object]
+THREADS = 2
+
+
+def figure(name: str, unit: str, runs: list[float], aim: tuple[str, float] | None = None) -> Figure:
+    """A figure as `bench` writes it: the mean over its runs, and how these spread."""
+    ordered = sorted(runs)
+    value = statistics.fmean(runs)
+    made: Figure = {
+        "name": name,
+        "value": value,
+        "unit": unit,
+        "n": len(runs),
+        "low": ordered[0],
+        "high": ordered[-1],
+        "median": statistics.median(runs),
+        "p95": ordered[min(len(ordered) - 1, int(0.95 * len(ordered)))],
+    }
+    if aim:
+        kind, limit = aim
+        made["aim"] = limit
+        made["met"] = value >= limit if kind == "at least" else value <= limit
+    return made | {"runs": runs}
+
+
+def timed(work: Callable[[], object]) -> float:
+    """The seconds that a piece of work takes."""
+    begin = time.perf_counter()
+    work()
+    return time.perf_counter() - begin
+
+
+def measure_match(build: Path, folder: Path) -> list[Figure]:
+    """A match of a minute with logs, from Python and by `simgt play`, in turn."""
+    from_python, by_simgt = [], []
+    for run in range(5):
+        match = gt2003.Match(seed=run, minutes=1, threads=THREADS, logs=str(folder / "python"))
+        from_python.append(timed(match.run))
+        match.close()
+        out = folder / "simgt"
+        subprocess.run(
+            [build / "bin/simgt", "play", "--seed", str(run), "--minutes", "1"]
+            + ["--threads", str(THREADS), "--out", str(out)],
+            check=True,
+            capture_output=True,
+        )
+        by_simgt.append(json.loads((out / "times.json").read_text())["seconds"])
+    ratios = [simgt / python for simgt, python in zip(by_simgt, from_python, strict=True)]
+    return [
+        figure("python.match", "s", from_python),
+        figure("python.match.simgt", "s", by_simgt),
+        figure("python.match.ratio", "", ratios, ("at least", 0.95)),
+    ]
+
+
+def measure_log(build: Path, folder: Path) -> list[Figure]:
+    """A log of about 15 MB as arrays; mcap-ros2-support makes an object of each message."""
+    match = gt2003.Match(seed=1, minutes=3, threads=THREADS, logs=str(folder))
+    match.run()
+    match.close()
+    file = min(folder.glob("*.mcap"), key=lambda log: abs(log.stat().st_size - 15e6))
+    ours, theirs = [], []
+    for _ in range(3):
+        ours.append(timed(lambda: gt2003.Log(file).read()))
+        theirs.append(timed(lambda: sum(1 for _ in read_ros2_messages(file))))
+    return [
+        figure("python.log.size", "MB", [file.stat().st_size / 1e6]),
+        figure("python.log", "s", ours),
+        figure("python.log.mcap", "s", theirs),
+        figure(
+            "python.log.ratio",
+            "",
+            [b / a for a, b in zip(ours, theirs, strict=True)],
+            ("at least", 20),
+        ),
+    ]
+
+
+class Locator:
+    """Does next to nothing, and measures that."""
+
+    def __init__(self) -> None:
+        self.ball = BallModel()
+        self.own = 0
+
+    def update(self, ball_percept: BallPercept, frame_info: FrameInfo) -> BallModel:
+        begin = time.perf_counter_ns()
+        if ball_percept.seen:
+            self.ball.position = ball_percept.offset
+            self.ball.lastSeen = frame_info.time
+        self.own += time.perf_counter_ns() - begin
+        return self.ball
+
+
+def measure_solution(build: Path, folder: Path) -> list[Figure]:
+    """What a call of a solution written in Python costs in a match, beside its own work."""
+    figures = []
+    for threads in (1, THREADS):
+        costs = []
+        for seed in range(5):
+            match = gt2003.Match(seed=seed, threads=threads)
+            made = {
+                name: robot.solve("BallLocator", Locator) for name, robot in match.robots.items()
+            }
+            match.run(20)
+            for name, robot in match.robots.items():
+                watch = robot.times["BallLocator"]
+                costs.append((watch.totalMs * 1e3 - made[name].own / 1e3) / watch.count)
+        name = "python.solution" if threads == 1 else f"python.solution.threads.{threads}"
+        figures.append(figure(name, "us", costs, ("at most", 20)))
+    return figures
+
+
+PIECES: dict[str, Callable[[Path, Path], list[Figure]]] = {
+    "match": measure_match,
+    "log": measure_log,
+    "solution": measure_solution,
+}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--only", choices=list(PIECES), action="append")
+    parser.add_argument("--json", type=Path, default=Path("out/bench.json"))
+    given = parser.parse_args()
+
+    measured: list[Figure] = []
+    for name in given.only or PIECES:
+        with tempfile.TemporaryDirectory() as folder:
+            measured += PIECES[name](given.build, Path(folder))
+    for made in measured:
+        met = {True: "met", False: "not met"}.get(made.get("met"), "")  # type: ignore[call-overload]
+        print(f"{made['name']:32} {made['value']:12.4g} {made['unit']:4} {met}")
+    known = json.loads(given.json.read_text()) if given.json.exists() else []
+    names = {made["name"] for made in measured}
+    given.json.parent.mkdir(parents=True, exist_ok=True)
+    kept = [made for made in known if made["name"] not in names]
+    given.json.write_text(json.dumps(kept + measured, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
