@@ -76,7 +76,7 @@ Result<std::unique_ptr<MovedRobot>> walker(const Job& job, const DataRoot& root)
   auto robot = MovedRobot::make(root, *scene, job.seed);
   if (!robot || job.parameter("walk") == "configured") return robot;
   // As in a job's one word: stepLen=60,foreHeight=95.
-  std::string parameters = job.parameter("walk");
+  std::string parameters = "[" + job.parameter("type") + "]\n" + job.parameter("walk");
   std::ranges::replace(parameters, '=', ' ');
   std::ranges::replace(parameters, ',', '\n');
   if (auto done = (*robot)->configure("WalkingEngine", "InvKin", parameters); !done)
@@ -96,6 +96,7 @@ Result<Measurement> walkFully(const Job& job, const DataRoot& root) {
   robot.world().placeRobot(0, turns ? Pose2D{} : Pose2D{normalize(-ahead), -1800, 0});
   robot.run(0.5);
   robot.request.type = MotionType::walk;
+  robot.request.walkType = *enumValue<WalkType>(job.parameter("type"));
   robot.request.walk = walk.request;
   constexpr double warmUp = 2, measured = 8;  // s
   robot.run(warmUp);
@@ -142,6 +143,7 @@ Result<Measurement> wander(const Job& job, const DataRoot& root) {
   int falls = 0;
   double until = 0;  // s: walks like this
   robot.request.type = MotionType::walk;
+  robot.request.walkType = *enumValue<WalkType>(job.parameter("type"));
   while (static_cast<double>(robot.simulation().time().ms) < 1000 * seconds) {
     const double now = static_cast<double>(robot.simulation().time().ms) / 1000;
     const bool atTheWall = std::abs(robot.body().pose.translation.x()) > 1500 ||
@@ -170,30 +172,34 @@ Experiments motionExperiments() {
                              "parameters of the walking engine: stepLen=60,foreHeight=95",
                              Parameter::Kind::text,
                              {"configured"}};
+  Parameter types{"type", "of the walk", Parameter::Kind::each, {}, true};
+  for (const auto name : enumNames<WalkType>) types.values.emplace_back(name);
   Parameter directions{"direction", "in which it walks at full speed", Parameter::Kind::each, {}};
   for (const FullWalk& each : fullWalks) directions.values.emplace_back(each.name);
-  return {{"motion.walk",
-           "Speed, drift and odometry of walks at full speed; friction, masses and strength differ "
-           "by up to a tenth",
-           {profileParameter(), changeParameter(), fidelityParameter(), directions, parameters},
-           walkFully},
-          {"motion.wander",
-           "Falls of a robot that walks at full speed in random directions",
-           {profileParameter(),
-            changeParameter(),
-            fidelityParameter(),
-            parameters,
-            {"minutes", "of walking", Parameter::Kind::number, {"10"}}},
-           wander},
-          {"motion.stand",
-           "Who falls in the first ten seconds of a scene",
-           {profileParameter(),
-            {"scene",
-             "from the folder scenes, in the dynamic fidelity",
-             Parameter::Kind::each,
-             {"match", "one-robot", "penalty-shoot-out", "ball-challenge", "localization-challenge",
-              "obstacle-challenge"}}},
-           stand}};
+  return {
+      {"motion.walk",
+       "Speed, drift and odometry of walks at full speed; friction, masses and strength differ "
+       "by up to a tenth",
+       {profileParameter(), changeParameter(), fidelityParameter(), types, directions, parameters},
+       walkFully},
+      {"motion.wander",
+       "Falls of a robot that walks at full speed in random directions",
+       {profileParameter(),
+        changeParameter(),
+        fidelityParameter(),
+        types,
+        parameters,
+        {"minutes", "of walking", Parameter::Kind::number, {"10"}}},
+       wander},
+      {"motion.stand",
+       "Who falls in the first ten seconds of a scene",
+       {profileParameter(),
+        {"scene",
+         "from the folder scenes, in the dynamic fidelity",
+         Parameter::Kind::each,
+         {"match", "one-robot", "penalty-shoot-out", "ball-challenge", "localization-challenge",
+          "obstacle-challenge"}}},
+       stand}};
 }
 
 }  // namespace gt

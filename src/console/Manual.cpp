@@ -36,7 +36,7 @@ Ctrl-C stops it, and nothing is lost. `help` lists the commands by topic.
 | `ball.x`, `ball.y`, `ball.speed`, `ball.toucher` | truly, in mm and mm/s; `ball1` is the second ball |
 | `red1.x`, `.y`, `.rotation`, `.height`, `.tilt`, `.roll`, `.walked`, `.posture` | of a robot's body, truly, in mm and degrees |
 | `red1.RobotPose.pose.rotation`, `RobotPose.pose.rotation` | of a representation; without a name of the selected robot |
-| `red1.WalkingEngine.maxStepSizeX`, `WalkingEngine.InvKin.maxStepSizeX` | a parameter, of the solution that runs or another one |
+| `red1.WalkingEngine.normal.maxStepSizeX`, `WalkingEngine.InvKin.normal.maxStepSizeX` | a parameter, of the solution that runs or another one |
 | `robots.red1.joints.headPan`, `emitters.ambient`, `radio.loss`, `fidelity` | an object of the scene, in mm and degrees: `get ?` lists them |
 
 A number behind an object counts its numbers: `robots.red1.0` is x. `get` also takes the beginning of a path, and prints all values

@@ -102,7 +102,7 @@ TEST_P(RobotForms, ItsProcessesDescribeThemselves) {
 
 TEST_P(RobotForms, SolutionsAndParametersAreSwitched) {
   EXPECT_EQ(answerTo(SolutionRequest{"BallLocator", "disabled"}).outcome, RequestOutcome::done);
-  EXPECT_EQ(answerTo(ParameterRequest{"WalkingEngine", "", "maxStepSizeX", "20"}).outcome,
+  EXPECT_EQ(answerTo(ParameterRequest{"WalkingEngine", "", "normal.maxStepSizeX", "20"}).outcome,
             RequestOutcome::done);
   ASSERT_TRUE(answered(DescriptionRequest{}, 2));
   bool disabled = false, slower = false;
@@ -111,7 +111,7 @@ TEST_P(RobotForms, SolutionsAndParametersAreSwitched) {
       disabled |= task.name == "BallLocator" && task.active == "disabled";
       for (const SolutionDescription& solution : task.solutions)
         for (const ParameterDescription& parameter : solution.parameters)
-          slower |= parameter.path == "maxStepSizeX" && parameter.value == "20";
+          slower |= parameter.path == "normal.maxStepSizeX" && parameter.value == "20";
     }
   EXPECT_TRUE(disabled);
   EXPECT_TRUE(slower);

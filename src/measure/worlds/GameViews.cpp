@@ -23,7 +23,7 @@ CameraMatrix trueMatrix(const CameraView& camera, const Pose2D& robot) {
 /// A robot's program: walks or stands, and looks in one direction.
 class GameViews::Body : public RobotController {
  public:
-  explicit Body(const WalkParameters& walk) { engine_.parameters = walk; }
+  explicit Body(const WalkTypes& walk) { engine_.parameters = walk; }
 
   void cycle(const RobotInput& input, RobotOutput& output) override {
     MotionRequest request;
@@ -57,7 +57,7 @@ class GameViews::Body : public RobotController {
 
 Result<GameViews> GameViews::make(const DataRoot& root, const SceneDescription& scene,
                                   std::uint64_t seed) {
-  WalkParameters walk;
+  WalkTypes walk;
   if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), walk); !read)
     return read.error();
   SceneDescription unruled = scene;
@@ -67,7 +67,7 @@ Result<GameViews> GameViews::make(const DataRoot& root, const SceneDescription& 
   return GameViews{*std::move(simulation), walk, seed};
 }
 
-GameViews::GameViews(std::unique_ptr<Simulation> simulation, const WalkParameters& walk,
+GameViews::GameViews(std::unique_ptr<Simulation> simulation, const WalkTypes& walk,
                      std::uint64_t seed)
     : simulation_(std::move(simulation)),
       random_(Random{seed}.fork("views")),

@@ -42,7 +42,7 @@ class GameViews {
  private:
   class Body;
 
-  GameViews(std::unique_ptr<Simulation> simulation, const WalkParameters& walk, std::uint64_t seed);
+  GameViews(std::unique_ptr<Simulation> simulation, const WalkTypes& walk, std::uint64_t seed);
   Vector2d somewhere(double x, double y);
   void placeRobot(std::size_t robot);
   void placeBall();

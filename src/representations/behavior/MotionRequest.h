@@ -10,7 +10,11 @@
 namespace gt {
 
 enum class MotionType { walk, stand, specialAction, getup };  // report 3.9
-enum class WalkType { normal };
+/// Ways of walking, each with parameters of its own (report 3.9).
+enum class WalkType {
+  normal,
+  fast  ///< As fast as the legs can, with all feet in the air between two steps.
+};
 
 /// The special actions that are more than the behavior's: to get up is a motion of its own, and who
 /// stands by a special action sees where it looks. All others are known by name only, each from a

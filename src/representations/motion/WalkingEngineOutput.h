@@ -1,5 +1,6 @@
 #pragma once
 #include "base/Geometry.h"
+#include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/Joints.h"
 
 namespace gt {
@@ -9,6 +10,7 @@ struct WalkingEngineOutput {
   JointData joints;
   Pose2D odometryStep;
   Pose2D speed;
+  WalkType walkType = WalkType::normal;
   bool mayLeave = true;
   double positionInWalkCycle = 0;
   bool holdsHead = false;
@@ -19,6 +21,8 @@ struct WalkingEngineOutput {
         field("odometryStep", &WalkingEngineOutput::odometryStep, "mm, rad", "of this frame"),
         field("speed", &WalkingEngineOutput::speed, "mm/s, rad/s",
               "the request as far as step sizes and accelerations allow"),
+        field("walkType", &WalkingEngineOutput::walkType, "",
+              "of this step; another one that is requested begins with the next"),
         field("mayLeave", &WalkingEngineOutput::mayLeave, "", "all feet are on the ground"),
         field("positionInWalkCycle", &WalkingEngineOutput::positionInWalkCycle, "", "", {0, 1}),
         field("holdsHead", &WalkingEngineOutput::holdsHead, "",

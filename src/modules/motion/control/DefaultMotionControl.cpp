@@ -153,6 +153,7 @@ void DefaultMotionControl::report(const MotionRequest& wanted, const WalkingEngi
     const bool stands = wanted.type != MotionType::walk && walking.speed.rotation == 0 &&
                         walking.speed.translation == Vector2d::Zero();
     info.executed.type = stands ? MotionType::stand : MotionType::walk;
+    info.executed.walkType = walking.walkType;
     info.executed.walk = walking.speed;
     info.stable = true;
   }

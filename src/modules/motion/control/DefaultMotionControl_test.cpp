@@ -63,7 +63,7 @@ TEST(DefaultMotionControl, EndsTheStepBeforeASpecialActionAndTheActionBeforeAWal
       if (motion.info.executed.type == MotionType::specialAction) continue;
       EXPECT_EQ(motion.info.executed.type, MotionType::walk);
     }
-    EXPECT_LE(waited, motion.walkingEngine.parameters.stepLen / 2 + 2);
+    EXPECT_LE(waited, motion.walkingEngine.parameters.normal.stepLen / 2 + 2);
     motion.walk(100, 0, 0);
     int performed = 0;
     bool unstable = true;
@@ -141,8 +141,8 @@ TEST(DefaultMotionControl, TheHeadIsFreeUnlessAnActionNeedsIt) {
 TEST(DefaultMotionControl, AWalkMayHoldTheHead) {
   MotionHarness motion;
   motion.head = {-0.3, 0.8, 0, -0.1};
-  motion.walkingEngine.parameters.holdsHead = true;
-  motion.walkingEngine.parameters.headTilt = -0.6;
+  motion.walkingEngine.parameters.normal.holdsHead = true;
+  motion.walkingEngine.parameters.normal.headTilt = -0.6;
   motion.walk(100, 0, 0);
   motion.steps(200);
   EXPECT_NEAR(motion.joints.angles[Joint::headPan], 0, 1e-9);

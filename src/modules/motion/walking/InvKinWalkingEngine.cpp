@@ -48,9 +48,13 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
   if (!active || frame_ < 0) {
     reset(robot);
   } else {
-    accelerate(request.type == MotionType::walk ? allowed(request.walk) : Pose2D{});
+    const bool walks = request.type == MotionType::walk;
+    if (walks && request.walkType != type_ && allOnGround()) change(request.walkType, robot);
+    // Of a walk whose feet are never all on the ground it has to stop before it can change.
+    const bool stops = !walks || (request.walkType != type_ && flies());
+    accelerate(stops ? Pose2D{} : allowed(request.walk));
     if (!isZero(speed_) || !standing()) {
-      frame_ = (frame_ + 1) % parameters.stepLen;
+      frame_ = (frame_ + 1) % walk().stepLen;
       for (const auto leg : legs) moveFoot(leg);
       shiftBody();
       output.odometryStep = motionDuring(measured(speed_), frameTime);
@@ -58,28 +62,27 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
       rest();
     }
   }
+  adjustStance();
   output.speed = measured(speed_);
-  output.positionInWalkCycle = static_cast<double>(frame_) / parameters.stepLen;
-  output.mayLeave = true;
+  output.walkType = type_;
+  output.positionInWalkCycle = static_cast<double>(frame_) / walk().stepLen;
+  output.mayLeave = allOnGround();
   output.joints = {};
-  for (const auto leg : legs) {
-    const Foot& foot = footOf(leg);
-    if (foot.inAir && std::abs(foot.offset.z()) > still) output.mayLeave = false;
+  for (const auto leg : legs)
     setLeg(output.joints.angles, leg, legAngles(robot, leg, target(robot, leg)).angles);
-  }
-  output.holdsHead = parameters.holdsHead;
-  if (!parameters.holdsHead) return;
-  output.joints.angles[Joint::headTilt] = parameters.headTilt;
-  output.joints.angles[Joint::headPan] = parameters.headPan;
-  output.joints.angles[Joint::headRoll] = parameters.headRoll;
-  output.joints.angles[Joint::mouth] = parameters.mouth;
+  output.holdsHead = walk().holdsHead;
+  if (!walk().holdsHead) return;
+  output.joints.angles[Joint::headTilt] = walk().headTilt;
+  output.joints.angles[Joint::headPan] = walk().headPan;
+  output.joints.angles[Joint::headRoll] = walk().headRoll;
+  output.joints.angles[Joint::mouth] = walk().mouth;
 }
 
 void InvKinWalkingEngine::rest() {
-  frame_ = parameters.stepLen - 1;  // the next walk begins with a new cycle
+  frame_ = walk().stepLen - 1;  // the next walk begins with a new cycle
   for (const auto leg : legs) {
     footOf(leg).rests = true;
-    footOf(leg).offset = offset(leg, FootPath{parameters, leg}.landing());
+    footOf(leg).offset = offset(leg, FootPath{walk(), leg}.landing());
   }
 }
 
@@ -87,49 +90,85 @@ void InvKinWalkingEngine::reset(const RobotDimensions& robot) {
   speed_ = {};
   bodyShift_ = Vector2d::Zero();
   swing_ = 0;
-  for (const auto leg : legs) {
-    const bool fore = isFore(leg);
-    const double width = fore ? parameters.foreWidth : parameters.hindWidth;
-    Foot& foot = footOf(leg);
-    foot = {};
-    foot.center = {
-        shoulderOf(robot, leg).x() + (fore ? parameters.foreCenterX : parameters.hindCenterX),
-        isLeft(leg) ? width : -width};
-    foot.position = foot.liftedAt = foot.center;
-  }
+  feet_ = {};
+  setCenters(robot);
+  for (Foot& foot : feet_) foot.position = foot.liftedAt = foot.center;
+  stance_ = wantedStance();
   rest();
 }
 
+void InvKinWalkingEngine::change(WalkType type, const RobotDimensions& robot) {
+  // The feet stay where they are, and step to their new places.
+  for (Foot& foot : feet_) foot.inAir = false;
+  type_ = type;
+  setCenters(robot);
+  rest();
+}
+
+void InvKinWalkingEngine::setCenters(const RobotDimensions& robot) {
+  for (const auto leg : legs) {
+    const bool fore = isFore(leg);
+    const double width = fore ? walk().foreWidth : walk().hindWidth;
+    footOf(leg).center = {
+        shoulderOf(robot, leg).x() + (fore ? walk().foreCenterX : walk().hindCenterX),
+        isLeft(leg) ? width : -width};
+  }
+}
+
+InvKinWalkingEngine::Stance InvKinWalkingEngine::wantedStance() const {
+  return {walk().foreHeight, walk().hindHeight, walk().foreFootTilt, walk().hindFootTilt};
+}
+
+void InvKinWalkingEngine::adjustStance() {
+  constexpr double lifting = 100, tilting = 0.5;  // mm/s, rad/s
+  const Stance wanted = wantedStance();
+  const auto adjust = [](double& value, double target, double speed) {
+    value = approach(value, target, speed * frameTime);
+  };
+  adjust(stance_.foreHeight, wanted.foreHeight, lifting);
+  adjust(stance_.hindHeight, wanted.hindHeight, lifting);
+  adjust(stance_.foreTilt, wanted.foreTilt, tilting);
+  adjust(stance_.hindTilt, wanted.hindTilt, tilting);
+}
+
+bool InvKinWalkingEngine::flies() const {
+  return walk().foreGroundPhase < 0.5 || walk().hindGroundPhase < 0.5;
+}
+
+bool InvKinWalkingEngine::allOnGround() const {
+  return std::none_of(feet_.begin(), feet_.end(), [](const Foot& foot) {
+    return foot.inAir && std::abs(foot.offset.z()) > still;
+  });
+}
+
 Pose2D InvKinWalkingEngine::measured(const Pose2D& ofFeet) const {
-  return {(ofFeet.rotation - parameters.counterRotation * ofFeet.translation.y()) *
-              parameters.correctionR,
-          ofFeet.translation.x() * parameters.correctionX,
-          ofFeet.translation.y() * parameters.correctionY};
+  return {(ofFeet.rotation - walk().counterRotation * ofFeet.translation.y()) * walk().correctionR,
+          ofFeet.translation.x() * walk().correctionX, ofFeet.translation.y() * walk().correctionY};
 }
 
 Pose2D InvKinWalkingEngine::allowed(const Pose2D& request) const {
-  const double y = request.translation.y() / parameters.correctionY;
-  Pose2D speed{request.rotation / parameters.correctionR + parameters.counterRotation * y,
-               request.translation.x() / parameters.correctionX, y};
+  const double y = request.translation.y() / walk().correctionY;
+  Pose2D speed{request.rotation / walk().correctionR + walk().counterRotation * y,
+               request.translation.x() / walk().correctionX, y};
   // The farthest any foot would go, in units of the ellipse: all are shortened alike, so that the
   // robot moves in the direction requested.
   double farthest = 1;
   for (const auto leg : legs) {
     const Pose2D ofLeg = speedOf(leg, speed);
     const Vector2d center = footOf(leg).center;
-    const FootPath path{parameters, leg};
+    const FootPath path{walk(), leg};
     const double time =
         unitTime(path) * std::max(std::abs(path.landing().along), std::abs(path.lifting().along));
     const double x = (ofLeg.translation.x() - ofLeg.rotation * center.y()) * time;
     const double across = (ofLeg.translation.y() + ofLeg.rotation * center.x()) * time;
-    farthest = std::max(farthest,
-                        std::hypot(x / parameters.maxStepSizeX, across / parameters.maxStepSizeY));
+    farthest =
+        std::max(farthest, std::hypot(x / walk().maxStepSizeX, across / walk().maxStepSizeY));
   }
   return {speed.rotation / farthest, speed.translation / farthest};
 }
 
 void InvKinWalkingEngine::accelerate(const Pose2D& target) {
-  const auto& p = parameters;
+  const auto& p = walk();
   speed_.translation = {
       approach(speed_.translation.x(), target.translation.x(), p.maxSpeedXChange * frameTime),
       approach(speed_.translation.y(), target.translation.y(), p.maxSpeedYChange * frameTime)};
@@ -137,8 +176,8 @@ void InvKinWalkingEngine::accelerate(const Pose2D& target) {
 }
 
 void InvKinWalkingEngine::moveFoot(Leg leg) {
-  const FootPath path{parameters, leg};
-  const double phase = phaseOf(leg), before = phase - 1. / parameters.stepLen;
+  const FootPath path{walk(), leg};
+  const double phase = phaseOf(leg), before = phase - 1. / walk().stepLen;
   const Pose2D speed = speedOf(leg, speed_);
   const double seconds = unitTime(path);  // for each unit along the path
   const auto landing = path.landing(), lifting = path.lifting();
@@ -174,22 +213,22 @@ void InvKinWalkingEngine::moveFoot(Leg leg) {
 
 void InvKinWalkingEngine::shiftBody() {
   const double target = isZero(speed_) ? 0 : 1;
-  swing_ = approach(swing_, target, 2. / parameters.stepLen);
+  swing_ = approach(swing_, target, 2. / walk().stepLen);
   bodyShift_ = Vector2d::Zero();
   for (const auto leg : legs) {
-    const double phase = wrapped(phaseOf(leg) + parameters.bodyShiftOffset);
-    const FootPath path{parameters, leg};
+    const double phase = wrapped(phaseOf(leg) + walk().bodyShiftOffset);
+    const FootPath path{walk(), leg};
     if (!path.inAir(phase)) continue;
     const double share = swing_ * std::sin(pi * phase / path.airPhase());
-    bodyShift_ += share * Vector2d{isFore(leg) ? -parameters.bodyShiftX : parameters.bodyShiftX,
-                                   isLeft(leg) ? -parameters.bodyShiftY : parameters.bodyShiftY};
+    bodyShift_ += share * Vector2d{isFore(leg) ? -walk().bodyShiftX : walk().bodyShiftX,
+                                   isLeft(leg) ? -walk().bodyShiftY : walk().bodyShiftY};
   }
 }
 
 bool InvKinWalkingEngine::standing() const {
   return swing_ == 0 && std::all_of(legs.begin(), legs.end(), [&](Leg leg) {
            const Foot& foot = footOf(leg);
-           const double landing = FootPath{parameters, leg}.landing().height;
+           const double landing = FootPath{walk(), leg}.landing().height;
            return !foot.inAir && isCentered(foot) && std::abs(foot.offset.z() - landing) < still;
          });
 }
@@ -200,7 +239,7 @@ bool InvKinWalkingEngine::isCentered(const Foot& foot) {
 
 Pose2D InvKinWalkingEngine::speedOf(Leg leg, const Pose2D& speed) const {
   if (isFore(leg)) return speed;
-  const auto& p = parameters;
+  const auto& p = walk();
   return {speed.rotation * p.legSpeedFactorR, speed.translation.x() * p.legSpeedFactorX,
           speed.translation.y() * p.legSpeedFactorY};
 }
@@ -208,13 +247,12 @@ Pose2D InvKinWalkingEngine::speedOf(Leg leg, const Pose2D& speed) const {
 double InvKinWalkingEngine::unitTime(const FootPath& path) const {
   constexpr double shortest = 0.1;
   const double units = std::max(path.landing().along - path.lifting().along, shortest);
-  return path.groundPhase() * parameters.stepLen * frameTime / units;
+  return path.groundPhase() * walk().stepLen * frameTime / units;
 }
 
 double InvKinWalkingEngine::phaseOf(Leg leg) const {
   constexpr double rounding = 1e-9;  // a foot lands in its frame, not in the next
-  return wrapped(static_cast<double>(frame_) / parameters.stepLen - parameters.legPhase[leg] +
-                 rounding);
+  return wrapped(static_cast<double>(frame_) / walk().stepLen - walk().legPhase[leg] + rounding);
 }
 
 Vector3d InvKinWalkingEngine::offset(Leg leg, const FootPath::Point& point) {
@@ -222,11 +260,10 @@ Vector3d InvKinWalkingEngine::offset(Leg leg, const FootPath::Point& point) {
 }
 
 Vector3d InvKinWalkingEngine::target(const RobotDimensions& robot, Leg leg) const {
-  const auto& p = parameters;
   const Foot& foot = footOf(leg);
   const Vector2d position = foot.position + foot.offset.head<2>();
-  const double height = isFore(leg) ? p.foreHeight : p.hindHeight;
-  const double tilt = std::tan(isFore(leg) ? p.foreFootTilt : p.hindFootTilt);
+  const double height = isFore(leg) ? stance_.foreHeight : stance_.hindHeight;
+  const double tilt = std::tan(isFore(leg) ? stance_.foreTilt : stance_.hindTilt);
   const double z = (position.x() - foot.center.x()) * tilt - height + foot.offset.z();
   return {position.x() - bodyShift_.x(), position.y() - bodyShift_.y(),
           shoulderOf(robot, leg).z() + z};

@@ -13,10 +13,11 @@ namespace gt {
 
 /// Solution *InvKin* of WalkingEngine: moves the feet like wheels around their centers, on the
 /// ground against the body's motion, in the air back again, and finds the joints by inverse
-/// kinematics (report 3.9.1). With speed 0 it stands.
+/// kinematics (report 3.9.1). With speed 0 it stands. Each walk type has parameters of its own; a
+/// new type begins when all feet are on the ground.
 class InvKinWalkingEngine {
  public:
-  using Parameters = WalkParameters;
+  using Parameters = WalkTypes;
   Parameters parameters;
 
   /// Provides the legs' angles and the step that they make; those of standing while another module
@@ -32,7 +33,20 @@ class InvKinWalkingEngine {
     bool rests = true;  ///< Since it stood still it was not lifted.
   };
 
+  /// How the body stands on its feet: it changes slowly with the walk type.
+  struct Stance {
+    double foreHeight = 0, hindHeight = 0;  ///< mm
+    double foreTilt = 0, hindTilt = 0;      ///< rad, of the feet's paths
+  };
+
+  const WalkParameters& walk() const { return parameters[type_]; }
   void reset(const RobotDimensions& robot);
+  void change(WalkType type, const RobotDimensions& robot);
+  void setCenters(const RobotDimensions& robot);
+  Stance wantedStance() const;
+  void adjustStance();
+  bool allOnGround() const;
+  bool flies() const;
   void rest();
   void accelerate(const Pose2D& target);
   void moveFoot(Leg);
@@ -52,6 +66,8 @@ class InvKinWalkingEngine {
   Foot& footOf(Leg leg) { return feet_[static_cast<std::size_t>(leg)]; }
   const Foot& footOf(Leg leg) const { return feet_[static_cast<std::size_t>(leg)]; }
 
+  WalkType type_ = WalkType::normal;
+  Stance stance_;
   std::array<Foot, 4> feet_;
   Pose2D speed_;                           ///< Of the feet, before the correction.
   Vector2d bodyShift_ = Vector2d::Zero();  ///< mm

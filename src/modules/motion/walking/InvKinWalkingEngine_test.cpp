@@ -54,7 +54,7 @@ TEST(InvKinWalkingEngine, StandsWhenNothingIsRequested) {
   walk.frames(200);
   EXPECT_EQ(walk.output.joints.angles.values, first.values);
   EXPECT_TRUE(walk.output.mayLeave);
-  const auto& p = walk.engine.parameters;
+  const auto& p = walk.engine.parameters.normal;
   const auto feet = walk.feet();
   EXPECT_NEAR(feet[0].x(), 59.5 + p.foreCenterX, 1e-6);
   EXPECT_NEAR(feet[0].y(), -p.foreWidth, 1e-6);
@@ -82,7 +82,7 @@ TEST(InvKinWalkingEngine, OdometryIsTheMotionOfTheFeetOnTheGround) {
   for (const auto mode : footModes)
     for (const auto& motion : motions) {
       Walk walk;
-      walk.engine.parameters.footMode = mode;
+      walk.engine.parameters.normal.footMode = mode;
       walk.go(motion.translation.x(), motion.translation.y(), motion.rotation);
       walk.frames(300);
       // The body's motion seen from the pair of feet that stood at the begin and at the end of a
@@ -139,7 +139,7 @@ TEST(InvKinWalkingEngine, StaysWithinTheLimitsOfTheJoints) {
 
 TEST(InvKinWalkingEngine, MayBeLeftOnlyWithAllFeetOnTheGround) {
   Walk walk;
-  walk.engine.parameters.foreFootTilt = walk.engine.parameters.hindFootTilt = 0;
+  walk.engine.parameters.normal.foreFootTilt = walk.engine.parameters.normal.hindFootTilt = 0;
   walk.go(200, 0, 0);
   int chances = 0;
   for (int i = 0; i < 320; ++i) {
@@ -185,7 +185,7 @@ TEST(InvKinWalkingEngine, StartsFromTheStandAfterAnotherMotion) {
 
 TEST(InvKinWalkingEngine, ReportsTheSpeedThatWasMeasured) {
   Walk walk;
-  walk.engine.parameters.correctionX = 0.8;
+  walk.engine.parameters.normal.correctionX = 0.8;
   walk.go(100, 0, 0);
   walk.frames(200);
   EXPECT_NEAR(walk.output.speed.translation.x(), 100, 1e-9);
@@ -201,7 +201,7 @@ TEST(InvKinWalkingEngine, ReportsTheSpeedThatWasMeasured) {
 TEST(InvKinWalkingEngine, EveryFootModeWalksAsHighAndFarAsItsParametersSay) {
   for (const auto mode : footModes) {
     Walk walk;
-    auto& p = walk.engine.parameters;
+    auto& p = walk.engine.parameters.normal;
     p.footMode = mode;
     p.foreFootTilt = 0;
     p.foreFootLift = p.foreFreeFormQuadPos[2].z();
@@ -228,9 +228,9 @@ TEST(InvKinWalkingEngine, StartsAndStopsWithoutAJerkInEveryFootModeAndGait) {
   for (const auto mode : footModes)
     for (const bool crawls : {false, true}) {
       Walk walk;
-      walk.engine.parameters.footMode = mode;
-      walk.engine.parameters.bodyShiftY = 8;
-      if (crawls) crawl(walk.engine.parameters);
+      walk.engine.parameters.normal.footMode = mode;
+      walk.engine.parameters.normal.bodyShiftY = 8;
+      if (crawls) crawl(walk.engine.parameters.normal);
       walk.frame();
       const auto stand = walk.feet();
       auto before = stand;
@@ -251,8 +251,8 @@ TEST(InvKinWalkingEngine, StartsAndStopsWithoutAJerkInEveryFootModeAndGait) {
 
 TEST(InvKinWalkingEngine, TheBodyMovesAwayFromAFootBeforeItIsLifted) {
   Walk walk;
-  crawl(walk.engine.parameters);
-  auto& p = walk.engine.parameters;
+  crawl(walk.engine.parameters.normal);
+  auto& p = walk.engine.parameters.normal;
   p.foreFootTilt = p.hindFootTilt = 0;
   p.bodyShiftX = 10;
   p.bodyShiftY = 20;
@@ -275,7 +275,7 @@ TEST(InvKinWalkingEngine, TheBodyMovesAwayFromAFootBeforeItIsLifted) {
 
 TEST(InvKinWalkingEngine, AcceleratesNoMoreThanItMay) {
   Walk walk;
-  auto& p = walk.engine.parameters;
+  auto& p = walk.engine.parameters.normal;
   p.maxSpeedXChange = 200;
   p.maxSpeedYChange = 100;
   p.maxRotationChange = 2;
@@ -296,7 +296,7 @@ TEST(InvKinWalkingEngine, AcceleratesNoMoreThanItMay) {
 TEST(InvKinWalkingEngine, HindLegsHaveTheirShareOfTheSpeed) {
   const auto steps = [](double x, double y, double rotation) {
     Walk walk;
-    auto& p = walk.engine.parameters;
+    auto& p = walk.engine.parameters.normal;
     p.legSpeedFactorX = 0.5;
     p.legSpeedFactorY = 0.4;
     p.legSpeedFactorR = 0.6;
@@ -320,7 +320,7 @@ TEST(InvKinWalkingEngine, HindLegsHaveTheirShareOfTheSpeed) {
 
 TEST(InvKinWalkingEngine, CounterRotationTurnsWhileItWalksSideways) {
   Walk walk;
-  walk.engine.parameters.counterRotation = 0.002;
+  walk.engine.parameters.normal.counterRotation = 0.002;
   walk.go(0, 100, 0);
   walk.frames(200);
   EXPECT_NEAR(walk.output.speed.rotation, 0, 1e-9);  // what it should turn is not reported
@@ -335,7 +335,7 @@ TEST(InvKinWalkingEngine, CounterRotationTurnsWhileItWalksSideways) {
 
 TEST(InvKinWalkingEngine, FootTiltRaisesTheFrontOfThePath) {
   Walk walk;
-  auto& p = walk.engine.parameters;
+  auto& p = walk.engine.parameters.normal;
   p.foreFootTilt = 0.2;
   p.hindFootTilt = -0.1;
   walk.go(100, 0, 0);
@@ -356,7 +356,7 @@ TEST(InvKinWalkingEngine, MayHoldTheHead) {
   Walk walk;
   walk.frame();
   EXPECT_FALSE(walk.output.holdsHead);
-  auto& p = walk.engine.parameters;
+  auto& p = walk.engine.parameters.normal;
   p.holdsHead = true;
   p.headTilt = -0.6;
   p.headPan = 0.1;
@@ -368,6 +368,39 @@ TEST(InvKinWalkingEngine, MayHoldTheHead) {
   EXPECT_EQ(walk.output.joints.angles[Joint::headPan], 0.1);
   EXPECT_EQ(walk.output.joints.angles[Joint::headRoll], 0.2);
   EXPECT_EQ(walk.output.joints.angles[Joint::mouth], -0.5);
+}
+
+TEST(InvKinWalkingEngine, ChangesItsWalkTypeBetweenStepsWithoutAJerk) {
+  Walk walk;
+  auto& p = walk.engine.parameters;
+  p.fast = p.normal;
+  p.fast.foreHeight = 120;
+  p.fast.foreCenterX = 30;
+  p.fast.stepLen = 30;
+  p.fast.foreGroundPhase = p.fast.hindGroundPhase = 0.45;  // it flies
+  walk.frame();
+  auto before = walk.feet();
+  int changes = 0;
+  for (int i = 0; i < 900; ++i) {
+    walk.go(150, 0, 0);
+    walk.request.walkType = i % 300 < 150 ? WalkType::normal : WalkType::fast;
+    const WalkType type = walk.output.walkType;
+    walk.frame();
+    const auto now = walk.feet();
+    if (walk.output.walkType != type) {
+      ++changes;
+      for (const Vector3d& foot : before) EXPECT_LT(foot.z(), -100);  // all were on the ground
+    }
+    for (std::size_t f = 0; f < now.size(); ++f) EXPECT_LT((now[f] - before[f]).norm(), 12) << i;
+    before = now;
+  }
+  EXPECT_EQ(changes, 5);
+  EXPECT_EQ(walk.output.walkType, WalkType::fast);
+  walk.request.type = MotionType::stand;
+  walk.frames(200);
+  EXPECT_EQ(walk.output.walkType, WalkType::fast);  // it stands as it walked
+  EXPECT_NEAR(walk.feet()[1].z(), -120, 1);
+  EXPECT_NEAR(walk.feet()[1].x(), 59.5 + 30, 1);
 }
 
 TEST(InvKinWalkingEngine, StandsUntilTheLegsHaveArrived) {

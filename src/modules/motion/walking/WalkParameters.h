@@ -3,6 +3,7 @@
 
 #include "base/Enum.h"
 #include "base/Geometry.h"
+#include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/RobotDimensions.h"
 #include "streams/Reflection.h"
 
@@ -126,6 +127,19 @@ struct WalkParameters {
               {0.2, 5}),
         field("correctionR", &P::correctionR, "", "measured speed, as a share of that of the feet",
               {0.2, 5})};
+  }
+};
+
+/// The parameters of each walk type.
+struct WalkTypes {
+  WalkParameters normal, fast;
+
+  const WalkParameters& operator[](WalkType type) const {
+    return type == WalkType::fast ? fast : normal;
+  }
+
+  static constexpr auto fields() {
+    return Fields{field("normal", &WalkTypes::normal), field("fast", &WalkTypes::fast)};
   }
 };
 
