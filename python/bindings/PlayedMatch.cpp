@@ -153,7 +153,8 @@ nb::object PlayedMatch::join(std::size_t robot, const std::string& task, nb::han
                         .what = "expected a solution's name, or a class of solutions that is made "
                                 "without arguments"}};
   const nb::object object = made();
-  SimulatedRobot& known = *match().robots()[robot];
+  const Run busy{*this};  // what follows runs code of Python, which may let other threads run
+  SimulatedRobot& known = *session_->match().robots()[robot];
   const Task* described = solutions().find(task);
   if (!described) throw Failure{Error{.field = task, .what = "there is no such task"}};
   std::string instead{SolutionTable::disabled};
@@ -167,7 +168,7 @@ nb::object PlayedMatch::join(std::size_t robot, const std::string& task, nb::han
     return other.robot == robot && other.task == task && other.solution.name() == solution.name();
   });
   joined_.push_back({robot, task, std::move(solution)});
-  match().markIrreproducible(known.name() + " has a solution that is written in Python");
+  session_->match().markIrreproducible(known.name() + " has a solution that is written in Python");
   return object;
 }
 

@@ -269,6 +269,24 @@ def test_it_must_not_use_its_match() -> None:
         match.run(0.1)
 
 
+def test_it_cannot_join_a_match_that_runs() -> None:
+    match = gt2003.Match()
+    robot = match.robots["red1"]
+    started = []
+
+    class Starts(LastSeen):
+        def __init__(self) -> None:
+            super().__init__()
+            started.append(threading.Thread(target=match.run, args=(5,)))
+            started[0].start()
+            time.sleep(0.05)
+
+    with pytest.raises(gt2003.Error, match="runs in another thread"):
+        robot.solve("BallLocator", Starts)
+    started[0].join()
+    assert robot.solutions["BallLocator"] == "PIDSmoothed" and match.run(0.1)
+
+
 def test_a_match_that_its_solution_knows_is_freed() -> None:
     class Knows(LastSeen):
         def __init__(self) -> None:
