@@ -44,7 +44,9 @@ Result<SceneDescription> loadScene(const Job& job, const DataRoot& root, const s
 Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root) {
   auto scene = loadScene(job, root);
   if (!scene) return scene;
-  constexpr double variety = 0.1;
+  const double variety = job.parameters.contains("variety") ? job.number("variety") : 0.1;
+  if (variety < 0 || variety > 0.9)
+    return Error{.field = "variety", .what = "expected a share from 0 to 0.9"};
   Random random = Random{job.seed}.fork("dynamics");
   scene->fidelity = *enumValue<Fidelity>(job.parameter("fidelity"));
   scene->dynamics = {1 + variety * random.symmetric(), 1 + variety * random.symmetric(),

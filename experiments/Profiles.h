@@ -32,9 +32,16 @@ Result<SceneDescription> loadScene(const Job& job, const DataRoot& root,
 inline Parameter fidelityParameter() {
   return {"fidelity", "of the body", Parameter::Kind::choice, {"dynamic", "kinematic"}, true};
 }
+/// The parameter of how far friction, masses and the servos' strength are from the model's.
+inline Parameter varietyParameter() {
+  return {"variety",
+          "share by which friction, masses and strength differ at most",
+          Parameter::Kind::number,
+          {"0.1"}};
+}
 /// A scene of the root as a job asks for it, with one robot alone and no ball. In the dynamic
-/// fidelity friction, masses and the servos' strength differ from the model's by up to a tenth,
-/// each seed otherwise.
+/// fidelity friction, masses and the servos' strength differ from the model's by up to the job's
+/// variety, or a tenth, each seed otherwise.
 Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root);
 
 }  // namespace gt

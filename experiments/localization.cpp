@@ -2,11 +2,13 @@
 // the simulator, with its images and the robot's own vision; and how robust they are, there and
 // on a test bench without images, where everything goes wrong that can.
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ChangedRoot.h"
 #include "Experiments.h"
 #include "GoToPoints.h"
 #include "Profiles.h"
@@ -20,6 +22,9 @@
 
 namespace gt {
 namespace {
+
+/// All locators, where one may be chosen.
+constexpr std::string_view everyLocator = "all";
 
 /// With so much slip the odometry alone is off by more than a meter within a minute.
 constexpr double muchSlip = 0.4, muchNoise = 2;
@@ -295,10 +300,26 @@ std::vector<Trouble> troubles() {
   return rows;
 }
 
-/// The errors of all locators while a robot walks for some minutes.
+/// The locators of a job, with the parameters of the root's configuration.
+Result<std::vector<Follower>> followersOf(const Job& job, const DataRoot& root,
+                                          const std::string& suffix) {
+  const std::string& wanted = job.parameter("locators");
+  std::vector<Follower> all;
+  for (const LocatorKind& kind : locatorKinds()) {
+    if (wanted != everyLocator && wanted != kind.name) continue;
+    Follower& follower = all.emplace_back();
+    follower.name = kind.name + suffix;
+    follower.locator = kind.make(job.seed);
+    const std::string file = root.path("config/modules/SelfLocator." + kind.solution + ".cfg");
+    if (!std::filesystem::exists(file)) continue;
+    if (auto done = follower.locator->configure(file); !done) return done.error();
+  }
+  return all;
+}
+
+/// The errors of locators while a robot walks for some minutes.
 template <typename Robot>
-Measurement followThrough(Robot& robot, const std::string& suffix, const Job& job) {
-  std::vector<Follower> all = followers(suffix, true, job.seed);
+Measurement followThrough(Robot& robot, std::vector<Follower> all, const Job& job) {
   const int pictures = static_cast<int>(SyntheticRobot::imagesPerMinute * job.number("minutes"));
   for (int i = 0; i < pictures; ++i) {
     robot.step();
@@ -326,19 +347,23 @@ std::string suffixOf(const Trouble& trouble) {
 }
 
 /// The errors while something goes wrong in a world like a match without images.
-Result<Measurement> robustnessOnBench(const Job& job, const DataRoot&) {
+Result<Measurement> robustnessOnBench(const Job& job, const DataRoot& root) {
   const Trouble trouble = troubleOf(job);
+  auto all = followersOf(job, root, suffixOf(trouble));
+  if (!all) return all.error();
   SyntheticRobot robot{job.seed, trouble.bench};
-  return followThrough(robot, suffixOf(trouble), job);
+  return followThrough(robot, *std::move(all), job);
 }
 
 /// The same in the simulator with its images.
 Result<Measurement> robustnessOnImages(const Job& job, const DataRoot& root) {
   Trouble trouble = troubleOf(job);
   trouble.pictures.profile = profileOf(job);
+  auto all = followersOf(job, root, ".pictures" + suffixOf(trouble));
+  if (!all) return all.error();
   auto walker = SimulatedWalker::make(root, job.seed, trouble.pictures);
   if (!walker) return walker.error();
-  return followThrough(**walker, ".pictures" + suffixOf(trouble), job);
+  return followThrough(**walker, *std::move(all), job);
 }
 
 /// Behind the names of locators that run without beacons.
@@ -371,6 +396,9 @@ Experiments localizationExperiments() {
   }
   Parameter trouble{"trouble", "what goes wrong", Parameter::Kind::each, {}};
   for (const Trouble& t : troubles()) trouble.values.push_back(t.name);
+  Parameter which{
+      "locators", "that are compared", Parameter::Kind::choice, {std::string{everyLocator}}};
+  for (const LocatorKind& kind : locatorKinds()) which.values.push_back(kind.name);
   const auto minutes = [](const char* value) {
     return Parameter{"minutes", "of walking", Parameter::Kind::number, {value}};
   };
@@ -380,12 +408,12 @@ Experiments localizationExperiments() {
            goingToPoints},
           {"localization.robustness.bench",
            "Errors while something goes wrong, on a test bench without images",
-           {trouble, minutes("6")},
-           robustnessOnBench},
+           {trouble, which, minutes("6"), valuesParameter()},
+           withValues<robustnessOnBench>},
           {"localization.robustness.pictures",
            "Errors while something goes wrong, in the simulator with its images",
-           {profileParameter(), trouble, minutes("3")},
-           robustnessOnImages},
+           {profileParameter(), trouble, which, minutes("3"), valuesParameter()},
+           withValues<robustnessOnImages>},
           {"localization.search",
            "Images until a robot finds where it is, from nothing and carried away (figure 3.8)",
            {profileParameter(), beacons},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
 
@@ -66,8 +67,9 @@ Experiment matchExperiment() {
           "Whole matches: goals, kicks, penalties, localization against the truth",
           {profileParameter(),
            {"fidelity", "of the bodies", Parameter::Kind::choice, {"kinematic", "dynamic"}, true},
-           {"minutes", "both halves together", Parameter::Kind::number, {"10"}}},
-          playMatch};
+           {"minutes", "both halves together", Parameter::Kind::number, {"10"}},
+           valuesParameter()},
+          withValues<playMatch>};
 }
 
 }  // namespace gt

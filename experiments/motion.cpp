@@ -1,6 +1,7 @@
 // How well robots move in the dynamic fidelity: whether they stand, walk and fall.
 #include <algorithm>
 
+#include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
 #include "match/Match.h"
@@ -178,10 +179,11 @@ Experiments motionExperiments() {
   for (const FullWalk& each : fullWalks) directions.values.emplace_back(each.name);
   return {
       {"motion.walk",
-       "Speed, drift and odometry of walks at full speed; friction, masses and strength differ "
-       "by up to a tenth",
-       {profileParameter(), changeParameter(), fidelityParameter(), types, directions, parameters},
-       walkFully},
+       "Speed, drift and odometry of walks at full speed; friction, masses and strength are "
+       "each seed otherwise",
+       {profileParameter(), changeParameter(), fidelityParameter(), varietyParameter(), types,
+        directions, parameters, valuesParameter()},
+       withValues<walkFully>},
       {"motion.wander",
        "Falls of a robot that walks at full speed in random directions",
        {profileParameter(),

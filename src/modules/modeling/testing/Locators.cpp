@@ -8,8 +8,8 @@ namespace gt {
 namespace {
 
 template <typename Solution>
-LocatorKind kind(std::string name, bool usesEdges) {
-  return {std::move(name), usesEdges, [](std::uint64_t seed) {
+LocatorKind kind(std::string name, std::string solution, bool usesEdges) {
+  return {std::move(name), std::move(solution), usesEdges, [](std::uint64_t seed) {
             return std::make_unique<LocatorOf<Solution>>(typename Solution::Parameters{}, seed);
           }};
 }
@@ -17,13 +17,13 @@ LocatorKind kind(std::string name, bool usesEdges) {
 }  // namespace
 
 std::vector<LocatorKind> locatorKinds() {
-  return {kind<SingleLandmarkSelfLocator>("singlelandmark", false),
-          kind<MonteCarloSelfLocator>("montecarlo", false),
-          kind<FusionSelfLocator>("fusion", false),
-          kind<LinesSelfLocator>("lines", true),
-          kind<GT2003SelfLocator>("gt2003", true),
-          kind<Fusion2003SelfLocator>("fusion2003", true),
-          kind<KalmanSelfLocator>("kalman", true)};
+  return {kind<SingleLandmarkSelfLocator>("singlelandmark", "SingleLandmark", false),
+          kind<MonteCarloSelfLocator>("montecarlo", "MonteCarlo", false),
+          kind<FusionSelfLocator>("fusion", "Fusion", false),
+          kind<LinesSelfLocator>("lines", "Lines", true),
+          kind<GT2003SelfLocator>("gt2003", "GT2003", true),
+          kind<Fusion2003SelfLocator>("fusion2003", "Fusion2003", true),
+          kind<KalmanSelfLocator>("kalman", "Kalman", true)};
 }
 
 }  // namespace gt

@@ -10,6 +10,7 @@
 #include "debug/Debug.h"
 #include "modules/modeling/testing/SyntheticRobot.h"
 #include "representations/modeling/RobotPose.h"
+#include "streams/Config.h"
 
 namespace gt {
 
@@ -34,6 +35,8 @@ class AnyLocator {
  public:
   virtual ~AnyLocator() = default;
   virtual const RobotPose& operator()(const Seen& seen) = 0;
+  /// Reads parameters from a file in the config format.
+  virtual Result<void> configure(const std::string& file) = 0;
 };
 
 /// Calls a solution's update with those of the values that its signature asks for.
@@ -46,6 +49,9 @@ class LocatorOf final : public AnyLocator {
   const RobotPose& operator()(const Seen& seen) override {
     call(seen, &Solution::update);
     return estimate_;
+  }
+  Result<void> configure(const std::string& file) override {
+    return readConfig(file, solution_.parameters);
   }
   Solution& solution() { return solution_; }
 
@@ -86,6 +92,7 @@ class LocatorOf final : public AnyLocator {
 /// One of the self-locators, as comparisons name it.
 struct LocatorKind {
   std::string name;        ///< As in the names of figures.
+  std::string solution;    ///< As in configurations.
   bool usesEdges = false;  ///< So that it needs no beacons.
   std::function<std::unique_ptr<AnyLocator>(std::uint64_t seed)> make;
 };

@@ -1,0 +1,134 @@
+#include "ChangedRoot.h"
+
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "base/Lines.h"
+#include "robot/ConfigFolder.h"
+#include "robot/Solutions.h"
+#include "streams/File.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// New values by name, for each file of the configuration.
+using Changes = std::map<std::string, std::map<std::string, std::string>>;
+
+Error wrong(const std::string& field, const std::string& what) {
+  return {.field = field, .what = what};
+}
+
+/// Adds SOLUTION of a task, or the value of TASK.SOLUTION.PATH.
+Result<void> addChange(const std::string& one, Changes& changes) {
+  const auto equals = one.find('=');
+  if (equals == one.npos || equals == 0 || equals + 1 == one.size())
+    return wrong(one, "expected TASK=SOLUTION or TASK.SOLUTION.PATH=VALUE");
+  const std::string path = one.substr(0, equals), value = one.substr(equals + 1);
+  const auto dot = path.find('.');
+  const Task* task = solutions().find(path.substr(0, dot));
+  if (!task) return wrong(path.substr(0, dot), "there is no such task");
+  std::string file = "modules.cfg", name = path, solution = value;
+  if (dot != path.npos) {
+    const auto second = path.find('.', dot + 1);
+    if (second == path.npos) return wrong(path, "expected TASK.SOLUTION.PATH");
+    solution = path.substr(dot + 1, second - dot - 1);
+    file = "modules/" + path.substr(0, second) + ".cfg";
+    name = path.substr(second + 1);
+  } else if (solution == SolutionTable::disabled) {
+    solution.clear();
+  }
+  if (!solution.empty() && !task->find(solution))
+    return wrong(task->name, "there is no solution '" + solution + "'");
+  if (!changes[file].emplace(name, value).second) return wrong(path, "is given twice");
+  return {};
+}
+
+/// A file of the configuration with other values, which stand before all sections.
+std::string changedText(const std::string& text, const std::map<std::string, std::string>& values) {
+  std::string changed;
+  for (const auto& [name, value] : values) changed.append(name).append(" " + value + "\n");
+  bool inSection = false;
+  std::istringstream lines{text};
+  for (std::string line; std::getline(lines, line);) {
+    const std::string_view content = withoutComment(line);
+    inSection |= content.starts_with('[');
+    const std::string name{content.substr(0, content.find_first_of(" \t="))};
+    if (inSection || !values.contains(name)) changed += line + '\n';
+  }
+  return changed;
+}
+
+/// Whether a solution has the parameters of its file.
+Result<void> checkParameters(const std::string& file, const std::string& text) {
+  const std::string stem = fs::path{file}.stem().string();
+  const auto dot = stem.find('.');
+  const Solution& solution = *solutions().find(stem.substr(0, dot))->find(stem.substr(dot + 1));
+  Blackboard blackboard;
+  Debug debug;
+  return solution.make({blackboard, debug, Random{0}})->configure(text, file).firstError();
+}
+
+Result<void> change(const fs::path& config, const std::string& name,
+                    const std::map<std::string, std::string>& values) {
+  const auto folder = ConfigFolder::open(config.string());
+  if (!folder) return folder.error();
+  const std::string file = folder->path(name);
+  std::string before;
+  std::error_code ignored;  // then writing reports what is wrong
+  if (fs::exists(file)) {
+    auto text = readFile(file);
+    if (!text) return text.error();
+    before = *std::move(text);
+    fs::remove(file, ignored);
+  }
+  fs::create_directories(fs::path{file}.parent_path(), ignored);
+  const std::string text = changedText(before, values);
+  if (name != "modules.cfg")
+    if (auto done = checkParameters(file, text); !done)
+      return wrong(fs::path{file}.stem().string() + "." + done.error().field, done.error().what);
+  return writeFile(file, text);
+}
+
+/// A folder with links to the files of another one. Its folders are real: paths such as ../config
+/// lead from one to another.
+Result<void> link(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  fs::create_directories(to, failed);
+  for (fs::recursive_directory_iterator at{from, failed}, end; !failed && at != end;
+       at.increment(failed)) {
+    const fs::path place = to / at->path().lexically_relative(from);
+    if (at->is_directory())
+      fs::create_directory(place, failed);
+    else
+      fs::create_symlink(at->path(), place, failed);
+    if (failed) break;
+  }
+  if (failed) return Error{.file = from.string(), .what = failed.message()};
+  return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ChangedRoot>> ChangedRoot::make(const DataRoot& root,
+                                                       const std::string& values) {
+  Changes changes;
+  std::istringstream words{values};
+  for (std::string one; std::getline(words, one, ',');)
+    if (auto done = addChange(one, changes); !done) return done.error();
+  auto made = std::make_unique<ChangedRoot>();
+  const fs::path folder = made->folder_.path();
+  if (folder.empty()) return Error{.what = "there is no temporary folder"};
+  for (const char* part : {"behavior", "config", "experiments/colors", "layouts", "models",
+                           "motions", "scenes", "tests/real"})
+    if (auto done = link(fs::absolute(root.path(part)), folder / part); !done) return done.error();
+  for (const auto& [file, numbers] : changes) {
+    if (auto done = change(folder / "config", file, numbers); !done) return done.error();
+    made->files_.push_back(file);
+  }
+  return made;
+}
+
+}  // namespace gt

@@ -1,0 +1,47 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/DataRoot.h"
+#include "measure/Experiment.h"
+#include "streams/TemporaryFolder.h"
+
+namespace gt {
+
+/// A data root like another one, but with other solutions and parameters in its configuration. It
+/// lies in a temporary folder with links to the other one's files.
+class ChangedRoot {
+ public:
+  /// `values` as the parameter below describes them. A task, solution or parameter that does not
+  /// exist is an error, as is a value out of its range.
+  static Result<std::unique_ptr<ChangedRoot>> make(const DataRoot& root, const std::string& values);
+
+  DataRoot root() const { return DataRoot{folder_.path().string()}; }
+  /// The changed files, as named in the folder of the configuration.
+  const std::vector<std::string>& files() const { return files_; }
+
+ private:
+  TemporaryFolder folder_;
+  std::vector<std::string> files_;
+};
+
+/// The parameter for what the robots' configuration has otherwise.
+inline Parameter valuesParameter() {
+  return {"values",
+          "of the configuration: SelfLocator=GT2003,WalkingEngine.InvKin.stepLen=40",
+          Parameter::Kind::text,
+          {"none"}};
+}
+
+/// Measures with the values of a job in the root: for experiments that have the parameter.
+template <Result<Measurement> (*measure)(const Job&, const DataRoot&)>
+Result<Measurement> withValues(const Job& job, const DataRoot& root) {
+  const std::string& values = job.parameter("values");
+  if (values == "none") return measure(job, root);
+  const auto changed = ChangedRoot::make(root, values);
+  if (!changed) return changed.error();
+  return measure(job, (*changed)->root());
+}
+
+}  // namespace gt

@@ -1,0 +1,52 @@
+#include "ChangedRoot.h"
+
+#include <gmock/gmock.h>
+
+#include "modules/motion/walking/InvKinWalkingEngine.h"
+#include "robot/Configuration.h"
+#include "streams/Config.h"
+
+namespace gt {
+namespace {
+
+std::string errorOf(const std::string& values) {
+  const auto made = ChangedRoot::make({}, values);
+  return made ? "" : made.error().text();
+}
+
+TEST(ChangedRoot, HasOtherParametersAndSolutions) {
+  const auto made = ChangedRoot::make(
+      {}, "WalkingEngine.InvKin.stepLen=52,SelfLocator=GT2003,SelfLocator.Kalman.slip=0.5");
+  ASSERT_TRUE(made) << made.error().text();
+  const DataRoot root = (*made)->root();
+  WalkParameters before, after;
+  ASSERT_TRUE(readConfig("config/modules/WalkingEngine.InvKin.cfg", before));
+  ASSERT_TRUE(readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), after));
+  EXPECT_NE(before.stepLen, 52);
+  EXPECT_EQ(after.stepLen, 52);
+  EXPECT_EQ(after.maxStepSizeX, before.maxStepSizeX);
+  const auto configuration = loadConfiguration(ConfigurationPaths::in(root));
+  ASSERT_TRUE(configuration) << configuration.error().text();
+  const auto& choices = (*configuration)->solutions;
+  const auto locator =
+      std::ranges::find(choices, "SelfLocator", &Configuration::SolutionChoice::task);
+  ASSERT_NE(locator, choices.end());
+  EXPECT_EQ(locator->solution, "GT2003");
+  EXPECT_EQ(std::ranges::count(choices, "SelfLocator", &Configuration::SolutionChoice::task), 1);
+}
+
+TEST(ChangedRoot, RefusesWhatDoesNotExist) {
+  EXPECT_EQ(errorOf("Walk=InvKin"), "Walk: there is no such task");
+  EXPECT_EQ(errorOf("SelfLocator=Best"), "SelfLocator: there is no solution 'Best'");
+  EXPECT_EQ(errorOf("WalkingEngine.InvKin=3"), "WalkingEngine.InvKin: expected TASK.SOLUTION.PATH");
+  EXPECT_THAT(errorOf("WalkingEngine.InvKin.stepLength=3"),
+              testing::StartsWith("WalkingEngine.InvKin.stepLength: "));
+  EXPECT_THAT(errorOf("WalkingEngine.InvKin.stepLen=1"),
+              testing::StartsWith("WalkingEngine.InvKin.stepLen: "));
+  EXPECT_THAT(errorOf("LEDControl"), testing::HasSubstr("expected TASK=SOLUTION"));
+  EXPECT_THAT(errorOf("LEDControl=disabled,LEDControl=Default"),
+              testing::HasSubstr("is given twice"));
+}
+
+}  // namespace
+}  // namespace gt
