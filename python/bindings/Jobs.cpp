@@ -7,9 +7,11 @@
 #include "Failure.h"
 #include "Root.h"
 #include "base/Enum.h"
+#include "experiments/ChangedRoot.h"
 #include "experiments/Experiments.h"
 #include "measure/RunJobs.h"
 #include "robot/SetupFiles.h"
+#include "streams/File.h"
 
 namespace gt::python {
 namespace {
@@ -74,6 +76,15 @@ std::vector<std::string> mergeResults(const std::vector<std::string>& files,
   return texts(warnings);
 }
 
+/// The files of the configuration that have other values, and their content.
+auto changedFiles(const std::string& values) {
+  const auto changed = orThrow(ChangedRoot::make(findRoot(""), values));
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const std::string& name : changed->files())
+    files.emplace_back(name, orThrow(readFile(changed->root().path("config/" + name))));
+  return files;
+}
+
 }  // namespace
 
 void bindJobs(nb::module_& module) {
@@ -82,6 +93,7 @@ void bindJobs(nb::module_& module) {
   module.def("_complete_job", [](const std::string& line) { return jobOf(line).text(); });
   module.def("_measure_job", &measure, "job"_a, "root"_a);
   module.def("_read_results", &readResults, "file"_a);
+  module.def("_changed_files", &changedFiles, "values"_a);
   module.def("_merge_results", &mergeResults, "files"_a, "jobs"_a, "json"_a);
 }
 

@@ -1,4 +1,4 @@
-"""The command `gt2003`: runs jobs of experiments on this machine or on a Ray cluster."""
+"""The command `gt2003`: jobs of experiments, and studies, on this machine or on a Ray cluster."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from . import jobs
+from . import jobs, study
 from ._error import Error
 from ._run import run, workers
 
@@ -16,7 +16,7 @@ def _add_workers(parser: argparse.ArgumentParser) -> None:
         "--address",
         metavar="ADDRESS",
         help="of a Ray cluster; auto: the one of this machine or of RAY_ADDRESS, and if there is none, "
-        "Ray on this machine alone; by default processes without Ray",
+        "Ray on this machine alone, as with local; by default processes without Ray",
     )
     parser.add_argument("--processes", type=int, metavar="N", help="on this machine; by default one a CPU")
     parser.add_argument(
@@ -38,6 +38,14 @@ def _parser() -> argparse.ArgumentParser:
         "again (default: out/run)",
     )
     _add_workers(running)
+    studying = commands.add_parser("study", help="finds better parameters, as a file of the folder studies says")
+    studying.add_argument("file", type=Path, help="a study, such as studies/walk.toml")
+    studying.add_argument(
+        "--out", type=Path, metavar="FOLDER",
+        help="for results.jsonl, study.html, study.json and config; what is measured there is not measured "
+        "again (default: out/studies/NAME)",
+    )
+    _add_workers(studying)
     return parser
 
 
@@ -50,11 +58,20 @@ def _jobs_of(given: argparse.Namespace) -> list[str]:
 def main() -> int:
     """Run the command; return its exit status: 2 if something was wrong or a job failed."""
     given = _parser().parse_args()
+    failed = 0
     try:
-        todo = _jobs_of(given)
+        if given.command == "study":
+            studied = study.load(given.file)
+        else:
+            todo = _jobs_of(given)
         who = workers(given.address, given.processes, given.retries)
         try:
-            failed = run(todo, given.out, who)
+            if given.command == "study":
+                out = given.out or Path("out/studies") / given.file.stem
+                study.run(studied, out, who)
+                print(f"{out}/study.html, {out}/config")
+            else:
+                failed = run(todo, given.out, who)
         finally:
             who.close()
     except Error as error:

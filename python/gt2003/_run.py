@@ -40,33 +40,36 @@ class Results:
 class Progress:
     """Prints how far a list of jobs is, what it has cost and how long it will take."""
 
-    def __init__(self, total: int, stream: TextIO = sys.stderr) -> None:
-        self._total, self._stream = total, stream
+    def __init__(self, total: int, quiet: bool = False, stream: TextIO = sys.stderr) -> None:
+        self._total, self._quiet, self._stream = total, quiet, stream
         self._began = self._printed = time.monotonic()
         self._done = self._failed = 0
         self._seconds = 0.0
 
-    def add(self, outcome: Outcome, cpus: int) -> None:
+    def add(self, outcome: Outcome, who: Processes | Ray) -> None:
         """Count a job; at most once a second (in a file: ten) there is a line."""
         self._done += 1
         self._seconds += outcome.seconds
         if outcome.error:
             self._failed += 1
             self._print(f"{outcome.job}: {outcome.error}\n")
+        if self._quiet:
+            return
         now = time.monotonic()
         terminal = self._stream.isatty()
         last = self._done == self._total
         if last or now - self._printed >= (1 if terminal else 10):
             self._printed = now
-            self._print(self.text(cpus, now) + ("\r" if terminal and not last else "\n"))
+            self._print(self.text(who, now) + ("\r" if terminal and not last else "\n"))
 
-    def text(self, cpus: int, now: float) -> str:
+    def text(self, who: Processes | Ray, now: float) -> str:
         """Return the line."""
         left = (now - self._began) / max(1, self._done) * (self._total - self._done)
         failed = f", {self._failed} failed" if self._failed else ""
+        again = f", {who.redone} done again" if who.redone else ""
         return (
-            f"{self._done}/{self._total} jobs{failed}, {self._seconds / 3600:.3f} CPU hours, "
-            f"{cpus} at once, {_clock(now - self._began)} gone, {_clock(left)} left"
+            f"{self._done}/{self._total} jobs{failed}{again}, {self._seconds / 3600:.3f} CPU hours, "
+            f"{who.cpus} at once, {_clock(now - self._began)} gone, {_clock(left)} left"
         )
 
     def _print(self, text: str) -> None:
@@ -84,18 +87,18 @@ def workers(address: str | None, count: int | None, retries: int) -> Processes |
     return Ray(address, count, retries) if address else Processes(count, retries)
 
 
-def do(todo: Sequence[str], results: Results, who: Processes | Ray) -> int:
-    """Do those jobs that have no result. Return how many failed."""
+def do(todo: Sequence[str], results: Results, who: Processes | Ray, quiet: bool = False) -> int:
+    """Do those jobs that have no result. Return how many failed. Quiet: prints failures only."""
     missing = [job for job in todo if job not in results.done]
-    if len(missing) < len(todo):
+    if len(missing) < len(todo) and not quiet:
         print(f"{results.path}: {len(todo) - len(missing)} of {len(todo)} jobs are done", file=sys.stderr)
-    progress, failed = Progress(len(missing)), 0
+    progress, failed = Progress(len(missing), quiet), 0
     for outcome in who.results(missing):
         if outcome.error:
             failed += 1
         else:
             results.add(outcome.job, outcome.result)
-        progress.add(outcome, who.cpus)
+        progress.add(outcome, who)
     return failed
 
 

@@ -1,7 +1,7 @@
 """What does jobs: processes of this machine, or the nodes of a Ray cluster.
 
 Both have `cpus`, the number of jobs at once, and `results`, which does jobs in any order. A worker
-that dies loses the job that it is at; another one does that again.
+that dies loses the job that it is at; another one does that again, which `redone` counts.
 """
 
 from __future__ import annotations
@@ -53,8 +53,10 @@ class Processes:
 
     def __init__(self, count: int | None = None, retries: int = 3) -> None:
         self.cpus = count or len(os.sched_getaffinity(0))
+        self.redone = 0
         self._retries = retries
         self._all: list[subprocess.Popen[str]] = []
+        self._idle: list[subprocess.Popen[str]] = []
 
     def results(self, todo: Sequence[str]) -> Iterator[Outcome]:
         """Do jobs and yield what became of each, in the order in which they are done."""
@@ -72,15 +74,17 @@ class Processes:
             process.wait()
 
     def _serve(self, waiting: deque[str], done: queue.Queue[Outcome]) -> None:
-        process = self._start()
+        process = self._idle.pop() if self._idle else self._start()
         while True:
             try:
                 job = waiting.popleft()
             except IndexError:
+                self._idle.append(process)
                 return
             died = 0
             while not (outcome := self._ask(process, job)) and died <= self._retries:
                 died += 1
+                self.redone += 1
                 process = self._start()
             done.put(outcome or _lost(job, died))
 
@@ -119,7 +123,7 @@ def _check(address: str) -> None:
     try:
         socket.create_connection((host.removeprefix("ray://"), int(port)), timeout=5).close()
     except (OSError, ValueError):
-        raise Error("there is no Ray cluster; expected HOST:PORT or auto", field=address) from None
+        raise Error("there is no Ray cluster; expected HOST:PORT, auto or local", field=address) from None
 
 
 class Ray:
@@ -131,17 +135,22 @@ class Ray:
         except ModuleNotFoundError:
             raise Error("--address needs Ray: pip install 'gt2003[cluster]'") from None
         os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # it would report to its makers
+        self.redone = 0
         self._ray: Any = ray
         self._retries = retries
         quiet = {"log_to_driver": False, "logging_level": "warning"}
-        if address != "auto":
+        if address not in ("auto", "local"):
             _check(address)  # Ray would try for minutes
-        try:
-            ray.init(address=address, **quiet)
-        except ConnectionError:
-            if address != "auto":
-                raise Error("there is no Ray cluster", field=address) from None
-            ray.init(num_cpus=count, include_dashboard=False, **quiet)
+        alone = address == "local"
+        if not alone:
+            try:
+                ray.init(address=address, **quiet)
+            except ConnectionError:
+                if address != "auto":
+                    raise Error("there is no Ray cluster", field=address) from None
+                alone = True
+        if alone:
+            ray.init(address="local", num_cpus=count, include_dashboard=False, **quiet)
         self._task = ray.remote(num_cpus=1, max_retries=0, scheduling_strategy="SPREAD")(work)
 
     @property
@@ -173,6 +182,7 @@ class Ray:
                     if lost[job] > self._retries:
                         yield _lost(job, lost[job])
                     else:
+                        self.redone += 1
                         waiting.appendleft(job)
 
     def close(self) -> None:

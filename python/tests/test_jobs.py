@@ -78,7 +78,7 @@ def test_the_interpreter_runs_while_a_job_does() -> None:
     assert turns > 100  # with the lock held there would be none or one
 
 
-@pytest.mark.parametrize("way", [["--processes", "2"], ["--address", "auto"]], ids=["processes", "ray"])
+@pytest.mark.parametrize("way", [["--processes", "2"], ["--address", "local"]], ids=["processes", "ray"])
 def test_a_run_gives_the_programs_bytes(way: list[str], expected: Path, tmp_path: Path) -> None:
     told = command("run", expected / "jobs", "--out", tmp_path, *way)
     assert told.returncode == 0, told.stderr

@@ -1,0 +1,144 @@
+"""Studies: found parameters, the same after a stop, and files with mistakes."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gt2003
+from gt2003 import jobs, study
+
+STUDIES = Path(__file__).resolve().parents[2] / "studies"
+TEXT = """
+title = "A short one"
+job = "localization.robustness.bench locators=kalman trouble=none minutes=0.5"
+seeds = "1..20"
+test_seeds = "31..33"
+generations = 2
+population = 4
+repetitions = 2
+most_repetitions = 3
+
+[[parameter]]
+path = "SelfLocator.Kalman.slip"
+low = 0.1
+high = 10
+scale = "log"
+
+[[parameter]]
+path = "SelfLocator.Kalman.points"
+low = 1
+high = 16
+whole = true
+
+[[figure]]
+name = "localization.kalman.error.mean"
+aim = "low"
+
+[[test]]
+name = "other"
+settings = ["minutes=0.4"]
+"""
+
+
+def command(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    line = [sys.executable, "-m", "gt2003", "study", *map(str, arguments)]
+    return subprocess.run(line, capture_output=True, text=True)
+
+
+def test_a_study_finds_a_configuration_and_goes_on_after_a_stop(tmp_path: Path) -> None:
+    file = tmp_path / "short.toml"
+    file.write_text(TEXT)
+    told = command(file, "--out", tmp_path / "a")
+    assert told.returncode == 0, told.stderr
+    assert "generation 2/2" in told.stdout
+    written = tmp_path / "a/config/modules/SelfLocator.Kalman.cfg"
+    found = json.loads((tmp_path / "a/study.json").read_text())
+    assert f"points {found['new']['SelfLocator.Kalman.points']:g}" in written.read_text()
+    assert [c["test"] for c in found["comparisons"]] == ["other"] * len(found["comparisons"])
+    assert {i["path"] for i in found["importance"]} == set(found["new"])
+    page = (tmp_path / "a/study.html").read_text()
+    assert "A short one" in page and "<svg" in page and "SelfLocator.Kalman.slip" in page
+
+    # Stopped in the middle of a line: no job is done again, and all is as without the stop.
+    lines = (tmp_path / "a/results.jsonl").read_text().splitlines(keepends=True)
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b/results.jsonl").write_text("".join(lines[:9]) + lines[9][:50])
+    told = command(file, "--out", tmp_path / "b")
+    assert told.returncode == 0, told.stderr
+    for name in ("study.json", "study.html", "config/modules/SelfLocator.Kalman.cfg"):
+        assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes()
+    again = (tmp_path / "b/results.jsonl").read_text().splitlines()
+    assert len(again) == len(lines) + 1  # and the half one
+
+
+def test_values_change_a_job() -> None:
+    def mean(values: str) -> float:
+        job = f"localization.robustness.bench locators=kalman trouble=none minutes=0.5 values={values}"
+        result = json.loads(jobs.measure(job))["values"]
+        return next(v["value"] for v in result if v["name"] == "localization.kalman.error.mean")
+
+    slip = gt2003.modules.SelfLocator("Kalman").get("slip")
+    assert mean(f"SelfLocator.Kalman.slip={slip}") == mean("none") != mean("SelfLocator.Kalman.slip=5")
+    with pytest.raises(gt2003.Error, match="SelfLocator.Kalman.slop"):
+        mean("SelfLocator.Kalman.slop=1")
+
+
+@pytest.mark.parametrize("file", sorted(STUDIES.glob("*.toml")), ids=lambda file: file.name)
+def test_the_studies_of_the_project_can_be_read(file: Path) -> None:
+    loaded = study.load(file)
+    for parameter in loaded.parameter:
+        old = parameter.old()
+        assert parameter.low <= old <= parameter.high
+        assert parameter.value(parameter.place(old)) == pytest.approx(old, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right", "field", "what"),
+    [
+        ("generatoins = 2", "generations = 2", "generatoins", "is unknown"),
+        ("", "seeds = \"1..20\"", "seeds", "is missing"),
+        ("generations = 2.5", "generations = 2", "generations", "expected int"),
+        ("population = 1", "population = 4", "population", "expected 4 to 1000"),
+        ("low = 20", "low = 0.1", "SelfLocator.Kalman.slip", "low below high"),
+        ("low = 0", "low = 0.1", "SelfLocator.Kalman.slip", "above 0"),
+        ('aim = "lower"', 'aim = "low"', "localization.kalman.error.mean", "neither high nor low"),
+        ("Kalman.slop", "Kalman.slip", "slop", "no such parameter"),
+        ("SelfLocater", "SelfLocator", "SelfLocater.Kalman.slip", "expected TASK"),
+        ('"31..33"', '"31', "", ""),
+        ("test_seeds = \"20..33\"", "test_seeds = \"31..33\"", "test_seeds", "among the others"),
+        ("minuets=0.4", "minutes=0.4", "minuets", "not a parameter"),
+        ("job = \"lokalization", "job = \"localization", "lokalization", "neither an experiment"),
+    ],
+)
+def test_a_mistake_in_a_file_is_told(wrong: str, right: str, field: str, what: str, tmp_path: Path) -> None:
+    file = tmp_path / "wrong.toml"
+    if not field:
+        wrong, right, what = right, wrong, "at line"
+    assert right in TEXT
+    file.write_text(TEXT.replace(right, wrong, 1))
+    with pytest.raises(gt2003.Error) as raised:
+        study.load(file)
+    assert raised.value.file == str(file)
+    assert what in raised.value.what, raised.value
+    assert field in raised.value.field
+
+
+def test_a_figure_that_is_not_measured_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "wrong.toml"
+    file.write_text(TEXT.replace("kalman.error.mean", "kalman.error.maen"))
+    told = command(file, "--out", tmp_path / "out")
+    assert told.returncode == 2
+    assert "kalman.error.maen: is not measured by the job" in told.stderr.splitlines()[-1]
+
+
+def test_intervals_hold_the_mean() -> None:
+    differences = np.random.default_rng(3).normal(5, 2, 40)
+    low, high = study.interval(differences)
+    assert low < differences.mean() < high
+    assert high - low == pytest.approx(2 * 1.96 * differences.std() / 40**0.5, rel=0.1)
