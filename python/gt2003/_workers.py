@@ -170,7 +170,8 @@ class Ray:
             while waiting and len(pending) < 2 * self.cpus:
                 job = waiting.popleft()
                 pending[self._task.remote(job)] = job
-            ready, _ = self._ray.wait(list(pending), num_returns=1, timeout=1)
+            # All that are done within a moment at once: on a large cluster asking takes longer than a job.
+            ready, _ = self._ray.wait(list(pending), num_returns=len(pending), timeout=0.2)
             for reference in ready:
                 job = pending.pop(reference)
                 try:
