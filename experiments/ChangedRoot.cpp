@@ -50,13 +50,14 @@ Result<void> addChange(const std::string& one, Changes& changes) {
 std::string changedText(const std::string& text, const std::map<std::string, std::string>& values) {
   std::string changed;
   for (const auto& [name, value] : values) changed.append(name).append(" " + value + "\n");
-  bool inSection = false;
+  std::string section;
   std::istringstream lines{text};
   for (std::string line; std::getline(lines, line);) {
     const std::string_view content = withoutComment(line);
-    inSection |= content.starts_with('[');
+    if (content.starts_with('['))
+      section = std::string{trimmed(content.substr(1, content.find(']') - 1))} + '.';
     const std::string name{content.substr(0, content.find_first_of(" \t="))};
-    if (inSection || !values.contains(name)) changed += line + '\n';
+    if (!values.contains(section + name)) changed += line + '\n';
   }
   return changed;
 }

@@ -29,7 +29,7 @@ class ChangedRoot {
 /// The parameter for what the robots' configuration has otherwise.
 inline Parameter valuesParameter() {
   return {"values",
-          "of the configuration: SelfLocator=GT2003,WalkingEngine.InvKin.stepLen=40",
+          "of the configuration: SelfLocator=GT2003,WalkingEngine.InvKin.normal.stepLen=40",
           Parameter::Kind::text,
           {"none"}};
 }

@@ -16,15 +16,15 @@ std::string errorOf(const std::string& values) {
 
 TEST(ChangedRoot, HasOtherParametersAndSolutions) {
   const auto made = ChangedRoot::make(
-      {}, "WalkingEngine.InvKin.stepLen=52,SelfLocator=GT2003,SelfLocator.Kalman.slip=0.5");
+      {}, "WalkingEngine.InvKin.normal.stepLen=52,SelfLocator=GT2003,SelfLocator.Kalman.slip=0.5");
   ASSERT_TRUE(made) << made.error().text();
   const DataRoot root = (*made)->root();
-  WalkParameters before, after;
+  WalkTypes before, after;
   ASSERT_TRUE(readConfig("config/modules/WalkingEngine.InvKin.cfg", before));
   ASSERT_TRUE(readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), after));
-  EXPECT_NE(before.stepLen, 52);
-  EXPECT_EQ(after.stepLen, 52);
-  EXPECT_EQ(after.maxStepSizeX, before.maxStepSizeX);
+  EXPECT_NE(before.normal.stepLen, 52);
+  EXPECT_EQ(after.normal.stepLen, 52);
+  EXPECT_EQ(after.normal.maxStepSizeX, before.normal.maxStepSizeX);
   const auto configuration = loadConfiguration(ConfigurationPaths::in(root));
   ASSERT_TRUE(configuration) << configuration.error().text();
   const auto& choices = (*configuration)->solutions;
@@ -39,10 +39,10 @@ TEST(ChangedRoot, RefusesWhatDoesNotExist) {
   EXPECT_EQ(errorOf("Walk=InvKin"), "Walk: there is no such task");
   EXPECT_EQ(errorOf("SelfLocator=Best"), "SelfLocator: there is no solution 'Best'");
   EXPECT_EQ(errorOf("WalkingEngine.InvKin=3"), "WalkingEngine.InvKin: expected TASK.SOLUTION.PATH");
-  EXPECT_THAT(errorOf("WalkingEngine.InvKin.stepLength=3"),
-              testing::StartsWith("WalkingEngine.InvKin.stepLength: "));
-  EXPECT_THAT(errorOf("WalkingEngine.InvKin.stepLen=1"),
-              testing::StartsWith("WalkingEngine.InvKin.stepLen: "));
+  EXPECT_THAT(errorOf("WalkingEngine.InvKin.normal.stepLength=3"),
+              testing::StartsWith("WalkingEngine.InvKin.normal.stepLength: "));
+  EXPECT_THAT(errorOf("WalkingEngine.InvKin.normal.stepLen=1"),
+              testing::StartsWith("WalkingEngine.InvKin.normal.stepLen: "));
   EXPECT_THAT(errorOf("LEDControl"), testing::HasSubstr("expected TASK=SOLUTION"));
   EXPECT_THAT(errorOf("LEDControl=disabled,LEDControl=Default"),
               testing::HasSubstr("is given twice"));

@@ -177,31 +177,30 @@ Experiments motionExperiments() {
   for (const auto name : enumNames<WalkType>) types.values.emplace_back(name);
   Parameter directions{"direction", "in which it walks at full speed", Parameter::Kind::each, {}};
   for (const FullWalk& each : fullWalks) directions.values.emplace_back(each.name);
-  return {
-      {"motion.walk",
-       "Speed, drift and odometry of walks at full speed; friction, masses and strength are "
-       "each seed otherwise",
-       {profileParameter(), changeParameter(), fidelityParameter(), varietyParameter(), types,
-        directions, parameters, valuesParameter()},
-       withValues<walkFully>},
-      {"motion.wander",
-       "Falls of a robot that walks at full speed in random directions",
-       {profileParameter(),
-        changeParameter(),
-        fidelityParameter(),
-        types,
-        parameters,
-        {"minutes", "of walking", Parameter::Kind::number, {"10"}}},
-       wander},
-      {"motion.stand",
-       "Who falls in the first ten seconds of a scene",
-       {profileParameter(),
-        {"scene",
-         "from the folder scenes, in the dynamic fidelity",
-         Parameter::Kind::each,
-         {"match", "one-robot", "penalty-shoot-out", "ball-challenge", "localization-challenge",
-          "obstacle-challenge"}}},
-       stand}};
+  return {{"motion.walk",
+           "Speed, drift and odometry of walks at full speed; friction, masses and strength are "
+           "each seed otherwise",
+           {profileParameter(), changeParameter(), fidelityParameter(), varietyParameter(), types,
+            directions, parameters, valuesParameter()},
+           withValues<walkFully>},
+          {"motion.wander",
+           "Falls of a robot that walks at full speed in random directions",
+           {profileParameter(),
+            changeParameter(),
+            fidelityParameter(),
+            types,
+            parameters,
+            {"minutes", "of walking", Parameter::Kind::number, {"10"}}},
+           wander},
+          {"motion.stand",
+           "Who falls in the first ten seconds of a scene",
+           {profileParameter(),
+            {"scene",
+             "from the folder scenes, in the dynamic fidelity",
+             Parameter::Kind::each,
+             {"match", "one-robot", "penalty-shoot-out", "ball-challenge", "localization-challenge",
+              "obstacle-challenge"}}},
+           stand}};
 }
 
 }  // namespace gt

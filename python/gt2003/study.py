@@ -241,7 +241,10 @@ class _Laboratory:
     def costs(self, candidates: Sequence[Mapping[str, float]], seeds: Sequence[int]) -> list[float]:
         """Return each candidate's mean cost over the same seeds."""
         todo = [_job(self._study, seed, c) for c in candidates for seed in seeds]
-        costs = [self.cost(figures) for figures in self.measure(todo)]
+        measured = self.measure(todo)
+        if not any(measured):
+            raise Error("all jobs failed, as told above", self._study.file, field=todo[0])
+        costs = [self.cost(figures) for figures in measured]
         return [float(np.mean(costs[i : i + len(seeds)])) for i in range(0, len(costs), len(seeds))]
 
 
