@@ -16,8 +16,6 @@
 namespace gt::python {
 namespace {
 
-namespace nb = nanobind;
-
 using Inputs = std::vector<std::tuple<std::string, std::string, bool>>;
 
 }  // namespace
