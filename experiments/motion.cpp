@@ -70,19 +70,11 @@ const std::array<FullWalk, 6> fullWalks{{{"forward", {0, full, 0}, Aim::atLeast(
                                          {"turnLeft", {fullTurn, 0, 0}, Aim::atLeast(120)},
                                          {"turnRight", {-fullTurn, 0, 0}, Aim::atLeast(120)}}};
 
-/// A robot alone on the field, which walks with the parameters of a job.
+/// A robot alone on the field.
 Result<std::unique_ptr<MovedRobot>> walker(const Job& job, const DataRoot& root) {
   const auto scene = dynamicScene(job, root);
   if (!scene) return scene.error();
-  auto robot = MovedRobot::make(root, *scene, job.seed);
-  if (!robot || job.parameter("walk") == "configured") return robot;
-  // As in a job's one word: stepLen=60,foreHeight=95.
-  std::string parameters = "[" + job.parameter("type") + "]\n" + job.parameter("walk");
-  std::ranges::replace(parameters, '=', ' ');
-  std::ranges::replace(parameters, ',', '\n');
-  if (auto done = (*robot)->configure("WalkingEngine", "InvKin", parameters); !done)
-    return done.error();
-  return robot;
+  return MovedRobot::make(root, *scene, job.seed);
 }
 
 Result<Measurement> walkFully(const Job& job, const DataRoot& root) {
@@ -169,10 +161,6 @@ Result<Measurement> wander(const Job& job, const DataRoot& root) {
 }  // namespace
 
 Experiments motionExperiments() {
-  const Parameter parameters{"walk",
-                             "parameters of the walking engine: stepLen=60,foreHeight=95",
-                             Parameter::Kind::text,
-                             {"configured"}};
   Parameter types{"type", "of the walk", Parameter::Kind::each, {}, true};
   for (const auto name : enumNames<WalkType>) types.values.emplace_back(name);
   Parameter directions{"direction", "in which it walks at full speed", Parameter::Kind::each, {}};
@@ -181,7 +169,7 @@ Experiments motionExperiments() {
            "Speed, drift and odometry of walks at full speed; friction, masses and strength are "
            "each seed otherwise",
            {profileParameter(), changeParameter(), fidelityParameter(), varietyParameter(), types,
-            directions, parameters, valuesParameter()},
+            directions, valuesParameter()},
            withValues<walkFully>},
           {"motion.wander",
            "Falls of a robot that walks at full speed in random directions",
@@ -189,9 +177,9 @@ Experiments motionExperiments() {
             changeParameter(),
             fidelityParameter(),
             types,
-            parameters,
+            valuesParameter(),
             {"minutes", "of walking", Parameter::Kind::number, {"10"}}},
-           wander},
+           withValues<wander>},
           {"motion.stand",
            "Who falls in the first ten seconds of a scene",
            {profileParameter(),
