@@ -6,6 +6,7 @@
 #include "base/Hash.h"
 #include "simulation/Oracle.h"
 #include "simulation/camera/CameraEffects.h"
+#include "simulation/scene/SceneModel.h"
 
 namespace gt {
 namespace {
@@ -66,8 +67,16 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
 Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& scene,
                                                      std::uint64_t seed, std::size_t threads,
                                                      const FieldDimensions& field) {
+  auto model = composeModel(scene);
+  if (!model) return model.error();
+  return make(scene, std::move(*model), seed, threads, field);
+}
+
+Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& scene, Model model,
+                                                     std::uint64_t seed, std::size_t threads,
+                                                     const FieldDimensions& field) {
   const Random random{seed};
-  auto world = makeWorld(scene, random.fork("world"));
+  auto world = makeWorld(scene, std::move(model), random.fork("world"));
   if (!world) return world.error();
   if (auto done = checkFieldSensors((*world)->model(), scene.resolve(scene.field)); !done)
     return done.error();

@@ -67,6 +67,10 @@ class Simulation {
   static Result<std::unique_ptr<Simulation>> make(const SceneDescription& scene, std::uint64_t seed,
                                                   std::size_t threads = 1,
                                                   const FieldDimensions& field = {});
+  /// The same, with the scene's model, which was composed before (`composeModel`).
+  static Result<std::unique_ptr<Simulation>> make(const SceneDescription& scene, Model model,
+                                                  std::uint64_t seed, std::size_t threads,
+                                                  const FieldDimensions& field);
 
   /// Gives an active robot its controller. A robot without one stands still.
   void attach(std::size_t robot, std::unique_ptr<RobotController> controller);

@@ -71,6 +71,10 @@ std::vector<double> customNumbers(const mjModel& model, const std::string& name)
   return {first, first + model.numeric_size[id]};
 }
 
+Model copyModel(const mjModel& model) {
+  return Model{mj_copyModel(nullptr, &model)};
+}
+
 ModelData makeData(const mjModel& model) {
   return ModelData{mj_makeData(&model)};
 }

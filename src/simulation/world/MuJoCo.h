@@ -22,6 +22,9 @@ using ModelData = std::unique_ptr<mjData, MuJoCoDeleter>;
 /// ends the process.
 Result<Model> compileModel(const std::string& mjcf, const std::string& file);
 
+/// A model of its own with the same content.
+Model copyModel(const mjModel& model);
+
 /// Data for a model. Its state is the model's default.
 ModelData makeData(const mjModel& model);
 

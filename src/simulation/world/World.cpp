@@ -197,9 +197,14 @@ void World::advanceTime() {
 Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, const Random& random) {
   auto model = composeModel(scene);
   if (!model) return model.error();
+  return makeWorld(scene, std::move(*model), random);
+}
+
+Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, Model model,
+                                         const Random& random) {
   if (scene.fidelity == Fidelity::dynamic)
-    return DynamicWorld::make(scene, std::move(*model), random);
-  return KinematicWorld::make(scene, std::move(*model), random);
+    return DynamicWorld::make(scene, std::move(model), random);
+  return KinematicWorld::make(scene, std::move(model), random);
 }
 
 }  // namespace gt

@@ -157,5 +157,8 @@ bool geomsTouch(const World& world, int a, int b, double gap);
 
 /// The world of a scene, with the fidelity that it asks for.
 Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, const Random& random);
+/// The same, with the scene's model, which was composed before.
+Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, Model model,
+                                         const Random& random);
 
 }  // namespace gt
