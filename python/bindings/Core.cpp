@@ -1,6 +1,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 
+#include "Environments.h"
 #include "Failure.h"
 #include "Jobs.h"
 #include "Logs.h"
@@ -49,4 +50,5 @@ NB_MODULE(_core, module) {
   gt::python::bindJobs(module);
   gt::python::bindMotions(module);
   gt::python::bindXabsl(module);
+  gt::python::bindEnvironments(module);
 }

@@ -1,0 +1,86 @@
+"""One world with one agent, as Gymnasium has it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import gymnasium
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import _core
+from . import _worlds
+
+
+class Environment(gymnasium.Env):
+    """One world with one agent.
+
+    observations: ``state``, ``beliefs`` or ``image``; actions: ``joints`` or ``parameters``, as far as
+    the environment offers them, by default its first. profile: how far all is from perfect (docs/realism.md); seconds: of simulated time until an episode is
+    truncated; randomize: what each reset draws anew, names with lower and upper bound, such as
+    ``{"dynamics.friction": (0.7, 1.3), "noise.joints": (0, 0.5)}``; root: the data root.
+
+    The same options, seed and actions give the same bits, alone and in a `VectorEnvironment`.
+    """
+
+    metadata = _worlds.METADATA
+
+    def __init__(self, environment: str, *, render_mode: str | None = None, **options: Any) -> None:
+        self.render_mode = _worlds.render_mode(render_mode)
+        self._worlds = _worlds.make(environment, 1, 1, options)
+        self.observation_space, self.action_space = _worlds.spaces(self._worlds)
+        self.terms = [name for name, _ in self._worlds.terms]
+        self._seeded = False
+        self._observation = self._worlds.observations[0, 0]
+        self._rewards = self._worlds.rewards
+        self._terms = self._worlds.term_values[0, 0]
+        self._terminated, self._truncated = self._worlds.terminated, self._worlds.truncated
+
+    @property
+    def worlds(self) -> _core.Environments:
+        """The compiled environment, with the names of all components."""
+        return self._worlds
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[NDArray[Any], dict[str, Any]]:
+        """Begin an episode; without a seed, the next of those that follow from the last one."""
+        if seed is not None:
+            seed = _worlds.checked_seed(seed)
+        super().reset(seed=seed)
+        if seed is None and not self._seeded:
+            seed = int(self.np_random.integers(2**63))
+        self._worlds.reset(seed)
+        self._seeded = True
+        return self._observation.copy(), {}
+
+    def step(self, action: ArrayLike) -> tuple[NDArray[Any], float, bool, bool, dict[str, Any]]:
+        """Act for one step; the info has the terms of the reward by name."""
+        self._worlds.step(_worlds.checked_actions(action, self.action_space.shape), False)
+        info = dict(zip(self.terms, self._terms.tolist()))
+        return (
+            self._observation.copy(),
+            float(self._rewards[0, 0]),
+            bool(self._terminated[0]),
+            bool(self._truncated[0]),
+            info,
+        )
+
+    def render(self) -> NDArray[np.uint8] | None:
+        """Return an image of the scene: (height, width, 3), RGB."""
+        return self._worlds.picture(0) if self.render_mode else None
+
+    def save_state(self) -> str:
+        """Return the state of the episode as text: options, seed and actions."""
+        return self._worlds.save(0)
+
+    def load_state(self, state: str) -> NDArray[Any]:
+        """Continue from a state of an environment with the same options; return the observation.
+
+        The episode is played again, so that all that follows has the same bits.
+        """
+        if not isinstance(state, str):
+            raise _worlds.Error("expected a text of save_state", field="state")
+        self._worlds.load(0, state)
+        self._seeded = True
+        return self._observation.copy()

@@ -1,0 +1,101 @@
+"""What all forms of environments share: options, spaces, and checks of what is given."""
+
+from __future__ import annotations
+
+import numbers
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from gymnasium.spaces import Box
+from numpy.typing import ArrayLike, NDArray
+
+from .. import _core
+from .._error import Error
+
+METADATA = {"render_modes": ["rgb_array"], "render_fps": 25}
+DEFAULTS = {"observations": "", "actions": "", "profile": "benign", "seconds": 0.0, "randomize": None, "root": ""}
+
+
+def make(environment: str, count: int, threads: int, options: Mapping[str, Any]) -> _core.Environments:
+    """Make worlds; options are those of DEFAULTS. Raises Error for any that is unknown or wrong."""
+    for name in options:
+        if name not in DEFAULTS:
+            raise Error(f"there is no such option; expected {', '.join(DEFAULTS)}", field=name)
+    chosen = {**DEFAULTS, **options}
+    for name in ("observations", "actions", "profile", "root"):
+        if not isinstance(chosen[name], str):
+            raise Error("expected a text", field=name)
+    chosen["seconds"] = _number(chosen["seconds"], "seconds")
+    chosen["randomize"] = _bounds(chosen["randomize"])
+    count, threads = _count(count, "num_envs"), _count(threads, "threads")
+    return _core.Environments(environment, count=count, threads=threads, **chosen)
+
+
+def render_mode(mode: str | None) -> str | None:
+    """Return the mode; raises Error if there is no such one."""
+    if mode not in (None, "rgb_array"):
+        raise Error("expected None or 'rgb_array'", field="render_mode")
+    return mode
+
+
+def spaces(worlds: _core.Environments) -> tuple[Box, Box]:
+    """Return the spaces of one agent: observations, actions."""
+    shape = worlds.observations.shape[2:]
+    if worlds.observations.dtype == np.uint8:
+        seen = Box(0, 255, shape, np.uint8)
+    else:
+        seen = _box(worlds.observation_components)
+    return seen, _box(worlds.action_components)
+
+
+def checked_actions(actions: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.float32]:
+    """Return actions as the worlds take them; raises Error if they are no numbers of this shape."""
+    try:
+        given = np.asarray(actions)
+    except ValueError as wrong:
+        raise Error(str(wrong), field="actions") from None
+    if given.dtype.kind not in "fiu":
+        raise Error(f"expected numbers, not {given.dtype}", field="actions")
+    if given.shape != shape:
+        raise Error(f"expected the shape {shape}, not {given.shape}", field="actions")
+    with np.errstate(over="ignore"):  # what is too large for a float is not finite, which is refused
+        return np.ascontiguousarray(given, np.float32)
+
+
+def checked_seed(seed: Any) -> int:
+    """Return a seed; raises Error if it is no number that can be one."""
+    if isinstance(seed, bool) or not isinstance(seed, numbers.Integral) or not 0 <= seed < 2**63:
+        raise Error("expected a whole number from 0 to 2^63 - 1", field="seed")
+    return int(seed)
+
+
+def _box(components: list[tuple[str, str, float, float, str]]) -> Box:
+    low = np.array([component[2] for component in components], np.float32)
+    high = np.array([component[3] for component in components], np.float32)
+    return Box(low, high, dtype=np.float32)
+
+
+def _number(value: Any, name: str) -> float:
+    if isinstance(value, bool) or not isinstance(value, numbers.Real) or not np.isfinite(value):
+        raise Error("expected a number", field=name)
+    return float(value)
+
+
+def _count(value: Any, name: str) -> int:
+    if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 0 <= value < 2**31:
+        raise Error("expected a whole number", field=name)
+    return int(value)
+
+
+def _bounds(randomize: Any) -> list[tuple[str, float, float]]:
+    if randomize is None:
+        return []
+    if not isinstance(randomize, Mapping):
+        raise Error("expected names with bounds, such as {'dynamics.friction': (0.7, 1.3)}", field="randomize")
+    bounds = []
+    for name, pair in randomize.items():
+        if not isinstance(name, str) or not isinstance(pair, (tuple, list)) or len(pair) != 2:
+            raise Error("expected a lower and an upper bound", field=str(name))
+        bounds.append((name, _number(pair[0], name), _number(pair[1], name)))
+    return bounds

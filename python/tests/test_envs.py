@@ -1,0 +1,190 @@
+"""Environments: the checks of Gymnasium, the same bits in all forms, and what is refused."""
+
+from __future__ import annotations
+
+import threading
+import warnings
+from pathlib import Path
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+
+import gt2003
+import gt2003.envs
+from gt2003 import _core
+from gt2003.envs.__main__ import page
+
+DESCRIBED = {known["name"]: known for known in _core.environments()}
+NAMES = [name for name in DESCRIBED if f"GT2003/{name}-v0" in gymnasium.registry]
+RANDOMIZE = {
+    "dynamics.friction": (0.7, 1.3),
+    "dynamics.mass": (0.9, 1.1),
+    "camera.brightness": (0.8, 1.2),
+    "noise.joints": (0, 0.5),
+}
+
+
+def make(name: str, **options: object) -> gymnasium.Env:
+    return gymnasium.make(f"GT2003/{name}-v0", **options)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("observations", ["state", "beliefs", "image"])
+def test_passes_the_checks_of_gymnasium(name: str, observations: str) -> None:
+    if observations not in DESCRIBED[name]["observations"]:
+        pytest.skip("offers no such observations")
+    environment = make(name, observations=observations, render_mode="rgb_array", randomize=RANDOMIZE)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warnings.filterwarnings("ignore", ".*obs.*image.*")  # YCbCr in 0..255 is what it is
+        check_env(environment.unwrapped, skip_render_check=observations != "state")
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("threads", [1, 2])
+def test_vectorized_worlds_are_those_alone_and_those_loaded(name: str, threads: int) -> None:
+    options = {"seconds": 0.4, "randomize": RANDOMIZE}
+    many = gymnasium.make_vec(f"GT2003/{name}-v0", num_envs=2, threads=threads, **options)
+    alone = [make(name, **options) for _ in range(2)]
+    seen, _ = many.reset(seed=7)
+    for world, environment in enumerate(alone):
+        np.testing.assert_array_equal(environment.reset(seed=7 + world)[0], seen[world])
+    many.action_space.seed(1)
+    over = [False, False]
+    for step in range(60):
+        actions = many.action_space.sample()
+        seen, rewards, terminated, truncated, info = many.step(actions)
+        for world in range(2):
+            environment = alone[world]
+            if over[world]:
+                observation, _ = environment.reset()
+                reward, ends, terms = 0.0, (False, False), dict.fromkeys(environment.unwrapped.terms, 0.0)
+            else:
+                observation, reward, *ends, terms = environment.step(actions[world])
+            np.testing.assert_array_equal(observation, seen[world])
+            assert (reward, *ends) == (rewards[world], terminated[world], truncated[world])
+            assert terms == {term: info[term][world] for term in terms}
+            assert reward == pytest.approx(sum(terms.values()))
+            over[world] = any(ends)
+        if step == 10:
+            states = many.unwrapped.save_state()
+            assert states == [environment.unwrapped.save_state() for environment in alone]
+            many = gymnasium.make_vec(f"GT2003/{name}-v0", num_envs=2, threads=3 - threads, **options)
+            np.testing.assert_array_equal(many.unwrapped.load_state(states), seen)
+            many.action_space.seed(2)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_seeds_decide(name: str) -> None:
+    environment = make(name)
+    first, _ = environment.reset(seed=1)
+    second, _ = environment.reset()
+    assert not np.array_equal(first, second)
+    np.testing.assert_array_equal(environment.reset(seed=1)[0], first)
+    np.testing.assert_array_equal(environment.reset()[0], second)
+    assert not np.array_equal(environment.reset(seed=2)[0], first)
+
+
+def test_arrays_without_copies_are_the_memory_of_the_worlds() -> None:
+    many = gymnasium.make_vec("GT2003/Walk-v0", num_envs=3, copy=False)
+    first, _ = many.reset(seed=1)
+    before = first.copy()
+    second, *_ = many.step(many.action_space.sample())
+    assert np.shares_memory(first, second) and not np.array_equal(before, second)
+    del many
+    assert np.isfinite(second).all()
+
+
+def test_renders_what_it_is_asked_for() -> None:
+    assert make("Walk").unwrapped.render() is None
+    image = gymnasium.make("GT2003/Walk-v0", render_mode="rgb_array", disable_env_checker=True).unwrapped.render()
+    assert image.shape == (360, 640, 3) and image.dtype == np.uint8 and image.std() > 20
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"observation": "state"},
+        {"observations": "smell"},
+        {"observations": 3},
+        {"actions": "skill"},
+        {"profile": "ideal"},
+        {"seconds": -1},
+        {"seconds": "long"},
+        {"seconds": float("nan")},
+        {"render_mode": "human"},
+        {"root": "/nowhere"},
+        {"randomize": ["friction"]},
+        {"randomize": {"dynamics.friction": 1}},
+        {"randomize": {"dynamics.friction": (2, 1)}},
+        {"randomize": {"dynamics.friction": (float("nan"), 1)}},
+        {"randomize": {"dynamics.fraction": (1, 2)}},
+        {"randomize": {"noise.joints": (0, "much")}},
+    ],
+)
+def test_wrong_options_are_errors(options: dict[str, object]) -> None:
+    with pytest.raises(gt2003.Error):
+        gt2003.envs.Environment("Walk", **options)
+
+
+def test_other_wrong_things_are_errors() -> None:
+    with pytest.raises(gt2003.Error):
+        gt2003.envs.Environment("Fly")
+    for wrong in ({"num_envs": 0}, {"num_envs": "two"}, {"num_envs": 2, "threads": -1}):
+        with pytest.raises(gt2003.Error):
+            gt2003.envs.VectorEnvironment("Walk", **wrong)
+    environment = gt2003.envs.Environment("Walk")
+    before = environment.reset(seed=1)[0]
+    for seed in (-1, 2**63, 1.5, "one", True):
+        with pytest.raises(gt2003.Error):
+            environment.reset(seed=seed)
+    for action in (
+        np.zeros(11),
+        np.zeros((1, 12)),
+        0,
+        None,
+        "walk",
+        ["a"] * 12,
+        [[1], [1, 2]],
+        np.zeros(12, complex),
+        np.full(12, np.nan),
+        np.full(12, np.inf),
+        np.full(12, 1e300),
+    ):
+        with pytest.raises(gt2003.Error):
+            environment.step(action)
+    for state in ("", "{}", b"{}", 4, environment.save_state()[:-9]):
+        with pytest.raises(gt2003.Error):
+            environment.load_state(state)
+    np.testing.assert_array_equal(environment.worlds.observations[0, 0], before)
+    for _ in range(1000):
+        *_, terminated, truncated, _ = environment.step(np.zeros(12))
+    assert truncated and not terminated
+    with pytest.raises(gt2003.Error, match="over"):
+        environment.step(np.zeros(12))
+
+
+def test_asked_from_two_threads_it_refuses_or_serves() -> None:
+    many = gymnasium.make_vec("GT2003/Walk-v0", num_envs=2)
+    failures = []
+
+    def steps() -> None:
+        for _ in range(50):
+            try:
+                many.step(np.zeros((2, 12)))
+            except gt2003.Error as error:
+                failures.append(str(error))
+
+    threads = [threading.Thread(target=steps) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert set(failures) <= {"environment: runs in another thread"}
+
+
+def test_the_page_has_what_the_environments_state() -> None:
+    text = (Path(__file__).parents[2] / "docs/environments.md").read_text()
+    assert text.partition("<!-- environments -->\n")[2] == page()

@@ -1,0 +1,135 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/DataRoot.h"
+#include "base/Random.h"
+#include "base/Result.h"
+#include "environments/EnvironmentOptions.h"
+#include "environments/Randomization.h"
+#include "environments/Space.h"
+#include "simulation/Simulation.h"
+#include "views/ScenePicture.h"
+
+namespace gt {
+
+/// One world in which agents act and are rewarded, in the sense of Gymnasium and PettingZoo.
+///
+/// An episode follows from the options, the seed of its reset and the actions since, to the last
+/// bit. Lengths are m, times s and angles rad here, so that numbers lie around 1.
+class Environment {
+ public:
+  virtual ~Environment() = default;
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+  const EnvironmentOptions& options() const { return options_; }
+  /// The names of the agents: those of their robots, which are the first ones of the scene. All
+  /// have the same spaces.
+  const std::vector<std::string>& agents() const { return agents_; }
+  const Space& actionSpace() const { return actionSpace_; }
+  const Space& observationSpace() const { return observationSpace_; }
+  /// What each agent's reward is the sum of.
+  const std::vector<RewardTerm>& terms() const { return terms_; }
+  double secondsPerStep() const { return static_cast<double>(ticksPerStep_) * tickSeconds; }
+
+  /// Begins an episode. Fails if the files of the scene cannot be read any more.
+  Result<void> reset(std::uint64_t seed);
+  /// One step: the numbers of all agents, in their order, each from -1 to 1; what is beyond counts
+  /// as the bound. They must be finite. Not after the end of an episode.
+  void step(std::span<const float> actions);
+
+  /// Writes the observations of all agents, in their order, as they are now.
+  void observe(std::span<std::byte> into);
+  /// Of one agent in the last step: the sum of its terms.
+  double reward(std::size_t agent) const;
+  /// The terms of the last step: those of the first agent, then those of the next one.
+  std::span<const double> termValues() const { return termValues_; }
+  /// Whether the task is over: done or failed.
+  bool terminated() const { return terminated_; }
+  /// Whether the time is over.
+  bool truncated() const { return !terminated_ && steps_ >= mostSteps_; }
+
+  /// An image of the scene for people.
+  RgbImage picture() const { return scenePicture(simulation_->world(), camera()); }
+  /// The actions since the last reset, which are its state together with the seed.
+  const std::vector<float>& history() const { return history_; }
+  std::uint64_t fingerprint() const { return simulation_->fingerprint(); }
+
+ protected:
+  Environment(EnvironmentOptions options, SceneDescription scene);
+
+  /// What remains to be done once the constructor has defined scene, agents and spaces: composes
+  /// the model and begins a first episode.
+  Result<void> prepare();
+  friend Result<std::unique_ptr<Environment>> makeEnvironment(EnvironmentOptions options,
+                                                              const DataRoot& root);
+
+  /// Reads what it needs beside the scene, once.
+  virtual Result<void> load() { return {}; }
+  /// Puts all in place and attaches the robots' controllers, in a simulation that is new.
+  virtual Result<void> begin(Random& random) = 0;
+  /// Lets the agents' actions take effect for one step of the environment: `tick` as often as it
+  /// takes.
+  virtual void act(std::span<const float> actions) = 0;
+  /// Writes one agent's numbers, if it does not observe an image.
+  virtual void observe(std::size_t agent, std::span<float> numbers) = 0;
+  /// Fills the terms of all agents after a step; returns whether the task is over.
+  virtual bool judge(std::span<double> terms) = 0;
+  /// From where `picture` looks.
+  virtual SceneCamera camera() const;
+
+  ObservationKind observations() const { return observations_; }
+  ActionKind actions() const { return actions_; }
+  Simulation& simulation() { return *simulation_; }
+  const Simulation& simulation() const { return *simulation_; }
+  World& world() { return simulation_->world(); }
+  const World& world() const { return simulation_->world(); }
+  void tick() { simulation_->step(); }
+
+  SceneDescription scene_;
+  std::vector<std::string> agents_;
+  Space actionSpace_, observationSpace_;
+  std::vector<RewardTerm> terms_;
+  int ticksPerStep_ = 1;  ///< Ticks that `act` takes.
+
+ private:
+  /// Has an agent's numbers written, and bounds them as its space does.
+  void observeNumbers(std::size_t agent, std::span<float> numbers);
+  void observeImage(std::size_t agent, std::span<std::byte> into) const;
+
+  EnvironmentOptions options_;
+  ObservationKind observations_;
+  ActionKind actions_;
+  Randomization randomization_;
+  Model model_;  ///< Of the scene: each episode begins with a copy.
+  std::unique_ptr<Simulation> simulation_;
+  std::vector<float> history_;
+  std::vector<float> clipped_;
+  std::vector<double> termValues_;
+  bool terminated_ = false;
+  int steps_ = 0, mostSteps_ = 0;
+};
+
+/// An environment that there is (`environments`).
+struct EnvironmentDescription {
+  std::string_view name;  ///< Such as Walk.
+  std::string_view summary;
+  std::vector<ObservationKind> observations;  ///< The first one is the default.
+  std::vector<ActionKind> actions;            ///< The first one is the default.
+  double seconds;                             ///< After which episodes are truncated.
+  std::string_view end;                       ///< What terminates an episode.
+  std::unique_ptr<Environment> (*make)(EnvironmentOptions options, SceneDescription scene);
+};
+
+/// All environments.
+std::span<const EnvironmentDescription> environments();
+
+/// Makes an environment with options, which are completed by its defaults. Fails if there is no
+/// such environment or option.
+Result<std::unique_ptr<Environment>> makeEnvironment(EnvironmentOptions options,
+                                                     const DataRoot& root);
+
+}  // namespace gt

@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "simulation/scene/Scene.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// What an agent observes: the true state, what its robot measures and believes, or what its
+/// robot's camera sees.
+enum class ObservationKind { state, beliefs, image };
+
+/// What an agent decides: angles of joints, or parameters of the walk.
+enum class ActionKind { joints, parameters };
+
+/// A number that each reset draws anew between two bounds (`Randomization`).
+struct RandomizedNumber {
+  std::string name;
+  double low = 0, high = 0;
+
+  bool operator==(const RandomizedNumber&) const = default;
+  static constexpr auto fields() {
+    return Fields{field("name", &RandomizedNumber::name), field("low", &RandomizedNumber::low),
+                  field("high", &RandomizedNumber::high)};
+  }
+};
+
+/// Which environment, and how. Empty texts and 0 are the environment's own defaults.
+struct EnvironmentOptions {
+  std::string environment;
+  std::string observations;
+  std::string actions;
+  Profile profile = Profile::benign;
+  double seconds = 0;
+  std::vector<RandomizedNumber> randomize;
+
+  bool operator==(const EnvironmentOptions&) const = default;
+  static constexpr auto fields() {
+    using O = EnvironmentOptions;
+    return Fields{
+        field("environment", &O::environment, "", "such as Walk"),
+        field("observations", &O::observations, "", "state, beliefs or image"),
+        field("actions", &O::actions, "", "joints or parameters"),
+        field("profile", &O::profile, "", "how far all is from perfect (docs/realism.md)"),
+        field("seconds", &O::seconds, "s", "of simulated time until an episode is truncated",
+              {0, 3600}),
+        field("randomize", &O::randomize, "", "numbers that each reset draws anew")};
+  }
+};
+
+}  // namespace gt

@@ -1,0 +1,57 @@
+#pragma once
+#include <vector>
+
+#include "environments/Environment.h"
+
+namespace gt {
+
+/// An environment of one robot in the dynamic fidelity without a program: what the agent decides
+/// are the angles of its joints, in each tick.
+class Limbs : public Environment {
+ protected:
+  /// With the joints that the agent turns; all others stay as they stand. `balls` says whether
+  /// there is a ball.
+  Limbs(EnvironmentOptions options, SceneDescription scene, std::vector<Joint> joints, bool ball);
+
+  void act(std::span<const float> actions) override;
+  void observe(std::size_t agent, std::span<float> numbers) override;
+  SceneCamera camera() const override;
+
+  /// Attaches the motors, has the joints as they stand, a little differently each time, and the
+  /// robot at a place; then some ticks pass.
+  Result<void> put(Random& random, const Pose2D& pose, Posture posture, int ticks);
+  /// Requests angles and lets a tick pass.
+  void drive(const JointAngles& angles);
+
+  /// The angles of the legs by the walking engine's default, as it stands.
+  static JointAngles standing();
+  const std::vector<Joint>& joints() const { return joints_; }
+  const RobotBody& body() const { return world().robot(0); }
+  /// By how much the body's vertical axis points up: 1 upright, 0 on the side.
+  double upright() const { return std::cos(body().tilt) * std::cos(body().roll); }
+  /// The body's speed on the field: m/s.
+  Vector3d speed() const;
+  /// The mean square of how far the requested angles differ from those before: rad^2.
+  double effort() const;
+
+ private:
+  class Motors;
+
+  void observeState(std::span<float> numbers) const;
+  void observeBeliefs(std::span<float> numbers) const;
+  /// MuJoCo's speeds of the body: 3 along the field's axes, 3 about the body's, then the joints'.
+  const mjtNum* speeds() const;
+  double jointSpeed(Joint joint) const;
+
+  std::vector<Joint> joints_;
+  bool withBall_;
+  JointAngles requested_{}, before_{};
+  Motors* motors_ = nullptr;  ///< Owned by the simulation.
+};
+
+/// All twelve joints of the legs.
+std::vector<Joint> legJoints();
+/// Those of the head, and of the legs.
+std::vector<Joint> headAndLegJoints();
+
+}  // namespace gt

@@ -1,0 +1,56 @@
+#include "environments/Table.h"
+
+#include <algorithm>
+
+#include "simulation/scene/ProfileTable.h"
+
+namespace gt {
+namespace {
+
+/// The names of the elements of a list, as in "state, beliefs".
+template <typename E>
+std::string namesOf(const std::vector<E>& list) {
+  std::string names;
+  for (const E e : list) names += (names.empty() ? "" : ", ") + std::string{enumName(e)};
+  return names;
+}
+
+/// Sets an option that is empty to the first that an environment has; fails if it has no such one.
+template <typename E>
+Result<void> choose(std::string& option, std::string_view name, const std::vector<E>& offered) {
+  if (option.empty()) option = enumName(offered.front());
+  const auto chosen = enumValue<E>(option);
+  if (chosen && std::ranges::count(offered, *chosen) > 0) return {};
+  return Error{.field = std::string{name},
+               .what = "there is no '" + option + "'; expected " + namesOf(offered)};
+}
+
+}  // namespace
+
+std::span<const EnvironmentDescription> environments() {
+  static const std::vector<EnvironmentDescription> all{walkDescription(), getUpDescription(),
+                                                       kickDescription()};
+  return all;
+}
+
+Result<std::unique_ptr<Environment>> makeEnvironment(EnvironmentOptions options,
+                                                     const DataRoot& root) {
+  const auto all = environments();
+  const auto found = std::ranges::find(all, options.environment, &EnvironmentDescription::name);
+  if (found == all.end())
+    return Error{.field = "environment", .what = "there is no '" + options.environment + "'"};
+  if (auto done = choose(options.observations, "observations", found->observations); !done)
+    return done.error();
+  if (auto done = choose(options.actions, "actions", found->actions); !done) return done.error();
+  if (options.seconds == 0) options.seconds = found->seconds;
+  if (!(options.seconds > 0 && options.seconds <= 3600))
+    return Error{.field = "seconds", .what = "expected a number from 0 to 3600"};
+  auto scene = loadScene(root.path("scenes/match.scene"));
+  if (!scene) return scene.error();
+  setProfile(*scene, options.profile);
+  auto environment = found->make(std::move(options), std::move(*scene));
+  if (auto done = environment->prepare(); !done) return done.error();
+  return environment;
+}
+
+}  // namespace gt

@@ -1,0 +1,11 @@
+#pragma once
+#include "environments/Environment.h"
+
+namespace gt {
+
+// The environments, one in each file.
+EnvironmentDescription walkDescription();
+EnvironmentDescription getUpDescription();
+EnvironmentDescription kickDescription();
+
+}  // namespace gt
