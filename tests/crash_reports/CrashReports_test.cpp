@@ -80,7 +80,7 @@ TEST_F(CrashReports, OfAJob) {
       "1/2");
   EXPECT_THAT(report.running,
               testing::MatchesRegex("match fidelity=kinematic minutes=1000 profile=padova "
-                                    "seed=7[^,]*(, (red|blue)[1-4].*)?"));
+                                    "values=none seed=7[^,]*(, (red|blue)[1-4].*)?"));
 }
 
 TEST_F(CrashReports, OfARobotsProcess) {
