@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 #include "representations/infrastructure/RobotDimensions.h"
 
@@ -145,14 +146,19 @@ void DynamicWorld::prepareContacts() {
     } else if (ballOfBody_[root] >= 0) {
       model.geom_contype[geom] = ballBit;
       model.geom_conaffinity[geom] = floorBit | wallBit | ballBit;
+    } else if (model.geom_type[geom] == mjGEOM_PLANE) {
+      model.geom_contype[geom] = floorBit;
     } else {
-      model.geom_contype[geom] = model.geom_type[geom] == mjGEOM_PLANE ? floorBit : wallBit;
+      walls_.push_back(geom);
     }
   }
 }
 
 void DynamicWorld::lookAround() {
   // MuJoCo tests each geom against each other that its bits allow, so they allow only what is near.
+  // It also sorts all bodies that could touch any other, so walls are solid only if one is near.
+  bool wallIsNear = std::ranges::any_of(std::views::iota(std::size_t{0}, balls_.size()),
+                                        [&](std::size_t b) { return nearWall(b); });
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Vector2d& center = robots_[i].pose.translation;
     const double reach = parts_[i].reach;
@@ -165,7 +171,28 @@ void DynamicWorld::lookAround() {
       if ((robots_[other].pose.translation - center).norm() < reach + parts_[other].reach)
         bits |= firstRobotBit << other;
     for (const int geom : motors_[i].solidGeoms) model_->geom_conaffinity[geom] = bits;
+    wallIsNear |= (bits & wallBit) != 0;
   }
+  for (const int geom : walls_) model_->geom_contype[geom] = wallIsNear ? wallBit : 0;
+}
+
+bool DynamicWorld::nearWall(std::size_t ball) const {
+  constexpr double furthest = fastest * tickSeconds;  // m: way of a ball in a tick
+  const Vector2d center = balls_[ball].position / 1000;
+  const double reach = ballParts_[ball].radius / 1000 + furthest;
+  return std::ranges::any_of(walls_, [&](int geom) {
+    const mjtNum* size = model_->geom_size + 3 * geom;
+    const mjtNum* toWorld = data_->geom_xmat + 9 * geom;
+    for (int k = 0; k < 2; ++k) {
+      double half = model_->geom_rbound[geom];
+      if (model_->geom_type[geom] == mjGEOM_BOX) {
+        half = 0;
+        for (int i = 0; i < 3; ++i) half += std::abs(toWorld[3 * k + i]) * size[i];
+      }
+      if (std::abs(center[k] - data_->geom_xpos[3 * geom + k]) > half + reach) return false;
+    }
+    return true;
+  });
 }
 
 int DynamicWorld::jointDof(std::size_t robot, std::size_t joint) const {

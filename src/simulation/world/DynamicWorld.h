@@ -36,6 +36,8 @@ class DynamicWorld : public World {
   void prepareModel();
   void prepareContacts();
   void lookAround();
+  /// Whether a ball might touch a wall in the next tick.
+  bool nearWall(std::size_t ball) const;
   int jointDof(std::size_t robot, std::size_t joint) const;
   void setFriction();
   void setDynamics(const DynamicsParameters& dynamics);
@@ -62,6 +64,7 @@ class DynamicWorld : public World {
   std::uint64_t carpetSeed_;
   DynamicsParameters dynamics_;  ///< As the model is now.
   std::vector<Motors> motors_;
+  std::vector<int> walls_;             ///< Solid geoms that stand still, but for floors.
   std::vector<int> robotOfBody_;       ///< By root body; -1: none.
   std::vector<int> ballOfBody_;        ///< By root body; -1: none.
   std::vector<mjtNum> goodPositions_;  ///< qpos after the last tick.

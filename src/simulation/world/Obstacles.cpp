@@ -5,19 +5,17 @@
 
 namespace gt {
 
-Obstacles::Obstacles(const mjModel& model) {
-  const ModelData data = makeData(model);
-  mj_kinematics(&model, data.get());
+Obstacles::Obstacles(const mjModel& model, const mjData& data) {
   for (int geom = 0; geom < model.ngeom; ++geom) {
     if (model.geom_group[geom] != 2 || model.body_weldid[model.geom_bodyid[geom]] != 0) continue;
     const int type = model.geom_type[geom];
     const mjtNum* size = model.geom_size + 3 * geom;
-    const Matrix3d rotation = rotationFromMuJoCo(data->geom_xmat + 9 * geom);
+    const Matrix3d rotation = rotationFromMuJoCo(data.geom_xmat + 9 * geom);
     const double halfHeight = type == mjGEOM_BOX ? size[2] : size[1];
     // Only what reaches down to where robots and balls are.
-    if (data->geom_xpos[3 * geom + 2] - halfHeight > 0.05) continue;
+    if (data.geom_xpos[3 * geom + 2] - halfHeight > 0.05) continue;
     Obstacle obstacle;
-    obstacle.center = fromMuJoCo(data->geom_xpos + 3 * geom).head<2>();
+    obstacle.center = fromMuJoCo(data.geom_xpos + 3 * geom).head<2>();
     obstacle.cosine = rotation(0, 0);
     obstacle.sine = rotation(1, 0);
     obstacle.half = type == mjGEOM_BOX ? Vector2d{1000 * size[0], 1000 * size[1]} : Vector2d{0, 0};

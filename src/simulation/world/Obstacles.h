@@ -16,7 +16,9 @@ struct Overlap {
 /// and discs, from the model's geoms of group 2.
 class Obstacles {
  public:
-  explicit Obstacles(const mjModel& model);
+  Obstacles() = default;
+  /// `data` has the poses of all geoms.
+  Obstacles(const mjModel& model, const mjData& data);
 
   /// Pushes a disc out of all obstacles and calls touched(normal) for each that it touched.
   template <typename Touched>

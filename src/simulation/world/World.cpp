@@ -17,10 +17,9 @@ Pose3D RobotBody::origin() const {
 }
 
 World::World(const SceneDescription& scene, Model model)
-    : model_(std::move(model)),
-      data_(makeData(*model_)),
-      obstacles_(*model_),
-      active_(scene.robots.size()) {
+    : model_(std::move(model)), data_(makeData(*model_)), active_(scene.robots.size()) {
+  updateKinematics();
+  obstacles_ = Obstacles{*model_, *data_};
   for (const SceneRobot* robot : scene.allRobots()) robots_.emplace_back().pose = robot->pose();
   for (const SceneBall& ball : scene.balls) balls_.emplace_back().position = ball.position();
   placed_.resize(robots_.size(), true);
@@ -84,7 +83,7 @@ void World::moveGeom(int geom, const Vector3d& position) {
   const Vector3d local = rotation.transpose() * (position - fromMuJoCo(data_->xpos + 3 * body));
   for (int k = 0; k < 3; ++k) model_->geom_pos[3 * geom + k] = local[k] / 1000;
   updateKinematics();
-  obstacles_ = Obstacles{*model_};
+  obstacles_ = Obstacles{*model_, *data_};
 }
 
 void World::emit(int light, double share) {
