@@ -21,13 +21,33 @@ Error wrong(const std::string& field, const std::string& what) {
   return {.field = field, .what = what};
 }
 
-/// Adds SOLUTION of a task, or the value of TASK.SOLUTION.PATH.
-Result<void> addChange(const std::string& one, Changes& changes) {
+/// The file of a motion, relative to the root.
+std::string motionFile(const DataRoot& root, const std::string& motion) {
+  const fs::path folder = root.path("motions");
+  std::error_code failed;  // then it is not found
+  for (fs::recursive_directory_iterator at{folder, failed}, end; !failed && at != end;
+       at.increment(failed))
+    if (at->path().filename() == motion + ".mof")
+      return ("motions" / at->path().lexically_relative(folder)).string();
+  return {};
+}
+
+/// Adds SOLUTION of a task, the value of TASK.SOLUTION.PATH or that of motions.MOTION.NAME.
+Result<void> addChange(const DataRoot& root, const std::string& one, Changes& changes) {
   const auto equals = one.find('=');
   if (equals == one.npos || equals == 0 || equals + 1 == one.size())
-    return wrong(one, "expected TASK=SOLUTION or TASK.SOLUTION.PATH=VALUE");
+    return wrong(one,
+                 "expected TASK=SOLUTION, TASK.SOLUTION.PATH=VALUE or motions.MOTION.NAME=VALUE");
   const std::string path = one.substr(0, equals), value = one.substr(equals + 1);
   const auto dot = path.find('.');
+  if (path.substr(0, dot) == "motions") {
+    const auto second = std::min(path.find('.', dot + 1), path.size());
+    const std::string file = motionFile(root, path.substr(dot + 1, second - dot - 1));
+    if (file.empty()) return wrong(path, "there is no such motion");
+    if (!changes[file].emplace(path.substr(second + 1), value).second)
+      return wrong(path, "is given twice");
+    return {};
+  }
   const Task* task = solutions().find(path.substr(0, dot));
   if (!task) return wrong(path.substr(0, dot), "there is no such task");
   std::string file = "modules.cfg", name = path, solution = value;
@@ -93,6 +113,30 @@ Result<void> change(const fs::path& config, const std::string& name,
   return writeFile(file, text);
 }
 
+/// Changes named values of a motion.
+Result<void> changeMotion(const fs::path& root, const std::string& name,
+                          const std::map<std::string, std::string>& values) {
+  const fs::path file = root / name;
+  const auto text = readFile(file.string());
+  if (!text) return text.error();
+  std::string changed;
+  std::size_t found = 0;
+  std::istringstream lines{*text};
+  for (std::string line; std::getline(lines, line); changed += line + '\n') {
+    std::istringstream words{line};
+    std::string keyword, value;
+    words >> keyword >> value;
+    const auto other = values.find(value);
+    if (keyword != "value" || other == values.end()) continue;
+    line = "value " + value + " = " + other->second;
+    ++found;
+  }
+  if (found < values.size()) return wrong(name, "has not all of the values");
+  std::error_code ignored;  // then writing reports what is wrong
+  fs::remove(file, ignored);
+  return writeFile(file.string(), changed);
+}
+
 /// A folder with links to the files of another one. Its folders are real: paths such as ../config
 /// lead from one to another.
 Result<void> link(const fs::path& from, const fs::path& to) {
@@ -118,7 +162,7 @@ Result<std::unique_ptr<ChangedRoot>> ChangedRoot::make(const DataRoot& root,
   Changes changes;
   std::istringstream words{values};
   for (std::string one; std::getline(words, one, ',');)
-    if (auto done = addChange(one, changes); !done) return done.error();
+    if (auto done = addChange(root, one, changes); !done) return done.error();
   auto made = std::make_unique<ChangedRoot>();
   const fs::path folder = made->folder_.path();
   if (folder.empty()) return Error{.what = "there is no temporary folder"};
@@ -126,8 +170,10 @@ Result<std::unique_ptr<ChangedRoot>> ChangedRoot::make(const DataRoot& root,
                            "motions", "scenes", "tests/real"})
     if (auto done = link(fs::absolute(root.path(part)), folder / part); !done) return done.error();
   for (const auto& [file, numbers] : changes) {
-    if (auto done = change(folder / "config", file, numbers); !done) return done.error();
-    made->files_.push_back(file);
+    auto done = file.starts_with("motions/") ? changeMotion(folder, file, numbers)
+                                             : change(folder / "config", file, numbers);
+    if (!done) return done.error();
+    made->files_.push_back(file.starts_with("motions/") ? file : "config/" + file);
   }
   return made;
 }

@@ -9,16 +9,16 @@
 
 namespace gt {
 
-/// A data root like another one, but with other solutions and parameters in its configuration. It
-/// lies in a temporary folder with links to the other one's files.
+/// A data root like another one, but with other solutions and parameters in its configuration, and
+/// other values in its motions. It lies in a temporary folder with links to the other one's files.
 class ChangedRoot {
  public:
-  /// `values` as the parameter below describes them. A task, solution or parameter that does not
-  /// exist is an error, as is a value out of its range.
+  /// `values` as the parameter below describes them. A task, solution, parameter or value that does
+  /// not exist is an error, as is a parameter out of its range.
   static Result<std::unique_ptr<ChangedRoot>> make(const DataRoot& root, const std::string& values);
 
   DataRoot root() const { return DataRoot{folder_.path().string()}; }
-  /// The changed files, as named in the folder of the configuration.
+  /// The changed files, relative to the root.
   const std::vector<std::string>& files() const { return files_; }
 
  private:
@@ -29,7 +29,8 @@ class ChangedRoot {
 /// The parameter for what the robots' configuration has otherwise.
 inline Parameter valuesParameter() {
   return {"values",
-          "of the configuration: SelfLocator=GT2003,WalkingEngine.InvKin.normal.stepLen=40",
+          "of the configuration: SelfLocator=GT2003,WalkingEngine.InvKin.normal.stepLen=40; or of "
+          "motions: motions.chestKick.rise=80",
           Parameter::Kind::text,
           {"none"}};
 }

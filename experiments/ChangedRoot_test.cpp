@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "modules/motion/specialactions/MotionNetLoader.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "robot/Configuration.h"
 #include "streams/Config.h"
@@ -35,7 +36,26 @@ TEST(ChangedRoot, HasOtherParametersAndSolutions) {
   EXPECT_EQ(std::ranges::count(choices, "SelfLocator", &Configuration::SolutionChoice::task), 1);
 }
 
+TEST(ChangedRoot, HasMotionsWithOtherValues) {
+  const auto made = ChangedRoot::make({}, "motions.pushStrong.ready-frames=71");
+  ASSERT_TRUE(made) << made.error().text();
+  ASSERT_EQ((*made)->files(), std::vector<std::string>{"motions/kicks/pushStrong.mof"});
+  const auto slow = loadMotionNet((*made)->root().path("motions")), fast = loadMotionNet("motions");
+  ASSERT_TRUE(slow && fast);
+  const auto longest = [](const MotionNet& net) {
+    int frames = 0;
+    for (const MotionNet::Node& node : net.nodes)
+      if (node.motion == net.find("pushStrong")) frames = std::max(frames, node.frames);
+    return frames;
+  };
+  EXPECT_NE(longest(*fast), 71);
+  EXPECT_EQ(longest(*slow), 71);
+}
+
 TEST(ChangedRoot, RefusesWhatDoesNotExist) {
+  EXPECT_EQ(errorOf("motions.moonwalk.a=1"), "motions.moonwalk.a: there is no such motion");
+  EXPECT_EQ(errorOf("motions.pushStrong.speed=1"),
+            "motions/kicks/pushStrong.mof: has not all of the values");
   EXPECT_EQ(errorOf("Walk=InvKin"), "Walk: there is no such task");
   EXPECT_EQ(errorOf("SelfLocator=Best"), "SelfLocator: there is no solution 'Best'");
   EXPECT_EQ(errorOf("WalkingEngine.InvKin=3"), "WalkingEngine.InvKin: expected TASK.SOLUTION.PATH");

@@ -76,12 +76,12 @@ std::vector<std::string> mergeResults(const std::vector<std::string>& files,
   return texts(warnings);
 }
 
-/// The files of the configuration that have other values, and their content.
+/// The files that have other values, relative to the root, and their content.
 auto changedFiles(const std::string& values) {
   const auto changed = orThrow(ChangedRoot::make(findRoot(""), values));
   std::vector<std::pair<std::string, std::string>> files;
   for (const std::string& name : changed->files())
-    files.emplace_back(name, orThrow(readFile(changed->root().path("config/" + name))));
+    files.emplace_back(name, orThrow(readFile(changed->root().path(name))));
   return files;
 }
 

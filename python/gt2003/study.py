@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 import tomllib
 import warnings
 from collections.abc import Mapping, Sequence
@@ -30,7 +31,7 @@ FAILED = 1e6  # the cost of parameters with which a job fails
 
 @dataclass(frozen=True)
 class StudyParameter:
-    """A parameter TASK.SOLUTION.PATH between two bounds."""
+    """A parameter TASK.SOLUTION.PATH, or a value motions.MOTION.NAME, between two bounds."""
 
     path: str
     low: float
@@ -54,7 +55,9 @@ class StudyParameter:
         return (bounded - self.low) / (self.high - self.low)
 
     def old(self) -> float:
-        """Return the value of the configuration as it is."""
+        """Return the value of the configuration, or of a motion, as it is."""
+        if self.path.startswith("motions."):
+            return self._of_motion()
         task, _, rest = self.path.partition(".")
         solution, _, path = rest.partition(".")
         if task not in modules.solutions() or solution not in modules.solutions()[task]:
@@ -63,6 +66,15 @@ class StudyParameter:
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise Error("is not a number", field=self.path)
         return float(value)
+
+
+    def _of_motion(self) -> float:
+        _, motion, value = (*self.path.split(".", 2), "", "")[:3]
+        for file in Path(_core._data_path("motions")).rglob(f"{motion}.mof"):
+            found = re.search(rf"^value\s+{re.escape(value)}\s+=\s+(-?\d+)", file.read_text(), re.MULTILINE)
+            if found:
+                return float(found[1])
+        raise Error("expected a value motions.MOTION.NAME", field=self.path)
 
 
 @dataclass(frozen=True)
@@ -374,7 +386,7 @@ def run(study: Study, out: Path, who: Processes | Ray) -> list[Comparison]:
     importance = _weigh(study, laboratory, new)
     text = ",".join(f"{path}={value:g}" for path, value in new.items())
     for name, content in _core._changed_files(text):
-        file = out / "config" / name
+        file = out / name
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(content)
     told = {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <functional>
+#include <map>
 #include <optional>
 
 namespace motionnet {
@@ -100,18 +102,20 @@ class Parser {
       parseReach(words);
     else if (word == "label")
       parseLabel(words);
+    else if (word == "value")
+      parseValue(words);
     else if (word == "transition")
       parseTransition(words);
     else if (word == "pid")
       parsePid(words);
     else if (word == "odometry")
       parseOdometry(words);
-    else if (word == "~" || number(word))
+    else if (word == "~" || number(word) || values_.contains(word))
       parseData(words);
     else
       error(shown(word),
-            "unknown; a line begins with motion_id, group, posture, kick, reach, label, "
-            "transition, pid, odometry, an angle or ~");
+            "unknown; a line begins with motion_id, group, posture, kick, reach, label, value, "
+            "transition, pid, odometry, an angle, a value's name or ~");
   }
 
   bool wantName(std::string_view word, const char* what) {
@@ -182,6 +186,16 @@ class Parser {
     const Motion::Label label{static_cast<int>(motion_.statements.size()), line_};
     if (!motion_.labels.emplace(words[1], label).second)
       error("label", shown(words[1]) + " is defined twice");
+  }
+
+  void parseValue(const Words& words) {
+    if (words.size() != 4 || words[2] != "=")
+      return error("value", "expected: value NAME = NUMBER");
+    if (!wantName(words[1], "value")) return;
+    const auto value = number(words[3]);
+    if (!value) return error("value", shown(words[3]) + " is no whole number");
+    if (!values_.emplace(words[1], *value).second)
+      error("value", shown(words[1]) + " is defined twice");
   }
 
   void parseTransition(const Words& words) {
@@ -260,8 +274,10 @@ class Parser {
     statement.node.frames = *frames;
   }
 
+  /// A number, or that of a value's name.
   std::optional<int> integer(std::string_view word, const char* field, int low, int high) {
-    const auto value = number(word);
+    const auto named = values_.find(word);
+    const auto value = named == values_.end() ? number(word) : named->second;
     if (!value)
       error(field, shown(word) + " is no whole number");
     else if (*value < low || *value > high)
@@ -283,6 +299,7 @@ class Parser {
   const Rules& rules_;
   std::vector<Diagnostic>& errors_;
   Motion motion_;
+  std::map<std::string, int, std::less<>> values_;
   int line_ = 0;
 };
 

@@ -50,6 +50,7 @@ struct Motion {
 ///                                         the robot's middle, to DIRECTION, in degrees
 ///     reach X1 X2 Y1 Y2 SPREAD            it plays a ball within X1 to X2 ahead and Y1 to Y2 to
 ///                                         the left, too, within SPREAD degrees of the direction
+///     value NAME = NUMBER                 a name that stands for the number in the lines below
 ///     label NAME                          a place to jump to; each motion has the label start
 ///     A1 ... An INTERPOLATE COUNT         angles of all joints in mrad or ~ (don't care); 1: reach
 ///                                         them within COUNT frames, 0: send them COUNT times

@@ -74,6 +74,26 @@ TEST(Parser, TellsWhereWhatIsWrong) {
   EXPECT_EQ(errorOf("group g").field, "group");
 }
 
+TEST(Parser, ValuesStandForNumbers) {
+  const auto [motion, errors] = parsed(
+      "motion_id = a\nvalue bent = 700\nvalue slowly = 60\nlabel start\nbent bent 1 slowly\n"
+      "odometry slowly 0 bent\n");
+  ASSERT_TRUE(errors.empty()) << errors.front().text();
+  EXPECT_EQ(motion.statements[0].node.angles[0], 700);
+  EXPECT_EQ(motion.statements[0].node.angles[1], 700);
+  EXPECT_EQ(motion.statements[0].node.frames, 60);
+  EXPECT_EQ(motion.statements[1].node.x, 60);
+  EXPECT_EQ(motion.statements[1].node.rotation, 700);
+  EXPECT_EQ(errorOf("value bent 3").message, "expected: value NAME = NUMBER");
+  EXPECT_EQ(errorOf("value bent = far").text(), "a.mof:3: value: \"far\" is no whole number");
+  EXPECT_EQ(errorOf("value 7up = 7").field, "value");
+  EXPECT_EQ(errorOf("~ straight 0 1").text(), "a.mof:3: knee: \"straight\" is no whole number");
+  EXPECT_EQ(errorOf("value far = 1001\n~ far 0 1").text(),
+            "a.mof:4: knee: 1001 is not within 0 and 1000");
+  EXPECT_EQ(errorOf("value far = 1\nvalue far = 2").text(),
+            "a.mof:4: value: \"far\" is defined twice");
+}
+
 TEST(Parser, WantsANameAndAStart) {
   EXPECT_EQ(parsed("").errors.front().field, "motion_id");
   EXPECT_EQ(parsed("label start\n").errors.front().line, 1);

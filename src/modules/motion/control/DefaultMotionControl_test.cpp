@@ -111,7 +111,7 @@ TEST(DefaultMotionControl, JointsStayWithinLimitsWhateverIsRequested) {
         const auto limits = limitsOf(static_cast<Joint>(j));
         const double angle = motion.joints.angles.values[j];
         ASSERT_TRUE(angle >= limits.low && angle <= limits.high) << enumName(static_cast<Joint>(j));
-        const double factor = j < 3 ? 1.01 : 3.2;  // head; walks and kicks hurry the legs
+        const double factor = j < 3 ? 1.01 : 5.5;  // head; walks and kicks hurry the legs
         if (static_cast<Joint>(j) != Joint::mouth) {
           ASSERT_LE(std::abs(angle - before.values[j]), factor * limits.speed * 0.008)
               << enumName(static_cast<Joint>(j)) << " in frame " << i;
