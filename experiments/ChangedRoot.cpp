@@ -8,6 +8,7 @@
 #include "robot/ConfigFolder.h"
 #include "robot/Solutions.h"
 #include "streams/File.h"
+#include "streams/LinkFiles.h"
 
 namespace gt {
 namespace {
@@ -137,24 +138,6 @@ Result<void> changeMotion(const fs::path& root, const std::string& name,
   return writeFile(file.string(), changed);
 }
 
-/// A folder with links to the files of another one. Its folders are real: paths such as ../config
-/// lead from one to another.
-Result<void> link(const fs::path& from, const fs::path& to) {
-  std::error_code failed;
-  fs::create_directories(to, failed);
-  for (fs::recursive_directory_iterator at{from, failed}, end; !failed && at != end;
-       at.increment(failed)) {
-    const fs::path place = to / at->path().lexically_relative(from);
-    if (at->is_directory())
-      fs::create_directory(place, failed);
-    else
-      fs::create_symlink(at->path(), place, failed);
-    if (failed) break;
-  }
-  if (failed) return Error{.file = from.string(), .what = failed.message()};
-  return {};
-}
-
 }  // namespace
 
 Result<std::unique_ptr<ChangedRoot>> ChangedRoot::make(const DataRoot& root,
@@ -167,8 +150,9 @@ Result<std::unique_ptr<ChangedRoot>> ChangedRoot::make(const DataRoot& root,
   const fs::path folder = made->folder_.path();
   if (folder.empty()) return Error{.what = "there is no temporary folder"};
   for (const char* part : {"behavior", "config", "experiments/colors", "layouts", "models",
-                           "motions", "scenes", "tests/real"})
-    if (auto done = link(fs::absolute(root.path(part)), folder / part); !done) return done.error();
+                           "motions", "scenes", "teams", "tests/real"})
+    if (auto done = linkFiles(fs::absolute(root.path(part)), folder / part); !done)
+      return done.error();
   for (const auto& [file, numbers] : changes) {
     auto done = file.starts_with("motions/") ? changeMotion(folder, file, numbers)
                                              : change(folder / "config", file, numbers);

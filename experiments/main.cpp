@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "Experiments.h"
+#include "Tournament.h"
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
 #include "measure/RunJobs.h"
@@ -24,7 +25,7 @@ struct Arguments {
   JobSelection selection;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::string json = "out/experiments.json";
-  std::vector<std::string> lists, lines, results;
+  std::vector<std::string> lists, lines, results, teams;
   std::string out, jobs;
 };
 
@@ -37,6 +38,15 @@ Result<std::vector<Job>> selectedJobs(Arguments arguments) {
 
 Result<void> list(const Arguments& arguments) {
   const auto jobs = selectedJobs(arguments);
+  if (!jobs) return jobs.error();
+  for (const Job& job : *jobs) fmt::print("{}\n", job.text());
+  return {};
+}
+
+Result<void> tournament(const Arguments& arguments, const DataRoot& root) {
+  const auto seeds = parseSeeds(arguments.seeds);
+  if (!seeds) return seeds.error();
+  const auto jobs = listTournament(arguments.teams, *seeds, arguments.selection.settings, root);
   if (!jobs) return jobs.error();
   for (const Job& job : *jobs) fmt::print("{}\n", job.text());
   return {};
@@ -186,6 +196,10 @@ void addSelection(CLI::App& app, Arguments& a) {
 
 void addCommands(CommandLine& line, Arguments& a, const DataRoot& root) {
   line.command("list", "Prints the jobs, one a line", [&] { return list(a); });
+  CLI::App& playing =
+      line.command("tournament", "Prints the jobs of a tournament: all teams against all",
+                   [&] { return tournament(a, root); });
+  playing.add_option("teams", a.teams, "Folders, names of the folder teams, or GT2003")->required();
   CLI::App& running = line.command("run", "Does jobs and appends a line of JSON for each",
                                    [&] { return run(a, root); });
   running.add_option("lists", a.lists, "Files with jobs, one a line; - is the standard input");

@@ -6,6 +6,7 @@
 #include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
+#include "robot/TeamFolder.h"
 
 namespace gt {
 namespace {
@@ -16,6 +17,11 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   options.fidelity = job.parameter("fidelity");
   options.profile = job.parameter("profile");
   options.minutes = job.number("minutes");
+  for (const auto& [color, team] : {std::pair{"red", &options.red}, {"blue", &options.blue}}) {
+    auto folder = teamOfVersion(job.parameter(color), root);
+    if (!folder) return folder.error();
+    *team = *std::move(folder);
+  }
   auto match = Match::make(options);
   if (!match) return match.error();
   while (!(*match)->finished()) (*match)->step();
@@ -60,6 +66,14 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   return measured;
 }
 
+/// The team that plays in a color.
+Parameter teamParameter(const std::string& color) {
+  return {color,
+          "team: of the folder teams or a path, @ its files' fingerprint if these must not differ",
+          Parameter::Kind::text,
+          {TeamFolder::ownTeam}};
+}
+
 }  // namespace
 
 Experiment matchExperiment() {
@@ -67,6 +81,8 @@ Experiment matchExperiment() {
           "Whole matches: goals, kicks, penalties, localization against the truth",
           {profileParameter(),
            {"fidelity", "of the bodies", Parameter::Kind::choice, {"kinematic", "dynamic"}, true},
+           teamParameter("red"),
+           teamParameter("blue"),
            {"minutes", "both halves together", Parameter::Kind::number, {"10"}},
            valuesParameter()},
           withValues<playMatch>};

@@ -23,6 +23,10 @@ void addMatchOptions(CLI::App& command, gt::MatchOptions& match) {
       ->capture_default_str();
   command.add_option("--motions", match.motions, "Folder of motion descriptions")
       ->capture_default_str();
+  command.add_option("--red", match.red,
+                     "Team that plays red: a folder with files of its own in config, behavior and "
+                     "motions, or a name of the folder teams");
+  command.add_option("--blue", match.blue, "Team that plays blue");
   command.add_option("--layout", match.layout, "Process layout of all robots, not the scene's");
   command.add_option("--profile", match.profile, "How far all is from perfect, not the scene's")
       ->check(CLI::IsMember(gt::enumNames<gt::Profile>));

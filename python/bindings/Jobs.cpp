@@ -9,6 +9,7 @@
 #include "base/Enum.h"
 #include "experiments/ChangedRoot.h"
 #include "experiments/Experiments.h"
+#include "experiments/Tournament.h"
 #include "measure/RunJobs.h"
 #include "robot/SetupFiles.h"
 #include "streams/File.h"
@@ -35,13 +36,22 @@ Job jobOf(const std::string& line) {
   return orThrow(completed(orThrow(parseJob(line)), experiments(), commit()));
 }
 
+std::vector<std::string> textsOf(const std::vector<Job>& jobs) {
+  std::vector<std::string> lines;
+  for (const Job& job : jobs) lines.push_back(job.text());
+  return lines;
+}
+
 std::vector<std::string> list(const std::string& seeds, const std::vector<std::string>& only,
                               const std::vector<std::string>& settings) {
   const JobSelection selection{orThrow(parseSeeds(seeds)), only, settings};
-  std::vector<std::string> lines;
-  for (const Job& job : orThrow(listJobs(experiments(), selection, commit())))
-    lines.push_back(job.text());
-  return lines;
+  return textsOf(orThrow(listJobs(experiments(), selection, commit())));
+}
+
+std::vector<std::string> tournament(const std::vector<std::string>& teams, const std::string& seeds,
+                                    const std::vector<std::string>& settings) {
+  return textsOf(
+      orThrow(listTournament(teams, orThrow(parseSeeds(seeds)), settings, findRoot(""))));
 }
 
 std::string measure(const std::string& line, const std::string& root) {
@@ -90,6 +100,7 @@ auto changedFiles(const std::string& values) {
 void bindJobs(nb::module_& module) {
   module.def("_experiments", &describeExperiments);
   module.def("_list_jobs", &list, "seeds"_a, "only"_a, "settings"_a);
+  module.def("_list_tournament", &tournament, "teams"_a, "seeds"_a, "settings"_a);
   module.def("_complete_job", [](const std::string& line) { return jobOf(line).text(); });
   module.def("_measure_job", &measure, "job"_a, "root"_a);
   module.def("_read_results", &readResults, "file"_a);

@@ -38,12 +38,10 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     scene->fidelity = *fidelity;
   }
   std::unique_ptr<Match> match{new Match{options}};
-  const auto configuration =
-      loadConfiguration({scene->resolve(scene->config), options.motions, options.behavior});
-  if (!configuration) return configuration.error();
-  match->configuration_ = *configuration;
+  const ConfigurationPaths paths{scene->resolve(scene->config), options.motions, options.behavior};
+  if (auto done = match->loadTeams(paths); !done) return done.error();
   auto simulation =
-      Simulation::make(*scene, options.seed, options.threads, *(*configuration)->field);
+      Simulation::make(*scene, options.seed, options.threads, *match->configuration_->field);
   if (!simulation) return simulation.error();
   match->simulation_ = std::move(*simulation);
   if (const auto done = match->addRobots(); !done) return done.error();
@@ -57,11 +55,39 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   if (options.gameControllerPort)
     if (auto done = match->gameController_->listen(*options.gameControllerPort); !done)
       return done.error();
-  match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_,
-                                                         *(*configuration)->motions);
+  match->statistics_ =
+      std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_, match->motions());
   match->images_ =
       std::make_unique<ReportImages>(options.images, scene->game.minutes, match->robots_);
   return match;
+}
+
+Result<void> Match::loadTeams(const ConfigurationPaths& paths) {
+  auto configuration = loadConfiguration(paths);
+  if (!configuration) return configuration.error();
+  configuration_ = std::move(*configuration);
+  for (const auto& [color, name] :
+       {std::pair{TeamColor::red, &options_.red}, {TeamColor::blue, &options_.blue}}) {
+    Team& team = teams_[static_cast<std::size_t>(color)];
+    team = {nullptr, paths, configuration_};
+    const std::string folder = teamFolder(*name, options_.root);
+    if (folder.empty()) continue;
+    auto opened = TeamFolder::open(folder, paths);
+    if (!opened) return opened.error();
+    team.folder = std::move(*opened);
+    team.paths = team.folder->paths();
+    auto own = loadConfiguration(team.paths);
+    if (!own) return team.folder->named(own.error());
+    team.configuration = std::move(*own);
+  }
+  return {};
+}
+
+std::vector<const MotionNet*> Match::motions() const {
+  std::vector<const MotionNet*> all;
+  for (const SceneRobot& robot : simulation_->scene().robots)
+    all.push_back(teamOf(robot).configuration->motions.get());
+  return all;
 }
 
 Result<void> Match::addRobots() {
@@ -85,20 +111,16 @@ std::string Match::layoutFile(const SceneRobot& robot) const {
 Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   const SceneRobot& player = simulation_->scene().robots[index];
   const std::uint64_t seed = Random{options_.seed}.fork(player.name)();
-  auto robot = Robot::make(
-      {configuration_, layout, player.player(), seed, platformRepresentations(), player.address});
-  if (!robot) return robot.error();
+  const Team& team = teamOf(player);
+  auto robot = Robot::make({team.configuration, layout, player.player(), seed,
+                            platformRepresentations(), player.address});
+  if (!robot) return team.folder ? team.folder->named(robot.error()) : robot.error();
   auto controller = std::make_unique<SimulatedRobot>(player.name, std::move(*robot));
-  const SceneDescription& scene = simulation_->scene();
-  const SetupFiles setup{{scene.resolve(scene.config), options_.motions, options_.behavior},
-                         layoutFile(player),
-                         player.player(),
-                         seed,
-                         player.address};
+  const SetupFiles setup{team.paths, layoutFile(player), player.player(), seed, player.address};
   controller->robot().provideSetup([setup] { return recordSetup(setup); });
   if (!options_.logs.empty())
-    if (auto done = record(*controller, setup); !done) return done;
-  simulation_->setCamera(index, configuration_->camera.of(player.address));
+    if (auto done = record(*controller, team.configuration->log, setup); !done) return done;
+  simulation_->setCamera(index, team.configuration->camera.of(player.address));
   robots_.push_back(controller.get());
   indices_.push_back(index);
   allRobots_.push_back(controller.get());
@@ -106,7 +128,8 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   return {};
 }
 
-Result<void> Match::record(SimulatedRobot& robot, const SetupFiles& setup) {
+Result<void> Match::record(SimulatedRobot& robot, const Configuration::LogSettings& settings,
+                           const SetupFiles& setup) {
   const std::string base = (std::filesystem::path{options_.logs} / robot.name()).string();
   robot.saveTo(base);
   const McapWriter::Metadata about{
@@ -114,7 +137,7 @@ Result<void> Match::record(SimulatedRobot& robot, const SetupFiles& setup) {
       {"seed", std::to_string(options_.seed)},
       {"robot", robot.name()},
       {"minutes", std::to_string(simulation_->scene().game.minutes)}};
-  return robot.record(base + ".mcap", about, configuration_->log, setup, options_.inputs);
+  return robot.record(base + ".mcap", about, settings, setup, options_.inputs);
 }
 
 Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
@@ -179,6 +202,8 @@ Result<void> Match::save(const std::string& path) const {
                          .fidelity = options_.fidelity,
                          .behavior = options_.behavior,
                          .motions = options_.motions,
+                         .red = options_.red,
+                         .blue = options_.blue,
                          .minutes = simulation_->scene().game.minutes,
                          .seed = options_.seed,
                          .time = time(),
@@ -197,6 +222,8 @@ Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions
   options.fidelity = state->fidelity;
   options.behavior = state->behavior;
   options.motions = state->motions;
+  options.red = state->red;
+  options.blue = state->blue;
   options.minutes = state->minutes;
   options.seed = state->seed;
   options.remote.clear();

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "match/RemoteRobot.h"
 #include "match/ReportImages.h"
 #include "match/SimulatedRobot.h"
+#include "robot/TeamFolder.h"
 #include "simulation/Simulation.h"
 
 namespace gt {
@@ -32,6 +34,8 @@ struct MatchOptions {
   int images = 0;       ///< How many camera images to keep for the report page.
   std::string behavior = root.path("behavior/GT2003.xabsl");
   std::string motions = root.path("motions");
+  /// Teams with files of their own (TeamFolder.h), as `teamFolder` takes them.
+  std::string red{}, blue{};
   std::string layout{};   ///< Of all robots, instead of the scene's, if not empty.
   std::string profile{};  ///< Instead of the scene's and of what it says in elements, if not empty.
   std::string fidelity{};  ///< Instead of the scene's, if not empty.
@@ -91,6 +95,7 @@ class Match {
   const std::vector<SimulatedRobot*>& robots() const { return robots_; }
   /// The index in the simulation of each of them.
   std::size_t robotIndex(std::size_t robot) const { return indices_[robot]; }
+  /// The project's own, which also holds for the field.
   const Configuration& configuration() const { return *configuration_; }
   const std::shared_ptr<const Configuration>& sharedConfiguration() const { return configuration_; }
   /// Those whose processes run elsewhere.
@@ -104,9 +109,22 @@ class Match {
 
  private:
   explicit Match(const MatchOptions& options) : options_{options} {}
+  /// What the robots of a color play with.
+  struct Team {
+    std::unique_ptr<TeamFolder> folder;  ///< Null if it has nothing of its own.
+    ConfigurationPaths paths;
+    std::shared_ptr<const Configuration> configuration;
+  };
+
+  Result<void> loadTeams(const ConfigurationPaths& paths);
+  const Team& teamOf(const SceneRobot& robot) const {
+    return teams_[static_cast<std::size_t>(robot.team)];
+  }
+  std::vector<const MotionNet*> motions() const;  ///< Of each robot.
   Result<void> addRobots();
   Result<void> addRobot(std::size_t index, const Layout& layout);
-  Result<void> record(SimulatedRobot& robot, const SetupFiles& setup);
+  Result<void> record(SimulatedRobot& robot, const Configuration::LogSettings& settings,
+                      const SetupFiles& setup);
   Result<void> addRemoteRobot(std::size_t index, const Layout& layout);
   bool isRemote(const std::string& robot) const { return options_.remote.contains(robot); }
   std::string layoutFile(const SceneRobot& robot) const;
@@ -117,6 +135,7 @@ class Match {
   std::vector<Intervention> history_;
   std::string irreproducible_;  ///< Why the match cannot be repeated; empty if it can.
   std::shared_ptr<const Configuration> configuration_;
+  std::array<Team, 2> teams_;  ///< By color.
   std::unique_ptr<Simulation> simulation_;
   // All robots are owned by the simulation, and here in the order of its active ones.
   std::vector<MatchRobot*> allRobots_;

@@ -40,7 +40,7 @@ struct Intervention {
 /// module, and each field that a module's author forgets would be a silent error; this is right for
 /// every module. The price is time: a minute of a match takes some seconds to load.
 struct MatchState {
-  std::string scene, layout, profile, fidelity, behavior, motions;
+  std::string scene, layout, profile, fidelity, behavior, motions, red, blue;
   double minutes = 0;
   std::uint64_t seed = 0;
   Time time;
@@ -55,6 +55,8 @@ struct MatchState {
         field("fidelity", &MatchState::fidelity, "", "of the scene, if not empty"),
         field("behavior", &MatchState::behavior, "", "agents file"),
         field("motions", &MatchState::motions, "", "folder"),
+        field("red", &MatchState::red, "", "team, if it has files of its own"),
+        field("blue", &MatchState::blue, "", "team, if it has files of its own"),
         field("minutes", &MatchState::minutes, "min", "both halves together", {0.01, 1e4}),
         field("seed", &MatchState::seed),
         field("time", &MatchState::time, "ms", "how far it has come"),

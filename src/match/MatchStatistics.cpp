@@ -20,8 +20,12 @@ ErrorStatistics statisticsOf(const std::vector<double>& errors) {
 }
 
 MatchStatistics::MatchStatistics(const Simulation& simulation,
-                                 const std::vector<MatchRobot*>& robots, const MotionNet& motions)
-    : simulation_{simulation}, robots_{robots}, motions_{motions}, records_(robots.size()) {}
+                                 const std::vector<MatchRobot*>& robots,
+                                 std::vector<const MotionNet*> motions)
+    : simulation_{simulation},
+      robots_{robots},
+      motions_{std::move(motions)},
+      records_(robots.size()) {}
 
 void MatchStatistics::update() {
   const bool second = simulation_.time().ms % 1000 == 0;
@@ -70,8 +74,8 @@ void MatchStatistics::countActions(std::size_t robot) {
     const std::string& action =
         motion->executed.type == MotionType::specialAction ? motion->executed.specialAction : none;
     if (action != record.lastAction) {
-      const int index = motions_.find(action);
-      if (index >= 0 && motions_.motions[static_cast<std::size_t>(index)].isKick())
+      const int index = motions_[robot]->find(action);
+      if (index >= 0 && motions_[robot]->motions[static_cast<std::size_t>(index)].isKick())
         ++record.kicks[action];
       record.lastAction = action;
     }

@@ -14,9 +14,9 @@ namespace gt {
 /// (ready, set, playing).
 class MatchStatistics {
  public:
-  /// The motions define which special actions are kicks.
+  /// Each robot's motions define which special actions are kicks; they must outlive this object.
   MatchStatistics(const Simulation& simulation, const std::vector<MatchRobot*>& robots,
-                  const MotionNet& motions);
+                  std::vector<const MotionNet*> motions);
 
   /// Looks at the world and the robots after a tick.
   void update();
@@ -43,7 +43,7 @@ class MatchStatistics {
 
   const Simulation& simulation_;
   const std::vector<MatchRobot*>& robots_;
-  const MotionNet& motions_;
+  std::vector<const MotionNet*> motions_;
   std::vector<RobotRecord> records_;
   std::vector<Vector2d> ball_;
 };

@@ -47,7 +47,7 @@ TEST(MatchStatistics, ComparesEachImageWithTheTruth) {
   const std::vector<MatchRobot*> robots{robot.get()};
   (*simulation)->attach(0, std::move(robot));
   const MotionNet motions;
-  MatchStatistics statistics{**simulation, robots, motions};
+  MatchStatistics statistics{**simulation, robots, {&motions}};
   for (int i = 0; i < 250; ++i) {
     (*simulation)->step();
     statistics.update();
@@ -73,7 +73,7 @@ TEST(MatchStatistics, TheDistanceWalkedKnowsNeitherSwayingNorReferees) {
   const std::vector<MatchRobot*> robots{robot.get()};
   (*simulation)->attach(0, std::move(robot));
   const MotionNet motions;
-  MatchStatistics statistics{**simulation, robots, motions};
+  MatchStatistics statistics{**simulation, robots, {&motions}};
   // Ten seconds at 100 mm/s, 10 mm to and fro each tick; meanwhile somebody carries it by 2 m.
   for (int i = 0; i < 10 * 125; ++i) {
     const double carried = i < 5 * 125 ? 0 : 2000;

@@ -166,6 +166,46 @@ TEST_F(MatchTest, StatisticsGoOnAfterTheFirstRobotFailed) {
   EXPECT_EQ(comparisons(1), others + 10);
 }
 
+/// A team lays its files over the project's, and plays in either color.
+TEST_F(MatchTest, TeamsPlayWithFilesOfTheirOwn) {
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder / name).parent_path());
+    ASSERT_TRUE(writeFile((folder / name).string(), text));
+  };
+  write("same/motions/readme.txt", "none of its own");
+  write("still/config/modules.cfg", *readFile("config/modules.cfg") + "WalkingEngine disabled\n");
+  const auto play = [&](const std::string& red, const std::string& blue) {
+    MatchOptions options;
+    options.minutes = 0.1;
+    options.seed = 4;
+    options.red = red.empty() ? "" : (folder / red).string();
+    options.blue = blue.empty() ? "" : (folder / blue).string();
+    auto match = Match::make(options);
+    EXPECT_TRUE(match) << match.error().text();
+    while (!isOver(**match)) (*match)->step();
+    return std::move(*match);
+  };
+  const auto walked = [](const Match& match, TeamColor team) {
+    double sum = 0;
+    for (const RobotSummary& robot : match.summary().robots)
+      if (robot.team == team) sum += robot.distanceWalked;
+    return sum;
+  };
+  const auto own = play("", ""), same = play("same", "same");
+  EXPECT_TRUE(toJson(own->summary()) == toJson(same->summary()));
+  for (const TeamColor color : {TeamColor::red, TeamColor::blue}) {
+    const bool red = color == TeamColor::red;
+    const auto match = play(red ? "still" : "", red ? "" : "still");
+    EXPECT_LT(walked(*match, color), 1) << "nobody pushes them yet";
+    EXPECT_GT(walked(*match, red ? TeamColor::blue : TeamColor::red), wholeMatches ? 500 : -1);
+    const std::string file = (folder / "match.state").string();
+    ASSERT_TRUE(match->save(file));
+    const auto loaded = Match::load(file, {}, putBall);
+    ASSERT_TRUE(loaded) << loaded.error().text();
+    EXPECT_TRUE(toJson((*loaded)->summary()) == toJson(match->summary()));
+  }
+}
+
 TEST_F(MatchTest, WrongFilesAreToldInOneLine) {
   const auto errorOf = [](MatchOptions options) {
     const auto match = Match::make(options);

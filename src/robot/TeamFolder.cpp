@@ -1,0 +1,134 @@
+#include "robot/TeamFolder.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+#include "base/Hash.h"
+#include "streams/File.h"
+#include "streams/LinkFiles.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array parts{"behavior", "config", "motions"};
+
+/// Whether a folder is a team's; files beside the parts may be anything.
+Result<void> checkTeam(const std::string& folder) {
+  const auto wrong = [&](const std::string& what) { return Error{.file = folder, .what = what}; };
+  std::error_code failed;
+  if (!fs::is_directory(folder, failed)) return wrong("is no team: there is no such folder");
+  int found = 0;
+  for (fs::directory_iterator at{folder, failed}, end; !failed && at != end; at.increment(failed)) {
+    if (!at->is_directory()) continue;
+    const std::string name = at->path().filename().string();
+    if (std::ranges::find(parts, name) == parts.end())
+      return wrong("is no team: expected folders behavior, config, motions; not '" + name + "'");
+    ++found;
+  }
+  if (failed) return wrong(failed.message());
+  if (found == 0) return wrong("is no team: it has none of the folders behavior, config, motions");
+  return {};
+}
+
+/// All files of a team's folder, with their names in it.
+Result<std::uint64_t> fingerprintOf(const std::string& folder) {
+  std::error_code failed;
+  std::vector<fs::path> files;
+  for (fs::recursive_directory_iterator at{folder, failed}, end; !failed && at != end;
+       at.increment(failed))
+    if (at->is_regular_file()) files.push_back(at->path());
+  if (failed) return Error{.file = folder, .what = failed.message()};
+  std::ranges::sort(files);
+  Fingerprint sum;
+  for (const fs::path& file : files) {
+    const auto text = readFile(file.string());
+    if (!text) return text.error();
+    sum.add(file.lexically_relative(folder).generic_string());
+    sum.add(" " + std::to_string(text->size()) + " ");
+    sum.add(*text);
+  }
+  return sum.value();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<TeamFolder>> TeamFolder::open(const std::string& folder,
+                                                     const ConfigurationPaths& base) {
+  if (auto done = checkTeam(folder); !done) return done.error();
+  auto team = std::make_unique<TeamFolder>();
+  team->folder_ = folder;
+  const fs::path links = team->links_.path();
+  if (links.empty()) return Error{.what = "there is no temporary folder"};
+  const fs::path behavior = fs::absolute(base.behavior);
+  for (const auto& [from, name] : {std::pair{behavior.parent_path(), "behavior"},
+                                   {fs::absolute(base.config), "config"},
+                                   {fs::absolute(base.motions), "motions"}}) {
+    if (auto done = linkFiles(from.lexically_normal(), links / name); !done) return done.error();
+    const fs::path own = fs::absolute(folder).lexically_normal() / name;
+    if (!fs::is_directory(own)) continue;
+    if (auto done = linkFiles(own, links / name); !done) return done.error();
+  }
+  team->paths_ = base;
+  team->paths_.behavior = (links / "behavior" / behavior.filename()).string();
+  team->paths_.config = (links / "config").string();
+  team->paths_.motions = (links / "motions").string();
+  return team;
+}
+
+Error TeamFolder::named(Error error) const {
+  const fs::path within = fs::path{error.file}.lexically_relative(links_.path());
+  if (within.empty() || *within.begin() == "..") return error;
+  std::error_code failed;
+  const fs::path file = fs::read_symlink(error.file, failed);
+  if (failed) {
+    error.file = (fs::path{folder_} / within).string();
+    return error;
+  }
+  const fs::path shown = file.lexically_relative(fs::current_path());
+  error.file = (shown.empty() || *shown.begin() == ".." ? file : shown).string();
+  return error;
+}
+
+std::string teamFolder(const std::string& team, const DataRoot& root) {
+  if (team.empty() || team == TeamFolder::ownTeam) return "";
+  const std::string ofRoot = root.path("teams/" + team);
+  return team.find('/') == team.npos && fs::is_directory(ofRoot) ? ofRoot : team;
+}
+
+Result<std::string> teamVersion(const std::string& team, const DataRoot& root) {
+  const std::string folder = teamFolder(team, root);
+  if (folder.empty()) return std::string{TeamFolder::ownTeam};
+  if (auto done = checkTeam(folder); !done) return done.error();
+  const auto sum = fingerprintOf(folder);
+  if (!sum) return sum.error();
+  std::error_code failed;
+  const fs::path path = fs::canonical(folder, failed);
+  if (failed) return Error{.file = folder, .what = failed.message()};
+  const bool ofRoot = fs::equivalent(path.parent_path(), root.path("teams"), failed);
+  const std::string name = ofRoot ? path.filename().string() : path.string();
+  if (name.find_first_of(" \t\n\r@") != name.npos)
+    return Error{.file = name, .what = "a team's path may have neither spaces nor @"};
+  std::ostringstream version;
+  version << name << '@' << std::hex << std::setfill('0') << std::setw(16) << *sum;
+  return version.str();
+}
+
+Result<std::string> teamOfVersion(const std::string& version, const DataRoot& root) {
+  const auto at = std::min(version.find('@'), version.size());
+  const std::string name = version.substr(0, at), folder = teamFolder(name, root);
+  if (at == version.size()) return folder;
+  const auto now = teamVersion(name, root);
+  if (!now) return now.error();
+  const std::string sum = now->substr(std::min(now->find('@') + 1, now->size()));
+  if (sum != version.substr(at + 1))
+    return Error{.file = folder, .field = version, .what = "has changed since; it is @" + sum};
+  return folder;
+}
+
+}  // namespace gt

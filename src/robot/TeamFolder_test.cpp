@@ -1,0 +1,128 @@
+#include "robot/TeamFolder.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "robot/Solutions.h"
+#include "streams/File.h"
+
+namespace gt {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TeamFolderTest : public ::testing::Test {
+ protected:
+  /// Adds a file to the team.
+  void write(const std::string& name, std::string_view text) {
+    const fs::path file = folder_.path() / name;
+    fs::create_directories(file.parent_path());
+    ASSERT_TRUE(writeFile(file.string(), text));
+  }
+  std::string team() const { return folder_.path().string(); }
+  std::string errorOf(const std::string& folder) const {
+    const auto opened = TeamFolder::open(folder, {});
+    return opened ? "" : opened.error().text();
+  }
+  /// What is wrong with the team's configuration, with the team's folder as TEAM.
+  std::string configurationError() const {
+    const auto opened = TeamFolder::open(team(), {});
+    EXPECT_TRUE(opened) << opened.error().text();
+    const auto configuration = loadConfiguration((*opened)->paths());
+    if (configuration) return "";
+    std::string text = (*opened)->named(configuration.error()).text();
+    if (const auto at = text.find(team()); at != text.npos) text.replace(at, team().size(), "TEAM");
+    return text;
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(TeamFolderTest, LiesOverTheProjectsFiles) {
+  write("config/modules/SelfLocator.Kalman.cfg", "slip 0.4\n");
+  write("README.md", "about the team");
+  const auto opened = TeamFolder::open(team(), {});
+  ASSERT_TRUE(opened) << opened.error().text();
+  const auto own = loadConfiguration({}), other = loadConfiguration((*opened)->paths());
+  ASSERT_TRUE(other) << other.error().text();
+  const auto files = [](const Configuration& configuration) {
+    std::map<std::string, std::string> texts;
+    for (const auto& file : configuration.parameters)
+      texts[file.task + "." + file.solution] = file.text;
+    return texts;
+  };
+  auto expected = files(**own);
+  expected["SelfLocator.Kalman"] = "slip 0.4\n";
+  EXPECT_EQ(files(**other), expected);
+  EXPECT_EQ((*other)->solutions.size(), (*own)->solutions.size());
+  EXPECT_EQ((*other)->motions->motions.size(), (*own)->motions->motions.size());
+  EXPECT_FALSE(fs::exists("config/modules/SelfLocator.Kalman.cfg"))
+      << "the project's are as before";
+}
+
+TEST_F(TeamFolderTest, HasErrorsInItsOwnFiles) {
+  write("config/modules.cfg", "SelfLocator Best\n");
+  EXPECT_THAT(configurationError(), ::testing::StartsWith("TEAM/config/modules.cfg:1: "));
+  write("config/modules.cfg", "");
+  EXPECT_EQ(configurationError(), "");
+  write("behavior/GT2003.xabsl", "agent what\n");
+  EXPECT_THAT(configurationError(), ::testing::StartsWith("TEAM/behavior/GT2003.xabsl:"));
+}
+
+TEST_F(TeamFolderTest, RefusesFoldersOfNoTeam) {
+  EXPECT_EQ(errorOf("nowhere"), "nowhere: is no team: there is no such folder");
+  EXPECT_EQ(errorOf(team()),
+            team() + ": is no team: it has none of the folders behavior, config, motions");
+  write("config/modules.cfg", "");
+  EXPECT_EQ(errorOf(team()), "");
+  write("configs/log.cfg", "");
+  EXPECT_EQ(errorOf(team()), team() +
+                                 ": is no team: expected folders behavior, config, motions; not "
+                                 "'configs'");
+}
+
+TEST_F(TeamFolderTest, VersionsNameWhatTheFilesAre) {
+  write("config/modules.cfg", "SelfLocator GT2003\n");
+  const auto first = teamVersion(team(), {});
+  ASSERT_TRUE(first) << first.error().text();
+  EXPECT_THAT(*first, ::testing::StartsWith(fs::canonical(team()).string() + "@"));
+  EXPECT_EQ(*teamVersion(team() + "/config/..", {}), *first);
+  EXPECT_EQ(*teamOfVersion(*first, {}), fs::canonical(team()));
+  write("config/modules.cfg", "SelfLocator Kalman\n");
+  const auto changed = teamOfVersion(*first, {});
+  ASSERT_FALSE(changed);
+  EXPECT_THAT(changed.error().text(), ::testing::HasSubstr("has changed since; it is @"));
+  EXPECT_NE(*teamVersion(team(), {}), *first);
+  write("config/modules.cfg", "SelfLocator GT2003\n");
+  EXPECT_EQ(*teamVersion(team(), {}), *first);
+  write("config/log.cfg", "");
+  EXPECT_NE(*teamVersion(team(), {}), *first) << "an empty file counts";
+}
+
+TEST_F(TeamFolderTest, TeamsOfTheRootHaveShortNames) {
+  const auto version = teamVersion("kalman-study", {});
+  ASSERT_TRUE(version) << version.error().text();
+  EXPECT_THAT(*version, ::testing::MatchesRegex("kalman-study@[0-9a-f]{16}"));
+  EXPECT_EQ(*teamVersion("teams/kalman-study", {}), *version);
+  EXPECT_EQ(*teamOfVersion(*version, {}), "teams/kalman-study");
+  EXPECT_EQ(*teamOfVersion("kalman-study", {}), "teams/kalman-study");
+  EXPECT_EQ(*teamVersion("GT2003", {}), "GT2003");
+  EXPECT_EQ(*teamOfVersion("GT2003", {}), "");
+  EXPECT_EQ(teamVersion("kalman-studies", {}).error().text(),
+            "kalman-studies: is no team: there is no such folder");
+}
+
+/// The project's teams can play.
+TEST_F(TeamFolderTest, TheProjectsTeamsAreSound) {
+  for (const auto& entry : fs::directory_iterator{"teams"}) {
+    const auto opened = TeamFolder::open(entry.path().string(), {});
+    ASSERT_TRUE(opened) << opened.error().text();
+    const Findings findings = checkConfiguration((*opened)->paths(), allModules());
+    EXPECT_TRUE(findings.empty()) << entry.path() << findings.firstError().error().text();
+  }
+}
+
+}  // namespace
+}  // namespace gt
