@@ -1,4 +1,4 @@
-"""The command `gt2003`: jobs of experiments, and studies, on this machine or on a Ray cluster."""
+"""The command `gt2003`: jobs of experiments, tournaments and studies, on this machine or on a Ray cluster."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from . import jobs, study
+from . import jobs, study, tournament
 from ._error import Error
 from ._run import run, workers
 
@@ -28,14 +28,15 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="gt2003", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     running = commands.add_parser("run", help="does jobs and merges their results")
-    running.add_argument("what", help="experiments, or a file with jobs, one a line")
+    running.add_argument("what", help="experiments, tournament, or a file with jobs, one a line")
+    running.add_argument("teams", nargs="*", help="of a tournament: folders, names of the folder teams, or GT2003")
     running.add_argument("--seeds", default="1..10", help="a range like 101..110, or one (default: 1..10)")
     running.add_argument("--only", default="", help="experiments or groups, separated by commas")
     running.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of a parameter")
     running.add_argument(
         "--out", type=Path, default=Path("out/run"), metavar="FOLDER",
-        help="for jobs, results.jsonl, experiments.json and experiments.html; what is there is not done "
-        "again (default: out/run)",
+        help="for jobs, results.jsonl, and experiments.json and .html, or tournament.json and .html; what "
+        "is there is not done again (default: out/run)",
     )
     _add_workers(running)
     studying = commands.add_parser("study", help="finds better parameters, as a file of the folder studies says")
@@ -50,8 +51,14 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _jobs_of(given: argparse.Namespace) -> list[str]:
+    if given.what != "tournament" and given.teams:
+        raise Error("only a tournament has teams", field=given.teams[0])
     if given.what == "experiments":
         return jobs.select(given.seeds, [name for name in given.only.split(",") if name], given.set)
+    if given.what == "tournament":
+        if given.only:
+            raise Error("is of experiments; a tournament plays matches", field="--only")
+        return tournament.jobs(given.teams, given.seeds, given.set)
     return jobs.read(given.what)
 
 
@@ -71,7 +78,7 @@ def main() -> int:
                 study.run(studied, out, who)
                 print(f"{out}/study.html, {out}/config")
             else:
-                failed = run(todo, given.out, who)
+                failed = run(todo, given.out, who, tournament.merge if given.what == "tournament" else None)
         finally:
             who.close()
     except Error as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TextIO
 
@@ -102,8 +102,18 @@ def do(todo: Sequence[str], results: Results, who: Processes | Ray, quiet: bool 
     return failed
 
 
-def run(todo: Iterable[str], out: Path, who: Processes | Ray) -> int:
+Merge = Callable[[Path, list[str]], list[str]]
+
+
+def _merge(results: Path, listed: list[str]) -> list[str]:
+    return jobs.merge([results], results.with_name("experiments.json"), listed)
+
+
+def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | None = None) -> int:
     """Do jobs, and write results, figures and pages into a folder. Return how many failed.
+
+    merge: makes the figures and pages of the results in a folder, which hold those jobs; without it
+    those of experiments.
 
     A run that was stopped goes on where it was: jobs that have a result there are not done again.
     """
@@ -114,7 +124,7 @@ def run(todo: Iterable[str], out: Path, who: Processes | Ray) -> int:
         raise Error("holds results of other jobs; choose another folder", str(results.path), field=others[0])
     (out / "jobs").write_text("".join(job + "\n" for job in listed))
     failed = do(listed, results, who)
-    warnings = results.warnings + jobs.merge([results.path], out / "experiments.json", listed)
+    warnings = results.warnings + (merge or _merge)(results.path, listed)
     for warning in dict.fromkeys(warnings):
         print(f"gt2003: warning: {warning}", file=sys.stderr)
     return failed
