@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "simulation/scene/ProfileTable.h"
 #include "simulation/scene/SceneModel.h"
@@ -42,6 +43,7 @@ Result<void> Environment::reset(std::uint64_t seed) {
   simulation_ = std::move(*simulation);
   history_.clear();
   termValues_.assign(agents_.size() * terms_.size(), 0);
+  observedImages_.assign(agents_.size(), never());
   terminated_ = false;
   steps_ = 0;
   Random beginning = random.fork("begin");
@@ -78,8 +80,9 @@ void Environment::observeNumbers(std::size_t agent, std::span<float> numbers) {
   }
 }
 
-void Environment::observeImage(std::size_t agent, std::span<std::byte> into) const {
+void Environment::observeImage(std::size_t agent, std::span<std::byte> into) {
   const Image& image = simulation_->image(agent);
+  if (std::exchange(observedImages_[agent], image.time) == image.time) return;
   auto* byte = reinterpret_cast<std::uint8_t*>(into.data());
   for (const Pixel& pixel : image.pixels) {
     *byte++ = pixel.y;

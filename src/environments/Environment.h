@@ -41,7 +41,8 @@ class Environment {
   /// as the bound. They must be finite. Not after the end of an episode.
   void step(std::span<const float> actions);
 
-  /// Writes the observations of all agents, in their order, as they are now.
+  /// Writes the observations of all agents, in their order, as they are now. It is the same memory
+  /// in each call: an image that is in it already is not written again.
   void observe(std::span<std::byte> into);
   /// Of one agent in the last step: the sum of its terms.
   double reward(std::size_t agent) const;
@@ -98,7 +99,7 @@ class Environment {
  private:
   /// Has an agent's numbers written, and bounds them as its space does.
   void observeNumbers(std::size_t agent, std::span<float> numbers);
-  void observeImage(std::size_t agent, std::span<std::byte> into) const;
+  void observeImage(std::size_t agent, std::span<std::byte> into);
 
   EnvironmentOptions options_;
   ObservationKind observations_;
@@ -109,6 +110,7 @@ class Environment {
   std::vector<float> history_;
   std::vector<float> clipped_;
   std::vector<double> termValues_;
+  std::vector<Time> observedImages_;  ///< Of each agent: the time of the one written last.
   bool terminated_ = false;
   int steps_ = 0, mostSteps_ = 0;
 };
