@@ -43,6 +43,7 @@ struct PythonSolution::Content {
   std::vector<Port> ports;     ///< The inputs in their order, then the outputs in the task's.
   std::vector<bool> isRandom;  ///< For each argument, whether it is a generator, which has no port.
   nb::object generator;        ///< Once a module was made.
+  std::vector<KeptObject> inputs;  ///< What `update` got last, in the order of the ports.
 
   Content() = default;
   Content(const Content&) = delete;
@@ -50,6 +51,7 @@ struct PythonSolution::Content {
   ~Content() {
     if (!nb::is_alive()) {
       for (nb::object* object : {&update, &names, &generator}) object->release();
+      for (KeptObject& input : inputs) input.abandon();
       return;
     }
     const nb::gil_scoped_acquire lock;
@@ -57,10 +59,11 @@ struct PythonSolution::Content {
   }
   void clear() {
     for (nb::object* object : {&update, &names, &generator}) object->reset();
+    inputs.clear();
   }
 };
 
-/// Calls `update` with copies of the inputs as objects of Python.
+/// Calls `update` with the inputs as objects of Python, which are as good as copies.
 class PythonSolution::Module : public AnyModule {
  public:
   Module(std::shared_ptr<Content> content, ModuleContext context)
@@ -124,20 +127,20 @@ class PythonSolution::Module : public AnyModule {
   void call() {
     if (!content_->update.is_valid())
       throw Failure{Error{.field = content_->name, .what = "its match is being destroyed"}};
-    std::vector<nb::object> objects;
-    auto input = inputs_.begin();
+    content_->inputs.resize(inputs_.size());
+    arguments_.clear();
+    std::size_t next = 0;
     for (const bool isRandom : content_->isRandom) {
       if (isRandom) {
-        objects.push_back(content_->generator);
+        arguments_.push_back(content_->generator.ptr());
         continue;
       }
-      objects.push_back(toPython({*(*input)->type->type(), (*input)->value.get()}));
-      ++input;
+      const Blackboard::Slot& input = *inputs_[next];
+      const ConstValue value{*input.type->type(), input.value.get()};
+      arguments_.push_back(content_->inputs[next++].set(value).ptr());
     }
-    std::vector<PyObject*> arguments;
-    for (const nb::object& object : objects) arguments.push_back(object.ptr());
     const nb::object result = nb::steal(
-        PyObject_Vectorcall(content_->update.ptr(), arguments.data(), 0, content_->names.ptr()));
+        PyObject_Vectorcall(content_->update.ptr(), arguments_.data(), 0, content_->names.ptr()));
     if (!result.is_valid()) nb::raise_python_error();
     if (outputs_.size() == 1) {
       read(result, outputs_.front());
@@ -151,17 +154,18 @@ class PythonSolution::Module : public AnyModule {
   }
 
   static void read(nb::handle object, const Output& output) {
-    const std::string name{output.type->name};
     output.type->copy(output.provided, output.returned.get());
-    fromPython(object, {output.type->type(), output.returned.get()}, name);
+    fromPython(object, {output.type->type(), output.returned.get()}, output.type->name);
     if (const auto valid = checked(ConstValue{*output.type->type(), output.returned.get()}); !valid)
-      throw Failure{Error{.field = name + "." + valid.error().field, .what = valid.error().what}};
+      throw Failure{Error{.field = std::string{output.type->name} + "." + valid.error().field,
+                          .what = valid.error().what}};
   }
 
   std::shared_ptr<Content> content_;
   Debug* debug_;
   std::vector<const Blackboard::Slot*> inputs_;
   std::vector<Output> outputs_;
+  std::vector<PyObject*> arguments_;  ///< Of the call that runs.
 };
 
 PythonSolution::PythonSolution(const Task& task, const nb::object& object, std::size_t robot,
@@ -201,6 +205,8 @@ const std::string& PythonSolution::instead() const {
 int PythonSolution::traverse(visitproc visit, void* arg) const {
   for (const nb::object* object : {&content_->update, &content_->names, &content_->generator})
     Py_VISIT(object->ptr());
+  for (const KeptObject& input : content_->inputs)
+    if (const int done = input.traverse(visit, arg); done != 0) return done;
   return 0;
 }
 

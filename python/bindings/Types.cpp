@@ -73,6 +73,14 @@ const std::vector<const Type*>& knownTypes() {
   return all;
 }
 
+std::optional<Dense> findDense(const Type& type) {
+  if (isVector(type)) return Dense{&type.parts.front().type(), {type.parts.size()}};
+  if (type.kind != Kind::array) return std::nullopt;
+  auto dense = denseElementOf(type);
+  if (dense) dense->shape.insert(dense->shape.begin(), type.count);
+  return dense;
+}
+
 template <typename Visit>
 void forEachRepresentation(Visit visit) {
   for (const RepresentationType* type : allModules().messageTypes()) visit(*type);
@@ -198,6 +206,7 @@ nb::object defaultOf(std::size_t index) {
 void adopt(std::size_t index, nb::type_object type) {
   const Type& known = *knownTypes().at(index);
   PythonClass& made = classes()[&known];
+  for (std::size_t i = 0; i < known.names.size(); ++i) made.members.push_back(type(i).release());
   made.type = type.release();
   for (const Part& part : known.parts) {
     PyObject* name =
@@ -219,12 +228,10 @@ std::string Dense::dtype() const {
   return dtypeOf(*scalar);
 }
 
-std::optional<Dense> denseOf(const Type& type) {
-  if (isVector(type)) return Dense{&type.parts.front().type(), {type.parts.size()}};
-  if (type.kind != Kind::array) return std::nullopt;
-  auto dense = denseElementOf(type);
-  if (dense) dense->shape.insert(dense->shape.begin(), type.count);
-  return dense;
+const std::optional<Dense>& denseOf(const Type& type) {
+  static std::unordered_map<const Type*, std::optional<Dense>> known;
+  const auto found = known.find(&type);
+  return found != known.end() ? found->second : known.emplace(&type, findDense(type)).first->second;
 }
 
 std::optional<Dense> denseElementOf(const Type& sequence) {

@@ -27,14 +27,15 @@ struct Dense {
 
 /// Types whose values are arrays in Python: vectors (x, y, z), records of bytes (pixels), and
 /// arrays of these and of scalars. Empty for all others, and for lists, whose length varies.
-std::optional<Dense> denseOf(const Type& type);
+const std::optional<Dense>& denseOf(const Type& type);
 /// The same for an element of an array or list; scalars have the shape ().
 std::optional<Dense> denseElementOf(const Type& sequence);
 
 /// The Python class of records and enumerations, and what is needed to make objects of it.
 struct PythonClass {
   nb::handle type;
-  std::vector<nb::handle> names;  ///< Of records: the attributes, in the order of the parts.
+  std::vector<nb::handle> names;    ///< Of records: the attributes, in the order of the parts.
+  std::vector<nb::handle> members;  ///< Of enumerations, by their numbers.
 };
 
 /// The representations and messages of all modules, those of matches, and

@@ -18,21 +18,27 @@
 namespace gt::python {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, std::string what) {
-  throw Failure{Error{.field = path, .what = std::move(what)}};
+/// Where a value stands, as the text of a path only once it is needed.
+struct Place {
+  const Place* record;  ///< That it is a part of; null: none.
+  std::string_view name;
+
+  std::string text() const {
+    const std::string before = record ? record->text() : "";
+    return before.empty() ? std::string{name} : before + "." + std::string{name};
+  }
+};
+
+[[noreturn]] void fail(const Place& place, std::string what) {
+  throw Failure{Error{.field = place.text(), .what = std::move(what)}};
 }
 
 std::string typeNameOf(nb::handle object) {
   return nb::cast<std::string>(object.type().attr("__name__"));
 }
 
-[[noreturn]] void unexpected(const std::string& path, const std::string& expected,
-                             nb::handle object) {
-  fail(path, "expected " + expected + ", got " + typeNameOf(object));
-}
-
-std::string joined(const std::string& path, std::string_view name) {
-  return path.empty() ? std::string{name} : path + "." + std::string{name};
+[[noreturn]] void unexpected(const Place& place, const std::string& expected, nb::handle object) {
+  fail(place, "expected " + expected + ", got " + typeNameOf(object));
 }
 
 // From C++ to Python.
@@ -101,17 +107,20 @@ Value writable(ConstValue value) {
   return {&value.type(), const_cast<void*>(value.data())};
 }
 
-nb::object arrayToPython(ConstValue value, const Dense& dense) {
-  const std::size_t bytes = dense.bytes();
-  auto data = std::make_unique<std::byte[]>(std::max<std::size_t>(bytes, 1));
+void copyDense(ConstValue value, std::byte* into, std::size_t bytes) {
   if (bytes > 0 && isContiguous(value, bytes)) {
-    std::memcpy(data.get(), dataOf(writable(value)), bytes);
+    std::memcpy(into, dataOf(writable(value)), bytes);
   } else {
-    std::byte* place = data.get();
-    forEachScalar(writable(value), place, [](const std::byte* from, std::byte* to, std::size_t n) {
+    forEachScalar(writable(value), into, [](const std::byte* from, std::byte* to, std::size_t n) {
       std::memcpy(to, from, n);
     });
   }
+}
+
+nb::object arrayToPython(ConstValue value, const Dense& dense) {
+  const std::size_t bytes = dense.bytes();
+  auto data = std::make_unique<std::byte[]>(std::max<std::size_t>(bytes, 1));
+  copyDense(value, data.get(), bytes);
   std::byte* const array = data.release();
   const nb::capsule owner{array, [](void* p) noexcept { delete[] static_cast<std::byte*>(p); }};
   return nb::ndarray<nb::numpy>(array, dense.shape.size(), dense.shape.data(), owner, nullptr,
@@ -119,24 +128,55 @@ nb::object arrayToPython(ConstValue value, const Dense& dense) {
       .cast();
 }
 
-/// The form of an array or list whose elements are scalars or dense; empty if they are not.
-std::optional<Dense> denseForm(ConstValue value) {
-  const Type& type = value.type();
-  if (type.kind != Kind::list) return denseOf(type);
-  auto dense = denseElementOf(type);
+/// The form of a list whose elements are scalars or dense; empty if they are not.
+std::optional<Dense> denseListForm(ConstValue value) {
+  if (value.type().kind != Kind::list) return std::nullopt;
+  auto dense = denseElementOf(value.type());
   if (dense) dense->shape.insert(dense->shape.begin(), value.size());
   return dense;
 }
 
+nb::object newRecord(const PythonClass& known) {
+  auto* const type = reinterpret_cast<PyTypeObject*>(known.type.ptr());
+  nb::object object = nb::steal(PyBaseObject_Type.tp_new(type, nb::tuple().ptr(), nullptr));
+  if (!object.is_valid()) throw nb::python_error();
+  return object;
+}
+
 nb::object recordToPython(ConstValue value) {
   const PythonClass& known = classOf(value.type());
-  auto* const type = reinterpret_cast<PyTypeObject*>(known.type.ptr());
-  const nb::object object = nb::steal(PyBaseObject_Type.tp_new(type, nb::tuple().ptr(), nullptr));
-  if (!object.is_valid()) throw nb::python_error();
+  const nb::object object = newRecord(known);
   const auto& parts = value.type().parts;
   for (std::size_t i = 0; i < parts.size(); ++i)
     nb::setattr(object, known.names[i], toPython(value.part(parts[i])));
   return object;
+}
+
+/// Where the numbers of an array lie, if it is still as `arrayToPython` has made it for this form;
+/// otherwise null.
+std::byte* numbersOf(nb::handle array, const Dense& dense) {
+  constexpr std::string_view formats = "bBhHiIlLfd";  // in the order of Number
+  const char format = dense.scalar->kind == Kind::boolean
+                          ? '?'
+                          : formats[static_cast<std::size_t>(dense.scalar->number)];
+  Py_buffer view;
+  if (PyObject_GetBuffer(array.ptr(), &view, PyBUF_C_CONTIGUOUS | PyBUF_WRITABLE | PyBUF_FORMAT)) {
+    PyErr_Clear();
+    return nullptr;
+  }
+  const bool fits =
+      view.format && std::string_view{view.format} == std::string_view{&format, 1} &&
+      std::equal(dense.shape.begin(), dense.shape.end(), view.shape, view.shape + view.ndim,
+                 [](std::size_t n, Py_ssize_t m) { return std::cmp_equal(n, m); });
+  PyBuffer_Release(&view);
+  return fits ? static_cast<std::byte*>(view.buf) : nullptr;
+}
+
+nb::object enumerationToPython(ConstValue value) {
+  const PythonClass& known = classOf(value.type());
+  const auto number = static_cast<std::size_t>(ordinal(value));
+  return number < known.members.size() ? nb::borrow(known.members[number])
+                                       : nb::object{known.type(ordinal(value))};
 }
 
 nb::object listToPython(ConstValue value) {
@@ -154,56 +194,58 @@ bool isAnyBool(nb::handle object) {
 }
 
 template <typename N>
-void storeNumber(nb::handle object, void* data, const std::string& path) {
+void storeNumber(nb::handle object, void* data, const Place& place) {
   N n{};
   if constexpr (std::is_floating_point_v<N>) {
     const double number = PyFloat_AsDouble(object.ptr());
     if (PyErr_Occurred()) {
       PyErr_Clear();
-      unexpected(path, "a number", object);
+      unexpected(place, "a number", object);
     }
-    if (!std::isfinite(number)) fail(path, "expected a finite number");
+    if (!std::isfinite(number)) fail(place, "expected a finite number");
     n = static_cast<N>(number);
   } else {
     const nb::object whole = nb::steal(PyNumber_Index(object.ptr()));
     if (!whole.is_valid()) {
       PyErr_Clear();
-      unexpected(path, "a whole number", object);
+      unexpected(place, "a whole number", object);
     }
     if (!nb::try_cast<N>(whole, n))
-      fail(path, "is out of the range of its type: " + nb::cast<std::string>(nb::str(whole)));
+      fail(place, "is out of the range of its type: " + nb::cast<std::string>(nb::str(whole)));
   }
   std::memcpy(data, &n, sizeof n);
 }
 
-void scalarFromPython(nb::handle object, Value value, const std::string& path) {
+void scalarFromPython(nb::handle object, Value value, const Place& place) {
   const Type& type = *value.type;
   if (type.kind == Kind::boolean) {
-    if (!isAnyBool(object)) unexpected(path, "a bool", object);
+    if (!isAnyBool(object)) unexpected(place, "a bool", object);
     setOrdinal(value, PyObject_IsTrue(object.ptr()));
   } else if (type.kind == Kind::number) {
-    if (isAnyBool(object)) unexpected(path, "a number", object);
+    if (isAnyBool(object)) unexpected(place, "a number", object);
     withType(type.number,
-             [&]<typename N>(std::type_identity<N>) { storeNumber<N>(object, value.data, path); });
+             [&]<typename N>(std::type_identity<N>) { storeNumber<N>(object, value.data, place); });
   } else if (type.kind == Kind::text) {
-    if (!nb::isinstance<nb::str>(object)) unexpected(path, "a str", object);
+    if (!nb::isinstance<nb::str>(object)) unexpected(place, "a str", object);
     if (const auto done = setScalar(value, nb::cast<std::string>(object)); !done)
-      fail(path, done.error().what);
+      fail(place, done.error().what);
   } else if (nb::isinstance<nb::str>(object)) {
     if (const auto done = setScalar(value, nb::cast<std::string>(object)); !done)
-      fail(path, done.error().what);
+      fail(place, done.error().what);
   } else {
     const PythonClass& known = classOf(type);
     const bool member = PyObject_IsInstance(object.ptr(), known.type.ptr()) == 1;
-    if (!member) unexpected(path, "a " + std::string{type.name} + " or its name", object);
+    if (!member) unexpected(place, "a " + std::string{type.name} + " or its name", object);
     setOrdinal(value, nb::cast<std::int64_t>(nb::int_(object)));
   }
 }
 
+void setFromPython(nb::handle object, Value value, const Place& place);
+
 using Array = nb::ndarray<nb::numpy, nb::ro, nb::c_contig, nb::device::cpu>;
 
 /// A Python object as an array of a type and shape, in which -1 is any length.
-Array arrayOf(nb::handle object, const Dense& dense, bool anyLength, const std::string& path) {
+Array arrayOf(nb::handle object, const Dense& dense, bool anyLength, const Place& place) {
   nb::list shape;
   for (std::size_t i = 0; i < dense.shape.size(); ++i)
     shape.append(anyLength && i == 0 ? nb::object{nb::none()}
@@ -213,7 +255,7 @@ Array arrayOf(nb::handle object, const Dense& dense, bool anyLength, const std::
     return nb::cast<Array>(as(object, dense.dtype(), nb::tuple(shape)));
   } catch (nb::python_error& error) {
     if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError)) throw;
-    fail(path, nb::cast<std::string>(nb::str(error.value())));
+    fail(place, nb::cast<std::string>(nb::str(error.value())));
   }
 }
 
@@ -243,25 +285,25 @@ bool copyDoubles(nb::handle object, Value value, const Dense& dense) {
   return fits;
 }
 
-void arrayFromPython(nb::handle object, Value value, const Dense& dense, const std::string& path) {
+void arrayFromPython(nb::handle object, Value value, const Dense& dense, const Place& place) {
   if (copyDoubles(object, value, dense)) return;
   const bool list = value.type->kind == Kind::list;
-  const Array array = arrayOf(object, dense, list, path);
+  const Array array = arrayOf(object, dense, list, place);
   if (list) value.type->resize(value.data, array.shape(0));
   // Only read: what visits it copies from there.
-  auto* place = const_cast<std::byte*>(static_cast<const std::byte*>(array.data()));
+  auto* from = const_cast<std::byte*>(static_cast<const std::byte*>(array.data()));
   const auto names = static_cast<std::int64_t>(dense.scalar->names.size());
   if (dense.scalar->kind == Kind::enumeration) {
-    const std::byte* at = place;
+    const std::byte* at = from;
     for (std::size_t i = 0; i < array.size(); ++i, at += numberSize(dense.scalar->number)) {
       const std::int64_t number = ordinal(ConstValue{*dense.scalar, at});
       if (number < 0 || number >= names)
-        fail(path, "has a value that is no " + std::string{dense.scalar->name} + ": " +
-                       std::to_string(number));
+        fail(place, "has a value that is no " + std::string{dense.scalar->name} + ": " +
+                        std::to_string(number));
     }
   }
-  forEachScalar(value, place, [](std::byte* to, const std::byte* from, std::size_t n) {
-    std::memcpy(to, from, n);
+  forEachScalar(value, from, [](std::byte* to, const std::byte* number, std::size_t n) {
+    std::memcpy(to, number, n);
   });
 }
 
@@ -270,49 +312,58 @@ const Part* partOf(const Type& record, std::string_view name) {
   return found == record.parts.end() ? nullptr : &*found;
 }
 
-void recordFromPython(nb::handle object, Value value, const std::string& path) {
+void recordFromPython(nb::handle object, Value value, const Place& place) {
   const Type& type = *value.type;
   if (nb::isinstance<nb::dict>(object)) {
     for (const auto& [key, content] : nb::borrow<nb::dict>(object)) {
       const auto name = nb::cast<std::string>(nb::str(key));
       const Part* part = partOf(type, name);
-      if (!part) fail(joined(path, name), std::string{type.name} + " has no such field");
-      fromPython(content, value.part(*part), joined(path, name));
+      const Place inside{&place, name};
+      if (!part) fail(inside, std::string{type.name} + " has no such field");
+      setFromPython(content, value.part(*part), inside);
     }
     return;
   }
   const PythonClass& known = classOf(type);
-  if (PyObject_IsInstance(object.ptr(), known.type.ptr()) != 1)
-    unexpected(path, "a " + std::string{type.name}, object);
+  if (!object.type().is(known.type) && PyObject_IsInstance(object.ptr(), known.type.ptr()) != 1) {
+    PyErr_Clear();
+    unexpected(place, "a " + std::string{type.name}, object);
+  }
   for (std::size_t i = 0; i < type.parts.size(); ++i) {
-    const std::string name = joined(path, type.parts[i].name);
-    if (!nb::hasattr(object, known.names[i])) fail(name, "is missing");
-    fromPython(object.attr(known.names[i]), value.part(type.parts[i]), name);
+    const Place inside{&place, type.parts[i].name};
+    const nb::object content = nb::steal(PyObject_GetAttr(object.ptr(), known.names[i].ptr()));
+    if (!content.is_valid()) {
+      PyErr_Clear();
+      fail(inside, "is missing");
+    }
+    setFromPython(content, value.part(type.parts[i]), inside);
   }
 }
 
-void listFromPython(nb::handle object, Value value, const std::string& path) {
+void listFromPython(nb::handle object, Value value, const Place& place) {
   if (!nb::isinstance<nb::sequence>(object) || nb::isinstance<nb::str>(object))
-    unexpected(path, "a list", object);
+    unexpected(place, "a list", object);
   const std::size_t count = nb::len(object);
   if (value.type->kind == Kind::list)
     value.type->resize(value.data, count);
   else if (count != value.size())
-    fail(path,
+    fail(place,
          "expected " + std::to_string(value.size()) + " elements, got " + std::to_string(count));
-  for (std::size_t i = 0; i < count; ++i)
-    fromPython(object[i], value.element(i), joined(path, std::to_string(i)));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string number = std::to_string(i);
+    setFromPython(object[i], value.element(i), {&place, number});
+  }
 }
 
 /// The text of a scalar, by way of a value of its type.
-std::string scalarFromPythonAsText(nb::handle object, const Type& type, const std::string& path) {
+std::string scalarFromPythonAsText(nb::handle object, const Type& type, const Place& place) {
   if (type.kind == Kind::text) {
     std::string text;
-    fromPython(object, {&type, &text}, path);
+    setFromPython(object, {&type, &text}, place);
     return quotedWord(text);
   }
   alignas(std::max_align_t) std::byte room[8]{};
-  fromPython(object, {&type, room}, path);
+  setFromPython(object, {&type, room}, place);
   return scalarText(ConstValue{type, room});
 }
 
@@ -328,6 +379,22 @@ std::optional<std::size_t> indexOf(const Type& sequence, std::size_t size, std::
   return index;
 }
 
+void setFromPython(nb::handle object, Value value, const Place& place) {
+  const Kind kind = value.type->kind;
+  if (kind != Kind::record && kind != Kind::array && kind != Kind::list)
+    return scalarFromPython(object, value, place);
+  if (kind != Kind::list) {
+    if (const auto& dense = denseOf(*value.type))
+      return arrayFromPython(object, value, *dense, place);
+  } else if (const auto dense = denseListForm(ConstValue{value})) {
+    return arrayFromPython(object, value, *dense, place);
+  }
+  if (kind == Kind::record)
+    recordFromPython(object, value, place);
+  else
+    listFromPython(object, value, place);
+}
+
 }  // namespace
 
 nb::object toPython(ConstValue value) {
@@ -338,40 +405,34 @@ nb::object toPython(ConstValue value) {
     case Kind::number:
       return numberToPython(type.number, value.data());
     case Kind::enumeration:
-      return classOf(type).type(ordinal(value));
+      return enumerationToPython(value);
     case Kind::text:
       return nb::cast(*static_cast<const std::string*>(value.data()));
     default:
       break;
   }
-  if (const auto dense = denseForm(value)) return arrayToPython(value, *dense);
+  if (const auto& dense = denseOf(type)) return arrayToPython(value, *dense);
+  if (const auto dense = denseListForm(value)) return arrayToPython(value, *dense);
   return type.kind == Kind::record ? recordToPython(value) : listToPython(value);
 }
 
-void fromPython(nb::handle object, Value value, const std::string& path) {
-  if (value.type->kind != Kind::record && value.type->kind != Kind::array &&
-      value.type->kind != Kind::list)
-    scalarFromPython(object, value, path);
-  else if (const auto dense = denseForm(ConstValue{value}))
-    arrayFromPython(object, value, *dense, path);
-  else if (value.type->kind == Kind::record)
-    recordFromPython(object, value, path);
-  else
-    listFromPython(object, value, path);
+void fromPython(nb::handle object, Value value, std::string_view path) {
+  setFromPython(object, value, {nullptr, path});
 }
 
 std::string configText(nb::handle object, const Type& type, const std::string& path) {
   if (type.kind != Kind::record && type.kind != Kind::array && type.kind != Kind::list)
-    return scalarFromPythonAsText(object, type, path);
+    return scalarFromPythonAsText(object, type, {nullptr, path});
+  const Place place{nullptr, path};
   std::string text;
   const auto add = [&](nb::handle part, const Type& partType, std::string_view name) {
-    text += (text.empty() ? "" : " ") + configText(part, partType, joined(path, name));
+    text += (text.empty() ? "" : " ") + configText(part, partType, Place{&place, name}.text());
   };
   if (type.kind == Kind::record && !denseOf(type)) {
     for (const Part& part : type.parts) {
       const std::string name{part.name};
       if (!nb::hasattr(object, name.c_str()))
-        unexpected(path, "a " + std::string{type.name}, object);
+        unexpected(place, "a " + std::string{type.name}, object);
       add(object.attr(name.c_str()), part.type(), part.name);
     }
     return text;
@@ -379,10 +440,10 @@ std::string configText(nb::handle object, const Type& type, const std::string& p
   const bool anyLength = type.kind == Kind::list;
   const std::size_t wanted = type.kind == Kind::record ? type.parts.size() : type.count;
   if (!nb::isinstance<nb::sequence>(object) || nb::isinstance<nb::str>(object))
-    unexpected(path, "an array", object);
+    unexpected(place, "an array", object);
   const std::size_t count = nb::len(object);
   if (!anyLength && count != wanted)
-    fail(path, "expected " + std::to_string(wanted) + " elements, got " + std::to_string(count));
+    fail(place, "expected " + std::to_string(wanted) + " elements, got " + std::to_string(count));
   for (std::size_t i = 0; i < count; ++i)
     add(object[i], type.kind == Kind::record ? type.parts[i].type() : type.element(),
         std::to_string(i));
@@ -397,17 +458,70 @@ ConstValue at(ConstValue root, std::string_view path, const std::string& whole) 
     const Type& type = root.type();
     if (type.kind == Kind::record) {
       const Part* part = partOf(type, name);
-      if (!part) fail(whole, std::string{type.name} + " has no field " + std::string{name});
+      if (!part)
+        fail({nullptr, whole}, std::string{type.name} + " has no field " + std::string{name});
       root = root.part(*part);
     } else if (type.kind == Kind::array || type.kind == Kind::list) {
       const auto index = indexOf(type, root.size(), name);
-      if (!index) fail(whole, "there is no element " + std::string{name});
+      if (!index) fail({nullptr, whole}, "there is no element " + std::string{name});
       root = root.element(*index);
     } else {
-      fail(whole, "a single value has no field " + std::string{name});
+      fail({nullptr, whole}, "a single value has no field " + std::string{name});
     }
   }
   return root;
+}
+
+const nb::object& KeptObject::set(ConstValue value, Py_ssize_t owners) {
+  const Type& type = value.type();
+  const bool own = object_.is_valid() && Py_REFCNT(object_.ptr()) == owners;
+  if (const auto& dense = denseOf(type)) {
+    if (own && numbers_ && numbersOf(object_, *dense) == numbers_) {
+      copyDense(value, numbers_, dense->bytes());
+    } else {
+      object_ = arrayToPython(value, *dense);
+      numbers_ = numbersOf(object_, *dense);
+    }
+  } else if (type.kind == Kind::record) {
+    const PythonClass& known = classOf(type);
+    if (!own || !object_.type().is(known.type)) object_ = newRecord(known);
+    parts_.resize(type.parts.size());
+    for (std::size_t i = 0; i < type.parts.size(); ++i)
+      parts_[i].setPart(object_, known.names[i], value.part(type.parts[i]));
+  } else {
+    object_ = toPython(value);
+  }
+  return object_;
+}
+
+void KeptObject::setPart(nb::handle record, nb::handle name, ConstValue value) {
+  const Kind kind = value.type().kind;
+  if (kind != Kind::record && kind != Kind::array)
+    return nb::setattr(record, name, toPython(value));
+  const void* const before = object_.ptr();
+  nb::object known = nb::steal(PyObject_GetAttr(record.ptr(), name.ptr()));
+  if (!known.is_valid()) PyErr_Clear();  // of a new record, or somebody has deleted it
+  const bool inRecord = known.is_valid() && known.ptr() == before;
+  known.reset();
+  set(value, inRecord ? 2 : 1);
+  if (!inRecord || object_.ptr() != before) nb::setattr(record, name, object_);
+}
+
+int KeptObject::traverse(visitproc visit, void* arg) const {
+  Py_VISIT(object_.ptr());
+  for (const KeptObject& part : parts_)
+    if (const int done = part.traverse(visit, arg); done != 0) return done;
+  return 0;
+}
+
+void KeptObject::clear() {
+  parts_.clear();
+  object_.reset();
+}
+
+void KeptObject::abandon() {
+  for (KeptObject& part : parts_) part.abandon();
+  object_.release();
 }
 
 std::pair<std::string, std::string> splitPath(const std::string& path) {

@@ -26,7 +26,7 @@ import numpy as np
 
 import gt2003
 from gt2003 import _core, modules, representations
-from gt2003.representations import BallModel, FrameInfo, Record
+from gt2003.representations import BallModel, BallPercept, FrameInfo, Record
 
 AGENTS = """
 include "options.xabsl";
@@ -133,6 +133,43 @@ class Wrong:
         return Fuzzer.current.chance.junk()
 
 
+class Meddles:
+    """A solution that keeps its inputs and parts of them, and changes them."""
+
+    def __init__(self) -> None:
+        self.kept: list[Any] = []
+
+    def update(self, ball_percept: BallPercept, frame_info: FrameInfo) -> BallModel:
+        chance = Fuzzer.current.chance
+        for _ in range(3):
+            try:
+                self.meddle(chance, ball_percept, chance.choice(ball_percept.fields).name)
+            except Exception:
+                pass
+        del self.kept[:-20]
+        return BallModel()
+
+    def meddle(self, chance: Chance, percept: BallPercept, name: str) -> None:
+        value = getattr(percept, name)
+        match chance.randrange(8):
+            case 0:
+                self.kept += [percept]
+            case 1:
+                self.kept += [value, value[1:]]
+            case 2:
+                setattr(percept, name, chance.choice([chance.junk(), self, percept, *self.kept]))
+            case 3:
+                delattr(percept, name)
+            case 4:
+                value.shape = chance.choice([(2, 1), (1, 2), (2,)])
+            case 5:
+                value.dtype = chance.choice(["i8", "u1", "f8"])
+            case 6:
+                value.data = np.zeros(chance.choice([2, 3]))
+            case 7:
+                value.flags.writeable = False
+
+
 class Fuzzer:
     """Objects of all classes, and what can be called of them."""
 
@@ -197,7 +234,7 @@ class Fuzzer:
         if name in ("functions", "solutions"):
             return chance.choice([{}, {"walk": print}, {"seen": chance.junk}, {"twice": 3}])
         if name == "solution" and chance.random() < 0.5:
-            return chance.choice([LastSeen, Wrong, object, chance.junk])
+            return chance.choice([LastSeen, Wrong, Meddles, object, chance.junk])
         if name == "files":
             cut = AGENTS[: chance.randrange(len(AGENTS))], OPTIONS[: chance.randrange(len(OPTIONS))]
             return chance.choice([None, {"a.xabsl": cut[0], "options.xabsl": OPTIONS},

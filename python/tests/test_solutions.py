@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import threading
 import time
@@ -37,6 +38,29 @@ class LastSeen:
             self.model.position = ball_percept.offset
             self.model.lastSeen = frame_info.time
         return self.model
+
+
+class Keeps:
+    """Keeps what it gets, and parts of it, and changes the rest."""
+
+    def __init__(self) -> None:
+        self.seen: list[BallPercept] = []
+        self.kept: list[tuple[object, object]] = []
+        self.mine = np.zeros(3)
+
+    def update(self, ball_percept: BallPercept, frame_info: FrameInfo) -> BallModel:
+        self.seen.append(copy.deepcopy(ball_percept))
+        parts = [ball_percept, ball_percept.offset, ball_percept.angle[1:], ball_percept.centerInImage]
+        kind = len(self.seen) % 7
+        if kind < 4:
+            self.kept.append((parts[kind], copy.deepcopy(parts[kind])))
+        elif kind == 4:
+            ball_percept.offset = self.mine[:2]
+            ball_percept.angle.shape = (2, 1)
+        elif kind == 5:
+            ball_percept.centerInImage.dtype = "i8"
+            del ball_percept.angle
+        return BallModel()
 
 
 class Noisy:
@@ -96,6 +120,26 @@ def test_it_plays_and_is_replaced() -> None:
     match.run(0.2)
     assert made.calls > calls
     assert robot.solve("BallLocator", LastSeen) is not made  # another object of the same name
+    assert match.failures == []
+
+
+def test_its_inputs_are_its_own() -> None:
+    match = gt2003.Match(seed=3)
+    robot = match.robots["red2"]
+    made = robot.solve("BallLocator", Keeps)
+    match.place("red2", 0, 0, 0)
+    match.place("ball", 400, 0)
+    percepts = []
+    while len(made.seen) < 60:
+        before = len(made.seen)
+        match.step()
+        if len(made.seen) > before:
+            percepts.append(robot.get("BallPercept"))
+    assert made.seen == percepts and len({percept.offset[0] for percept in percepts}) > 10
+    assert len(made.kept) > 20
+    for kept, copied in made.kept:
+        np.testing.assert_equal(kept, copied)
+    assert not made.mine.any()
     assert match.failures == []
 
 
