@@ -104,6 +104,8 @@ void bindJobs(nb::module_& module) {
   module.def("_complete_job", [](const std::string& line) { return jobOf(line).text(); });
   module.def("_measure_job", &measure, "job"_a, "root"_a);
   module.def("_read_results", &readResults, "file"_a);
+  module.def("_result_line",
+             [](const std::string& line) { return orThrow(parseJobResult(line)).text(); });
   module.def("_changed_files", &changedFiles, "values"_a);
   module.def("_merge_results", &mergeResults, "files"_a, "jobs"_a, "json"_a);
 }

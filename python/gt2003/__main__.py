@@ -38,6 +38,10 @@ def _parser() -> argparse.ArgumentParser:
         help="for jobs, results.jsonl, and experiments.json and .html, or tournament.json and .html; what "
         "is there is not done again (default: out/run)",
     )
+    running.add_argument(
+        "--format", choices=["jsonl", "parquet"], default="jsonl",
+        help="parquet: when all are done, the results as results.parquet, too",
+    )
     _add_workers(running)
     studying = commands.add_parser("study", help="finds better parameters, as a file of the folder studies says")
     studying.add_argument("file", type=Path, help="a study, such as studies/walk.toml")
@@ -78,7 +82,8 @@ def main() -> int:
                 study.run(studied, out, who)
                 print(f"{out}/study.html, {out}/config")
             else:
-                failed = run(todo, given.out, who, tournament.merge if given.what == "tournament" else None)
+                merge = tournament.merge if given.what == "tournament" else None
+                failed = run(todo, given.out, who, merge, given.format == "parquet")
         finally:
             who.close()
     except Error as error:

@@ -109,11 +109,11 @@ def _merge(results: Path, listed: list[str]) -> list[str]:
     return jobs.merge([results], results.with_name("experiments.json"), listed)
 
 
-def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | None = None) -> int:
+def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | None = None, parquet: bool = False) -> int:
     """Do jobs, and write results, figures and pages into a folder. Return how many failed.
 
     merge: makes the figures and pages of the results in a folder, which hold those jobs; without it
-    those of experiments.
+    those of experiments. parquet: writes results.parquet, too.
 
     A run that was stopped goes on where it was: jobs that have a result there are not done again.
     """
@@ -125,6 +125,8 @@ def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | Non
     (out / "jobs").write_text("".join(job + "\n" for job in listed))
     failed = do(listed, results, who)
     warnings = results.warnings + (merge or _merge)(results.path, listed)
+    if parquet:
+        jobs.convert(results.path, out / "results.parquet")
     for warning in dict.fromkeys(warnings):
         print(f"gt2003: warning: {warning}", file=sys.stderr)
     return failed

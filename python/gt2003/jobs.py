@@ -11,14 +11,17 @@ to the byte (docs/experiments.md).
 from __future__ import annotations
 
 import os
+import tempfile
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import _core
+from . import _core, _parquet
 from ._error import Error
 
-__all__ = ["Experiment", "Parameter", "complete", "experiments", "measure", "merge", "read", "select"]
+__all__ = [
+    "Experiment", "Parameter", "complete", "convert", "experiments", "measure", "merge", "read", "results", "select"
+]
 
 
 @dataclass(frozen=True)
@@ -94,9 +97,50 @@ def merge(
     json: str | os.PathLike[str],
     jobs: Iterable[str] = (),
 ) -> list[str]:
-    """Merge files of results to figures in a file `json`, and pages beside it.
+    """Merge files of results (lines of JSON, or *.parquet) to figures in a file `json`, and pages beside it.
 
     Returns warnings: what was dropped, and which of the jobs have no result. The same results give
     the same bytes as `experiment merge`, in whatever order they come.
     """
-    return _core._merge_results([os.fspath(f) for f in files], list(jobs), os.fspath(json))
+    with tempfile.TemporaryDirectory() as folder:
+        lines = []
+        for number, file in enumerate(map(os.fspath, files)):
+            if file.endswith(".parquet"):
+                made = Path(folder) / f"{number}.jsonl"
+                made.write_text("".join(line + "\n" for line in _parquet.read(file)))
+                file = str(made)
+            lines.append(file)
+        return _core._merge_results(lines, list(jobs), os.fspath(json))
+
+
+def results(file: str | os.PathLike[str]) -> list[str]:
+    """Return the results that a file holds, lines of JSON. Its name tells the form: *.parquet, or lines of JSON.
+
+    Lines that are not whole are passed over.
+    """
+    if os.fspath(file).endswith(".parquet"):
+        return _parquet.read(file)
+    try:
+        text = Path(file).read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        raise Error(getattr(error, "strerror", None) or "is not text", str(file)) from None
+    lines = []
+    for line in text.splitlines():
+        try:
+            lines.append(_core._result_line(line))
+        except Error:
+            continue
+    return lines
+
+
+def convert(file: str | os.PathLike[str], to: str | os.PathLike[str]) -> None:
+    """Write the results of a file into another one; their names tell the forms, as of `results`.
+
+    Parquet has a row for each value that a job measured: job, experiment, parameters, seed, commit,
+    name, unit, value, aim, aim_value. `pandas.read_parquet` reads it, too.
+    """
+    lines = results(file)
+    if os.fspath(to).endswith(".parquet"):
+        _parquet.write(lines, to)
+    else:
+        Path(to).write_text("".join(line + "\n" for line in lines))

@@ -10,6 +10,7 @@ import sys
 import threading
 from pathlib import Path
 
+import pandas
 import pytest
 
 import gt2003
@@ -102,6 +103,42 @@ def test_a_run_goes_on_behind_half_a_line(expected: Path, tmp_path: Path) -> Non
     assert "results.jsonl:5: is not a whole result" in told.stderr
     figures = (tmp_path / "experiments.json").read_bytes()
     assert figures == (expected / "experiments.json").read_bytes()
+
+
+def test_results_become_parquet_and_back(expected: Path, tmp_path: Path) -> None:
+    told = command("run", expected / "jobs", "--out", tmp_path, "--format", "parquet")
+    assert told.returncode == 0, told.stderr
+    file = tmp_path / "results.parquet"
+    lines = sorted((expected / "results.jsonl").read_text().splitlines())
+    assert sorted(jobs.results(file)) == lines == sorted(jobs.results(expected / "results.jsonl"))
+    jobs.convert(file, tmp_path / "again.jsonl")
+    assert sorted((tmp_path / "again.jsonl").read_text().splitlines()) == lines
+    assert jobs.merge([file], tmp_path / "merged.json", some("1..12")) == []
+    assert (tmp_path / "merged.json").read_bytes() == (expected / "experiments.json").read_bytes()
+    frame = pandas.read_parquet(file)
+    assert set(frame["seed"]) == set(range(1, 13)) and set(frame["experiment"]) == {"localization.robustness.bench"}
+    first = json.loads(jobs.measure(some("5")[0]))["values"][0]
+    row = frame[(frame["seed"] == 5) & (frame["name"] == first["name"])]
+    assert list(row["value"]) == [first["value"]] and dict(row["parameters"].iloc[0])["minutes"] == "0.1"
+
+
+def test_wrong_parquet_is_told(expected: Path, tmp_path: Path) -> None:
+    file = tmp_path / "results.parquet"
+    with pytest.raises(gt2003.Error, match="results.parquet: there is no such file"):
+        jobs.results(file)
+    jobs.convert(expected / "results.jsonl", file)
+    whole = file.read_bytes()
+    file.write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(gt2003.Error, match="results.parquet: is no whole Parquet file"):
+        jobs.results(file)
+    import pyarrow
+    import pyarrow.parquet
+
+    pyarrow.parquet.write_table(pyarrow.table({"job": ["match seed=1"]}), file)
+    with pytest.raises(gt2003.Error, match="experiment: is not a table of results"):
+        jobs.results(file)
+    with pytest.raises(gt2003.Error, match="nowhere"):
+        jobs.convert(expected / "results.jsonl", tmp_path / "nowhere/results.parquet")
 
 
 def test_a_worker_that_dies_loses_no_job() -> None:
