@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 
-STYLE = """body { font: 15px/1.45 sans-serif; max-width: 1000px; margin: 2em auto; padding: 0 1em; color: #222; }
+STYLE = """body { font: 15px/1.45 sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; color: #222; }
 h1, h2, h3 { font-weight: 600; } h2 { margin-top: 1.8em; } table { border-collapse: collapse; margin: .6em 0; }
-td, th { padding: 3px 12px; text-align: right; border-bottom: 1px solid #ddd; } th { border-color: #888; }
+td, th { padding: 3px 12px; text-align: right; white-space: nowrap; border-bottom: 1px solid #ddd; } th { border-color: #888; }
 td:first-child, th:first-child { text-align: left; } .good { color: #0a7a30; } .bad { color: #b02020; }
-figure { margin: .6em 0; } figcaption { color: #555; } svg { max-width: 100%; height: auto; }
+figure { margin: .6em 0; } figcaption { color: #555; } figure svg { max-width: 100%; height: auto; }
 svg text { font: 12px sans-serif; fill: #444; }"""
 BLUE, GREEN, RED, GRAY = "#2050b0", "#0a7a30", "#b02020", "#999"
 
@@ -58,9 +59,16 @@ class Dot:
     color: str = BLUE
 
 
+def _ticks(low: float, high: float) -> list[float]:
+    """Return three to eight round numbers between two."""
+    power = 10 ** math.floor(math.log10((high - low) or 1.0))
+    step = power * next(s for s in (0.2, 0.5, 1.0, 2.0) if (high - low) / (power * s) <= 7)
+    return [step * i for i in range(math.ceil(low / step), math.floor(high / step) + 1)]
+
+
 def dots(rows: Sequence[Dot], zero: float | None = 0.0, caption: str = "") -> str:
     """Draw values with their intervals below each other; `zero` is where there is a line."""
-    left, width, line = 270, 560, 24
+    left, width, line = 30 + 7 * max(len(r.label) for r in rows), 560, 24
     values = [v for r in rows for v in (r.low, r.high, r.value)] + ([] if zero is None else [zero])
     low, high = min(values), max(values)
     span = (high - low) or 1.0
@@ -70,11 +78,10 @@ def dots(rows: Sequence[Dot], zero: float | None = 0.0, caption: str = "") -> st
 
     height = line * len(rows)
     parts = [f'<figure><svg viewBox="0 0 {left + width + 90} {height + 24}" width="{left + width + 90}" role="img">']
-    for k in range(5):
-        at = low + span * k / 4
+    for at in _ticks(low, high):
         parts.append(
             f'<line x1="{x(at):.1f}" x2="{x(at):.1f}" y1="0" y2="{height}" stroke="#eee"/>'
-            f'<text x="{x(at):.1f}" y="{height + 16}" text-anchor="middle">{at:.3g}</text>'
+            f'<text x="{x(at):.1f}" y="{height + 16}" text-anchor="middle">{at:.6g}</text>'
         )
     if zero is not None:
         parts.append(f'<line x1="{x(zero):.1f}" x2="{x(zero):.1f}" y1="0" y2="{height}" stroke="#888"/>')

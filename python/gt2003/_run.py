@@ -11,6 +11,7 @@ from typing import TextIO
 
 from . import _core, jobs
 from ._error import Error
+from ._run_page import write_page
 from ._workers import Outcome, Processes, Ray
 
 
@@ -106,7 +107,10 @@ Merge = Callable[[Path, list[str]], list[str]]
 
 
 def _merge(results: Path, listed: list[str]) -> list[str]:
-    return jobs.merge([results], results.with_name("experiments.json"), listed)
+    figures = results.with_name("experiments.json")
+    warnings = jobs.merge([results], figures, listed)
+    write_page(figures, results.with_name("run.html"))
+    return warnings
 
 
 def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | None = None, parquet: bool = False) -> int:

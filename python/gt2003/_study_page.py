@@ -1,4 +1,4 @@
-"""The page of a study: convergence, old against new parameters, importance."""
+"""The page of a study: old against new parameters, their importance, convergence."""
 
 from __future__ import annotations
 
@@ -7,33 +7,20 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-STYLE = """body { font: 15px/1.45 sans-serif; max-width: 1000px; margin: 2em auto; padding: 0 1em; color: #222; }
-h1, h2 { font-weight: 600; } h2 { margin-top: 1.8em; } table { border-collapse: collapse; }
-td, th { padding: 3px 12px; text-align: right; border-bottom: 1px solid #ddd; } th { border-color: #888; }
-td:first-child, th:first-child { text-align: left; } .good { color: #0a7a30; } .bad { color: #b02020; }
-svg text { font: 12px sans-serif; fill: #444; }"""
+from ._page import BLUE, GRAY, GREEN, RED, Dot, dots, interval, number, page, table, verdict
 
-
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
-    return f"<table><tr>{''.join(f'<th>{h}</th>' for h in head)}</tr>{body}</table>"
-
-
-def _number(value: float) -> str:
-    return f"{value:.4g}"
-
-
-def _interval(low: float, high: float) -> str:
-    return f"{low:+.3g} … {high:+.3g}"
+COLORS = {"good": GREEN, "bad": RED, "": GRAY}
 
 
 def _chart(history: Sequence[Any]) -> str:
-    """Draw the costs of the generations: the best candidate's and the median."""
-    width, height, left, top = 720, 300, 60, 10
+    """Draw the generations: the costs from the best candidate's to the median, and the step below."""
+    width, height, low_height, left, top = 720, 260, 80, 60, 10
     kept = [g for g in history if g.median < 1e5] or list(history)
     low = min(g.best for g in kept)
     high = max(g.median for g in kept)
     span = (high - low) or 1.0
+    step_top = top + height + 30
+    most = max(g.step for g in history) or 1.0
 
     def x(i: int) -> float:
         return left + i * width / max(1, len(history) - 1)
@@ -41,22 +28,68 @@ def _chart(history: Sequence[Any]) -> str:
     def y(cost: float) -> float:
         return top + height * (high - min(cost, high)) / span
 
-    parts = [f'<svg width="{width + left + 110}" height="{height + 50}" role="img">']
+    def of_step(step: float) -> float:
+        return step_top + low_height * (1 - step / most)
+
+    bottom = step_top + low_height
+    parts = [f'<figure><svg viewBox="0 0 {width + left + 110} {bottom + 44}" width="{width + left + 110}" role="img">']
     for k in range(5):
         cost = low + span * k / 4
         parts.append(
             f'<line x1="{left}" x2="{left + width}" y1="{y(cost):.1f}" y2="{y(cost):.1f}" stroke="#ddd"/>'
             f'<text x="{left - 8}" y="{y(cost) + 4:.1f}" text-anchor="end">{cost:.3g}</text>'
         )
-    for name, color in (("best", "#0a7a30"), ("median", "#2050b0")):
-        points = " ".join(f"{x(i):.1f},{y(getattr(g, name)):.1f}" for i, g in enumerate(history))
-        end = y(getattr(history[-1], name))
-        parts.append(f'<polyline fill="none" stroke="{color}" stroke-width="2" points="{points}"/>')
-        parts.append(f'<text x="{left + width + 8}" y="{end + (14 if name == "best" else -4):.1f}">{name}</text>')
+    best = [f"{x(i):.1f},{y(g.best):.1f}" for i, g in enumerate(history)]
+    median = [f"{x(i):.1f},{y(g.median):.1f}" for i, g in enumerate(history)]
+    parts.append(f'<polygon points="{" ".join(best + median[::-1])}" fill="{BLUE}" opacity="0.12"/>')
+    for name, color, points in (("best", GREEN, best), ("median", BLUE, median)):
+        end = y(getattr(history[-1], name)) + (14 if name == "best" else -4)
+        parts.append(f'<polyline fill="none" stroke="{color}" stroke-width="2" points="{" ".join(points)}"/>')
+        parts.append(f'<text x="{left + width + 8}" y="{end:.1f}">{name}</text>')
+    steps = " ".join(f"{x(i):.1f},{of_step(g.step):.1f}" for i, g in enumerate(history))
+    parts.append(
+        f'<line x1="{left}" x2="{left + width}" y1="{bottom}" y2="{bottom}" stroke="#ddd"/>'
+        f'<polyline fill="none" stroke="{GRAY}" stroke-width="2" points="{steps}"/>'
+        f'<text x="{left - 8}" y="{of_step(most) + 4:.1f}" text-anchor="end">{most:.2g}</text>'
+        f'<text x="{left - 8}" y="{bottom + 4}" text-anchor="end">0</text>'
+        f'<text x="{left + width + 8}" y="{of_step(history[-1].step) + 4:.1f}">step</text>'
+    )
     for i in range(0, len(history), max(1, len(history) // 10)):
-        parts.append(f'<text x="{x(i):.1f}" y="{height + top + 18}" text-anchor="middle">{i + 1}</text>')
-    parts.append(f'<text x="{left + width / 2}" y="{height + top + 36}" text-anchor="middle">generation</text></svg>')
+        parts.append(f'<text x="{x(i):.1f}" y="{bottom + 18}" text-anchor="middle">{i + 1}</text>')
+    seeds = sorted({g.repetitions for g in history})
+    told = f"{seeds[0]}" if len(seeds) == 1 else f"{seeds[0]} to {seeds[-1]}"
+    parts.append(
+        f'<text x="{left + width / 2}" y="{bottom + 36}" text-anchor="middle">generation</text></svg>'
+        f"<figcaption>Costs of the candidates, each generation on {told} seeds of its own; below: the search's standard "
+        "deviation, as a share of the ranges.</figcaption></figure>"
+    )
     return "".join(parts)
+
+
+def _range(parameter: Any, old: float, new: float) -> str:
+    """Draw where the old value (ring) and the new one lie in the range."""
+    width = 150
+
+    def x(value: float) -> float:
+        return 6 + (width - 12) * float(parameter.place(value))
+
+    return (
+        f'<svg width="{width}" height="14" role="img"><line x1="6" x2="{width - 6}" y1="7" y2="7" stroke="#bbb"/>'
+        f'<line x1="{x(old):.1f}" x2="{x(new):.1f}" y1="7" y2="7" stroke="{BLUE}" stroke-width="3" opacity="0.4"/>'
+        f'<circle cx="{x(old):.1f}" cy="7" r="4" fill="#fff" stroke="{GRAY}" stroke-width="2"/>'
+        f'<circle cx="{x(new):.1f}" cy="7" r="4.5" fill="{BLUE}"/></svg>'
+    )
+
+
+def _changes(comparisons: Sequence[Any], aims: dict[str, str], test: str) -> list[str]:
+    """Draw the changes of the figures to improve, in percent of the old values."""
+    rows = [
+        Dot(c.name, 100 * (c.new - c.old) / abs(c.old), 100 * c.low / abs(c.old), 100 * c.high / abs(c.old),
+            COLORS[verdict(c.low, c.high, aims[c.name])])
+        for c in comparisons
+        if c.test == test and c.name in aims and c.old != 0
+    ]
+    return [dots(rows, 0, "change in % of the old value; green: better, red: worse, gray: not certain")] if rows else []
 
 
 def write_page(
@@ -64,44 +97,34 @@ def write_page(
 ) -> None:
     """Write the page, which opens offline."""
     aims = {f.name: f.aim for f in study.figure}
-
-    def verdict(c: Any) -> str:
-        text = _interval(c.low, c.high)
-        if c.name not in aims or c.low <= 0 <= c.high:
-            return text
-        good = (c.low > 0) == (aims[c.name] == "high")
-        return f'<span class="{"good" if good else "bad"}">{text}</span>'
-
     ranges = {p.path: p for p in study.parameter}
-    goals = ", ".join(f"{escape(f.name)} {f.aim} (weight {f.weight:g}, unit {f.unit:g})" for f in study.figure)
+    goals = ", ".join(f"<code>{escape(f.name)}</code> ({f.aim})" for f in study.figure)
     parts = [
-        f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{escape(study.title)}</title>'
-        f"<style>{STYLE}</style></head><body><h1>{escape(study.title)}</h1>",
         f"<p>{len(study.parameter)} parameters, {len(history)} generations of {study.population} candidates, {jobs} jobs "
         f"<code>{escape(study.job)}</code>. Figures to improve: {goals}.</p>",
         "<h2>Old and new parameters on unseen seeds</h2>"
         f"<p>Seeds {study.test_seeds}; means, and the change with its 95 % interval (paired bootstrap).</p>",
     ]
     for test in study.test:
-        parts.append(f"<h3>{escape(test.name)}</h3>")
+        settings = f" <small><code>{escape(' '.join(test.settings))}</code></small>" if test.settings else ""
+        parts += [f"<h3>{escape(test.name)}{settings}</h3>", *_changes(comparisons, aims, test.name)]
         rows = [
-            [("<b>{}</b>" if c.name in aims else "{}").format(escape(c.name)), _number(c.old), _number(c.new),
-             escape(c.unit), f"{c.new - c.old:+.3g}", verdict(c)]
+            [("<b>{}</b>" if c.name in aims else "{}").format(escape(c.name)), number(c.old), number(c.new),
+             escape(c.unit), f"{c.new - c.old:+.3g}",
+             f'<span class="{verdict(c.low, c.high, aims.get(c.name, ""))}">{interval(c.low, c.high)}</span>']
             for c in comparisons
             if c.test == test.name
         ]
-        parts.append(_table(["figure", "old", "new", "unit", "change", "interval"], rows))
-    parts.append(
-        "<h2>Parameters</h2><p>Importance: by how much the cost grows if this parameter alone has its old value again.</p>"
-    )
-    rows = [
-        [escape(i.path), _number(i.old), _number(i.new), f"{ranges[i.path].low:g} … {ranges[i.path].high:g}",
-         f"{i.change:+.3g}", _interval(i.low, i.high)]
-        for i in importance
+        parts.append(table(["figure", "old", "new", "unit", "change", "interval"], rows))
+    parts += [
+        "<h2>Importance of each parameter</h2><p>By how much the cost grows if this parameter alone has its old value again.</p>",
+        dots([Dot(i.path.partition(".")[2], i.change, i.low, i.high, BLUE if i.low > 0 else GRAY) for i in importance]),
+        table(
+            ["parameter", "old", "new", "range", "old ○, new ●", "importance", "interval"],
+            [[escape(i.path), number(i.old), number(i.new), f"{ranges[i.path].low:g} … {ranges[i.path].high:g}",
+              _range(ranges[i.path], i.old, i.new), f"{i.change:+.3g}", interval(i.low, i.high)] for i in importance],
+        ),
+        "<h2>Convergence</h2>",
+        _chart(history),
     ]
-    parts.append(_table(["parameter", "old", "new", "range", "importance", "interval"], rows))
-    parts.append(
-        "<h2>Convergence</h2><p>Costs of the candidates, each generation on seeds of its own.</p>" + _chart(history)
-    )
-    parts.append("</body></html>\n")
-    path.write_text("\n".join(parts))
+    path.write_text(page(study.title, parts))

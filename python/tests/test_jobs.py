@@ -87,6 +87,8 @@ def test_a_run_gives_the_programs_bytes(way: list[str], expected: Path, tmp_path
     figures = (tmp_path / "experiments.json").read_bytes()
     assert figures == (expected / "experiments.json").read_bytes()
     assert (tmp_path / "experiments.html").exists()
+    page = (tmp_path / "run.html").read_text()
+    assert all(figure["name"] in page for figure in json.loads(figures)) and "<svg" in page
     before = (tmp_path / "results.jsonl").read_bytes()
     assert len(before.splitlines()) == 12
     told = command("run", expected / "jobs", "--out", tmp_path)

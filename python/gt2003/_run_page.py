@@ -1,0 +1,67 @@
+"""The page of a run: every figure with the values of its seeds, its interval and its aim."""
+
+from __future__ import annotations
+
+import json
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ._page import BLUE, GREEN, number, page, table
+
+
+def _strip(figure: dict[str, Any]) -> str:
+    """Draw the values of the seeds as dots, the mean and the aim as lines."""
+    runs, width = figure["runs"], 220
+    aim = figure.get("aim")
+    values = [*runs, *([] if aim is None else [aim])]
+    low, span = min(values), (max(values) - min(values)) or 1.0
+
+    def x(value: float) -> float:
+        return 6 + (width - 12) * (value - low) / span
+
+    parts = [f'<svg width="{width}" height="18" role="img"><line x1="6" x2="{width - 6}" y1="9" y2="9" stroke="#ddd"/>']
+    if aim is not None:
+        parts.append(
+            f'<line x1="{x(aim):.1f}" x2="{x(aim):.1f}" y1="1" y2="17" stroke="{GREEN}" stroke-width="2" stroke-dasharray="3 2"/>'
+        )
+    parts += [f'<circle cx="{x(v):.1f}" cy="9" r="3.5" fill="{BLUE}" opacity="0.35"/>' for v in runs]
+    mean = x(figure["value"])
+    parts.append(f'<line x1="{mean:.1f}" x2="{mean:.1f}" y1="3" y2="15" stroke="#222" stroke-width="2"/></svg>')
+    return "".join(parts)
+
+
+def _interval(runs: list[float]) -> str:
+    """Return the 95 % interval of the mean over seeds, by the bootstrap."""
+    if len(runs) < 2:
+        return ""
+    values = np.asarray(runs)
+    drawn = np.random.default_rng(1).integers(len(values), size=(2000, len(values)))
+    low, high = np.quantile(values[drawn].mean(axis=1), [0.025, 0.975])
+    return f"{low:.4g} … {high:.4g}"
+
+
+def _row(figure: dict[str, Any]) -> list[str]:
+    aim = ""
+    if "aim" in figure:
+        aim = f'<span class="{"good" if figure["met"] else "bad"}">{number(figure["aim"])}, {"met" if figure["met"] else "missed"}</span>'
+    worst = f'{number(figure["low"])} … {number(figure["high"])}'
+    runs = figure.get("runs", [])
+    return [escape(figure["name"]), number(figure["value"]), escape(figure["unit"]), _interval(runs), str(figure["n"]),
+            _strip(figure) if runs else "", worst, aim]
+
+
+def write_page(figures: Path, path: Path) -> None:
+    """Write the page of a file of figures, which opens offline."""
+    groups: dict[str, list[dict[str, Any]]] = {}
+    for figure in json.loads(figures.read_text()):
+        groups.setdefault(figure["name"].partition(".")[0], []).append(figure)
+    parts = [
+        "<p>Means over the seeds with their 95 % intervals (bootstrap). Dots: each seed; black: the mean; green, dashed: the aim.</p>"
+    ]
+    head = ["figure", "mean", "unit", "interval", "seeds", "each seed", "lowest, highest", "aim"]
+    for group, members in groups.items():
+        parts += [f"<h2>{escape(group)}</h2>", table(head, [_row(figure) for figure in members])]
+    path.write_text(page("Run: " + ", ".join(groups), parts))
