@@ -248,6 +248,17 @@ PIECES: dict[str, Callable[[Path, Path], list[Figure]]] = {
 }
 
 
+def add(measured: list[Figure], file: Path) -> None:
+    """Prints figures, and has them replace those of the same names in a file."""
+    for made in measured:
+        met = {True: "met", False: "not met"}.get(made.get("met"), "")  # type: ignore[call-overload]
+        print(f"{made['name']:40} {made['value']:12.4g} {made['unit']:4} {met}", flush=True)
+    known = json.loads(file.read_text()) if file.exists() else []
+    names = {made["name"] for made in measured}
+    kept = [made for made in known if made["name"] not in names]
+    file.write_text(json.dumps(kept + measured, indent=1) + "\n")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", type=Path, required=True)
@@ -255,18 +266,10 @@ def main() -> None:
     parser.add_argument("--json", type=Path, default=Path("out/bench.json"))
     given = parser.parse_args()
 
-    measured: list[Figure] = []
+    given.json.parent.mkdir(parents=True, exist_ok=True)
     for name in given.only or PIECES:
         with tempfile.TemporaryDirectory() as folder:
-            measured += PIECES[name](given.build, Path(folder))
-    for made in measured:
-        met = {True: "met", False: "not met"}.get(made.get("met"), "")  # type: ignore[call-overload]
-        print(f"{made['name']:32} {made['value']:12.4g} {made['unit']:4} {met}")
-    known = json.loads(given.json.read_text()) if given.json.exists() else []
-    names = {made["name"] for made in measured}
-    given.json.parent.mkdir(parents=True, exist_ok=True)
-    kept = [made for made in known if made["name"] not in names]
-    given.json.write_text(json.dumps(kept + measured, indent=1) + "\n")
+            add(PIECES[name](given.build, Path(folder)), given.json)
 
 
 if __name__ == "__main__":
