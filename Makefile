@@ -15,7 +15,7 @@ NODE     = $(if $(and $(shell command -v node),$(shell command -v npm)),,nodejs 
 # A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
-.PHONY: help install play film play-remote robots kill-test test python replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers fuzz clean
+.PHONY: help install play film play-remote robots kill-test test python replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -34,6 +34,7 @@ help:
 	@echo 'make docs          writes pages with charts about the soccer behavior, out/docs/index.html, and about the sources'"'"' interfaces, out/docs/api/index.html'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
 	@echo 'make sanitize-layers runs the tests of the layers below match/ under the address and undefined-behavior sanitizers'
+	@echo 'make sanitize-python runs the tests of what the Python package has compiled under the same two'
 	@echo 'make fuzz          feeds broken files to all that reads files, SECONDS=$(SECONDS) each'
 	@echo 'make format        formats the sources; make check-format reports those that are not formatted'
 	@echo 'make lint          checks all sources with clang-tidy; SINCE=COMMIT those changed since, MINUTES_OF_LINT=N for N minutes'
@@ -120,8 +121,10 @@ docs: build
 	@$(BUILD)/bin/xabsl doc behavior/GT2003.xabsl -o out/docs
 	@doxygen docs/Doxyfile
 
+sanitize sanitize-python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
 # The thread sanitizer cannot see how libraries that were not built with it (libzmq) hand data from thread to thread.
 sanitize: packages
+	@scripts/python-environment build/python $(PYTHON)
 	@for preset in asan tsan; do \
 	  cmake --preset $$preset >/dev/null && cmake --build --preset $$preset --parallel $(JOBS) && \
 	  TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=$(CURDIR)/cmake/tsan.supp $(CTEST) --test-dir build/$$preset || exit 1; \
@@ -131,6 +134,13 @@ sanitize-layers: packages
 	@cmake --preset asan >/dev/null
 	@cmake --build --preset asan --parallel $(JOBS) --target layers_tests
 	@$(CTEST) --test-dir build/asan --label-regex layers
+
+# The Python package's compiled part: no call of it may break anything.
+sanitize-python: packages
+	@scripts/python-environment build/python $(PYTHON)
+	@cmake --preset asan >/dev/null
+	@cmake --build --preset asan --parallel $(JOBS) --target gt2003_python_package
+	@$(CTEST) --test-dir build/asan --tests-regex '^python$$'
 
 # What is found stays in out/fuzz as a file that reproduces it.
 fuzz: TARGETS = --target gt2003_python_package
