@@ -139,6 +139,17 @@ def test_a_figure_that_is_not_measured_is_told(tmp_path: Path) -> None:
     assert "kalman.error.maen: is not measured by the job" in told.stderr.splitlines()[-1]
 
 
+def test_results_of_another_program_are_refused(tmp_path: Path) -> None:
+    file = tmp_path / "short.toml"
+    file.write_text(TEXT)
+    job = jobs.select("1", ["localization.robustness.bench"], ["trouble=none"])[0]
+    other = job.partition(" commit=")[0] + " commit=0123456789ab"
+    (tmp_path / "results.jsonl").write_text(json.dumps({"job": other, "values": []}) + "\n")
+    told = command(file, "--out", tmp_path)
+    assert told.returncode == 2 and len(told.stderr.splitlines()) == 1
+    assert "results.jsonl: " in told.stderr and "holds results of another commit than" in told.stderr
+
+
 def test_intervals_hold_the_mean() -> None:
     differences = np.random.default_rng(3).normal(5, 2, 40)
     low, high = study.interval(differences)

@@ -31,6 +31,15 @@ def test_a_match_of_two_teams() -> None:
         gt2003.Match(blue="nowhere")
 
 
+def test_what_is_wrong_in_a_team_is_told_with_its_file(tmp_path: Path) -> None:
+    (tmp_path / "config/modules").mkdir(parents=True)
+    (tmp_path / "config/modules/SelfLocator.Kalman.cfg").write_text("slip 0.4\nslop 1\n")
+    with pytest.raises(gt2003.Error) as raised:
+        gt2003.Match(blue=str(tmp_path))
+    assert raised.value.file == str(tmp_path / "config/modules/SelfLocator.Kalman.cfg")
+    assert (raised.value.line, raised.value.field) == (2, "slop")
+
+
 def test_jobs_are_those_of_the_program() -> None:
     program = [BUILD / "bin/experiment", "tournament", "GT2003", "kalman-study", "--seeds", "3..4"]
     told = subprocess.run(program, check=True, capture_output=True, text=True)
