@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <map>
 
+#include "representations/motion/MotionNet.h"
 #include "robot/Solutions.h"
 #include "streams/File.h"
 
