@@ -47,11 +47,14 @@ class Worlds {
   using Actions = nb::ndarray<const float, nb::c_contig, nb::device::cpu>;
 
   Worlds(const std::string& environment, const std::string& observations,
-         const std::string& actions, const std::string& profile, double seconds,
-         const Bounds& randomize, std::size_t count, std::size_t threads, const std::string& root) {
+         const std::string& actions, const std::string& agents, const std::string& fidelity,
+         const std::string& profile, double seconds, const Bounds& randomize, std::size_t count,
+         std::size_t threads, const std::string& root) {
     EnvironmentOptions options{.environment = environment,
                                .observations = observations,
                                .actions = actions,
+                               .agents = agents,
+                               .fidelity = fidelity,
                                .randomize = {}};
     const auto known = enumValue<Profile>(profile);
     if (!known) throw Failure{Error{.field = "profile", .what = "there is no '" + profile + "'"}};
@@ -138,6 +141,8 @@ nb::list descriptions() {
     one["summary"] = std::string{d.summary};
     one["observations"] = namesOf(d.observations);
     one["actions"] = namesOf(d.actions);
+    one["agents"] = namesOf(d.agents);
+    one["fidelities"] = namesOf(d.fidelities);
     one["seconds"] = d.seconds;
     one["end"] = std::string{d.end};
     list.append(one);
@@ -148,17 +153,18 @@ nb::list descriptions() {
 }  // namespace
 
 void bindEnvironments(nb::module_& module) {
-  module.def(
-      "environments", &descriptions, nb::sig("def environments() -> list[dict[str, typing.Any]]"),
-      "What is to be known about each environment: its name, a summary, the kinds of\n"
-      "observations and actions that it offers (the first are its defaults), after how many\n"
-      "seconds episodes are truncated, and what terminates one.");
+  module.def("environments", &descriptions,
+             nb::sig("def environments() -> list[dict[str, typing.Any]]"),
+             "What is to be known about each environment: its name, a summary, the kinds of\n"
+             "observations, actions, agents and the fidelities that it offers (the first are its\n"
+             "defaults), after how many seconds episodes are truncated, and what terminates one.");
   nb::class_<Worlds>(module, "Environments",
                      "Worlds of one kind that are stepped together; see gt2003.envs.")
       .def(nb::init<const std::string&, const std::string&, const std::string&, const std::string&,
-                    double, const Worlds::Bounds&, std::size_t, std::size_t, const std::string&>(),
-           "environment"_a, nb::kw_only(), "observations"_a, "actions"_a, "profile"_a, "seconds"_a,
-           "randomize"_a, "count"_a, "threads"_a, "root"_a)
+                    const std::string&, const std::string&, double, const Worlds::Bounds&,
+                    std::size_t, std::size_t, const std::string&>(),
+           "environment"_a, nb::kw_only(), "observations"_a, "actions"_a, "agents"_a, "fidelity"_a,
+           "profile"_a, "seconds"_a, "randomize"_a, "count"_a, "threads"_a, "root"_a)
       .def("reset", &Worlds::reset, "seed"_a.none(), "All worlds, with seeds from this one on.")
       .def("reset_one", &Worlds::resetOne, "world"_a, "seed"_a.none())
       .def("step", &Worlds::step, "actions"_a, "autoreset"_a,

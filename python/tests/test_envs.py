@@ -10,10 +10,12 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
+from pettingzoo.test import parallel_api_test, parallel_seed_test
 
 import gt2003
 import gt2003.envs
 from gt2003 import _core
+from gt2003.envs import soccer_v0
 from gt2003.envs.__main__ import page
 
 DESCRIBED = {known["name"]: known for known in _core.environments()}
@@ -45,7 +47,8 @@ def test_passes_the_checks_of_gymnasium(name: str, observations: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("threads", [1, 2])
 def test_vectorized_worlds_are_those_alone_and_those_loaded(name: str, threads: int) -> None:
-    options = {"seconds": 0.4, "randomize": RANDOMIZE}
+    step_time = make(name).unwrapped.worlds.seconds_per_step
+    options = {"seconds": 25 * step_time, "randomize": RANDOMIZE}
     many = gymnasium.make_vec(f"GT2003/{name}-v0", num_envs=2, threads=threads, **options)
     alone = [make(name, **options) for _ in range(2)]
     seen, _ = many.reset(seed=7)
@@ -87,6 +90,69 @@ def test_seeds_decide(name: str) -> None:
     assert not np.array_equal(environment.reset(seed=2)[0], first)
 
 
+@pytest.mark.parametrize("agents", ["red", "all"])
+def test_soccer_passes_the_checks_of_pettingzoo(agents: str) -> None:
+    def soccer() -> soccer_v0.ParallelEnvironment:
+        return soccer_v0.parallel_env(agents=agents, seconds=0.8, randomize=RANDOMIZE, render_mode="rgb_array")
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        parallel_api_test(soccer(), num_cycles=30)
+        parallel_seed_test(soccer, num_cycles=30)
+    environment = soccer()
+    assert len(environment.possible_agents) == (4 if agents == "red" else 8)
+    environment.reset(seed=1)
+    assert environment.render().shape == (360, 640, 3)
+
+
+def test_each_agent_of_soccer_is_a_row_of_its_form_for_gymnasium() -> None:
+    options = {"agents": "all", "actions": "skills", "seconds": 0.4, "randomize": RANDOMIZE}
+    each, many = soccer_v0.parallel_env(**options), make("Soccer", **options)
+    seen, _ = each.reset(seed=3)
+    np.testing.assert_array_equal(many.reset(seed=3)[0], np.stack(list(seen.values())))
+    many.action_space.seed(1)
+    for step in range(10):
+        actions = many.action_space.sample()
+        together, reward, *ends, terms = many.step(actions)
+        seen, rewards, terminated, truncated, infos = each.step(dict(zip(each.possible_agents, actions)))
+        np.testing.assert_array_equal(together, np.stack(list(seen.values())))
+        assert reward == rewards["red1"] == rewards["red4"] and rewards["blue1"] == rewards["blue4"]
+        assert terms == infos["red1"] and infos["red1"]["ball"] == -infos["blue2"]["ball"]
+        assert ends == [terminated["blue4"], truncated["red2"]]
+        if step == 4:
+            state = each.save_state()
+            assert state == many.unwrapped.save_state()
+            each = soccer_v0.parallel_env(**options)
+            again = each.load_state(state)
+            np.testing.assert_array_equal(together, np.stack(list(again.values())))
+    assert not each.agents and truncated["red1"]
+
+
+def test_wrong_things_of_soccer_are_errors() -> None:
+    for options in ({"agents": "blue"}, {"agents": 4}, {"render_mode": "human"}, {"observation": "state"}):
+        with pytest.raises(gt2003.Error):
+            soccer_v0.parallel_env(**options)
+    environment = soccer_v0.parallel_env(agents="red")
+    right = {agent: np.zeros(6) for agent in environment.possible_agents}
+    with pytest.raises(gt2003.Error, match="over"):
+        environment.step(right)
+    environment.reset(seed=1)
+    for wrong in (
+        None,
+        [np.zeros(6)] * 4,
+        {"red1": np.zeros(6)},
+        {**right, "blue1": np.zeros(6)},
+        {**right, "red2": np.zeros(5)},
+        {**right, "red2": np.full(6, np.nan)},
+    ):
+        with pytest.raises(gt2003.Error):
+            environment.step(wrong)
+    with pytest.raises(gt2003.Error):
+        environment.reset(seed=-1)
+    with pytest.raises(gt2003.Error):
+        environment.load_state(b"")
+
+
 def test_arrays_without_copies_are_the_memory_of_the_worlds() -> None:
     many = gymnasium.make_vec("GT2003/Walk-v0", num_envs=3, copy=False)
     first, _ = many.reset(seed=1)
@@ -110,6 +176,8 @@ def test_renders_what_it_is_asked_for() -> None:
         {"observations": "smell"},
         {"observations": 3},
         {"actions": "skill"},
+        {"agents": "all"},
+        {"fidelity": "kinematic"},
         {"profile": "ideal"},
         {"seconds": -1},
         {"seconds": "long"},

@@ -22,16 +22,15 @@ Environment::Environment(EnvironmentOptions options, SceneDescription scene)
     scene_.audience = 0;
 }
 
-Result<void> Environment::prepare() {
-  auto model = composeModel(scene_);
+Result<void> Environment::prepare(const Environment* same) {
+  auto model = same ? Result<Model>{copyModel(*same->model_)} : composeModel(scene_);
   if (!model) return model.error();
   model_ = std::move(*model);
   auto randomization = Randomization::make(options_.randomize, scene_);
   if (!randomization) return randomization.error();
   randomization_ = std::move(*randomization);
-  if (auto loaded = load(); !loaded) return loaded;
   mostSteps_ = std::max(1, static_cast<int>(std::lround(options_.seconds / secondsPerStep())));
-  return reset(0);
+  return same ? loadFrom(*same) : load();
 }
 
 Result<void> Environment::reset(std::uint64_t seed) {

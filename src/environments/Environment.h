@@ -62,14 +62,17 @@ class Environment {
  protected:
   Environment(EnvironmentOptions options, SceneDescription scene);
 
-  /// What remains to be done once the constructor has defined scene, agents and spaces: composes
-  /// the model and begins a first episode.
-  Result<void> prepare();
+  /// What remains to be done once the constructor has defined scene, agents and spaces: reads what
+  /// it needs, or takes it from one with the same options.
+  Result<void> prepare(const Environment* same);
   friend Result<std::unique_ptr<Environment>> makeEnvironment(EnvironmentOptions options,
-                                                              const DataRoot& root);
+                                                              const DataRoot& root,
+                                                              const Environment* same);
 
   /// Reads what it needs beside the scene, once.
   virtual Result<void> load() { return {}; }
+  /// Takes it from one of the same class instead.
+  virtual Result<void> loadFrom(const Environment&) { return load(); }
   /// Puts all in place and attaches the robots' controllers, in a simulation that is new.
   virtual Result<void> begin(Random& random) = 0;
   /// Lets the agents' actions take effect for one step of the environment: `tick` as often as it
@@ -84,6 +87,7 @@ class Environment {
 
   ObservationKind observations() const { return observations_; }
   ActionKind actions() const { return actions_; }
+  bool allAct() const { return options_.agents == enumName(AgentKind::all); }
   Simulation& simulation() { return *simulation_; }
   const Simulation& simulation() const { return *simulation_; }
   World& world() { return simulation_->world(); }
@@ -121,6 +125,8 @@ struct EnvironmentDescription {
   std::string_view summary;
   std::vector<ObservationKind> observations;  ///< The first one is the default.
   std::vector<ActionKind> actions;            ///< The first one is the default.
+  std::vector<AgentKind> agents;              ///< The first one is the default.
+  std::vector<Fidelity> fidelities;           ///< The first one is the default, but of the joints.
   double seconds;                             ///< After which episodes are truncated.
   std::string_view end;                       ///< What terminates an episode.
   std::unique_ptr<Environment> (*make)(EnvironmentOptions options, SceneDescription scene);
@@ -129,9 +135,11 @@ struct EnvironmentDescription {
 /// All environments.
 std::span<const EnvironmentDescription> environments();
 
-/// Makes an environment with options, which are completed by its defaults. Fails if there is no
-/// such environment or option.
+/// Makes an environment with options, which are completed by its defaults; it has to be reset. One
+/// with the same options saves the reading of files. Fails if there is no such environment or
+/// option.
 Result<std::unique_ptr<Environment>> makeEnvironment(EnvironmentOptions options,
-                                                     const DataRoot& root);
+                                                     const DataRoot& root,
+                                                     const Environment* same = nullptr);
 
 }  // namespace gt

@@ -12,8 +12,12 @@ namespace gt {
 /// robot's camera sees.
 enum class ObservationKind { state, beliefs, image };
 
-/// What an agent decides: angles of joints, or parameters of the walk.
-enum class ActionKind { joints, parameters };
+/// What an agent decides: angles of joints, parameters of the walk, how the robot moves next, or
+/// which part of the behavior it executes.
+enum class ActionKind { joints, parameters, motion, skills };
+
+/// Whose robots have agents: the red team's (those of them that play), or all.
+enum class AgentKind { red, all };
 
 /// A number that each reset draws anew between two bounds (`Randomization`).
 struct RandomizedNumber {
@@ -32,6 +36,8 @@ struct EnvironmentOptions {
   std::string environment;
   std::string observations;
   std::string actions;
+  std::string agents;
+  std::string fidelity;
   Profile profile = Profile::benign;
   double seconds = 0;
   std::vector<RandomizedNumber> randomize;
@@ -42,7 +48,9 @@ struct EnvironmentOptions {
     return Fields{
         field("environment", &O::environment, "", "such as Walk"),
         field("observations", &O::observations, "", "state, beliefs or image"),
-        field("actions", &O::actions, "", "joints or parameters"),
+        field("actions", &O::actions, "", "joints, parameters, motion or skills"),
+        field("agents", &O::agents, "", "red or all"),
+        field("fidelity", &O::fidelity, "", "kinematic or dynamic"),
         field("profile", &O::profile, "", "how far all is from perfect (docs/realism.md)"),
         field("seconds", &O::seconds, "s", "of simulated time until an episode is truncated",
               {0, 3600}),

@@ -45,7 +45,7 @@ Result<std::unique_ptr<Environments>> Environments::make(const EnvironmentOption
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
   std::unique_ptr<Environments> made{new Environments{std::min(threads, count)}};
   for (std::size_t i = 0; i < count; ++i) {
-    auto environment = makeEnvironment(options, root);
+    auto environment = makeEnvironment(options, root, i == 0 ? nullptr : &made->first());
     if (!environment) return environment.error();
     made->worlds_.push_back({std::move(*environment)});
   }

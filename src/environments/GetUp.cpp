@@ -47,6 +47,8 @@ EnvironmentDescription getUpDescription() {
           "joints at 125 Hz. All rewards are costs: the sooner it stands, the better.",
           {ObservationKind::state, ObservationKind::beliefs, ObservationKind::image},
           {ActionKind::joints},
+          {AgentKind::red},
+          {Fidelity::dynamic},
           5,
           "the robot has stood for half a second: higher than 90 mm, leaning by less than 20 "
           "degrees",

@@ -55,6 +55,8 @@ EnvironmentDescription kickDescription() {
           "ball.",
           {ObservationKind::state, ObservationKind::beliefs, ObservationKind::image},
           {ActionKind::joints},
+          {AgentKind::red},
+          {Fidelity::dynamic},
           4,
           "the robot has fallen",
           [](EnvironmentOptions options, SceneDescription scene) -> std::unique_ptr<Environment> {

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/motion/walking/InvKinWalkingEngine.h"
-#include "representations/infrastructure/RobotDimensions.h"
-
 namespace gt {
 
 /// Turns the joints as it is told, and keeps what the body measures.
@@ -20,40 +17,19 @@ class Limbs::Motors : public RobotController {
   SensorData measured;
 };
 
-std::vector<Joint> legJoints() {
-  std::vector<Joint> joints;
-  for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft})
-    for (int number = 1; number <= 3; ++number) joints.push_back(legJoint(leg, number));
-  return joints;
-}
-
-std::vector<Joint> headAndLegJoints() {
-  std::vector<Joint> joints{Joint::headTilt, Joint::headPan, Joint::headRoll};
-  for (const Joint joint : legJoints()) joints.push_back(joint);
-  return joints;
-}
-
 Limbs::Limbs(EnvironmentOptions options, SceneDescription scene, std::vector<Joint> joints,
              bool ball)
     : Environment{std::move(options), std::move(scene)},
       joints_{std::move(joints)},
       withBall_{ball} {
-  scene_.fidelity = Fidelity::dynamic;
   scene_.game.referee = false;
   scene_.robots.resize(1);
   scene_.balls.resize(ball ? 1 : 0);
   agents_ = {scene_.robots.front().name};
-  if (this->actions() == ActionKind::joints)
-    for (const Joint joint : joints_)
-      actionSpace_.add(std::string{enumName(joint)}, "", -1, 1,
-                       "-1 its lower limit, 0 as it stands, 1 its upper limit");
+  if (this->actions() == ActionKind::joints) addJoints(actionSpace_, joints_);
   if (observations() == ObservationKind::image) return;
   Space& space = observationSpace_;
   const bool truth = observations() == ObservationKind::state;
-  const auto addJoints = [&](const std::string& what, const char* unit, double most) {
-    for (const Joint joint : joints_)
-      space.add(what + "." + std::string{enumName(joint)}, unit, -most, most);
-  };
   if (truth) {
     space.add("height", "m", -1, 10, "of the body's origin above the ground");
     space.add("tilt", "rad", -pi, pi, "+ nose up");
@@ -63,33 +39,24 @@ Limbs::Limbs(EnvironmentOptions options, SceneDescription scene, std::vector<Joi
       space.add(std::string{"speed."} + axis, "m/s", -20, 20, "of the body, in its heading");
     for (const char* axis : {"x", "y", "z"})
       space.add(std::string{"turn."} + axis, "rad/s", -100, 100, "about the body's axis");
-    addJoints("angle", "rad", pi);
-    addJoints("angleSpeed", "rad/s", 1000);
+    addJoints(space, joints_, "angle", "rad", pi);
+    addJoints(space, joints_, "angleSpeed", "rad/s", 1000);
     for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft})
       space.add("foot." + std::string{enumName(leg)}, "", 0, 1, "1: on the ground");
   } else {
     for (const char* axis : {"x", "y", "z"})
       space.add(std::string{"acceleration."} + axis, "m/s^2", -1000, 1000, "as measured");
     space.add("distance", "m", 0, 1, "as the distance sensor measures it");
-    addJoints("angle", "rad", pi);
+    addJoints(space, joints_, "angle", "rad", pi);
     for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft})
       space.add("paw." + std::string{enumName(leg)}, "", 0, 1, "1: its switch is pressed");
   }
-  addJoints("requested", "rad", pi);
+  addJoints(space, joints_, "requested", "rad", pi);
   if (!withBall_ || !truth) return;
   for (const char* axis : {"ahead", "left"})
     space.add(std::string{"ball."} + axis, "m", -10, 10, "relative to the robot");
   for (const char* axis : {"ahead", "left"})
     space.add(std::string{"ballSpeed."} + axis, "m/s", -20, 20, "in the robot's heading");
-}
-
-JointAngles Limbs::standing() {
-  InvKinWalkingEngine engine;
-  WalkingEngineOutput output;
-  engine.update({}, {}, RobotDimensions{}, {MotionInfo{}}, output);
-  JointAngles angles = output.joints.angles;
-  angles[Joint::mouth] = limitsOf(Joint::mouth).high;
-  return angles;
 }
 
 Result<void> Limbs::put(Random& random, const Pose2D& pose, Posture posture, int ticks) {
@@ -98,7 +65,7 @@ Result<void> Limbs::put(Random& random, const Pose2D& pose, Posture posture, int
   motors_ = motors.get();
   simulation().attach(0, std::move(motors));
   simulation().takeImages(observations() == ObservationKind::image);
-  requested_ = standing();
+  requested_ = standingAngles();
   for (const Joint joint : joints_) requested_[joint] += variety * random.symmetric();
   world().placeRobot(0, pose);
   for (std::size_t j = 0; j < enumCount<Joint>; ++j)
@@ -116,15 +83,7 @@ void Limbs::drive(const JointAngles& angles) {
 }
 
 void Limbs::act(std::span<const float> actions) {
-  static const JointAngles stand = standing();
-  JointAngles angles = stand;
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const JointLimits limits = limitsOf(joints_[i]);
-    const double action = actions[i], middle = stand[joints_[i]];
-    angles[joints_[i]] =
-        middle + (action > 0 ? action * (limits.high - middle) : action * (middle - limits.low));
-  }
-  drive(angles);
+  drive(anglesOf(actions, joints_));
 }
 
 const mjtNum* Limbs::speeds() const {

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "environments/Environment.h"
+#include "environments/JointSpace.h"
 
 namespace gt {
 
@@ -23,8 +24,6 @@ class Limbs : public Environment {
   /// Requests angles and lets a tick pass.
   void drive(const JointAngles& angles);
 
-  /// The angles of the legs by the walking engine's default, as it stands.
-  static JointAngles standing();
   const std::vector<Joint>& joints() const { return joints_; }
   const RobotBody& body() const { return world().robot(0); }
   /// By how much the body's vertical axis points up: 1 upright, 0 on the side.
@@ -48,10 +47,5 @@ class Limbs : public Environment {
   JointAngles requested_{}, before_{};
   Motors* motors_ = nullptr;  ///< Owned by the simulation.
 };
-
-/// All twelve joints of the legs.
-std::vector<Joint> legJoints();
-/// Those of the head, and of the legs.
-std::vector<Joint> headAndLegJoints();
 
 }  // namespace gt

@@ -25,16 +25,27 @@ Result<void> choose(std::string& option, std::string_view name, const std::vecto
                .what = "there is no '" + option + "'; expected " + namesOf(offered)};
 }
 
+/// The same for the fidelity. Who decides angles of joints needs the dynamic one: in the other,
+/// legs move nobody.
+Result<void> chooseFidelity(EnvironmentOptions& options, std::vector<Fidelity> offered) {
+  if (options.actions == enumName(ActionKind::joints) &&
+      std::ranges::count(offered, Fidelity::dynamic))
+    offered = {Fidelity::dynamic};
+  return choose(options.fidelity, "fidelity", offered);
+}
+
 }  // namespace
 
 std::span<const EnvironmentDescription> environments() {
-  static const std::vector<EnvironmentDescription> all{walkDescription(), getUpDescription(),
-                                                       kickDescription()};
+  static const std::vector<EnvironmentDescription> all{
+      walkDescription(),    getUpDescription(),  kickDescription(),     approachDescription(),
+      penaltyDescription(), goalieDescription(), localizeDescription(), soccerDescription()};
   return all;
 }
 
 Result<std::unique_ptr<Environment>> makeEnvironment(EnvironmentOptions options,
-                                                     const DataRoot& root) {
+                                                     const DataRoot& root,
+                                                     const Environment* same) {
   const auto all = environments();
   const auto found = std::ranges::find(all, options.environment, &EnvironmentDescription::name);
   if (found == all.end())
@@ -42,14 +53,17 @@ Result<std::unique_ptr<Environment>> makeEnvironment(EnvironmentOptions options,
   if (auto done = choose(options.observations, "observations", found->observations); !done)
     return done.error();
   if (auto done = choose(options.actions, "actions", found->actions); !done) return done.error();
+  if (auto done = choose(options.agents, "agents", found->agents); !done) return done.error();
+  if (auto done = chooseFidelity(options, found->fidelities); !done) return done.error();
   if (options.seconds == 0) options.seconds = found->seconds;
   if (!(options.seconds > 0 && options.seconds <= 3600))
     return Error{.field = "seconds", .what = "expected a number from 0 to 3600"};
   auto scene = loadScene(root.path("scenes/match.scene"));
   if (!scene) return scene.error();
   setProfile(*scene, options.profile);
+  scene->fidelity = *enumValue<Fidelity>(options.fidelity);
   auto environment = found->make(std::move(options), std::move(*scene));
-  if (auto done = environment->prepare(); !done) return done.error();
+  if (auto done = environment->prepare(same); !done) return done.error();
   return environment;
 }
 

@@ -7,5 +7,10 @@ namespace gt {
 EnvironmentDescription walkDescription();
 EnvironmentDescription getUpDescription();
 EnvironmentDescription kickDescription();
+EnvironmentDescription approachDescription();
+EnvironmentDescription penaltyDescription();
+EnvironmentDescription goalieDescription();
+EnvironmentDescription localizeDescription();
+EnvironmentDescription soccerDescription();
 
 }  // namespace gt

@@ -98,7 +98,7 @@ class Walk : public Limbs {
     drive(angles);
   }
 
-  const JointAngles standing_ = standing();
+  const JointAngles standing_ = standingAngles();
   InvKinWalkingEngine::Parameters parameters_;  ///< As robots walk.
   InvKinWalkingEngine engine_;
   WalkingEngineOutput output_;
@@ -115,6 +115,8 @@ EnvironmentDescription walkDescription() {
           "parameters of the walking engine, one set each 0.64 s.",
           {ObservationKind::state, ObservationKind::beliefs, ObservationKind::image},
           {ActionKind::joints, ActionKind::parameters},
+          {AgentKind::red},
+          {Fidelity::dynamic},
           8,
           "the robot has fallen",
           [](EnvironmentOptions options, SceneDescription scene) -> std::unique_ptr<Environment> {

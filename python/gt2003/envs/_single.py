@@ -1,4 +1,4 @@
-"""One world with one agent, as Gymnasium has it."""
+"""One world, as Gymnasium has it."""
 
 from __future__ import annotations
 
@@ -13,12 +13,16 @@ from . import _worlds
 
 
 class Environment(gymnasium.Env):
-    """One world with one agent.
+    """One world with one agent, or with one that decides for several robots.
 
-    observations: ``state``, ``beliefs`` or ``image``; actions: ``joints`` or ``parameters``, as far as
-    the environment offers them, by default its first. profile: how far all is from perfect (docs/realism.md); seconds: of simulated time until an episode is
-    truncated; randomize: what each reset draws anew, names with lower and upper bound, such as
+    observations: ``state``, ``beliefs`` or ``image``; actions: ``joints``, ``parameters``, ``motion``
+    or ``skills``; fidelity: ``kinematic`` or ``dynamic``: each as far as the environment offers it, by
+    default its first. profile: how far all is from perfect (docs/realism.md); seconds: of simulated
+    time until an episode is truncated; randomize: what each reset draws anew, names with lower and upper bound, such as
     ``{"dynamics.friction": (0.7, 1.3), "noise.joints": (0, 0.5)}``; root: the data root.
+
+    agents: ``red``, or ``all`` where the environment offers it: whose robots are decided for. Those of
+    several lie along the first axis of observations and actions; the reward is the first one's.
 
     The same options, seed and actions give the same bits, alone and in a `VectorEnvironment`.
     """
@@ -28,10 +32,11 @@ class Environment(gymnasium.Env):
     def __init__(self, environment: str, *, render_mode: str | None = None, **options: Any) -> None:
         self.render_mode = _worlds.render_mode(render_mode)
         self._worlds = _worlds.make(environment, 1, 1, options)
-        self.observation_space, self.action_space = _worlds.spaces(self._worlds)
+        agents = len(self._worlds.agents)
+        self.observation_space, self.action_space = _worlds.spaces(self._worlds, agents)
         self.terms = [name for name, _ in self._worlds.terms]
         self._seeded = False
-        self._observation = self._worlds.observations[0, 0]
+        self._observation = self._worlds.observations[0, 0] if agents == 1 else self._worlds.observations[0]
         self._rewards = self._worlds.rewards
         self._terms = self._worlds.term_values[0, 0]
         self._terminated, self._truncated = self._worlds.terminated, self._worlds.truncated

@@ -1,4 +1,4 @@
-"""Many worlds with one agent each in one process, as Gymnasium has them."""
+"""Many worlds in one process, as Gymnasium has them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ class VectorEnvironment(VectorEnv):
 
     Options are those of `Environment`. What is returned is a copy; with ``copy=False`` it is the
     worlds' own memory, which the next step overwrites. A world whose episode is over begins the
-    next one in the next step. World i with the seed s is the same as an `Environment` with the seed
+    next one in the next step. The rewards are those of the first agent of each world;
+    ``worlds.rewards`` has all: (worlds, agents). World i with the seed s is the same as an `Environment` with the seed
     s + i.
     """
 
@@ -38,13 +39,15 @@ class VectorEnvironment(VectorEnv):
         self.render_mode = _worlds.render_mode(render_mode)
         self._worlds = _worlds.make(environment, num_envs, threads, options)
         self.num_envs = num_envs
-        self.single_observation_space, self.single_action_space = _worlds.spaces(self._worlds)
+        agents = len(self._worlds.agents)
+        self.single_observation_space, self.single_action_space = _worlds.spaces(self._worlds, agents)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
         self._copy = copy
         self._seeded = False
         worlds = self._worlds
-        self._observations, self._rewards = worlds.observations[:, 0], worlds.rewards[:, 0]
+        self._observations = worlds.observations[:, 0] if agents == 1 else worlds.observations
+        self._rewards = worlds.rewards[:, 0]
         self._terminated, self._truncated = worlds.terminated, worlds.truncated
         self._terms = {name: worlds.term_values[:, 0, i] for i, (name, _) in enumerate(worlds.terms)}
         self._all = np.ones(num_envs, bool)

@@ -14,7 +14,16 @@ from .. import _core
 from .._error import Error
 
 METADATA = {"render_modes": ["rgb_array"], "render_fps": 25}
-DEFAULTS = {"observations": "", "actions": "", "profile": "benign", "seconds": 0.0, "randomize": None, "root": ""}
+DEFAULTS = {
+    "observations": "",
+    "actions": "",
+    "agents": "",
+    "fidelity": "",
+    "profile": "benign",
+    "seconds": 0.0,
+    "randomize": None,
+    "root": "",
+}
 
 
 def make(environment: str, count: int, threads: int, options: Mapping[str, Any]) -> _core.Environments:
@@ -23,7 +32,7 @@ def make(environment: str, count: int, threads: int, options: Mapping[str, Any])
         if name not in DEFAULTS:
             raise Error(f"there is no such option; expected {', '.join(DEFAULTS)}", field=name)
     chosen = {**DEFAULTS, **options}
-    for name in ("observations", "actions", "profile", "root"):
+    for name in ("observations", "actions", "agents", "fidelity", "profile", "root"):
         if not isinstance(chosen[name], str):
             raise Error("expected a text", field=name)
     chosen["seconds"] = _number(chosen["seconds"], "seconds")
@@ -39,14 +48,14 @@ def render_mode(mode: str | None) -> str | None:
     return mode
 
 
-def spaces(worlds: _core.Environments) -> tuple[Box, Box]:
-    """Return the spaces of one agent: observations, actions."""
-    shape = worlds.observations.shape[2:]
+def spaces(worlds: _core.Environments, agents: int = 1) -> tuple[Box, Box]:
+    """Return the spaces of agents: observations, actions. Those of several have them along the first axis."""
     if worlds.observations.dtype == np.uint8:
-        seen = Box(0, 255, shape, np.uint8)
+        seen = Box(0, 255, worlds.observations.shape[2:], np.uint8)
     else:
         seen = _box(worlds.observation_components)
-    return seen, _box(worlds.action_components)
+    both = seen, _box(worlds.action_components)
+    return both if agents == 1 else tuple(_stacked(space, agents) for space in both)
 
 
 def checked_actions(actions: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.float32]:
@@ -74,6 +83,10 @@ def _box(components: list[tuple[str, str, float, float, str]]) -> Box:
     low = np.array([component[2] for component in components], np.float32)
     high = np.array([component[3] for component in components], np.float32)
     return Box(low, high, dtype=np.float32)
+
+
+def _stacked(space: Box, count: int) -> Box:
+    return Box(np.stack([space.low] * count), np.stack([space.high] * count), dtype=space.dtype)
 
 
 def _number(value: Any, name: str) -> float:

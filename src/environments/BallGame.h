@@ -1,0 +1,81 @@
+#pragma once
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "environments/Players.h"
+
+namespace gt {
+
+/// What a robot can be told to execute: a part of behavior/.
+struct AgentSkill {
+  /// What the numbers behind the choice of the skill tell it.
+  enum class Target { none, direction, point };
+
+  std::string_view
+      name;  ///< Of an option or a basic behavior; play_soccer is the agent's own root.
+  bool basicBehavior;
+  Target target;
+  const char* what;
+};
+
+/// The skills that there are.
+namespace skill {
+inline constexpr AgentSkill stand{"stand", true, AgentSkill::Target::none, "stands still"};
+inline constexpr AgentSkill goToBall{"go_to_ball", true, AgentSkill::Target::direction,
+                                     "walks behind the ball, so that it faces `direction`"};
+inline constexpr AgentSkill goToPoint{"go_to_point", true, AgentSkill::Target::point,
+                                      "walks to `point`, so that it faces `direction`"};
+inline constexpr AgentSkill handleBall{"handle_ball", false, AgentSkill::Target::none,
+                                       "walks to the ball and kicks it towards the goal"};
+inline constexpr AgentSkill searchBall{"search_ball", false, AgentSkill::Target::none,
+                                       "looks for the ball"};
+inline constexpr AgentSkill guardGoal{"goalie_playing", false, AgentSkill::Target::none,
+                                      "guards the own goal, as a goalie does"};
+inline constexpr AgentSkill playSoccer{"play_soccer", false, AgentSkill::Target::none,
+                                       "plays as robots do without an agent"};
+}  // namespace skill
+
+/// Players and a ball. An agent decides how its robot moves (`motion`), which part of the behavior
+/// it executes (`skills`), or the angles of its joints (`joints`); a step is 40 ms, with joints
+/// 8 ms. It observes the ball, itself and the other players, in the coordinates of its team.
+class BallGame : public Players {
+ protected:
+  /// What agents can do.
+  struct Abilities {
+    std::vector<AgentSkill> skills;
+    bool kicks = true;  ///< With `motion`: not only walk.
+  };
+  BallGame(EnvironmentOptions options, SceneDescription scene, const Cast& cast,
+           Abilities abilities);
+
+  std::vector<const char*> disabledTasks(bool agent) const override;
+  void request(std::size_t agent, std::span<const float> actions) override;
+  void restart() override;
+  void observe(std::size_t agent, std::span<float> numbers) override;
+
+  const BallState& ball() const { return world().ball(0); }
+  /// The middle of a goal's line on the field (mm): the one that a team plays to.
+  Vector2d goalOf(TeamColor team) const {
+    return {team == TeamColor::red ? field().xGroundline : -field().xGroundline, 0};
+  }
+  /// The team that has scored: all of the ball is behind the other's line; nothing if none has.
+  std::optional<TeamColor> scorer() const;
+  /// Draws a place on the field, so far from its border at least (mm).
+  Vector2d anywhere(Random& random, double margin) const;
+
+ private:
+  void addActions();
+  void addObservations();
+  void requestJoints(std::size_t agent, std::span<const float> actions);
+  void requestMotion(std::size_t agent, std::span<const float> actions);
+  void requestSkill(std::size_t agent, std::span<const float> actions);
+  void observePlayers(std::size_t robot, const Pose2D& self, std::vector<double>& numbers) const;
+  /// The other robots of the scene, of this robot's team or not.
+  std::vector<std::size_t> others(std::size_t robot, bool teammates) const;
+
+  Abilities abilities_;
+  std::vector<JointAngles> requested_;  ///< Of each agent.
+};
+
+}  // namespace gt
