@@ -135,6 +135,8 @@ class Ray:
         except ModuleNotFoundError:
             raise Error("--address needs Ray: pip install 'gt2003[cluster]'") from None
         os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # it would report to its makers
+        # By default its workers would yield to everything else on the machine: 15 steps of niceness.
+        os.environ.setdefault("RAY_worker_niceness", "0")
         self.redone = 0
         self._ray: Any = ray
         self._retries = retries

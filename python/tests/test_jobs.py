@@ -16,7 +16,7 @@ import pytest
 import gt2003
 from gt2003 import jobs
 from gt2003._run import Results
-from gt2003._workers import Processes
+from gt2003._workers import Processes, Ray
 
 BUILD = Path(os.environ["GT_BUILD"])
 SHORT = ["trouble=none", "minutes=0.1"]
@@ -94,6 +94,14 @@ def test_a_run_gives_the_programs_bytes(way: list[str], expected: Path, tmp_path
     told = command("run", expected / "jobs", "--out", tmp_path)
     assert "12 of 12 jobs are done" in told.stderr
     assert (tmp_path / "results.jsonl").read_bytes() == before
+
+
+def test_jobs_over_ray_are_as_nice_as_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("RAY_worker_niceness", raising=False)
+    workers = Ray("local", 1)
+    nice = workers._ray.get(workers._ray.remote(lambda: os.nice(0)).remote())
+    workers.close()
+    assert nice == os.nice(0)  # by default Ray adds 15
 
 
 def test_a_run_goes_on_behind_half_a_line(expected: Path, tmp_path: Path) -> None:
