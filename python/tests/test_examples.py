@@ -45,3 +45,28 @@ def test_a_log_is_plotted(tmp_path: Path) -> None:
     drawn = ElementTree.parse(tmp_path / "a.svg").getroot()
     names = [element.tag.rsplit("}")[-1] for element in drawn]
     assert names.count("polyline") == 2 and names.count("circle") > 3
+
+
+def test_a_policy_learns_to_approach_the_ball(tmp_path: Path) -> None:
+    def learned(generations: str) -> float:
+        told = run("train_approach.py", "--generations", generations, "--pairs", "8", "--unseen", "16", folder=tmp_path)
+        assert told.count("generation ") == int(generations), told
+        found = re.search(r"learned policy: return (-?\d\.\d\d) ", told)
+        assert found, told
+        return float(found[1])
+
+    assert learned("8") > learned("0") + 0.5
+
+
+def test_the_learned_policy_keeps_up_with_the_skill(tmp_path: Path) -> None:
+    policy = str(EXAMPLES / "approach_policy.txt")
+    told = run("train_approach.py", "--policy", policy, "--unseen", "16", folder=tmp_path)
+    found = re.search(r"learned policy: .* done (\d+) of 16, .*\ngo_to_ball: .* done (\d+) of 16", told)
+    assert found and int(found[1]) >= 14 and int(found[2]) >= 14, told
+
+
+def test_the_learned_policy_plays_in_a_match(tmp_path: Path) -> None:
+    told = run("play_approach.py", "--minutes", "1.5", folder=tmp_path)
+    found = re.search(r"red3: LearnedStriker kicked (\d+) times", told)
+    assert found and int(found[1]) >= 1, told
+    assert "Final score" in told
