@@ -87,7 +87,6 @@ class Environment {
 
   ObservationKind observations() const { return observations_; }
   ActionKind actions() const { return actions_; }
-  bool allAct() const { return options_.agents == enumName(AgentKind::all); }
   Simulation& simulation() { return *simulation_; }
   const Simulation& simulation() const { return *simulation_; }
   World& world() { return simulation_->world(); }
@@ -126,7 +125,7 @@ struct EnvironmentDescription {
   std::vector<ObservationKind> observations;  ///< The first one is the default.
   std::vector<ActionKind> actions;            ///< The first one is the default.
   std::vector<AgentKind> agents;              ///< The first one is the default.
-  std::vector<Fidelity> fidelities;           ///< The first one is the default, but of the joints.
+  std::vector<Fidelity> fidelities;           ///< The first one is the default, except with joints.
   double seconds;                             ///< After which episodes are truncated.
   std::string_view end;                       ///< What terminates an episode.
   std::unique_ptr<Environment> (*make)(EnvironmentOptions options, SceneDescription scene);
