@@ -15,8 +15,8 @@ const Experiments& experiments() {
     for (const auto& experiment : realismExperiments()) list.push_back(experiment);
     for (const auto& experiment : motionExperiments()) list.push_back(experiment);
     for (const auto& experiment :
-         {fidelityExperiment(), kickExperiment(), matchExperiment(), soakExperiment(),
-          calibrationExperiment(), visionExperiment(), visionPlayExperiment(),
+         {fidelityExperiment(), kickExperiment(), kickTableExperiment(), matchExperiment(),
+          soakExperiment(), calibrationExperiment(), visionExperiment(), visionPlayExperiment(),
           collisionExperiment(), worldModelExperiment()})
       list.push_back(experiment);
     std::ranges::sort(list, {}, &Experiment::name);

@@ -33,6 +33,7 @@ Experiment matchExperiment();
 Experiments motionExperiments();
 /// What the kicks do, with balls anywhere where they reach them.
 Experiment kickExperiment();
+Experiment kickTableExperiment();
 /// 22 robots and 10 balls while everything goes wrong: half an hour in the kinematic fidelity, some
 /// minutes in the dynamic one.
 Experiment soakExperiment();

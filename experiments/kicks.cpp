@@ -2,6 +2,7 @@
 // robot.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 
 #include "ChangedRoot.h"
@@ -9,7 +10,8 @@
 #include "Profiles.h"
 #include "base/Statistics.h"
 #include "measure/worlds/MovedRobot.h"
-#include "modules/motion/specialactions/MotionNetLoader.h"
+#include "representations/motion/KickTable.h"
+#include "streams/Config.h"
 
 namespace gt {
 namespace {
@@ -18,8 +20,10 @@ namespace {
 struct Kicked {
   Vector2d way = Vector2d::Zero();  ///< mm, of the ball, in the robot's system before the kick
   double seconds = 0;               ///< from the request until the robot stands
+  double strike = 0;                ///< until the ball is fastest
   Pose2D moved;                     ///< of the robot
   bool fell = false;
+  bool overlaps = false;  ///< There is no room for the ball: the robot stands there.
 };
 
 /// A robot in the middle of the field faces anywhere. When it stands again, the ball rolls, and no
@@ -33,12 +37,20 @@ Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, d
   const Pose2D from = robot.body().pose;
   robot.world().placeBall(0, from * place);
   Kicked kicked;
+  robot.step();
+  constexpr double pushed = 30;  // mm/s
+  kicked.overlaps = robot.world().ball(0).speed.norm() > pushed;
+  if (kicked.overlaps) return kicked;
   robot.request.type = MotionType::specialAction;
   robot.request.specialAction = name;
+  double fastest = 0;
   const auto step = [&] {
     robot.step();
     kicked.seconds += tickSeconds;
     kicked.fell |= robot.hasFallen();
+    const double speed = robot.world().ball(0).speed.norm();
+    if (speed > fastest) kicked.strike = kicked.seconds;
+    fastest = std::max(fastest, speed);
   };
   constexpr double longest = 5;  // s
   while (robot.motion().executed.specialAction != name && kicked.seconds < longest) step();
@@ -53,36 +65,39 @@ Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, d
   return kicked;
 }
 
-/// A ball somewhere where a kick reaches it.
-Vector2d somewhere(const KickDescription& kick, Random& random) {
-  const KickDescription::Reach& reach = kick.reach[random.index(kick.reach.size())];
-  return {random.uniform(reach.nearest, reach.farthest),
-          random.uniform(reach.rightmost, reach.leftmost)};
+/// What a kick is measured for: balls around a place (mm) that shall go in a direction (degrees).
+struct KickAim {
+  double x, y, direction;
+  double window;  ///< mm, to all sides
+};
+
+/// A ball somewhere where a kick shall reach it.
+Vector2d somewhere(const KickAim& aim, Random& random) {
+  return {aim.x + aim.window * random.symmetric(), aim.y + aim.window * random.symmetric()};
 }
 
-void measure(MovedRobot& robot, const MotionNet::Motion& motion, int balls, Random& random,
-             Measurement& measurement) {
+void measure(MovedRobot& robot, const std::string& motion, const KickAim& aim, int balls,
+             Random& random, Measurement& measurement) {
   std::vector<double> lengths, astray, seconds;
   int falls = 0, missed = 0;
   double moved = 0, turned = 0, ahead = 0;
   for (int i = 0; i < balls; ++i) {
-    const Vector2d place = somewhere(motion.kick, random);
-    const Kicked kicked = kick(robot, motion.name, place, pi * random.symmetric());
+    const Vector2d place = somewhere(aim, random);
+    const Kicked kicked = kick(robot, motion, place, pi * random.symmetric());
     const double length = kicked.way.norm();
     constexpr double touched = 50;  // mm
     lengths.push_back(length);
     seconds.push_back(kicked.seconds);
     falls += kicked.fell;
-    ahead += kicked.way.dot(direction(fromDegrees(motion.kick.direction))) / balls;
+    ahead += kicked.way.dot(direction(fromDegrees(aim.direction))) / balls;
     moved += kicked.moved.translation.norm() / balls;
     turned += toDegrees(kicked.moved.rotation) / balls;
     if (length > touched)
-      astray.push_back(
-          toDegrees(normalize(angleOf(kicked.way) - fromDegrees(motion.kick.direction))));
+      astray.push_back(toDegrees(normalize(angleOf(kicked.way) - fromDegrees(aim.direction))));
     else
       ++missed;
   }
-  const std::string name = "motion.kick." + motion.name;
+  const std::string name = "motion.kick." + motion;
   const auto share = [&](int count) { return 100. * count / balls; };
   measurement.add(name + ".length", "mm", mean(lengths));
   measurement.add(name + ".ahead", "mm", ahead);
@@ -99,23 +114,102 @@ void measure(MovedRobot& robot, const MotionNet::Motion& motion, int balls, Rand
                   Aim::atMost(10));
 }
 
+/// The kicks of a folder of motion descriptions: those in its folder kicks/.
+std::vector<std::string> kicksIn(const std::string& motions) {
+  std::vector<std::string> names;
+  std::error_code failed;  // then there are none
+  for (const auto& entry : std::filesystem::directory_iterator{motions + "/kicks", failed})
+    if (entry.path().extension() == ".mof") names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  return names;
+}
+
 Result<Measurement> kickAll(const Job& job, const DataRoot& root) {
   auto scene = dynamicScene(job, root);
   if (!scene) return scene.error();
   scene->balls.resize(1);
   const std::string folder =
       job.parameter("motions") == "configured" ? root.path("motions") : job.parameter("motions");
-  const auto net = loadMotionNet(folder);
-  if (!net) return net.error();
+  KickTable table;
+  if (auto read = readConfig(root.path("config/kicks.cfg"), table); !read) return read.error();
   auto robot = MovedRobot::make(root, *scene, job.seed, folder);
   if (!robot) return robot.error();
   (*robot)->standUp();
   Measurement measurement;
   const std::string& only = job.parameter("kick");
-  for (const MotionNet::Motion& motion : net->motions) {
-    Random random = Random{job.seed}.fork(motion.name);
-    if (motion.isKick() && (only == "all" || only == motion.name))
-      measure(**robot, motion, static_cast<int>(job.number("balls")), random, measurement);
+  for (const std::string& name : kicksIn(folder)) {
+    Random random = Random{job.seed}.fork(name);
+    const int index = table.find(name);
+    if (only != name && (only != "all" || index < 0)) continue;
+    KickAim aim{150, 0, 0, job.number("window")};
+    if (index >= 0) {
+      const KickDescription& kick = table.kicks[static_cast<std::size_t>(index)];
+      aim = {kick.x, kick.y, kick.direction, aim.window};
+    }
+    for (const auto& [parameter, number] :
+         {std::pair{"x", &aim.x}, {"y", &aim.y}, {"direction", &aim.direction}})
+      if (job.parameter(parameter) != "table") *number = job.number(parameter);
+    measure(**robot, name, aim, static_cast<int>(job.number("balls")), random, measurement);
+  }
+  if (measurement.values.empty()) return Error{.field = only, .what = "is no kick"};
+  return measurement;
+}
+
+/// Balls at all places of a grid, one each.
+void measurePlaces(MovedRobot& robot, const std::string& motion, int step, Random& random,
+                   Measurement& measurement) {
+  constexpr int nearest = 60, farthest = 220, widest = 180;  // mm
+  double seconds = 0, x = 0, y = 0, turned = 0;
+  int kicks = 0;
+  std::vector<double> strikes;
+  const std::string name = "kicks." + motion;
+  for (int ahead = nearest; ahead <= farthest; ahead += step)
+    for (int left = -widest; left <= widest; left += step) {
+      const Kicked kicked = kick(robot, motion, Vector2d(ahead, left), pi * random.symmetric());
+      if (kicked.overlaps) continue;
+      ++kicks;
+      seconds += kicked.seconds;
+      x += kicked.moved.translation.x();
+      y += kicked.moved.translation.y();
+      turned += toDegrees(kicked.moved.rotation);
+      constexpr double touched = 150;  // mm
+      const std::string at = name + ".at." + std::to_string(ahead) + "." + std::to_string(left);
+      const double length = kicked.way.norm();
+      measurement.add(at + ".hit", "", length > touched);
+      measurement.add(at + ".fell", "", kicked.fell);
+      if (length <= touched) continue;
+      strikes.push_back(kicked.strike);
+      measurement.add(at + ".length", "mm", length);
+      measurement.add(at + ".direction", "deg", toDegrees(angleOf(kicked.way)));
+    }
+  measurement.add(name + ".seconds", "s", seconds / kicks);
+  measurement.add(name + ".robot.x", "mm", x / kicks);
+  measurement.add(name + ".robot.y", "mm", y / kicks);
+  measurement.add(name + ".robot.turned", "deg", turned / kicks);
+  if (!strikes.empty()) {
+    std::ranges::sort(strikes);
+    measurement.add(name + ".strike", "s", strikes[strikes.size() / 2]);
+  }
+}
+
+Result<Measurement> measureGrid(const Job& job, const DataRoot& root) {
+  auto scene = dynamicScene(job, root);
+  if (!scene) return scene.error();
+  scene->balls.resize(1);
+  auto robot = MovedRobot::make(root, *scene, job.seed);
+  if (!robot) return robot.error();
+  (*robot)->standUp();
+  Measurement measurement;
+  const int step = static_cast<int>(job.number("step"));
+  if (step < 1) return Error{.field = "step", .what = "expected some mm"};
+  KickTable table;
+  if (auto read = readConfig(root.path("config/kicks.cfg"), table); !read) return read.error();
+  const std::string& only = job.parameter("kick");
+  for (const std::string& name : kicksIn(root.path("motions"))) {
+    Random random = Random{job.seed}.fork(name);
+    // What ends in Right is the mirrored Left.
+    if (only == name || (only == "all" && table.find(name) >= 0 && !name.ends_with("Right")))
+      measurePlaces(**robot, name, step, random, measurement);
   }
   if (measurement.values.empty()) return Error{.field = only, .what = "is no kick"};
   return measurement;
@@ -123,15 +217,32 @@ Result<Measurement> kickAll(const Job& job, const DataRoot& root) {
 
 }  // namespace
 
+Experiment kickTableExperiment() {
+  return {
+      "kicks",
+      "What each kick does with a ball at each place of a grid: of this scripts/kick-table makes "
+      "the table of kicks",
+      {{"profile", "how far all is from perfect", Parameter::Kind::choice, {"padova", "benign"}},
+       changeParameter(),
+       fidelityParameter(),
+       {"kick", "one of them, or all of the table", Parameter::Kind::text, {"all"}},
+       {"step", "mm from place to place; the table has 20", Parameter::Kind::number, {"60"}}},
+      measureGrid};
+}
+
 Experiment kickExperiment() {
   return {"motion.kick",
-          "Where the ball goes that lies anywhere where a kick reaches it",
+          "Where the ball goes that lies near to the place where a kick plays it best",
           {profileParameter(),
            changeParameter(),
            fidelityParameter(),
            varietyParameter(),
            {"kick", "one of them, or all", Parameter::Kind::text, {"all"}},
            {"motions", "folder of motion descriptions", Parameter::Kind::text, {"configured"}},
+           {"x", "mm ahead, where the ball lies", Parameter::Kind::text, {"table"}},
+           {"y", "mm to the left", Parameter::Kind::text, {"table"}},
+           {"direction", "degrees, where it shall go", Parameter::Kind::text, {"table"}},
+           {"window", "mm by which it lies elsewhere at most", Parameter::Kind::number, {"15"}},
            {"balls", "that each of them kicks", Parameter::Kind::number, {"5"}},
            valuesParameter()},
           withValues<kickAll>};

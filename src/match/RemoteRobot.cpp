@@ -91,7 +91,7 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
   pose_.take();
   ball_.take();
   state_.take();
-  motion_.take();
+  if (motion_.take()) output.specialAction = motion_.value.executed.specialAction;
   if (statistics_.frames > 0 || newJoints) {
     ++statistics_.frames;
     statistics_.missedFrames += !newJoints;

@@ -84,7 +84,7 @@ class Checker {
  private:
   const Node& node(int n) const { return net_.nodes[static_cast<std::size_t>(n)]; }
   const std::string& name(int motion) const {
-    return net_.motions[static_cast<std::size_t>(motion)].name;
+    return net_.motions[static_cast<std::size_t>(motion)];
   }
   void error(const Node& where, int line, std::string field, std::string message) {
     errors_.push_back({files_[static_cast<std::size_t>(where.motion)], line, std::move(field),

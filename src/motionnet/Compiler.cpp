@@ -61,7 +61,7 @@ class Linker {
         error(motion, motion.nameLine, "motion_id",
               motion.name + " is also the name of " +
                   motions_[static_cast<std::size_t>(byName_[motion.name])].file);
-      net_.motions.push_back({motion.name, motion.kick});
+      net_.motions.push_back(motion.name);
     }
   }
 

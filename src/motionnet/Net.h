@@ -36,41 +36,17 @@ struct Node {
   int target = 0;      ///< transition: index of the next node.
 };
 
-/// Where a kick plays a ball, seen from the robot as it stands before it: x ahead, y to the left.
-struct Kick {
-  /// An area of the ball from which it leaves in the kick's direction.
-  struct Reach {
-    int nearest = 0, farthest = 0;    ///< mm ahead
-    int rightmost = 0, leftmost = 0;  ///< mm to the left
-    int spread = 0;                   ///< degrees to either side of the direction
-  };
-
-  int x = 0, y = 0;   ///< mm: where the ball is best.
-  int direction = 0;  ///< degrees to the left: where the ball goes from there.
-  std::vector<Reach> reach;
-};
-
-/// A motion of the net.
-struct NamedMotion {
-  std::string name;
-  std::optional<Kick> kick;  ///< Of a motion that plays the ball.
-};
-
 /// All motions, linked to one net: the nodes of a motion stand one behind the other; the last node
 /// of extern, the entry, leaves the net.
 struct Net {
   static constexpr int externMotion = 0;
 
-  std::vector<NamedMotion> motions;  ///< The first is extern.
+  std::vector<std::string> motions;  ///< Their names; the first is extern.
   std::vector<Node> nodes;
   int entry = 0;  ///< Index of extern's node "start".
 
   /// The names of the motions but extern.
-  std::vector<std::string> names() const {
-    std::vector<std::string> all;
-    for (std::size_t i = 1; i < motions.size(); ++i) all.push_back(motions[i].name);
-    return all;
-  }
+  std::vector<std::string> names() const { return {motions.begin() + 1, motions.end()}; }
 };
 
 }  // namespace motionnet

@@ -17,7 +17,6 @@ constexpr std::size_t maxStatements = 20000;
 constexpr std::size_t maxErrors = 20;  // of one file; garbage is reported briefly
 constexpr int maxFrames = 10000;
 constexpr int maxSpeed = 10000;
-constexpr int maxDistance = 1000;
 
 Words split(std::string_view line) {
   Words words;
@@ -74,7 +73,6 @@ class Parser {
     }
     if (!text.empty()) error("", "more than 20000 statements");
     line_ = 0;
-    if (motion_.kick && motion_.kick->reach.empty()) error("reach", "missing; a kick has some");
     if (motion_.name.empty()) error("motion_id", "missing; the first line must name the motion");
     if (!motion_.labels.count("start")) error("label start", "missing; every motion begins there");
     return std::move(motion_);
@@ -96,10 +94,6 @@ class Parser {
       parseGroup(words);
     else if (word == "posture")
       parsePosture(words);
-    else if (word == "kick")
-      parseKick(words);
-    else if (word == "reach")
-      parseReach(words);
     else if (word == "label")
       parseLabel(words);
     else if (word == "value")
@@ -114,7 +108,7 @@ class Parser {
       parseData(words);
     else
       error(shown(word),
-            "unknown; a line begins with motion_id, group, posture, kick, reach, label, value, "
+            "unknown; a line begins with motion_id, group, posture, label, value, "
             "transition, pid, odometry, an angle, a value's name or ~");
   }
 
@@ -157,27 +151,6 @@ class Parser {
     if (!angles) return;
     if (!motion_.postures.emplace(words[1], Motion::Posture{*std::move(angles), line_}).second)
       error("posture", shown(words[1]) + " is defined twice");
-  }
-
-  void parseKick(const Words& words) {
-    if (words.size() != 4) return error("kick", "expected: kick X Y DIRECTION");
-    if (motion_.kick) return error("kick", "given twice");
-    const auto x = integer(words[1], "x", -maxDistance, maxDistance),
-               y = integer(words[2], "y", -maxDistance, maxDistance),
-               direction = integer(words[3], "direction", -180, 180);
-    if (x && y && direction) motion_.kick = Kick{*x, *y, *direction, {}};
-  }
-
-  void parseReach(const Words& words) {
-    if (words.size() != 6) return error("reach", "expected: reach X1 X2 Y1 Y2 SPREAD");
-    if (!motion_.kick) return error("reach", "only after a line kick");
-    const auto nearest = integer(words[1], "x1", -maxDistance, maxDistance),
-               farthest = integer(words[2], "x2", nearest.value_or(0), maxDistance),
-               right = integer(words[3], "y1", -maxDistance, maxDistance),
-               left = integer(words[4], "y2", right.value_or(0), maxDistance),
-               spread = integer(words[5], "spread", 0, 180);
-    if (nearest && farthest && right && left && spread)
-      motion_.kick->reach.push_back({*nearest, *farthest, *right, *left, *spread});
   }
 
   void parseLabel(const Words& words) {

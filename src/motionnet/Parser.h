@@ -38,7 +38,6 @@ struct Motion {
     int line;
   };
   std::map<std::string, Posture> postures;
-  std::optional<Kick> kick;
 };
 
 /// Reads one motion description (report 5.4). Its lines are
@@ -46,10 +45,6 @@ struct Motion {
 ///     motion_id = NAME                    the first line; NAME also names the file
 ///     group NAME = MOTION MOTION ...      a name for several motions, known in all files
 ///     posture NAME = A1 ... An            a name for angles of all joints, known in all files
-///     kick X Y DIRECTION                  the motion plays a ball, best one at (X, Y), in mm from
-///                                         the robot's middle, to DIRECTION, in degrees
-///     reach X1 X2 Y1 Y2 SPREAD            it plays a ball within X1 to X2 ahead and Y1 to Y2 to
-///                                         the left, too, within SPREAD degrees of the direction
 ///     value NAME = NUMBER                 a name that stands for the number in the lines below
 ///     label NAME                          a place to jump to; each motion has the label start
 ///     A1 ... An INTERPOLATE COUNT         angles of all joints in mrad or ~ (don't care); 1: reach

@@ -23,6 +23,7 @@
 #include "representations/modeling/RobotPose.h"
 #include "representations/modeling/RobotState.h"
 #include "representations/motion/HeadMotionRequest.h"
+#include "representations/motion/KickTable.h"
 #include "representations/motion/MotionInfo.h"
 #include "representations/motion/MotionNet.h"
 #include "representations/motion/OdometryData.h"
@@ -49,7 +50,7 @@ using AllRepresentations =
          CeilingCameraPercept, FieldDimensions, FrameInfo, GameControlData, Image, JointData,
          OracledWorldState, Player, RobotCalibration, RobotDimensions, SensorData, SensorDataBuffer,
          BallModel, TeamBallModel, ObstaclesModel, PlayersCollection, RobotPose, RobotState,
-         HeadMotionRequest, MotionInfo, MotionNet, OdometryData, SpecialActionsOutput,
+         HeadMotionRequest, KickTable, MotionInfo, MotionNet, OdometryData, SpecialActionsOutput,
          WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix, CollisionPercept,
          ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept, PlayersPercept,
          PsdPercept>;

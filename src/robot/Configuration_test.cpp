@@ -164,19 +164,24 @@ TEST_F(ConfigurationTest, WrongMotions) {
   EXPECT_THAT(error(), ::testing::StartsWith("motions"));
 }
 
-// A motion is named by its file only; nothing is built anew.
-TEST_F(ConfigurationTest, ANewKickIsAFile) {
+// A motion is named by its file only, and the table of kicks says what it does; nothing is built
+// anew.
+TEST_F(ConfigurationTest, ANewKickIsAFileAndRowsOfTheTable) {
   const std::string option = "behavior/options/ball/handle_ball.xabsl";
   std::string text = read(option);
-  const std::string call = "kick(id = chest_kick)";
+  const std::string call = "kick(id = push_strong)";
   text.replace(text.find(call), call.size(), "kick(id = my_kick)");
   write(option, text);
   EXPECT_THAT(error(), ::testing::StartsWith(option + ":"));
   EXPECT_THAT(error(), ::testing::HasSubstr("my_kick"));
-  std::string kick = read("motions/kicks/chestKick.mof");
-  const std::string name = "motion_id = chestKick";
+  std::string kick = read("motions/kicks/pushStrong.mof");
+  const std::string name = "motion_id = pushStrong";
   kick.replace(kick.find(name), name.size(), "motion_id = myKick");
   write("motions/kicks/myKick.mof", kick);
+  std::string table = read("config/kicks.cfg");
+  const std::string row = "motion pushStrong";
+  table.replace(table.find(row), row.size(), "motion myKick");
+  write("config/kicks.cfg", table);
   EXPECT_EQ(error(), "no error");
   const auto configuration = loadConfiguration(paths);
   ASSERT_TRUE(configuration);

@@ -39,6 +39,7 @@ class MovedRobot::Program : public RobotController {
     robot_->step(input.now);
     output.joints = *robot_->provided<JointData>();
     output.odometry = *robot_->provided<OdometryData>();
+    output.specialAction = robot_->provided<MotionInfo>()->executed.specialAction;
   }
 
   Robot& robot() { return *robot_; }

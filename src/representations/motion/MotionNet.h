@@ -1,61 +1,17 @@
 #pragma once
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/Geometry.h"
 #include "representations/infrastructure/Joints.h"
+#include "representations/motion/KickTable.h"
 #include "streams/Reflection.h"
 
 namespace gt {
 
 enum class MotionNodeKind { data, odometry, transition, leave };
-
-/// Where a kick plays a ball, seen from the robot as it stands before it: x ahead, y to the left.
-struct KickDescription {
-  /// An area of the ball from which it leaves in the kick's direction.
-  struct Reach {
-    double nearest = 0, farthest = 0;
-    double rightmost = 0, leftmost = 0;
-    double spread = 0;
-
-    static constexpr auto fields() {
-      return Fields{field("nearest", &Reach::nearest, "mm", "least distance ahead"),
-                    field("farthest", &Reach::farthest, "mm", "greatest distance ahead"),
-                    field("rightmost", &Reach::rightmost, "mm", "least distance to the left"),
-                    field("leftmost", &Reach::leftmost, "mm", "greatest distance to the left"),
-                    field("spread", &Reach::spread, "degree",
-                          "how far the ball may go astray to either side of the direction")};
-    }
-  };
-
-  double x = 0, y = 0;
-  double direction = 0;
-  std::vector<Reach> reach;
-
-  /// The least spread with which the kick plays a ball at a place; nothing where it does not. With
-  /// a margin, the areas are so much larger on all sides.
-  std::optional<double> spreadAt(const Vector2d& ball, double margin) const {
-    std::optional<double> least;
-    for (const Reach& r : reach)
-      if (ball.x() > r.nearest - margin && ball.x() < r.farthest + margin &&
-          ball.y() > r.rightmost - margin && ball.y() < r.leftmost + margin &&
-          (!least || r.spread < *least))
-        least = r.spread;
-    return least;
-  }
-
-  static constexpr auto fields() {
-    using K = KickDescription;
-    return Fields{field("x", &K::x, "mm", "where the ball is best, ahead"),
-                  field("y", &K::y, "mm", "where the ball is best, to the left"),
-                  field("direction", &K::direction, "degree",
-                        "where the ball goes, counterclockwise from straight ahead"),
-                  field("reach", &K::reach, "", "areas from which it does; none: is no kick")};
-  }
-};
 
 /// The net of all special actions (report 3.9.2), made from the motion descriptions in `motions/`,
 /// which name them. Configuration.
@@ -64,9 +20,9 @@ struct MotionNet {
 
   struct Motion {
     std::string name;
-    KickDescription kick;
+    KickDescription kick;  ///< Of the table of kicks.
 
-    bool isKick() const { return !kick.reach.empty(); }
+    bool isKick() const { return !kick.places.empty(); }
 
     static constexpr auto fields() {
       return Fields{field("name", &Motion::name), field("kick", &Motion::kick)};
@@ -109,6 +65,12 @@ struct MotionNet {
     for (std::size_t i = 0; i < motions.size(); ++i)
       if (motions[i].name == name) return static_cast<int>(i);
     return -1;
+  }
+
+  /// Takes over from the table what its kicks do; a kick that no motion description has is ignored.
+  void take(const KickTable& table) {
+    for (const KickDescription& kick : table.kicks)
+      if (const int i = find(kick.motion); i > 0) motions[static_cast<std::size_t>(i)].kick = kick;
   }
 
   static constexpr auto fields() {

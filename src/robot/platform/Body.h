@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <tuple>
 #include <type_traits>
 
@@ -46,6 +47,9 @@ struct RobotOutput {
   JointData joints;
   OdometryData odometry;  ///< Moves the robot, in the kinematic fidelity: its change is the step.
   LedValue leds;
+  /// The special action that is performed, or none: in the kinematic fidelity kicks play the ball
+  /// as their table says.
+  std::string specialAction{};
   std::optional<TeamMessage> message;
   std::optional<CameraSettings> camera;  ///< If the camera shall be set in another way.
 

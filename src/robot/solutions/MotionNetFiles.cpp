@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <filesystem>
 
 #include "modules/motion/specialactions/MotionNetLoader.h"
 #include "robot/Solutions.h"
+#include "streams/Config.h"
 
 namespace gt {
 namespace {
@@ -14,10 +16,13 @@ void read(const ConfigurationFiles& files, Configuration& configuration, Finding
         {.file = error.file, .line = error.line, .field = error.field, .what = error.message});
   if (!compilation) return;
   auto net = motionNetOf(compilation.net, files.paths.motions);
-  if (net)
-    *configuration.motions = std::move(*net);
-  else
-    findings.add(net.error());
+  if (!net) return findings.add(net.error());
+  KickTable kicks;
+  const std::string table = files.folder.path("kicks.cfg");
+  if (std::filesystem::exists(table))
+    if (auto read = readConfig(table, kicks); !read) findings.add(read.error());
+  net->take(kicks);
+  *configuration.motions = std::move(*net);
 }
 
 void share(const Configuration& configuration, const std::string&, Blackboard& blackboard) {

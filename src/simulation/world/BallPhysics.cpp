@@ -82,6 +82,7 @@ bool BallPhysics::touchRobots(BallState& ball, const BallParts& parts, mjData& d
                               const Surroundings& around, double& pushLeft) {
   bool touched = false;
   for (std::size_t i = 0; i < around.robots.size(); ++i) {
+    if (around.apart[i]) continue;
     const Vector2d& center = around.robots[i].pose.translation;
     const double reach = around.parts[i].reach + parts.radius;
     if ((center - ball.position).squaredNorm() > reach * reach) continue;

@@ -18,6 +18,7 @@ class BallPhysics {
     const std::vector<RobotParts>& parts;
     const std::vector<RobotBody>& robots;
     const std::vector<bool>& placed;
+    const std::vector<bool>& apart;  ///< The robots that do not touch balls.
     const Obstacles& obstacles;
     Time time;
   };
@@ -25,6 +26,7 @@ class BallPhysics {
   BallPhysics(const BallParameters& parameters, const mjModel& model, std::uint64_t carpetSeed);
 
   void change(const BallParameters& parameters) { parameters_ = parameters; }
+  double deceleration() const { return parameters_.deceleration; }
 
   /// Keeps, at the end of a tick, the poses of the parts that a ball may meet in the next one;
   /// their speeds follow from them.

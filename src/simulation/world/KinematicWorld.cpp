@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/infrastructure/RobotFootprint.h"
 #include "simulation/world/Stance.h"
+#include "streams/Config.h"
 
 namespace gt {
 namespace {
@@ -27,6 +29,11 @@ Vector2d disc(const Pose2D& pose, double x) {
 
 bool finite(const Pose2D& pose) {
   return std::isfinite(pose.rotation) && pose.translation.allFinite();
+}
+
+/// Without a file there are no kicks.
+Result<void> readKicks(const std::string& file, KickTable& kicks) {
+  return std::filesystem::exists(file) ? readConfig(file, kicks) : Result<void>{};
 }
 
 /// A step of one tick, at most as long as a robot could ever make it.
@@ -53,7 +60,9 @@ KinematicWorld::KinematicWorld(const SceneDescription& scene, Model model, const
     for (double* factor : {&walking.forward, &walking.sideways, &walking.turn})
       *factor = 1 + noise_.slip * walking.random.symmetric();
     walking_.push_back(walking);
+    kicking_.push_back({.from = {}, .random = random.fork("kicks " + std::to_string(i))});
   }
+  plays_.resize(robots_.size());
   clear_.resize(robots_.size());
   from_.resize(robots_.size());
   ways_.resize(robots_.size());
@@ -63,6 +72,8 @@ Result<std::unique_ptr<World>> KinematicWorld::make(const SceneDescription& scen
                                                     const Random& random) {
   std::unique_ptr<KinematicWorld> world{new KinematicWorld{scene, std::move(model), random}};
   if (auto found = world->findParts(scene); !found) return found.error();
+  if (auto read = readKicks(scene.resolve(scene.config) + "/kicks.cfg", world->kicks_); !read)
+    return read.error();
   // The robots begin as they would stand up from the power-on pose: on straight legs.
   for (std::size_t i = 0; i < world->balls_.size(); ++i) world->writeBall(i);
   for (std::size_t i = 0; i < world->robots_.size(); ++i) world->setStance(i);
@@ -92,8 +103,10 @@ void KinematicWorld::step(std::span<const RobotCommand> commands) {
   for (std::size_t i = 0; i < robots_.size(); ++i) noteBlocked(i);
   for (std::size_t i = 0; i < robots_.size(); ++i) setStance(i);
   updateKinematics();
+  for (std::size_t i = 0; i < std::min(activeRobots(), commands.size()); ++i)
+    kick(i, commands[i].kick);
   for (std::size_t i = 0; i < balls_.size(); ++i) {
-    const BallPhysics::Surroundings around{parts_, robots_, placed_, obstacles_, time()};
+    const BallPhysics::Surroundings around{parts_, robots_, placed_, plays_, obstacles_, time()};
     ballPhysics_.step(balls_[i], ballParts_[i], *data_, around);
     writeBall(i);
   }
@@ -136,6 +149,35 @@ void KinematicWorld::walk(std::size_t i, const Pose2D& step) {
   robot.pose = robot.pose * real;
   ways_[i] = robot.pose.translation - from_[i];
   robot.walked += real.translation.norm();
+}
+
+void KinematicWorld::kick(std::size_t i, int kick) {
+  Kicking& kicking = kicking_[i];
+  const bool again =
+      kick >= 0 && kick == kicking.kick &&
+      kicking.ticks * tickSeconds > kicks_.kicks[static_cast<std::size_t>(kick)].seconds;
+  if (kick != kicking.kick || again) {
+    kicking.kick = kick;
+    kicking.ticks = 0;
+    kicking.from = robots_[i].pose;
+    plays_[i] = false;
+  }
+  if (kick < 0 || robots_[i].posture != Posture::standing) return;
+  const KickDescription& table = kicks_.kicks[static_cast<std::size_t>(kick)];
+  const bool strikes = kicking.ticks++ == static_cast<int>(std::lround(table.strike / tickSeconds));
+  for (BallState& ball : balls_) {
+    const auto place = table.at(relative(kicking.from, ball.position));
+    if (!place) continue;
+    plays_[i] = true;
+    if (!strikes || kicking.random.uniform() >= place->hits) continue;
+    const double length =
+        std::max(0., place->length + place->lengthDeviation * kicking.random.gaussian());
+    const double angle = place->direction + place->spread * kicking.random.gaussian();
+    ball.speed = std::sqrt(2 * ballPhysics_.deceleration() * length) *
+                 direction(kicking.from.rotation + fromDegrees(angle));
+    ball.lastToucher = static_cast<int>(i);
+    ball.lastTouched = time();
+  }
 }
 
 bool KinematicWorld::partPair(std::size_t a, std::size_t b) {

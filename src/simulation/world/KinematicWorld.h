@@ -1,6 +1,8 @@
 #pragma once
 #include <algorithm>
+#include <string>
 
+#include "representations/motion/KickTable.h"
 #include "simulation/world/BallPhysics.h"
 #include "simulation/world/Gait.h"
 #include "simulation/world/World.h"
@@ -9,7 +11,8 @@ namespace gt {
 
 /// The kinematic fidelity (report 5.1.1): robots move by their own motion model, with slip and
 /// noise, and are blocked by robots, walls and goals; their feet set height and tilt of the body.
-/// Only the balls have physics.
+/// Only the balls have physics; a ball that a kick of the table (config/kicks.cfg) plays goes where
+/// the table says.
 class KinematicWorld : public World {
  public:
   static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model,
@@ -17,6 +20,9 @@ class KinematicWorld : public World {
 
   void step(std::span<const RobotCommand> commands) override;
   void change(const SceneDescription& scene) override;
+  int kickOf(const std::string& specialAction) const override {
+    return specialAction.empty() ? -1 : kicks_.find(specialAction);
+  }
   void moveGeom(int geom, const Vector3d& position) override {
     World::moveGeom(geom, position);
     std::fill(clear_.begin(), clear_.end(), Clearance{});
@@ -40,6 +46,15 @@ class KinematicWorld : public World {
     double distance = 0;
   };
 
+  /// A kick from its table.
+  struct Kicking {
+    int kick = -1;
+    int ticks = 0;  ///< Since it began.
+    Pose2D from;    ///< Where the robot stood then.
+    Random random;
+  };
+
+  void kick(std::size_t i, int kick);
   bool mayMeetObstacle(std::size_t i);
   void moveJoints(RobotBody& robot, const JointAngles& targets) const;
   void walk(std::size_t i, const Pose2D& step);
@@ -53,6 +68,9 @@ class KinematicWorld : public World {
   WalkingParameters walkingParameters_;
   BallPhysics ballPhysics_;
   std::vector<Walking> walking_;
+  KickTable kicks_;
+  std::vector<Kicking> kicking_;
+  std::vector<bool> plays_;  ///< Whose kick plays a ball by its table: no part of them touches it.
   std::vector<Clearance> clear_;
   std::vector<Vector2d> from_, ways_;  ///< Of each robot in this tick, on the field (mm).
 };

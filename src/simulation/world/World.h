@@ -25,6 +25,7 @@ constexpr double tickSeconds = tickMs / 1000.0;
 struct RobotCommand {
   JointAngles joints{};
   Pose2D step;
+  int kick = -1;  ///< That it performs, as the world numbers kicks (`kickOf`); -1: none.
 };
 
 /// How a robot lies or stands.
@@ -78,6 +79,8 @@ class World {
 
   /// One tick of 8 ms. One command for each active robot. Commands that are no numbers are ignored.
   virtual void step(std::span<const RobotCommand> commands) = 0;
+  /// The number of a special action that the world plays by the table of kicks; -1 for all others.
+  virtual int kickOf(const std::string& /*specialAction*/) const { return -1; }
 
   const mjModel& model() const { return *model_; }
   /// The poses of all geoms at the end of the last tick. Only `step` and the `place` functions

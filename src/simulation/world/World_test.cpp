@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "representations/infrastructure/RobotFootprint.h"
+#include "representations/motion/KickTable.h"
 #include "simulation/world/Stance.h"
+#include "streams/Config.h"
 #include "support/TestScenes.h"
 
 namespace gt {
@@ -52,6 +54,38 @@ TEST(World, JointsFollowWithinTheirSpeed) {
   command.joints[Joint::headPan] = 10;
   run(*world, command, 100);
   EXPECT_NEAR(world->robot(0).joints[Joint::headPan], limits.high, 1e-6);
+}
+
+TEST(World, KicksPlayTheBallAsTheirTableSays) {
+  KickTable table;
+  ASSERT_TRUE(readConfig("config/kicks.cfg", table));
+  for (const KickDescription& kick : table.kicks) {
+    double length = 0, turn = 0;
+    constexpr int kicks = 40;
+    for (std::uint64_t seed = 0; seed < kicks; ++seed) {
+      const auto world = worldOf(duelScene({pi / 2, 0, 0}, {1000, 0}), seed);
+      run(*world, standingCommand(), 20);
+      const Vector2d best{kick.x, kick.y};
+      world->placeBall(0, Pose2D{pi / 2, 0, 0} * best);
+      RobotCommand command = standingCommand();
+      command.kick = world->kickOf(kick.motion);
+      ASSERT_GE(command.kick, 0);
+      const int ticks = static_cast<int>(std::lround(kick.strike / tickSeconds));
+      run(*world, command, ticks);
+      EXPECT_EQ(world->ball(0).speed.norm(), 0) << kick.motion << " strikes too early";
+      run(*world, command, 2);
+      const BallState& ball = world->ball(0);
+      EXPECT_EQ(ball.lastToucher, 0);
+      length += ball.speed.squaredNorm() / 500 / kicks;
+      turn +=
+          toDegrees(normalize(angleOf(ball.speed) - pi / 2 - fromDegrees(kick.direction))) / kicks;
+    }
+    EXPECT_NEAR(length, kick.length, 0.15 * kick.length) << kick.motion;
+    EXPECT_NEAR(turn, 0, 5) << kick.motion;
+  }
+  const auto world = worldOf(duelScene({}, {1000, 0}));
+  EXPECT_EQ(world->kickOf("stand"), -1);
+  EXPECT_EQ(world->kickOf(""), -1);
 }
 
 TEST(World, BadCommandsChangeNothing) {

@@ -8,6 +8,7 @@
 #include "modules/behavior/testing/ImaginedWorld.h"
 #include "motionnet/Compiler.h"
 #include "representations/behavior/BehaviorTrace.h"
+#include "streams/Config.h"
 #include "xabsl/formats/Compile.h"
 #include "xabsl/tools/trace/TraceFile.h"
 #include "xabsl/tools/trace/TracePrinter.h"
@@ -15,24 +16,18 @@
 namespace gt {
 namespace {
 
-/// The special actions of a folder by name, and where they play the ball.
+/// The special actions of a folder by name, and what the table of kicks says of them.
 MotionNet kicksIn(const std::string& folder) {
   const motionnet::Rules anyAngle{std::vector<motionnet::JointRule>(
       MotionNet::jointCount, motionnet::JointRule{"joint", -10000, 10000})};
   const auto compilation = motionnet::compileFolder(folder, anyAngle);
   EXPECT_TRUE(compilation) << compilation.errors.front().text();
   MotionNet net;
-  for (const auto& from : compilation.net.motions) {
-    auto& motion = net.motions.emplace_back(MotionNet::Motion{from.name, {}});
-    if (!from.kick) continue;
-    motion.kick.x = from.kick->x;
-    motion.kick.y = from.kick->y;
-    motion.kick.direction = from.kick->direction;
-    for (const auto& [nearest, farthest, rightmost, leftmost, spread] : from.kick->reach)
-      motion.kick.reach.push_back(
-          {1. * nearest, 1. * farthest, 1. * rightmost, 1. * leftmost, 1. * spread});
-  }
+  for (const std::string& name : compilation.net.motions) net.motions.push_back({name, {}});
   net.motions[0].name.clear();
+  KickTable kicks;
+  EXPECT_TRUE(readConfig("config/kicks.cfg", kicks));
+  net.take(kicks);
   return net;
 }
 
@@ -183,7 +178,7 @@ TEST_F(GT2003BehaviorControlTest, GoesBehindTheBallAndKicksIt) {
           << "must not run the ball over";
     }
     EXPECT_TRUE(kicked) << "from angle " << angle;
-    if (motionRequest.specialAction == "chestKick") {
+    if (motionRequest.specialAction == "pushStrong") {
       EXPECT_LT(
           std::abs(normalize(angleOf(Vector2d{2200, 0} - ballOnField) - world.self.pose.rotation)),
           0.4);

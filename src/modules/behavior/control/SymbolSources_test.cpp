@@ -10,7 +10,12 @@ namespace {
 class SymbolSources : public ::testing::Test {
  protected:
   SymbolSources() {
-    KickDescription kick{150, 20, 80, {{120, 180, 0, 40, 30}}};
+    const KickDescription kick{.motion = "headLeft",
+                               .x = 150,
+                               .y = 20,
+                               .direction = 80,
+                               .step = 60,
+                               .places = {{150, 20, 1, 80, 30, 700, 100}}};
     world.motions.motions = {{}, {"stand", {}}, {"headLeft", kick}};
     world.frame.time = world.ball.lastSeen = {1000};
   }

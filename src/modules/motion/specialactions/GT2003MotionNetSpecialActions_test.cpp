@@ -154,27 +154,39 @@ TEST(MotionNetLoader, TheMotionsInTheRepositoryAreRight) {
   EXPECT_GT(net->nodes.size(), 50u);
 }
 
-TEST(MotionNetLoader, NamesMotionsAndKicks) {
+TEST(MotionNetLoader, NamesMotionsAndTakesKicksFromTheTable) {
   const auto compile = [](const std::vector<std::string>& names) {
     std::vector<motionnet::Source> sources;
     for (const auto& name : names)
-      sources.push_back({name + ".mof", "motion_id = " + name +
-                                            "\nkick 150 -20 -80\nreach 100 200 -40 10 30\n"
-                                            "label start\n" +
-                                            data(0, 1, 1) +
+      sources.push_back({name + ".mof", "motion_id = " + name + "\nlabel start\n" + data(0, 1, 1) +
                                             "transition allMotions extern start\n"});
     return motionnet::compile(sources, motionRules());
   };
-  const auto net = motionNetOf(compile({"getup", "myKick", "stand"}).net, "motions");
+  auto net = motionNetOf(compile({"getup", "myKick", "stand"}).net, "motions");
   ASSERT_TRUE(net) << net.error().text();
   EXPECT_EQ(net->find(""), 0);
   EXPECT_EQ(net->find("moonwalk"), -1);
   ASSERT_EQ(net->find("myKick"), 2);
+  EXPECT_FALSE(net->motions[2].isKick());
+  const KickDescription measured{.motion = "myKick",
+                                 .x = 150,
+                                 .y = -20,
+                                 .direction = -80,
+                                 .step = 20,
+                                 .places = {{150, -20, 1, -80, 10, 1000, 100},
+                                            {170, -20, 1, -60, 15, 900, 100},
+                                            {190, -20, 0.5, -80, 5, 900, 100}}};
+  net->take({{measured, {.motion = "moonwalk", .places = {{1, 1, 1, 1, 1, 1, 1}}}}});
+  ASSERT_TRUE(net->motions[2].isKick());
   const KickDescription& kick = net->motions[2].kick;
   EXPECT_EQ(kick.direction, -80);
-  EXPECT_EQ(kick.spreadAt({150, -20}, 0), 30);
-  EXPECT_FALSE(kick.spreadAt({95, -20}, 0));
-  EXPECT_TRUE(kick.spreadAt({95, -20}, 10));
+  EXPECT_EQ(kick.spreadAt({150, -25}, 0), 10);
+  EXPECT_EQ(kick.spreadAt({172, -20}, 0), 25) << "another direction, and the spread";
+  EXPECT_FALSE(kick.spreadAt({195, -20}, 0)) << "hits half of the balls";
+  EXPECT_FALSE(kick.spreadAt({135, -20}, 0));
+  EXPECT_EQ(kick.spreadAt({135, -20}, 10), 10);
+  EXPECT_EQ(kick.at({165, -15})->length, 900);
+  EXPECT_FALSE(kick.at({150, 0}));
   EXPECT_FALSE(net->motions[0].isKick());
   const auto missing = motionNetOf(compile({"stand"}).net, "motions");
   ASSERT_FALSE(missing);

@@ -12,17 +12,6 @@ namespace {
 /// Motions that the modules of the motion ask for themselves.
 constexpr std::string_view needed[] = {standAction, getupAction};
 
-MotionNet::Motion motionOf(const motionnet::NamedMotion& from) {
-  MotionNet::Motion motion{from.name, {}};
-  if (!from.kick) return motion;
-  const auto mm = [](int value) { return static_cast<double>(value); };
-  motion.kick = {mm(from.kick->x), mm(from.kick->y), mm(from.kick->direction), {}};
-  for (const auto& r : from.kick->reach)
-    motion.kick.reach.push_back(
-        {mm(r.nearest), mm(r.farthest), mm(r.rightmost), mm(r.leftmost), mm(r.spread)});
-  return motion;
-}
-
 MotionNet::Node nodeOf(const motionnet::Node& from) {
   MotionNet::Node node;
   node.motion = from.motion;
@@ -71,7 +60,7 @@ Result<MotionNet> motionNetOf(const motionnet::Net& net, const std::string& sour
   // The motors take no gains while they run: lines with gains are left out.
   std::vector<int> place;
   MotionNet result;
-  for (const auto& motion : net.motions) result.motions.push_back(motionOf(motion));
+  for (const std::string& name : net.motions) result.motions.push_back({name, {}});
   result.motions[motionnet::Net::externMotion].name.clear();
   for (const auto name : needed)
     if (result.find(name) < 0)
