@@ -41,7 +41,7 @@ Result<SceneDescription> loadScene(const Job& job, const DataRoot& root, const s
   return scene;
 }
 
-Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root) {
+Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root, std::size_t robots) {
   auto scene = loadScene(job, root);
   if (!scene) return scene;
   const double variety = job.parameters.contains("variety") ? job.number("variety") : 0.1;
@@ -52,7 +52,7 @@ Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root) {
   scene->dynamics = {1 + variety * random.symmetric(), 1 + variety * random.symmetric(),
                      1 + variety * random.symmetric()};
   scene->game.referee = false;
-  scene->robots.resize(1);
+  scene->robots.resize(robots);
   scene->balls.clear();
   return scene;
 }

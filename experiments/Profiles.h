@@ -39,9 +39,9 @@ inline Parameter varietyParameter() {
           Parameter::Kind::number,
           {"0.1"}};
 }
-/// A scene of the root as a job asks for it, with one robot alone and no ball. In the dynamic
+/// A scene of the root as a job asks for it, with so many of its robots and no ball. In the dynamic
 /// fidelity friction, masses and the servos' strength differ from the model's by up to the job's
 /// variety, or a tenth, each seed otherwise.
-Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root);
+Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root, std::size_t robots = 1);
 
 }  // namespace gt

@@ -4,6 +4,7 @@
 #include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
+#include "base/Statistics.h"
 #include "match/Match.h"
 #include "measure/worlds/MovedRobot.h"
 
@@ -17,7 +18,7 @@ class Falls {
 
   void look() {
     for (std::size_t i = 0; i < stands_.size(); ++i) {
-      const bool stands = world_.robot(i).posture == Posture::standing && !liesOnItsNose(i);
+      const bool stands = world_.robot(i).posture == Posture::standing;
       count_ += stands_[i] && !stands;
       stands_[i] = stands;
     }
@@ -25,11 +26,6 @@ class Falls {
   int count() const { return count_; }
 
  private:
-  bool liesOnItsNose(std::size_t i) const {
-    constexpr double lying = 0.6;  // rad
-    return std::abs(world_.robot(i).tilt) > lying;
-  }
-
   const World& world_;
   std::vector<bool> stands_;
   int count_ = 0;
@@ -70,11 +66,14 @@ const std::array<FullWalk, 6> fullWalks{{{"forward", {0, full, 0}, Aim::atLeast(
                                          {"turnLeft", {fullTurn, 0, 0}, Aim::atLeast(120)},
                                          {"turnRight", {-fullTurn, 0, 0}, Aim::atLeast(120)}}};
 
-/// A robot alone on the field.
-Result<std::unique_ptr<MovedRobot>> walker(const Job& job, const DataRoot& root) {
-  const auto scene = dynamicScene(job, root);
+/// A robot on the field, alone or with others that stand still.
+Result<std::unique_ptr<MovedRobot>> walker(const Job& job, const DataRoot& root,
+                                           const std::string& motions = "configured",
+                                           std::size_t robots = 1) {
+  const auto scene = dynamicScene(job, root, robots);
   if (!scene) return scene.error();
-  return MovedRobot::make(root, *scene, job.seed);
+  return MovedRobot::make(root, *scene, job.seed,
+                          motions == "configured" ? root.path("motions") : motions);
 }
 
 Result<Measurement> walkFully(const Job& job, const DataRoot& root) {
@@ -158,9 +157,80 @@ Result<Measurement> wander(const Job& job, const DataRoot& root) {
   return measurement;
 }
 
+/// Lays a robot down, with its legs anywhere, until it rests. One that shall sit sits down.
+void layDown(MovedRobot& robot, Posture posture, Random& random) {
+  if (posture == Posture::sitting) {
+    robot.request.type = MotionType::specialAction;
+    robot.request.specialAction = "sit";
+    robot.run(1.5);
+    return;
+  }
+  const double variety = 0.6 * random.uniform();  // rad
+  for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft})
+    for (int number = 1; number <= 3; ++number) {
+      const Joint joint = legJoint(leg, number);
+      const auto limits = limitsOf(joint);
+      const double angle = robot.body().joints[joint] + variety * random.symmetric();
+      robot.world().turnJoint(0, joint, std::clamp(angle, limits.low, limits.high));
+    }
+  robot.world().throwOver(0, posture);
+  robot.run(0.5);
+}
+
+/// Gets up from where it lies.
+Result<Measurement> getUp(const Job& job, const DataRoot& root) {
+  const bool crowded = job.parameter("beside") == "opponent";
+  auto made = walker(job, root, job.parameter("motions"), crowded ? 2 : 1);
+  if (!made) return made.error();
+  MovedRobot& robot = **made;
+  const auto posture = *enumValue<Posture>(job.parameter("from"));
+  const int attempts = static_cast<int>(job.number("attempts"));
+  Random random = Random{job.seed}.fork("getUp");
+  constexpr double standHeight = 90, level = fromDegrees(20);  // mm, rad
+  constexpr double longest = 8, allowed = 4, stands = 0.3;     // s
+  int up = 0;
+  double meanTime = 0;
+  RunningStatistics lean;
+  for (int i = 0; i < attempts; ++i) {
+    robot.request = {};
+    robot.world().placeRobot(0, {pi * random.symmetric(), 0, 0});
+    robot.run(0.5);
+    layDown(robot, posture, random);
+    if (crowded) {  // somebody stands where its legs will be
+      const double where = pi * random.symmetric();
+      robot.world().placeRobot(
+          1, {pi * random.symmetric(), robot.body().pose.translation + 230 * direction(where)});
+    }
+    robot.request = {};
+    robot.request.type = MotionType::getup;
+    double seconds = 0, upright = 0;
+    while (seconds < longest && upright < stands) {
+      robot.step();
+      seconds += tickSeconds;
+      const RobotBody& body = robot.body();
+      const bool stays = body.posture == Posture::standing && body.height > standHeight &&
+                         std::abs(body.tilt) < level && std::abs(body.roll) < level;
+      upright = stays ? upright + tickSeconds : 0;
+      lean.add(toDegrees(std::acos(std::cos(body.tilt) * std::cos(body.roll))));
+    }
+    seconds -= upright;
+    up += upright >= stands && seconds <= allowed;
+    meanTime += seconds / attempts;
+  }
+  Measurement measurement;
+  const std::string name =
+      "motion.getUp." + job.parameter("from") + (crowded ? ".besideOpponent" : "");
+  measurement.add(name + ".up", "%", 100. * up / attempts, Aim::atLeast(99));
+  measurement.add(name + ".seconds", "s", meanTime);
+  measurement.add(name + ".lean", "deg", lean.mean());
+  return measurement;
+}
+
 }  // namespace
 
 Experiments motionExperiments() {
+  Parameter postures{"from", "how the robot lies at first", Parameter::Kind::each, {}};
+  for (const auto name : enumNames<Posture>) postures.values.emplace_back(name);
   Parameter types{"type", "of the walk", Parameter::Kind::each, {}, true};
   for (const auto name : enumNames<WalkType>) types.values.emplace_back(name);
   Parameter directions{"direction", "in which it walks at full speed", Parameter::Kind::each, {}};
@@ -188,7 +258,19 @@ Experiments motionExperiments() {
              Parameter::Kind::each,
              {"match", "one-robot", "penalty-shoot-out", "ball-challenge", "localization-challenge",
               "obstacle-challenge"}}},
-           stand}};
+           stand},
+          {"motion.getUp",
+           "Whether and how fast robots get up within 4 s, their legs anywhere",
+           {profileParameter(),
+            changeParameter(),
+            fidelityParameter(),
+            varietyParameter(),
+            postures,
+            valuesParameter(),
+            {"beside", "who stands there", Parameter::Kind::each, {"nobody", "opponent"}},
+            {"motions", "folder of motion descriptions", Parameter::Kind::text, {"configured"}},
+            {"attempts", "of each robot", Parameter::Kind::number, {"5"}}},
+           withValues<getUp>}};
 }
 
 }  // namespace gt

@@ -16,7 +16,7 @@ std::vector<std::string> motionNames(const MotionNet& motions) {
   std::vector<std::string> names{"stand", "getup"};
   for (const auto& type : namesOf<WalkType>()) names.push_back(type);
   for (const auto& [name, kick] : motions.motions)
-    if (!name.empty() && name != standAction && name != getupAction) names.push_back(name);
+    if (!name.empty() && name != standAction) names.push_back(name);
   return names;
 }
 

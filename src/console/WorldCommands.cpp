@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "console/Commands.h"
 #include "console/Condition.h"
@@ -74,11 +75,15 @@ Result<void> place(Console& console, const Words& words) {
 
 Result<void> throwOver(Console& console, const Words& words) {
   if (asked(console, words, sceneRobots(console))) return {};
-  const bool right = words.back() == "right";
   const auto robot = sceneRobot(console, words[1]);
   if (!robot) return robot.error();
+  static const std::map<std::string, Posture> postures{{"right", Posture::onRightSide},
+                                                       {"nose", Posture::onNose},
+                                                       {"back", Posture::onBack},
+                                                       {"sitting", Posture::sitting}};
+  const auto wanted = postures.find(words.back());
   console.session().simulation().world().throwOver(
-      *robot, right ? Posture::onRightSide : Posture::onLeftSide);
+      *robot, wanted == postures.end() ? Posture::onLeftSide : wanted->second);
   return {};
 }
 
@@ -132,8 +137,9 @@ std::vector<Command> worldCommands() {
        "? | (headFront | headBack | chin | back | pawFR | pawFL | pawHR | pawHL) [on | off]",
        "Presses a switch of the selected robots until it is off again.", press, nullptr, true},
       {global, "stand", "? | ROBOT", "Puts a robot back on its feet.", standUp, thingNames, true},
-      {global, "throw", "? | ROBOT [left | right]", "Throws a robot on its side.", throwOver,
-       thingNames, true}};
+      {global, "throw", "? | ROBOT [left | right | nose | back | sitting]",
+       "Throws a robot on its side, its nose or its back, or makes it sit.", throwOver, thingNames,
+       true}};
 }
 
 }  // namespace gt

@@ -22,6 +22,7 @@
 #include "representations/modeling/PlayersCollection.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/modeling/RobotState.h"
+#include "representations/motion/GetupEngineOutput.h"
 #include "representations/motion/HeadMotionRequest.h"
 #include "representations/motion/KickTable.h"
 #include "representations/motion/MotionInfo.h"
@@ -50,9 +51,9 @@ using AllRepresentations =
          CeilingCameraPercept, FieldDimensions, FrameInfo, GameControlData, Image, JointData,
          OracledWorldState, Player, RobotCalibration, RobotDimensions, SensorData, SensorDataBuffer,
          BallModel, TeamBallModel, ObstaclesModel, PlayersCollection, RobotPose, RobotState,
-         HeadMotionRequest, KickTable, MotionInfo, MotionNet, OdometryData, SpecialActionsOutput,
-         WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix, CollisionPercept,
-         ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept, PlayersPercept,
-         PsdPercept>;
+         GetupEngineOutput, HeadMotionRequest, KickTable, MotionInfo, MotionNet, OdometryData,
+         SpecialActionsOutput, WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix,
+         CollisionPercept, ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept,
+         PlayersPercept, PsdPercept>;
 
 }  // namespace gt

@@ -63,7 +63,7 @@ class Chaos {
   void step() {
     if (random_.chance(0.02)) {
       const std::size_t robot = random_.index(simulation_.world().robotCount());
-      simulation_.world().throwOver(robot, static_cast<Posture>(random_.index(3)));
+      simulation_.world().throwOver(robot, static_cast<Posture>(random_.index(enumCount<Posture>)));
     }
     if (random_.chance(0.02))
       simulation_.world().placeRobot(

@@ -163,7 +163,7 @@ std::vector<WrongFile> wrongFiles() {
   const std::string scene = "scenes/one-robot.scene", model = "models/ball.xml";
   const std::string layout = "layouts/cmd.layout", logLayout = "layouts/replay.layout";
   const std::string agents = "behavior/GT2003.xabsl", option = "behavior/options/ball/kick.xabsl";
-  const std::string mof = "motions/postures/getup.mof", table = "config/coltable.c64";
+  const std::string mof = "motions/postures/getupFromBelly.mof", table = "config/coltable.c64";
   return {
       {"SceneMissing", scene, missing, play, "simgt: " + scene + ": there is no such file"},
       {"SceneTruncated", scene, truncated(300), play, "simgt: " + scene + ":"},
@@ -195,11 +195,11 @@ std::vector<WrongFile> wrongFiles() {
       {"CheckedBehaviorGarbage", agents, garbage(), checkBehavior, agents + ": "},
 
       {"MotionMissing", "motions/postures/stand.mof", missing, play, "simgt: motions/"},
-      {"MotionTruncated", mof, truncated(184), play, "simgt: " + mof + ": label start: "},
+      {"MotionTruncated", mof, truncated(144), play, "simgt: " + mof + ": label start: "},
       {"MotionGarbage", mof, garbage(), play, "simgt: " + mof + ":1: "},
       {"MotionWrongName", "motions/postures/sit.mof", replaced("scratchHead", "scratchEar"), play,
        "simgt: motions/postures/sit.mof:12: requested: unknown motion"},
-      {"CheckedMotionTruncated", mof, truncated(184), checkMotions,
+      {"CheckedMotionTruncated", mof, truncated(144), checkMotions,
        "motionnet: " + mof + ": label start: "},
       {"CheckedMotionWrongName", mof, replaced("label start", "label begin"), checkMotions,
        "motionnet: " + mof + ": label start: "},

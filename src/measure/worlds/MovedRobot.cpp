@@ -12,6 +12,7 @@ constexpr const char* motionLayout = R"(
 process Motion on SensorDataBuffer
   WalkingEngine
   SpecialActions
+  GetupEngine
   MotionControl
 )";
 
@@ -105,8 +106,7 @@ void MovedRobot::standUp() {
 }
 
 bool MovedRobot::hasFallen() const {
-  constexpr double lying = 0.6;  // rad
-  return body().posture != Posture::standing || std::abs(body().tilt) > lying;
+  return body().posture != Posture::standing;
 }
 
 const MotionInfo& MovedRobot::motion() const {

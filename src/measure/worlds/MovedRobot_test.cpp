@@ -42,6 +42,20 @@ TEST(MovedRobot, DoesWhatIsRequestedInBothFidelities) {
   }
 }
 
+TEST(MovedRobot, GetsUpFromEveryPosture) {
+  const auto robot = moved(Fidelity::dynamic);
+  robot->standUp();
+  robot->request.type = MotionType::getup;
+  for (const Posture posture : {Posture::onLeftSide, Posture::onRightSide, Posture::onNose,
+                                Posture::onBack, Posture::sitting}) {
+    robot->world().throwOver(0, posture);
+    robot->run(6);
+    EXPECT_FALSE(robot->hasFallen()) << enumName(posture);
+    EXPECT_GT(robot->body().height, 90) << enumName(posture);
+    EXPECT_EQ(robot->motion().executed.specialAction, "") << enumName(posture);
+  }
+}
+
 TEST(MovedRobot, TakesParametersAndRefusesWrongOnes) {
   const auto robot = moved(Fidelity::kinematic);
   EXPECT_TRUE(robot->configure("WalkingEngine", "InvKin", "[normal]\nmaxStepSizeX 5"));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "modules/motion/control/DefaultMotionControl.h"
+#include "modules/motion/getup/GravityGetupEngine.h"
 #include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
@@ -13,6 +14,7 @@ namespace gt {
 struct MotionHarness {
   InvKinWalkingEngine walkingEngine;
   GT2003MotionNetSpecialActions specialActions;
+  GravityGetupEngine getupEngine;
   DefaultMotionControl motionControl;
   RobotDimensions robot;
   MotionNet net;
@@ -20,6 +22,8 @@ struct MotionHarness {
   MotionRequest request;
   HeadMotionRequest head;
   WalkingEngineOutput walking;
+  GetupEngineOutput getup;
+  SensorDataBuffer sensors;
   SpecialActionsOutput special;
   JointData joints;
   OdometryData odometry;
@@ -39,7 +43,8 @@ struct MotionHarness {
     const JointData jointsBefore = joints;
     walkingEngine.update(frame, request, robot, {infoBefore}, walking);
     specialActions.update(frame, request, net, {infoBefore}, {jointsBefore}, special, debug);
-    motionControl.update(frame, request, walking, special, head, joints, odometry, info);
+    getupEngine.update(frame, sensors, net, {infoBefore}, {jointsBefore}, getup, debug);
+    motionControl.update(frame, request, walking, special, getup, head, joints, odometry, info);
   }
   void steps(int n) {
     for (int i = 0; i < n; ++i) step();

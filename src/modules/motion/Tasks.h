@@ -3,6 +3,7 @@
 
 #include "representations/behavior/LedRequest.h"
 #include "representations/infrastructure/Joints.h"
+#include "representations/motion/GetupEngineOutput.h"
 #include "representations/motion/HeadMotionRequest.h"
 #include "representations/motion/MotionInfo.h"
 #include "representations/motion/OdometryData.h"
@@ -19,6 +20,10 @@ struct WalkingEngine {
 struct SpecialActions {
   using Outputs = std::tuple<SpecialActionsOutput>;
 };
+/// Brings the robot to a stand from everywhere (report 3.9).
+struct GetupEngine {
+  using Outputs = std::tuple<GetupEngineOutput>;
+};
 struct HeadControl {
   using Outputs = std::tuple<HeadMotionRequest>;
 };
@@ -33,7 +38,7 @@ struct LEDControl {
   using Outputs = std::tuple<LedValue>;
 };
 
-using MotionTasks = std::tuple<WalkingEngine, SpecialActions, HeadControl, MotionControl,
-                               CollisionDetector, LEDControl>;
+using MotionTasks = std::tuple<WalkingEngine, SpecialActions, GetupEngine, HeadControl,
+                               MotionControl, CollisionDetector, LEDControl>;
 
 }  // namespace gt

@@ -16,10 +16,12 @@ enum class WalkType {
   fast  ///< As fast as the legs can, with all feet in the air between two steps.
 };
 
-/// The special actions that are more than the behavior's: to get up is a motion of its own, and who
-/// stands by a special action sees where it looks. All others are known by name only, each from a
-/// `.mof` file in motions/ (report 3.9.2).
-inline constexpr std::string_view getupAction = "getup", standAction = "stand";
+/// The special actions that the motion asks for itself: that in which the robot sees where it
+/// looks, and those that get it up. All others are known by name only, each from a `.mof` file in
+/// motions/ (report 3.9.2).
+inline constexpr std::string_view standAction = "stand", getupFromBelly = "getupFromBelly",
+                                  getupFromSide = "getupFromSide", getupFromBack = "getupFromBack",
+                                  getupFromNose = "getupFromNose";
 
 /// What the tail does meanwhile (report I.5.3: tr).
 enum class TailRequest {

@@ -2,6 +2,7 @@
 #include "modules/motion/control/DefaultCollisionDetector.h"
 #include "modules/motion/control/DefaultLEDControl.h"
 #include "modules/motion/control/DefaultMotionControl.h"
+#include "modules/motion/getup/GravityGetupEngine.h"
 #include "modules/motion/head/GT2003HeadControl.h"
 #include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
@@ -16,6 +17,7 @@ void addMotion(RobotModules& modules) {
   table.add<LEDControl, DefaultLEDControl>("Default");
   table.add<WalkingEngine, InvKinWalkingEngine>("InvKin");
   table.add<SpecialActions, GT2003MotionNetSpecialActions>("GT2003MotionNet");
+  table.add<GetupEngine, GravityGetupEngine>("Gravity");
   table.add<MotionControl, DefaultMotionControl>("Default");
   table.add<CollisionDetector, DefaultCollisionDetector>("Default");
 }

@@ -165,7 +165,7 @@ void SceneTree::addRobot(std::size_t i, const std::string& name) {
         s.world().placeRobot(i, {angle, n[0], n[1]});
       });
   addValue(
-      path + "/posture", "standing, onLeftSide or onRightSide: thrown over, and put back",
+      path + "/posture", "how it lies or stands: thrown over, and put back",
       [=] { return body().posture; },
       [&s, i](Posture posture) { s.world().throwOver(i, posture); });
   add(path + "/height", "mm: the body's origin above the ground",

@@ -20,7 +20,6 @@ constexpr int restTicks = 4;           // for which their legs rest before they 
 constexpr double fastest = 20, widestTurn = 100;  // m/s, rad/s: no body moves faster
 constexpr double fastestRobot = 2;                // m/s: as after a fall from 20 cm
 constexpr double rollingMass = 1.4;  // share of its mass that a rolling ball's inertia feels like
-constexpr double fallen = 0.5;       // cosine of the angle between the body's z and the vertical
 
 // What a geom is, as bits of its contype: one for each robot, since all meet all others.
 constexpr int floorBit = 1, wallBit = 2, ballBit = 4, firstRobotBit = 8;
@@ -284,8 +283,9 @@ void DynamicWorld::putByHand() {
 
 void DynamicWorld::putRobot(std::size_t i) {
   RobotBody& robot = robots_[i];
-  robot.tilt = 0;
-  robot.roll = rollOf(robot.posture);
+  const Lean lean = leanOf(robot.posture);
+  robot.tilt = lean.tilt;
+  robot.roll = lean.roll;
   writeRobot(i);
   updateKinematics();
   robot.height -= 1000 * (lowestPoint(i) + groundGap);
@@ -320,9 +320,7 @@ void DynamicWorld::readRobot(std::size_t i) {
   if (!placed_[i]) robot.walked += (robot.pose.translation - before).norm();
   for (std::size_t j = 0; j < enumCount<Joint>; ++j)
     robot.joints.values[j] = data_->qpos[parts.jointAddress.values[j]];
-  robot.posture = rotation(2, 2) > fallen ? Posture::standing
-                  : rotation(2, 1) > 0    ? Posture::onRightSide
-                                          : Posture::onLeftSide;
+  robot.posture = postureOf(rotation);
   const Vector3d speed = speedOf(i);
   const Vector3d change = placed_[i] ? Vector3d{0, 0, 0} : Vector3d{speed - motors_[i].speed};
   motors_[i].speed = speed;

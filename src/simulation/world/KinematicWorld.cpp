@@ -241,10 +241,12 @@ void KinematicWorld::partRobots() {
 void KinematicWorld::setStance(std::size_t i) {
   RobotBody& robot = robots_[i];
   const RobotParts& parts = parts_[i];
-  robot.roll = rollOf(robot.posture);
+  const Lean lean = leanOf(robot.posture);
+  robot.roll = lean.roll;
   if (robot.posture != Posture::standing) {
-    robot.height = 62;  // the trunk lies on the legs of one side
-    robot.tilt = 0;
+    robot.height =
+        62 + 110 * std::abs(std::sin(lean.tilt));  // the trunk lies on its legs, or leans
+    robot.tilt = lean.tilt;
     robot.footOnGround.fill(false);
   } else {
     std::array<GroundPoint, 5> fore, hind;

@@ -1,6 +1,7 @@
 #include "simulation/world/World.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "representations/infrastructure/RobotDimensions.h"
 #include "simulation/scene/SceneModel.h"
@@ -8,6 +9,34 @@
 #include "simulation/world/KinematicWorld.h"
 
 namespace gt {
+
+Lean leanOf(Posture posture) {
+  switch (posture) {
+    case Posture::onLeftSide:
+      return {0, -pi / 2};
+    case Posture::onRightSide:
+      return {0, pi / 2};
+    case Posture::onNose:
+      return {fromDegrees(-60), 0};
+    case Posture::onBack:
+      return {0, pi};
+    case Posture::sitting:
+      return {fromDegrees(35), 0};
+    default:
+      return {};
+  }
+}
+
+Posture postureOf(const Matrix3d& rotation) {
+  constexpr double lying = 0.5;    // share of the body's z axis that points up, or down
+  constexpr double leaning = 0.6;  // rad, of the body's x axis against the ground
+  const double x = rotation(2, 0), y = rotation(2, 1), z = rotation(2, 2);
+  if (z < -lying) return Posture::onBack;
+  if (std::abs(x) > std::sin(leaning) && std::abs(x) > std::abs(y))
+    return x > 0 ? Posture::sitting : Posture::onNose;
+  if (z > lying) return Posture::standing;
+  return y > 0 ? Posture::onRightSide : Posture::onLeftSide;
+}
 
 Pose3D RobotBody::origin() const {
   Pose3D origin;
@@ -61,8 +90,8 @@ void World::placeBall(std::size_t ball, const Vector2d& position, const Vector2d
   writeBall(ball);
 }
 
-void World::throwOver(std::size_t robot, Posture side) {
-  robots_[robot].posture = side;
+void World::throwOver(std::size_t robot, Posture posture) {
+  robots_[robot].posture = posture;
   placed_[robot] = true;
 }
 

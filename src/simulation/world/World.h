@@ -29,12 +29,16 @@ struct RobotCommand {
 };
 
 /// How a robot lies or stands.
-enum class Posture { standing, onLeftSide, onRightSide };
+enum class Posture { standing, onLeftSide, onRightSide, onNose, onBack, sitting };
 
-/// The roll of a body in a posture: rad, + right side down.
-constexpr double rollOf(Posture posture) {
-  return posture == Posture::standing ? 0 : posture == Posture::onRightSide ? pi / 2 : -pi / 2;
-}
+/// How a body that is put into a posture leans at first.
+struct Lean {
+  double tilt = 0;  ///< rad, + nose up
+  double roll = 0;  ///< rad, + right side down
+};
+Lean leanOf(Posture posture);
+/// How a body lies or stands whose axes point so in the world.
+Posture postureOf(const Matrix3d& rotation);
 
 /// Where a robot truly is, in the field's coordinates.
 struct RobotBody {
@@ -106,8 +110,8 @@ class World {
   /// Puts a ball; it rests, and nobody has touched it, if `forget`.
   void placeBall(std::size_t ball, const Vector2d& position, const Vector2d& speed = {0, 0},
                  bool forget = true);
-  /// Lays a robot on its side; `placeRobot` or `standUp` puts it back on its feet.
-  void throwOver(std::size_t robot, Posture side);
+  /// Puts a robot into another posture; `placeRobot` or `standUp` puts it back on its feet.
+  void throwOver(std::size_t robot, Posture posture);
   void standUp(std::size_t robot);
   /// Puts a joint that belongs to no robot and no ball at coordinates of MuJoCo, at rest.
   void moveJoint(int joint, std::span<const double> coordinates);

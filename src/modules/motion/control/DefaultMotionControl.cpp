@@ -64,6 +64,12 @@ HeadMotionRequest headOf(const JointAngles& angles) {
           angles[Joint::mouth]};
 }
 
+void setAngles(JointAngles& angles, const JointAngles& wanted,
+               const EnumArray<Joint, bool>& dontCare) {
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    if (!dontCare.values[i]) angles.values[i] = wanted.values[i];
+}
+
 /// Angles that the motors can take: within their limits, and with the legs beside the body.
 void keepWithinLimits(JointAngles& angles) {
   for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -80,18 +86,21 @@ void keepWithinLimits(JointAngles& angles) {
 void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& request,
                                   const WalkingEngineOutput& walking,
                                   const SpecialActionsOutput& special,
-                                  const HeadMotionRequest& head, JointData& joints,
-                                  OdometryData& odometry, MotionInfo& info) {
+                                  const GetupEngineOutput& getup, const HeadMotionRequest& head,
+                                  JointData& joints, OdometryData& odometry, MotionInfo& info) {
   const MotionRequest& wanted = request.validAt(frame.time);
-  choose(wanted, walking, special);
+  choose(moverFor(wanted), mover_ == Mover::walkingEngine    ? walking.mayLeave
+                           : mover_ == Mover::specialActions ? special.mayLeave
+                                                             : getup.mayLeave);
 
   JointAngles target = angles_;
   setHead(target, head);
   Pose2D step;
-  if (special_) {
-    for (std::size_t i = 0; i < target.size(); ++i)
-      if (!special.dontCare.values[i]) target.values[i] = special.joints.angles.values[i];
+  if (mover_ == Mover::specialActions) {
+    setAngles(target, special.joints.angles, special.dontCare);
     step = special.odometryStep;
+  } else if (mover_ == Mover::getupEngine) {
+    setAngles(target, getup.joints.angles, getup.dontCare);
   } else {
     for (const auto leg : legs) setLeg(target, leg, legOf(walking.joints.angles, leg));
     if (walking.holdsHead) setHead(target, headOf(walking.joints.angles));
@@ -104,16 +113,19 @@ void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& r
 
   joints.angles = angles_;
   odometry.pose = odometry_;
-  report(wanted, walking, special, info);
+  report(wanted, walking, special, getup, info);
 }
 
-void DefaultMotionControl::choose(const MotionRequest& wanted, const WalkingEngineOutput& walking,
-                                  const SpecialActionsOutput& special) {
-  const bool wantsSpecial = !specialActionOf(wanted).empty();
-  const bool mayLeave = special_ ? special.mayLeave : walking.mayLeave;
-  if (wantsSpecial == special_ || !mayLeave) return;
-  special_ = wantsSpecial;
-  changing_ = !special_;  // special actions come from where the joints are by themselves
+DefaultMotionControl::Mover DefaultMotionControl::moverFor(const MotionRequest& wanted) {
+  if (wanted.type == MotionType::getup) return Mover::getupEngine;
+  return specialActionOf(wanted).empty() ? Mover::walkingEngine : Mover::specialActions;
+}
+
+void DefaultMotionControl::choose(Mover wanted, bool mayLeave) {
+  if (wanted == mover_ || !mayLeave) return;
+  mover_ = wanted;
+  // Special actions come from where the joints are by themselves.
+  changing_ = mover_ == Mover::walkingEngine;
 }
 
 void DefaultMotionControl::protect(const JointAngles& target) {
@@ -140,15 +152,19 @@ void DefaultMotionControl::protect(const JointAngles& target) {
 }
 
 void DefaultMotionControl::report(const MotionRequest& wanted, const WalkingEngineOutput& walking,
-                                  const SpecialActionsOutput& special, MotionInfo& info) const {
+                                  const SpecialActionsOutput& special,
+                                  const GetupEngineOutput& getup, MotionInfo& info) const {
   static const MotionRequest nothing;
   info.executed = nothing;
-  if (special_) {
+  if (mover_ == Mover::specialActions) {
     // In the first frame there is no action yet: the net begins with the next one.
-    const auto& action = special.action;
-    info.executed.type = action == getupAction ? MotionType::getup : MotionType::specialAction;
-    info.executed.specialAction = action;
-    info.stable = action == standAction;
+    info.executed.type = MotionType::specialAction;
+    info.executed.specialAction = special.action;
+    info.stable = special.action == standAction;
+  } else if (mover_ == Mover::getupEngine) {
+    info.executed.type = MotionType::getup;
+    info.executed.specialAction = getup.action;
+    info.stable = false;
   } else {
     const bool stands = wanted.type != MotionType::walk && walking.speed.rotation == 0 &&
                         walking.speed.translation == Vector2d::Zero();

@@ -35,18 +35,23 @@ class DefaultMotionControl {
   /// is one to stand.
   void update(const FrameInfo& frame, const MotionRequest& request,
               const WalkingEngineOutput& walking, const SpecialActionsOutput& special,
-              const HeadMotionRequest& head, JointData& joints, OdometryData& odometry,
-              MotionInfo& info);
+              const GetupEngineOutput& getup, const HeadMotionRequest& head, JointData& joints,
+              OdometryData& odometry, MotionInfo& info);
 
  private:
-  void choose(const MotionRequest& wanted, const WalkingEngineOutput& walking,
-              const SpecialActionsOutput& special);
+  /// Who moves the legs.
+  enum class Mover { walkingEngine, specialActions, getupEngine };
+
+  static Mover moverFor(const MotionRequest& wanted);
+  /// Lets another one move the robot as soon as the present one may be left.
+  void choose(Mover wanted, bool mayLeave);
   /// Brings the angles as near to the target as the joints' speeds allow.
   void protect(const JointAngles& target);
   void report(const MotionRequest& wanted, const WalkingEngineOutput& walking,
-              const SpecialActionsOutput& special, MotionInfo& info) const;
+              const SpecialActionsOutput& special, const GetupEngineOutput& getup,
+              MotionInfo& info) const;
 
-  bool special_ = false;
+  Mover mover_ = Mover::walkingEngine;
   bool changing_ = true;  ///< The legs are still on their way to where the walk has them.
   int settling_ = 12;     ///< Frames for which it then rests, once it was switched on.
   JointAngles angles_;

@@ -100,8 +100,12 @@ TEST(DefaultMotionControl, JointsStayWithinLimitsWhateverIsRequested) {
         motion.request.type = static_cast<MotionType>(random.index(enumCount<MotionType>));
         motion.request.walk = {random.uniform(-9, 9), random.uniform(-900, 900),
                                random.uniform(-900, 900)};
-        motion.request.specialAction =
-            motion.net.motions[random.index(motion.net.motions.size())].name;
+        // What gets up from the back ends on a side: nothing but the getup engine goes on from
+        // there.
+        do
+          motion.request.specialAction =
+              motion.net.motions[random.index(motion.net.motions.size())].name;
+        while (motion.request.specialAction == getupFromBack);
         motion.head = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3),
                        random.uniform(-3, 3)};
       }
@@ -111,8 +115,11 @@ TEST(DefaultMotionControl, JointsStayWithinLimitsWhateverIsRequested) {
         const auto limits = limitsOf(static_cast<Joint>(j));
         const double angle = motion.joints.angles.values[j];
         ASSERT_TRUE(angle >= limits.low && angle <= limits.high) << enumName(static_cast<Joint>(j));
-        const double factor = j < 3 ? 1.01 : 5.5;  // head; walks and kicks hurry the legs
-        if (static_cast<Joint>(j) != Joint::mouth) {
+        // Walks hurry the legs; special actions may ask for more than servos can.
+        const bool walks = motion.info.executed.type == MotionType::walk ||
+                           motion.info.executed.type == MotionType::stand;
+        const double factor = j < 3 ? 1.01 : 3.2;
+        if (static_cast<Joint>(j) != Joint::mouth && (walks || j < 3)) {
           ASSERT_LE(std::abs(angle - before.values[j]), factor * limits.speed * 0.008)
               << enumName(static_cast<Joint>(j)) << " in frame " << i;
         }

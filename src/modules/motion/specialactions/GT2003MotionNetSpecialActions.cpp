@@ -14,7 +14,6 @@ bool contains(const MotionNet& net, int node) {
 }  // namespace
 
 std::string_view specialActionOf(const MotionRequest& request) {
-  if (request.type == MotionType::getup) return getupAction;
   return request.type == MotionType::specialAction ? std::string_view{request.specialAction}
                                                    : std::string_view{};
 }
@@ -23,8 +22,7 @@ void GT2003MotionNetSpecialActions::update(const FrameInfo& frame, const MotionR
                                            const MotionNet& net, Previous<MotionInfo> motion,
                                            Previous<JointData> joints, SpecialActionsOutput& output,
                                            Debug& debug) {
-  const auto executed = motion->executed.type;
-  const bool active = executed == MotionType::specialAction || executed == MotionType::getup;
+  const bool active = motion->executed.type == MotionType::specialAction;
   if (!active || !contains(net, node_)) node_ = -1;  // a net put in for another may be shorter
   const int requested = requestedMotion(net, specialActionOf(request.validAt(frame.time)), debug);
   if (active && (node_ < 0 || framesLeft_ == 0)) advance(net, requested, joints->angles);

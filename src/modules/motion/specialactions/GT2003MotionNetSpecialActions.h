@@ -13,8 +13,7 @@
 
 namespace gt {
 
-/// The special action that a motion request asks for; empty if it asks for another motion. To get
-/// up is a special action, too.
+/// The special action that a motion request asks for; empty if it asks for another motion.
 std::string_view specialActionOf(const MotionRequest& request);
 
 /// Solution *GT2003MotionNet* of SpecialActions: walks through the motion net, from one data node

@@ -27,7 +27,8 @@ struct Actions {
   Actions() {
     const std::string begin = "\nlabel start\n", end = "transition allMotions extern start\n";
     std::vector<motionnet::Source> sources;
-    for (const std::string id : {"stand", "getup", "chestKick"}) {
+    for (const std::string id : {"stand", "getupFromBelly", "getupFromSide", "getupFromBack",
+                                 "getupFromNose", "chestKick"}) {
       std::string body = data(100, 1, 2) + end;
       if (id == "stand")
         body = data(-500, 1, 5) + "label hold\n" + data(-400, 0, 1) +
@@ -162,12 +163,15 @@ TEST(MotionNetLoader, NamesMotionsAndTakesKicksFromTheTable) {
                                             "transition allMotions extern start\n"});
     return motionnet::compile(sources, motionRules());
   };
-  auto net = motionNetOf(compile({"getup", "myKick", "stand"}).net, "motions");
+  auto net = motionNetOf(compile({"getupFromBack", "getupFromBelly", "getupFromNose",
+                                  "getupFromSide", "myKick", "stand"})
+                             .net,
+                         "motions");
   ASSERT_TRUE(net) << net.error().text();
   EXPECT_EQ(net->find(""), 0);
   EXPECT_EQ(net->find("moonwalk"), -1);
-  ASSERT_EQ(net->find("myKick"), 2);
-  EXPECT_FALSE(net->motions[2].isKick());
+  ASSERT_EQ(net->find("myKick"), 5);
+  EXPECT_FALSE(net->motions[5].isKick());
   const KickDescription measured{.motion = "myKick",
                                  .x = 150,
                                  .y = -20,
@@ -177,8 +181,8 @@ TEST(MotionNetLoader, NamesMotionsAndTakesKicksFromTheTable) {
                                             {170, -20, 1, -60, 15, 900, 100},
                                             {190, -20, 0.5, -80, 5, 900, 100}}};
   net->take({{measured, {.motion = "moonwalk", .places = {{1, 1, 1, 1, 1, 1, 1}}}}});
-  ASSERT_TRUE(net->motions[2].isKick());
-  const KickDescription& kick = net->motions[2].kick;
+  ASSERT_TRUE(net->motions[5].isKick());
+  const KickDescription& kick = net->motions[5].kick;
   EXPECT_EQ(kick.direction, -80);
   EXPECT_EQ(kick.spreadAt({150, -25}, 0), 10);
   EXPECT_EQ(kick.spreadAt({172, -20}, 0), 25) << "another direction, and the spread";
@@ -190,7 +194,7 @@ TEST(MotionNetLoader, NamesMotionsAndTakesKicksFromTheTable) {
   EXPECT_FALSE(net->motions[0].isKick());
   const auto missing = motionNetOf(compile({"stand"}).net, "motions");
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().field, "getup");
+  EXPECT_EQ(missing.error().field, "getupFromBelly");
   EXPECT_EQ(loadMotionNet("no/such/folder").error().file, "no/such/folder");
 }
 

@@ -10,7 +10,8 @@ namespace gt {
 namespace {
 
 /// Motions that the modules of the motion ask for themselves.
-constexpr std::string_view needed[] = {standAction, getupAction};
+constexpr std::string_view needed[] = {standAction, getupFromBelly, getupFromSide, getupFromBack,
+                                       getupFromNose};
 
 MotionNet::Node nodeOf(const motionnet::Node& from) {
   MotionNet::Node node;

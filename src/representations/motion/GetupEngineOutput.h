@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+
+#include "representations/infrastructure/Joints.h"
+
+namespace gt {
+
+/// What the robot does to get up, in this frame (report 3.9). Provided by the GetupEngine.
+struct GetupEngineOutput {
+  JointData joints;
+  EnumArray<Joint, bool> dontCare;
+  bool mayLeave = true;
+  std::string action;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("joints", &GetupEngineOutput::joints),
+        field("dontCare", &GetupEngineOutput::dontCare, "", "joints left to other requests"),
+        field("mayLeave", &GetupEngineOutput::mayLeave, "", "no action is being performed"),
+        field("action", &GetupEngineOutput::action, "",
+              "the special action that gets it up from where it lies; empty if it is up")};
+  }
+};
+
+}  // namespace gt
