@@ -14,13 +14,19 @@
 namespace gt::python {
 namespace {
 
+/// What an error quotes may be no UTF-8.
+nanobind::str textOf(const std::string& bytes) {
+  return nanobind::steal<nanobind::str>(PyUnicode_DecodeUTF8(
+      bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "backslashreplace"));
+}
+
 void raise(const std::exception_ptr& thrown, void*) {
   try {
     std::rethrow_exception(thrown);
   } catch (const Failure& failure) {
     const Error& e = failure.error;
     const nanobind::object type = nanobind::module_::import_("gt2003._error").attr("Error");
-    const nanobind::object error = type(e.what, e.file, e.line, e.field);
+    const nanobind::object error = type(textOf(e.what), textOf(e.file), e.line, textOf(e.field));
     PyErr_SetObject(type.ptr(), error.ptr());
   }
 }

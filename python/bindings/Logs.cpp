@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <type_traits>
 
 #include "Failure.h"
 #include "Types.h"
@@ -77,21 +78,24 @@ class LogFile {
   nb::list channels() const {
     nb::list all;
     for (const McapChannel& channel : reader_.channels())
-      all.append(nb::make_tuple(channel.topic, channel.schemaName, channel.messageCount));
+      all.append(named(
+          [&] { return nb::make_tuple(channel.topic, channel.schemaName, channel.messageCount); }));
     return all;
   }
 
   nb::dict metadata() const {
     nb::dict all;
     for (const McapReader::Metadata& metadata : reader_.metadata())
-      all[metadata.name.c_str()] = metadata.entries;
+      named([&] { all[metadata.name.c_str()] = metadata.entries; });
     return all;
   }
 
   nb::dict attachments() const {
     nb::dict all;
     for (const McapReader::Attachment& attachment : reader_.attachments())
-      all[attachment.name.c_str()] = nb::bytes(attachment.data.data(), attachment.data.size());
+      named([&] {
+        all[attachment.name.c_str()] = nb::bytes(attachment.data.data(), attachment.data.size());
+      });
     return all;
   }
 
@@ -104,13 +108,14 @@ class LogFile {
     }
     nb::dict all;
     for (auto& [topic, table] : tables) {
-      const nb::dict row = describe(table.rows->row());
+      const nb::dict row = named([&] { return describe(table.rows->row()); });
       auto [rows, pools] = std::move(*table.rows).release();
       nb::list asArrays;
       for (RecordedTable::Pool& pool : pools)
         asArrays.append(arrayOf<std::uint8_t>(std::move(pool)));
-      all[topic.c_str()] = nb::make_tuple(row, arrayOf<std::uint8_t>(std::move(rows)), asArrays,
-                                          arrayOf<std::int64_t>(std::move(table.times)));
+      const nb::str name = named([&] { return nb::str{topic.c_str()}; });
+      all[name] = nb::make_tuple(row, arrayOf<std::uint8_t>(std::move(rows)), asArrays,
+                                 arrayOf<std::int64_t>(std::move(table.times)));
     }
     return all;
   }
@@ -136,6 +141,17 @@ class LogFile {
   }
 
  private:
+  /// What makes Python's texts of the log's: those of a broken log may be none.
+  template <typename Make>
+  std::invoke_result_t<Make> named(Make&& make) const {
+    try {
+      return make();
+    } catch (nb::python_error& error) {
+      if (!error.matches(PyExc_UnicodeDecodeError)) throw;
+      throw Failure{Error{.file = path_, .what = "a name in it is not UTF-8"}};
+    }
+  }
+
   struct Table {
     const McapChannel* first = nullptr;
     std::unique_ptr<RecordedTable> rows;

@@ -167,11 +167,14 @@ def test_xabsl_engines_that_know_their_owner_are_freed() -> None:
 def test_motions_are_those_of_the_robots() -> None:
     net = motions.compile().checked()
     all_names = motions.names(net)
-    assert "chestKick" in all_names and "getup" in all_names
+    assert "chestKick" in all_names and "getupFromSide" in all_names
     told = subprocess.run([BUILD / "bin/motionnet", "list"], cwd=ROOT, capture_output=True, text=True)
     assert told.returncode == 0 and motions.listing(net) == told.stdout
     match = gt2003.Match()
-    assert match.robots["red1"].get("MotionNet") == net
+    robots_net = match.robots["red1"].get("MotionNet")
+    assert robots_net.nodes == net.nodes and robots_net.entry == net.entry
+    assert [motion.name for motion in robots_net.motions] == [motion.name for motion in net.motions]
+    assert any(len(motion.kick.places) for motion in robots_net.motions)  # of the table of kicks
 
 
 def test_motions_play_as_on_a_robot() -> None:
@@ -183,7 +186,7 @@ def test_motions_play_as_on_a_robot() -> None:
     assert not motions.play(net, "chestKick", seconds=0.1).complete
     for name in motions.names(net):
         assert len(motions.play(net, name, seconds=0.5).joints) > 0
-    for motion, seconds, message in (("fly", 1, "no motion fly"), ("getup", -1, "seconds")):
+    for motion, seconds, message in (("fly", 1, "no motion fly"), ("sit", -1, "seconds")):
         with pytest.raises(gt2003.Error, match=message):
             motions.play(net, motion, seconds=seconds)
 
