@@ -107,13 +107,14 @@ class LogFile {
       readTables(topics, tables);
     }
     nb::dict all;
-    for (auto& [topic, table] : tables) {
+    for (auto& entry : tables) {  // a structured binding is not captured by clang 14
+      Table& table = entry.second;
       const nb::dict row = named([&] { return describe(table.rows->row()); });
       auto [rows, pools] = std::move(*table.rows).release();
       nb::list asArrays;
       for (RecordedTable::Pool& pool : pools)
         asArrays.append(arrayOf<std::uint8_t>(std::move(pool)));
-      const nb::str name = named([&] { return nb::str{topic.c_str()}; });
+      const nb::str name = named([&] { return nb::str{entry.first.c_str()}; });
       all[name] = nb::make_tuple(row, arrayOf<std::uint8_t>(std::move(rows)), asArrays,
                                  arrayOf<std::int64_t>(std::move(table.times)));
     }

@@ -207,7 +207,7 @@ TEST_F(MatchTest, TeamsPlayWithFilesOfTheirOwn) {
 }
 
 TEST_F(MatchTest, WrongFilesAreToldInOneLine) {
-  const auto errorOf = [](MatchOptions options) {
+  const auto errorOf = [](const MatchOptions& options) {
     const auto match = Match::make(options);
     return match ? std::string{"no error"} : match.error().text();
   };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include "representations/infrastructure/RobotDimensions.h"
 
@@ -156,8 +155,8 @@ void DynamicWorld::prepareContacts() {
 void DynamicWorld::lookAround() {
   // MuJoCo tests each geom against each other that its bits allow, so they allow only what is near.
   // It also sorts all bodies that could touch any other, so walls are solid only if one is near.
-  bool wallIsNear = std::ranges::any_of(std::views::iota(std::size_t{0}, balls_.size()),
-                                        [&](std::size_t b) { return nearWall(b); });
+  bool wallIsNear = false;
+  for (std::size_t b = 0; b < balls_.size(); ++b) wallIsNear |= nearWall(b);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Vector2d& center = robots_[i].pose.translation;
     const double reach = parts_[i].reach;
