@@ -104,17 +104,27 @@ Result<void> hcm(Console& console, const Words& words) {
     return Error{.field = words[1],
                  .what = "there is no such head control mode; try hcm ?" +
                          suggestion(words[1], namesOf<HeadMode>())};
-  Vector3d point = Vector3d::Zero();
-  if (words.size() != (*mode == HeadMode::lookAtPoint ? 5u : 2u)) return wrongArguments(words);
-  for (std::size_t i = 2; i < words.size(); ++i) {
-    const auto number = numberOf(words[i], -1e5, 1e5);
+  const bool atPoint = *mode == HeadMode::lookAtPoint, scan = *mode == HeadMode::scanLeftRight;
+  const std::size_t numbers = words.size() - 2;
+  if (atPoint ? numbers != 3 && numbers != 5 : numbers != 0 && !(scan && numbers == 2))
+    return wrongArguments(words);
+  double values[5];
+  for (std::size_t i = 0; i < numbers; ++i) {
+    const auto number = numberOf(words[i + 2], -1e5, 1e5);
     if (!number) return number.error();
-    point[static_cast<Eigen::Index>(i - 2)] = *number;
+    values[i] = *number;
+  }
+  HeadControlMode wanted{*mode};
+  if (atPoint) wanted.point = {values[0], values[1], values[2]};
+  if (atPoint && numbers == 5) wanted.pixel = {values[3], values[4]};
+  if (scan && numbers == 2) {
+    wanted.scanTilt = fromDegrees(values[0]);
+    wanted.scanRange = fromDegrees(values[1]);
   }
   return console.forEachRobot([&](ConsoleRobot& robot) {
     warnIfDecided(console, robot);
     robot.headMode = *mode;
-    return robot.observed().send(HeadControlMode{*mode, point});
+    return robot.observed().send(wanted);
   });
 }
 
@@ -156,9 +166,10 @@ std::vector<std::string> oneOf(Console&, const Words& before) {
 std::vector<Command> motionCommands() {
   constexpr auto kind = Command::Kind::robot;
   return {
-      {kind, "hcm", "? | lookAtPoint X Y Z | MODE",
+      {kind, "hcm", "? | lookAtPoint X Y Z [PIXEL_X PIXEL_Y] | scanLeftRight [TILT RANGE] | MODE",
        "Sets the head control mode, while no BehaviorControl is active. The point to look at is "
-       "relative to the robot, in mm.",
+       "relative to the robot, in mm, and appears at that pixel, by default in the middle of the "
+       "image. A scan keeps the tilt and turns by the range to each side, in degrees.",
        hcm, oneOf<namesOf<HeadMode>>, true},
       {kind, "hmr", "TILT PAN ROLL MOUTH",
        "Sets the head's joints, in degrees; works in the head control mode none.", hmr, nullptr,

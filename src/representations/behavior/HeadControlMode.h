@@ -1,6 +1,7 @@
 #pragma once
 #include "base/Enum.h"
 #include "base/Geometry.h"
+#include "representations/infrastructure/CameraInfo.h"
 #include "streams/Reflection.h"
 
 namespace gt {
@@ -14,18 +15,29 @@ enum class HeadMode {
   searchAuto,
   lookStraightAhead,
   lookLeft,
-  lookRight
+  lookRight,
+  scanLeftRight,
+  stayAsForced
 };
 
 /// Where the head shall look. Provided by BehaviorControl.
 struct HeadControlMode {
   HeadMode mode = HeadMode::none;
   Vector3d point = Vector3d::Zero();
+  Vector2d pixel{CameraInfo{}.centerX, CameraInfo{}.centerY};
+  double scanTilt = -0.3;
+  double scanRange = 1.45;
 
   static constexpr auto fields() {
     return Fields{
         field("mode", &HeadControlMode::mode),
-        field("point", &HeadControlMode::point, "mm", "for lookAtPoint, in the robot's system")};
+        field("point", &HeadControlMode::point, "mm", "for lookAtPoint, in the robot's system"),
+        field("pixel", &HeadControlMode::pixel, "pixel",
+              "for lookAtPoint: where the point shall appear in the image"),
+        field("scanTilt", &HeadControlMode::scanTilt, "rad",
+              "for scanLeftRight: angle of the tilt joint, which is kept", {-1.5, 0.8}),
+        field("scanRange", &HeadControlMode::scanRange, "rad",
+              "for scanLeftRight: how far the head turns to each side", {0, 1.6})};
   }
 };
 

@@ -102,6 +102,31 @@ TEST_F(GT2003BehaviorControlTest, KeepsItsBehaviorWhereANewOneDoesNotLink) {
   EXPECT_EQ(motionRequest.type, MotionType::getup);
 }
 
+TEST_F(GT2003BehaviorControlTest, SaysHowTheHeadLooksAndScans) {
+  BehaviorControlRequest request;
+  const auto decide = [&] {
+    cycle();
+    control.update(world.state(), *behavior, request, motionRequest, headControlMode, ledRequest,
+                   message, debug);
+    return headControlMode;
+  };
+  request.outputs = {{"head_control_mode", "look_at_point"}, {"head.point.x", "700"}};
+  EXPECT_EQ(decide().pixel, (Vector2d{88, 72})) << "the middle, unless a behavior says otherwise";
+  EXPECT_EQ(headControlMode.point.x(), 700);
+  request.outputs.push_back({"head.pixel.x", "20"});
+  request.outputs.push_back({"head.pixel.y", "130"});
+  EXPECT_EQ(decide().pixel, (Vector2d{20, 130}));
+  request.outputs = {{"head_control_mode", "scan_left_right"},
+                     {"head.scan.tilt", "-30"},
+                     {"head.scan.range", "45"}};
+  EXPECT_EQ(decide().mode, HeadMode::scanLeftRight);
+  EXPECT_NEAR(headControlMode.scanTilt, fromDegrees(-30), 1e-9);
+  EXPECT_NEAR(headControlMode.scanRange, fromDegrees(45), 1e-9);
+  request.outputs = {{"head_control_mode", "stay_as_forced"}};
+  EXPECT_EQ(decide().mode, HeadMode::stayAsForced);
+  EXPECT_EQ(headControlMode.scanRange, HeadControlMode{}.scanRange);
+}
+
 TEST_F(GT2003BehaviorControlTest, TellsWhatItDecidedWhileTheKeyIsActive) {
   const auto traced = [&] {
     std::string text;

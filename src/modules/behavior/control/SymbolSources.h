@@ -68,6 +68,10 @@ struct SoccerOutputs final : soccer::Outputs {
   void setHeadPointX(double x) override { head.point.x() = x; }
   void setHeadPointY(double y) override { head.point.y() = y; }
   void setHeadPointZ(double z) override { head.point.z() = z; }
+  void setHeadPixelX(double x) override { head.pixel.x() = x; }
+  void setHeadPixelY(double y) override { head.pixel.y() = y; }
+  void setHeadScanTilt(double tilt) override { head.scanTilt = fromDegrees(tilt); }
+  void setHeadScanRange(double range) override { head.scanRange = fromDegrees(range); }
   void setLedLowerLeft(LedMode mode) override { leds.modes[Led::lowerLeft] = mode; }
   void setLedUpperLeft(LedMode mode) override { leds.modes[Led::upperLeft] = mode; }
   void setLedLowerRight(LedMode mode) override { leds.modes[Led::lowerRight] = mode; }

@@ -11,10 +11,9 @@ namespace {
 constexpr double ballRadius = 43;
 constexpr double widestPan = 1.45;
 
-/// Straight through the middle of the image.
-HeadAngles lookAtPoint(const RobotDimensions& robot, const Pose3D& body, const Vector3d& point) {
-  const CameraInfo camera;
-  return lookAt(robot, body, point, camera, {camera.centerX, camera.centerY});
+/// A measured angle, or what was requested if the joint was not turned away from that.
+double forced(double requested, double measured, double tolerance) {
+  return std::clamp(requested, measured - tolerance, measured + tolerance);
 }
 
 }  // namespace
@@ -26,13 +25,14 @@ void GT2003HeadControl::update(const HeadControlMode& mode, const BallModel& bal
   const auto& joints = sensors.newest().joints;
   const auto posture = bodyPosture(robot, calibration, joints);
   const auto body = bodyPose(posture);
+  const CameraInfo camera;
   const Vector3d ballPoint{ball.position.x(), ball.position.y(), ballRadius};
   const Situation situation{
       ball,
       frame.time,
       body,
       posture.tilt,
-      lookAtPoint(robot, body, ballPoint),
+      lookAt(robot, body, ballPoint, camera, {camera.centerX, camera.centerY}),
       {joints[Joint::headTilt], joints[Joint::headPan], joints[Joint::headRoll]}};
   const double ahead = parameters.aheadTilt - posture.tilt;
   switch (mode.mode) {
@@ -40,9 +40,14 @@ void GT2003HeadControl::update(const HeadControlMode& mode, const BallModel& bal
       enter(State::idle, frame.time);
       head_ = {request.tilt, request.pan, request.roll};
       return;
+    case HeadMode::stayAsForced:
+      enter(State::idle, frame.time);
+      stayAsForced(joints, request);
+      head_ = {request.tilt, request.pan, request.roll};
+      return;
     case HeadMode::lookAtPoint:
       enter(State::idle, frame.time);
-      head_ = lookAtPoint(robot, body, mode.point);
+      head_ = lookAt(robot, body, mode.point, camera, mode.pixel);
       break;
     case HeadMode::lookStraightAhead:
     case HeadMode::lookLeft:
@@ -54,6 +59,9 @@ void GT2003HeadControl::update(const HeadControlMode& mode, const BallModel& bal
       break;
     case HeadMode::searchForLandmarks:
       head_ = searchForLandmarks(situation);
+      break;
+    case HeadMode::scanLeftRight:
+      head_ = scanLeftRight(mode, situation);
       break;
     case HeadMode::searchForBall:
     case HeadMode::searchAuto:
@@ -117,6 +125,35 @@ HeadAngles GT2003HeadControl::searchForLandmarks(const Situation& s) {
   if (state_ != State::searchForLandmarks || path_.finished()) planLandmarkSearch(s);
   enter(State::searchForLandmarks, s.now);
   return path_.next();
+}
+
+HeadAngles GT2003HeadControl::scanLeftRight(const HeadControlMode& mode, const Situation& s) {
+  const bool begins =
+      state_ != State::scanLeftRight || mode.scanTilt != scanTilt_ || mode.scanRange != scanRange_;
+  if (begins || path_.finished()) {
+    scanTilt_ = mode.scanTilt;
+    scanRange_ = mode.scanRange;
+    scanLeft_ = begins ? s.measured.pan > 0 : !scanLeft_;
+    // The tilt is reached first and kept from there on (report 4.2.2).
+    const HeadAngles start = begins ? s.measured : head_;
+    const HeadAngles turned{scanTilt_, start.pan, 0},
+        end{scanTilt_, scanLeft_ ? scanRange_ : -scanRange_, 0};
+    const double way = std::abs(scanTilt_ - start.tilt) + std::abs(end.pan - start.pan);  // rad
+    path_.plan(start, {turned, end}, 1000 * way / parameters.scanSpeed);
+  }
+  enter(State::scanLeftRight, s.now);
+  return path_.next();
+}
+
+/// Controls the joints with feedback from the sensors: whoever turns the head leaves it there
+/// (report J.5.4).
+void GT2003HeadControl::stayAsForced(const JointAngles& measured,
+                                     HeadMotionRequest& request) const {
+  const double tolerance = parameters.forcedTolerance;
+  request = {forced(request.tilt, measured[Joint::headTilt], tolerance),
+             forced(request.pan, measured[Joint::headPan], tolerance),
+             forced(request.roll, measured[Joint::headRoll], tolerance),
+             forced(request.mouth, measured[Joint::mouth], tolerance)};
 }
 
 void GT2003HeadControl::planScanBesideBall(const Situation& s) {

@@ -25,6 +25,8 @@ class GT2003HeadControl {
     int landmarkSearchTime = 4000;
     double horizonTilt = -0.05;
     double aheadTilt = -0.2;
+    double scanSpeed = 2;
+    double forcedTolerance = 0.05;
 
     static constexpr auto fields() {
       using P = Parameters;
@@ -45,7 +47,11 @@ class GT2003HeadControl {
                 "tilt of the camera over ground when landmarks are looked for", {-0.5, 0.5}),
           field("aheadTilt", &P::aheadTilt, "rad",
                 "tilt of the camera when looking straight ahead: balls from 300 mm on are seen",
-                {-1, 0.5})};
+                {-1, 0.5}),
+          field("scanSpeed", &P::scanSpeed, "rad/s", "scan-left-right: speed of the pan joint",
+                {0.1, 3}),
+          field("forcedTolerance", &P::forcedTolerance, "rad",
+                "stay-as-forced: by how much a joint must be turned to stay there", {0, 0.5})};
     }
   };
   Parameters parameters;
@@ -57,7 +63,14 @@ class GT2003HeadControl {
               const FrameInfo& frame, HeadMotionRequest& request);
 
  private:
-  enum class State { idle, lookAtBall, scanBesideBall, searchForBall, searchForLandmarks };
+  enum class State {
+    idle,
+    lookAtBall,
+    scanBesideBall,
+    searchForBall,
+    searchForLandmarks,
+    scanLeftRight
+  };
 
   /// What the states need to know in a frame.
   struct Situation {
@@ -72,6 +85,8 @@ class GT2003HeadControl {
   HeadAngles lookForBall(const Situation& situation, bool scanBesides);
   HeadAngles searchForBall(const Situation& situation);
   HeadAngles searchForLandmarks(const Situation& situation);
+  HeadAngles scanLeftRight(const HeadControlMode& mode, const Situation& situation);
+  void stayAsForced(const JointAngles& measured, HeadMotionRequest& request) const;
   HeadAngles lookAtBall(const Situation& situation, bool scanBesides);
   void enter(State, Time now);
   void planScanBesideBall(const Situation& situation);
@@ -81,9 +96,10 @@ class GT2003HeadControl {
 
   State state_ = State::idle;
   Time entered_;
-  bool scanLeft_ = true;  ///< The side of the ball that is scanned next.
+  bool scanLeft_ = true;  ///< The side that is scanned next.
   HeadAngles head_;
   HeadPathPlanner path_;
+  double scanTilt_ = 0, scanRange_ = 0;  ///< What the path from left to right was planned for.
 };
 
 }  // namespace gt

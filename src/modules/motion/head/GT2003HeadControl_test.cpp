@@ -73,6 +73,68 @@ TEST(GT2003HeadControl, LooksAtAPoint) {
   }
 }
 
+TEST(GT2003HeadControl, SeesAPointAtAPixel) {
+  for (const Vector2d& pixel : {Vector2d{20, 120}, Vector2d{160, 110}, Vector2d{100, 30}}) {
+    Head head{HeadMode::lookAtPoint};
+    head.mode.point = {1000, 200, 43};
+    head.mode.pixel = pixel;
+    head.frames(150);
+    EXPECT_LT((head.seen(head.mode.point) - pixel).norm(), 0.5) << pixel.transpose();
+  }
+}
+
+TEST(GT2003HeadControl, ScansFromLeftToRightAndBackWithTheTiltThatIsWanted) {
+  Head head{HeadMode::scanLeftRight};
+  head.mode.scanTilt = -0.5;
+  head.mode.scanRange = 0.8;
+  head.frames(100);
+  double leftmost = 0, rightmost = 0;
+  int turns = 0, side = 0;
+  head.fastest = 0;
+  for (int i = 0; i < 1000; ++i) {
+    head.frameWith(std::nullopt);
+    leftmost = std::max(leftmost, head.request.pan);
+    rightmost = std::min(rightmost, head.request.pan);
+    EXPECT_NEAR(head.request.tilt, -0.5, 1e-9);
+    const int now = head.request.pan > 0.79 ? 1 : head.request.pan < -0.79 ? -1 : 0;
+    if (now != 0 && now != side) ++turns;
+    if (now != 0) side = now;
+  }
+  EXPECT_NEAR(leftmost, 0.8, 0.001);
+  EXPECT_NEAR(rightmost, -0.8, 0.001);
+  EXPECT_NEAR(turns, 10, 1);  // 8 s, of which each way takes 0.8 s
+  EXPECT_NEAR(head.fastest, head.control.parameters.scanSpeed, 0.05);
+  head.mode.scanTilt = 0;
+  head.frames(100);
+  EXPECT_NEAR(head.request.tilt, 0, 1e-9);
+}
+
+TEST(GT2003HeadControl, StaysWhereItIsTurnedByHand) {
+  Head head{HeadMode::lookAtPoint};
+  head.mode.point = {800, 300, 43};
+  head.frames(150);
+  head.mode.mode = HeadMode::stayAsForced;
+  const double before = head.request.pan;
+  // What a weight does to the joint is no wish: the motor keeps its target.
+  head.joints()[Joint::headPan] = before - 0.04;
+  head.control.update(head.mode, head.ball, head.sensors, head.robot, head.calibration, head.frame,
+                      head.request);
+  EXPECT_NEAR(head.request.pan, before, 1e-9);
+  for (const double turned : {before - 0.5, before + 0.7}) {
+    head.joints()[Joint::headPan] = turned;
+    head.joints()[Joint::headRoll] = 0.3;
+    head.control.update(head.mode, head.ball, head.sensors, head.robot, head.calibration,
+                        head.frame, head.request);
+    EXPECT_NEAR(head.request.pan, turned, 0.051);
+    EXPECT_NEAR(head.request.roll, 0.3, 0.051);
+  }
+  head.joints()[Joint::headPan] = head.request.pan;
+  const auto left = head.request;
+  head.frames(50);
+  EXPECT_EQ(head.request.pan, left.pan);
+  EXPECT_EQ(head.request.tilt, left.tilt);
+}
+
 TEST(GT2003HeadControl, LooksToTheSides) {
   Head head{HeadMode::lookLeft};
   head.frames(150);
