@@ -14,6 +14,7 @@ const Experiments& experiments() {
     Experiments list = localizationExperiments();
     for (const auto& experiment : realismExperiments()) list.push_back(experiment);
     for (const auto& experiment : motionExperiments()) list.push_back(experiment);
+    for (const auto& experiment : headExperiments()) list.push_back(experiment);
     for (const auto& experiment :
          {fidelityExperiment(), kickExperiment(), kickTableExperiment(), matchExperiment(),
           soakExperiment(), calibrationExperiment(), visionExperiment(), visionPlayExperiment(),

@@ -31,6 +31,8 @@ Experiment matchExperiment();
 /// How robots move in the dynamic fidelity: whether they stand, how fast and straight they walk,
 /// how often they fall.
 Experiments motionExperiments();
+/// Whether the robots see the ball, and what they know meanwhile, by each solution of HeadControl.
+Experiments headExperiments();
 /// What the kicks do, with balls anywhere where they reach them.
 Experiment kickExperiment();
 Experiment kickTableExperiment();

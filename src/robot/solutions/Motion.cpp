@@ -3,6 +3,7 @@
 #include "modules/motion/control/DefaultLEDControl.h"
 #include "modules/motion/control/DefaultMotionControl.h"
 #include "modules/motion/getup/GravityGetupEngine.h"
+#include "modules/motion/head/ActiveVisionHeadControl.h"
 #include "modules/motion/head/GT2003HeadControl.h"
 #include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
@@ -14,6 +15,7 @@ void addMotion(RobotModules& modules) {
   addMotionNet(modules);
   SolutionTable& table = modules.solutions;
   table.add<HeadControl, GT2003HeadControl>("GT2003");
+  table.add<HeadControl, ActiveVisionHeadControl>("ActiveVision");
   table.add<LEDControl, DefaultLEDControl>("Default");
   table.add<WalkingEngine, InvKinWalkingEngine>("InvKin");
   table.add<SpecialActions, GT2003MotionNetSpecialActions>("GT2003MotionNet");

@@ -9,7 +9,6 @@ namespace gt {
 namespace {
 
 constexpr double ballRadius = 43;
-constexpr double widestPan = 1.45;
 
 /// A measured angle, or what was requested if the joint was not turned away from that.
 double forced(double requested, double measured, double tolerance) {
@@ -105,9 +104,10 @@ HeadAngles GT2003HeadControl::lookAtBall(const Situation& s, bool scanBesides) {
   if (!ballSeen(s) && lookedLongEnough) return searchForBall(s);
   const bool sure = ballSeen(s) && s.now - entered_ >= parameters.ballSeenBeforeScan &&
                     s.ball.consecutiveTimeSeen >= parameters.ballSeenBeforeScan;
-  if (!scanBesides || !sure) return s.ballAngles;
+  const auto glance = scanBesides && sure ? chooseGlance(s) : std::nullopt;
+  if (!glance) return s.ballAngles;
   enter(State::scanBesideBall, s.now);
-  planScanBesideBall(s);
+  planScanBesideBall(s, *glance);
   return path_.next();
 }
 
@@ -156,15 +156,19 @@ void GT2003HeadControl::stayAsForced(const JointAngles& measured,
              forced(request.mouth, measured[Joint::mouth], tolerance)};
 }
 
-void GT2003HeadControl::planScanBesideBall(const Situation& s) {
+std::optional<GT2003HeadControl::Glance> GT2003HeadControl::chooseGlance(const Situation& s) {
   const double side = scanLeft_ ? 1 : -1;
   scanLeft_ = !scanLeft_;
   const double pan =
       std::clamp(s.ballAngles.pan + side * parameters.scanWidth, -widestPan, widestPan);
+  return Glance{pan, static_cast<double>(parameters.scanTime)};
+}
+
+void GT2003HeadControl::planScanBesideBall(const Situation& s, const Glance& glance) {
   const double tilt = parameters.horizonTilt - s.bodyTilt;
   const HeadAngles corner{(tilt + s.ballAngles.tilt) / 2,
-                          s.ballAngles.pan + 0.3 * (pan - s.ballAngles.pan), 0};
-  path_.plan(s.measured, {corner, {tilt, pan, 0}, s.ballAngles}, parameters.scanTime);
+                          s.ballAngles.pan + 0.3 * (glance.pan - s.ballAngles.pan), 0};
+  path_.plan(s.measured, {corner, {tilt, glance.pan, 0}, s.ballAngles}, glance.duration);
 }
 
 void GT2003HeadControl::planBallSearch(const Situation& s) {

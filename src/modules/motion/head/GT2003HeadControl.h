@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "framework/Module.h"
 #include "modules/kinematics/HeadKinematics.h"
 #include "modules/motion/head/HeadPathPlanner.h"
@@ -56,11 +58,35 @@ class GT2003HeadControl {
   };
   Parameters parameters;
 
+  virtual ~GT2003HeadControl() = default;
+
   /// Provides where the head shall be. It is where the newest sensor readings say, whatever their
   /// age; a ball that was never seen is searched.
   void update(const HeadControlMode& mode, const BallModel& ball, const SensorDataBuffer& sensors,
               const RobotDimensions& robot, const RobotCalibration& calibration,
               const FrameInfo& frame, HeadMotionRequest& request);
+
+ protected:
+  static constexpr double widestPan = 1.45;  ///< rad, to each side.
+
+  /// What the states need to know in a frame.
+  struct Situation {
+    const BallModel& ball;
+    Time now;
+    Pose3D body;
+    double bodyTilt;
+    HeadAngles ballAngles;
+    HeadAngles measured;
+  };
+  /// A scan of search-auto: off the ball and back.
+  struct Glance {
+    double pan;       ///< rad, where it turns back
+    double duration;  ///< ms
+  };
+
+  /// Decides how to look away from a ball that was watched for long enough; empty to go on watching
+  /// it. This one scans to both sides in turn (report 3.9.3.1). Has a side effect.
+  virtual std::optional<Glance> chooseGlance(const Situation& situation);
 
  private:
   enum class State {
@@ -72,16 +98,6 @@ class GT2003HeadControl {
     scanLeftRight
   };
 
-  /// What the states need to know in a frame.
-  struct Situation {
-    const BallModel& ball;
-    Time now;
-    Pose3D body;
-    double bodyTilt;
-    HeadAngles ballAngles;
-    HeadAngles measured;
-  };
-
   HeadAngles lookForBall(const Situation& situation, bool scanBesides);
   HeadAngles searchForBall(const Situation& situation);
   HeadAngles searchForLandmarks(const Situation& situation);
@@ -89,7 +105,7 @@ class GT2003HeadControl {
   void stayAsForced(const JointAngles& measured, HeadMotionRequest& request) const;
   HeadAngles lookAtBall(const Situation& situation, bool scanBesides);
   void enter(State, Time now);
-  void planScanBesideBall(const Situation& situation);
+  void planScanBesideBall(const Situation& situation, const Glance& glance);
   void planBallSearch(const Situation& situation);
   void planLandmarkSearch(const Situation& situation);
   bool ballSeen(const Situation& situation) const;

@@ -1,0 +1,91 @@
+#pragma once
+#include <array>
+
+#include "modules/motion/head/GT2003HeadControl.h"
+#include "modules/motion/head/PoseUncertainty.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/modeling/PlayersCollection.h"
+#include "representations/modeling/RobotPose.h"
+
+namespace gt {
+
+/// Solution *ActiveVision* of HeadControl, beyond the report: all head control modes are those of
+/// GT2003, but search-auto looks away from the ball where the expected gain of information is
+/// greatest for the time that it takes. What counts is measured in nats: how much better the pose
+/// would be known by the landmarks on the way (PoseUncertainty), how much better known opponents
+/// would be, and how many unknown ones there may be where the robot has not looked for long. The
+/// ball's place gets uncertain meanwhile, which is the price. Without any gain it stays at the
+/// ball.
+class ActiveVisionHeadControl : private GT2003HeadControl {
+ public:
+  struct Parameters {
+    GT2003HeadControl::Parameters modes;
+    PoseUncertainty::Parameters pose;
+    double landmarkWeight = 1;
+    double opponentWeight = 1;
+    double ballWeight = 0.5;
+    double glanceSpeed = 2;
+    double opponentSpeed = 200;
+    double ballSpeed = 200;
+    double unseenAfter = 5;
+    double leastValidity = 0.1;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("modes", &P::modes),
+          field("pose", &P::pose),
+          field("landmarkWeight", &P::landmarkWeight, "", "worth of information on the pose",
+                {0, 100}),
+          field("opponentWeight", &P::opponentWeight, "", "worth of information on opponents",
+                {0, 100}),
+          field("ballWeight", &P::ballWeight, "", "worth of information on the ball", {0, 100}),
+          field("glanceSpeed", &P::glanceSpeed, "rad/s", "speed of the head off the ball and back",
+                {0.5, 3}),
+          field("opponentSpeed", &P::opponentSpeed, "mm/s",
+                "by which an opponent may be elsewhere meanwhile", {1, 1000}),
+          field("ballSpeed", &P::ballSpeed, "mm/s", "by which the ball may be elsewhere meanwhile",
+                {1, 3000}),
+          field("unseenAfter", &P::unseenAfter, "s",
+                "time after which anyone may be where the robot does not look", {0.5, 60}),
+          field("leastValidity", &P::leastValidity, "",
+                "of the pose: below it the robot scans both sides in turn, as GT2003 does",
+                {0, 1})};
+    }
+  };
+  Parameters parameters;
+
+  /// Provides where the head shall be, as GT2003HeadControl does.
+  void update(const HeadControlMode& mode, const BallModel& ball, const RobotPose& pose,
+              const PlayersCollection& players, const SensorDataBuffer& sensors,
+              const RobotDimensions& robot, const RobotCalibration& calibration,
+              const FieldDimensions& field, const FrameInfo& frame, HeadMotionRequest& request);
+
+ private:
+  static constexpr std::size_t sectors = 36;
+
+  /// Directions from left to right, relative to the robot (rad).
+  struct Sweep {
+    double right, left;
+
+    bool contains(double angle) const { return angle > right && angle < left; }
+  };
+
+  std::optional<Glance> chooseGlance(const Situation& situation) override;
+  void remember(const SensorData& sensors, double bodyTilt, Time now);
+  double worth(const Sweep& sweep, Time now) const;
+  double landmarkGain(const Sweep& sweep) const;
+  double opponentGain(const Sweep& sweep, Time now) const;
+  double ballLoss(const BallModel& ball, double seconds) const;
+  double directionOf(const Vector2d& onField) const { return angleOf(relative(robot_, onField)); }
+
+  Pose2D robot_;
+  double validity_ = 0;
+  const PlayersCollection* players_ = nullptr;  ///< During an update.
+  std::array<Vector2d, 10> landmarks_;          ///< Flags and goal posts.
+  PoseUncertainty pose_;
+  std::array<Time, sectors> looked_;  ///< When each direction of the field was in an image last.
+  Time remembered_ = never();
+};
+
+}  // namespace gt

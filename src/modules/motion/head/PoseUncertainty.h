@@ -1,0 +1,60 @@
+#pragma once
+#include <span>
+
+#include "base/Geometry.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// How precisely a robot can know its pose on the field, by the landmarks that it has looked at:
+/// the covariance of an extended Kalman filter that is always right about the mean. It serves to
+/// predict what looking at landmarks is worth before they are seen.
+class PoseUncertainty {
+ public:
+  struct Parameters {
+    double walking = 100;
+    double turning = 0.15;
+    double bearing = 0.04;
+    double distance = 0.12;
+    double neededPosition = 60;
+    double neededRotation = 0.05;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("walking", &P::walking, "mm",
+                "standard deviation by which the position gets worse in a second", {1, 1000}),
+          field("turning", &P::turning, "rad",
+                "standard deviation by which the rotation gets worse in a second", {0.01, 3}),
+          field("bearing", &P::bearing, "rad",
+                "standard deviation of the direction of a landmark that is seen", {0.001, 1}),
+          field("distance", &P::distance, "",
+                "standard deviation of the distance of a landmark, as a share of it", {0.01, 1}),
+          field("neededPosition", &P::neededPosition, "mm",
+                "precision of the position beyond which more is hardly of use", {1, 1000}),
+          field("neededRotation", &P::neededRotation, "rad",
+                "precision of the rotation beyond which more is hardly of use", {0.001, 1})};
+    }
+  };
+
+  /// Time passes, in which the robot moves.
+  void pass(double seconds, const Parameters& parameters);
+  /// The robot looks at a landmark of the field.
+  void see(const Pose2D& robot, const Vector2d& landmark, const Parameters& parameters);
+  /// The information that looking at landmarks would add (nats): half the logarithm of the ratio of
+  /// the covariances' determinants, before and after, each with the precision needed.
+  double gain(const Pose2D& robot, std::span<const Vector2d> landmarks,
+              const Parameters& parameters) const;
+  /// Standard deviation of the position (mm), the larger of both axes.
+  double position() const;
+
+ private:
+  static constexpr double lostPosition = 1000, lostRotation = 1;  // mm, rad: knows nothing
+
+  Eigen::Matrix3d covariance_ =
+      Eigen::Vector3d{lostPosition * lostPosition, lostPosition* lostPosition,
+                      lostRotation* lostRotation}
+          .asDiagonal();
+};
+
+}  // namespace gt
