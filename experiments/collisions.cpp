@@ -42,7 +42,7 @@ class Walker : public RobotController {
     detector_.update(input.sensors, output.joints, info_, percept, debug_);
     debug_.out().clear();
     if (input.now >= changeAt_) choose(input.now);
-    engine_.update({input.now}, request_, {}, {info_}, walk_);
+    engine_.update({input.now}, request_, {}, {}, {info_}, walk_);
     info_.executed = request_;
     info_.executed.walk = walk_.speed;
     output.joints = walk_.joints;

@@ -66,7 +66,7 @@ Result<Way> walk(const DataRoot& root, const Pose2D& request, Fidelity fidelity)
       motion.type = MotionType::walk;
       motion.walk = request;
     }
-    engine.update({}, motion, {}, {MotionInfo{}}, output);
+    engine.update({}, motion, {}, {}, {MotionInfo{}}, output);
     const RobotCommand command{
         output.joints.angles,
         {output.speed.rotation * tickSeconds, output.speed.translation * tickSeconds}};

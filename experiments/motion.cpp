@@ -7,6 +7,9 @@
 #include "base/Statistics.h"
 #include "match/Match.h"
 #include "measure/worlds/MovedRobot.h"
+#include "modules/kinematics/LegKinematics.h"
+#include "modules/motion/walking/WalkParameters.h"
+#include "streams/Config.h"
 
 namespace gt {
 namespace {
@@ -157,6 +160,155 @@ Result<Measurement> wander(const Job& job, const DataRoot& root) {
   return measurement;
 }
 
+/// The mean speed of a robot, true and as it believes (mm/s, rad/s, in its own axes).
+struct BothSpeeds {
+  Pose2D truth, believed;
+};
+
+BothSpeeds speedsDuring(MovedRobot& robot, double seconds) {
+  BothSpeeds mean;
+  for (double time = 0; time < seconds; time += tickSeconds) {
+    const Pose2D before = robot.body().pose, counted = robot.odometry().pose;
+    robot.step();
+    const auto add = [&](Pose2D& sum, const Pose2D& step) {
+      sum.rotation += step.rotation / seconds;
+      sum.translation += step.translation / seconds;
+    };
+    add(mean.truth, robot.body().pose.relativeTo(before));
+    add(mean.believed, robot.odometry().pose.relativeTo(counted));
+  }
+  return mean;
+}
+
+/// Walks with speeds of chance, and finds the corrections for which the robot does what it believes
+/// (report 3.9.1.3): least squares over all speeds.
+Result<Measurement> odometry(const Job& job, const DataRoot& root) {
+  WalkTypes types;
+  if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), types); !read)
+    return read.error();
+  const WalkType type = *enumValue<WalkType>(job.parameter("type"));
+  auto made = walker(job, root);
+  if (!made) return made.error();
+  MovedRobot& robot = **made;
+  robot.standUp();
+  Random random = Random{job.seed}.fork("odometry");
+  robot.request.type = MotionType::walk;
+  robot.request.walkType = type;
+  constexpr double startUp = 1, measured = 2;  // s
+  std::vector<BothSpeeds> walks;
+  double way = 0, astray = 0;  // mm/s
+  RunningStatistics turn;
+  while (walks.size() < static_cast<std::size_t>(job.number("walks"))) {
+    robot.world().placeRobot(0, {pi * random.symmetric(), 0, 0});
+    robot.request.walk = {random.uniform() < 0.5 ? 0 : 3 * random.symmetric(),
+                          random.uniform(0, 400) * direction(pi * random.symmetric())};
+    robot.run(startUp);
+    const BothSpeeds& walk = walks.emplace_back(speedsDuring(robot, measured));
+    way += walk.truth.translation.norm();
+    astray += (walk.truth.translation - walk.believed.translation).norm();
+    turn.add(toDegrees(std::abs(walk.truth.rotation - walk.believed.rotation)));
+  }
+  Eigen::MatrixXd turns(walks.size(), 2);
+  Eigen::VectorXd turned(walks.size());
+  Vector2d squares = Vector2d::Zero(), products = Vector2d::Zero();
+  for (std::size_t i = 0; i < walks.size(); ++i) {
+    const auto& [truth, believed] = walks[i];
+    squares += believed.translation.cwiseAbs2();
+    products += believed.translation.cwiseProduct(truth.translation);
+    turns.row(static_cast<Eigen::Index>(i)) << believed.rotation, believed.translation.y();
+    turned[static_cast<Eigen::Index>(i)] = truth.rotation;
+  }
+  const Vector2d share = products.cwiseQuotient(squares);
+  const Vector2d ofTurns = turns.colPivHouseholderQr().solve(turned);
+  const WalkParameters& now = types[type];
+  const double correctionR = now.correctionR * ofTurns.x();
+  Measurement measurement;
+  measurement.add("motion.odometry.wayError", "%", 100 * astray / way, Aim::atMost(5));
+  measurement.add("motion.odometry.turnError", "deg/s", turn.mean(), Aim::atMost(2));
+  measurement.add("motion.odometry.correctionX", "", now.correctionX * share.x());
+  measurement.add("motion.odometry.correctionY", "", now.correctionY * share.y());
+  measurement.add("motion.odometry.correctionR", "", correctionR);
+  measurement.add("motion.odometry.counterRotation", "rad/mm",
+                  now.counterRotation - ofTurns.y() * now.correctionY / correctionR);
+  return measurement;
+}
+
+/// As the walk does it, or as the report does, which does not react.
+Result<void> useLoop(const Job& job, MovedRobot& robot) {
+  if (job.parameter("loop") == "closed") return {};
+  return robot.configure("WalkingEngine", "InvKin", "[balance]\nyield 0\nplacement 0\nlift 0\n");
+}
+
+/// Is pushed at a shoulder while it walks, in a direction of chance.
+Result<Measurement> push(const Job& job, const DataRoot& root) {
+  auto made = walker(job, root);
+  if (!made) return made.error();
+  MovedRobot& robot = **made;
+  if (auto done = useLoop(job, robot); !done) return done.error();
+  robot.standUp();
+  Random random = Random{job.seed}.fork("push");
+  robot.request.type = MotionType::walk;
+  robot.request.walkType = *enumValue<WalkType>(job.parameter("type"));
+  constexpr double lasts = 0.1, walks = 2.5, afterwards = 2;  // s
+  const int attempts = static_cast<int>(job.number("attempts"));
+  int up = 0;
+  for (int i = 0; i < attempts; ++i) {
+    robot.world().placeRobot(0, {pi * random.symmetric(), 0, 0});
+    robot.request.walk = {0, job.number("speed") * direction(pi * random.symmetric())};
+    robot.run(walks + random.uniform());
+    const Vector2d force = job.number("impulse") / lasts * direction(pi * random.symmetric());
+    const Vector3d shoulder =
+        shoulderOf({}, random.uniform() < 0.5 ? Leg::foreLeft : Leg::foreRight);
+    bool fell = false;
+    for (double time = 0; time < lasts + afterwards; time += tickSeconds) {
+      if (time < lasts) robot.world().push(0, {force.x(), force.y(), 0}, shoulder);
+      robot.step();
+      fell |= robot.hasFallen();
+    }
+    up += !fell;
+    if (fell) robot.world().standUp(0);
+  }
+  Measurement measurement;
+  measurement.add("motion.push." + job.parameter("loop") + ".up", "%", 100. * up / attempts);
+  return measurement;
+}
+
+/// Walks over a bar that lies across its way: a wall that is let into the ground.
+Result<Measurement> stumble(const Job& job, const DataRoot& root) {
+  auto made = walker(job, root);
+  if (!made) return made.error();
+  MovedRobot& robot = **made;
+  if (auto done = useLoop(job, robot); !done) return done.error();
+  World& world = robot.world();
+  const int wall = mj_name2id(&world.model(), mjOBJ_GEOM, "wallLeft");
+  if (wall < 0) return Error{.what = "the scene has no wall named wallLeft"};
+  const double half = 1000 * world.model().geom_size[3 * wall + 2];
+  robot.standUp();
+  world.moveGeom(wall, {0, 0, job.number("height") - half});
+  Random random = Random{job.seed}.fork("stumble");
+  robot.request.type = MotionType::walk;
+  robot.request.walkType = *enumValue<WalkType>(job.parameter("type"));
+  robot.request.walk = {0, job.number("speed"), 0};
+  constexpr double longest = 8, before = 400, behind = 200;  // s, mm
+  const int attempts = static_cast<int>(job.number("attempts"));
+  int over = 0;
+  for (int i = 0; i < attempts; ++i) {
+    world.placeRobot(0, {pi / 2, 200 * random.symmetric(), -before - 50 * random.uniform()});
+    bool fell = false;
+    for (double time = 0; time < longest && !fell; time += tickSeconds) {
+      robot.step();
+      fell = robot.hasFallen();
+      if (robot.body().pose.translation.y() < behind) continue;
+      ++over;
+      break;
+    }
+    if (fell) world.standUp(0);
+  }
+  Measurement measurement;
+  measurement.add("motion.stumble." + job.parameter("loop") + ".over", "%", 100. * over / attempts);
+  return measurement;
+}
+
 /// Lays a robot down, with its legs anywhere, until it rests. One that shall sit sits down.
 void layDown(MovedRobot& robot, Posture posture, Random& random) {
   if (posture == Posture::sitting) {
@@ -235,6 +387,8 @@ Experiments motionExperiments() {
   for (const auto name : enumNames<WalkType>) types.values.emplace_back(name);
   Parameter directions{"direction", "in which it walks at full speed", Parameter::Kind::each, {}};
   for (const FullWalk& each : fullWalks) directions.values.emplace_back(each.name);
+  const Parameter loops{
+      "loop", "whether the walk reacts", Parameter::Kind::each, {"open", "closed"}};
   return {{"motion.walk",
            "Speed, drift and odometry of walks at full speed; friction, masses and strength are "
            "each seed otherwise",
@@ -250,6 +404,42 @@ Experiments motionExperiments() {
             valuesParameter(),
             {"minutes", "of walking", Parameter::Kind::number, {"10"}}},
            withValues<wander>},
+          {"motion.odometry",
+           "How far what robots believe to walk is from what they walk, and the corrections for it",
+           {profileParameter(),
+            changeParameter(),
+            fidelityParameter(),
+            varietyParameter(),
+            types,
+            valuesParameter(),
+            {"walks", "of each robot", Parameter::Kind::number, {"20"}}},
+           withValues<odometry>},
+          {"motion.push",
+           "Who stays up when it is pushed at a shoulder while it walks",
+           {profileParameter(),
+            changeParameter(),
+            fidelityParameter(),
+            varietyParameter(),
+            types,
+            loops,
+            valuesParameter(),
+            {"impulse", "of the push, N s", Parameter::Kind::number, {"2"}},
+            {"speed", "of the walk, mm/s", Parameter::Kind::number, {"200"}},
+            {"attempts", "of each robot", Parameter::Kind::number, {"5"}}},
+           withValues<push>},
+          {"motion.stumble",
+           "Who gets over a bar that lies across its way",
+           {profileParameter(),
+            changeParameter(),
+            fidelityParameter(),
+            varietyParameter(),
+            types,
+            loops,
+            valuesParameter(),
+            {"height", "of the bar, mm", Parameter::Kind::number, {"12"}},
+            {"speed", "of the walk, mm/s", Parameter::Kind::number, {"200"}},
+            {"attempts", "of each robot", Parameter::Kind::number, {"3"}}},
+           withValues<stumble>},
           {"motion.stand",
            "Who falls in the first ten seconds of a scene",
            {profileParameter(),

@@ -240,7 +240,7 @@ Result<Measurement> sway(const Job& job, const DataRoot& root) {
       motion.type = MotionType::walk;
       motion.walk = {random.uniform(-0.2, 0.2), 200, 0};
     }
-    engine.update({}, motion, {}, {MotionInfo{}}, output);
+    engine.update({}, motion, {}, {}, {MotionInfo{}}, output);
     const RobotCommand command{
         output.joints.angles,
         {output.speed.rotation * tickSeconds, output.speed.translation * tickSeconds}};

@@ -21,7 +21,7 @@ std::vector<Joint> headAndLegJoints() {
 JointAngles standingAngles() {
   InvKinWalkingEngine engine;
   WalkingEngineOutput output;
-  engine.update({}, {}, RobotDimensions{}, {MotionInfo{}}, output);
+  engine.update({}, {}, RobotDimensions{}, {}, {MotionInfo{}}, output);
   JointAngles angles = output.joints.angles;
   angles[Joint::mouth] = limitsOf(Joint::mouth).high;
   return angles;

@@ -91,7 +91,7 @@ class Walk : public Limbs {
     MotionRequest request;
     request.type = MotionType::walk;
     request.walk.translation.x() = fastest;
-    engine_.update({simulation().time()}, request, RobotDimensions{}, {motion_}, output_);
+    engine_.update({simulation().time()}, request, RobotDimensions{}, {}, {motion_}, output_);
     motion_.executed = request;
     JointAngles angles = standing_;
     for (const Joint joint : joints()) angles[joint] = output_.joints.angles[joint];

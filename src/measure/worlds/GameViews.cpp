@@ -29,7 +29,7 @@ class GameViews::Body : public RobotController {
     MotionRequest request;
     request.type = walks ? MotionType::walk : MotionType::stand;
     request.walk = speed;
-    engine_.update({input.now}, request, {}, {motion_}, walk_);
+    engine_.update({input.now}, request, {}, {}, {motion_}, walk_);
     motion_.executed = request;
     output.joints = walk_.joints;
     step = walk_.odometryStep;

@@ -30,7 +30,7 @@ class SimulatedWalker::Body : public RobotController {
     MotionRequest request;
     request.type = moves_ ? MotionType::walk : MotionType::stand;
     request.walk = speed_;
-    engine_.update({input.now}, request, {}, {motion_}, walk_);
+    engine_.update({input.now}, request, {}, {}, {motion_}, walk_);
     motion_.executed = request;
     output.joints = walk_.joints;
     setHead(input.now, output.joints.angles);

@@ -41,7 +41,7 @@ struct MotionHarness {
     frame.time.ms += 8;
     const MotionInfo infoBefore = info;
     const JointData jointsBefore = joints;
-    walkingEngine.update(frame, request, robot, {infoBefore}, walking);
+    walkingEngine.update(frame, request, robot, sensors, {infoBefore}, walking);
     specialActions.update(frame, request, net, {infoBefore}, {jointsBefore}, special, debug);
     getupEngine.update(frame, sensors, net, {infoBefore}, {jointsBefore}, getup, debug);
     motionControl.update(frame, request, walking, special, getup, head, joints, odometry, info);

@@ -13,7 +13,12 @@ enum class MotionType { walk, stand, specialAction, getup };  // report 3.9
 /// Ways of walking, each with parameters of its own (report 3.9).
 enum class WalkType {
   normal,
-  fast  ///< As fast as the legs can, with all feet in the air between two steps.
+  fast,          ///< As fast as the legs can, with all feet in the air between two steps.
+  backward,      ///< Faster back than the others.
+  dribble,       ///< Pushes a ball ahead between stretched fore legs.
+  turnWithBall,  ///< Turns with a ball that the fore legs hold.
+  crawl,         ///< Lifts one foot at a time: three always carry the body.
+  pace           ///< Lifts both feet of a side together.
 };
 
 /// The special actions that the motion asks for itself: that in which the robot sees where it

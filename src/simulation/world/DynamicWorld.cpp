@@ -211,12 +211,22 @@ void DynamicWorld::step(std::span<const RobotCommand> commands) {
     drive();
     mj_step(model_.get(), data_.get());
   }
+  for (const RobotParts& parts : parts_) std::fill_n(data_->xfrc_applied + 6 * parts.body, 6, 0);
   undoIfBroken();
   updateKinematics();
   for (std::size_t i = 0; i < robots_.size(); ++i) readRobot(i);
   for (std::size_t i = 0; i < balls_.size(); ++i) readBall(i);
   readContacts();
   advanceTime();
+}
+
+void DynamicWorld::push(std::size_t robot, const Vector3d& force, const Vector3d& at) {
+  const int body = parts_[robot].body;
+  const Matrix3d rotation = rotationFromMuJoCo(data_->xmat + 9 * body);
+  const Vector3d lever =
+      threeOf(data_->xpos + 3 * body) + rotation * at / 1000 - threeOf(data_->xipos + 3 * body);
+  Eigen::Map<Vector3d>{data_->xfrc_applied + 6 * body} += force;
+  Eigen::Map<Vector3d>{data_->xfrc_applied + 6 * body + 3} += lever.cross(force);
 }
 
 void DynamicWorld::drive() {

@@ -18,6 +18,7 @@ class DynamicWorld : public World {
                                              const Random& random);
 
   void step(std::span<const RobotCommand> commands) override;
+  void push(std::size_t robot, const Vector3d& force, const Vector3d& at) override;
   void change(const SceneDescription& scene) override;
 
  private:

@@ -97,6 +97,34 @@ TEST(DynamicWorld, ARobotPushedOverItsFeetFalls) {
   EXPECT_GT(most, fromDegrees(15));  // to its right side
 }
 
+TEST(DynamicWorld, APushMovesABodyByItsImpulse) {
+  const auto world = worldOf(dynamicDuel({0, 0, 0}, {1000, 800}));
+  run(*world, firmStand(), 100);
+  const auto speedAfter = [&](const Vector3d& force) {
+    const Vector2d before = world->robot(0).pose.translation;
+    world->push(0, force, {0, 0, 0});
+    run(*world, firmStand(), 1);
+    const Vector2d moved = world->robot(0).pose.translation - before;
+    run(*world, firmStand(), 100);
+    return Vector2d{moved / tickSeconds};
+  };
+  EXPECT_NEAR(speedAfter({0, 0, 0}).norm(), 0, 2);
+  EXPECT_GT(speedAfter({0, 20, 0}).y(), 20);  // 0.16 N s on a robot of 1.4 kg whose feet hold it
+  EXPECT_LT(speedAfter({0, 20, 0}).y(), 160);
+  EXPECT_LT(speedAfter({-20, 0, 0}).x(), -20);
+}
+
+TEST(DynamicWorld, AWallThatWasMovedIsWhereItWasMovedTo) {
+  const auto world = worldOf(dynamicDuel({0, 0, 0}, {600, 0}));
+  const int wall = mj_name2id(&world->model(), mjOBJ_GEOM, "wallLeft");
+  ASSERT_GE(wall, 0);
+  world->placeRobot(0, {0, -1500, -800});
+  world->placeBall(0, {600, 0}, {0, 1000});
+  world->moveGeom(wall, {600, 300, 50});
+  run(*world, firmStand(), 100);
+  EXPECT_LT(world->ball(0).position.y(), 300);
+}
+
 TEST(DynamicWorld, ABallRollsOutAndBounces) {
   const auto world = worldOf(dynamicDuel({0, -1500, -800}, {0, 0}));
   const double deceleration = matchScene().physics.deceleration;

@@ -111,6 +111,7 @@ void World::moveGeom(int geom, const Vector3d& position) {
   const Matrix3d rotation = rotationFromMuJoCo(data_->xmat + 9 * body);
   const Vector3d local = rotation.transpose() * (position - fromMuJoCo(data_->xpos + 3 * body));
   for (int k = 0; k < 3; ++k) model_->geom_pos[3 * geom + k] = local[k] / 1000;
+  model_->geom_sameframe[geom] = 0;  // no longer where its body's frame or middle is
   updateKinematics();
   obstacles_ = Obstacles{*model_, *data_};
 }
@@ -147,6 +148,7 @@ void World::continueFrom(const World& other) {
   std::fill(placed_.begin(), placed_.end(), true);
   std::fill(placedBalls_.begin(), placedBalls_.end(), true);
   std::copy_n(other.model_->geom_pos, 3 * model_->ngeom, model_->geom_pos);
+  std::copy_n(other.model_->geom_sameframe, model_->ngeom, model_->geom_sameframe);
   std::copy_n(other.data_->qpos, model_->nq, data_->qpos);
   for (int light = 0; light < model_->nlight; ++light) emit(light, other.emission(light));
   const float* ambient = other.model_->vis.headlight.ambient;

@@ -113,6 +113,9 @@ class World {
   /// Puts a robot into another posture; `placeRobot` or `standUp` puts it back on its feet.
   void throwOver(std::size_t robot, Posture posture);
   void standUp(std::size_t robot);
+  /// Pushes a robot's body during the next tick, with a force (N, along the field's axes) at a
+  /// point (mm, in the body's axes). Only where bodies have forces: in the dynamic fidelity.
+  virtual void push(std::size_t /*robot*/, const Vector3d& /*force*/, const Vector3d& /*at*/) {}
   /// Puts a joint that belongs to no robot and no ball at coordinates of MuJoCo, at rest.
   void moveJoint(int joint, std::span<const double> coordinates);
   /// Puts a geom that stands still somewhere else (mm); robots and balls meet it there.

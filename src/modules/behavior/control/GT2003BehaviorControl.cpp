@@ -131,6 +131,7 @@ void GT2003BehaviorControl::update(WorldState world, const Behavior& behavior,
 
   motionRequest = motionRequest_;
   motionRequest.time = world.frame.time;
+  motionRequest.walkType = outputs_.walkType;
   headControlMode = outputs_.head;
   ledRequest = outputs_.leds;
   message = {tactics_.role(), tactics_.estimatedTimeToReachBall()};

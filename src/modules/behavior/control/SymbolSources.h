@@ -4,6 +4,7 @@
 #include "modules/behavior/tactics/Tactics.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
+#include "representations/behavior/MotionRequest.h"
 
 namespace gt {
 
@@ -63,6 +64,7 @@ class SoccerInputs final : public soccer::Inputs {
 struct SoccerOutputs final : soccer::Outputs {
   HeadControlMode head;
   LedRequest leds;
+  WalkType walkType = WalkType::normal;
 
   void setHeadControlMode(HeadMode mode) override { head.mode = mode; }
   void setHeadPointX(double x) override { head.point.x() = x; }
@@ -72,6 +74,7 @@ struct SoccerOutputs final : soccer::Outputs {
   void setHeadPixelY(double y) override { head.pixel.y() = y; }
   void setHeadScanTilt(double tilt) override { head.scanTilt = fromDegrees(tilt); }
   void setHeadScanRange(double range) override { head.scanRange = fromDegrees(range); }
+  void setMotionWalkType(WalkType type) override { walkType = type; }
   void setLedLowerLeft(LedMode mode) override { leds.modes[Led::lowerLeft] = mode; }
   void setLedUpperLeft(LedMode mode) override { leds.modes[Led::upperLeft] = mode; }
   void setLedLowerRight(LedMode mode) override { leds.modes[Led::lowerRight] = mode; }

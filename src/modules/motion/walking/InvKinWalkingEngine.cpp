@@ -38,8 +38,8 @@ constexpr double still = 0.5;  // mm: what is nearer to where it stands counts a
 }  // namespace
 
 void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& motionRequest,
-                                 const RobotDimensions& robot, Previous<MotionInfo> motion,
-                                 WalkingEngineOutput& output) {
+                                 const RobotDimensions& robot, const SensorDataBuffer& sensors,
+                                 Previous<MotionInfo> motion, WalkingEngineOutput& output) {
   const auto executed = motion->executed.type;
   const bool active =
       !motion->arriving && (executed == MotionType::walk || executed == MotionType::stand);
@@ -55,9 +55,10 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
     accelerate(stops ? Pose2D{} : allowed(request.walk));
     if (!isZero(speed_) || !standing()) {
       frame_ = (frame_ + 1) % walk().stepLen;
+      balance(sensors.newest(), output.joints.angles);
       for (const auto leg : legs) moveFoot(leg);
       shiftBody();
-      output.odometryStep = motionDuring(measured(speed_), frameTime);
+      output.odometryStep = motionDuring(measured(moving_), frameTime);
     } else {
       rest();
     }
@@ -84,6 +85,7 @@ void InvKinWalkingEngine::rest() {
     footOf(leg).rests = true;
     footOf(leg).offset = offset(leg, FootPath{walk(), leg}.landing());
   }
+  balance_.forget();
 }
 
 void InvKinWalkingEngine::reset(const RobotDimensions& robot) {
@@ -175,10 +177,29 @@ void InvKinWalkingEngine::accelerate(const Pose2D& target) {
   speed_.rotation = approach(speed_.rotation, target.rotation, p.maxRotationChange * frameTime);
 }
 
+void InvKinWalkingEngine::balance(const SensorData& measured, const JointAngles& asked) {
+  const BalanceParameters& p = parameters.balance;
+  moving_ = speed_;
+  placement_ = Vector2d::Zero();
+  if (p.yield == 0 && p.placement == 0 && p.lift == 0) return;
+  balance_.update(p, measured, asked, frame_, walk().stepLen);
+  const Vector2d pushed = balance_.unexpectedSpeed();
+  moving_.translation += p.yield * pushed;
+  placement_ = p.placement * pushed;
+  if (placement_.norm() > p.farthest) placement_ *= p.farthest / placement_.norm();
+  for (const auto leg : legs) {
+    constexpr double lifting = 300;  // mm/s
+    Foot& foot = footOf(leg);
+    const bool higher = foot.inAir && balance_.stumbles(leg);
+    if (higher || !foot.inAir)
+      foot.raised = approach(foot.raised, higher ? p.lift : 0, lifting * frameTime);
+  }
+}
+
 void InvKinWalkingEngine::moveFoot(Leg leg) {
   const FootPath path{walk(), leg};
   const double phase = phaseOf(leg), before = phase - 1. / walk().stepLen;
-  const Pose2D speed = speedOf(leg, speed_);
+  const Pose2D speed = speedOf(leg, moving_);
   const double seconds = unitTime(path);  // for each unit along the path
   const auto landing = path.landing(), lifting = path.lifting();
   const bool begins = before < 0;  // a new cycle
@@ -194,7 +215,7 @@ void InvKinWalkingEngine::moveFoot(Leg leg) {
     foot.inAir = !foot.rests;
   }
   const auto point = foot.rests ? landing : path.at(phase);
-  const Vector2d landsAt = motionDuring(speed, seconds * landing.along) * foot.center;
+  const Vector2d landsAt = motionDuring(speed, seconds * landing.along) * foot.center + placement_;
   if (!begins && !foot.inAir) {
     stand(path.at(before).along, point.along);
   } else if (foot.inAir && !path.inAir(phase)) {
@@ -264,7 +285,7 @@ Vector3d InvKinWalkingEngine::target(const RobotDimensions& robot, Leg leg) cons
   const Vector2d position = foot.position + foot.offset.head<2>();
   const double height = isFore(leg) ? stance_.foreHeight : stance_.hindHeight;
   const double tilt = std::tan(isFore(leg) ? stance_.foreTilt : stance_.hindTilt);
-  const double z = (position.x() - foot.center.x()) * tilt - height + foot.offset.z();
+  const double z = (position.x() - foot.center.x()) * tilt - height + foot.offset.z() + foot.raised;
   return {position.x() - bodyShift_.x(), position.y() - bodyShift_.y(),
           shoulderOf(robot, leg).z() + z};
 }

@@ -3,6 +3,7 @@
 
 #include "base/Geometry.h"
 #include "framework/Module.h"
+#include "modules/motion/walking/Balance.h"
 #include "modules/motion/walking/FootPath.h"
 #include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -23,7 +24,8 @@ class InvKinWalkingEngine {
   /// Provides the legs' angles and the step that they make; those of standing while another module
   /// moves the robot, or if the request is too old.
   void update(const FrameInfo& frame, const MotionRequest& request, const RobotDimensions& robot,
-              Previous<MotionInfo> motion, WalkingEngineOutput& output);
+              const SensorDataBuffer& sensors, Previous<MotionInfo> motion,
+              WalkingEngineOutput& output);
 
  private:
   struct Foot {
@@ -31,6 +33,7 @@ class InvKinWalkingEngine {
     Vector3d offset = Vector3d::Zero();  ///< By the path, beside its position.
     bool inAir = false;
     bool rests = true;  ///< Since it stood still it was not lifted.
+    double raised = 0;  ///< By how much it is higher (mm), since it has met something.
   };
 
   /// How the body stands on its feet: it changes slowly with the walk type.
@@ -49,6 +52,8 @@ class InvKinWalkingEngine {
   bool flies() const;
   void rest();
   void accelerate(const Pose2D& target);
+  /// Takes what the walk did not expect.
+  void balance(const SensorData& measured, const JointAngles& asked);
   void moveFoot(Leg);
   void shiftBody();
   bool standing() const;
@@ -69,7 +74,10 @@ class InvKinWalkingEngine {
   WalkType type_ = WalkType::normal;
   Stance stance_;
   std::array<Foot, 4> feet_;
-  Pose2D speed_;                           ///< Of the feet, before the correction.
+  Pose2D speed_;  ///< Of the feet, before the correction.
+  Balance balance_;
+  Pose2D moving_;                          ///< The same, and what they yield to a push.
+  Vector2d placement_ = Vector2d::Zero();  ///< By which feet land farther after a push (mm).
   Vector2d bodyShift_ = Vector2d::Zero();  ///< mm
   double swing_ = 0;                       ///< Share of the body's shift: 0 in the stand.
   int frame_ = -1;                         ///< In the step cycle; -1 before the first.

@@ -17,10 +17,11 @@ struct Walk {
   MotionRequest request;
   MotionInfo motion;
   RobotDimensions robot;
+  SensorDataBuffer sensors;
   WalkingEngineOutput output;
 
   Walk() { EXPECT_TRUE(readConfig("config/modules/WalkingEngine.InvKin.cfg", engine.parameters)); }
-  void frame() { engine.update({}, request, robot, {motion}, output); }
+  void frame() { engine.update({}, request, robot, sensors, {motion}, output); }
   void frames(int n) {
     for (int i = 0; i < n; ++i) frame();
   }

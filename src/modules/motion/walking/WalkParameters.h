@@ -130,16 +130,58 @@ struct WalkParameters {
   }
 };
 
-/// The parameters of each walk type.
+/// How a walk reacts to what it does not expect (Balance); 0 everywhere: not at all, as in the
+/// report.
+struct BalanceParameters {
+  double yield = 0;
+  double placement = 0;
+  double farthest = 40;
+  double memory = 0.3;
+  double threshold = 150;
+  double stumble = 0.25;
+  double lift = 0;
+
+  static constexpr auto fields() {
+    using P = BalanceParameters;
+    return Fields{
+        field("yield", &P::yield, "", "share of an unexpected speed with which the feet move along",
+              {0, 2}),
+        field("placement", &P::placement, "s",
+              "by how much of the unexpected speed the feet land farther in its direction", {0, 1}),
+        field("farthest", &P::farthest, "mm", "at most", {0, 80}),
+        field("memory", &P::memory, "s", "time constant in which an unexpected speed is forgotten",
+              {0.05, 5}),
+        field("threshold", &P::threshold, "mm/s", "unexpected speed that does not count",
+              {0, 1000}),
+        field("stumble", &P::stumble, "rad",
+              "by which a joint of a foot in the air lags more than it does in other steps if the "
+              "foot has met something",
+              {0.02, 2}),
+        field("lift", &P::lift, "mm", "by how much higher such a foot is lifted", {0, 40})};
+  }
+};
+
+/// The parameters of each walk type, and how all of them react.
 struct WalkTypes {
-  WalkParameters normal, fast;
+  WalkParameters normal, fast, backward, dribble, turnWithBall, crawl, pace;
+  BalanceParameters balance;
 
   const WalkParameters& operator[](WalkType type) const {
-    return type == WalkType::fast ? fast : normal;
+    static constexpr EnumArray<WalkType, WalkParameters WalkTypes::*> types{
+        {&WalkTypes::normal, &WalkTypes::fast, &WalkTypes::backward, &WalkTypes::dribble,
+         &WalkTypes::turnWithBall, &WalkTypes::crawl, &WalkTypes::pace}};
+    return this->*types[type];
   }
 
   static constexpr auto fields() {
-    return Fields{field("normal", &WalkTypes::normal), field("fast", &WalkTypes::fast)};
+    return Fields{field("normal", &WalkTypes::normal),
+                  field("fast", &WalkTypes::fast),
+                  field("backward", &WalkTypes::backward),
+                  field("dribble", &WalkTypes::dribble),
+                  field("turnWithBall", &WalkTypes::turnWithBall),
+                  field("crawl", &WalkTypes::crawl),
+                  field("pace", &WalkTypes::pace),
+                  field("balance", &WalkTypes::balance, "", "for all types")};
   }
 };
 
