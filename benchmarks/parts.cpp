@@ -81,12 +81,13 @@ void xabslCycle(benchmark::State& state) {
   MotionRequest motion;
   HeadControlMode head;
   LedRequest leds;
+  SoundRequest sound;
   BehaviorTeamMessage message;
   Debug debug;
   for ([[maybe_unused]] auto _ : state) {
     world.ball.lastSeen = world.frame.time = world.frame.time + 40;
-    control.update(world.state(), *(*configuration)->behavior, {}, motion, head, leds, message,
-                   debug);
+    control.update(world.state(), *(*configuration)->behavior, {}, motion, head, leds, sound,
+                   message, debug);
   }
 }
 

@@ -26,6 +26,7 @@ from gt2003.representations import (
     MotionInfo,
     MotionRequest,
     RobotPose,
+    SoundRequest,
 )
 
 GOAL = np.array([2100, 0])  # mm: the middle of the opponent's
@@ -48,7 +49,7 @@ class LearnedStriker:
         motion_info: MotionInfo,
         game_control_data: GameControlData,
         frame_info: FrameInfo,
-    ) -> tuple[MotionRequest, HeadControlMode, LedRequest, BehaviorTeamMessage]:
+    ) -> tuple[MotionRequest, HeadControlMode, LedRequest, SoundRequest, BehaviorTeamMessage]:
         request = MotionRequest(type="stand", time=frame_info.time)
         unseen = frame_info.time - ball_model.lastSeen  # ms
         if game_control_data.state == GameState.playing:
@@ -58,7 +59,7 @@ class LearnedStriker:
             else:
                 self.play(request, robot_pose, ball_model, motion_info)
         striker = BehaviorTeamMessage(role="striker", estimatedTimeToReachBall=0 if unseen < 2500 else 1e6)
-        return request, HeadControlMode(mode="searchAuto"), LedRequest(), striker
+        return request, HeadControlMode(mode="searchAuto"), LedRequest(), SoundRequest(), striker
 
     def play(self, request: MotionRequest, robot_pose: RobotPose, ball_model: BallModel, motion_info: MotionInfo) -> None:
         """Request the kick until it has begun; else the walk."""

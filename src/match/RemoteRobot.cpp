@@ -26,6 +26,13 @@ bool isSane(const JointData& joints) {
                              [](double angle) { return isSane(angle, std::numbers::pi); });
 }
 
+bool isSane(const JointGains& joints) {
+  const auto word = [](int value) { return value >= 0 && value <= 255; };
+  return std::ranges::all_of(joints.gains.values, [&](const PidGains& gains) {
+    return word(gains.p) && word(gains.i) && word(gains.d);
+  });
+}
+
 bool isSane(const TeamMessage& message) {
   return isSane(message.robotPose) && isSane({0, message.ballPosition}) &&
          isSane(message.robotPoseValidity, 1) &&
@@ -85,6 +92,9 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
   const bool newJoints = joints.take();
   if (newJoints && isSane(joints.value)) output.joints = joints.value;
   if (leds.take()) output.leds = leds.value;
+  if (auto& gains = command<JointGains>(); gains.take() && isSane(gains.value))
+    output.gains = gains.value;
+  if (auto& speaker = command<Speaker>(); speaker.take()) output.speaker = speaker.value;
   if (odometry.take() && isSane(odometry.value.pose)) walk(odometry.value, input, output);
   if (auto& camera = command<CameraSettings>(); camera.take() && camera_ != camera.value)
     output.camera = camera_ = camera.value;

@@ -92,6 +92,8 @@ void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
   if (const auto* joints = command<JointData>()) output.joints = *joints;
   if (const auto* odometry = command<OdometryData>()) output.odometry = *odometry;
   if (const auto* leds = command<LedValue>()) output.leds = *leds;
+  if (const auto* gains = command<JointGains>()) output.gains = *gains;
+  if (const auto* speaker = command<Speaker>()) output.speaker = *speaker;
   if (motion_) output.specialAction = motion_->executed.specialAction;
   if (const auto* message = command<TeamMessage>();
       message && withImage && images_ % imagesPerTeamMessage == 0)

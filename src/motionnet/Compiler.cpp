@@ -210,17 +210,16 @@ Compilation compile(const std::vector<Source>& sources, const Rules& rules) {
   return result;
 }
 
-Compilation compileFolder(const std::string& folder, const Rules& rules) {
+std::vector<Source> readFolder(const std::string& folder, std::vector<Diagnostic>& errors) {
   namespace fs = std::filesystem;
-  Compilation result;
   std::vector<std::string> files;
   std::error_code failure;
   for (fs::recursive_directory_iterator it{folder, failure}, end; !failure && it != end;
        it.increment(failure))
     if (it->path().extension() == ".mof") files.push_back(it->path().string());
   if (failure) {
-    result.errors.push_back({.file = folder, .message = "cannot be read: " + failure.message()});
-    return result;
+    errors.push_back({.file = folder, .message = "cannot be read: " + failure.message()});
+    return {};
   }
   std::sort(files.begin(), files.end());
   std::vector<Source> sources;
@@ -229,18 +228,53 @@ Compilation compileFolder(const std::string& folder, const Rules& rules) {
     std::stringstream text;
     const auto size = fs::file_size(file, failure);
     if (failure || size > maxFileSize || !(text << stream.rdbuf())) {
-      result.errors.push_back(
+      errors.push_back(
           {.file = file, .message = "cannot be read, is empty, or is longer than 4 MB"});
       continue;
     }
     sources.push_back({file, text.str()});
   }
-  if (!result.errors.empty()) return result;
-  if (sources.empty()) {
-    result.errors.push_back({.file = folder, .message = "holds no .mof file"});
-    return result;
+  if (errors.empty() && sources.empty())
+    errors.push_back({.file = folder, .message = "holds no .mof file"});
+  return sources;
+}
+
+Compilation compileFolder(const std::string& folder, const Rules& rules) {
+  Compilation result;
+  const auto sources = readFolder(folder, result.errors);
+  return result.errors.empty() ? compile(sources, rules) : result;
+}
+
+std::vector<Node> dataOf(const Source& text, const std::vector<Source>& others, const Rules& rules,
+                         std::vector<Diagnostic>& errors) {
+  // What a description begins with, if the text is only a part of one.
+  const bool part = text.text.find("motion_id") == std::string::npos;
+  const std::string begin = part ? "motion_id = tried\nlabel start\n" : "";
+  const int added = part ? 2 : 0;
+  const Motion motion = parse(begin + text.text, text.file, rules, errors);
+  for (auto& error : errors) error.line = std::max(0, error.line - added);
+  if (!errors.empty()) return {};
+
+  std::map<std::string, std::vector<std::optional<int>>> postures;
+  for (const Source& other : others) {
+    std::vector<Diagnostic> theirs;  // reported where the net is compiled
+    for (const auto& [name, posture] : parse(other.text, other.file, rules, theirs).postures)
+      postures[name] = posture.angles;
   }
-  return compile(sources, rules);
+  for (const auto& [name, posture] : motion.postures) postures[name] = posture.angles;
+
+  std::vector<Node> data;
+  for (const Statement& statement : motion.statements) {
+    if (statement.node.kind != Node::Kind::data) continue;
+    Node& node = data.emplace_back(statement.node);
+    if (statement.posture.empty()) continue;
+    if (const auto it = postures.find(statement.posture); it != postures.end())
+      node.angles = it->second;
+    else
+      errors.push_back(
+          {text.file, node.line - added, "posture", "unknown posture " + statement.posture});
+  }
+  return data;
 }
 
 }  // namespace motionnet

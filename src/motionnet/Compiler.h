@@ -28,6 +28,15 @@ struct Compilation {
 /// describes it otherwise.
 Compilation compile(const std::vector<Source>& sources, const Rules& rules);
 
+/// The motion descriptions of a folder and of those in it.
+std::vector<Source> readFolder(const std::string& folder, std::vector<Diagnostic>& errors);
+
+/// The data of a text in the order of its lines, whatever its transitions and labels; for trying a
+/// motion that is not finished yet (report J.5.4). The text need not name a motion; its postures
+/// are its own and those of other descriptions.
+std::vector<Node> dataOf(const Source& text, const std::vector<Source>& others, const Rules& rules,
+                         std::vector<Diagnostic>& errors);
+
 /// Compiles all `.mof` files of a folder and of those in it. A folder that cannot be read is an
 /// error, too.
 Compilation compileFolder(const std::string& folder, const Rules& rules);

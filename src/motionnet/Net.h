@@ -18,7 +18,7 @@ struct Rules {
 
 /// A step through the net (report 3.9.2).
 struct Node {
-  enum class Kind { data, pid, odometry, transition, leave };
+  enum class Kind { data, pid, odometry, displacement, transition, leave };
 
   Kind kind = Kind::data;
   int motion = 0;  ///< The motion in which the node stands.
@@ -28,9 +28,10 @@ struct Node {
   bool interpolate = false;                ///< data: go there, or send the angles again and again.
   int frames = 0;                          ///< data: for how long.
 
-  int joint = 0;                   ///< pid
-  int p = 0, i = 0, d = 0;         ///< pid
-  int x = 0, y = 0, rotation = 0;  ///< odometry: mm/s, mm/s, mrad/s from here on.
+  int joint = 0;            ///< pid
+  int p = 0, i = 0, d = 0;  ///< pid
+  /// odometry: mm/s, mm/s, mrad/s from here on; displacement: mm, mm, mrad by the next data.
+  int x = 0, y = 0, rotation = 0;
 
   int requested = -1;  ///< transition: followed if this motion is requested; -1: whichever is.
   int target = 0;      ///< transition: index of the next node.

@@ -16,7 +16,7 @@ using Angles = std::vector<std::optional<int>>;
 constexpr std::size_t maxStatements = 20000;
 constexpr std::size_t maxErrors = 20;  // of one file; garbage is reported briefly
 constexpr int maxFrames = 10000;
-constexpr int maxSpeed = 10000;
+constexpr int mostOdometry = 10000;  // mm or mrad, a second or at once
 
 Words split(std::string_view line) {
   Words words;
@@ -103,13 +103,15 @@ class Parser {
     else if (word == "pid")
       parsePid(words);
     else if (word == "odometry")
-      parseOdometry(words);
+      parseOdometry(words, Node::Kind::odometry);
+    else if (word == "displacement")
+      parseOdometry(words, Node::Kind::displacement);
     else if (word == "~" || number(word) || values_.contains(word))
       parseData(words);
     else
       error(shown(word),
             "unknown; a line begins with motion_id, group, posture, label, value, "
-            "transition, pid, odometry, an angle, a value's name or ~");
+            "transition, pid, odometry, displacement, an angle, a value's name or ~");
   }
 
   bool wantName(std::string_view word, const char* what) {
@@ -200,13 +202,14 @@ class Parser {
     node.d = *d;
   }
 
-  void parseOdometry(const Words& words) {
-    if (words.size() != 4) return error("odometry", "expected: odometry X Y ROTATION");
-    const auto x = integer(words[1], "x", -maxSpeed, maxSpeed),
-               y = integer(words[2], "y", -maxSpeed, maxSpeed),
-               rotation = integer(words[3], "rotation", -maxSpeed, maxSpeed);
+  void parseOdometry(const Words& words, Node::Kind kind) {
+    const std::string word{words[0]};
+    if (words.size() != 4) return error(word, "expected: " + word + " X Y ROTATION");
+    const auto x = integer(words[1], "x", -mostOdometry, mostOdometry),
+               y = integer(words[2], "y", -mostOdometry, mostOdometry),
+               rotation = integer(words[3], "rotation", -mostOdometry, mostOdometry);
     if (!x || !y || !rotation) return;
-    auto& node = add(Node::Kind::odometry).node;
+    auto& node = add(kind).node;
     node.x = *x;
     node.y = *y;
     node.rotation = *rotation;

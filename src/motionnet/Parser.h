@@ -50,9 +50,10 @@ struct Motion {
 ///     A1 ... An INTERPOLATE COUNT         angles of all joints in mrad or ~ (don't care); 1: reach
 ///                                         them within COUNT frames, 0: send them COUNT times
 ///     posture NAME INTERPOLATE COUNT      the same with the angles of a posture
-///     pid JOINT P I D                     gains of a joint from here on; checked, but without
-///                                         effect: the simulated motors keep their gains
+///     pid JOINT P I D                     gains of a joint's servo from here to the motion's end
 ///     odometry X Y ROTATION               speed of the robot from here on: mm/s, mm/s, mrad/s
+///     displacement X Y ROTATION           where the next line of angles brings the robot, from
+///                                         where it began: mm, mm, mrad
 ///     transition REQUESTED MOTION LABEL   go there if REQUESTED (a motion, a group or allMotions)
 ///                                         is requested
 ///

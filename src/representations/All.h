@@ -4,6 +4,7 @@
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/MotionRequest.h"
+#include "representations/behavior/SoundRequest.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "representations/infrastructure/CeilingCameraPercept.h"
@@ -11,6 +12,7 @@
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameControlData.h"
 #include "representations/infrastructure/Image.h"
+#include "representations/infrastructure/JointGains.h"
 #include "representations/infrastructure/Joints.h"
 #include "representations/infrastructure/OracledWorldState.h"
 #include "representations/infrastructure/Player.h"
@@ -24,6 +26,7 @@
 #include "representations/modeling/RobotState.h"
 #include "representations/motion/GetupEngineOutput.h"
 #include "representations/motion/HeadMotionRequest.h"
+#include "representations/motion/JointDataSequence.h"
 #include "representations/motion/KickTable.h"
 #include "representations/motion/MotionInfo.h"
 #include "representations/motion/MotionNet.h"
@@ -47,13 +50,13 @@ namespace gt {
 template <template <typename...> typename List>
 using AllRepresentations =
     List<BehaviorState, BehaviorTrace, HeadControlMode, LedRequest, LedValue, MotionRequest,
-         BehaviorTeamMessage, TeamMessage, TeamMessages, CameraInfo, CameraSettings,
-         CeilingCameraPercept, FieldDimensions, FrameInfo, GameControlData, Image, JointData,
-         OracledWorldState, Player, RobotCalibration, RobotDimensions, SensorData, SensorDataBuffer,
-         BallModel, TeamBallModel, ObstaclesModel, PlayersCollection, RobotPose, RobotState,
-         GetupEngineOutput, HeadMotionRequest, KickTable, MotionInfo, MotionNet, OdometryData,
-         SpecialActionsOutput, WalkingEngineOutput, BallPercept, BodyPercept, CameraMatrix,
-         CollisionPercept, ColorTable64, LandmarksPercept, LinesPercept, ObstaclesPercept,
-         PlayersPercept, PsdPercept>;
+         SoundRequest, Speaker, BehaviorTeamMessage, TeamMessage, TeamMessages, CameraInfo,
+         CameraSettings, CeilingCameraPercept, FieldDimensions, FrameInfo, GameControlData, Image,
+         JointData, JointGains, OracledWorldState, Player, RobotCalibration, RobotDimensions,
+         SensorData, SensorDataBuffer, BallModel, TeamBallModel, ObstaclesModel, PlayersCollection,
+         RobotPose, RobotState, GetupEngineOutput, HeadMotionRequest, JointDataSequence, KickTable,
+         MotionInfo, MotionNet, OdometryData, SpecialActionsOutput, WalkingEngineOutput,
+         BallPercept, BodyPercept, CameraMatrix, CollisionPercept, ColorTable64, LandmarksPercept,
+         LinesPercept, ObstaclesPercept, PlayersPercept, PsdPercept>;
 
 }  // namespace gt

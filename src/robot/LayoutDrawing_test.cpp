@@ -30,7 +30,9 @@ TEST(LayoutDrawing, TellsWhatRunsWhereAndWhatCrosses) {
   EXPECT_THAT(cmd, HasSubstr("  Platform -> Cognition: Image, "));
   EXPECT_THAT(cmd, HasSubstr("; Image starts a cycle\n"));
   EXPECT_THAT(cmd, HasSubstr("  Cognition -> Motion: "));
-  EXPECT_THAT(cmd, HasSubstr("  Motion -> Platform: LedValue, JointData, OdometryData"));
+  EXPECT_THAT(
+      cmd,
+      HasSubstr("  Motion -> Platform: LedValue, Speaker, JointData, JointGains, OdometryData"));
   EXPECT_THAT(cmd, HasSubstr("  Debug -> Motion: MessageQueue\n"));
   const std::string single = describePlan(planOf("single.layout"));
   EXPECT_THAT(single, HasSubstr(". BehaviorControl on Image: MotionRequest"));

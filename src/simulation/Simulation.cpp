@@ -259,9 +259,9 @@ void Simulation::act() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Hardware& r = robots_[i];
     if (!r.controller) continue;
-    command(
-        i, {r.sensors.build().driven(r.output.joints.angles),
-            r.output.odometry.pose.relativeTo(r.odometry), world_->kickOf(r.output.specialAction)});
+    command(i, {r.sensors.build().driven(r.output.joints.angles),
+                r.output.odometry.pose.relativeTo(r.odometry),
+                world_->kickOf(r.output.specialAction), r.output.gains});
     r.odometry = r.output.odometry.pose;
     if (r.output.message) radio_.send(i, *r.output.message, world_->time());
     if (r.output.camera) setCamera(i, *r.output.camera);

@@ -26,6 +26,7 @@ struct MotionHarness {
   SensorDataBuffer sensors;
   SpecialActionsOutput special;
   JointData joints;
+  JointGains gains;
   OdometryData odometry;
   Debug debug;
   MotionInfo info;
@@ -44,7 +45,8 @@ struct MotionHarness {
     walkingEngine.update(frame, request, robot, sensors, {infoBefore}, walking);
     specialActions.update(frame, request, net, {infoBefore}, {jointsBefore}, special, debug);
     getupEngine.update(frame, sensors, net, {infoBefore}, {jointsBefore}, getup, debug);
-    motionControl.update(frame, request, walking, special, getup, head, joints, odometry, info);
+    motionControl.update(frame, request, walking, special, getup, head, joints, gains, odometry,
+                         info);
   }
   void steps(int n) {
     for (int i = 0; i < n; ++i) step();

@@ -2,7 +2,8 @@
 #include <tuple>
 
 #include "representations/behavior/LedRequest.h"
-#include "representations/infrastructure/Joints.h"
+#include "representations/behavior/SoundRequest.h"
+#include "representations/infrastructure/JointGains.h"
 #include "representations/motion/GetupEngineOutput.h"
 #include "representations/motion/HeadMotionRequest.h"
 #include "representations/motion/MotionInfo.h"
@@ -28,7 +29,7 @@ struct HeadControl {
   using Outputs = std::tuple<HeadMotionRequest>;
 };
 struct MotionControl {
-  using Outputs = std::tuple<JointData, OdometryData, MotionInfo>;
+  using Outputs = std::tuple<JointData, JointGains, OdometryData, MotionInfo>;
 };
 /// Recognizes collisions (report 3.6).
 struct CollisionDetector {
@@ -38,7 +39,11 @@ struct LEDControl {
   using Outputs = std::tuple<LedValue>;
 };
 
+struct SoundControl {
+  using Outputs = std::tuple<Speaker>;
+};
+
 using MotionTasks = std::tuple<WalkingEngine, SpecialActions, GetupEngine, HeadControl,
-                               MotionControl, CollisionDetector, LEDControl>;
+                               MotionControl, CollisionDetector, LEDControl, SoundControl>;
 
 }  // namespace gt

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/JointGains.h"
 
 namespace gt {
 
@@ -9,6 +9,7 @@ namespace gt {
 struct GetupEngineOutput {
   JointData joints;
   EnumArray<Joint, bool> dontCare;
+  JointGains gains;
   bool mayLeave = true;
   std::string action;
 
@@ -16,6 +17,7 @@ struct GetupEngineOutput {
     return Fields{
         field("joints", &GetupEngineOutput::joints),
         field("dontCare", &GetupEngineOutput::dontCare, "", "joints left to other requests"),
+        field("gains", &GetupEngineOutput::gains),
         field("mayLeave", &GetupEngineOutput::mayLeave, "", "no action is being performed"),
         field("action", &GetupEngineOutput::action, "",
               "the special action that gets it up from where it lies; empty if it is up")};

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "base/Geometry.h"
-#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/JointGains.h"
 #include "representations/motion/KickTable.h"
 #include "streams/Reflection.h"
 
 namespace gt {
 
-enum class MotionNodeKind { data, odometry, transition, leave };
+enum class MotionNodeKind { data, pid, odometry, displacement, transition, leave };
 
 /// The net of all special actions (report 3.9.2), made from the motion descriptions in `motions/`,
 /// which name them. Configuration.
@@ -37,6 +37,9 @@ struct MotionNet {
     bool interpolate = false;
     int frames = 0;
     Pose2D speed;
+    Pose2D displacement;
+    Joint joint{};
+    PidGains gains;
     bool always = false;
     int requested = 0;
     int target = 0;
@@ -50,6 +53,10 @@ struct MotionNet {
           field("interpolate", &Node::interpolate, "", "data: reach the angles in the last frame"),
           field("frames", &Node::frames, "frames", "data: of 8 ms"),
           field("speed", &Node::speed, "mm/s, rad/s", "odometry: from here on"),
+          field("displacement", &Node::displacement, "mm, rad",
+                "displacement: by which the next data node moves the robot"),
+          field("joint", &Node::joint, "", "pid"),
+          field("gains", &Node::gains, "", "pid: from here on"),
           field("always", &Node::always, "", "transition: followed whatever is requested"),
           field("requested", &Node::requested, "", "transition: followed for this motion"),
           field("target", &Node::target, "", "transition: index of the next node")};

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "base/Geometry.h"
-#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/JointGains.h"
 
 namespace gt {
 
@@ -10,6 +10,7 @@ namespace gt {
 struct SpecialActionsOutput {
   JointData joints;
   EnumArray<Joint, bool> dontCare;
+  JointGains gains;
   Pose2D odometryStep;
   bool mayLeave = true;
   std::string action;
@@ -18,6 +19,7 @@ struct SpecialActionsOutput {
     return Fields{
         field("joints", &SpecialActionsOutput::joints),
         field("dontCare", &SpecialActionsOutput::dontCare, "", "joints left to other requests"),
+        field("gains", &SpecialActionsOutput::gains),
         field("odometryStep", &SpecialActionsOutput::odometryStep, "mm, rad", "of this frame"),
         field("mayLeave", &SpecialActionsOutput::mayLeave, "", "the net is at extern"),
         field("action", &SpecialActionsOutput::action, "",

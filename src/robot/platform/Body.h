@@ -6,11 +6,12 @@
 
 #include "framework/Package.h"
 #include "representations/behavior/LedRequest.h"
+#include "representations/behavior/SoundRequest.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "representations/infrastructure/GameControlData.h"
 #include "representations/infrastructure/Image.h"
-#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/JointGains.h"
 #include "representations/infrastructure/OracledWorldState.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/motion/OdometryData.h"
@@ -47,6 +48,8 @@ struct RobotOutput {
   JointData joints;
   OdometryData odometry;  ///< Moves the robot, in the kinematic fidelity: its change is the step.
   LedValue leds;
+  JointGains gains{};
+  Speaker speaker{};
   /// The special action that is performed, or none: in the kinematic fidelity kicks play the ball
   /// as their table says.
   std::string specialAction{};
@@ -55,7 +58,8 @@ struct RobotOutput {
 
   static constexpr auto commands() {
     return std::tuple{&RobotOutput::joints, &RobotOutput::odometry, &RobotOutput::leds,
-                      &RobotOutput::message, &RobotOutput::camera};
+                      &RobotOutput::gains,  &RobotOutput::speaker,  &RobotOutput::message,
+                      &RobotOutput::camera};
   }
 };
 

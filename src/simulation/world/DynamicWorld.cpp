@@ -201,8 +201,12 @@ int DynamicWorld::jointDof(std::size_t robot, std::size_t joint) const {
 
 void DynamicWorld::step(std::span<const RobotCommand> commands) {
   for (std::size_t i = 0; i < std::min(activeRobots(), commands.size()); ++i)
-    for (std::size_t j = 0; j < enumCount<Joint>; ++j)
-      motors_[i].servos[j].setTarget(commands[i].joints.values[j]);
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
+      Servo& servo = motors_[i].servos[j];
+      servo.setTarget(commands[i].joints.values[j]);
+      if (servo.setGains(commands[i].gains.gains.values[j]))
+        model_->dof_damping[jointDof(i, j)] = servo.gains().d;
+    }
   holdRobots();
   putByHand();
   lookAround();

@@ -45,6 +45,18 @@ TEST(DynamicWorld, StandsOnItsMotors) {
     EXPECT_NEAR(robot.joints.values[j], firmStand().values[j], fromDegrees(4)) << j;
 }
 
+TEST(DynamicWorld, ServosWorkWithTheGainsOfTheirCommands) {
+  const auto world = worldOf(dynamicDuel({0.5, -300, 200}, {1000, 0}));
+  run(*world, firmStand(), 250);
+  const double firm = world->robot(0).height;
+  RobotCommand soft{firmStand(), {}};
+  for (PidGains& gains : soft.gains.gains.values) gains = {2, 0, gains.d};
+  for (int i = 0; i < 250; ++i) world->step({&soft, 1});
+  EXPECT_LT(world->robot(0).height, firm - 20) << "the legs give way";
+  run(*world, firmStand(), 250);
+  EXPECT_NEAR(world->robot(0).height, firm, 5) << "as recommended again";
+}
+
 TEST(DynamicWorld, IsPutDownOnceItsLegsAreWhereTheyShallBe) {
   const auto world = worldOf(dynamicDuel({0.5, -300, 200}, {1000, 0}));
   // Slowly from the straight legs with which it was switched on, as DefaultMotionControl does it.

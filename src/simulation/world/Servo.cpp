@@ -12,45 +12,29 @@ namespace {
 constexpr double unitP = 0.27, unitI = 0.4, unitD = 0.012;
 constexpr double legTorque = 1.5, otherTorque = 0.6;  // Nm, ESTIMATE
 
-constexpr ServoGains fromWords(int p, int i, int d, double torque) {
-  return {unitP * p, unitI * i, unitD * d, torque};
-}
-
 }  // namespace
 
-ServoGains gainsOf(Joint joint) {
-  switch (joint) {
-    case Joint::headTilt:
-    case Joint::headRoll:
-      return fromWords(0x0a, 0x08, 0x0c, otherTorque);
-    case Joint::headPan:
-      return fromWords(0x0d, 0x08, 0x0b, otherTorque);
-    case Joint::mouth:
-      return fromWords(0x0e, 0x08, 0x10, otherTorque);
-    case Joint::tailPan:
-      return fromWords(0x0a, 0x00, 0x18, otherTorque);
-    case Joint::tailTilt:
-    case Joint::earL:
-    case Joint::earR:
-      return fromWords(0x07, 0x00, 0x11, otherTorque);
-    default:
-      break;
-  }
-  switch ((static_cast<int>(joint) - static_cast<int>(Joint::legFR1)) % 3) {
-    case 0:
-      return fromWords(0x16, 0x04, 0x08, legTorque);
-    case 1:
-      return fromWords(0x14, 0x04, 0x06, legTorque);
-    default:
-      return fromWords(0x23, 0x04, 0x05, legTorque);
-  }
+ServoGains gainsOf(Joint joint, const PidGains& words) {
+  const bool ofLeg = joint >= Joint::legFR1 && joint <= Joint::legHL3;
+  return {unitP * words.p, unitI * words.i, unitD * words.d, ofLeg ? legTorque : otherTorque};
 }
 
-Servo::Servo(Joint joint) : gains_(gainsOf(joint)) {
+Servo::Servo(Joint joint)
+    : joint_(joint), words_(defaultGains(joint)), gains_(gainsOf(joint, words_)) {
   const JointLimits limits = limitsOf(joint);
   low_ = limits.low;
   high_ = limits.high;
   speed_ = limits.speed;
+}
+
+bool Servo::setGains(const PidGains& words) {
+  if (words == words_) return false;
+  words_ = words;
+  gains_ = gainsOf(joint_, words_);
+  gains_.p *= strength_;
+  gains_.torque *= strength_;
+  if (words_.i == 0) integral_ = 0;  // nothing would ever take it away
+  return true;
 }
 
 void Servo::rest(double angle) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/JointGains.h"
 
 namespace gt {
 
@@ -11,10 +11,10 @@ struct ServoGains {
   double torque;  ///< Nm, the largest
 };
 
-/// The gains of a joint's servo. Their ratios are Sony's (facts, 1.2: the words P, I, D of each
-/// joint); the unit of those words is not known: P is scaled so that a leg gives way by two to
-/// three degrees under a standing robot, and the torques suffice to get up (ESTIMATE).
-ServoGains gainsOf(Joint joint);
+/// The gains of a joint's servo by the words P, I, D that it takes. The unit of those words is not
+/// known: P is scaled so that with Sony's words a leg gives way by two to three degrees under a
+/// standing robot, and the torques suffice to get up (ESTIMATE).
+ServoGains gainsOf(Joint joint, const PidGains& words);
 
 /// The servo motor of a joint: turns towards its target, not faster than the joint can
 /// (`limitsOf`), with limited torque. The damping by `ServoGains::d` is left to the physics engine,
@@ -35,10 +35,14 @@ class Servo {
   bool atTarget() const { return reference_ == target_; }
 
   const ServoGains& gains() const { return gains_; }
+  /// Works with other gains from now on; returns whether these are others than before.
+  bool setGains(const PidGains& words);
   /// A factor on torque and P gain, such as of a weak battery.
   void setStrength(double factor);
 
  private:
+  Joint joint_;
+  PidGains words_;
   ServoGains gains_;
   double strength_ = 1;
   double low_, high_, speed_;

@@ -59,6 +59,29 @@ TEST(Servo, GivesWayToALoadAndComesBack) {
   EXPECT_LT(servo.torque(-100, 0.001), servo.gains().torque + 1e-12);
 }
 
+TEST(Servo, WorksWithOtherGains) {
+  const auto sag = [](int p, int i) {
+    Servo servo{Joint::legFR3};
+    PidGains words = defaultGains(Joint::legFR3);
+    EXPECT_FALSE(servo.setGains(words)) << "they are these already";
+    words.p = p;
+    words.i = i;
+    EXPECT_TRUE(servo.setGains(words));
+    double speed = 0;
+    servo.rest(0.5);
+    servo.setTarget(0.5);
+    return 0.5 - turn(servo, speed, 0.5, 2, -0.4);
+  };
+  EXPECT_NEAR(sag(20, 0), 2 * sag(40, 0), 0.001);
+  EXPECT_LT(sag(20, 40), sag(20, 0) / 2) << "the integral part works";
+  Servo weak{Joint::legFR3};
+  weak.setStrength(0.8);
+  weak.setGains({100, 0, 0});
+  Servo strong{Joint::legFR3};
+  strong.setGains({100, 0, 0});
+  EXPECT_NEAR(weak.gains().p, 0.8 * strong.gains().p, 1e-12);
+}
+
 TEST(Servo, IsAsStrongAsItsBattery) {
   Servo servo{Joint::legFR3};
   const ServoGains full = servo.gains();

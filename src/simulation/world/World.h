@@ -9,7 +9,7 @@
 #include "base/Random.h"
 #include "base/Result.h"
 #include "base/Time.h"
-#include "representations/infrastructure/Joints.h"
+#include "representations/infrastructure/JointGains.h"
 #include "simulation/scene/Scene.h"
 #include "simulation/world/MuJoCo.h"
 #include "simulation/world/Obstacles.h"
@@ -25,7 +25,8 @@ constexpr double tickSeconds = tickMs / 1000.0;
 struct RobotCommand {
   JointAngles joints{};
   Pose2D step;
-  int kick = -1;  ///< That it performs, as the world numbers kicks (`kickOf`); -1: none.
+  int kick = -1;       ///< That it performs, as the world numbers kicks (`kickOf`); -1: none.
+  JointGains gains{};  ///< Only the dynamic fidelity has servos for them.
 };
 
 /// How a robot lies or stands.

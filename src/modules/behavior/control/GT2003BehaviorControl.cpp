@@ -119,8 +119,8 @@ void GT2003BehaviorControl::execute(Time now, const BehaviorControlRequest& cont
 void GT2003BehaviorControl::update(WorldState world, const Behavior& behavior,
                                    const BehaviorControlRequest& control,
                                    MotionRequest& motionRequest, HeadControlMode& headControlMode,
-                                   LedRequest& ledRequest, BehaviorTeamMessage& message,
-                                   Debug& debug) {
+                                   LedRequest& ledRequest, SoundRequest& soundRequest,
+                                   BehaviorTeamMessage& message, Debug& debug) {
   if (behavior.compiled && behavior.compiled->shared() != loaded_)
     load(behavior, world.motions, debug);
   tactics_.update(world);
@@ -130,10 +130,12 @@ void GT2003BehaviorControl::update(WorldState world, const Behavior& behavior,
   if (engine_) execute(world.frame.time, control, debug);
 
   motionRequest = motionRequest_;
+  motionRequest.tail = outputs_.tail;
   motionRequest.time = world.frame.time;
   motionRequest.walkType = outputs_.walkType;
   headControlMode = outputs_.head;
   ledRequest = outputs_.leds;
+  soundRequest = outputs_.sound;
   message = {tactics_.role(), tactics_.estimatedTimeToReachBall()};
 }
 

@@ -41,7 +41,8 @@ class GT2003BehaviorControl {
   /// new image: how old the models are is its own matter.
   void update(WorldState world, const Behavior& behavior, const BehaviorControlRequest& control,
               MotionRequest& motionRequest, HeadControlMode& headControlMode,
-              LedRequest& ledRequest, BehaviorTeamMessage& message, Debug& debug);
+              LedRequest& ledRequest, SoundRequest& soundRequest, BehaviorTeamMessage& message,
+              Debug& debug);
 
   /// The symbols, basic behaviors and special actions for a behavior to be linked with: to check
   /// one without a robot, too.

@@ -51,7 +51,7 @@ class GT2003BehaviorControlTest : public ::testing::Test {
   void cycle(int ms = 40) {
     world.frame.time = world.frame.time + ms;
     control.update(world.state(), *behavior, {}, motionRequest, headControlMode, ledRequest,
-                   message, debug);
+                   soundRequest, message, debug);
   }
   void seeBall(const Vector2d& position) {
     world.ball.position = position;
@@ -66,6 +66,7 @@ class GT2003BehaviorControlTest : public ::testing::Test {
   MotionRequest motionRequest;
   HeadControlMode headControlMode;
   LedRequest ledRequest;
+  SoundRequest soundRequest;
   BehaviorTeamMessage message;
   Debug debug;
 };
@@ -83,8 +84,8 @@ TEST_F(GT2003BehaviorControlTest, KeepsItsBehaviorWhereANewOneDoesNotLink) {
     const Behavior edited{xabsl::compile("a.xabsl", {{"a.xabsl", text}}).behavior};
     ASSERT_TRUE(edited.compiled);
     world.frame.time = world.frame.time + 40;
-    control.update(world.state(), edited, {}, motionRequest, headControlMode, ledRequest, message,
-                   debug);
+    control.update(world.state(), edited, {}, motionRequest, headControlMode, ledRequest,
+                   soundRequest, message, debug);
   };
   const auto calling = [](const std::string& name) {
     return "namespace skills(\"Skills\") { behavior " + name + " { } }" +
@@ -107,7 +108,7 @@ TEST_F(GT2003BehaviorControlTest, SaysHowTheHeadLooksAndScans) {
   const auto decide = [&] {
     cycle();
     control.update(world.state(), *behavior, request, motionRequest, headControlMode, ledRequest,
-                   message, debug);
+                   soundRequest, message, debug);
     return headControlMode;
   };
   request.outputs = {{"head_control_mode", "look_at_point"}, {"head.point.x", "700"}};
@@ -213,6 +214,17 @@ TEST_F(GT2003BehaviorControlTest, GoesBehindTheBallAndKicksIt) {
   }
 }
 
+TEST_F(GT2003BehaviorControlTest, MovesTheTailAndPlaysASoundAsTheBehaviorSets) {
+  world.game.state = GameState::playing;
+  cycle();
+  EXPECT_EQ(motionRequest.tail, TailRequest::noTailWag);
+  EXPECT_EQ(soundRequest.sound, Sound::none);
+  world.game.state = GameState::finished;
+  cycle();
+  EXPECT_EQ(motionRequest.tail, TailRequest::wagHorizontalFast);
+  EXPECT_EQ(soundRequest.sound, Sound::fanfare);
+}
+
 TEST_F(GT2003BehaviorControlTest, LooksAtThePointThatTheBehaviorSets) {
   const std::string text =
       "namespace symbols(\"Symbols\") {"
@@ -227,8 +239,8 @@ TEST_F(GT2003BehaviorControlTest, LooksAtThePointThatTheBehaviorSets) {
   const auto compilation = xabsl::compile("a.xabsl", {{"a.xabsl", text}});
   ASSERT_TRUE(compilation.behavior);
   const Behavior looking{compilation.behavior};
-  control.update(world.state(), looking, {}, motionRequest, headControlMode, ledRequest, message,
-                 debug);
+  control.update(world.state(), looking, {}, motionRequest, headControlMode, ledRequest,
+                 soundRequest, message, debug);
   EXPECT_EQ(headControlMode.mode, HeadMode::lookAtPoint);
   EXPECT_EQ(headControlMode.point, Vector3d(500, -80, 43));
 }

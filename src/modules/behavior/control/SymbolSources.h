@@ -5,6 +5,7 @@
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/MotionRequest.h"
+#include "representations/behavior/SoundRequest.h"
 
 namespace gt {
 
@@ -18,6 +19,7 @@ class SoccerInputs final : public soccer::Inputs {
   soccer::GameState gameState() const override;
   bool gameOwnKickOff() const override { return w().game.kickOff == KickOff::own; }
   PlayerRole playerRole() const override { return w().player.role; }
+  TeamColor playerTeamColor() const override { return w().player.teamColor; }
   DynamicRole teamRole() const override { return tactics_.role(); }
   double fieldXGroundline() const override { return w().field.xGroundline; }
 
@@ -60,11 +62,13 @@ class SoccerInputs final : public soccer::Inputs {
   mutable SpecialAction action_{};  ///< The one being executed, looked up when its name changes.
 };
 
-/// What the behavior sets besides motions.
+/// What the behavior sets besides motions of the body.
 struct SoccerOutputs final : soccer::Outputs {
   HeadControlMode head;
   LedRequest leds;
   WalkType walkType = WalkType::normal;
+  TailRequest tail = TailRequest::noTailWag;
+  SoundRequest sound;
 
   void setHeadControlMode(HeadMode mode) override { head.mode = mode; }
   void setHeadPointX(double x) override { head.point.x() = x; }
@@ -81,6 +85,11 @@ struct SoccerOutputs final : soccer::Outputs {
   void setLedUpperRight(LedMode mode) override { leds.modes[Led::upperRight] = mode; }
   void setLedMiddleLeft(LedMode mode) override { leds.modes[Led::middleLeft] = mode; }
   void setLedMiddleRight(LedMode mode) override { leds.modes[Led::middleRight] = mode; }
+  void setLedTop(LedMode mode) override { leds.modes[Led::top] = mode; }
+  void setLedTailBlue(LedMode mode) override { leds.modes[Led::tailBlue] = mode; }
+  void setLedTailRed(LedMode mode) override { leds.modes[Led::tailRed] = mode; }
+  void setTail(TailRequest request) override { tail = request; }
+  void setSound(Sound name) override { sound.sound = name; }
 };
 
 }  // namespace gt

@@ -67,5 +67,30 @@ TEST_F(SymbolSources, GiveAnglesInDegreesFromWhereTheRobotLooks) {
   EXPECT_NEAR(inputs().ballAngleAround(-90), 90, 1e-9);
 }
 
+TEST_F(SymbolSources, SetEachLedTheTailAndTheSound) {
+  SoccerOutputs outputs;
+  using Set = void (SoccerOutputs::*)(LedMode);
+  const std::pair<Led, Set> all[] = {{Led::lowerLeft, &SoccerOutputs::setLedLowerLeft},
+                                     {Led::middleLeft, &SoccerOutputs::setLedMiddleLeft},
+                                     {Led::upperLeft, &SoccerOutputs::setLedUpperLeft},
+                                     {Led::lowerRight, &SoccerOutputs::setLedLowerRight},
+                                     {Led::middleRight, &SoccerOutputs::setLedMiddleRight},
+                                     {Led::upperRight, &SoccerOutputs::setLedUpperRight},
+                                     {Led::top, &SoccerOutputs::setLedTop},
+                                     {Led::tailBlue, &SoccerOutputs::setLedTailBlue},
+                                     {Led::tailRed, &SoccerOutputs::setLedTailRed}};
+  ASSERT_EQ(std::size(all), enumCount<Led>);
+  for (const auto& [led, set] : all) {
+    outputs = {};
+    (outputs.*set)(LedMode::fastBlink);
+    for (std::size_t i = 0; i < enumCount<Led>; ++i)
+      EXPECT_EQ(outputs.leds.modes.values[i] == LedMode::fastBlink, static_cast<Led>(i) == led);
+  }
+  outputs.setTail(TailRequest::wagVertical);
+  EXPECT_EQ(outputs.tail, TailRequest::wagVertical);
+  outputs.setSound(Sound::bing);
+  EXPECT_EQ(outputs.sound.sound, Sound::bing);
+}
+
 }  // namespace
 }  // namespace gt

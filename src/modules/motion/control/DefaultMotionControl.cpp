@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "modules/kinematics/LegKinematics.h"
+#include "modules/motion/control/MotorLimits.h"
 #include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 
 namespace gt {
@@ -70,24 +71,19 @@ void setAngles(JointAngles& angles, const JointAngles& wanted,
     if (!dontCare.values[i]) angles.values[i] = wanted.values[i];
 }
 
-/// Angles that the motors can take: within their limits, and with the legs beside the body.
-void keepWithinLimits(JointAngles& angles) {
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    const auto limits = limitsOf(static_cast<Joint>(i));
-    angles.values[i] = std::clamp(angles.values[i], limits.low, limits.high);
-  }
-  for (const auto leg : legs)
-    angles[legJoint(leg, 2)] =
-        std::max(angles[legJoint(leg, 2)], leastElevator(leg, angles[legJoint(leg, 1)]));
-}
-
 }  // namespace
 
 void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& request,
                                   const WalkingEngineOutput& walking,
                                   const SpecialActionsOutput& special,
                                   const GetupEngineOutput& getup, const HeadMotionRequest& head,
-                                  JointData& joints, OdometryData& odometry, MotionInfo& info) {
+                                  JointData& joints, JointGains& gains, OdometryData& odometry,
+                                  MotionInfo& info) {
+  if (!begun_) {
+    angles_ = joints.angles;
+    odometry_ = odometry.pose;
+    begun_ = true;
+  }
   const MotionRequest& wanted = request.validAt(frame.time);
   choose(moverFor(wanted), mover_ == Mover::walkingEngine    ? walking.mayLeave
                            : mover_ == Mover::specialActions ? special.mayLeave
@@ -96,11 +92,14 @@ void DefaultMotionControl::update(const FrameInfo& frame, const MotionRequest& r
   JointAngles target = angles_;
   setHead(target, head);
   Pose2D step;
+  gains = {};
   if (mover_ == Mover::specialActions) {
     setAngles(target, special.joints.angles, special.dontCare);
     step = special.odometryStep;
+    gains = special.gains;
   } else if (mover_ == Mover::getupEngine) {
     setAngles(target, getup.joints.angles, getup.dontCare);
+    gains = getup.gains;
   } else {
     for (const auto leg : legs) setLeg(target, leg, legOf(walking.joints.angles, leg));
     if (walking.holdsHead) setHead(target, headOf(walking.joints.angles));

@@ -31,12 +31,13 @@ class DefaultMotionControl {
   };
   Parameters parameters;
 
-  /// Provides the joints' angles, the odometry, and what is being done. A request that is too old
-  /// is one to stand.
+  /// Provides the joints' angles and gains, the odometry, and what is being done. A request that is
+  /// too old is one to stand. At first it resumes from the angles and the odometry that another
+  /// solution has provided.
   void update(const FrameInfo& frame, const MotionRequest& request,
               const WalkingEngineOutput& walking, const SpecialActionsOutput& special,
               const GetupEngineOutput& getup, const HeadMotionRequest& head, JointData& joints,
-              OdometryData& odometry, MotionInfo& info);
+              JointGains& gains, OdometryData& odometry, MotionInfo& info);
 
  private:
   /// Who moves the legs.
@@ -54,6 +55,7 @@ class DefaultMotionControl {
   Mover mover_ = Mover::walkingEngine;
   bool changing_ = true;  ///< The legs are still on their way to where the walk has them.
   int settling_ = 12;     ///< Frames for which it then rests, once it was switched on.
+  bool begun_ = false;
   JointAngles angles_;
   Pose2D odometry_;
 };

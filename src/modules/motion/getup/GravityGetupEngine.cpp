@@ -45,6 +45,7 @@ void GravityGetupEngine::update(const FrameInfo& frame, const SensorDataBuffer& 
   actions_.update(frame, request, net, {performing}, joints, performed_, debug);
   output.joints = performed_.joints;
   output.dontCare = performed_.dontCare;
+  output.gains = performed_.gains;
   output.mayLeave = performed_.mayLeave;
 }
 

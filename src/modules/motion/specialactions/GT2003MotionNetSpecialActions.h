@@ -20,8 +20,9 @@ std::string_view specialActionOf(const MotionRequest& request);
 /// to the next, along the transitions that the request selects (report 3.9.2).
 class GT2003MotionNetSpecialActions {
  public:
-  /// Provides the joints of the action being performed, all "don't care" at extern. A request that
-  /// is too old or names no motion of the net is none; the latter is reported once.
+  /// Provides the joints of the action being performed, all "don't care" at extern, and the gains
+  /// of its `pid` lines, all as recommended at extern and when another motion begins. A request
+  /// that is too old or names no motion of the net is none; the latter is reported once.
   void update(const FrameInfo& frame, const MotionRequest& request, const MotionNet& net,
               Previous<MotionInfo> motion, Previous<JointData> joints, SpecialActionsOutput& output,
               Debug& debug);
@@ -29,6 +30,8 @@ class GT2003MotionNetSpecialActions {
  private:
   /// The index of the requested motion; extern's if none is requested.
   int requestedMotion(const MotionNet& net, std::string_view name, Debug& debug);
+  /// A new motion begins: what lines of the last one set ends.
+  void begin();
   void advance(const MotionNet& net, int requested, const JointAngles& now);
   void play(const MotionNet& net, SpecialActionsOutput& output);
 
@@ -39,6 +42,8 @@ class GT2003MotionNetSpecialActions {
   int framesLeft_ = 0;
   JointAngles from_;  ///< Where the interpolation began.
   Pose2D speed_;
+  Pose2D dataStep_;  ///< Of each frame of the data node, by a displacement.
+  JointGains gains_;
 };
 
 }  // namespace gt

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "modules/motion/specialactions/MotionNetLoader.h"
 
 namespace gt {
@@ -24,7 +26,10 @@ struct Actions {
   SpecialActionsOutput output;
   Debug debug;
 
-  Actions() {
+  Actions() { compile({}, {}); }
+  /// With another description of a motion.
+  void replace(const std::string& motion, const std::string& body) { compile(motion, body); }
+  void compile(const std::string& other, const std::string& itsBody) {
     const std::string begin = "\nlabel start\n", end = "transition allMotions extern start\n";
     std::vector<motionnet::Source> sources;
     for (const std::string id : {"stand", "getupFromBelly", "getupFromSide", "getupFromBack",
@@ -36,6 +41,7 @@ struct Actions {
       if (id == "chestKick")
         body = "pid headTilt 1 2 3\nodometry 500 0 0\n" + data(200, 1, 10) + "odometry 0 0 1000\n" +
                data(0, 0, 3) + "transition allMotions stand start\n";
+      if (id == other) body = itsBody;
       sources.push_back({id + ".mof", "motion_id = " + id + begin + body});
     }
     const auto compilation = motionnet::compile(sources, motionRules());
@@ -93,6 +99,56 @@ TEST(GT2003MotionNetSpecialActions, GoesOnByTheTransitionsToWhereItMayBeLeft) {
   actions.step();
   EXPECT_TRUE(actions.output.mayLeave);
   EXPECT_EQ(actions.output.action, "");
+}
+
+TEST(GT2003MotionNetSpecialActions, SetsGainsUntilTheMotionEnds) {
+  Actions actions;
+  const auto tilt = [&] { return actions.output.gains.gains[Joint::headTilt]; };
+  actions.step();
+  EXPECT_EQ(tilt(), defaultGains(Joint::headTilt));
+  actions.perform("chestKick");
+  for (int i = 0; i < 13; ++i) {
+    actions.step();
+    EXPECT_EQ(tilt(), (PidGains{1, 2, 3}));
+    EXPECT_EQ(actions.output.gains.gains[Joint::headPan], defaultGains(Joint::headPan));
+  }
+  actions.step();
+  EXPECT_EQ(actions.output.action, "stand");
+  EXPECT_EQ(tilt(), defaultGains(Joint::headTilt));
+}
+
+TEST(GT2003MotionNetSpecialActions, AnotherMoverEndsTheGainsOfAMotion) {
+  Actions actions;
+  actions.perform("chestKick");
+  actions.step();
+  ASSERT_EQ(actions.output.gains.gains[Joint::headTilt], (PidGains{1, 2, 3}));
+  actions.info.executed.type = MotionType::walk;
+  actions.step();
+  EXPECT_EQ(actions.output.gains.gains[Joint::headTilt], defaultGains(Joint::headTilt));
+}
+
+TEST(GT2003MotionNetSpecialActions, ADisplacementIsMadeByTheNextDataAlongAnArc) {
+  for (const auto& [x, y, rotation] :
+       {std::tuple{-80, 30, 3142}, std::tuple{120, 0, 0}, std::tuple{0, 50, -1571}}) {
+    Actions actions;
+    actions.replace("chestKick", "displacement " + std::to_string(x) + " " + std::to_string(y) +
+                                     " " + std::to_string(rotation) + "\n" + data(200, 1, 40) +
+                                     data(0, 0, 3) + "transition allMotions stand start\n");
+    actions.perform("chestKick");
+    Pose2D pose, firstStep;
+    for (int i = 0; i < 40; ++i) {
+      actions.step();
+      if (i == 0) firstStep = actions.output.odometryStep;
+      EXPECT_NEAR(actions.output.odometryStep.translation.norm(), firstStep.translation.norm(),
+                  1e-9);
+      pose = pose * actions.output.odometryStep;
+    }
+    EXPECT_NEAR((pose.translation - Vector2d(x, y)).norm(), 0, 1e-6);
+    EXPECT_NEAR(normalize(pose.rotation - rotation / 1000.), 0, 1e-9);
+    actions.step();
+    EXPECT_EQ(actions.output.odometryStep.rotation, 0);
+    EXPECT_EQ(actions.output.odometryStep.translation, Vector2d::Zero());
+  }
 }
 
 TEST(GT2003MotionNetSpecialActions, StaysWhileItIsRequested) {
@@ -153,6 +209,30 @@ TEST(MotionNetLoader, TheMotionsInTheRepositoryAreRight) {
   const auto net = loadMotionNet("motions");
   ASSERT_TRUE(net) << net.error().text();
   EXPECT_GT(net->nodes.size(), 50u);
+}
+
+TEST(MotionNetLoader, ReadsLinesOfJointDataToTry) {
+  const auto part = jointDataOf(data(100, 1, 5) + "posture stand 0 7\n", "typed", "motions");
+  ASSERT_TRUE(part) << part.error().text();
+  ASSERT_EQ(part->lines.size(), 2u);
+  EXPECT_NEAR(part->lines[0].angles[0], 0.1, 1e-9);
+  EXPECT_TRUE(part->lines[0].dontCare[1]);
+  EXPECT_TRUE(part->lines[0].interpolate);
+  EXPECT_EQ(part->lines[1].frames, 7);
+  EXPECT_NEAR(part->lines[1].angles[8], 1.729, 1e-9) << "the posture of stand.mof";
+  std::string angles = "5";
+  for (int i = 1; i < MotionNet::jointCount; ++i) angles += " ~";
+  angles += "\n";
+  const auto whole = jointDataOf("motion_id = a\nlabel start\nposture b = " + angles +
+                                     "posture b 1 2\ntransition allMotions extern start\n",
+                                 "a.mof", "motions");
+  EXPECT_TRUE(whole) << whole.error().text();
+  const auto wrong = jointDataOf(data(1, 1, 1) + data(9999, 1, 5), "typed", "motions");
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().line, 2);
+  EXPECT_EQ(jointDataOf("posture moonwalk 1 2", "typed", "motions").error().line, 1);
+  EXPECT_FALSE(jointDataOf("// nothing", "typed", "motions"));
+  EXPECT_FALSE(jointDataOf(data(1, 1, 1), "typed", "no/such/folder"));
 }
 
 TEST(MotionNetLoader, NamesMotionsAndTakesKicksFromTheTable) {

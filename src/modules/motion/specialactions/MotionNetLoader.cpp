@@ -31,16 +31,31 @@ MotionNet::Node nodeOf(const motionnet::Node& from) {
       node.speed = {from.rotation / 1000.0, static_cast<double>(from.x),
                     static_cast<double>(from.y)};
       break;
+    case motionnet::Node::Kind::displacement:
+      node.kind = MotionNodeKind::displacement;
+      node.displacement = {from.rotation / 1000.0, static_cast<double>(from.x),
+                           static_cast<double>(from.y)};
+      break;
+    case motionnet::Node::Kind::pid:
+      node.kind = MotionNodeKind::pid;
+      node.joint = static_cast<Joint>(from.joint);
+      node.gains = {from.p, from.i, from.d};
+      break;
     case motionnet::Node::Kind::transition:
       node.kind = MotionNodeKind::transition;
       node.always = from.requested < 0;
       if (!node.always) node.requested = from.requested;
+      node.target = from.target;
       break;
-    case motionnet::Node::Kind::pid:
     case motionnet::Node::Kind::leave:
       node.kind = MotionNodeKind::leave;
   }
   return node;
+}
+
+Error firstOf(const std::vector<motionnet::Diagnostic>& errors) {
+  const auto& first = errors.front();
+  return {.file = first.file, .line = first.line, .field = first.field, .what = first.message};
 }
 
 }  // namespace
@@ -58,8 +73,6 @@ motionnet::Rules motionRules() {
 }
 
 Result<MotionNet> motionNetOf(const motionnet::Net& net, const std::string& source) {
-  // The motors take no gains while they run: lines with gains are left out.
-  std::vector<int> place;
   MotionNet result;
   for (const std::string& name : net.motions) result.motions.push_back({name, {}});
   result.motions[motionnet::Net::externMotion].name.clear();
@@ -68,23 +81,31 @@ Result<MotionNet> motionNetOf(const motionnet::Net& net, const std::string& sour
       return Error{.file = source,
                    .field = std::string{name},
                    .what = "no motion description for this special action"};
-  for (const auto& from : net.nodes) {
-    place.push_back(static_cast<int>(result.nodes.size()));
-    if (from.kind != motionnet::Node::Kind::pid) result.nodes.push_back(nodeOf(from));
-  }
-  for (std::size_t i = 0; i < net.nodes.size(); ++i)
-    if (net.nodes[i].kind == motionnet::Node::Kind::transition)
-      result.nodes[static_cast<std::size_t>(place[i])].target =
-          place[static_cast<std::size_t>(net.nodes[i].target)];
-  result.entry = place[static_cast<std::size_t>(net.entry)];
+  for (const auto& from : net.nodes) result.nodes.push_back(nodeOf(from));
+  result.entry = net.entry;
   return result;
+}
+
+Result<JointDataSequence> jointDataOf(const std::string& text, const std::string& file,
+                                      const std::string& folder) {
+  std::vector<motionnet::Diagnostic> errors;
+  const auto others = motionnet::readFolder(folder, errors);
+  std::vector<motionnet::Node> data;
+  if (errors.empty()) data = motionnet::dataOf({file, text}, others, motionRules(), errors);
+  if (!errors.empty()) return firstOf(errors);
+  if (data.empty()) return Error{.file = file, .what = "holds no line of joint data"};
+  JointDataSequence sequence;
+  for (const auto& node : data) {
+    const MotionNet::Node line = nodeOf(node);
+    sequence.lines.push_back({line.angles, line.dontCare, line.interpolate, line.frames});
+  }
+  return sequence;
 }
 
 Result<MotionNet> loadMotionNet(const std::string& folder) {
   const auto compilation = motionnet::compileFolder(folder, motionRules());
   if (compilation) return motionNetOf(compilation.net, folder);
-  const auto& first = compilation.errors.front();
-  return Error{.file = first.file, .line = first.line, .field = first.field, .what = first.message};
+  return firstOf(compilation.errors);
 }
 
 }  // namespace gt

@@ -3,6 +3,7 @@
 
 #include "base/Result.h"
 #include "motionnet/Compiler.h"
+#include "representations/motion/JointDataSequence.h"
 #include "representations/motion/MotionNet.h"
 
 namespace gt {
@@ -13,6 +14,11 @@ motionnet::Rules motionRules();
 /// The robot's form of a checked net; an error if a motion is missing that the
 /// motion modules ask for, stand or getup.
 Result<MotionNet> motionNetOf(const motionnet::Net&, const std::string& source);
+
+/// The lines of joint data in a text, to be tried on a robot (report J.5.4), with the postures of a
+/// folder's motion descriptions; the first error, if there are any. `file` is for errors.
+Result<JointDataSequence> jointDataOf(const std::string& text, const std::string& file,
+                                      const std::string& folder);
 
 /// Compiles all motion descriptions of a folder; the first error, if there are any.
 Result<MotionNet> loadMotionNet(const std::string& folder);

@@ -52,7 +52,8 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
     if (walks && request.walkType != type_ && allOnGround()) change(request.walkType, robot);
     // Of a walk whose feet are never all on the ground it has to stop before it can change.
     const bool stops = !walks || (request.walkType != type_ && flies());
-    accelerate(stops ? Pose2D{} : allowed(request.walk));
+    const Pose2D wanted{request.walk.rotation, request.walk.translation * parameters.gameSpeed};
+    accelerate(stops ? Pose2D{} : allowed(wanted));
     if (!isZero(speed_) || !standing()) {
       frame_ = (frame_ + 1) % walk().stepLen;
       balance(sensors.newest(), output.joints.angles);

@@ -163,6 +163,7 @@ struct BalanceParameters {
 
 /// The parameters of each walk type, and how all of them react.
 struct WalkTypes {
+  double gameSpeed = 1;
   WalkParameters normal, fast, backward, dribble, turnWithBall, crawl, pace;
   BalanceParameters balance;
 
@@ -174,7 +175,11 @@ struct WalkTypes {
   }
 
   static constexpr auto fields() {
-    return Fields{field("normal", &WalkTypes::normal),
+    return Fields{field("gameSpeed", &WalkTypes::gameSpeed, "",
+                        "factor on all requested speeds ahead and sideways: play in slow motion "
+                        "(report J.2.6)",
+                        {0.1, 1}),
+                  field("normal", &WalkTypes::normal),
                   field("fast", &WalkTypes::fast),
                   field("backward", &WalkTypes::backward),
                   field("dribble", &WalkTypes::dribble),

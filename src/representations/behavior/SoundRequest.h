@@ -1,0 +1,31 @@
+#pragma once
+#include "base/Enum.h"
+#include "base/Time.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// The sounds that the robot can make: each is the wave file of that name in `sounds/`.
+enum class Sound { none, bing, rise, fall, warning, fanfare };
+
+/// What the robot's loudspeaker shall play (report 3.8). Provided by BehaviorControl.
+struct SoundRequest {
+  Sound sound = Sound::none;
+
+  static constexpr auto fields() {
+    return Fields{field("sound", &SoundRequest::sound, "", "played once, when it is requested")};
+  }
+};
+
+/// What the loudspeaker plays. Provided by SoundControl.
+struct Speaker {
+  Sound sound = Sound::none;
+  Time began = never();
+
+  static constexpr auto fields() {
+    return Fields{field("sound", &Speaker::sound, "", "the last that was begun"),
+                  field("began", &Speaker::began, "ms")};
+  }
+};
+
+}  // namespace gt

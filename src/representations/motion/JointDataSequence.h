@@ -1,0 +1,40 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "representations/infrastructure/Joints.h"
+#include "representations/motion/MotionNet.h"
+
+namespace gt {
+
+/// Lines of joint data that a person sends to a robot to try a motion (report J.5.4: execute,
+/// loop, stop). Without lines it stops the present one.
+struct JointDataSequence {
+  /// One line of a motion description.
+  struct Line {
+    std::array<double, MotionNet::jointCount> angles{};
+    std::array<bool, MotionNet::jointCount> dontCare{};
+    bool interpolate = false;
+    int frames = 1;
+
+    static constexpr auto fields() {
+      return Fields{field("angles", &Line::angles, "rad"),
+                    field("dontCare", &Line::dontCare, "", "joints that stay where they are"),
+                    field("interpolate", &Line::interpolate, "", "reach the angles at the end"),
+                    field("frames", &Line::frames, "frames", "of 8 ms", {1, 10000})};
+    }
+  };
+
+  std::vector<Line> lines;
+  bool loop = false;
+  int number = 0;
+
+  static constexpr auto fields() {
+    return Fields{field("lines", &JointDataSequence::lines),
+                  field("loop", &JointDataSequence::loop, "", "again and again"),
+                  field("number", &JointDataSequence::number, "",
+                        "of the sequence: one with another number begins anew")};
+  }
+};
+
+}  // namespace gt
