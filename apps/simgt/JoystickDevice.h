@@ -1,5 +1,4 @@
 #pragma once
-#include <chrono>
 #include <memory>
 #include <string>
 
@@ -17,21 +16,14 @@ class JoystickDevice {
   JoystickDevice(const JoystickDevice&) = delete;
   JoystickDevice& operator=(const JoystickDevice&) = delete;
 
-  /// Executes what came in since this was called last: commands of buttons at once, movements of
-  /// axes at most every 300 ms (report J.5.5), of a hat that is held more often. Does not block.
+  /// Executes what came in since this was called last. Does not block.
   void update(Console& console);
 
  private:
-  using Clock = std::chrono::steady_clock;
-  using Axes = EnumArray<Joystick::Axis, double>;
-
   explicit JoystickDevice(int file) : file_{file} {}
-  void moveAxes(Console& console);
 
   int file_;
-  Axes axes_, sent_;
-  Time sentAt_ = never();
-  Clock::time_point sentAtClock_{};
+  JoystickInput input_;
 };
 
 }  // namespace gt

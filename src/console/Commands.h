@@ -14,7 +14,9 @@ std::vector<Command> robotCommands();
 std::vector<Command> configurationCommands();  ///< Of these, that about configurations.
 std::vector<Command> logCommands();            ///< Of these, those about logs.
 std::vector<Command> motionCommands();
+std::vector<Command> mofCommands();
 std::vector<Command> joystickCommands();
+std::vector<Command> soundCommands();
 std::vector<Command> behaviorCommands();
 std::vector<Command> viewCommands();
 std::vector<Command> testCommands();

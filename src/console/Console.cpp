@@ -48,7 +48,9 @@ constexpr CommandPart parts[] = {
     {{"configurations", "writing and reading what robots work with"}, configurationCommands},
     {{"logs", "recording, and playing what was recorded"}, logCommands},
     {{"motion", "robots moved by hand"}, motionCommands},
+    {{"motions", "motions tried line by line"}, mofCommands},
     {{"joystick", "robots moved by a joystick"}, joystickCommands},
+    {{"sound", "what robots play"}, soundCommands},
     {{"behavior", "what Xabsl2 decides"}, behaviorCommands},
     {{"views", "drawings, plots, films"}, viewCommands},
     {{"tests", "many runs"}, testCommands}};
@@ -64,7 +66,37 @@ std::vector<std::string> commandNames() {
 Console::Console(Session& session)
     : session_{session},
       recorder_{std::make_unique<ViewRecorder>()},
-      afterSteps_{session.afterSteps([this] { recorder_->step(*this); })} {}
+      afterSteps_{session.afterSteps([this] {
+        recorder_->step(*this);
+        followSounds();
+      })} {}
+
+Console::~Console() {
+  read(nullptr);
+}
+
+void Console::read(std::unique_ptr<SdlJoystick> joystick) {
+  if (!joystick && !device_) return;
+  device_ = std::move(joystick);
+  if (!device_) return session_.setInput({});
+  session_.setInput([this] {
+    input_.take(*this, *device_);
+    input_.update(*this);
+  });
+}
+
+void Console::playSounds(bool on) {
+  sounds_ = on ? std::make_unique<SoundPlayer>(session_.options().root.path("sounds")) : nullptr;
+  followSounds();
+}
+
+void Console::followSounds() {
+  if (!sounds_) return;
+  if (const auto done = sounds_->follow(session_, selected()); !done) {
+    print(done.error().text());
+    sounds_.reset();
+  }
+}
 
 Result<Words> splitWords(std::string_view line) {
   Words words;

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "console/Joystick.h"
+#include "console/JoystickInput.h"
+#include "console/JoystickScheme.h"
 #include "console/Session.h"
+#include "console/SoundPlayer.h"
 #include "console/ViewRecorder.h"
 #include "representations/motion/MotionNet.h"
 #include "views/Views.h"
@@ -54,6 +57,7 @@ const std::vector<HelpTopic>& topics();
 class Console {
  public:
   explicit Console(Session& session);
+  ~Console();
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
@@ -115,6 +119,12 @@ class Console {
   ViewSubject viewSubject();
 
   Joystick& joystick() { return joystick_; }
+  /// How the joystick moves robots; empty: by `joystick()`.
+  std::optional<JoystickScheme>& joystickScheme() { return scheme_; }
+  /// Reads a joystick of this machine while time passes; null: no longer.
+  void read(std::unique_ptr<SdlJoystick> joystick);
+  /// Plays on this machine what the selected robots play, or does so no longer.
+  void playSounds(bool on);
   /// What is recorded over time (commands plot and film).
   ViewRecorder& recorder() { return *recorder_; }
   /// Whether a condition did not hold that was expected to: a script that is a test has failed.
@@ -122,6 +132,8 @@ class Console {
   void failExpectation() { expectationFailed_ = true; }
 
  private:
+  void followSounds();
+
   static constexpr std::size_t mostOffers = 1000;
 
   Session& session_;
@@ -132,6 +144,10 @@ class Console {
   Joystick joystick_;
   std::vector<std::shared_ptr<const View>> definedViews_;
   std::unique_ptr<ViewRecorder> recorder_;
+  std::unique_ptr<SdlJoystick> device_;
+  JoystickInput input_;
+  std::optional<JoystickScheme> scheme_;
+  std::unique_ptr<SoundPlayer> sounds_;
   std::shared_ptr<const void> afterSteps_;
   int depth_ = 0;  ///< Scripts that call each other.
   bool noting_ = true, ended_ = false;

@@ -47,6 +47,7 @@ class ConsoleRobot {
   MotionRequest motion;
   BehaviorControlRequest behavior;
   std::optional<HeadMode> headMode;
+  int sequences = 0;        ///< Of joint data, sent to it.
   bool printsTexts = true;  ///< Report I.5.3: msg.
 };
 

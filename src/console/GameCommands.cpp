@@ -84,6 +84,12 @@ Result<void> pr(Console& console, const Words& words) {
   });
 }
 
+Result<void> gs(Console& console, const Words& words) {
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    return robot.observed().set("WalkingEngine.InvKin.gameSpeed", words[1]);
+  });
+}
+
 }  // namespace
 
 std::vector<Command> gameCommands() {
@@ -94,6 +100,10 @@ std::vector<Command> gameCommands() {
        "ready "
        "lifts all penalties.",
        gc, nullptr, true},
+      {robot, "gs", "FACTOR",
+       "Sets the game speed (report J.2.6): all requested speeds ahead and sideways are multiplied "
+       "by the factor, 0.1 to 1.",
+       gs, nullptr, true},
       {robot, "pr",
        "continue | illegalDefender | obstruction | keeperCharged | ballHolding | "
        "fieldPlayerCharged | illegalDefense | requestForPickup",

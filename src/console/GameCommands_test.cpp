@@ -1,4 +1,5 @@
 #include "console/TestSession.h"
+#include "representations/motion/MotionInfo.h"
 
 namespace gt {
 namespace {
@@ -31,6 +32,21 @@ TEST_F(GameCommands, LeadsTheGame) {
   expectError("gc kickOff green", "gc", "expected");
   expectError("gc kickOff red 1", "gc", "expected");
   expectError("pr nothing", "pr", "expected");
+}
+
+TEST_F(GameCommands, SlowsTheGameDown) {
+  const auto speedAt = [&](const char* factor) {
+    expectFine(std::string{"gs "} + factor);
+    expectFine("run 2 s");
+    return robot(0).provided<MotionInfo>()->executed.walk;
+  };
+  expectFine("sr BehaviorControl disabled");
+  expectFine("mr normal 100 40 20");
+  const Pose2D full = speedAt("1"), slow = speedAt("0.25");
+  EXPECT_NEAR(full.translation.x(), 100, 1e-6);
+  EXPECT_NEAR((slow.translation - full.translation / 4).norm(), 0, 1e-6);
+  EXPECT_NEAR(slow.rotation, full.rotation, 0.02) << "turning is not slowed down";
+  EXPECT_FALSE(console->execute("gs 0.05"));
 }
 
 }  // namespace

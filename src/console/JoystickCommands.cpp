@@ -5,6 +5,23 @@
 namespace gt {
 namespace {
 
+constexpr std::size_t kickButtons = 4;
+
+/// The first kicks of the table of kicks.
+std::vector<std::string> kicksOf(const MotionNet& motions) {
+  std::vector<std::string> names;
+  for (const MotionNet::Motion& motion : motions.motions)
+    if (motion.isKick() && names.size() < kickButtons) names.push_back(motion.name);
+  return names;
+}
+
+std::vector<std::string> actionsOf(const MotionNet& motions) {
+  std::vector<std::string> names;
+  for (const MotionNet::Motion& motion : motions.motions)
+    if (!motion.name.empty()) names.push_back(motion.name);
+  return names;
+}
+
 Result<void> jbc(Console& console, const Words& words) {
   const auto button = numberOf(words[1], 1, Joystick::buttons);
   if (!button) return button.error();
@@ -21,8 +38,41 @@ Result<void> jhc(Console& console, const Words& words) {
   return {};
 }
 
+Result<void> setScheme(Console& console, JoystickSchemeKind kind) {
+  console.joystickScheme().reset();
+  if (kind == JoystickSchemeKind::commands) return {};
+  // The robot's own, which have what the table of kicks says.
+  const auto robot = console.firstRobot();
+  if (!robot) return robot.error();
+  const auto motions = (*robot)->observed().value<MotionNet>();
+  if (!motions) return motions.error();
+  console.joystickScheme().emplace(kind, kicksOf(**motions), actionsOf(**motions));
+  return {};
+}
+
+/// Sends the selected robots what the scheme asks otherwise than before.
+Result<void> followScheme(Console& console) {
+  const auto changes = console.joystickScheme()->takeChanges();
+  return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
+    if (changes.motion) {
+      const TailRequest tail = robot.motion.tail;
+      robot.motion = *changes.motion;
+      robot.motion.tail = tail;
+      if (auto done = robot.observed().send(robot.motion); !done) return done;
+    }
+    if (changes.headMode) {
+      robot.headMode = *changes.headMode;
+      HeadControlMode mode;
+      mode.mode = *changes.headMode;
+      if (auto done = robot.observed().send(mode); !done) return done;
+    }
+    return changes.head ? robot.observed().send(*changes.head) : Result<void>{};
+  });
+}
+
 /// Controls the selected robots by the present axes.
 Result<void> moveRobots(Console& console) {
+  if (console.joystickScheme()) return followScheme(console);
   const Time now = console.session().time();
   const auto walk = console.joystick().walk();
   const auto head = console.joystick().head(now);
@@ -45,16 +95,40 @@ Result<void> moveAxes(Console& console, const Words& words) {
     if (!value) return value.error();
     moves.emplace_back(*axis, *value);
   }
-  for (const auto& [axis, value] : moves) console.joystick().move(axis, value);
+  for (const auto& [axis, value] : moves) {
+    console.joystick().move(axis, value);
+    if (auto& scheme = console.joystickScheme()) scheme->move(axis, value);
+  }
   return moveRobots(console);
 }
 
+Result<void> connect(Console& console) {
+  auto device = SdlJoystick::open();
+  if (!device) return device.error();
+  console.print("joystick: " + (*device)->name());
+  console.read(std::move(*device));
+  return {};
+}
+
 Result<void> joystick(Console& console, const Words& words) {
+  if (words[1] == "on") return connect(console);
+  if (words[1] == "off") {
+    console.read(nullptr);
+    return {};
+  }
+  if (words[1] == "scheme") {
+    const auto kind = enumValue<JoystickSchemeKind>(words[2]);
+    return kind ? setScheme(console, *kind) : wrongArguments(words);
+  }
   const bool down = words[1] == "press";
   if (!down && words[1] != "release") return moveAxes(console, words);
   if (words.size() != 3) return wrongArguments(words);
   const auto button = numberOf(words[2], 1, Joystick::buttons);
   if (!button) return button.error();
+  if (auto& scheme = console.joystickScheme()) {
+    scheme->press(static_cast<int>(*button), down);
+    return followScheme(console);
+  }
   const auto command = console.joystick().press(static_cast<int>(*button), down);
   if (command) return console.executeWithin(*command);
   // Once no button is pressed, robots walk as the stick stands then.
@@ -76,8 +150,12 @@ std::vector<Command> joystickCommands() {
            "pan); the "
            "coolie hat controls the others.",
            jhc, nullptr, true},
-          {global, "joystick", "(press | release) BUTTON | AXIS VALUE {AXIS VALUE}",
-           "Does what a joystick does: its buttons 1 to 32, and its axes x, y, z, accelerator, "
+          {global, "joystick",
+           "on | off | scheme (commands | stickSpeed | acceleratorSpeed) | (press | release) "
+           "BUTTON | AXIS VALUE {AXIS VALUE}",
+           "Reads this machine's joystick while time passes, or no longer; sets what its parts do "
+           "(report J.5.5; at first commands: jbc, jhc). Or does what a joystick does: its buttons "
+           "1 to 32, and its axes x, y, z, accelerator, "
            "hatX and "
            "hatY from -1 to 1, which move the selected robots.",
            joystick, axisNames, true}};

@@ -1,5 +1,6 @@
 #include "console/TestSession.h"
 #include "representations/behavior/MotionRequest.h"
+#include "representations/infrastructure/Joints.h"
 
 namespace gt {
 namespace {
@@ -27,6 +28,34 @@ TEST_F(JoystickCommands, FollowsAJoystick) {
   expectError("jbc 33 sit", "33", "is not from 1 to 32");
   expectError("jbc 1 fly", "fly", "no such command");
   expectError("jhc ear", "jhc", "expected");
+}
+
+TEST_F(JoystickCommands, MovesRobotsByASchemeOfTheReport) {
+  const auto request = [&] { return *robot(0).provided<MotionRequest>(); };
+  expectFine("sr BehaviorControl disabled");
+  expectFine("joystick scheme stickSpeed");
+  expectFine("joystick y -1 z -0.5");
+  expectFine("run 100 ms");
+  EXPECT_EQ(request().walk.translation, Vector2d(200, 0));
+  EXPECT_NEAR(request().walk.rotation, 0.8, 1e-9);
+  expectFine("joystick press 1");
+  expectFine("run 100 ms");
+  EXPECT_EQ(request().type, MotionType::specialAction);
+  EXPECT_TRUE(request().specialAction != "") << "a kick of the table";
+  expectFine("joystick release 1");
+  expectFine("joystick press 5");
+  expectFine("joystick x -1");
+  expectFine("run 1500 ms");
+  EXPECT_EQ(request().type, MotionType::stand);
+  EXPECT_GT(robot(0).provided<JointData>()->angles[Joint::headPan], 1.4);
+  expectFine("joystick release 5");
+  expectFine("joystick scheme acceleratorSpeed");
+  expectFine("joystick accelerator 0");
+  expectFine("run 100 ms");
+  EXPECT_EQ(request().walk.translation, Vector2d(100, 0));
+  expectError("joystick scheme fast", "joystick", "expected");
+  expectError("joystick on", "joystick", "none is plugged in");
+  expectFine("joystick off");
 }
 
 }  // namespace

@@ -11,11 +11,13 @@ class NoScreen : public gt::Screen {
 };
 
 /// Whether a line may be executed here: what names files would read or write any of the machine,
-/// what lets time pass or plays many games would take long, and sockets are another target's.
+/// sounds are this machine's, what lets time pass or plays many games would take long, and sockets
+/// are another target's.
 bool mayBeExecuted(std::string_view line) {
   static constexpr std::string_view elsewhere[] = {
-      "call",  "layout", "behavior", "xlb",  "sl",   "sc",    "log",  "save",  "load",     "run",
-      "until", "test",   "picture",  "plot", "film", "scene", "seed", "reset", "joystick", "st"};
+      "call", "layout", "behavior", "xlb",  "sl",      "sc",   "log",  "save",
+      "load", "run",    "until",    "test", "picture", "plot", "film", "scene",
+      "seed", "reset",  "joystick", "st",   "mof",     "sound"};
   const std::size_t begin = std::min(line.find_first_not_of(" \t\r\""), line.size());
   for (const std::string_view name : elsewhere)
     if (line.substr(begin).starts_with(name)) return false;
