@@ -30,7 +30,7 @@ class ChangedRoot {
 inline Parameter valuesParameter() {
   return {"values",
           "of the configuration: SelfLocator=GT2003,WalkingEngine.InvKin.normal.stepLen=40; or of "
-          "motions: motions.chestKick.rise=80",
+          "motions: motions.pushStrong.lean-frames=9",
           Parameter::Kind::text,
           {"none"}};
 }

@@ -68,12 +68,12 @@ class LearnedStriker:
         goal = np.array([np.cos(turn) * at[0] + np.sin(turn) * at[1], np.cos(turn) * at[1] - np.sin(turn) * at[0]])
         aim = np.arctan2(goal[1] - ball[1], goal[0] - ball[0])
         right = abs(ball[0] - 150) < 30 and abs(ball[1]) < 30 and abs(aim) < np.radians(15)
-        begun = motion_info.executed.specialAction == "chestKick"
+        begun = motion_info.executed.specialAction == "pushStrong"
         if begun and self.kicking:
             self.kicks += 1
         self.kicking = (self.kicking or right) and not begun
         if self.kicking:
-            request.type, request.specialAction = "specialAction", "chestKick"
+            request.type, request.specialAction = "specialAction", "pushStrong"
             return
         ahead, left, turn = FULL_SPEED * act(self.policy, ball[None] / 1000, goal[None] / 1000)[0]
         request.walk.translation, request.walk.rotation = [ahead, left], turn

@@ -1,7 +1,7 @@
 """Motion nets: the special actions, compiled from motion descriptions (`.mof`).
 
     net = gt2003.motions.compile().checked()
-    played = gt2003.motions.play(net, "chestKick")
+    played = gt2003.motions.play(net, "pushStrong")
     played.joints[:, 0]
 """
 

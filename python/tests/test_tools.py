@@ -167,7 +167,7 @@ def test_xabsl_engines_that_know_their_owner_are_freed() -> None:
 def test_motions_are_those_of_the_robots() -> None:
     net = motions.compile().checked()
     all_names = motions.names(net)
-    assert "chestKick" in all_names and "getupFromSide" in all_names
+    assert "pushStrong" in all_names and "getupFromSide" in all_names
     told = subprocess.run([BUILD / "bin/motionnet", "list"], cwd=ROOT, capture_output=True, text=True)
     assert told.returncode == 0 and motions.listing(net) == told.stdout
     match = gt2003.Match()
@@ -179,11 +179,11 @@ def test_motions_are_those_of_the_robots() -> None:
 
 def test_motions_play_as_on_a_robot() -> None:
     net = motions.compile(ROOT / "motions").checked()
-    played = motions.play(net, "chestKick")
+    played = motions.play(net, "pushStrong")
     assert played.complete and played.joints.shape[1] == len(JointData().angles)
     assert 30 < len(played.joints) < 1000
     assert np.ptp(played.joints, axis=0).max() > 0.3
-    assert not motions.play(net, "chestKick", seconds=0.1).complete
+    assert not motions.play(net, "pushStrong", seconds=0.1).complete
     for name in motions.names(net):
         assert len(motions.play(net, name, seconds=0.5).joints) > 0
     for motion, seconds, message in (("fly", 1, "no motion fly"), ("sit", -1, "seconds")):

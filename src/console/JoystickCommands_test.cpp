@@ -12,14 +12,14 @@ using JoystickCommands = SessionTest;
 TEST_F(JoystickCommands, FollowsAJoystick) {
   expectFine("sr BehaviorControl disabled");
   expectFine("jhc tilt");
-  expectFine("jbc 1 mr headLeft");
+  expectFine("jbc 1 mr hookLeft");
   expectFine("jbc 32 echo a  b");
   EXPECT_THAT(answers("joystick press 32"), Contains("a  b"));
   expectFine("joystick release 32");
   expectFine("joystick press 1");
   expectFine("joystick y -1");
   expectFine("run 100 ms");
-  EXPECT_EQ(robot(0).provided<MotionRequest>()->specialAction, "headLeft")
+  EXPECT_EQ(robot(0).provided<MotionRequest>()->specialAction, "hookLeft")
       << "no walking while a button is pressed";
   expectFine("joystick release 1");
   expectFine("joystick accelerator -0.5");

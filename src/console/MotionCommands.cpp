@@ -10,7 +10,9 @@ namespace {
 
 /// The report's names of kicks that have another one here.
 constexpr std::pair<std::string_view, std::string_view> reportActions[] = {
-    {"leftHeadKick", "headLeft"}, {"rightHeadKick", "headRight"}};
+    {"leftHeadKick", "hookLeft"},
+    {"rightHeadKick", "hookRight"},
+    {"unswBashOptimized", "pushStrong"}};
 
 std::vector<std::string> motionNames(const MotionNet& motions) {
   std::vector<std::string> names{"stand", "getup"};

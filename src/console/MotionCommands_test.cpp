@@ -25,7 +25,7 @@ TEST_F(MotionCommands, MovesRobotsByHand) {
   EXPECT_GT(session->simulation().world().robot(0).pose.translation.x(), -1950);
   expectFine("mr leftHeadKick");
   expectFine("run 200 ms");
-  EXPECT_EQ(robot(0).provided<MotionRequest>()->specialAction, "headLeft");
+  EXPECT_EQ(robot(0).provided<MotionRequest>()->specialAction, "hookLeft");
   EXPECT_EQ(robot(0).provided<MotionRequest>()->tail, TailRequest::wagHorizontalFast);
   EXPECT_THAT(answers("mr ?"), Contains("normal"));
   EXPECT_THAT(answers("tr ?"), Contains("noTailWag"));

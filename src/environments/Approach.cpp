@@ -39,8 +39,8 @@ class Approach : public BallGame {
     constexpr double precision = 30;  // mm
     const Errors now = errors();
     const Vector2d lies = relative(pose(0), ball().position);
-    const bool done = std::abs(lies.x() - distance) < precision && std::abs(lies.y()) < precision &&
-                      now.angle < fromDegrees(15);
+    const bool done = std::abs(lies.x() - ballDistance) < precision &&
+                      std::abs(lies.y()) < precision && now.angle < fromDegrees(15);
     terms[0] = (before_.distance - now.distance) / 1000;
     terms[1] = 0.3 * (before_.angle - now.angle);
     terms[2] = -0.1 * secondsPerStep();
@@ -54,12 +54,10 @@ class Approach : public BallGame {
   struct Errors {
     double distance = 0, angle = 0;  // mm, rad
   };
-  static constexpr double distance = 150;  ///< mm: of the ball before the robot.
-
   Errors errors() const {
     const Vector2d& at = ball().position;
     const double facing = angleOf(goalOf(TeamColor::red) - at);
-    const Vector2d place = at - distance * direction(facing);
+    const Vector2d place = at - ballDistance * direction(facing);
     return {(place - pose(0).translation).norm(), std::abs(normalize(facing - pose(0).rotation))};
   }
 

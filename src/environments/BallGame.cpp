@@ -10,6 +10,7 @@
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"
 #include "representations/modeling/PlayersCollection.h"
+#include "streams/Config.h"
 
 namespace gt {
 namespace {
@@ -18,16 +19,6 @@ namespace {
 constexpr double mostAhead = 250, mostLeft = 200, mostTurn = 2;  // mm/s, rad/s
 /// From here on a kick is executed.
 constexpr float kickFrom = 0.5F;
-/// Where the ball should lie before the robot, for a kick ahead (motions/kicks/chestKick.mof).
-constexpr double kickDistance = 150;  // mm
-
-struct AgentKick {
-  const char* motion;
-  const char* what;
-};
-constexpr std::array kicks{AgentKick{"chestKick", "kicks ahead"},
-                           AgentKick{"headLeft", "kicks to the left"},
-                           AgentKick{"headRight", "kicks to the right"}};
 
 /// Tasks that see, whose results the oracle provides instead.
 constexpr std::array seeing{"ImageProcessor", "SelfLocator", "BallLocator", "TeamBallLocator",
@@ -37,12 +28,22 @@ bool uses(const std::vector<AgentSkill>& skills, AgentSkill::Target target) {
   return std::ranges::count(skills, target, &AgentSkill::target) > 0;
 }
 
+/// What a kick does with the ball, for people.
+std::string described(const KickDescription& kick) {
+  const auto number = [](double value) { return numberText(std::round(value)); };
+  return "kicks a ball at " + number(kick.x) + ", " + number(kick.y) + " mm to " +
+         number(kick.direction) + " degrees";
+}
+
 }  // namespace
 
 BallGame::BallGame(EnvironmentOptions options, SceneDescription scene, const Cast& cast,
                    Abilities abilities)
     : Players{std::move(options), std::move(scene), cast}, abilities_{std::move(abilities)} {
   if (actions() == ActionKind::joints) ticksPerStep_ = 1;
+  // Without the table there are no kicks, and `load` reports why.
+  if (KickTable table; readConfig(scene_.resolve(scene_.config) + "/kicks.cfg", table))
+    kicks_ = std::move(table.kicks);
   addActions();
   if (observations() != ObservationKind::image) addObservations();
 }
@@ -55,10 +56,9 @@ void BallGame::addActions() {
     space.add("walk.left", "", -1, 1, "1: 0.2 m/s");
     space.add("walk.turn", "", -1, 1, "1: 2 rad/s counterclockwise");
     if (abilities_.kicks)
-      for (const AgentKick& kick : kicks)
-        space.add(
-            std::string{"kick."} + kick.motion, "", -1, 1,
-            std::string{kick.what} + ", if this is the greatest of the kicks and at least 0.5");
+      for (const KickDescription& kick : kicks_)
+        space.add("kick." + kick.motion, "", -1, 1,
+                  described(kick) + ", if this is the greatest of the kicks and at least 0.5");
     return;
   }
   for (const AgentSkill& skill : abilities_.skills)
@@ -131,12 +131,11 @@ void BallGame::requestMotion(std::size_t agent, std::span<const float> actions) 
   MotionRequest request;
   request.type = MotionType::walk;
   request.walk = {mostTurn * actions[2], mostAhead * actions[0], mostLeft * actions[1]};
-  if (abilities_.kicks) {
-    const auto choices = actions.subspan(walk);
+  if (const auto choices = actions.subspan(walk); !choices.empty()) {
     const auto greatest = std::ranges::max_element(choices);
     if (*greatest >= kickFrom) {
       request.type = MotionType::specialAction;
-      request.specialAction = kicks[static_cast<std::size_t>(greatest - choices.begin())].motion;
+      request.specialAction = kicks_[static_cast<std::size_t>(greatest - choices.begin())].motion;
     }
   }
   request.time = simulation().time();
@@ -156,7 +155,7 @@ void BallGame::requestSkill(std::size_t agent, std::span<const float> actions) {
   if (skill.name != skill::playSoccer.name) request.root = std::string{skill.name};
   request.basicBehavior = skill.basicBehavior;
   if (skill.target == AgentSkill::Target::direction)
-    request.parameters = {direction, numberText(kickDistance), "0"};
+    request.parameters = {direction, numberText(ballDistance), "0"};
   if (skill.target == AgentSkill::Target::point)
     request.parameters = {numberText(field().xGroundline * targets[0]),
                           numberText(field().ySideline * targets[1]), direction, "0"};

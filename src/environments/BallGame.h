@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "environments/Players.h"
+#include "representations/motion/KickTable.h"
 
 namespace gt {
 
@@ -54,6 +55,9 @@ class BallGame : public Players {
   void restart() override;
   void observe(std::size_t agent, std::span<float> numbers) override;
 
+  /// So far ahead the ball lies when a robot has walked to it (mm).
+  static constexpr double ballDistance = 150;
+
   const BallState& ball() const { return world().ball(0); }
   /// The middle of a goal's line on the field (mm): the one that a team plays to.
   Vector2d goalOf(TeamColor team) const {
@@ -75,6 +79,7 @@ class BallGame : public Players {
   std::vector<std::size_t> others(std::size_t robot, bool teammates) const;
 
   Abilities abilities_;
+  std::vector<KickDescription> kicks_;  ///< Those of the table.
   std::vector<JointAngles> requested_;  ///< Of each agent.
 };
 

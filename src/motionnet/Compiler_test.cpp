@@ -187,7 +187,7 @@ TEST(Compiler, AGroupCannotBlowUpTheNet) {
 TEST(Listing, NamesTheMotionsForXabsl) {
   const auto text = listing(compiled(entry, stand, kick).net.names());
   EXPECT_THAT(text, HasSubstr("enum special_action input {\n    none,\n    kick,\n    stand\n  }"));
-  EXPECT_EQ(xabslName("unswBashOptimized"), "unsw_bash_optimized");
+  EXPECT_EQ(xabslName("getupFromBack"), "getup_from_back");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace motionnet {
 
-/// The name of a motion in XABSL: chestKick is chest_kick there.
+/// The name of a motion in XABSL: pushStrong is push_strong there.
 std::string xabslName(std::string_view motion);
 
 /// Motions as a file of XABSL, which declares the enumeration special_action (report 5.4, F.2):

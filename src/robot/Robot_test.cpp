@@ -139,7 +139,7 @@ TEST(Robot, LivesOnWhatToolsAndTheOracleSayWhereItsTasksAreDisabled) {
   const auto robot = makeRobot();
   MotionRequest sit;
   sit.type = MotionType::specialAction;
-  sit.specialAction = "chestKick";
+  sit.specialAction = "pushStrong";
   RobotPose truth;
   truth.pose = {1, 200, 300};
   robot->fromTools().write({}, sit);
@@ -153,7 +153,7 @@ TEST(Robot, LivesOnWhatToolsAndTheOracleSayWhereItsTasksAreDisabled) {
   robot->layIfDisabled(truth);
   runFor(*robot, 400, 400);
   EXPECT_EQ(robot->provided<MotionRequest>()->type, MotionType::specialAction);
-  EXPECT_EQ(robot->provided<MotionInfo>()->executed.specialAction, "chestKick");
+  EXPECT_EQ(robot->provided<MotionInfo>()->executed.specialAction, "pushStrong");
   EXPECT_EQ(robot->provided<RobotPose>()->pose.translation.x(), 200);
 }
 

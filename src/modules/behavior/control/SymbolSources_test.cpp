@@ -10,13 +10,13 @@ namespace {
 class SymbolSources : public ::testing::Test {
  protected:
   SymbolSources() {
-    const KickDescription kick{.motion = "headLeft",
+    const KickDescription kick{.motion = "someKick",
                                .x = 150,
                                .y = 20,
                                .direction = 80,
                                .step = 60,
                                .places = {{150, 20, 1, 80, 30, 700, 100}}};
-    world.motions.motions = {{}, {"stand", {}}, {"headLeft", kick}};
+    world.motions.motions = {{}, {"stand", {}}, {"someKick", kick}};
     world.frame.time = world.ball.lastSeen = {1000};
   }
   const SoccerInputs& inputs() {
@@ -35,7 +35,7 @@ class SymbolSources : public ::testing::Test {
 TEST_F(SymbolSources, TellTheSpecialActionByItsIndex) {
   EXPECT_EQ(inputs().motionSpecialAction(), SpecialAction{0});
   world.motion.executed.type = MotionType::specialAction;
-  world.motion.executed.specialAction = "headLeft";
+  world.motion.executed.specialAction = "someKick";
   EXPECT_EQ(inputs().motionSpecialAction(), SpecialAction{2});
   world.motion.executed.specialAction = "stand";
   EXPECT_EQ(inputs().motionSpecialAction(), SpecialAction{1});
@@ -46,14 +46,14 @@ TEST_F(SymbolSources, TellTheSpecialActionByItsIndex) {
 }
 
 TEST_F(SymbolSources, TellWhereAKickPlaysTheBall) {
-  constexpr SpecialAction headLeft{2};
-  EXPECT_EQ(inputs().kickX(headLeft), 150);
-  EXPECT_EQ(inputs().kickY(headLeft), 20);
-  EXPECT_EQ(inputs().kickDirection(headLeft), 80);
+  constexpr SpecialAction someKick{2};
+  EXPECT_EQ(inputs().kickX(someKick), 150);
+  EXPECT_EQ(inputs().kickY(someKick), 20);
+  EXPECT_EQ(inputs().kickDirection(someKick), 80);
   world.ball.position = {115, 20};
-  EXPECT_FALSE(inputs().kickReaches(headLeft, 30, 0));
-  EXPECT_TRUE(inputs().kickReaches(headLeft, 30, 6));
-  EXPECT_FALSE(inputs().kickReaches(headLeft, 29, 6)) << "it goes farther astray";
+  EXPECT_FALSE(inputs().kickReaches(someKick, 30, 0));
+  EXPECT_TRUE(inputs().kickReaches(someKick, 30, 6));
+  EXPECT_FALSE(inputs().kickReaches(someKick, 29, 6)) << "it goes farther astray";
   EXPECT_FALSE(inputs().kickReaches(SpecialAction{1}, 180, 1000)) << "is no kick";
 }
 

@@ -40,13 +40,13 @@ TEST_F(MovementTest, DoesNotWalkIntoARobot) {
 }
 
 TEST_F(MovementTest, ARequestOfOneKindLeavesNothingOfTheLast) {
-  world.motions.motions = {{}, {"chestKick", {}}};
+  world.motions.motions = {{}, {"someKick", {}}};
   const WorldState state = world.state();
   tactics.update(state);
   movement.walk({100, 0}, 0);
   movement.perform(SpecialAction{1});
   EXPECT_EQ(request.type, MotionType::specialAction);
-  EXPECT_EQ(request.specialAction, "chestKick");
+  EXPECT_EQ(request.specialAction, "someKick");
   EXPECT_EQ(request.walk.translation.x(), 0);
   movement.getup();
   EXPECT_EQ(request.type, MotionType::getup);

@@ -55,9 +55,9 @@ TEST(DefaultMotionControl, EndsTheStepBeforeASpecialActionAndTheActionBeforeAWal
     MotionHarness motion;
     motion.walk(200, 0, 0);
     motion.steps(lead);
-    motion.perform("chestKick");
+    motion.perform("pushStrong");
     int waited = 0;
-    while (!motion.performs("chestKick") && waited < 200) {
+    while (!motion.performs("pushStrong") && waited < 200) {
       motion.step();
       ++waited;
       if (motion.info.executed.type == MotionType::specialAction) continue;
@@ -67,7 +67,7 @@ TEST(DefaultMotionControl, EndsTheStepBeforeASpecialActionAndTheActionBeforeAWal
     motion.walk(100, 0, 0);
     int performed = 0;
     bool unstable = true;
-    while (motion.performs("chestKick") && performed < 1000) {
+    while (motion.performs("pushStrong") && performed < 1000) {
       unstable = unstable && !motion.info.stable;
       motion.step();
       ++performed;
@@ -133,15 +133,15 @@ TEST(DefaultMotionControl, TheHeadIsFreeUnlessAnActionNeedsIt) {
   motion.head = {-0.3, 0.8, 0, -0.1};
   motion.steps(150);
   EXPECT_NEAR(motion.joints.angles[Joint::headPan], 0.8, 1e-9);
-  motion.perform("chestKick");
+  motion.perform("sit");
   motion.steps(60);
-  ASSERT_TRUE(motion.performs("chestKick"));
+  ASSERT_TRUE(motion.performs("sit"));
   EXPECT_NEAR(motion.joints.angles[Joint::headPan], 0.8, 1e-9);
   motion.request = {};
   motion.steps(300);
-  motion.perform("headLeft");
-  motion.steps(80);
-  ASSERT_TRUE(motion.performs("headLeft"));
+  motion.perform("swingLeft");
+  motion.steps(110);
+  ASSERT_TRUE(motion.performs("swingLeft"));
   EXPECT_LT(motion.joints.angles[Joint::headPan], -0.4);
 }
 

@@ -33,12 +33,12 @@ struct Actions {
     const std::string begin = "\nlabel start\n", end = "transition allMotions extern start\n";
     std::vector<motionnet::Source> sources;
     for (const std::string id : {"stand", "getupFromBelly", "getupFromSide", "getupFromBack",
-                                 "getupFromNose", "chestKick"}) {
+                                 "getupFromNose", "someKick"}) {
       std::string body = data(100, 1, 2) + end;
       if (id == "stand")
         body = data(-500, 1, 5) + "label hold\n" + data(-400, 0, 1) +
                "transition stand stand hold\n" + end;
-      if (id == "chestKick")
+      if (id == "someKick")
         body = "pid headTilt 1 2 3\nodometry 500 0 0\n" + data(200, 1, 10) + "odometry 0 0 1000\n" +
                data(0, 0, 3) + "transition allMotions stand start\n";
       if (id == other) body = itsBody;
@@ -64,12 +64,12 @@ struct Actions {
 TEST(GT2003MotionNetSpecialActions, InterpolatesAndRepeats) {
   Actions actions;
   actions.joints.angles[Joint::headTilt] = 0.1;
-  actions.perform("chestKick");
+  actions.perform("someKick");
   for (int i = 1; i <= 10; ++i) {
     actions.step();
     EXPECT_NEAR(actions.tilt(), 0.1 + 0.01 * i, 1e-9);
     EXPECT_FALSE(actions.output.mayLeave);
-    EXPECT_EQ(actions.output.action, "chestKick");
+    EXPECT_EQ(actions.output.action, "someKick");
     EXPECT_NEAR(actions.output.odometryStep.translation.x(), 4, 1e-9);
     EXPECT_TRUE(actions.output.dontCare[Joint::headPan]);
     EXPECT_FALSE(actions.output.dontCare[Joint::headTilt]);
@@ -84,11 +84,11 @@ TEST(GT2003MotionNetSpecialActions, InterpolatesAndRepeats) {
 
 TEST(GT2003MotionNetSpecialActions, GoesOnByTheTransitionsToWhereItMayBeLeft) {
   Actions actions;
-  actions.perform("chestKick");
+  actions.perform("someKick");
   actions.step();
   actions.request.type = MotionType::walk;  // too late: the kick is ended first, then stand
   for (int i = 1; i < 13; ++i) actions.step();
-  EXPECT_EQ(actions.output.action, "chestKick");
+  EXPECT_EQ(actions.output.action, "someKick");
   for (int i = 0; i < 6; ++i) {
     actions.step();
     EXPECT_EQ(actions.output.action, "stand");
@@ -158,14 +158,14 @@ TEST(GT2003MotionNetSpecialActions, StaysWhileItIsRequested) {
     actions.step();
     EXPECT_FALSE(actions.output.mayLeave);
   }
-  actions.perform("chestKick");
+  actions.perform("someKick");
   actions.step();
-  EXPECT_EQ(actions.output.action, "chestKick");
+  EXPECT_EQ(actions.output.action, "someKick");
 }
 
 TEST(GT2003MotionNetSpecialActions, DoesNothingWhileAnotherModuleMoves) {
   Actions actions;
-  actions.perform("chestKick");
+  actions.perform("someKick");
   actions.step();
   actions.info.executed.type = MotionType::walk;
   actions.step();
@@ -181,14 +181,14 @@ TEST(GT2003MotionNetSpecialActions, ReportsAnUnknownMotionOnce) {
   int reports = 0;
   actions.debug.out().handleAllMessages([&](const Message&) { ++reports; });
   EXPECT_EQ(reports, 1);
-  actions.perform("chestKick");
+  actions.perform("someKick");
   actions.step();
-  EXPECT_EQ(actions.output.action, "chestKick");
+  EXPECT_EQ(actions.output.action, "someKick");
 }
 
 TEST(GT2003MotionNetSpecialActions, AWrongNetDoesNotHangTheRobot) {
   Actions actions;
-  actions.perform("chestKick");
+  actions.perform("someKick");
   actions.net.nodes.assign(3, {});
   for (auto& node : actions.net.nodes) {
     node.kind = MotionNodeKind::transition;

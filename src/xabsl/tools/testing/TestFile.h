@@ -22,7 +22,7 @@ namespace xabsl {
 //       run 400;                                executes cycles for so many ms; `run;`: one cycle
 //       run 400 while walk.turn > 0;            and the condition must hold after each of them
 //       until go_to_ball == kick within 2000;   executes at least one cycle, until it holds
-//       expect kick && kick.id == chest_kick;
+//       expect kick && kick.id == push_strong;
 //       replay "match.trace" from 1000 to 5000 while !kick;
 //     }                                         cycles with the inputs that were recorded
 //
