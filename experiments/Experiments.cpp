@@ -16,9 +16,9 @@ const Experiments& experiments() {
     for (const auto& experiment : motionExperiments()) list.push_back(experiment);
     for (const auto& experiment : headExperiments()) list.push_back(experiment);
     for (const auto& experiment :
-         {fidelityExperiment(), kickExperiment(), kickTableExperiment(), matchExperiment(),
-          soakExperiment(), calibrationExperiment(), visionExperiment(), visionPlayExperiment(),
-          collisionExperiment(), worldModelExperiment()})
+         {fidelityExperiment(), showExperiment(), kickExperiment(), kickTableExperiment(),
+          matchExperiment(), soakExperiment(), calibrationExperiment(), visionExperiment(),
+          visionPlayExperiment(), collisionExperiment(), worldModelExperiment()})
       list.push_back(experiment);
     std::ranges::sort(list, {}, &Experiment::name);
     return list;

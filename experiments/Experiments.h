@@ -36,6 +36,9 @@ Experiments headExperiments();
 /// What the kicks do, with balls anywhere where they reach them.
 Experiment kickExperiment();
 Experiment kickTableExperiment();
+/// Whether robots stay on their feet during the special actions that are no kicks, or get up after
+/// them.
+Experiment showExperiment();
 /// 22 robots and 10 balls while everything goes wrong: half an hour in the kinematic fidelity, some
 /// minutes in the dynamic one.
 Experiment soakExperiment();

@@ -1,0 +1,134 @@
+// Special actions that are no kicks: whether the robot stays on its feet, or gets up afterwards.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "ChangedRoot.h"
+#include "Experiments.h"
+#include "Profiles.h"
+#include "measure/worlds/MovedRobot.h"
+
+namespace gt {
+namespace {
+
+constexpr double longest = 12;  // s: of an action
+
+/// What became of a robot that performed an action.
+struct Shown {
+  bool stands = false;    ///< It stands half a second later.
+  bool up = false;        ///< It stands afterwards, by its getup engine if it has to.
+  double seconds = 0;     ///< of the action
+  double recovering = 0;  ///< s, from then on until it stands
+  Pose2D moved;
+  double farthest = 0;  ///< rad: how far the body leaned at most
+};
+
+/// Upright and at rest on its feet.
+bool stands(const RobotBody& body) {
+  constexpr double standHeight = 90, level = fromDegrees(20);  // mm, rad
+  return body.posture == Posture::standing && body.height > standHeight &&
+         std::abs(body.tilt) < level && std::abs(body.roll) < level;
+}
+
+Shown show(MovedRobot& robot, const std::string& name, double holds, Random& random) {
+  robot.request = {};
+  robot.world().placeRobot(0, {pi * random.symmetric(), 0, 0});
+  robot.run(0.6);
+  const Pose2D from = robot.body().pose;
+  Shown shown;
+  const auto step = [&](double& clock) {
+    robot.step();
+    clock += tickSeconds;
+    const RobotBody& body = robot.body();
+    shown.farthest = std::max(shown.farthest, std::acos(std::cos(body.tilt) * std::cos(body.roll)));
+  };
+  const auto performs = [&] { return robot.motion().executed.specialAction == name; };
+  robot.request.type = MotionType::specialAction;
+  robot.request.specialAction = name;
+  while (!performs() && shown.seconds < longest) step(shown.seconds);
+  // What holds a posture ends when something else is requested.
+  for (const double until = shown.seconds + holds; shown.seconds < until;) step(shown.seconds);
+  robot.request = {};
+  while (robot.motion().executed.type == MotionType::specialAction && shown.seconds < longest)
+    step(shown.seconds);
+  double calm = 0;
+  for (int i = 0; i < 60; ++i) step(calm);
+  shown.stands = stands(robot.body());
+  shown.moved = robot.body().pose.relativeTo(from);
+  if (!shown.stands) robot.request.type = MotionType::getup;
+  constexpr double rests = 0.3, allowed = 4;  // s
+  double upright = 0;
+  while (upright < rests && shown.recovering < allowed + rests) {
+    step(shown.recovering);
+    upright = stands(robot.body()) ? upright + tickSeconds : 0;
+  }
+  shown.up = upright >= rests;
+  shown.recovering -= upright;
+  return shown;
+}
+
+/// The motions of the folder shows/.
+std::vector<std::string> showsIn(const DataRoot& root) {
+  std::vector<std::string> names;
+  std::error_code failed;  // then there are none
+  for (const auto& entry : std::filesystem::directory_iterator{root.path("motions/shows"), failed})
+    if (entry.path().extension() == ".mof") names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+Result<Measurement> showAll(const Job& job, const DataRoot& root) {
+  const auto scene = dynamicScene(job, root);
+  if (!scene) return scene.error();
+  auto robot = MovedRobot::make(root, *scene, job.seed);
+  if (!robot) return robot.error();
+  (*robot)->standUp();
+  Measurement measurement;
+  const std::string& only = job.parameter("show");
+  const int times = static_cast<int>(job.number("times"));
+  for (const std::string& name : showsIn(root)) {
+    if (only != "all" && only != name) continue;
+    Random random = Random{job.seed}.fork(name);
+    int standing = 0, up = 0;
+    double seconds = 0, recovering = 0, turned = 0, moved = 0, lean = 0;
+    for (int i = 0; i < times; ++i) {
+      const Shown shown = show(**robot, name, job.number("holds"), random);
+      standing += shown.stands;
+      up += shown.up;
+      seconds += shown.seconds / times;
+      recovering += shown.recovering / times;
+      turned += toDegrees(shown.moved.rotation) / times;
+      moved += shown.moved.translation.norm() / times;
+      lean += toDegrees(shown.farthest) / times;
+      if (!shown.up) (*robot)->world().standUp(0);
+    }
+    const std::string prefix = "motion.show." + name;
+    measurement.add(prefix + ".stands", "%", 100. * standing / times, Aim::atLeast(98));
+    measurement.add(prefix + ".up", "%", 100. * up / times, Aim::atLeast(99));
+    measurement.add(prefix + ".seconds", "s", seconds);
+    measurement.add(prefix + ".recovering", "s", recovering);
+    measurement.add(prefix + ".turned", "deg", turned);
+    measurement.add(prefix + ".moved", "mm", moved);
+    measurement.add(prefix + ".lean", "deg", lean);
+  }
+  if (measurement.values.empty()) return Error{.field = only, .what = "is no show"};
+  return measurement;
+}
+
+}  // namespace
+
+Experiment showExperiment() {
+  return {"motion.show",
+          "Whether robots stand after each motion of the folder shows, or how soon they get up",
+          {profileParameter(),
+           changeParameter(),
+           fidelityParameter(),
+           varietyParameter(),
+           {"show", "one of them, or all", Parameter::Kind::text, {"all"}},
+           {"holds", "s for which it is requested", Parameter::Kind::number, {"1"}},
+           {"times", "each robot performs it", Parameter::Kind::number, {"3"}},
+           valuesParameter()},
+          withValues<showAll>};
+}
+
+}  // namespace gt
