@@ -84,9 +84,9 @@ std::optional<GT2003HeadControl::Glance> ActiveVisionHeadControl::chooseGlance(c
     if (step == 0) continue;
     const double aside = parameters.modes.scanWidth * step / steps;
     const double pan = std::clamp(s.ballAngles.pan + aside, -widestPan, widestPan);
-    const double length = 2 * std::hypot(pan - s.ballAngles.pan, up);  // rad
-    const double duration = std::min(1000 * length / parameters.glanceSpeed,
-                                     static_cast<double>(parameters.modes.scanTime));
+    const double there = std::max(std::hypot(pan - s.ballAngles.pan, up) / parameters.glanceSpeed,
+                                  std::abs(up) / tiltSpeed);  // s
+    const double duration = std::min(2000 * there, static_cast<double>(parameters.modes.scanTime));
     const Sweep sweep{std::min(pan, s.ballAngles.pan) - halfWidth(),
                       std::max(pan, s.ballAngles.pan) + halfWidth()};
     const double gain = worth(sweep, s.now) - ballLoss(s.ball, duration / 1000);

@@ -165,7 +165,9 @@ std::optional<GT2003HeadControl::Glance> GT2003HeadControl::chooseGlance(const S
 }
 
 void GT2003HeadControl::planScanBesideBall(const Situation& s, const Glance& glance) {
-  const double tilt = parameters.horizonTilt - s.bodyTilt;
+  // From a ball right before the robot there is no time to get up to the horizon and back.
+  const double rise = tiltSpeed * glance.duration / 2000;
+  const double tilt = std::min(parameters.horizonTilt - s.bodyTilt, s.ballAngles.tilt + rise);
   const HeadAngles corner{(tilt + s.ballAngles.tilt) / 2,
                           s.ballAngles.pan + 0.3 * (glance.pan - s.ballAngles.pan), 0};
   path_.plan(s.measured, {corner, {tilt, glance.pan, 0}, s.ballAngles}, glance.duration);

@@ -68,6 +68,8 @@ class GT2003HeadControl {
 
  protected:
   static constexpr double widestPan = 1.45;  ///< rad, to each side.
+  /// rad/s, of the tilt joint in scans: servos that are weaker than others follow that, too.
+  static constexpr double tiltSpeed = 1.6;
 
   /// What the states need to know in a frame.
   struct Situation {

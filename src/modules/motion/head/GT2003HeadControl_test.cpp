@@ -21,6 +21,7 @@ struct Head {
   FrameInfo frame{{10000}};
   HeadMotionRequest request;
   double fastest = 0;
+  double tiltSpeed = 2.1;  ///< rad/s
 
   explicit Head(HeadMode headMode) { mode.mode = headMode; }
 
@@ -51,7 +52,7 @@ struct Head {
     const double tilt = request.tilt, pan = request.pan;
     control.update(mode, ball, sensors, robot, calibration, frame, request);
     // What MotionControl lets through.
-    request.tilt = std::clamp(request.tilt, tilt - 2.1 * 0.008, tilt + 2.1 * 0.008);
+    request.tilt = std::clamp(request.tilt, tilt - tiltSpeed * 0.008, tilt + tiltSpeed * 0.008);
     request.pan = std::clamp(request.pan, pan - 3 * 0.008, pan + 3 * 0.008);
     fastest = std::max(fastest, std::hypot(request.tilt - tilt, request.pan - pan) / 0.008);
     joints()[Joint::headTilt] = request.tilt;
@@ -190,6 +191,22 @@ TEST(GT2003HeadControl, SearchAutoScansBesideTheBallToBothSidesInTurn) {
   ASSERT_GE(sides.size(), 4u);
   for (std::size_t i = 1; i < sides.size(); ++i) EXPECT_NE(sides[i], sides[i - 1]);
   EXPECT_LT(head.frame.time - head.ball.lastSeen, 900);
+}
+
+TEST(GT2003HeadControl, IsBackInTimeFromAScanBesideABallRightBeforeTheRobot) {
+  Head head{HeadMode::searchAuto};
+  head.tiltSpeed = 1.7;  // a weak servo
+  const Vector2d ball{200, 0};
+  head.frames(300, ball);
+  int away = 0, longestAway = 0;
+  for (int i = 0; i < 800; ++i) {
+    head.frameWith(ball);
+    const bool off = (head.seen({ball.x(), ball.y(), 43}) - Vector2d{88, 72}).norm() > 5;
+    away = off ? away + 1 : 0;
+    longestAway = std::max(longestAway, away);
+  }
+  EXPECT_LE(longestAway * 8, 880);
+  EXPECT_GT(longestAway * 8, 700);
 }
 
 TEST(GT2003HeadControl, SearchAutoLooksAtTheBallBeforeItScansAndSearchesALostBall) {
