@@ -47,7 +47,10 @@ Result<void> setScheme(Console& console, JoystickSchemeKind kind) {
   const auto motions = (*robot)->observed().value<MotionNet>();
   if (!motions) return motions.error();
   console.joystickScheme().emplace(kind, kicksOf(**motions), actionsOf(**motions));
-  return {};
+  return console.forEachRobot([](ConsoleRobot& robot) {
+    robot.motion = {};
+    return robot.observed().send(robot.motion);
+  });
 }
 
 /// Sends the selected robots what the scheme asks otherwise than before.

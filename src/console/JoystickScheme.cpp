@@ -27,7 +27,7 @@ bool same(const HeadMotionRequest& a, const HeadMotionRequest& b) {
 }  // namespace
 
 void JoystickScheme::move(Joystick::Axis axis, double value) {
-  if (axis == Joystick::Axis::accelerator && value != axes_[axis]) {
+  if (axis == Joystick::Axis::accelerator && (value != axes_[axis] || !leverMoved_)) {
     leverMoved_ = true;
     if (isDown(actionButton)) actionChosen_ = true;
     if (kind_ == JoystickSchemeKind::stickSpeed && !isDown(actionButton)) {

@@ -17,6 +17,7 @@
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "representations/infrastructure/FrameInfo.h"
+#include "representations/motion/JointDataSequence.h"
 #include "robot/platform/Platform.h"
 
 namespace gt {
@@ -30,9 +31,9 @@ void addTasks(SolutionTable& table, std::type_identity<std::tuple<T...>>) {
 }  // namespace
 
 std::vector<const RepresentationType*> RobotModules::given() const {
-  std::vector<const RepresentationType*> types{&representation<Player>(),
-                                               &representation<FrameInfo>(),
-                                               &representation<BehaviorControlRequest>()};
+  std::vector<const RepresentationType*> types{
+      &representation<Player>(), &representation<FrameInfo>(),
+      &representation<BehaviorControlRequest>(), &representation<JointDataSequence>()};
   for (const ConfigurationPart& part : parts) types.push_back(part.type);
   return types;
 }

@@ -262,7 +262,7 @@ std::vector<WrongFile> wrongFiles() {
        "simgt: config/modules.cfg:1: SelfLocator: "},
       {"ModulesGarbage", "config/modules.cfg", garbage(), play, "simgt: config/modules.cfg:1: "},
       {"LogSettingsWrongName", "config/log.cfg", replaced("pictures", "images"), play,
-       "simgt: config/log.cfg:14: images: "},
+       "simgt: config/log.cfg:15: images: "},
   };
 }
 

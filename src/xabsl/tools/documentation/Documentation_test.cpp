@@ -101,8 +101,8 @@ TEST(Documentation, OfTheSoccerBehaviorIsSoundAndComplete) {
   const Documentation first(model);
   expectSound(first);
   expectComplete(first, model);
-  // A chart for the agent, each option and each state, and for the common decision trees.
-  std::size_t charts = 0, wanted = model.agents.size() * 2;
+  // A chart of the overview, each agent, option and state, and of the common decision trees.
+  std::size_t charts = 0, wanted = 1 + model.agents.size();
   for (const auto& [name, text] : first.files)
     for (std::size_t at = 0; (at = text.find("<svg ", at)) != std::string::npos; ++at) ++charts;
   for (const Option& option : model.options)
