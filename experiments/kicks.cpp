@@ -26,14 +26,24 @@ struct Kicked {
   bool overlaps = false;  ///< There is no room for the ball: the robot stands there.
 };
 
-/// A robot in the middle of the field faces anywhere. When it stands again, the ball rolls, and no
-/// wall has stopped it yet: from there its way is calculated.
-Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, double heading) {
-  const Pose2D start{heading, 0, 0};
+/// A robot in the middle of the field faces anywhere, walks some steps as it does on its way to a
+/// ball, and is asked for the kick; the ball is put down as the kick begins. When the robot stands
+/// again, the ball rolls, and no wall has stopped it yet: from there its way is calculated.
+Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, Random& random) {
   robot.request = {};
   robot.world().placeBall(0, {1900, 1200});
-  robot.world().placeRobot(0, start);
+  robot.world().placeRobot(0, {pi * random.symmetric(), 0, 0});
   robot.run(0.6);
+  robot.request.type = MotionType::walk;
+  robot.request.walk = {0.5 * random.symmetric(), 100 * random.uniform(), 60 * random.symmetric()};
+  robot.run(1 + 0.5 * random.uniform());
+  robot.request = {};
+  robot.request.type = MotionType::specialAction;
+  robot.request.specialAction = name;
+  constexpr double longest = 5;  // s
+  double waited = 0;
+  for (; robot.motion().executed.specialAction != name && waited < longest; waited += tickSeconds)
+    robot.step();
   const Pose2D from = robot.body().pose;
   robot.world().placeBall(0, from * place);
   Kicked kicked;
@@ -41,8 +51,6 @@ Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, d
   constexpr double pushed = 30;  // mm/s
   kicked.overlaps = robot.world().ball(0).speed.norm() > pushed;
   if (kicked.overlaps) return kicked;
-  robot.request.type = MotionType::specialAction;
-  robot.request.specialAction = name;
   double fastest = 0;
   const auto step = [&] {
     robot.step();
@@ -52,8 +60,6 @@ Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, d
     if (speed > fastest) kicked.strike = kicked.seconds;
     fastest = std::max(fastest, speed);
   };
-  constexpr double longest = 5;  // s
-  while (robot.motion().executed.specialAction != name && kicked.seconds < longest) step();
   robot.request = {};
   while (robot.motion().executed.type == MotionType::specialAction && kicked.seconds < longest)
     step();
@@ -62,6 +68,10 @@ Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, d
   const double slowing = robot.simulation().scene().physics.deceleration;
   const Vector2d rolls = ball.speed * ball.speed.norm() / (2 * slowing);
   kicked.way = relative(from, Vector2d{ball.position + rolls}) - place;
+  for (double after = 0; after < 1; after += tickSeconds) {  // s: some fall when they stand again
+    robot.step();
+    kicked.fell |= robot.hasFallen();
+  }
   return kicked;
 }
 
@@ -83,7 +93,7 @@ void measure(MovedRobot& robot, const std::string& motion, const KickAim& aim, i
   double moved = 0, turned = 0, ahead = 0;
   for (int i = 0; i < balls; ++i) {
     const Vector2d place = somewhere(aim, random);
-    const Kicked kicked = kick(robot, motion, place, pi * random.symmetric());
+    const Kicked kicked = kick(robot, motion, place, random);
     const double length = kicked.way.norm();
     constexpr double touched = 50;  // mm
     lengths.push_back(length);
@@ -165,7 +175,7 @@ void measurePlaces(MovedRobot& robot, const std::string& motion, int step, Rando
   const std::string name = "kicks." + motion;
   for (int ahead = nearest; ahead <= farthest; ahead += step)
     for (int left = -widest; left <= widest; left += step) {
-      const Kicked kicked = kick(robot, motion, Vector2d(ahead, left), pi * random.symmetric());
+      const Kicked kicked = kick(robot, motion, Vector2d(ahead, left), random);
       if (kicked.overlaps) continue;
       ++kicks;
       seconds += kicked.seconds;

@@ -23,7 +23,7 @@ struct WalkingEngineOutput {
               "the request as far as step sizes and accelerations allow"),
         field("walkType", &WalkingEngineOutput::walkType, "",
               "of this step; another one that is requested begins with the next"),
-        field("mayLeave", &WalkingEngineOutput::mayLeave, "", "all feet are on the ground"),
+        field("mayLeave", &WalkingEngineOutput::mayLeave, "", "the robot stands"),
         field("positionInWalkCycle", &WalkingEngineOutput::positionInWalkCycle, "", "", {0, 1}),
         field("holdsHead", &WalkingEngineOutput::holdsHead, "",
               "the walk turns head and mouth itself")};

@@ -121,7 +121,9 @@ DefaultMotionControl::Mover DefaultMotionControl::moverFor(const MotionRequest& 
 }
 
 void DefaultMotionControl::choose(Mover wanted, bool mayLeave) {
-  if (wanted == mover_ || !mayLeave) return;
+  // Who has fallen does not walk to an end.
+  const bool falls = wanted == Mover::getupEngine && mover_ == Mover::walkingEngine;
+  if (wanted == mover_ || !(mayLeave || falls)) return;
   mover_ = wanted;
   // Special actions come from where the joints are by themselves.
   changing_ = mover_ == Mover::walkingEngine;

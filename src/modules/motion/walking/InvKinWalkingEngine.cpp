@@ -49,7 +49,9 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
     reset(robot);
   } else {
     const bool walks = request.type == MotionType::walk;
-    if (walks && request.walkType != type_ && allOnGround()) change(request.walkType, robot);
+    // Special actions begin with the stance of the type that their request names.
+    const bool changes = request.type != MotionType::stand && request.walkType != type_;
+    if (changes && allOnGround()) change(request.walkType, robot);
     // Of a walk whose feet are never all on the ground it has to stop before it can change.
     const bool stops = !walks || (request.walkType != type_ && flies());
     const Pose2D wanted{request.walk.rotation, request.walk.translation * parameters.gameSpeed};
@@ -68,7 +70,7 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
   output.speed = measured(speed_);
   output.walkType = type_;
   output.positionInWalkCycle = static_cast<double>(frame_) / walk().stepLen;
-  output.mayLeave = allOnGround();
+  output.mayLeave = isZero(speed_) && standing();
   output.joints = {};
   for (const auto leg : legs)
     setLeg(output.joints.angles, leg, legAngles(robot, leg, target(robot, leg)).angles);

@@ -110,15 +110,13 @@ TEST(InvKinWalkingEngine, OdometryIsTheMotionOfTheFeetOnTheGround) {
     }
 }
 
-TEST(InvKinWalkingEngine, StaysWithinTheLimitsOfTheJoints) {
-  constexpr double speedFactor = 4.5;  // of Sony's recommendation, which no walk of 2003 kept
+TEST(InvKinWalkingEngine, StaysWithinTheLimitsOfTheJointsInEveryWalkType) {
   for (std::size_t type = 0; type < enumCount<WalkType>; ++type)
     for (const auto& motion : motions) {
       Walk walk;
       ASSERT_TRUE(readConfig("config/modules/WalkingEngine.InvKin.cfg", walk.engine.parameters));
       walk.request.walkType = static_cast<WalkType>(type);
       walk.frame();
-      auto before = walk.output.joints.angles;
       walk.go(motion.translation.x(), motion.translation.y(), motion.rotation);
       for (int i = 0; i < 500; ++i) {
         if (i == 350) walk.request.type = MotionType::stand;
@@ -127,34 +125,46 @@ TEST(InvKinWalkingEngine, StaysWithinTheLimitsOfTheJoints) {
         for (const auto leg : legs)
           for (int number = 1; number <= 3; ++number) {
             const Joint joint = legJoint(leg, number);
-            const auto limits = limitsOf(joint);
-            EXPECT_GT(now[joint], limits.low);
-            EXPECT_LT(now[joint], limits.high);
-            EXPECT_LT(std::abs(now[joint] - before[joint]), limits.speed * speedFactor * 0.008)
-                << enumNames<WalkType>[type] << " " << enumName(joint);
+            EXPECT_GE(now[joint], limitsOf(joint).low) << enumNames<WalkType>[type];
+            EXPECT_LE(now[joint], limitsOf(joint).high) << enumNames<WalkType>[type];
           }
-        for (const auto leg : legs)
-          EXPECT_GT(now[legJoint(leg, 2)], leastElevator(leg, now[legJoint(leg, 1)]));
-        before = now;
       }
     }
 }
 
-TEST(InvKinWalkingEngine, MayBeLeftOnlyWithAllFeetOnTheGround) {
+TEST(InvKinWalkingEngine, MayBeLeftOnlyOnceItStands) {
   Walk walk;
-  walk.engine.parameters.normal.foreFootTilt = walk.engine.parameters.normal.hindFootTilt = 0;
+  walk.frame();
+  const auto stand = walk.output.joints.angles;
+  EXPECT_TRUE(walk.output.mayLeave);
   walk.go(200, 0, 0);
-  int chances = 0;
   for (int i = 0; i < 320; ++i) {
     walk.frame();
-    const auto feet = walk.feet();
-    const double lift =
-        std::max(std::abs(feet[0].z() - feet[1].z()), std::abs(feet[2].z() - feet[3].z()));
-    EXPECT_EQ(walk.output.mayLeave, lift < 0.5) << lift;
-    chances += walk.output.mayLeave ? 1 : 0;
+    EXPECT_FALSE(walk.output.mayLeave) << i;
   }
-  EXPECT_GE(chances, 8);  // twice a cycle
-  EXPECT_LE(chances, 24);
+  walk.request.type = MotionType::specialAction;
+  int frames = 0;
+  while (!walk.output.mayLeave && ++frames < 300) walk.frame();
+  EXPECT_LT(frames,
+            50 + 1.5 * walk.engine.parameters.normal.stepLen);  // slows down, and ends the step
+  for (std::size_t i = 0; i < stand.size(); ++i)
+    EXPECT_NEAR(walk.output.joints.angles.values[i], stand.values[i], 0.02);
+}
+
+TEST(InvKinWalkingEngine, LeavesOtherTypesInTheStanceOfTheTypeThatIsRequested) {
+  Walk walk;
+  walk.frame();
+  const auto stand = walk.output.joints.angles;
+  walk.engine.parameters.dribble.foreCenterX = 50;
+  walk.request.walkType = WalkType::dribble;
+  walk.go(100, 0, 0);
+  walk.frames(300);
+  walk.request = {};
+  walk.request.type = MotionType::specialAction;
+  walk.frames(300);
+  EXPECT_TRUE(walk.output.mayLeave);
+  for (std::size_t i = 0; i < stand.size(); ++i)
+    EXPECT_NEAR(walk.output.joints.angles.values[i], stand.values[i], 0.02);
 }
 
 TEST(InvKinWalkingEngine, ComesToAStandAndStartsAgain) {
