@@ -17,8 +17,9 @@ const Experiments& experiments() {
     for (const auto& experiment : headExperiments()) list.push_back(experiment);
     for (const auto& experiment :
          {fidelityExperiment(), showExperiment(), kickExperiment(), kickTableExperiment(),
-          matchExperiment(), soakExperiment(), calibrationExperiment(), visionExperiment(),
-          visionPlayExperiment(), collisionExperiment(), worldModelExperiment()})
+          grabExperiment(), matchExperiment(), soakExperiment(), calibrationExperiment(),
+          visionExperiment(), visionPlayExperiment(), collisionExperiment(),
+          worldModelExperiment()})
       list.push_back(experiment);
     std::ranges::sort(list, {}, &Experiment::name);
     return list;

@@ -36,6 +36,8 @@ Experiments headExperiments();
 /// What the kicks do, with balls anywhere where they reach them.
 Experiment kickExperiment();
 Experiment kickTableExperiment();
+/// Whether a robot grabs the ball, turns with it and kicks it.
+Experiment grabExperiment();
 /// Whether robots stay on their feet during the special actions that are no kicks, or get up after
 /// them.
 Experiment showExperiment();

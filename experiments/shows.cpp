@@ -21,7 +21,14 @@ struct Shown {
   double recovering = 0;  ///< s, from then on until it stands
   Pose2D moved;
   double farthest = 0;  ///< rad: how far the body leaned at most
+  double held = 0;      ///< rad: how far it leaned when the request ended
+  double rolled = 0;    ///< rad, about its long axis, + to the right
 };
+
+/// How far the body's back is from pointing up.
+double lean(const RobotBody& body) {
+  return std::acos(std::cos(body.tilt) * std::cos(body.roll));
+}
 
 /// Upright and at rest on its feet.
 bool stands(const RobotBody& body) {
@@ -37,10 +44,11 @@ Shown show(MovedRobot& robot, const std::string& name, double holds, Random& ran
   const Pose2D from = robot.body().pose;
   Shown shown;
   const auto step = [&](double& clock) {
+    const double roll = robot.body().roll;
     robot.step();
     clock += tickSeconds;
-    const RobotBody& body = robot.body();
-    shown.farthest = std::max(shown.farthest, std::acos(std::cos(body.tilt) * std::cos(body.roll)));
+    shown.farthest = std::max(shown.farthest, lean(robot.body()));
+    shown.rolled += normalize(robot.body().roll - roll);
   };
   const auto performs = [&] { return robot.motion().executed.specialAction == name; };
   robot.request.type = MotionType::specialAction;
@@ -48,6 +56,7 @@ Shown show(MovedRobot& robot, const std::string& name, double holds, Random& ran
   while (!performs() && shown.seconds < longest) step(shown.seconds);
   // What holds a posture ends when something else is requested.
   for (const double until = shown.seconds + holds; shown.seconds < until;) step(shown.seconds);
+  shown.held = lean(robot.body());
   robot.request = {};
   while (robot.motion().executed.type == MotionType::specialAction && shown.seconds < longest)
     step(shown.seconds);
@@ -90,7 +99,8 @@ Result<Measurement> showAll(const Job& job, const DataRoot& root) {
     if (only != "all" && only != name) continue;
     Random random = Random{job.seed}.fork(name);
     int standing = 0, up = 0;
-    double seconds = 0, recovering = 0, turned = 0, moved = 0, lean = 0;
+    double seconds = 0, recovering = 0, turned = 0, moved = 0;
+    double farthest = 0, held = 0, rolled = 0;
     for (int i = 0; i < times; ++i) {
       const Shown shown = show(**robot, name, job.number("holds"), random);
       standing += shown.stands;
@@ -99,7 +109,9 @@ Result<Measurement> showAll(const Job& job, const DataRoot& root) {
       recovering += shown.recovering / times;
       turned += toDegrees(shown.moved.rotation) / times;
       moved += shown.moved.translation.norm() / times;
-      lean += toDegrees(shown.farthest) / times;
+      farthest += toDegrees(shown.farthest) / times;
+      held += toDegrees(shown.held) / times;
+      rolled += toDegrees(shown.rolled) / times;
       if (!shown.up) (*robot)->world().standUp(0);
     }
     const std::string prefix = "motion.show." + name;
@@ -109,7 +121,9 @@ Result<Measurement> showAll(const Job& job, const DataRoot& root) {
     measurement.add(prefix + ".recovering", "s", recovering);
     measurement.add(prefix + ".turned", "deg", turned);
     measurement.add(prefix + ".moved", "mm", moved);
-    measurement.add(prefix + ".lean", "deg", lean);
+    measurement.add(prefix + ".lean", "deg", farthest);
+    measurement.add(prefix + ".heldLean", "deg", held);
+    measurement.add(prefix + ".rolled", "deg", rolled);
   }
   if (measurement.values.empty()) return Error{.field = only, .what = "is no show"};
   return measurement;

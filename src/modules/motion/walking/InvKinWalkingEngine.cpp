@@ -46,6 +46,7 @@ void InvKinWalkingEngine::update(const FrameInfo& frame, const MotionRequest& mo
   const MotionRequest& request = motionRequest.validAt(frame.time);
   output.odometryStep = {};
   if (!active || frame_ < 0) {
+    type_ = request.walkType;  // of which the stand is that the legs come to
     reset(robot);
   } else {
     const bool walks = request.type == MotionType::walk;

@@ -196,6 +196,26 @@ TEST(InvKinWalkingEngine, StartsFromTheStandAfterAnotherMotion) {
   EXPECT_EQ(walk.output.speed.translation, Vector2d::Zero());
 }
 
+TEST(InvKinWalkingEngine, StandsAsTheRequestedWalkAfterAnotherMotion) {
+  Walk walk;
+  auto& p = walk.engine.parameters.turnWithBall;
+  p.foreCenterX = 80;
+  p.foreHeight = 60;
+  p.holdsHead = true;
+  walk.frame();
+  walk.motion.executed.type = MotionType::specialAction;
+  walk.go(0, 0, 1);
+  walk.request.walkType = WalkType::turnWithBall;
+  walk.frame();
+  EXPECT_NEAR(walk.feet()[1].x(), 59.5 + 80, 1e-6);
+  EXPECT_NEAR(walk.feet()[1].z(), -60, 1e-6);
+  EXPECT_TRUE(walk.output.holdsHead);
+  walk.request = {};
+  walk.frame();
+  EXPECT_EQ(walk.output.walkType, WalkType::normal);
+  EXPECT_FALSE(walk.output.holdsHead);
+}
+
 TEST(InvKinWalkingEngine, ReportsTheSpeedThatWasMeasured) {
   Walk walk;
   walk.engine.parameters.normal.correctionX = 0.8;
