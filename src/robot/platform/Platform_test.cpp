@@ -19,8 +19,8 @@ TEST(Platform, ListsWhatABodyGivesAndTakes) {
               ::testing::ElementsAre("SensorDataBuffer", "GameControlData", "TeamMessages",
                                      "OracledWorldState", "Image"));
   EXPECT_THAT(namesOf(commandRepresentations()),
-              ::testing::ElementsAre("JointData", "OdometryData", "LedValue", "JointGains", "Speaker",
-                                     "TeamMessage", "CameraSettings"));
+              ::testing::ElementsAre("JointData", "OdometryData", "LedValue", "JointGains",
+                                     "Speaker", "TeamMessage", "CameraSettings"));
 }
 
 TEST(Platform, AnImageComesLastAndWithAllThatBelongsToIt) {

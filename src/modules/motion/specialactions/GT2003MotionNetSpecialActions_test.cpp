@@ -132,8 +132,8 @@ TEST(GT2003MotionNetSpecialActions, ADisplacementIsMadeByTheNextDataAlongAnArc) 
        {std::tuple{-80, 30, 3142}, std::tuple{120, 0, 0}, std::tuple{0, 50, -1571}}) {
     Actions actions;
     actions.replace("someKick", "displacement " + std::to_string(x) + " " + std::to_string(y) +
-                                     " " + std::to_string(rotation) + "\n" + data(200, 1, 40) +
-                                     data(0, 0, 3) + "transition allMotions stand start\n");
+                                    " " + std::to_string(rotation) + "\n" + data(200, 1, 40) +
+                                    data(0, 0, 3) + "transition allMotions stand start\n");
     actions.perform("someKick");
     Pose2D pose, firstStep;
     for (int i = 0; i < 40; ++i) {
