@@ -12,14 +12,17 @@ PYTHON  ?= /usr/bin/python3
 JOBS    ?= $(shell nproc)
 # Some tests are run by Node, which may have come from elsewhere, with npm in it: nearly half of all packages that a bare machine lacks.
 NODE     = $(if $(and $(shell command -v node),$(shell command -v npm)),,nodejs npm)
+# What the workbench needs; everything else is built without it.
+QT       = qt6-base-dev libqcustomplot-dev
 # A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
-.PHONY: help install play film play-remote robots kill-test test python replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers sanitize-python fuzz clean
+.PHONY: help install play film control play-remote robots kill-test test python replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make film          films half a minute of a match: out/match.mp4'
+	@echo 'make control       opens the workbench robotcontrol on a match'
 	@echo 'make test          builds everything and runs all tests'
 	@echo 'make python        makes the environment build/python with the package gt2003, for PYTHON=$(PYTHON)'
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
@@ -60,12 +63,18 @@ film: build
 	@$(BUILD)/bin/simgt console scenes/match.scene --seed $(SEED) --threads $(JOBS) --script scenes/film.con
 	@echo 'Film: out/match.mp4'
 
+control: PACKAGES += $(QT)
+control: TARGETS = --target robotcontrol
+control: build
+	@$(BUILD)/bin/robotcontrol scenes/match.scene --seed $(SEED) --threads $(JOBS) --start
+
+install: PACKAGES += $(QT)
 install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 test python: ENVIRONMENT = build/python
 test python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
-test sanitize: PACKAGES += $(NODE)
+test sanitize: PACKAGES += $(NODE) $(QT)
 test: build
 	@$(CTEST) --test-dir $(BUILD)
 
@@ -169,7 +178,7 @@ check-format:
 
 # The headers that the build generates have to be there; the preset "clang" has no precompiled headers.
 lint:
-	@scripts/install-packages clang-14 clang-tidy-14
+	@scripts/install-packages clang-14 clang-tidy-14 $(QT)
 	@cmake --preset clang >/dev/null
 	@cmake --build --preset clang --parallel $(JOBS) --target commit gt_behavior_symbols
 	@scripts/lint build/clang $(if $(SINCE),--since $(SINCE)) $(if $(MINUTES_OF_LINT),--minutes $(MINUTES_OF_LINT))

@@ -13,7 +13,6 @@ namespace gt {
 namespace {
 
 constexpr Color grass{30, 110, 50}, lineColor{235, 235, 235};
-constexpr double fieldScale = 0.18;   // pixels a mm
 constexpr double marginAround = 150;  // mm
 
 void addPolygon(Drawing& drawing, std::vector<Vector2d> corners, Color color, bool filled) {
@@ -135,10 +134,10 @@ class FieldView : public View {
 
   Result<Sheet> show(const ViewSubject& subject, std::span<const double>) const override {
     const FieldDimensions& f = subject.field;
-    const int width = static_cast<int>(2 * (f.xGoalBack + marginAround) * fieldScale);
-    const int height = static_cast<int>(2 * (f.ySideline + marginAround) * fieldScale);
+    const int width = static_cast<int>(2 * (f.xGoalBack + marginAround) * fieldViewScale);
+    const int height = static_cast<int>(2 * (f.ySideline + marginAround) * fieldViewScale);
     Sheet sheet{width, height, {70, 70, 75}};
-    const Placement placement{{width / 2.0, height / 2.0}, fieldScale, true};
+    const Placement placement{{width / 2.0, height / 2.0}, fieldViewScale, true};
     ObservedRobot* first = subject.robots.empty() ? nullptr : subject.robots.front();
     const TeamColor team = first ? teamOf(*first) : TeamColor::red;
     for (const std::string& element : elements_) {

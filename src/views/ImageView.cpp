@@ -7,8 +7,6 @@
 namespace gt {
 namespace {
 
-constexpr int enlarged = 4;  // pixels of the sheet for one of the camera
-
 class ImageView : public View {
  public:
   ImageView(std::string name, std::string help, std::vector<std::string> elements)
@@ -23,15 +21,15 @@ class ImageView : public View {
     if ((*image)->pixels.empty() || info.width <= 0 || info.height <= 0)
       return Error{.field = (*robot)->name(), .what = "has no image yet"};
     const RgbImage colors = rgbOf(**image);
-    Sheet sheet{info.width * enlarged, info.height * enlarged, colors::black};
+    Sheet sheet{info.width * imageViewScale, info.height * imageViewScale, colors::black};
     for (const std::string& element : elements_) {
       if (element == "image") {
-        sheet.paint(colors, {0, 0}, enlarged);
+        sheet.paint(colors, {0, 0}, imageViewScale);
       } else if (element == "colorClassImage") {
         const Image seen = **image;  // asking for the table may bring another one
         const auto table = (*robot)->value<ColorTable64>();
         if (!table) return table.error();
-        sheet.paint(classesOf(seen, **table), {0, 0}, enlarged);
+        sheet.paint(classesOf(seen, **table), {0, 0}, imageViewScale);
       } else {
         paintDrawings(sheet, **robot, element);
       }
@@ -43,7 +41,7 @@ class ImageView : public View {
   static void paintDrawings(Sheet& sheet, const ObservedRobot& robot, const std::string& element) {
     for (const auto& [key, drawing] : robot.drawings())
       if (drawing.space == DrawingSpace::image && (key == element || element == "drawings"))
-        sheet.paint(drawing, {Vector2d::Zero(), enlarged, false});
+        sheet.paint(drawing, {Vector2d::Zero(), imageViewScale, false});
   }
 
   std::vector<std::string> elements_;

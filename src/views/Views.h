@@ -20,10 +20,14 @@ std::unique_ptr<View> makeSensorView();      ///< What the body's sensors measur
 std::unique_ptr<View> makeTimeView();        ///< Report J.3.6: how long each module takes.
 std::unique_ptr<View> makePlotView();        ///< Report J.3.5: values over time.
 
+/// Pixels of an image view's sheet for one of the camera.
+inline constexpr int imageViewScale = 4;
 /// Report I.3.3.1: an image view, defined by its name and what is painted on one another: `image`,
 /// `colorClassImage`, image drawings by their debug keys, and `drawings` for all that come.
 std::unique_ptr<View> makeImageView(std::string name, std::string help,
                                     std::vector<std::string> elements);
+/// Pixels of a field view's sheet for a mm; the field's center is in its middle.
+inline constexpr double fieldViewScale = 0.18;
 /// Report I.3.3.2: a field view, defined likewise: `fieldPolygons`, `fieldLines`, `flags`, `truth`
 /// (where robots and balls truly are), drawings on the field or around the robot by their debug
 /// keys, and `drawings`.

@@ -1,0 +1,95 @@
+#include <QApplication>
+#include <QStandardPaths>
+#include <QTimer>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "commandline/CommandLine.h"
+#include "crash/CrashHandler.h"
+#include "workbench/MainWindow.h"
+
+namespace {
+
+struct Options {
+  gt::MatchOptions match;
+  std::vector<std::string> scripts, commands;
+  std::string settings;
+  bool start = false;
+  std::string picture;            ///< A picture of the window is written, and the program ends.
+  std::vector<std::string> open;  ///< Dialogs.
+  std::string theme;
+  int width = 1280, height = 760;
+};
+
+/// Writes a picture of the window once all commands are executed and the dialogs have shown it.
+void takePicture(gt::SessionThread& session, gt::MainWindow& window, const std::string& file) {
+  constexpr int settling = 1200;  // ms
+  session.execute("# all is done", [&window, file](const gt::Result<void>&) {
+    QTimer::singleShot(settling, &window, [&window, file] {
+      const bool saved = window.grab().save(QString::fromStdString(file));
+      if (!saved) std::fprintf(stderr, "robotcontrol: %s: cannot be written\n", file.c_str());
+      QApplication::exit(saved ? 0 : 2);
+    });
+  });
+}
+
+gt::Result<int> run(int argc, char** argv, const Options& options) {
+  QApplication application{argc, argv};
+  QApplication::setApplicationName("robotcontrol");
+  QApplication::setOrganizationName("gt2003");
+  auto session = gt::SessionThread::make(options.match);
+  if (!session) return session.error();
+  (*session)->execute("st on 1", {}, true);
+  (*session)->callStartScript();
+  for (const std::string& script : options.scripts) (*session)->execute("call \"" + script + "\"");
+  for (const std::string& command : options.commands) (*session)->execute(command);
+  if (options.start) (*session)->execute("start");
+  const QString folder = options.settings.empty()
+                             ? QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation)
+                             : QString::fromStdString(options.settings);
+  gt::MainWindow window{**session, folder};
+  window.resize(options.width, options.height);
+  if (!options.theme.empty())
+    gt::setTheme(options.theme == "dark" ? gt::Theme::dark : gt::Theme::light);
+  window.show();
+  for (const std::string& dialog : options.open)
+    if (!window.open(QString::fromStdString(dialog)))
+      return gt::Error{.field = dialog, .what = "there is no such dialog"};
+  if (!options.picture.empty()) takePicture(**session, window, options.picture);
+  return QApplication::exec();
+}
+
+}  // namespace
+
+/// RobotControl: the workbench (report 5.2).
+int main(int argc, char** argv) {
+  gt::installCrashHandler({"robotcontrol"});
+  gt::CommandLine line{argc, argv,
+                       "RobotControl: the workbench for robots of the simulator, on logs and "
+                       "elsewhere"};
+  Options options;
+  options.match = gt::MatchOptions{line.root()};
+  options.match.threads = 2;
+  CLI::App& app = line.app();
+  app.add_option("scene", options.match.scene, "Scene file")->capture_default_str();
+  app.add_option("--seed", options.match.seed, "The same seed gives the same match")
+      ->capture_default_str();
+  app.add_option("--threads", options.match.threads, "Worker threads; they do not change the match")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app.add_option("--script", options.scripts, "Console scripts to begin with");
+  app.add_option("-c,--command", options.commands, "Console commands to begin with")
+      ->allow_extra_args(false);
+  app.add_flag("--start", options.start, "Lets time pass at once");
+  app.add_option("--settings", options.settings,
+                 "Folder of layouts and settings, instead of the user's own");
+  app.add_option("--open", options.open, "Dialogs to open, by their names in layouts");
+  app.add_option("--theme", options.theme, "How the window looks")
+      ->check(CLI::IsMember({"light", "dark"}));
+  app.add_option("--picture", options.picture,
+                 "Writes a picture of the window (PNG) after the commands, and ends");
+  app.add_option("--width", options.width, "Of the window, pixels")->check(CLI::Range(320, 8000));
+  app.add_option("--height", options.height, "Of the window, pixels")->check(CLI::Range(240, 8000));
+  return line.run([&] { return run(argc, argv, options); });
+}

@@ -1,0 +1,180 @@
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTableWidget>
+
+#include "workbench/TestWindow.h"
+
+namespace gt {
+namespace {
+
+class DialogTest : public WindowTest {
+ protected:
+  DialogTest() : WindowTest{"scenes/one-robot.scene"} {}
+};
+
+TEST_F(WindowTest, TheGameIsControlledByTheToolbar) {
+  click("game", "ready");
+  finish();
+  EXPECT_EQ(value("state"), "ready");
+  choose("game", "kickOff", "blue");
+  widget<QSpinBox>("game", "red")->setFocus();
+  widget<QSpinBox>("game", "red")->setValue(3);
+  widget<QSpinBox>("game", "blue")->setFocus();
+  widget<QSpinBox>("game", "blue")->setValue(1);
+  click("game", "set");
+  finish();
+  EXPECT_EQ(value("state"), "set");
+  EXPECT_EQ(value("kickOff"), "blue");
+  EXPECT_EQ(value("score.red") + ":" + value("score.blue"), "3:1");
+  click("game", "playing");
+  choose("game", "player", "red2");
+  choose("game", "penalty", "ballHolding");
+  click("game", "penalize");
+  finish();
+  ASSERT_TRUE(execute("run 100 ms"));
+  EXPECT_EQ(value("red2.GameControlData.state"), "penalized");
+  click("game", "continue");
+  finish();
+  ASSERT_TRUE(execute("run 100 ms"));
+  EXPECT_EQ(value("red2.GameControlData.state"), "playing");
+  // The connected robot is the one that it was.
+  EXPECT_EQ(on([](Console& console) { return console.selection(); }),
+            std::vector<std::string>{"red1"});
+  widget<QSlider>("game", "gameSpeed")->setValue(4);
+  finish();
+  EXPECT_EQ(value("blue2.WalkingEngine.InvKin.gameSpeed"), "0.4");
+  click("game", "initial");
+  finish();
+  EXPECT_EQ(value("state") + value("score.red"), "initial0");
+}
+
+TEST_F(DialogTest, DebugKeysAreSentByTheButton) {
+  window->bringToFront("debugKeys");
+  auto* key = widget<QComboBox>("debugKeys", "key");
+  key->setEditText("ImageProcessor/grid");
+  click("debugKeys", "always");
+  const auto drawn = [](Console& console) {
+    return (*console.firstRobot())->observed().drawings().contains("ImageProcessor/grid");
+  };
+  ASSERT_TRUE(execute("run 200 ms"));
+  EXPECT_FALSE(on(drawn));
+  click("debugKeys", "send");
+  finish();
+  ASSERT_TRUE(execute("run 200 ms"));
+  EXPECT_TRUE(on(drawn));
+  // It is kept, and sent again only if it is asked for.
+  Dialog* const dialog = window->dialog("debugKeys");
+  const QJsonObject settings = dialog->settings();
+  click("debugKeys", "disableAll");
+  EXPECT_NE(dialog->settings(), settings);
+  click("debugKeys", "send");
+  finish();
+  EXPECT_FALSE(on(drawn));
+  dialog->restore(settings);
+  EXPECT_EQ(dialog->settings(), settings);
+  EXPECT_EQ(widget<QTableWidget>("debugKeys", "table")->item(0, 2)->text(), "not yet");
+}
+
+TEST_F(DialogTest, SolutionsAreSwitched) {
+  window->bringToFront("solutions");
+  const auto active = [](Console& console) {
+    return (*(*console.firstRobot())->observed().task("BallLocator"))->active;
+  };
+  const std::string before = on(active);
+  EXPECT_TRUE(until([&] {
+    return window->dialog("solutions")->findChild<QComboBox*>("BallLocator") != nullptr;
+  }));
+  EXPECT_TRUE(widget<QComboBox>("solutions", "BallLocator")->currentText().endsWith(" *"));
+  choose("solutions", "BallLocator", "disabled");
+  auto* box = widget<QComboBox>("solutions", "BallLocator");
+  Q_EMIT box->activated(box->currentIndex());
+  finish();
+  EXPECT_EQ(on(active), "disabled");
+  // The setting default brings the configuration's solution back.
+  EXPECT_TRUE(until(
+      [&] { return widget<QComboBox>("solutions", "BallLocator")->currentText() == "disabled"; }));
+  auto* setting = widget<QComboBox>("solutions", "setting");
+  setting->setCurrentIndex(0);
+  EXPECT_TRUE(until([&] {
+    Q_EMIT setting->activated(0);
+    finish();
+    return on(active) == before;
+  }));
+}
+
+TEST_F(DialogTest, ValuesAreRecordedAndShownOverTime) {
+  window->bringToFront("plot");
+  auto* input = widget<QLineEdit>("plot", "value");
+  QTest::keyClicks(input, "RobotPose.pose.rotation");
+  QTest::keyClick(input, Qt::Key_Return);
+  const auto points = [](Console& console) {
+    const auto& series = console.recorder().series();
+    const auto found = series.find("red3.RobotPose.pose.rotation");
+    return found == series.end() ? std::size_t{0} : found->second.size();
+  };
+  EXPECT_TRUE(
+      until([&] { return window->dialog("plot")->settings()["values"].toArray().size() == 1; }));
+  finish();
+  ASSERT_TRUE(execute("run 2s"));
+  EXPECT_EQ(on(points), 50u);
+  // After a reset it is recorded again.
+  ASSERT_TRUE(execute("reset"));
+  EXPECT_TRUE(until([&] {
+    finish();
+    return execute("run 200 ms") && on(points) > 0;
+  }));
+  QTest::keyClicks(input, "no.such.value");
+  QTest::keyClick(input, Qt::Key_Return);
+  EXPECT_TRUE(until([&] { return !input->toolTip().isEmpty(); }));
+  EXPECT_EQ(window->dialog("plot")->settings()["values"].toArray().size(), 1);
+}
+
+TEST_F(DialogTest, ALogIsPlayedByTheToolbar) {
+  ASSERT_TRUE(execute("log start"));
+  ASSERT_TRUE(execute("run 3s"));
+  const std::string file = (folder.path() / "test.mcap").string();
+  ASSERT_TRUE(execute("log save " + file));
+  ASSERT_TRUE(execute("sl recorded " + file));
+  ASSERT_TRUE(execute("robot recorded"));
+  ASSERT_TRUE(execute("st on 1"));
+  const auto position = [](Console& console) {
+    return console.session().find("recorded")->onLog()->player().position();
+  };
+  window->open("logPlayer");
+  EXPECT_TRUE(until([&] { return widget<QAbstractButton>("logPlayer", "forward")->isEnabled(); }));
+  click("logPlayer", "play");
+  finish();
+  EXPECT_TRUE(until([&] { return on(position) > 20; }));
+  EXPECT_TRUE(
+      until([&] { return widget<QLabel>("logPlayer", "place")->text() != "0.00 of 0.00 s"; }));
+  click("logPlayer", "play");
+  finish();
+  const auto before = on(position);
+  click("logPlayer", "forward");
+  finish();
+  EXPECT_EQ(on(position), before + 1);
+  click("logPlayer", "back");
+  finish();
+  EXPECT_EQ(on(position), before);
+  auto* slider = widget<QSlider>("logPlayer", "position");
+  slider->setSliderPosition(500);
+  Q_EMIT slider->sliderMoved(500);
+  EXPECT_TRUE(until([&] {
+    const auto log = session->status().log;
+    return log && std::abs((log->now - log->begin) / (log->end - log->begin) - 0.5) < 0.05;
+  }));
+  choose("logPlayer", "speed", "2×");
+  Q_EMIT widget<QComboBox>("logPlayer", "speed")->activated(4);
+  click("logPlayer", "loop");
+  finish();
+  EXPECT_TRUE(session->status().log->loop);
+  EXPECT_EQ(session->status().log->speed, 2);
+}
+
+}  // namespace
+}  // namespace gt

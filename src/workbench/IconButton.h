@@ -1,0 +1,45 @@
+#pragma once
+#include <QEvent>
+#include <QPainter>
+#include <QStyle>
+#include <QToolButton>
+
+namespace gt {
+
+/// A button with an icon of the style in the color of its text, so that it can be seen in light and
+/// in dark windows.
+class IconButton : public QToolButton {
+ public:
+  IconButton(const QString& name, QStyle::StandardPixmap which, const QString& help) {
+    setObjectName(name);
+    setToolTip(help);
+    setAutoRaise(true);
+    showIcon(which);
+  }
+  void showIcon(QStyle::StandardPixmap which) {
+    if (which == which_ && !icon().isNull()) return;
+    which_ = which;
+    paint();
+  }
+
+ protected:
+  void changeEvent(QEvent* event) override {
+    QToolButton::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) paint();
+  }
+
+ private:
+  void paint() {
+    constexpr int size = 32;
+    QPixmap pixmap = style()->standardIcon(which_).pixmap(size, size);
+    QPainter painter{&pixmap};
+    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    painter.fillRect(pixmap.rect(), palette().color(QPalette::ButtonText));
+    painter.end();
+    setIcon(QIcon{pixmap});
+  }
+
+  QStyle::StandardPixmap which_{};
+};
+
+}  // namespace gt

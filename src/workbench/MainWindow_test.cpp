@@ -1,0 +1,227 @@
+#include <QAction>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QToolBar>
+
+#include "workbench/CommandPalette.h"
+#include "workbench/TestWindow.h"
+#include "workbench/ViewDialog.h"
+
+namespace gt {
+namespace {
+
+TEST_F(WindowTest, TheFirstStartShowsAUsefulArrangement) {
+  for (const char* key : {"field", "scene", "image", "xabsl", "console", "simulation"})
+    EXPECT_TRUE(window->dialog(key)) << key;
+  // Each viewer has a sheet of the first robot after a moment.
+  EXPECT_TRUE(execute("run 1s"));
+  for (const char* key : {"field", "image", "xabsl"}) {
+    window->bringToFront(key);
+    auto* viewer = dynamic_cast<ViewDialog*>(window->dialog(key));
+    ASSERT_TRUE(viewer);
+    EXPECT_TRUE(until([&] { return viewer->sheet().sheet() && viewer->sheet().text().isEmpty(); }))
+        << key << viewer->sheet().text().toStdString();
+  }
+  EXPECT_EQ(on([](Console& console) { return console.selection(); }).size(), 1u);
+}
+
+TEST_F(WindowTest, TimePassesAndStandsByTheToolbar) {
+  EXPECT_EQ(session->status().time.ms, 0);
+  click("simulation", "step");
+  finish();
+  EXPECT_EQ(session->status().time.ms, 8);
+  click("simulation", "start");
+  EXPECT_TRUE(until([&] { return session->status().time.ms > 400; }));
+  EXPECT_TRUE(session->status().started);
+  click("simulation", "start");
+  finish();
+  EXPECT_FALSE(session->status().started);
+  click("simulation", "reset");
+  finish();
+  EXPECT_EQ(session->status().time.ms, 0);
+}
+
+TEST_F(WindowTest, TheSpeedIsChosen) {
+  choose("simulation", "speed", "0.5×");
+  finish();
+  EXPECT_EQ(session->status().pace, 0.5);
+  const std::int64_t before = session->status().time.ms;
+  QElapsedTimer clock;
+  clock.start();
+  click("simulation", "start");
+  EXPECT_TRUE(until([&] { return session->status().time.ms > before + 500; }));
+  EXPECT_GE(clock.elapsed(), 900);
+}
+
+TEST_F(WindowTest, ARobotIsConnectedByTheToolbarAndStaysSoAfterAReset) {
+  choose("simulation", "robot", "blue2");
+  finish();
+  const auto selection = [](Console& console) { return console.selection(); };
+  EXPECT_EQ(on(selection), std::vector<std::string>{"blue2"});
+  click("simulation", "reset");
+  finish();
+  EXPECT_EQ(on(selection), std::vector<std::string>{"blue2"});
+}
+
+TEST_F(WindowTest, ACommandThatRunsIsStoppedAndDoesNotBlockTheWindow) {
+  session->execute("run 100 min");
+  EXPECT_TRUE(until([&] { return session->status().time.ms > 500; }));
+  EXPECT_TRUE(session->busy());
+  // Views are made meanwhile.
+  EXPECT_NE(value("ball.x").substr(0, 5), "error");
+  qint64 longest = 0;
+  QElapsedTimer clock;
+  clock.start();
+  for (int i = 0; i < 100; ++i) {
+    const qint64 before = clock.elapsed();
+    QCoreApplication::processEvents();
+    longest = std::max(longest, clock.elapsed() - before);
+    QTest::qSleep(5);
+  }
+  EXPECT_LT(longest, 500) << "ms";
+  click("simulation", "start");
+  EXPECT_TRUE(until([&] { return !session->busy(); }));
+  EXPECT_TRUE(printed("stopped at"));
+}
+
+TEST_F(WindowTest, ATypedLineIsExecutedAndItsErrorShown) {
+  window->bringToFront("console");
+  auto* input = widget<QLineEdit>("console", "input");
+  QTest::keyClicks(input, "place ball 500 300");
+  QTest::keyClick(input, Qt::Key_Return);
+  finish();
+  EXPECT_EQ(value("ball.x"), "500");
+  QTest::keyClicks(input, "plaec ball 1 2");
+  QTest::keyClick(input, Qt::Key_Return);
+  finish();
+  auto* output = widget<QPlainTextEdit>("console", "output");
+  EXPECT_TRUE(until([&] { return output->toPlainText().contains("there is no such command"); }));
+  QTest::keyClick(input, Qt::Key_Up);
+  QTest::keyClick(input, Qt::Key_Up);
+  EXPECT_EQ(input->text(), "place ball 500 300");
+}
+
+TEST_F(WindowTest, TheTabKeyCompletes) {
+  auto* input = widget<QLineEdit>("console", "input");
+  QTest::keyClicks(input, "fideli");
+  QTest::keyClick(input, Qt::Key_Tab);
+  EXPECT_TRUE(until([&] { return input->text() == "fidelity "; }));
+  QTest::keyClicks(input, "dyn");
+  QTest::keyClick(input, Qt::Key_Tab);
+  EXPECT_TRUE(until([&] { return input->text() == "fidelity dynamic "; }));
+}
+
+TEST_F(WindowTest, LayoutsAreSavedChosenRenamedAndDeleted) {
+  window->open("radar");
+  ASSERT_TRUE(window->saveLayout("vision"));
+  window->open("times");
+  delete window->dialog("radar")->parentWidget();
+  ASSERT_TRUE(window->saveLayout("speed"));
+  ASSERT_TRUE(window->chooseLayout("vision"));
+  EXPECT_TRUE(window->dialog("radar"));
+  EXPECT_FALSE(window->dialog("times"));
+  ASSERT_TRUE(window->layouts().rename("vision", "perception"));
+  EXPECT_EQ(window->layouts().names(), (QStringList{"perception", "speed"}));
+  EXPECT_FALSE(window->layouts().rename("perception", "speed"));
+  ASSERT_TRUE(window->layouts().remove("speed"));
+  EXPECT_FALSE(window->chooseLayout("speed"));
+  // The next window begins with the layout that was chosen last.
+  window = std::make_unique<MainWindow>(*session, settings());
+  EXPECT_TRUE(window->dialog("radar"));
+}
+
+TEST_F(WindowTest, ALayoutBelongsToAScene) {
+  window->open("radar");
+  ASSERT_TRUE(window->saveLayout("lonely"));
+  window->layouts().setOfScene("one-robot.scene", "lonely");
+  window->arrangeAtFirst();
+  window->layouts().setCurrent({});
+  EXPECT_FALSE(window->dialog("radar"));
+  ASSERT_TRUE(execute("scene one-robot"));
+  EXPECT_TRUE(until([&] { return window->dialog("radar") != nullptr; }));
+}
+
+TEST_F(WindowTest, ABrokenLayoutLeavesTheFirstArrangement) {
+  QFile file{settings() + "/broken.layout.json"};
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"dialogs\": [");
+  file.close();
+  window->layouts().setCurrent("broken");
+  window = std::make_unique<MainWindow>(*session, settings());
+  EXPECT_TRUE(window->dialog("field"));
+  const auto done = window->arrange(QJsonObject{{"version", 1}, {"dialogs", 7}});
+  EXPECT_FALSE(done);
+  EXPECT_TRUE(window->dialog("field"));
+}
+
+TEST_F(WindowTest, EveryDialogOpensShowsItselfAndKeepsItsSettings) {
+  for (const DialogType& type : Dialog::types()) {
+    Dialog* const dialog = window->open(type.id);
+    ASSERT_TRUE(dialog) << type.id;
+    EXPECT_TRUE(until([&] { return dialog->isVisible(); })) << type.id;
+    dialog->refresh();
+    const QJsonObject settings = dialog->settings();
+    dialog->restore(settings);
+    EXPECT_EQ(dialog->settings(), settings) << type.id;
+    dialog->restore({{"robot", 7}, {"image", "no such"}, {"range", "far"}});
+    EXPECT_GT(std::string_view{type.help}.size(), 20u) << type.id;
+  }
+  ASSERT_TRUE(execute("run 200ms"));
+  const QJsonObject arrangement = window->arrangement();
+  EXPECT_TRUE(window->arrange(arrangement));
+}
+
+TEST_F(WindowTest, SeveralViewersAreOpenOnSeveralRobots) {
+  auto* first = dynamic_cast<ViewDialog*>(window->dialog("image"));
+  auto* second = dynamic_cast<ViewDialog*>(window->open("image"));
+  ASSERT_TRUE(first && second);
+  EXPECT_NE(first, second);
+  ASSERT_TRUE(execute("run 200 ms"));
+  second->setRobot("blue3");
+  EXPECT_TRUE(until([&] { return second->sheet().sheet() != nullptr; }))
+      << second->sheet().text().toStdString();
+  const QJsonObject arrangement = window->arrangement();
+  ASSERT_TRUE(window->arrange(arrangement));
+  second = dynamic_cast<ViewDialog*>(window->dialog("image#2"));
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->robot(), "blue3");
+}
+
+TEST_F(WindowTest, CommandsAreFoundBySomeLetters) {
+  EXPECT_EQ(mismatch("", "Reset"), 0);
+  EXPECT_LT(mismatch("xyz", "Reset"), 0);
+  EXPECT_LT(mismatch("rst", "Reset"), mismatch("rst", "Robot: stop"));
+  CommandPalette palette{window.get(), window->commands(), *session};
+  palette.show();
+  auto* edit = palette.findChild<QLineEdit*>();
+  QTest::keyClicks(edit, "place ball 100 -200");
+  QTest::keyClick(edit, Qt::Key_Return);
+  finish();
+  EXPECT_EQ(value("ball.y"), "-200");
+  CommandPalette again{window.get(), window->commands(), *session};
+  edit = again.findChild<QLineEdit*>();
+  QTest::keyClicks(edit, "time diag");
+  QTest::keyClick(edit, Qt::Key_Return);
+  EXPECT_TRUE(window->dialog("times"));
+}
+
+TEST_F(WindowTest, ItEndsInTheMiddleOfACommand) {
+  session->execute("run 100 min");
+  EXPECT_TRUE(until([&] { return session->status().time.ms > 100; }));
+  QElapsedTimer clock;
+  clock.start();
+  window.reset();
+  session.reset();
+  EXPECT_LT(clock.elapsed(), 3000);
+}
+
+}  // namespace
+}  // namespace gt
+
+int main(int argc, char** argv) {
+  QApplication application{argc, argv};
+  testing::InitGoogleMock(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,274 @@
+#include "workbench/SessionThread.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace gt {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+/// How long time passes at most before commands and questions are looked at, how long questions
+/// may take at a time, and how often they are answered while a command is executed.
+constexpr milliseconds updateTime{10}, answerTime{20}, answerInterval{15}, restTime{20};
+/// Time passes this many times as long as questions have taken, so that they cannot stop it.
+constexpr int shareOfTime = 2;
+constexpr milliseconds speedInterval{1000};
+constexpr std::size_t mostLines = 10000;
+
+double seconds(Time time) {
+  return static_cast<double>(time.ms) / 1000;
+}
+
+std::optional<LogPlace> logPlaceOf(const std::vector<ConsoleRobot*>& robots) {
+  for (ConsoleRobot* robot : robots) {
+    if (!robot->onLog()) continue;
+    const LogPlayer& player = robot->onLog()->player();
+    const std::uint64_t message = player.atEnd() || player.moments().empty()
+                                      ? player.messages()
+                                      : player.moments()[player.position()].first;
+    return LogPlace{robot->name(),         player.path(),         player.playing(),
+                    player.loop(),         player.speed(),        seconds(player.begin()),
+                    seconds(player.now()), seconds(player.end()), message,
+                    player.messages()};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// Keeps what is printed for the window.
+class SessionThread::ThreadScreen : public Screen {
+ public:
+  explicit ThreadScreen(SessionThread& owner) : owner_{owner} {}
+  void print(std::string_view line) override { owner_.print(line); }
+  void clear() override { owner_.print("\f"); }
+  void stepped() override { owner_.stepped(); }
+
+ private:
+  SessionThread& owner_;
+};
+
+SessionThread::SessionThread() : screen_{std::make_unique<ThreadScreen>(*this)} {}
+
+Result<std::unique_ptr<SessionThread>> SessionThread::make(const MatchOptions& options) {
+  std::unique_ptr<SessionThread> made{new SessionThread};
+  auto session = Session::make(options, *made->screen_);
+  if (!session) return session.error();
+  made->session_ = std::move(*session);
+  made->console_ = std::make_unique<Console>(*made->session_);
+  made->updateStatus();
+  made->thread_ = std::thread{[thread = made.get()] { thread->run(); }};
+  return made;
+}
+
+SessionThread::~SessionThread() {
+  ending_ = true;
+  if (session_) interrupt();
+  wake_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void SessionThread::run() {
+  while (!ending_) {
+    answer();
+    while (auto task = take(commands_)) {
+      session_->takeInterrupt();  // it was meant for an earlier one
+      if (ending_) return;
+      (*task)(*console_);
+      ++version_;
+      updateStatus();
+      answer();
+      if (ending_) return;
+    }
+    if (console_->ended()) exited_ = true;
+    const Time before = session_->time();
+    session_->update(std::max(updateTime, restAfterAnswers_));
+    if (session_->time() != before) ++version_;
+    updateStatus();
+    std::unique_lock lock{mutex_};
+    busy_ = !commands_.empty();
+    current_.clear();
+    if (!session_->started() && !busy_ && questions_.empty() && !ending_)
+      wake_.wait_for(lock, restTime);
+  }
+}
+
+void SessionThread::post(std::deque<Task>& queue, Task task) {
+  {
+    const std::lock_guard lock{mutex_};
+    queue.push_back(std::move(task));
+    if (&queue == &commands_) busy_ = true;
+  }
+  wake_.notify_one();
+}
+
+std::optional<SessionThread::Task> SessionThread::take(std::deque<Task>& queue) {
+  const std::lock_guard lock{mutex_};
+  if (queue.empty()) return std::nullopt;
+  Task task = std::move(queue.front());
+  queue.pop_front();
+  return task;
+}
+
+void SessionThread::answer() {
+  const auto begin = Clock::now(), end = begin + answerTime;
+  while (!ending_ && Clock::now() < end) {
+    const auto question = take(questions_);
+    if (!question) break;
+    (*question)(*console_);
+  }
+  answered_ = Clock::now();
+  restAfterAnswers_ = shareOfTime * std::chrono::duration_cast<milliseconds>(answered_ - begin);
+}
+
+void SessionThread::stepped() {
+  ++version_;
+  if (Clock::now() < answered_ + std::max(answerInterval, restAfterAnswers_)) return;
+  updateStatus();
+  answer();
+}
+
+/// Executes a line on the session's thread.
+Result<void> SessionThread::perform(const std::string& line, bool quiet) {
+  {
+    const std::lock_guard lock{mutex_};
+    current_ = line;
+  }
+  if (!quiet) print("> " + line);
+  auto done = console_->execute(line);
+  if (!done) print("error: " + done.error().text());
+  auto offers = console_->takeOffers();
+  const std::lock_guard lock{mutex_};
+  std::ranges::move(offers, std::back_inserter(offers_));
+  return done;
+}
+
+void SessionThread::execute(std::string line, Done done, bool quiet) {
+  post(commands_, [this, line = std::move(line), done = std::move(done), quiet](Console&) {
+    const Result<void> result = perform(line, quiet);
+    if (done) inWindow([done, result] { done(result); });
+  });
+}
+
+void SessionThread::executeFor(std::string robot, std::string line, Done done) {
+  post(commands_, [this, robot = std::move(robot), line = std::move(line),
+                   done = std::move(done)](Console& console) {
+    // By commands, so that a saved state repeats it.
+    std::string before = "robot all";
+    if (!console.selection().empty()) {
+      before = "robot";
+      for (const std::string& name : console.selection()) before += " " + name;
+    }
+    Result<void> result = perform("robot " + robot, true);
+    if (result) result = perform(line, false);
+    static_cast<void>(perform(before, true));
+    if (done) inWindow([done, result] { done(result); });
+  });
+}
+
+void SessionThread::callStartScript() {
+  post(commands_, [this](Console& console) {
+    if (const auto done = console.callStartScript(); !done) print("error: " + done.error().text());
+  });
+}
+
+void SessionThread::change(std::function<void(Console&)> work) {
+  post(commands_, std::move(work));
+}
+
+void SessionThread::interrupt() {
+  const std::lock_guard lock{mutex_};
+  commands_.clear();
+  session_->interrupt();
+}
+
+std::string SessionThread::current() const {
+  const std::lock_guard lock{mutex_};
+  return current_;
+}
+
+SessionStatus SessionThread::status() const {
+  const std::lock_guard lock{mutex_};
+  return status_;
+}
+
+std::vector<std::string> SessionThread::linesSince(std::uint64_t& seen) const {
+  const std::lock_guard lock{mutex_};
+  const std::uint64_t missing = std::min<std::uint64_t>(printed_ - seen, lines_.size());
+  seen = printed_;
+  return {lines_.end() - static_cast<std::ptrdiff_t>(missing), lines_.end()};
+}
+
+std::vector<std::string> SessionThread::takeOffers() {
+  const std::lock_guard lock{mutex_};
+  return std::exchange(offers_, {});
+}
+
+void SessionThread::print(std::string_view line) {
+  const std::lock_guard lock{mutex_};
+  lines_.emplace_back(line);
+  ++printed_;
+  if (lines_.size() > mostLines) lines_.pop_front();
+}
+
+void SessionThread::inWindow(std::function<void()> work) {
+  if (auto* application = QCoreApplication::instance())
+    QMetaObject::invokeMethod(application, std::move(work), Qt::QueuedConnection);
+}
+
+/// Selects the robots that were selected before the session began anew, or else the first one,
+/// unless a script has.
+void SessionThread::select() {
+  if (!console_->selection().empty()) return;
+  std::vector<std::string> names;
+  for (const std::string& name : selection_)
+    if (session_->find(name)) names.push_back(name);
+  if (names.empty() && beginnings_ == 1 && !session_->robots().empty())
+    names.push_back(session_->robots().front()->name());
+  console_->select(std::move(names));
+}
+
+void SessionThread::updateStatus() {
+  SessionStatus status;
+  status.time = session_->time();
+  status.started = session_->started();
+  status.pace = session_->pace().factor;
+  const auto now = Clock::now();
+  status.scene = session_->options().scene;
+  status.seed = session_->options().seed;
+  // A new match may lie where the old one lay.
+  if (match_ != &session_->match() || status.time < lastTime_ || status.scene != status_.scene ||
+      status.seed != status_.seed) {
+    ++beginnings_;
+    select();
+    match_ = &session_->match();
+    measured_ = now;
+    measuredTime_ = status.time;
+  }
+  lastTime_ = status.time;
+  if (now > measured_ + speedInterval) {
+    const std::chrono::duration<double, std::milli> passed = now - measured_;
+    speed_ = static_cast<double>(status.time - measuredTime_) / passed.count();
+    measured_ = now;
+    measuredTime_ = status.time;
+  }
+  status.speed = speed_;
+  status.gameOver = session_->match().finished();
+  const Referee& referee = session_->simulation().referee();
+  status.state = referee.state();
+  status.score = {referee.score(TeamColor::red), referee.score(TeamColor::blue)};
+  status.beginnings = beginnings_;
+  selection_ = console_->selection();
+  const auto selected = console_->selected();
+  for (const auto& robot : session_->robots())
+    status.robots.push_back({robot->name(), robot->observed().kind(), robot->onLog() != nullptr,
+                             robot->index().has_value(),
+                             std::ranges::find(selected, robot.get()) != selected.end()});
+  status.log = logPlaceOf(selected);
+  const std::lock_guard lock{mutex_};
+  status_ = std::move(status);
+}
+
+}  // namespace gt

@@ -1,0 +1,152 @@
+#pragma once
+#include <QCoreApplication>
+#include <QObject>
+#include <QPointer>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "console/Console.h"
+
+namespace gt {
+
+/// A robot as a window lists it.
+struct RobotInfo {
+  std::string name;
+  RobotKind kind = RobotKind::simulated;
+  bool onLog = false;
+  bool inScene = false;
+  bool selected = false;
+};
+
+/// Where the log is that a robot runs on.
+struct LogPlace {
+  std::string robot, file;
+  bool playing = false, loop = false;
+  double speed = 1;
+  double begin = 0, now = 0, end = 0;  ///< s
+  std::uint64_t message = 0, messages = 0;
+};
+
+/// What a window shows of a session at any time.
+struct SessionStatus {
+  Time time;
+  bool started = false;
+  double pace = 0;   ///< Times real time at most; 0: as fast as it goes.
+  double speed = 0;  ///< Simulated time by real time, over the last second.
+  bool gameOver = false;
+  GameState state = GameState::initial;
+  std::array<int, 2> score{};
+  std::string scene;
+  std::uint64_t seed = 0;
+  std::uint64_t beginnings = 0;  ///< How often the session was restarted or resumed.
+  std::vector<RobotInfo> robots;
+  std::optional<LogPlace> log;  ///< Of the first selected robot that runs on a log.
+};
+
+/// A session and its console on a thread of their own, so that a window stays responsive whatever
+/// they do. The window executes command lines, and asks: what it asks is answered between two
+/// steps, also while a command such as `run` is executed.
+class SessionThread {
+ public:
+  using Done = std::function<void(const Result<void>&)>;
+
+  static Result<std::unique_ptr<SessionThread>> make(const MatchOptions& options);
+  ~SessionThread();  ///< Interrupts what is executed.
+  SessionThread(const SessionThread&) = delete;
+  SessionThread& operator=(const SessionThread&) = delete;
+
+  /// Executes a command line behind those that were given before. The line and its error are
+  /// printed, unless it is quiet; then only the error is. `done` is called in the window's thread.
+  void execute(std::string line, Done done = {}, bool quiet = false);
+  /// The same for one robot, whatever robots are selected.
+  void executeFor(std::string robot, std::string line, Done done = {});
+  /// Executes the scene's start script.
+  void callStartScript();
+  /// Does something between two commands: it may change the session.
+  void change(std::function<void(Console&)> work);
+  /// Calls `work` with the console on the session's thread, and then `show` with the result on the
+  /// window's thread, unless `receiver` is gone by then. `work` must not let time pass.
+  template <typename Work, typename Show>
+  void ask(QObject* receiver, Work work, Show show) {
+    post(questions_, [guard = QPointer<QObject>{receiver}, work = std::move(work),
+                      show = std::move(show)](Console& console) mutable {
+      auto answer = std::make_shared<decltype(work(console))>(work(console));
+      inWindow([guard = std::move(guard), show = std::move(show), answer] {
+        if (guard) show(*answer);
+      });
+    });
+  }
+  /// Ends a command that lets time pass after its current step, and discards the commands behind
+  /// it.
+  void interrupt();
+  /// Whether a command is executed, or waits for that.
+  bool busy() const { return busy_; }
+  /// The command line that is executed; empty if none is.
+  std::string current() const;
+
+  /// A copy of the newest status.
+  SessionStatus status() const;
+  /// Grows with each step and each command: what a window shows may have changed.
+  std::uint64_t version() const { return version_; }
+  /// The lines that were printed since `seen` were, which is moved on; some are missing if they
+  /// were too many. A line "\f" clears what was before.
+  std::vector<std::string> linesSince(std::uint64_t& seen) const;
+  /// Commands that were offered to the user since this was called last (console command echo).
+  std::vector<std::string> takeOffers();
+  /// Whether the session was ended by the command exit.
+  bool ended() const { return exited_; }
+
+ private:
+  using Task = std::function<void(Console&)>;
+  class ThreadScreen;
+
+  SessionThread();
+  void run();
+  void post(std::deque<Task>& queue, Task task);
+  Result<void> perform(const std::string& line, bool quiet);
+  std::optional<Task> take(std::deque<Task>& queue);
+  /// Answers questions, as long as there are any, for a limited time.
+  void answer();
+  void stepped();
+  void select();
+  void updateStatus();
+  void print(std::string_view line);
+  static void inWindow(std::function<void()> work);
+
+  std::unique_ptr<ThreadScreen> screen_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<Console> console_;
+
+  mutable std::mutex mutex_;  ///< Of what follows.
+  std::condition_variable wake_;
+  std::deque<Task> commands_, questions_;
+  std::deque<std::string> lines_;
+  std::uint64_t printed_ = 0;  ///< Lines so far.
+  std::vector<std::string> offers_;
+  std::string current_;
+  SessionStatus status_;
+
+  std::atomic<bool> ending_ = false, exited_ = false, busy_ = false;
+  std::atomic<std::uint64_t> version_ = 1;
+  std::uint64_t beginnings_ = 0;  ///< From here on of the session's thread only.
+  Match* match_ = nullptr;
+  std::vector<std::string> selection_;  ///< Of robots, before the session began anew.
+  std::chrono::steady_clock::time_point answered_, measured_;
+  std::chrono::milliseconds restAfterAnswers_{};
+  Time lastTime_, measuredTime_;
+  double speed_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace gt

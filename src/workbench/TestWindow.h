@@ -1,0 +1,95 @@
+#pragma once
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QtTest>
+#include <optional>
+
+#include "console/Values.h"
+#include "streams/TemporaryFolder.h"
+#include "workbench/MainWindow.h"
+
+namespace gt {
+
+/// A window on a scene of one or more robots, driven by its widgets. Effects are looked for on the
+/// side of the session and its robots, not on the widgets'.
+class WindowTest : public ::testing::Test {
+ protected:
+  explicit WindowTest(const std::string& scene = "scenes/match.scene") {
+    MatchOptions options;
+    options.scene = scene;
+    auto made = SessionThread::make(options);
+    EXPECT_TRUE(made) << made.error().text();
+    session = std::move(*made);
+    window = std::make_unique<MainWindow>(*session, settings());
+    window->show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+  }
+
+  QString settings() const { return QString::fromStdString(folder.path().string()); }
+
+  /// Handles the window's events until something holds.
+  template <typename Condition>
+  static bool until(Condition condition, int ms = 20000) {
+    return QTest::qWaitFor(condition, ms);
+  }
+  /// What the session's thread finds.
+  template <typename Work>
+  auto on(Work work) {
+    std::optional<decltype(work(std::declval<Console&>()))> result;
+    session->ask(window.get(), std::move(work), [&](auto& answer) { result = std::move(answer); });
+    EXPECT_TRUE(until([&] { return result.has_value(); }));
+    return std::move(*result);
+  }
+  /// A value by its path, as the console's command get.
+  std::string value(const std::string& path) {
+    return on([path](Console& console) {
+      const auto found = valueAt(console, path);
+      return found ? found->text : "error: " + found.error().text();
+    });
+  }
+  /// Executes a line and waits for its end.
+  Result<void> execute(const std::string& line) {
+    std::optional<Result<void>> result;
+    session->execute(line, [&](const Result<void>& done) { result = done; });
+    EXPECT_TRUE(until([&] { return result.has_value(); }));
+    return *result;
+  }
+  /// Waits until all commands were executed that were given so far.
+  void finish() { EXPECT_TRUE(execute("# all is done")); }
+  bool printed(const std::string& text) {
+    std::uint64_t seen = 0;
+    for (const std::string& line : session->linesSince(seen))
+      if (line.find(text) != line.npos) return true;
+    return false;
+  }
+
+  template <typename Widget>
+  Widget* widget(const QString& dialog, const QString& name) {
+    Dialog* const parent = window->dialog(dialog);
+    EXPECT_TRUE(parent) << dialog.toStdString();
+    auto* found = parent ? parent->findChild<Widget*>(name) : nullptr;
+    EXPECT_TRUE(found) << dialog.toStdString() << " " << name.toStdString();
+    return found;
+  }
+  void click(const QString& dialog, const QString& name) {
+    QTest::mouseClick(widget<QWidget>(dialog, name), Qt::LeftButton);
+  }
+  /// Chooses an entry as a person does.
+  void choose(const QString& dialog, const QString& name, const QString& entry) {
+    auto* box = widget<QComboBox>(dialog, name);
+    ASSERT_TRUE(until([&] { return box->findText(entry) >= 0; })) << entry.toStdString();
+    const int index = box->findText(entry);
+    box->setFocus();
+    while (box->currentIndex() != index)
+      QTest::keyClick(box, box->currentIndex() < index ? Qt::Key_Down : Qt::Key_Up);
+  }
+
+  TemporaryFolder folder;
+  std::unique_ptr<SessionThread> session;
+  std::unique_ptr<MainWindow> window;
+};
+
+}  // namespace gt

@@ -1,0 +1,73 @@
+#pragma once
+#include <QElapsedTimer>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "workbench/Dialog.h"
+#include "workbench/SheetWidget.h"
+
+class QMenu;
+
+namespace gt {
+
+/// A dialog that shows a view (views/View.h) of the connected robot, or of one that is chosen by
+/// the context menu, again and again while something changes. The view is made into a sheet on the
+/// session's thread, and painted on the window's.
+class ViewDialog : public Dialog {
+ public:
+  ViewDialog(SessionThread& session, std::shared_ptr<const View> view);
+
+  QJsonObject settings() const override;
+  void restore(const QJsonObject& settings) override;
+  void refresh() override;
+
+  SheetWidget& sheet() { return *sheet_; }
+  /// The robot that is always shown; empty: the connected one.
+  const std::string& robot() const { return robot_; }
+  void setRobot(const std::string& robot);
+
+ protected:
+  void setView(std::shared_ptr<const View> view);
+  /// The view's own parameters.
+  void setNumbers(std::vector<double> numbers);
+  /// Debug keys that are switched on for the robot that is shown.
+  void setKeys(std::vector<std::string> keys);
+  const std::vector<std::string>& keys() const { return keys_; }
+  /// Adds to the context menu.
+  virtual void addActions(QMenu&) {}
+  /// What the robot that is shown can be asked to draw.
+  const std::vector<std::string>& knownKeys() const { return knownKeys_; }
+
+ private:
+  /// For which robot which keys were switched on. Used by the session's thread only.
+  struct Prepared {
+    const void* robot = nullptr;
+    std::uint64_t beginnings = 0;
+    std::vector<std::string> keys, known;
+  };
+  struct Answer {
+    std::shared_ptr<const Sheet> sheet;
+    std::string error;
+    std::vector<std::string> knownKeys;
+    double ms = 0;  ///< That it took.
+  };
+
+  void askAgain();
+
+  SheetWidget* sheet_;
+  std::shared_ptr<const View> view_;
+  std::vector<double> numbers_;
+  std::vector<std::string> keys_, knownKeys_;
+  std::string robot_;
+  std::shared_ptr<Prepared> prepared_ = std::make_shared<Prepared>();
+  bool asked_ = false;
+  std::uint64_t shown_ = 0;  ///< Version of the session.
+  QElapsedTimer answered_;
+  double rest_ = 0;  ///< ms until it may ask again.
+};
+
+/// A built-in view by its name.
+std::shared_ptr<const View> builtInView(std::string_view name);
+
+}  // namespace gt

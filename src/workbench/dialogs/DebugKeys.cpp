@@ -1,0 +1,261 @@
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCompleter>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QJsonArray>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <map>
+
+#include "workbench/Dialog.h"
+
+namespace gt {
+namespace {
+
+struct Mode {
+  const char* name;
+  const char* text;
+  const char* help;
+  const char* command;  ///< Of dk; %1 is n.
+};
+constexpr Mode modes[] = {{"off", "Off", "Never", "off"},
+                          {"always", "Always", "Each time", "on"},
+                          {"times", "n times", "The next n times", "%1"},
+                          {"every", "Every n", "Every n-th time", "every %1"},
+                          {"everyMs", "Every n ms", "Every n ms", "every %1 ms"}};
+struct Fill {
+  const char* text;
+  const char* command;  ///< Of qfr; %1 is n.
+};
+constexpr Fill fills[] = {{"at once", "queue"},
+                          {"in real time", "replace"},
+                          {"after n s", "collect %1"},
+                          {"to the stick for n s", "save %1"},
+                          {"never", "reject"}};
+
+constexpr const char* kinds[] = {"Simulated", "Physical"};
+
+/// Report J.2.1: debug keys of physical and of simulated robots. Nothing is sent before the button
+/// Send is pressed.
+class DebugKeys : public Dialog {
+ public:
+  explicit DebugKeys(SessionThread& session) : Dialog{session} {
+    auto* layout = new QVBoxLayout{this};
+    layout->setContentsMargins(4, 4, 4, 4);
+    auto* top = new QHBoxLayout;
+    auto* group = new QButtonGroup{this};
+    for (int kind = 0; kind < 2; ++kind) {
+      auto* button = new QToolButton;
+      button->setText(kinds[kind]);
+      button->setObjectName(QString{kinds[kind]}.toLower());
+      button->setCheckable(true);
+      button->setChecked(kind == 0);
+      button->setToolTip("Edits the table of these robots");
+      group->addButton(button, kind);
+      top->addWidget(button);
+    }
+    QObject::connect(group, &QButtonGroup::idClicked, this, [this](int kind) {
+      kind_ = kind;
+      showTable();
+    });
+    all_ = new QCheckBox{"All"};
+    all_->setObjectName("all");
+    all_->setToolTip("To all robots, not to the connected ones only");
+    top->addWidget(all_);
+    top->addStretch();
+    layout->addLayout(top);
+
+    key_ = new QComboBox;
+    key_->setObjectName("key");
+    key_->setEditable(true);
+    key_->setInsertPolicy(QComboBox::NoInsert);
+    key_->completer()->setCompletionMode(QCompleter::PopupCompletion);
+    key_->completer()->setFilterMode(Qt::MatchContains);
+    key_->setToolTip("A debug key, or send and the name of a representation");
+    QStringList keys;
+    for (const DebugKey& key : DebugKey::all())
+      keys << QString::fromUtf8(key.name().data(), static_cast<qsizetype>(key.name().size()));
+    keys.sort();
+    key_->addItems(keys);
+    layout->addWidget(key_);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(2);
+    for (const Mode& mode : modes) {
+      auto* button = new QToolButton;
+      button->setText(mode.text);
+      button->setObjectName(mode.name);
+      button->setToolTip(mode.help);
+      QObject::connect(button, &QToolButton::clicked, this, [this, &mode] { set(mode); });
+      buttons->addWidget(button);
+    }
+    n_ = new QSpinBox;
+    n_->setObjectName("n");
+    n_->setRange(1, 1'000'000);
+    n_->setPrefix("n = ");
+    buttons->addWidget(n_);
+    buttons->addStretch();
+    layout->addLayout(buttons);
+
+    table_ = new QTableWidget{0, 3};
+    table_->setObjectName("table");
+    table_->setHorizontalHeaderLabels({"Key", "When", "Sent"});
+    table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    table_->verticalHeader()->hide();
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    QObject::connect(table_, &QTableWidget::cellClicked, this,
+                     [this](int row, int) { key_->setEditText(table_->item(row, 0)->text()); });
+    layout->addWidget(table_);
+
+    auto* queue = new QHBoxLayout;
+    queue->addWidget(new QLabel{"Send"});
+    fill_ = new QComboBox;
+    fill_->setObjectName("fill");
+    fill_->setToolTip("How the robot's queue of messages to the tools is filled");
+    for (const Fill& fill : fills) fill_->addItem(fill.text, fill.command);
+    queue->addWidget(fill_, 1);
+    seconds_ = new QSpinBox;
+    seconds_->setObjectName("seconds");
+    seconds_->setRange(1, 3600);
+    seconds_->setValue(10);
+    seconds_->setPrefix("n = ");
+    queue->addWidget(seconds_);
+    layout->addLayout(queue);
+
+    auto* bottom = new QHBoxLayout;
+    auto* off = new QPushButton{"Disable all"};
+    off->setObjectName("disableAll");
+    QObject::connect(off, &QPushButton::clicked, this, [this] {
+      for (auto& [key, entry] : tables_[kind_]) entry = {0, 1, false};
+      showTable();
+    });
+    auto* send = new QPushButton{"Send"};
+    send->setObjectName("send");
+    send->setToolTip("Sends what has changed in both tables");
+    QObject::connect(send, &QPushButton::clicked, this, [this] { sendAll(); });
+    bottom->addWidget(off);
+    bottom->addStretch();
+    bottom->addWidget(send);
+    layout->addLayout(bottom);
+  }
+
+  QJsonObject settings() const override {
+    QJsonObject tables;
+    for (int kind = 0; kind < 2; ++kind) {
+      QJsonArray rows;
+      for (const auto& [key, entry] : tables_[kind])
+        if (entry.mode > 0) rows.append(QJsonArray{key, entry.mode, entry.n});
+      tables[kinds[kind]] = rows;
+    }
+    return {{"tables", tables}, {"all", all_->isChecked()}};
+  }
+  void restore(const QJsonObject& settings) override {
+    for (int kind = 0; kind < 2; ++kind) {
+      tables_[kind].clear();
+      for (const QJsonValue& row : settings["tables"][kinds[kind]].toArray()) {
+        const int mode = row[1].toInt();
+        if (mode > 0 && mode < static_cast<int>(std::size(modes)))
+          tables_[kind][row[0].toString()] = {mode, std::max(1, row[2].toInt()), false};
+      }
+    }
+    all_->setChecked(settings["all"].toBool());
+    showTable();
+  }
+  /// A robot that began anew has all its keys off.
+  void refresh() override {
+    const std::uint64_t beginnings = session().status().beginnings;
+    if (beginnings == beginnings_) return;
+    beginnings_ = beginnings;
+    for (auto& table : tables_)
+      for (auto& [key, entry] : table) entry.sent = false;
+    filled_.clear();
+    showTable();
+  }
+
+ private:
+  struct Entry {
+    int mode = 0;
+    int n = 1;
+    bool sent = false;
+  };
+
+  void set(const Mode& mode) {
+    const QString key = key_->currentText().trimmed();
+    if (key.isEmpty()) return;
+    tables_[kind_][key] = {static_cast<int>(&mode - modes), n_->value(), false};
+    showTable();
+  }
+
+  void showTable() {
+    table_->setRowCount(0);
+    for (const auto& [key, entry] : tables_[kind_]) {
+      const int row = table_->rowCount();
+      table_->insertRow(row);
+      const QString when =
+          QString{modes[entry.mode].text}.replace(" n", " " + QString::number(entry.n));
+      table_->setItem(row, 0, new QTableWidgetItem{key});
+      table_->setItem(
+          row, 1, new QTableWidgetItem{entry.mode == 2 ? QString{"%1 times"}.arg(entry.n) : when});
+      table_->setItem(row, 2, new QTableWidgetItem{entry.sent ? "yes" : "not yet"});
+    }
+  }
+
+  void sendAll() {
+    for (int kind = 0; kind < 2; ++kind) {
+      const std::string queue =
+          std::string{"to "} + (all_->isChecked() ? "all" : "") +
+          (kind == 0 ? (all_->isChecked() ? "SimulatedRobots" : "simulatedRobot")
+                     : (all_->isChecked() ? "PhysicalRobots" : "physicalRobot"));
+      for (auto entry = tables_[kind].begin(); entry != tables_[kind].end();) {
+        auto& [key, state] = *entry;
+        if (!state.sent) {
+          const QString when =
+              QString{modes[state.mode].command}.replace("%1", QString::number(state.n));
+          session().execute(queue + " dk " + key.toStdString() + " " + when.toStdString());
+          state.sent = true;
+        }
+        entry = state.mode == 0 ? tables_[kind].erase(entry) : std::next(entry);
+      }
+    }
+    const std::string fill = fill_->currentData()
+                                 .toString()
+                                 .replace("%1", QString::number(seconds_->value()))
+                                 .toStdString();
+    if (fill != filled_ && !(filled_.empty() && fill == "queue")) session().execute("qfr " + fill);
+    filled_ = fill;
+    showTable();
+  }
+
+  QCheckBox* all_;
+  QComboBox* key_;
+  QSpinBox* n_;
+  QTableWidget* table_;
+  QComboBox* fill_;
+  QSpinBox* seconds_;
+  std::map<QString, Entry> tables_[2];  ///< Of simulated and of physical robots.
+  int kind_ = 0;
+  std::string filled_;
+  std::uint64_t beginnings_ = 0;
+};
+
+const RegisterDialog<DebugKeys> registered{
+    {.id = "debugKeys",
+     .title = "Debug keys",
+     .group = "Robots",
+     .help =
+         "What modules draw, plot and send, and how often; how the queue to the tools is filled",
+     .report = "J.2.1",
+     .place = DialogPlace::left,
+     .atFirst = true}};
+
+}  // namespace
+}  // namespace gt

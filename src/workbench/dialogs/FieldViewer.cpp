@@ -1,0 +1,87 @@
+#include <algorithm>
+
+#include "workbench/DrawingMenu.h"
+#include "workbench/ViewDialog.h"
+
+namespace gt {
+namespace {
+
+/// Report J.3.2, I.3.3.2: the field from above, with drawings on it.
+class FieldViewer : public ViewDialog {
+ public:
+  explicit FieldViewer(SessionThread& session) : ViewDialog{session, nullptr} {
+    setKeys({"SelfLocator/pose", "SelfLocator/samples", "BallLocator/ball", "TeamBallLocator/ball",
+             "PlayersLocator/players"});
+    compose();
+    sheet().placeText = [this](const QPointF& place) {
+      const double x = place.x() - sheet().sheet()->width() / 2.0,
+                   y = sheet().sheet()->height() / 2.0 - place.y();
+      return QString{"%1, %2 mm"}
+          .arg(x / fieldViewScale, 0, 'f', 0)
+          .arg(y / fieldViewScale, 0, 'f', 0);
+    };
+  }
+
+  QJsonObject settings() const override {
+    QJsonObject settings = ViewDialog::settings();
+    settings["parts"] = arrayOf(parts_);
+    settings["drawings"] = arrayOf(keys());
+    return settings;
+  }
+  void restore(const QJsonObject& settings) override {
+    ViewDialog::restore(settings);
+    if (settings["parts"].isArray()) parts_ = namesOf(settings["parts"]);
+    if (settings["drawings"].isArray()) setKeys(namesOf(settings["drawings"]));
+    compose();
+  }
+
+ protected:
+  void addActions(QMenu& menu) override {
+    constexpr std::pair<const char*, const char*> names[] = {{"fieldPolygons", "Areas"},
+                                                             {"fieldLines", "Lines"},
+                                                             {"flags", "Flags"},
+                                                             {"truth", "Truth"}};
+    for (const auto& [part, text] : names) {
+      QAction* action = menu.addAction(text);
+      action->setCheckable(true);
+      action->setChecked(std::ranges::find(parts_, part) != parts_.end());
+      QObject::connect(action, &QAction::toggled, this, [this, name = std::string{part}](bool on) {
+        std::erase(parts_, name);
+        if (on) parts_.push_back(name);
+        compose();
+      });
+    }
+    addDrawingMenu(menu, knownKeys(), keys(), [this](const std::string& key, bool on) {
+      auto shown = keys();
+      std::erase(shown, key);
+      if (on) shown.push_back(key);
+      setKeys(shown);
+      compose();
+    });
+  }
+
+ private:
+  void compose() {
+    // In the view's order, which is from below to above.
+    std::vector<std::string> elements;
+    for (const std::string& part : fieldViewElements)
+      if (std::ranges::find(parts_, part) != parts_.end()) elements.push_back(part);
+    elements.insert(elements.end(), keys().begin(), keys().end());
+    setView(makeFieldView("field", "", elements));
+  }
+
+  std::vector<std::string> parts_{"fieldPolygons", "fieldLines", "flags", "truth"};
+};
+
+const RegisterDialog<FieldViewer> registered{
+    {.id = "field",
+     .title = "Field",
+     .group = "Viewers",
+     .help = "The field from above with drawings on it, as the robot's team sees it",
+     .report = "J.3.2",
+     .place = DialogPlace::center,
+     .several = true,
+     .atFirst = true}};
+
+}  // namespace
+}  // namespace gt
