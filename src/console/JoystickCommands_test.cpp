@@ -41,7 +41,7 @@ TEST_F(JoystickCommands, MovesRobotsByASchemeOfTheReport) {
   expectFine("joystick press 1");
   expectFine("run 100 ms");
   EXPECT_EQ(request().type, MotionType::specialAction);
-  EXPECT_TRUE(request().specialAction != "") << "a kick of the table";
+  EXPECT_FALSE(request().specialAction.empty()) << "a kick of the table";
   expectFine("joystick release 1");
   expectFine("joystick press 5");
   expectFine("joystick x -1");

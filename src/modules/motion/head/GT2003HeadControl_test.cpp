@@ -58,7 +58,7 @@ struct Head {
     joints()[Joint::headTilt] = request.tilt;
     joints()[Joint::headPan] = request.pan;
   }
-  void frames(int n, std::optional<Vector2d> visibleBall = std::nullopt) {
+  void frames(int n, const std::optional<Vector2d>& visibleBall = std::nullopt) {
     for (int i = 0; i < n; ++i) frameWith(visibleBall);
   }
 };
