@@ -37,7 +37,7 @@ inline QJsonArray arrayOf(const std::vector<std::string>& names) {
 
 inline std::vector<std::string> namesOf(const QJsonValue& array) {
   std::vector<std::string> names;
-  for (const auto& name : array.toArray()) names.push_back(name.toString().toStdString());
+  for (const QJsonValue name : array.toArray()) names.push_back(name.toString().toStdString());
   return names;
 }
 

@@ -412,7 +412,7 @@ Result<void> MainWindow::arrange(const QJsonObject& arrangement) {
   }
   closeAll();
   const auto types = Dialog::types();
-  for (const auto& entry : arrangement["dialogs"].toArray()) {
+  for (const QJsonValue entry : arrangement["dialogs"].toArray()) {
     const QString key = entry["dialog"].toString();
     const DialogType* type = typeOf(types, key.section('#', 0, 0));
     if (!type || dialog(key)) continue;  // of another program's version

@@ -72,7 +72,7 @@ class ConsoleDialog : public Dialog {
   }
   void restore(const QJsonObject& settings) override {
     history_.clear();
-    for (const auto& line : settings["history"].toArray()) history_ << line.toString();
+    for (const QJsonValue line : settings["history"].toArray()) history_ << line.toString();
     place_ = history_.size();
   }
   void refresh() override {

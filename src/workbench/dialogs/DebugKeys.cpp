@@ -161,7 +161,7 @@ class DebugKeys : public Dialog {
   void restore(const QJsonObject& settings) override {
     for (int kind = 0; kind < 2; ++kind) {
       tables_[kind].clear();
-      for (const auto& row : settings["tables"][kinds[kind]].toArray()) {
+      for (const QJsonValue row : settings["tables"][kinds[kind]].toArray()) {
         const int mode = row[1].toInt();
         if (mode > 0 && mode < static_cast<int>(std::size(modes)))
           tables_[kind][row[0].toString()] = {mode, std::max(1, row[2].toInt()), false};

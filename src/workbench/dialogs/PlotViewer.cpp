@@ -162,7 +162,7 @@ class PlotViewer : public Dialog {
     curves_.clear();
     plot_->clearGraphs();
     seconds_->setValue(settings["seconds"].toInt(20));
-    for (const auto& value : settings["values"].toArray())
+    for (const QJsonValue value : settings["values"].toArray())
       add(value[0].toString().toStdString(), value[1].toBool());
   }
 
