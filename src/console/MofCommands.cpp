@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -54,11 +55,15 @@ Result<void> execute(Console& console, const Words& words, bool loop) {
   return sendSequence(console, *sequence);
 }
 
-/// The line of a motion description that brings the joints to where they are.
+/// The line of a motion description that brings the joints to where they are. What is measured may
+/// lie a little beyond what can be commanded.
 std::string lineOf(const JointAngles& joints) {
   std::string line;
-  for (std::size_t i = 0; i < MotionNet::jointCount; ++i)
-    line += std::to_string(std::lround(joints.values[i] * 1000)) + " ";
+  const auto limits = motionRules().joints;
+  for (std::size_t i = 0; i < MotionNet::jointCount; ++i) {
+    const long angle = std::lround(joints.values[i] * 1000);
+    line += std::to_string(std::clamp<long>(angle, limits[i].low, limits[i].high)) + " ";
+  }
   return line + "1 25";
 }
 

@@ -4,6 +4,10 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QToolBar>
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <vector>
 
 #include "workbench/CommandPalette.h"
 #include "workbench/TestWindow.h"
@@ -205,6 +209,36 @@ TEST_F(WindowTest, CommandsAreFoundBySomeLetters) {
   QTest::keyClicks(edit, "time diag");
   QTest::keyClick(edit, Qt::Key_Return);
   EXPECT_TRUE(window->dialog("times"));
+}
+
+/// Processor time of this thread in ms: what else runs on the machine does not count.
+double threadTime() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+TEST_F(WindowTest, TheEventLoopIsNotHeldUp) {
+  window->resize(1600, 1000);
+  for (const char* key : {"image", "image", "image", "times", "radar", "values"}) window->open(key);
+  ASSERT_TRUE(execute("plot ball.speed on"));
+  ASSERT_TRUE(execute("st on 1"));
+  session->execute("start");
+  std::vector<double> times;
+  QElapsedTimer clock;
+  clock.start();
+  while (clock.elapsed() < 4000) {
+    const double before = threadTime();
+    QCoreApplication::processEvents();
+    times.push_back(threadTime() - before);
+    QTest::qSleep(1);
+  }
+  std::ranges::sort(times);
+  const double longest = times.back(), most = times[times.size() * 95 / 100];
+  std::printf("event loop: 95 %% of %zu passes below %.1f ms, the longest %.1f ms\n", times.size(),
+              most, longest);
+  EXPECT_LT(most, 16);
+  EXPECT_LT(longest, 50);
 }
 
 TEST_F(WindowTest, ItEndsInTheMiddleOfACommand) {

@@ -201,6 +201,11 @@ std::vector<std::string> SessionThread::linesSince(std::uint64_t& seen) const {
   return {lines_.end() - static_cast<std::ptrdiff_t>(missing), lines_.end()};
 }
 
+std::uint64_t SessionThread::printed() const {
+  const std::lock_guard lock{mutex_};
+  return printed_;
+}
+
 std::vector<std::string> SessionThread::takeOffers() {
   const std::lock_guard lock{mutex_};
   return std::exchange(offers_, {});

@@ -102,6 +102,8 @@ class SessionThread {
   /// The lines that were printed since `seen` were, which is moved on; some are missing if they
   /// were too many. A line "\f" clears what was before.
   std::vector<std::string> linesSince(std::uint64_t& seen) const;
+  /// How many lines were printed so far.
+  std::uint64_t printed() const;
   /// Commands that were offered to the user since this was called last (console command echo).
   std::vector<std::string> takeOffers();
   /// Whether the session was ended by the command exit.

@@ -97,6 +97,10 @@ void SheetWidget::wheelEvent(QWheelEvent* event) {
 }
 
 void SheetWidget::mousePressEvent(QMouseEvent* event) {
+  if (clicked) {
+    if (sheet_) clicked(toSheet(event->position()), event->button());
+    return;
+  }
   if (event->button() == Qt::LeftButton) drag_ = event->position();
 }
 
@@ -124,6 +128,7 @@ void SheetWidget::mouseDoubleClickEvent(QMouseEvent*) {
 }
 
 void SheetWidget::contextMenuEvent(QContextMenuEvent* event) {
+  if (clicked) return;
   QMenu menu;
   if (addActions) addActions(menu);
   menu.addSeparator();

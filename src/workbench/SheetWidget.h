@@ -33,6 +33,10 @@ class SheetWidget : public QWidget {
   /// Turning the wheel by so many steps, instead of zooming.
   std::function<void(double)> wheeled;
 
+  /// Clicking on a place of the sheet with the left or right button, instead of dragging and of the
+  /// context menu.
+  std::function<void(const QPointF&, Qt::MouseButton)> clicked;
+
   void copyImage() const;
   void copyVectors() const;
   QImage image(double scale) const;

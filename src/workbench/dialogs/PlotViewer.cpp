@@ -1,9 +1,11 @@
 #include <QCompleter>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMimeData>
 #include <QSlider>
 #include <QStringListModel>
 #include <QToolButton>
@@ -148,6 +150,7 @@ class PlotViewer : public Dialog {
                      [this](const QMouseEvent* event) { showValues(event->pos()); });
     QObject::connect(plot_, &QCustomPlot::customContextMenuRequested, this,
                      [this](const QPoint& at) { showMenu(at); });
+    setAcceptDrops(true);
     setColors();
   }
 
@@ -188,6 +191,15 @@ class PlotViewer : public Dialog {
   }
 
  protected:
+  /// Values are dropped as text, a path a line.
+  void dragEnterEvent(QDragEnterEvent* event) override {
+    if (event->mimeData()->hasText()) event->acceptProposedAction();
+  }
+  void dropEvent(QDropEvent* event) override {
+    for (const QString& path : event->mimeData()->text().split('\n', Qt::SkipEmptyParts))
+      choose(path.toStdString());
+    event->acceptProposedAction();
+  }
   void changeEvent(QEvent* event) override {
     if (event->type() == QEvent::PaletteChange) setColors();
     Dialog::changeEvent(event);

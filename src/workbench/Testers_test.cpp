@@ -1,0 +1,188 @@
+#include <QCheckBox>
+#include <QDropEvent>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTreeWidget>
+
+#include "representations/behavior/BehaviorState.h"
+#include "workbench/TestWindow.h"
+
+namespace gt {
+namespace {
+
+/// A robot alone, whose behavior is switched off.
+class TesterTest : public WindowTest {
+ protected:
+  TesterTest() : WindowTest{"scenes/one-robot.scene"} {
+    EXPECT_TRUE(execute("sr BehaviorControl disabled"));
+  }
+  std::string of(const std::string& path) { return value("red3." + path); }
+};
+
+TEST_F(TesterTest, MotionsAreSentByTheButton) {
+  window->open("motion");
+  choose("motion", "motion", "normal");
+  EXPECT_TRUE(widget<QSlider>("motion", "x")->isEnabled());
+  widget<QSlider>("motion", "x")->setValue(120);
+  widget<QSlider>("motion", "r")->setValue(-30);
+  finish();
+  ASSERT_TRUE(execute("run 100 ms"));
+  EXPECT_NE(of("MotionRequest.motion"), "walk");
+  choose("motion", "tail", "wagHorizontal");
+  click("motion", "send");
+  finish();
+  ASSERT_TRUE(execute("run 100 ms"));
+  EXPECT_EQ(of("MotionRequest.walk.translation.x"), "120");
+  EXPECT_EQ(of("MotionRequest.tail"), "wagHorizontal");
+  widget<QCheckBox>("motion", "follow")->setChecked(true);
+  widget<QSlider>("motion", "y")->setValue(50);
+  finish();
+  ASSERT_TRUE(execute("run 100 ms"));
+  EXPECT_EQ(of("MotionRequest.walk.translation.y"), "50");
+  click("motion", "stop");
+  finish();
+  ASSERT_TRUE(execute("run 100 ms"));
+  EXPECT_EQ(of("MotionRequest.type"), "stand");
+}
+
+TEST_F(TesterTest, TheHeadIsMoved) {
+  window->open("head");
+  choose("head", "mode", "lookAtPoint");
+  widget<QSpinBox>("head", "pointY")->setValue(300);
+  click("head", "send");
+  finish();
+  ASSERT_TRUE(execute("run 100 ms"));
+  EXPECT_EQ(of("HeadControlMode.mode"), "lookAtPoint");
+  EXPECT_EQ(of("HeadControlMode.point.y"), "300");
+  choose("head", "mode", "none");
+  click("head", "send");
+  auto* pan = widget<QSlider>("head", "pan");
+  EXPECT_TRUE(pan->isVisible());
+  pan->setValue(60);
+  finish();
+  ASSERT_TRUE(execute("run 1s"));
+  EXPECT_NEAR(std::stod(value("robots.red3.joints.headPan")), 60, 3);
+}
+
+TEST_F(TesterTest, LinesOfMotionsAreExecutedAndRead) {
+  window->open("mof");
+  click("mof", "takeOver");
+  finish();
+  ASSERT_TRUE(execute("run 500 ms"));
+  auto* lines = widget<QPlainTextEdit>("mof", "lines");
+  click("mof", "read");
+  EXPECT_TRUE(until([&] { return !lines->toPlainText().isEmpty(); }));
+  const QStringList before = lines->toPlainText().split(' ');
+  ASSERT_GT(before.size(), 10);
+  QStringList turned = before;
+  turned[1] = "500";  // the pan of the head, in mrad
+  lines->setPlainText(turned.join(' '));
+  click("mof", "execute");
+  finish();
+  ASSERT_TRUE(execute("run 1s"));
+  EXPECT_NEAR(std::stod(value("robots.red3.joints.headPan")), 28.6, 3);
+  click("mof", "stop");
+  finish();
+}
+
+TEST_F(TesterTest, SwitchesArePressedAndTheRobotIsThrownOver) {
+  window->open("body");
+  const auto pressed = [&] {
+    EXPECT_TRUE(execute("run 50 ms"));
+    return value("robots.red3.switches.back");
+  };
+  const std::string released = pressed();
+  auto* back = widget<QWidget>("body", "back");
+  QTest::mousePress(back, Qt::LeftButton);
+  finish();
+  EXPECT_NE(pressed(), released);
+  QTest::mouseRelease(back, Qt::LeftButton);
+  finish();
+  EXPECT_EQ(pressed(), released);
+  widget<QCheckBox>("body", "latch")->setChecked(true);
+  click("body", "back");
+  finish();
+  EXPECT_NE(pressed(), released);
+  click("body", "back");
+  finish();
+  EXPECT_EQ(pressed(), released);
+  choose("body", "direction", "right");
+  click("body", "throw");
+  finish();
+  EXPECT_NE(of("posture"), "standing");
+  click("body", "stand");
+  finish();
+  EXPECT_EQ(of("posture"), "standing");
+}
+
+TEST_F(WindowTest, ABehaviorIsRequested) {
+  window->open("behaviorTester");
+  window->bringToFront("xabsl");
+  choose("behaviorTester", "element", "go_to_point");
+  auto* x = widget<QComboBox>("behaviorTester", "x");
+  x->setEditText("-1500");
+  const auto state = [](Console& console) {
+    const auto* known = (*console.firstRobot())->observed().newest<BehaviorState>();
+    return known && !known->activations.empty() ? known->activations.front().name : std::string{};
+  };
+  ASSERT_TRUE(execute("run 500 ms"));
+  EXPECT_NE(on(state), "go_to_point");
+  click("behaviorTester", "send");
+  finish();
+  ASSERT_TRUE(execute("run 500 ms"));
+  EXPECT_EQ(on(state), "go_to_point");
+  choose("behaviorTester", "element", "unchanged");
+  click("behaviorTester", "send");
+  finish();
+  ASSERT_TRUE(execute("run 500 ms"));
+  EXPECT_NE(on(state), "go_to_point");
+  click("behaviorTester", "reload");
+  EXPECT_TRUE(until([&] { return printed("> xlb"); }));
+  finish();
+  EXPECT_TRUE(widget<QLabel>("behaviorTester", "error")->text().isEmpty());
+}
+
+TEST_F(TesterTest, ValuesAreShownAndChangedInPlace) {
+  window->bringToFront("values");
+  auto* tree = widget<QTreeWidget>("values", "tree");
+  const auto find = [&](const QString& text, int depth) -> QTreeWidgetItem* {
+    for (QTreeWidgetItem* item : tree->findItems(text, Qt::MatchExactly | Qt::MatchRecursive, 0)) {
+      int up = 0;
+      for (const QTreeWidgetItem* parent = item; parent->parent(); parent = parent->parent()) ++up;
+      if (up == depth) return item;
+    }
+    return nullptr;
+  };
+  EXPECT_TRUE(until([&] { return find("WalkingEngine.InvKin", 1) != nullptr; }));
+  find("WalkingEngine.InvKin", 1)->setExpanded(true);
+  EXPECT_TRUE(until([&] { return find("gameSpeed", 2) != nullptr; }));
+  find("gameSpeed", 2)->setText(1, "0.7");  // as the editor does at its end
+  finish();
+  EXPECT_EQ(of("WalkingEngine.InvKin.gameSpeed"), "0.7");
+  find("RobotPose", 1)->setExpanded(true);
+  EXPECT_TRUE(until([&] { return find("pose", 2) != nullptr; }));
+  ASSERT_TRUE(execute("run 1s"));
+  EXPECT_TRUE(
+      until([&] { return find("pose", 2)->text(1).toStdString() == of("RobotPose.pose"); }));
+  // A part of the scene.
+  find("balls", 1)->setExpanded(true);
+  EXPECT_TRUE(until([&] { return find("balls", 1)->childCount() > 0; }));
+  // Dropped on a plot, a value is plotted.
+  window->bringToFront("plot");
+  QMimeData dragged;
+  dragged.setText("RobotPose.pose.translation.x");
+  QDragEnterEvent enter{{20, 20}, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier};
+  QApplication::sendEvent(window->dialog("plot"), &enter);
+  QDropEvent drop{{20, 20}, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier};
+  QApplication::sendEvent(window->dialog("plot"), &drop);
+  EXPECT_TRUE(
+      until([&] { return window->dialog("plot")->settings()["values"].toArray().size() == 1; }));
+}
+
+}  // namespace
+}  // namespace gt
