@@ -49,15 +49,16 @@ TEST(Kicks, ReachFarAndToAllSides) {
     EXPECT_LT(motion.kick.spreadAt(best, 0).value_or(180), 15) << motion.name;
   }
   std::ranges::sort(directions);
-  EXPECT_GE(directions.size(), 5u);
+  int sides = 1;
   for (std::size_t i = 1; i < directions.size(); ++i)
-    EXPECT_GT(directions[i] - directions[i - 1], 20) << directions[i];
+    sides += directions[i] - directions[i - 1] > 20;
+  EXPECT_GE(sides, 5);
   EXPECT_GT(longest, 2000);
   EXPECT_GT(directions.back(), 120) << "behind the robot";
 }
 
 TEST(Kicks, LeftAndRightAreMirrored) {
-  for (const std::string kick : {"hook", "swing"}) {
+  for (const std::string kick : {"hook", "paw", "swing"}) {
     const auto left = performed(kick + "Left"), right = performed(kick + "Right");
     ASSERT_EQ(left.size(), right.size());
     for (std::size_t i = 0; i < left.size(); ++i)
