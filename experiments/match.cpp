@@ -11,6 +11,21 @@
 namespace gt {
 namespace {
 
+/// Returns how far the ball moved (m) while it was not put somewhere.
+double playToTheEnd(Match& match) {
+  constexpr double put = 60;  // mm in a tick: no kick is that fast
+  double way = 0;
+  Vector2d before = match.simulation().world().ball(0).position;
+  while (!match.finished()) {
+    match.step();
+    const Vector2d now = match.simulation().world().ball(0).position;
+    const double moved = (now - before).norm();
+    if (moved < put) way += moved / 1000;
+    before = now;
+  }
+  return way;
+}
+
 Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   MatchOptions options{root};
   options.seed = job.seed;
@@ -24,7 +39,7 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   }
   auto match = Match::make(options);
   if (!match) return match.error();
-  while (!(*match)->finished()) (*match)->step();
+  const double ballWay = playToTheEnd(**match);
   const MatchSummary summary = (*match)->summary();
   int ownGoals = 0, kicks = 0, stuckBalls = 0, penalties = 0, falls = 0;
   double walked = 0;  // m
@@ -55,6 +70,7 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   measured.add("match.penalties", "robots", penalties);
   measured.add("match.falls", "falls", falls);
   measured.add("match.walked", "m", walked);
+  measured.add("match.ball.way", "m/min", ballWay / job.number("minutes"));
   measured.add("match.localization.error.mean", "mm", localization.mean);
   measured.add("match.localization.error.median", "mm", localization.median, Aim::atMost(150));
   measured.add("match.localization.error.p95", "mm", localization.percentile95, Aim::atMost(600));
