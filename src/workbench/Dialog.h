@@ -10,7 +10,7 @@
 namespace gt {
 
 /// Where a dialog appears at first.
-enum class DialogPlace { left, right, top, bottom, center, toolbar };
+enum class DialogPlace { left, right, bottom, center, toolbar };
 
 class Dialog;
 

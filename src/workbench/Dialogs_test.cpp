@@ -3,13 +3,17 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <QTreeWidget>
+#include <cmath>
 
 #include "representations/perception/ColorTable64.h"
 #include "workbench/SheetWidget.h"
 #include "workbench/TestWindow.h"
+#include "workbench/ViewDialog.h"
 
 namespace gt {
 namespace {
@@ -176,6 +180,77 @@ TEST_F(DialogTest, ALogIsPlayedByTheToolbar) {
   finish();
   EXPECT_TRUE(session->status().log->loop);
   EXPECT_EQ(session->status().log->speed, 2);
+}
+
+TEST_F(WindowTest, ThingsArePutOnTheFieldByTheContextMenu) {
+  auto* field = dynamic_cast<ViewDialog*>(window->dialog("field"));
+  ASSERT_TRUE(field);
+  EXPECT_TRUE(until([&] { return field->sheet().sheet() != nullptr; }));
+  const auto put = [&](const QString& what, double x, double y) {
+    QMenu menu;
+    const Sheet& sheet = *field->sheet().sheet();
+    field->sheet().addActions(menu, {sheet.width() / 2.0 + x * fieldViewScale,
+                                     sheet.height() / 2.0 - y * fieldViewScale});
+    for (QAction* action : menu.actions().front()->menu()->actions())
+      if (action->text() == what) action->trigger();
+    QTest::qWait(100);
+    finish();
+  };
+  put("ball", 700, -300);
+  EXPECT_EQ(value("ball.x") + " " + value("ball.y"), "700 -300");
+  // The blue team looks from the other side.
+  field->setRobot("blue1");
+  put("red2", 500, 200);
+  EXPECT_EQ(value("red2.x") + " " + value("red2.y"), "-500 -200");
+}
+
+TEST_F(DialogTest, TimesAreMeasuredOverSomeTime) {
+  window->open("times");
+  auto* modules = widget<QTreeWidget>("times", "modules");
+  ASSERT_TRUE(execute("run 1s"));
+  const auto find = [&](const char* name) {
+    const auto items = modules->findItems(name, Qt::MatchExactly);
+    return items.isEmpty() ? nullptr : items.front();
+  };
+  EXPECT_TRUE(until([&] { return find("ImageProcessor") != nullptr; }));
+  ASSERT_TRUE(execute("run 8s"));
+  // 25 images and 125 frames of sensors a second.
+  EXPECT_TRUE(until([&] {
+    session->execute("run 200 ms");
+    return std::abs(find("ImageProcessor")->text(4).toDouble() - 25) < 2;
+  }));
+  EXPECT_GT(find("ImageProcessor")->text(2).toDouble(), 0);
+  EXPECT_NEAR(find("WalkingEngine")->text(4).toDouble(), 125, 10);
+  QTest::keyClicks(widget<QLineEdit>("times", "filter"), "walk");
+  EXPECT_FALSE(find("ImageProcessor"));
+  EXPECT_TRUE(find("WalkingEngine"));
+}
+
+TEST_F(DialogTest, NetworksAreKeptAndConnectedTo) {
+  window->open("connections");
+  Dialog* const dialog = window->dialog("connections");
+  dialog->restore(
+      {{"networks",
+        QJsonObject{{"lab", QJsonArray{QJsonArray{true, "dog", "tcp://127.0.0.1:39471"},
+                                       QJsonArray{false, "cat", "tcp://127.0.0.1:39472"}}}}},
+       {"current", "lab"}});
+  const QJsonObject settings = dialog->settings();
+  widget<QTableWidget>("connections", "robots")->item(1, 1)->setText("hound");
+  EXPECT_NE(dialog->settings(), settings);
+  click("connections", "connect");
+  finish();
+  EXPECT_TRUE(printed("dog does not answer"));
+  const auto names = on([](Console& console) {
+    std::vector<std::string> list;
+    for (const auto& robot : console.session().robots()) list.push_back(robot->name());
+    return list;
+  });
+  EXPECT_EQ(names, (std::vector<std::string>{"red3", "dog"}));
+  // A robot that does not answer does not hold up the window.
+  choose("simulation", "robot", "dog");
+  finish();
+  EXPECT_EQ(on([](Console& console) { return console.selection(); }),
+            std::vector<std::string>{"dog"});
 }
 
 TEST_F(DialogTest, AColorTableIsMadeByClicking) {

@@ -69,7 +69,7 @@ Result<void> LayoutStore::rename(const QString& from, const QString& to) {
     return Error{.field = to.toStdString(), .what = "there is already a layout of this name"};
   if (!QFile::rename(path(from), path(to)))
     return Error{.field = from.toStdString(), .what = "cannot be renamed"};
-  QJsonObject scenes = settings_["scenes"].toObject();
+  QJsonObject scenes = settings_.value("scenes").toObject();
   for (auto scene = scenes.begin(); scene != scenes.end(); ++scene)
     if (scene.value().toString() == from) scene.value() = to;
   settings_["scenes"] = scenes;
@@ -81,7 +81,7 @@ Result<void> LayoutStore::rename(const QString& from, const QString& to) {
 Result<void> LayoutStore::remove(const QString& name) {
   if (!QFile::remove(path(name)))
     return Error{.field = name.toStdString(), .what = "cannot be deleted"};
-  QJsonObject scenes = settings_["scenes"].toObject();
+  QJsonObject scenes = settings_.value("scenes").toObject();
   for (auto scene = scenes.begin(); scene != scenes.end();)
     scene = scene.value().toString() == name ? scenes.erase(scene) : scene + 1;
   settings_["scenes"] = scenes;
@@ -95,7 +95,7 @@ void LayoutStore::setCurrent(const QString& name) {
 }
 
 void LayoutStore::setOfScene(const QString& scene, const QString& name) {
-  QJsonObject scenes = settings_["scenes"].toObject();
+  QJsonObject scenes = settings_.value("scenes").toObject();
   if (name.isEmpty())
     scenes.remove(scene);
   else

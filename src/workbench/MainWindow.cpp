@@ -32,7 +32,6 @@ Qt::DockWidgetArea areaOf(DialogPlace place) {
       return Qt::LeftDockWidgetArea;
     case DialogPlace::right:
       return Qt::RightDockWidgetArea;
-    case DialogPlace::top:
     case DialogPlace::center:
       return Qt::TopDockWidgetArea;
     default:

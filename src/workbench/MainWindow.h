@@ -24,8 +24,8 @@ class MainWindow : public QMainWindow {
   Dialog* open(const QString& type);
   /// Shows an open dialog before those that share its place.
   void bringToFront(const QString& key);
-  /// The open dialogs, toolbars too, by type and number: image, image#2.
-  const std::map<QString, QPointer<Dialog>>& dialogs() const { return dialogs_; }
+  /// An open dialog or toolbar by type and number, such as image and image#2; null if there is
+  /// none.
   Dialog* dialog(const QString& key) const;
 
   /// Which dialogs are open, where they are, and their settings.
@@ -41,7 +41,7 @@ class MainWindow : public QMainWindow {
   Result<void> chooseLayout(const QString& name);
   Result<void> saveLayout(const QString& name);
 
-  /// All that the menus offer, with the menus' names before it.
+  /// All that the menus offer.
   QList<QAction*> commands() const;
 
  protected:
@@ -65,7 +65,7 @@ class MainWindow : public QMainWindow {
 
   SessionThread& session_;
   LayoutStore layouts_;
-  std::map<QString, QPointer<Dialog>> dialogs_;
+  std::map<QString, QPointer<Dialog>> dialogs_;  ///< All that are open, toolbars too.
   std::map<QString, QPointer<QWidget>> frames_;  ///< Docks and toolbars, by the same keys.
   QLabel* robotLabel_;
   QLabel* timeLabel_;

@@ -130,7 +130,7 @@ void SheetWidget::mouseDoubleClickEvent(QMouseEvent*) {
 void SheetWidget::contextMenuEvent(QContextMenuEvent* event) {
   if (clicked) return;
   QMenu menu;
-  if (addActions) addActions(menu);
+  if (addActions) addActions(menu, toSheet(event->pos()));
   menu.addSeparator();
   QAction* copy = menu.addAction("Copy image and drawings", [this] { copyImage(); });
   QAction* vectors = menu.addAction("Copy drawings as vector graphics", [this] { copyVectors(); });

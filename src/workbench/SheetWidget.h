@@ -26,8 +26,8 @@ class SheetWidget : public QWidget {
 
   /// The text beside the pointer for a place on the sheet; empty: none.
   std::function<QString(const QPointF&)> placeText;
-  /// Adds to the context menu, before its general part.
-  std::function<void(QMenu&)> addActions;
+  /// Adds to the context menu of a place on the sheet, before its general part.
+  std::function<void(QMenu&, const QPointF&)> addActions;
   /// Dragging by so many pixels, instead of moving the sheet.
   std::function<void(const QPointF&)> dragged;
   /// Turning the wheel by so many steps, instead of zooming.

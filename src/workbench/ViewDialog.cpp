@@ -25,8 +25,8 @@ ViewDialog::ViewDialog(SessionThread& session, std::shared_ptr<const View> view)
   auto* layout = new QVBoxLayout{this};
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(sheet_);
-  sheet_->addActions = [this](QMenu& menu) {
-    addActions(menu);
+  sheet_->addActions = [this](QMenu& menu, const QPointF& place) {
+    addActions(menu, place);
     menu.addSeparator();
     QMenu* robots = menu.addMenu("Robot");
     auto* group = new QActionGroup{robots};

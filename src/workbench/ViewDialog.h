@@ -22,7 +22,7 @@ class ViewDialog : public Dialog {
   void restore(const QJsonObject& settings) override;
   void refresh() override;
 
-  SheetWidget& sheet() { return *sheet_; }
+  SheetWidget& sheet() const { return *sheet_; }
   /// The robot that is always shown; empty: the connected one.
   const std::string& robot() const { return robot_; }
   void setRobot(const std::string& robot);
@@ -34,8 +34,8 @@ class ViewDialog : public Dialog {
   /// Debug keys that are switched on for the robot that is shown.
   void setKeys(std::vector<std::string> keys);
   const std::vector<std::string>& keys() const { return keys_; }
-  /// Adds to the context menu.
-  virtual void addActions(QMenu&) {}
+  /// Adds to the context menu of a place on the sheet.
+  virtual void addActions(QMenu&, const QPointF&) {}
   /// What the robot that is shown can be asked to draw.
   const std::vector<std::string>& knownKeys() const { return knownKeys_; }
 

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <cmath>
 
+#include "simulation/Oracle.h"
+#include "views/ViewText.h"
 #include "workbench/DrawingMenu.h"
 #include "workbench/ViewDialog.h"
 
@@ -14,11 +17,8 @@ class FieldViewer : public ViewDialog {
              "PlayersLocator/players"});
     compose();
     sheet().placeText = [this](const QPointF& place) {
-      const double x = place.x() - sheet().sheet()->width() / 2.0,
-                   y = sheet().sheet()->height() / 2.0 - place.y();
-      return QString{"%1, %2 mm"}
-          .arg(x / fieldViewScale, 0, 'f', 0)
-          .arg(y / fieldViewScale, 0, 'f', 0);
+      const Vector2d at = onField(place);
+      return QString{"%1, %2 mm"}.arg(at.x(), 0, 'f', 0).arg(at.y(), 0, 'f', 0);
     };
   }
 
@@ -36,7 +36,16 @@ class FieldViewer : public ViewDialog {
   }
 
  protected:
-  void addActions(QMenu& menu) override {
+  void addActions(QMenu& menu, const QPointF& place) override {
+    QMenu* put = menu.addMenu("Put here");
+    const auto add = [&](const std::string& what) {
+      put->addAction(QString::fromStdString(what), this,
+                     [this, what, at = onField(place)] { putThere(what, at); });
+    };
+    add("ball");
+    for (const RobotInfo& known : session().status().robots)
+      if (known.inScene) add(known.name);
+    menu.addSeparator();
     constexpr std::pair<const char*, const char*> names[] = {{"fieldPolygons", "Areas"},
                                                              {"fieldLines", "Lines"},
                                                              {"flags", "Flags"},
@@ -61,6 +70,31 @@ class FieldViewer : public ViewDialog {
   }
 
  private:
+  /// A place on the field, in mm, as the robot's team sees it.
+  Vector2d onField(const QPointF& place) const {
+    const Sheet* const shown = sheet().sheet();
+    if (!shown) return Vector2d::Zero();
+    return Vector2d{place.x() - shown->width() / 2.0, shown->height() / 2.0 - place.y()} /
+           fieldViewScale;
+  }
+
+  void putThere(const std::string& what, const Vector2d& at) {
+    session().ask(
+        this,
+        [robot = robot(), at](Console& console) {
+          ViewSubject subject = console.viewSubject();
+          ConsoleRobot* const chosen = console.session().find(robot);
+          ObservedRobot* const seenBy = chosen                   ? &chosen->observed()
+                                        : subject.robots.empty() ? nullptr
+                                                                 : subject.robots.front();
+          return toTeam(seenBy ? teamOf(*seenBy) : TeamColor::red, at);
+        },
+        [this, what](const Vector2d& there) {
+          session().execute("place " + what + " " + std::to_string(std::lround(there.x())) + " " +
+                            std::to_string(std::lround(there.y())));
+        });
+  }
+
   void compose() {
     // In the view's order, which is from below to above.
     std::vector<std::string> elements;

@@ -37,7 +37,7 @@ class ImageViewer : public ViewDialog {
   }
 
  protected:
-  void addActions(QMenu& menu) override {
+  void addActions(QMenu& menu, const QPointF&) override {
     constexpr std::pair<const char*, const char*> images[] = {
         {"image", "Camera image"}, {"colorClassImage", "Color classes"}, {"", "No image"}};
     auto* group = new QActionGroup{&menu};

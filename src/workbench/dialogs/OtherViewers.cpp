@@ -25,17 +25,6 @@ const RegisterDialog<SensorViewer> sensors{
      .group = "Viewers",
      .help = "Joints, acceleration, distance and switches of the robot"}};
 
-/// Report J.3.6: how long modules take.
-struct TimeDiagram : ViewDialog {
-  explicit TimeDiagram(SessionThread& session) : ViewDialog{session, builtInView("times")} {}
-};
-const RegisterDialog<TimeDiagram> times{
-    {.id = "times",
-     .title = "Time diagram",
-     .group = "Viewers",
-     .help = "How long each of the robot's modules takes, and how often it runs",
-     .report = "J.3.6"}};
-
 /// Report I.3.3.3: what the behavior does.
 struct BehaviorViewer : ViewDialog {
   explicit BehaviorViewer(SessionThread& session) : ViewDialog{session, builtInView("xabsl")} {

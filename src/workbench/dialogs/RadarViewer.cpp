@@ -37,7 +37,7 @@ class RadarViewer : public ViewDialog {
   }
 
  protected:
-  void addActions(QMenu& menu) override {
+  void addActions(QMenu& menu, const QPointF&) override {
     addDrawingMenu(menu, knownKeys(), keys(), [this](const std::string& key, bool on) {
       auto shown = keys();
       std::erase(shown, key);

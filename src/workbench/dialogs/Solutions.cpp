@@ -204,7 +204,7 @@ class Solutions : public Dialog {
 
   /// Sends all solutions of the chosen setting.
   void send() {
-    const QJsonObject setting = settings_[setting_->currentText()].toObject();
+    const QJsonObject setting = settings_.value(setting_->currentText()).toObject();
     for (const TaskRow& row : rows_)
       for (int kind = 0; kind < 2; ++kind) {
         const std::string wanted =
