@@ -101,7 +101,7 @@ Result<Measurement> showAll(const Job& job, const DataRoot& root) {
     Random random = Random{job.seed}.fork(name);
     int standing = 0, up = 0;
     double seconds = 0, recovering = 0, turned = 0, moved = 0;
-    double farthest = 0, held = 0, rolled = 0;
+    double farthest = 0, held = 0, rolled = 0, ahead = 0, left = 0;
     for (int i = 0; i < times; ++i) {
       const Shown shown = show(**robot, name, job.number("holds"), random);
       standing += shown.stands;
@@ -110,6 +110,8 @@ Result<Measurement> showAll(const Job& job, const DataRoot& root) {
       recovering += shown.recovering / times;
       turned += toDegrees(shown.moved.rotation) / times;
       moved += shown.moved.translation.norm() / times;
+      ahead += shown.moved.translation.x() / times;
+      left += shown.moved.translation.y() / times;
       farthest += toDegrees(shown.farthest) / times;
       held += toDegrees(shown.held) / times;
       rolled += toDegrees(shown.rolled) / times;
@@ -122,6 +124,8 @@ Result<Measurement> showAll(const Job& job, const DataRoot& root) {
     measurement.add(prefix + ".recovering", "s", recovering);
     measurement.add(prefix + ".turned", "deg", turned);
     measurement.add(prefix + ".moved", "mm", moved);
+    measurement.add(prefix + ".ahead", "mm", ahead);
+    measurement.add(prefix + ".left", "mm", left);
     measurement.add(prefix + ".lean", "deg", farthest);
     measurement.add(prefix + ".heldLean", "deg", held);
     measurement.add(prefix + ".rolled", "deg", rolled);
