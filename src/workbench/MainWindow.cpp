@@ -66,7 +66,8 @@ MainWindow::MainWindow(SessionThread& session, const QString& folder)
   setWindowTitle("RobotControl");
   resize(1280, 760);
   setDockNestingEnabled(true);
-  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
+  // No GroupedDragging: Qt 6.4 crashes when it restores a state over a group that floats.
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   // Docks fill the whole window.
   auto* nothing = new QWidget;
