@@ -1,5 +1,6 @@
 #pragma once
 #include <QEvent>
+#include <QLayout>
 #include <QPainter>
 #include <QStyle>
 #include <QToolButton>
@@ -41,5 +42,15 @@ class IconButton : public QToolButton {
 
   QStyle::StandardPixmap which_{};
 };
+
+/// Adds a button to a toolbar, which does `pressed` while `owner` lives.
+template <typename Pressed>
+IconButton* addIconButton(QLayout& toolbar, QObject& owner, const char* name,
+                          QStyle::StandardPixmap which, const char* help, Pressed pressed) {
+  auto* made = new IconButton{name, which, help};
+  QObject::connect(made, &QToolButton::clicked, &owner, pressed);
+  toolbar.addWidget(made);
+  return made;
+}
 
 }  // namespace gt

@@ -65,6 +65,13 @@ void ViewDialog::setNumbers(std::vector<double> numbers) {
   askAgain();
 }
 
+void ViewDialog::showKey(const std::string& key, bool on) {
+  auto shown = keys_;
+  std::erase(shown, key);
+  if (on) shown.push_back(key);
+  setKeys(std::move(shown));
+}
+
 void ViewDialog::setKeys(std::vector<std::string> keys) {
   keys_ = std::move(keys);
   askAgain();

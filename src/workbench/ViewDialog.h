@@ -33,6 +33,7 @@ class ViewDialog : public Dialog {
   void setNumbers(std::vector<double> numbers);
   /// Debug keys that are switched on for the robot that is shown.
   void setKeys(std::vector<std::string> keys);
+  void showKey(const std::string& key, bool on);
   const std::vector<std::string>& keys() const { return keys_; }
   /// Adds to the context menu of a place on the sheet.
   virtual void addActions(QMenu&, const QPointF&) {}

@@ -4,13 +4,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <set>
 #include <utility>
 
 #include "workbench/Dialog.h"
+#include "workbench/PushButton.h"
 #include "xabsl/language/Model.h"
 
 namespace gt {
@@ -116,13 +116,7 @@ class BehaviorTester : public Dialog {
     outputs->addWidget(value_, 1);
     layout->addLayout(outputs);
     auto* buttons = new QHBoxLayout;
-    const auto button = [&](const char* name, const char* text, const char* help, auto pressed) {
-      auto* made = new QPushButton{text};
-      made->setObjectName(name);
-      made->setToolTip(help);
-      QObject::connect(made, &QPushButton::clicked, this, pressed);
-      buttons->addWidget(made);
-    };
+    const auto button = [&](auto... what) { addPushButton(*buttons, *this, what...); };
     button("reload", "Reload files",
            "Reads the behavior's files anew, and sends the behavior to the connected robots",
            [this] { reload(); });

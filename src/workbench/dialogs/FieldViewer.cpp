@@ -61,10 +61,7 @@ class FieldViewer : public ViewDialog {
       });
     }
     addDrawingMenu(menu, knownKeys(), keys(), [this](const std::string& key, bool on) {
-      auto shown = keys();
-      std::erase(shown, key);
-      if (on) shown.push_back(key);
-      setKeys(shown);
+      showKey(key, on);
       compose();
     });
   }

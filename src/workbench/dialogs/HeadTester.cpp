@@ -1,13 +1,13 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "representations/behavior/HeadControlMode.h"
 #include "workbench/Dialog.h"
+#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -63,13 +63,7 @@ class HeadTester : public Dialog {
     }
     auto* buttons = new QHBoxLayout;
     layout->addLayout(buttons);
-    const auto button = [&](const char* name, const char* text, const char* help, auto pressed) {
-      auto* made = new QPushButton{text};
-      made->setObjectName(name);
-      made->setToolTip(help);
-      QObject::connect(made, &QPushButton::clicked, this, pressed);
-      buttons->addWidget(made);
-    };
+    const auto button = [&](auto... what) { addPushButton(*buttons, *this, what...); };
     button("takeOver", "Take over", "Disables BehaviorControl, so that requests by hand last",
            [this] { this->session().execute("sr BehaviorControl disabled"); });
     button("send", "Send", "Sends the mode to the connected robot", [this] { send(); });

@@ -51,10 +51,7 @@ class ImageViewer : public ViewDialog {
       action->setActionGroup(group);
     }
     addDrawingMenu(menu, knownKeys(), keys(), [this](const std::string& key, bool on) {
-      auto shown = keys();
-      std::erase(shown, key);
-      if (on) shown.push_back(key);
-      setKeys(shown);
+      showKey(key, on);
       compose();
     });
   }

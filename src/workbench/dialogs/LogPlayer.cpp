@@ -22,13 +22,7 @@ class LogPlayerToolbar : public Dialog {
   explicit LogPlayerToolbar(SessionThread& session) : Dialog{session} {
     auto* layout = new QHBoxLayout{this};
     layout->setContentsMargins(2, 0, 2, 0);
-    const auto button = [&](const char* name, QStyle::StandardPixmap icon, const char* help,
-                            auto pressed) {
-      auto* made = new IconButton{name, icon, help};
-      QObject::connect(made, &QToolButton::clicked, this, pressed);
-      layout->addWidget(made);
-      return made;
-    };
+    const auto button = [&](auto... what) { return addIconButton(*layout, *this, what...); };
     button("open", QStyle::SP_DialogOpenButton, "Lets a robot run on a log",
            [this] { chooseFile(); });
     player_ = {

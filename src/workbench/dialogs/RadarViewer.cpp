@@ -38,12 +38,8 @@ class RadarViewer : public ViewDialog {
 
  protected:
   void addActions(QMenu& menu, const QPointF&) override {
-    addDrawingMenu(menu, knownKeys(), keys(), [this](const std::string& key, bool on) {
-      auto shown = keys();
-      std::erase(shown, key);
-      if (on) shown.push_back(key);
-      setKeys(shown);
-    });
+    addDrawingMenu(menu, knownKeys(), keys(),
+                   [this](const std::string& key, bool on) { showKey(key, on); });
   }
 
  private:

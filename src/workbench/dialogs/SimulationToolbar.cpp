@@ -22,13 +22,7 @@ class SimulationToolbar : public Dialog {
   explicit SimulationToolbar(SessionThread& session) : Dialog{session} {
     auto* layout = new QHBoxLayout{this};
     layout->setContentsMargins(2, 0, 2, 0);
-    const auto button = [&](const char* name, QStyle::StandardPixmap icon, const char* help,
-                            auto pressed) {
-      auto* made = new IconButton{name, icon, help};
-      QObject::connect(made, &QToolButton::clicked, this, pressed);
-      layout->addWidget(made);
-      return made;
-    };
+    const auto button = [&](auto... what) { return addIconButton(*layout, *this, what...); };
     start_ = button("start", QStyle::SP_MediaPlay, "Lets time pass, or stand (F5)", [this] {
       if (this->session().busy())
         this->session().interrupt();
