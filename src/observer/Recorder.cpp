@@ -53,7 +53,7 @@ void Recorder::clear() {
   const bool on = recording_;
   stop();
   log_.reset();
-  messages_ = 0;
+  messages_ = saved_ = 0;
   if (on) static_cast<void>(start());
 }
 
@@ -79,7 +79,9 @@ Result<void> Recorder::save(const std::string& file) {
   std::error_code ignored;  // then opening the file reports what is wrong
   std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
   const auto copied = repairLog(path(), file);
-  return copied ? Result<void>{} : copied.error();
+  if (!copied) return copied.error();
+  saved_ = messages_;
+  return {};
 }
 
 }  // namespace gt

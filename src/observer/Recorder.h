@@ -28,6 +28,8 @@ class Recorder {
   /// Forgets what was recorded.
   void clear();
   std::uint64_t messages() const { return messages_; }
+  /// Messages since the recording was saved last.
+  std::uint64_t unsaved() const { return messages_ - saved_; }
   /// Writes a log of what was recorded; an error if that is nothing.
   Result<void> save(const std::string& file);
 
@@ -42,7 +44,7 @@ class Recorder {
   std::optional<RobotLog> log_;
   std::vector<ObservedRobot::Subscription> inputs_;
   bool recording_ = false;
-  std::uint64_t messages_ = 0;
+  std::uint64_t messages_ = 0, saved_ = 0;
   Time lastImage_ = never();
 };
 

@@ -18,6 +18,12 @@ void Dialog::add(const DialogType& type) {
   allTypes().push_back(type);
 }
 
+const DialogType* Dialog::typeOf(const QString& key) {
+  const auto& types = allTypes();
+  const auto found = std::ranges::find(types, key.section('#', 0, 0), &DialogType::id);
+  return found == types.end() ? nullptr : &*found;
+}
+
 std::vector<DialogType> Dialog::types() {
   std::vector<DialogType> types = allTypes();
   std::ranges::sort(types, {}, [](const DialogType& type) {

@@ -2,10 +2,11 @@
 #include <QJsonObject>
 #include <QString>
 #include <QWidget>
-#include <functional>
+#include <optional>
 #include <vector>
 
 #include "workbench/SessionThread.h"
+#include "workbench/Unsaved.h"
 
 namespace gt {
 
@@ -39,11 +40,15 @@ class Dialog : public QWidget {
   /// as it is.
   virtual QJsonObject settings() const { return {}; }
   virtual void restore(const QJsonObject&) {}
+  /// What the dialog holds that no file does; empty if there is nothing to lose.
+  virtual std::optional<Unsaved> unsaved() { return std::nullopt; }
   /// Called 25 times a second while the dialog can be seen.
   virtual void refresh() = 0;
 
   /// All types, sorted by group and title.
   static std::vector<DialogType> types();
+  /// The type of a dialog by its key, such as image#2; null if there is none.
+  static const DialogType* typeOf(const QString& key);
   static void add(const DialogType& type);
 
  protected:

@@ -28,6 +28,10 @@ Result<QJsonObject> readObject(const QString& path) {
 
 Result<void> writeObject(const QString& path, const QJsonObject& object) {
   // Written beside and moved: a full disk leaves the old file.
+  if (const QString before = path + "~"; readObject(path)) {
+    QFile::remove(before);
+    QFile::copy(path, before);
+  }
   QSaveFile file{path};
   if (file.open(QIODevice::WriteOnly)) file.write(QJsonDocument{object}.toJson());
   if (file.isOpen() && file.commit()) return {};
@@ -36,9 +40,28 @@ Result<void> writeObject(const QString& path, const QJsonObject& object) {
 
 }  // namespace
 
-LayoutStore::LayoutStore(QString folder) : folder_{std::move(folder)} {
+LayoutStore::LayoutStore(QString folder, QString shipped)
+    : folder_{std::move(folder)}, shipped_{std::move(shipped)} {
   QDir{}.mkpath(folder_);
-  if (auto known = readObject(folder_ + "/settings.json")) settings_ = std::move(*known);
+  const QString settings = folder_ + "/settings.json";
+  if (QFile::exists(settings)) {
+    if (auto known = readGood(settings))
+      settings_ = std::move(*known);
+    else
+      fault_ = known.error();
+  }
+}
+
+/// A broken file's last good state instead, if there is one; then the fault is remembered.
+Result<QJsonObject> LayoutStore::readGood(const QString& path) {
+  auto read = readObject(path);
+  if (read) return read;
+  auto before = readObject(path + "~");
+  if (!before) return read;
+  Error fault = read.error();
+  fault.what += "; its last good state is used";
+  fault_ = fault;
+  return before;
 }
 
 QString LayoutStore::path(const QString& name) const {
@@ -47,14 +70,22 @@ QString LayoutStore::path(const QString& name) const {
 
 QStringList LayoutStore::names() const {
   QStringList names;
-  for (const QString& file :
-       QDir{folder_}.entryList({QString{"*"} + extension}, QDir::Files, QDir::Name))
-    names << QUrl::fromPercentEncoding(file.chopped(QString{extension}.size()).toUtf8());
+  for (const QString& folder : {folder_, shipped_})
+    for (const QString& file : QDir{folder}.entryList({QString{"*"} + extension}, QDir::Files))
+      names << QUrl::fromPercentEncoding(file.chopped(QString{extension}.size()).toUtf8());
+  names.removeDuplicates();
+  names.sort();
   return names;
 }
 
-Result<QJsonObject> LayoutStore::load(const QString& name) const {
-  return readObject(path(name));
+bool LayoutStore::isOwn(const QString& name) const {
+  return QFile::exists(path(name));
+}
+
+Result<QJsonObject> LayoutStore::load(const QString& name) {
+  if (!isOwn(name) && names().contains(name))
+    return readObject(shipped_ + path(name).sliced(folder_.size()));
+  return readGood(path(name));
 }
 
 Result<void> LayoutStore::save(const QString& name, const QJsonObject& layout) {
@@ -69,6 +100,7 @@ Result<void> LayoutStore::rename(const QString& from, const QString& to) {
     return Error{.field = to.toStdString(), .what = "there is already a layout of this name"};
   if (!QFile::rename(path(from), path(to)))
     return Error{.field = from.toStdString(), .what = "cannot be renamed"};
+  QFile::remove(path(from) + "~");
   QJsonObject scenes = settings_.value("scenes").toObject();
   for (auto scene = scenes.begin(); scene != scenes.end(); ++scene)
     if (scene.value().toString() == from) scene.value() = to;
@@ -81,6 +113,7 @@ Result<void> LayoutStore::rename(const QString& from, const QString& to) {
 Result<void> LayoutStore::remove(const QString& name) {
   if (!QFile::remove(path(name)))
     return Error{.field = name.toStdString(), .what = "cannot be deleted"};
+  QFile::remove(path(name) + "~");
   QJsonObject scenes = settings_.value("scenes").toObject();
   for (auto scene = scenes.begin(); scene != scenes.end();)
     scene = scene.value().toString() == name ? scenes.erase(scene) : scene + 1;

@@ -2,20 +2,29 @@
 #include <QJsonObject>
 #include <QString>
 #include <QStringList>
+#include <utility>
 
 #include "base/Result.h"
 
 namespace gt {
 
 /// The layouts of a window, which dialogs are open where, by their names, and which of them belongs
-/// to which scene; a file each in a folder. What is chosen is remembered at once.
+/// to which scene; a file each in the user's folder. Layouts that come with the program lie in a
+/// folder of their own; the user's layout of the same name goes before them. What is chosen is
+/// remembered at once. Of each file the last good state is kept beside it (FILE~), and used while
+/// the file is broken.
 class LayoutStore {
  public:
-  explicit LayoutStore(QString folder);
+  LayoutStore(QString folder, QString shipped);
 
   QStringList names() const;
+  /// Whether a layout is the user's own, which can be renamed and deleted.
+  bool isOwn(const QString& name) const;
   /// Returns an error if there is none of this name, or its file is broken.
-  Result<QJsonObject> load(const QString& name) const;
+  Result<QJsonObject> load(const QString& name);
+  /// What was wrong with files whose last good state is used instead, since this was asked for
+  /// last.
+  Result<void> fault() { return std::exchange(fault_, {}); }
   Result<void> save(const QString& name, const QJsonObject& layout);
   Result<void> rename(const QString& from, const QString& to);
   Result<void> remove(const QString& name);
@@ -33,9 +42,11 @@ class LayoutStore {
 
  private:
   QString path(const QString& name) const;
+  Result<QJsonObject> readGood(const QString& path);
   void write();
 
-  QString folder_;
+  QString folder_, shipped_;
+  Result<void> fault_;
   QJsonObject settings_;
 };
 

@@ -1,13 +1,11 @@
 #pragma once
-#include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
-#include <QPointer>
 #include <QTimer>
-#include <map>
 
-#include "workbench/Dialog.h"
+#include "workbench/Docks.h"
 #include "workbench/LayoutStore.h"
+#include "workbench/MainMenus.h"
 #include "workbench/Theme.h"
 
 namespace gt {
@@ -21,15 +19,15 @@ class MainWindow : public QMainWindow {
 
   /// Opens a dialog, or shows it if it is open and there may be one only; null if there is none of
   /// this type.
-  Dialog* open(const QString& type);
+  Dialog* open(const QString& type) { return docks_.open(type); }
   /// Shows an open dialog before those that share its place.
-  void bringToFront(const QString& key);
+  void bringToFront(const QString& key) { docks_.bringToFront(key); }
   /// An open dialog or toolbar by type and number, such as image and image#2; null if there is
   /// none.
-  Dialog* dialog(const QString& key) const;
+  Dialog* dialog(const QString& key) const { return docks_.dialog(key); }
 
   /// Which dialogs are open, where they are, and their settings.
-  QJsonObject arrangement() const;
+  QJsonObject arrangement() const { return docks_.arrangement(); }
   /// Restores that. Returns an error, and arranges the dialogs as at the first start, if it is
   /// none.
   Result<void> arrange(const QJsonObject& arrangement);
@@ -41,32 +39,31 @@ class MainWindow : public QMainWindow {
   Result<void> chooseLayout(const QString& name);
   Result<void> saveLayout(const QString& name);
 
+  /// What another layout would lose: what dialogs hold, and changes of this layout.
+  std::vector<Unsaved> unsavedOnLayoutChange();
+  /// What is lost when the window is closed: that, and recordings.
+  std::vector<Unsaved> unsaved();
+
   /// All that the menus offer.
-  QList<QAction*> commands() const;
+  QList<QAction*> commands() const { return menus_.commands(); }
+  /// File name of the scene that is shown.
+  const QString& scene() const { return scene_; }
+  void showTheme(Theme theme);
+  /// Shows an error in the status line.
+  void report(const Result<void>& done);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void addMenus();
-  void addViewMenu();
-  void fillLayoutMenu(QMenu& menu);
-  void fillRobotMenu(QMenu& menu);
-  void openScene();
-  void openLog();
-  void showPalette();
-  void showTheme(Theme theme);
-  void report(const Result<void>& done);
-  Dialog* create(const DialogType& type, const QString& key);
-  void place(const DialogType& type, const QString& key);
-  void closeAll();
+  bool saveRecording(const std::string& robot);
   void refresh();
   void showStatus();
 
   SessionThread& session_;
   LayoutStore layouts_;
-  std::map<QString, QPointer<Dialog>> dialogs_;  ///< All that are open, toolbars too.
-  std::map<QString, QPointer<QWidget>> frames_;  ///< Docks and toolbars, by the same keys.
+  Docks docks_;
+  QJsonValue chosen_;  ///< The dialogs and settings of the layout that was chosen or saved.
   QLabel* robotLabel_;
   QLabel* timeLabel_;
   QLabel* gameLabel_;
@@ -74,6 +71,7 @@ class MainWindow : public QMainWindow {
   QLabel* logLabel_;
   QTimer timer_;
   QString scene_;
+  MainMenus menus_;  // uses all of the above
 };
 
 }  // namespace gt

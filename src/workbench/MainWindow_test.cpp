@@ -1,8 +1,13 @@
 #include <QAction>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QJsonArray>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <algorithm>
 #include <cstdio>
@@ -127,7 +132,8 @@ TEST_F(WindowTest, LayoutsAreSavedChosenRenamedAndDeleted) {
   EXPECT_TRUE(window->dialog("radar"));
   EXPECT_FALSE(window->dialog("times"));
   ASSERT_TRUE(window->layouts().rename("vision", "perception"));
-  EXPECT_EQ(window->layouts().names(), (QStringList{"perception", "speed"}));
+  EXPECT_TRUE(window->layouts().isOwn("perception") && window->layouts().isOwn("speed"));
+  EXPECT_FALSE(window->layouts().isOwn("vision"));
   EXPECT_FALSE(window->layouts().rename("perception", "speed"));
   ASSERT_TRUE(window->layouts().remove("speed"));
   EXPECT_FALSE(window->chooseLayout("speed"));
@@ -158,6 +164,104 @@ TEST_F(WindowTest, ABrokenLayoutLeavesTheFirstArrangement) {
   const auto done = window->arrange(QJsonObject{{"version", 1}, {"dialogs", 7}});
   EXPECT_FALSE(done);
   EXPECT_TRUE(window->dialog("field"));
+}
+
+TEST_F(WindowTest, LayoutsComeWithTheProgram) {
+  ASSERT_GE(window->layouts().names().size(), 4);
+  for (const QString& name : window->layouts().names()) {
+    EXPECT_FALSE(window->layouts().isOwn(name)) << name.toStdString();
+    ASSERT_TRUE(window->chooseLayout(name)) << name.toStdString();
+    // Each of its dialogs is there, and one of each place can be seen.
+    const auto layout = window->layouts().load(name);
+    ASSERT_TRUE(layout);
+    for (const QJsonValue entry : (*layout)["dialogs"].toArray())
+      EXPECT_TRUE(window->dialog(entry["dialog"].toString()))
+          << name.toStdString() << ": " << entry["dialog"].toString().toStdString();
+    Dialog* const first = window->dialog((*layout)["dialogs"][0]["dialog"].toString());
+    EXPECT_TRUE(until([&] { return !first->visibleRegion().isEmpty(); })) << name.toStdString();
+  }
+  // The user's own one goes before it.
+  ASSERT_TRUE(window->chooseLayout("Vision"));
+  window->open("robot");
+  ASSERT_TRUE(window->saveLayout("Vision"));
+  EXPECT_TRUE(window->layouts().isOwn("Vision"));
+  window->arrangeAtFirst();
+  ASSERT_TRUE(window->chooseLayout("Vision"));
+  EXPECT_TRUE(window->dialog("robot"));
+  ASSERT_TRUE(window->layouts().remove("Vision"));
+  ASSERT_TRUE(window->chooseLayout("Vision"));
+  EXPECT_FALSE(window->dialog("robot"));
+}
+
+TEST_F(WindowTest, ABrokenFileLeavesItsLastGoodState) {
+  window->open("radar");
+  ASSERT_TRUE(window->saveLayout("mine"));
+  window->open("times");
+  ASSERT_TRUE(window->saveLayout("mine"));
+  const auto spoil = [&](const QString& name) {
+    QFile file{settings() + "/" + name};
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{ no JSON");
+  };
+  spoil("mine.layout.json");
+  spoil("settings.json");
+  window = std::make_unique<MainWindow>(*session, settings());
+  EXPECT_EQ(window->layouts().current(), "mine");
+  EXPECT_TRUE(window->dialog("radar"));
+  EXPECT_FALSE(window->dialog("times"));
+  const QString line = window->statusBar()->currentMessage();
+  EXPECT_TRUE(line.contains("its last good state is used")) << line.toStdString();
+  EXPECT_FALSE(line.contains('\n'));
+}
+
+/// Closes the window, and answers the question about what is not saved by one of its buttons.
+/// Returns what it listed.
+QString closeAndAnswer(QWidget& window, QMessageBox::StandardButton answer) {
+  QString text;
+  QTimer::singleShot(0, &window, [&] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!box) return;
+    text = box->text();
+    QTest::mouseClick(box->button(answer), Qt::LeftButton);
+  });
+  window.close();
+  QCoreApplication::processEvents();
+  return text;
+}
+
+TEST_F(WindowTest, ClosingAsksForWhatIsNotSaved) {
+  ASSERT_TRUE(window->saveLayout("mine"));
+  ASSERT_TRUE(execute("run 200 ms"));
+  EXPECT_TRUE(window->unsaved().empty());
+  window->open("radar");
+  ASSERT_TRUE(execute("log start"));
+  ASSERT_TRUE(execute("run 200 ms"));
+  EXPECT_TRUE(until([&] { return !session->status().recordings.empty(); }));
+  const QString text = closeAndAnswer(*window, QMessageBox::Cancel);
+  EXPECT_TRUE(text.contains("the layout mine")) << text.toStdString();
+  EXPECT_TRUE(text.contains("the recording of red1")) << text.toStdString();
+  EXPECT_TRUE(window->isVisible());
+  ASSERT_TRUE(execute("log save " + (folder.path() / "kept.mcap").string()));
+  EXPECT_TRUE(until([&] { return session->status().recordings.empty(); }));
+  // Only the layout is left, which needs no file name.
+  EXPECT_FALSE(closeAndAnswer(*window, QMessageBox::Save).contains("recording"));
+  EXPECT_FALSE(window->isVisible());
+  ASSERT_TRUE(window->chooseLayout("mine"));
+  EXPECT_TRUE(window->dialog("radar"));
+}
+
+TEST_F(WindowTest, ClosingADialogAsksForWhatItHolds) {
+  ASSERT_TRUE(execute("run 400 ms"));
+  Dialog* dialog = window->open("colorTable");
+  auto* sheet = widget<SheetWidget>("colorTable", "image");
+  EXPECT_TRUE(until([&] { return sheet->sheet() != nullptr; }));
+  EXPECT_FALSE(dialog->unsaved());
+  QTest::mouseClick(sheet, Qt::LeftButton, {}, sheet->rect().center());
+  ASSERT_TRUE(dialog->unsaved());
+  EXPECT_TRUE(closeAndAnswer(*dialog->parentWidget(), QMessageBox::Cancel).contains("color table"));
+  EXPECT_TRUE(window->dialog("colorTable"));
+  closeAndAnswer(*dialog->parentWidget(), QMessageBox::Discard);
+  EXPECT_TRUE(until([&] { return !window->dialog("colorTable"); }));
 }
 
 TEST_F(WindowTest, EveryDialogOpensShowsItselfAndKeepsItsSettings) {

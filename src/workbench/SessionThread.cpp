@@ -50,10 +50,11 @@ class SessionThread::ThreadScreen : public Screen {
   SessionThread& owner_;
 };
 
-SessionThread::SessionThread() : screen_{std::make_unique<ThreadScreen>(*this)} {}
+SessionThread::SessionThread(DataRoot root)
+    : root_{std::move(root)}, screen_{std::make_unique<ThreadScreen>(*this)} {}
 
 Result<std::unique_ptr<SessionThread>> SessionThread::make(const MatchOptions& options) {
-  std::unique_ptr<SessionThread> made{new SessionThread};
+  std::unique_ptr<SessionThread> made{new SessionThread{options.root}};
   auto session = Session::make(options, *made->screen_);
   if (!session) return session.error();
   made->session_ = std::move(*session);
@@ -271,6 +272,9 @@ void SessionThread::updateStatus() {
     status.robots.push_back({robot->name(), robot->observed().kind(), robot->onLog() != nullptr,
                              robot->index().has_value(),
                              std::ranges::find(selected, robot.get()) != selected.end()});
+  for (const auto& robot : session_->robots())
+    if (const std::uint64_t messages = robot->recorder.unsaved())
+      status.recordings.push_back({robot->name(), messages});
   status.log = logPlaceOf(selected);
   const std::lock_guard lock{mutex_};
   status_ = std::move(status);

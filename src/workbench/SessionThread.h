@@ -29,6 +29,12 @@ struct RobotInfo {
   bool selected = false;
 };
 
+/// What was recorded of a robot and not saved.
+struct RecordingInfo {
+  std::string robot;
+  std::uint64_t messages = 0;
+};
+
 /// Where the log is that a robot runs on.
 struct LogPlace {
   std::string robot, file;
@@ -51,6 +57,7 @@ struct SessionStatus {
   std::uint64_t seed = 0;
   std::uint64_t beginnings = 0;  ///< How often the session was restarted or resumed.
   std::vector<RobotInfo> robots;
+  std::vector<RecordingInfo> recordings;
   std::optional<LogPlace> log;  ///< Of the first selected robot that runs on a log.
 };
 
@@ -65,6 +72,9 @@ class SessionThread {
   ~SessionThread();  ///< Interrupts what is executed.
   SessionThread(const SessionThread&) = delete;
   SessionThread& operator=(const SessionThread&) = delete;
+
+  /// Where the data lie.
+  const DataRoot& root() const { return root_; }
 
   /// Executes a command line behind those that were given before. The line and its error are
   /// printed, unless it is quiet; then only the error is. `done` is called in the window's thread.
@@ -113,7 +123,7 @@ class SessionThread {
   using Task = std::function<void(Console&)>;
   class ThreadScreen;
 
-  SessionThread();
+  explicit SessionThread(DataRoot root);
   void run();
   void post(std::deque<Task>& queue, Task task);
   Result<void> perform(const std::string& line, bool quiet);
@@ -126,6 +136,7 @@ class SessionThread {
   void print(std::string_view line);
   static void inWindow(std::function<void()> work);
 
+  const DataRoot root_;
   std::unique_ptr<ThreadScreen> screen_;
   std::unique_ptr<Session> session_;
   std::unique_ptr<Console> console_;

@@ -68,6 +68,7 @@ class ColorTableDialog : public Dialog {
     const auto edit = [this](auto change) {
       return [this, change] {
         change();
+        changed_ = true;
         showClasses();
       };
     };
@@ -97,11 +98,7 @@ class ColorTableDialog : public Dialog {
       const QString file = QFileDialog::getOpenFileName(this, "Open", "config", "Tables (*.c64)");
       if (!file.isEmpty()) report(open(file.toStdString()));
     });
-    button("save", "Save…", "Writes the color table (.c64)", 3, 3, [this] {
-      const QString file =
-          QFileDialog::getSaveFileName(this, "Save", "coltable.c64", "Tables (*.c64)");
-      if (!file.isEmpty()) report(writeFile(file.toStdString(), colorTableBytes(editor_.table())));
-    });
+    button("save", "Save…", "Writes the color table (.c64)", 3, 3, [this] { save(); });
     hold_ = check(*grid, "hold", "Hold the image", "Keeps the image that is shown", 4, 0);
     image_ = new SheetWidget;
     image_->setObjectName("image");
@@ -115,6 +112,11 @@ class ColorTableDialog : public Dialog {
       images->addWidget(sheet);
     }
     classes_->setToolTip("The image by the classes of this table");
+  }
+
+  std::optional<Unsaved> unsaved() override {
+    if (!changed_) return std::nullopt;
+    return Unsaved{"the color table", [this] { return save(); }};
   }
 
   void refresh() override {
@@ -160,11 +162,22 @@ class ColorTableDialog : public Dialog {
       QMessageBox::warning(this, "Color table", QString::fromStdString(done.error().text()));
   }
 
+  bool save() {
+    const QString file =
+        QFileDialog::getSaveFileName(this, "Save", "coltable.c64", "Tables (*.c64)");
+    if (file.isEmpty()) return false;
+    const auto done = writeFile(file.toStdString(), colorTableBytes(editor_.table()));
+    report(done);
+    if (done) changed_ = false;
+    return static_cast<bool>(done);
+  }
+
   Result<void> open(const std::string& file) {
     const auto table = readColorTable(file);
     if (!table) return table.error();
     editor_ = ColorTableEditor{*table};
     started_ = true;
+    changed_ = false;
     showClasses();
     return {};
   }
@@ -174,12 +187,15 @@ class ColorTableDialog : public Dialog {
     if (seen.table && !started_) {
       editor_ = ColorTableEditor{*seen.table};
       started_ = true;
+      changed_ = false;
     }
     if (seen.image && !(hold_->isChecked() && seen_)) {
       seen_ = std::move(seen.image);
       image_->showSheet(std::make_shared<const Sheet>(imageSheet(*seen_, enlarged)));
-      if (autoRemove_->isChecked() || autoMedian_->isChecked())
+      if (autoRemove_->isChecked() || autoMedian_->isChecked()) {
         editor_.onPicture({autoRemove_->isChecked(), autoMedian_->isChecked(), selected(), rule()});
+        changed_ = true;
+      }
     }
     if (!seen_) image_->showText("The connected robot has no image yet.");
     showClasses();
@@ -195,6 +211,7 @@ class ColorTableDialog : public Dialog {
     const int x = static_cast<int>(at.x()) / enlarged, y = static_cast<int>(at.y()) / enlarged;
     if (!seen_ || at.x() < 0 || at.y() < 0 || x >= seen_->info.width || y >= seen_->info.height)
       return;
+    changed_ = true;
     if (pressed == Qt::LeftButton)
       editor_.set(seen_->at(x, y), chosen());
     else if (pressed == Qt::RightButton)
@@ -224,6 +241,7 @@ class ColorTableDialog : public Dialog {
   ColorTableEditor editor_;
   std::optional<Image> seen_;
   bool started_ = false, asked_ = false;  ///< Started from the robot's table.
+  bool changed_ = false;                  ///< Since the table was read or saved.
   std::uint64_t version_ = 0;
   QElapsedTimer clock_;
 };
