@@ -13,7 +13,7 @@ JOBS    ?= $(shell nproc)
 # Some tests are run by Node, which may have come from elsewhere, with npm in it: nearly half of all packages that a bare machine lacks.
 NODE     = $(if $(and $(shell command -v node),$(shell command -v npm)),,nodejs npm)
 # What the workbench needs; everything else is built without it.
-QT       = qt6-base-dev libqcustomplot-dev
+QT       = qt6-base-dev libqt6opengl6-dev libqcustomplot-dev
 # A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
@@ -74,7 +74,7 @@ install: build
 
 test python: ENVIRONMENT = build/python
 test python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
-test sanitize: PACKAGES += $(NODE) $(QT)
+test sanitize: PACKAGES += $(NODE) $(QT) xvfb xauth
 test: build
 	@$(CTEST) --test-dir $(BUILD)
 

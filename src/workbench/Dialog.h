@@ -28,6 +28,7 @@ struct DialogType {
   DialogPlace place = DialogPlace::right;
   bool several = false;  ///< Whether more than one may be open.
   bool atFirst = false;  ///< Whether it is open when the program starts for the first time.
+  /// Makes it. Registering sets it, unless there is a choice between several classes.
   Dialog* (*make)(SessionThread& session) = nullptr;
 };
 
@@ -61,7 +62,7 @@ class Dialog : public QWidget {
 template <typename T>
 struct RegisterDialog {
   explicit RegisterDialog(DialogType type) {
-    type.make = [](SessionThread& session) -> Dialog* { return new T{session}; };
+    if (!type.make) type.make = [](SessionThread& session) -> Dialog* { return new T{session}; };
     Dialog::add(type);
   }
 };

@@ -1,10 +1,11 @@
 #include "workbench/ViewDialog.h"
 
-#include <QActionGroup>
 #include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
+
+#include "workbench/RobotMenu.h"
 
 namespace gt {
 namespace {
@@ -28,17 +29,8 @@ ViewDialog::ViewDialog(SessionThread& session, std::shared_ptr<const View> view)
   sheet_->addActions = [this](QMenu& menu, const QPointF& place) {
     addActions(menu, place);
     menu.addSeparator();
-    QMenu* robots = menu.addMenu("Robot");
-    auto* group = new QActionGroup{robots};
-    const auto add = [&](const QString& text, const std::string& name) {
-      QAction* action = robots->addAction(text, this, [this, name] { setRobot(name); });
-      action->setCheckable(true);
-      action->setChecked(name == robot_);
-      action->setActionGroup(group);
-    };
-    add("The connected one", {});
-    for (const RobotInfo& known : this->session().status().robots)
-      add(QString::fromStdString(known.name), known.name);
+    addRobotMenu(menu, this->session(), robot_,
+                 [this](const std::string& chosen) { setRobot(chosen); });
   };
 }
 
