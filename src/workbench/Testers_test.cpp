@@ -10,6 +10,7 @@
 #include <QTreeWidget>
 
 #include "representations/behavior/BehaviorState.h"
+#include "workbench/CustomPlot.h"
 #include "workbench/TestWindow.h"
 
 namespace gt {
@@ -182,6 +183,60 @@ TEST_F(TesterTest, ValuesAreShownAndChangedInPlace) {
   QApplication::sendEvent(window->dialog("plot"), &drop);
   EXPECT_TRUE(
       until([&] { return window->dialog("plot")->settings()["values"].toArray().size() == 1; }));
+}
+
+TEST_F(TesterTest, TheRobotIsMovedByTheJoystickTester) {
+  window->open("joystick");
+  choose("joystick", "scheme", "stickSpeed");
+  auto* scheme = widget<QComboBox>("joystick", "scheme");
+  Q_EMIT scheme->activated(scheme->currentIndex());
+  finish();
+  auto* stick = widget<QWidget>("joystick", "stick");
+  QTest::mousePress(stick, Qt::LeftButton, {}, {stick->width() / 2, 4});
+  finish();
+  ASSERT_TRUE(execute("run 300 ms"));
+  EXPECT_EQ(of("MotionRequest.type"), "walk");
+  EXPECT_GT(std::stod(of("MotionRequest.walk.translation.x")), 50);
+  auto* motion = widget<QLabel>("joystick", "motion");
+  EXPECT_TRUE(until([&] { return motion->text().startsWith("walk"); }));
+  QTest::mouseRelease(stick, Qt::LeftButton);
+  QTest::mousePress(widget<QWidget>("joystick", "button7"), Qt::LeftButton);
+  finish();
+  ASSERT_TRUE(execute("run 100 ms"));
+  EXPECT_EQ(of("MotionRequest.type"), "getup");
+  QTest::mouseRelease(widget<QWidget>("joystick", "button7"), Qt::LeftButton);
+  // There is no joystick here.
+  click("joystick", "use");
+  finish();
+  EXPECT_TRUE(until([&] { return !widget<QCheckBox>("joystick", "use")->isChecked(); }));
+}
+
+TEST_F(TesterTest, JointsAreShownOverTime) {
+  Dialog* dialog = window->open("joints");
+  auto* plot = dialog->findChild<QCustomPlot*>();
+  ASSERT_TRUE(plot);
+  finish();
+  ASSERT_TRUE(execute("run 2s"));
+  EXPECT_TRUE(until([&] { return plot->graph(0)->dataCount() > 0; }));
+  // Each frame of 8 ms, and the newest value is that of the robot.
+  EXPECT_NEAR(plot->graph(0)->dataCount(), 250, 2);
+  for (int i = 0; i < plot->graphCount(); ++i) {
+    if (plot->graph(i)->name() != "actorics legFR1") continue;
+    const double shown = plot->graph(i)->data()->at(plot->graph(i)->dataCount() - 1)->value;
+    const double angle = on([](Console& console) {
+      return (**(*console.firstRobot())->observed().value<JointData>()).angles[Joint::legFR1];
+    });
+    EXPECT_NEAR(shown, toDegrees(angle), 1e-9);
+    EXPECT_TRUE(plot->graph(i)->visible());
+  }
+  // Groups are switched on and off, and kept.
+  QJsonObject settings = dialog->settings();
+  EXPECT_TRUE(settings["sensors legFR"].toBool());
+  EXPECT_FALSE(settings["sensors head"].toBool());
+  settings["sensors head"] = true;
+  dialog->restore(settings);
+  EXPECT_EQ(dialog->settings(), settings);
+  EXPECT_TRUE(plot->graph(0)->visible());
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "streams/File.h"
 #include "views/painting/ColorClassViews.h"
 #include "workbench/Dialog.h"
+#include "workbench/SendToRobots.h"
 #include "workbench/SheetWidget.h"
 
 namespace gt {
@@ -93,7 +94,7 @@ class ColorTableDialog : public Dialog {
     button("fromRobot", "From robot", "Goes on from the robot's color table", 3, 0,
            [this] { started_ = false; });
     button("send", "Send", "Sends the table to the connected robots, which use it at once", 3, 1,
-           [this] { send(); });
+           [this] { sendToRobots(this->session(), editor_.table(), "The color table"); });
     button("open", "Open…", "Reads a color table (.c64)", 3, 2, [this] {
       const QString file = QFileDialog::getOpenFileName(this, "Open", "config", "Tables (*.c64)");
       if (!file.isEmpty()) report(open(file.toStdString()));
@@ -217,15 +218,6 @@ class ColorTableDialog : public Dialog {
     else if (pressed == Qt::RightButton)
       editor_.remove(seen_->at(x, y));
     showClasses();
-  }
-
-  void send() {
-    session().change([table = editor_.table()](Console& console) {
-      console.session().match().markIrreproducible("a color table was sent by hand");
-      const auto done =
-          console.forEachRobot([&](ConsoleRobot& robot) { return robot.observed().send(table); });
-      console.print(done ? "The color table was sent." : "error: " + done.error().text());
-    });
   }
 
   QComboBox* class_;
