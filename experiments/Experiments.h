@@ -33,6 +33,8 @@ Experiment matchExperiment();
 Experiments motionExperiments();
 /// Whether the robots see the ball, and what they know meanwhile, by each solution of HeadControl.
 Experiments headExperiments();
+/// The technical challenges of 2003, from random starts (report, chapter 4).
+Experiments challengeExperiments();
 /// What the kicks do, with balls anywhere where they reach them.
 Experiment kickExperiment();
 Experiment kickTableExperiment();

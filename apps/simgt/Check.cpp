@@ -12,6 +12,7 @@
 
 #include "console/Console.h"
 #include "framework/LayoutCheck.h"
+#include "representations/behavior/HeadControlMode.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
 #include "robot/logs/LogPlatform.h"
@@ -117,13 +118,17 @@ class TreeCheck {
       findings_.add(std::move(findings));
   }
 
-  /// What is recorded must be there in every layout, since each may be played with each
+  /// Whether a robot with a layout decides by BehaviorControl; one that does not has a team's
+  /// configuration of its own.
+  static bool decides(const Plan& plan) { return plan.has(representation<HeadControlMode>().name); }
+
+  /// What is recorded must be there in every such layout, since each may be played with each
   /// configuration.
   void checkLogs() {
     for (const Configuration::LogSettings& log : logs_)
       for (const auto& plan : plans_)
         for (const std::string& name : log.representations)
-          if (!plan.has(name)) {
+          if (!plan.has(name) && decides(plan)) {
             Error missing = log.missing(name);
             missing.what += " in " + plan.file;
             findings_.add(std::move(missing));

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/Hash.h"
+#include "modules/behavior/tactics/TargetPoints.h"
 #include "robot/Configuration.h"
 #include "simulation/scene/ProfileTable.h"
 #include "streams/File.h"
@@ -38,13 +39,22 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     scene->fidelity = *fidelity;
   }
   std::unique_ptr<Match> match{new Match{options}};
+  if (scene->challenge && options.randomChallenge) scene->challenge->random = true;
   const ConfigurationPaths paths{scene->resolve(scene->config), options.motions, options.behavior};
-  if (auto done = match->loadTeams(paths); !done) return done.error();
+  if (auto done = match->loadTeams(paths, *scene); !done) return done.error();
+  if (scene->challenge && scene->challenge->random) match->drawTargets();
   auto simulation =
       Simulation::make(*scene, options.seed, options.threads, *match->configuration_->field);
   if (!simulation) return simulation.error();
   match->simulation_ = std::move(*simulation);
   if (const auto done = match->addRobots(); !done) return done.error();
+  if (scene->challenge) {
+    auto challenge = std::make_unique<Challenge>(
+        *scene->challenge, match->teams_.front().configuration->targets->points,
+        Random{options.seed}.fork("challenge"));
+    match->challenge_ = challenge.get();
+    match->simulation_->add(std::move(challenge));
+  }
   if (scene->ceilingCamera && !options.logs.empty()) {
     auto log = McapWriter::open((std::filesystem::path{options.logs} / "ceiling.mcap").string());
     if (!log) return log.error();
@@ -62,15 +72,18 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   return match;
 }
 
-Result<void> Match::loadTeams(const ConfigurationPaths& paths) {
+Result<void> Match::loadTeams(const ConfigurationPaths& paths, const SceneDescription& scene) {
   auto configuration = loadConfiguration(paths);
   if (!configuration) return configuration.error();
   configuration_ = std::move(*configuration);
-  for (const auto& [color, name] :
-       {std::pair{TeamColor::red, &options_.red}, {TeamColor::blue, &options_.blue}}) {
+  const auto nameOf = [&](const std::string& given, const std::string& ofScene) {
+    return given.empty() && !ofScene.empty() ? scene.resolve(ofScene) : given;
+  };
+  for (const auto& [color, name] : {std::pair{TeamColor::red, nameOf(options_.red, scene.red)},
+                                    {TeamColor::blue, nameOf(options_.blue, scene.blue)}}) {
     Team& team = teams_[static_cast<std::size_t>(color)];
     team = {nullptr, paths, configuration_};
-    const std::string folder = teamFolder(*name, options_.root);
+    const std::string folder = teamFolder(name, options_.root);
     if (folder.empty()) continue;
     auto opened = TeamFolder::open(folder, paths);
     if (!opened) return opened.error();
@@ -81,6 +94,15 @@ Result<void> Match::loadTeams(const ConfigurationPaths& paths) {
     team.configuration = std::move(*own);
   }
   return {};
+}
+
+void Match::drawTargets() {
+  for (Team& team : teams_) {
+    auto configuration = std::make_shared<Configuration>(*team.configuration);
+    configuration->targets = std::make_shared<TargetPoints>(
+        TargetPoints{randomTargets(*configuration->field, Random{options_.seed}.fork("targets"))});
+    team.configuration = std::move(configuration);
+  }
 }
 
 std::vector<const MotionNet*> Match::motions() const {
@@ -274,6 +296,9 @@ MatchSummary Match::summary() const {
   summary.blueScore = simulation_->referee().score(TeamColor::blue);
   for (const GameEvent& event : simulation_->referee().events())
     summary.events.push_back(toMatchEvent(event));
+  if (challenge_)
+    for (const Challenge::Note& note : challenge_->notes())
+      summary.events.push_back({.time = note.time, .kind = "challenge", .text = note.text});
   statistics_->summarize(summary);
   for (RobotSummary& robot : summary.robots) {
     if (!options_.logs.empty() && !isRemote(robot.name)) robot.log = robot.name + ".mcap";

@@ -17,6 +17,7 @@
 #include "match/ReportImages.h"
 #include "match/SimulatedRobot.h"
 #include "robot/TeamFolder.h"
+#include "simulation/Challenge.h"
 #include "simulation/Simulation.h"
 
 namespace gt {
@@ -36,7 +37,8 @@ struct MatchOptions {
   std::string motions = root.path("motions");
   /// Teams with files of their own (TeamFolder.h), as `teamFolder` takes them.
   std::string red{}, blue{};
-  std::string layout{};   ///< Of all robots, instead of the scene's, if not empty.
+  std::string layout{};          ///< Of all robots, instead of the scene's, if not empty.
+  bool randomChallenge = false;  ///< A challenge's start is random, whatever the scene says.
   std::string profile{};  ///< Instead of the scene's and of what it says in elements, if not empty.
   std::string fidelity{};  ///< Instead of the scene's, if not empty.
   /// Robots whose processes are programs of their own and connect to the simulation: for each name
@@ -62,7 +64,7 @@ class Match {
   /// Whether the referee has ended the game; in a scene without one, whether its time is over.
   bool finished() const {
     const GameParameters& game = simulation_->referee().parameters();
-    return simulation_->finished() ||
+    return simulation_->finished() || (challenge_ && challenge_->finished()) ||
            (!game.referee && static_cast<double>(time().ms) >= game.minutes * 60'000);
   }
   Time time() const { return simulation_->time(); }
@@ -91,6 +93,8 @@ class Match {
 
   const MatchOptions& options() const { return options_; }
   Simulation& simulation() { return *simulation_; }
+  /// Null if the scene is none of the challenges.
+  const Challenge* challenge() const { return challenge_; }
   /// The robots whose processes run in this program.
   const std::vector<SimulatedRobot*>& robots() const { return robots_; }
   /// The index in the simulation of each of them.
@@ -116,7 +120,9 @@ class Match {
     std::shared_ptr<const Configuration> configuration;
   };
 
-  Result<void> loadTeams(const ConfigurationPaths& paths);
+  Result<void> loadTeams(const ConfigurationPaths& paths, const SceneDescription& scene);
+  /// The places to be visited, for the robots and for who scores.
+  void drawTargets();
   const Team& teamOf(const SceneRobot& robot) const {
     return teams_[static_cast<std::size_t>(robot.team)];
   }
@@ -137,6 +143,7 @@ class Match {
   std::shared_ptr<const Configuration> configuration_;
   std::array<Team, 2> teams_;  ///< By color.
   std::unique_ptr<Simulation> simulation_;
+  const Challenge* challenge_ = nullptr;  ///< Owned by the simulation.
   // All robots are owned by the simulation, and here in the order of its active ones.
   std::vector<MatchRobot*> allRobots_;
   std::vector<SimulatedRobot*> robots_;

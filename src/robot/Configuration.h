@@ -23,7 +23,9 @@ struct BehaviorRequest;
 struct ConfigurationPart;
 struct HsiColors;
 struct MotionNet;
+struct PotentialFields;
 struct RobotModules;
+struct TargetPoints;
 struct TslColors;
 class ModuleProcess;
 
@@ -59,6 +61,8 @@ struct ConfigurationFiles {
 ///     coltable.c64               ColorTable64 (report B.4.2)
 ///     coltable.hsi               HsiColors, of which the color table is made instead (J.6.2)
 ///     coltable.tsl               TslColors (report J.6.3)
+///     potentialfields.cfg        PotentialFields (report 3.8.3)
+///     targets.cfg                TargetPoints (report 4.2)
 ///     modules.cfg                the solution of each task
 ///     modules/TASK.SOLUTION.cfg  the parameters of that solution
 ///     log.cfg                    what is recorded
@@ -96,6 +100,8 @@ struct Configuration {
   std::shared_ptr<TslColors> tslColors;
   std::shared_ptr<MotionNet> motions;
   std::shared_ptr<const Behavior> behavior;
+  std::shared_ptr<PotentialFields> potentialFields;
+  std::shared_ptr<TargetPoints> targets;
   std::vector<SolutionChoice> solutions;
   std::vector<ParameterFile> parameters;
   LogSettings log;

@@ -6,6 +6,7 @@
 #include "representations/behavior/MotionRequest.h"
 #include "representations/behavior/SoundRequest.h"
 #include "representations/behavior/TeamMessage.h"
+#include "representations/motion/HeadMotionRequest.h"
 
 namespace gt {
 
@@ -15,6 +16,12 @@ struct BehaviorControl {
       std::tuple<MotionRequest, HeadControlMode, LedRequest, SoundRequest, BehaviorTeamMessage>;
 };
 
-using BehaviorTasks = std::tuple<BehaviorControl>;
+/// Sensorimotor coupling: from the camera to motions in one module (report 2.2.1). A layout has it
+/// in place of BehaviorControl, HeadControl and what these need.
+struct SensorBehaviorControl {
+  using Outputs = std::tuple<MotionRequest, HeadMotionRequest, LedRequest, SoundRequest>;
+};
+
+using BehaviorTasks = std::tuple<BehaviorControl, SensorBehaviorControl>;
 
 }  // namespace gt

@@ -3,9 +3,13 @@
 
 #include "modules/behavior/control/BehaviorRequest.h"
 #include "modules/behavior/control/GT2003BehaviorControl.h"
+#include "modules/behavior/control/ObstacleAvoiderOnGreenField.h"
+#include "modules/behavior/potentialfields/PotentialFields.h"
+#include "modules/behavior/tactics/TargetPoints.h"
 #include "motionnet/Listing.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
+#include "streams/Config.h"
 #include "xabsl/formats/Compile.h"
 #include "xabsl/formats/Sources.h"
 
@@ -93,6 +97,16 @@ void share(const Configuration& configuration, const std::string&, Blackboard& b
   blackboard.get<Behavior>() = *configuration.behavior;
 }
 
+/// Reads a file of the folder, which may be missing.
+template <typename T>
+void readFile(const ConfigurationFiles& files, const std::string& name, std::shared_ptr<T>& value,
+              Findings& findings) {
+  value = std::make_shared<T>();
+  const std::string file = files.folder.path(name);
+  if (!fs::exists(file)) return;
+  if (auto done = readConfig(file, *value); !done) findings.add(done.error());
+}
+
 bool handle(const Message& message, ModuleProcess& process, const ConfigurationFiles& files) {
   if (!message.is<BehaviorRequest>() || !process.solves("BehaviorControl")) return false;
   process.answer(message, change(message, process, files));
@@ -140,8 +154,23 @@ Result<void> Robot::request(const BehaviorRequest& request) {
 
 void addBehavior(RobotModules& modules) {
   addMotionNet(modules);  // first: a behavior names its motions
-  modules.solutions.add<BehaviorControl, GT2003BehaviorControl>("GT2003");
+  SolutionTable& table = modules.solutions;
+  table.add<BehaviorControl, GT2003BehaviorControl>("GT2003");
+  table.add<SensorBehaviorControl, ObstacleAvoiderOnGreenField>("ObstacleAvoiderOnGreenField");
   modules.parts.push_back({&representation<Behavior>(), read, share, handle});
+  modules.parts.push_back({&representation<PotentialFields>(),
+                           [](const ConfigurationFiles& files, Configuration& c, Findings& f) {
+                             readFile(files, "potentialfields.cfg", c.potentialFields, f);
+                           },
+                           [](const Configuration& c, const std::string&, Blackboard& b) {
+                             b.share(c.potentialFields);
+                           }});
+  modules.parts.push_back(
+      {&representation<TargetPoints>(),
+       [](const ConfigurationFiles& files, Configuration& c, Findings& f) {
+         readFile(files, "targets.cfg", c.targets, f);
+       },
+       [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.targets); }});
 }
 
 }  // namespace gt

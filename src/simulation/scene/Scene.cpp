@@ -169,6 +169,10 @@ void SceneReader::readElement(const xmlNode* node, SceneDescription& scene) {
     readAttributes(node, scene.ceilingCamera.emplace());
     expectEmpty(node);
   };
+  readers["challenge"] = [&] {
+    readAttributes(node, scene.challenge.emplace());
+    expectEmpty(node);
+  };
   readers["robots"] = [&] { readRobots(node, scene.robots); };
   readers["extras"] = [&] { readRobots(node, scene.extras); };
   readers["balls"] = [&] { readBalls(node, scene.balls); };

@@ -255,6 +255,30 @@ struct GameParameters {
   }
 };
 
+/// The technical challenges of 2003 (report, chapter 4).
+enum class ChallengeKind { ball, localization, obstacles };
+
+/// Which challenge the scene is: it starts and scores itself (simulation/Challenge.h). Element
+/// `challenge`.
+struct ChallengeParameters {
+  ChallengeKind kind = ChallengeKind::obstacles;
+  bool random = false;
+  double start = 1;
+  double precise = 50;
+  double near = 100;
+
+  static constexpr auto fields() {
+    using P = ChallengeParameters;
+    return Fields{field("kind", &P::kind),
+                  field("random", &P::random, "",
+                        "whether the seed decides where all stand, or which places are visited"),
+                  field("start", &P::start, "s", "when the back switch is pressed", {0, 600}),
+                  field("precise", &P::precise, "mm",
+                        "from a place to be visited, so near a stop gets all points", {1, 1000}),
+                  field("near", &P::near, "mm", "so near it gets one", {1, 1000})};
+  }
+};
+
 /// What the referee penalizes, after how many seconds of it; 0: never (facts, 2.2). How long robots
 /// are removed, and the penalty shoot-out. Element `rules`.
 struct RuleParameters {
@@ -360,6 +384,7 @@ struct SceneDescription {
   std::string field = "../models/field2003.xml";
   std::string config = "../config";
   std::string script;
+  std::string red, blue;
   Profile profile = Profile::benign;  ///< Whose numbers the elements have if nobody sets them.
   Fidelity fidelity = Fidelity::kinematic;
   bool flags = true;
@@ -375,6 +400,7 @@ struct SceneDescription {
   RadioParameters radio;
   GameParameters game;
   RuleParameters rules;
+  std::optional<ChallengeParameters> challenge;
   std::optional<CeilingCameraParameters> ceilingCamera;
   std::vector<SceneRobot> robots;
   std::vector<SceneRobot> extras;
@@ -395,6 +421,9 @@ struct SceneDescription {
         gt::field("config", &SceneDescription::config, "", "folder of the configuration files"),
         gt::field("script", &SceneDescription::script, "",
                   "console script to begin with, from the scene's folder"),
+        gt::field("red", &SceneDescription::red, "",
+                  "team that plays red: a folder with files of its own, from the scene's folder"),
+        gt::field("blue", &SceneDescription::blue, "", "team that plays blue"),
         gt::field(
             "profile", &SceneDescription::profile, "",
             "how far all is from perfect, where the scene does not state it; by default padova"),

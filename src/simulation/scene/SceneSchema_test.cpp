@@ -84,13 +84,14 @@ std::string groupOf(const std::string& name, const std::string& element, std::si
 
 std::string sceneSchema() {
   const std::map<std::string, std::string> elements{
-      {"balls", "balls"},       {"body", "body"},
-      {"camera", "camera"},     {"ceilingCamera", "ceilingCamera"},
-      {"dynamics", "dynamics"}, {"extras", "robots"},
-      {"game", "game"},         {"noise", "noise"},
-      {"optics", "optics"},     {"physics", "physics"},
-      {"radio", "radio"},       {"robots", "robots"},
-      {"rules", "rules"},       {"walking", "walking"}};
+      {"balls", "balls"},         {"body", "body"},
+      {"camera", "camera"},       {"ceilingCamera", "ceilingCamera"},
+      {"challenge", "challenge"}, {"dynamics", "dynamics"},
+      {"extras", "robots"},       {"game", "game"},
+      {"noise", "noise"},         {"optics", "optics"},
+      {"physics", "physics"},     {"radio", "radio"},
+      {"robots", "robots"},       {"rules", "rules"},
+      {"walking", "walking"}};
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<!-- Scenes of the simulator (report I.4). Made by "
@@ -107,9 +108,9 @@ std::string sceneSchema() {
   text += typeNamed<NoiseParameters>("noise") + typeNamed<BodyParameters>("body") +
           typeNamed<WalkingParameters>("walking") + typeNamed<DynamicsParameters>("dynamics") +
           typeNamed<CameraEffects>("camera") + typeNamed<CeilingCameraParameters>("ceilingCamera") +
-          typeNamed<CameraInfo>("optics") + typeNamed<BallParameters>("physics") +
-          typeNamed<RadioParameters>("radio") + typeNamed<GameParameters>("game") +
-          typeNamed<RuleParameters>("rules");
+          typeNamed<ChallengeParameters>("challenge") + typeNamed<CameraInfo>("optics") +
+          typeNamed<BallParameters>("physics") + typeNamed<RadioParameters>("radio") +
+          typeNamed<GameParameters>("game") + typeNamed<RuleParameters>("rules");
   text += groupOf<SceneRobot>("robots", "robot", maxSceneRobots) +
           groupOf<SceneBall>("balls", "ball", maxSceneBalls);
   return text + "</xs:schema>\n";

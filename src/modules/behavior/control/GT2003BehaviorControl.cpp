@@ -11,6 +11,7 @@ namespace {
 const DebugKey sendActivations{"BehaviorControl/activations"};
 const DebugKey sendTrace{"BehaviorControl/trace"};
 const DebugKey engineTime{"BehaviorControl/engine"};
+const DebugKey drawField{"BehaviorControl/potentialField"};
 
 /// The parameters of an option or a basic behavior; null if there is none of that name.
 template <typename T>
@@ -72,7 +73,16 @@ void GT2003BehaviorControl::load(const Behavior& behavior, const MotionNet& moti
   if (engine_) creation.engine->resumeFrom(*engine_);
   engine_ = std::move(creation.engine);
   recording_ = false;
+  agent_.clear();
   applied_ = {};
+}
+
+/// Executes the agent that the parameters name, from when the behavior or the name has changed.
+void GT2003BehaviorControl::chooseAgent(Debug& debug) {
+  if (agent_ == parameters.agent) return;
+  agent_ = parameters.agent;
+  const std::string& agent = agent_.empty() ? engine_->model().agents.front().name : agent_;
+  if (!engine_->selectAgent(agent)) debug.warn("the behavior has no agent " + agent);
 }
 
 /// Applies what a person wants the engine to execute, once per request.
@@ -100,6 +110,7 @@ void GT2003BehaviorControl::apply(const BehaviorControlRequest& control, Debug& 
 
 /// What the trace is about comes first, once; then each cycle by itself.
 void GT2003BehaviorControl::execute(Time now, const BehaviorControlRequest& control, Debug& debug) {
+  chooseAgent(debug);
   apply(control, debug);
   const bool record = debug.isActive(sendTrace);
   engine_->record(record ? &recorder_ : nullptr);
@@ -125,9 +136,12 @@ void GT2003BehaviorControl::update(WorldState world, const Behavior& behavior,
     load(behavior, world.motions, debug);
   tactics_.update(world);
 
-  movement_.stand();
+  movement_.begin();
   outputs_ = {};
   if (engine_) execute(world.frame.time, control, debug);
+
+  if (const FieldPilot* pilot = movement_.pilot())
+    if (auto canvas = debug.onField(drawField)) pilot->draw(canvas, world.field);
 
   motionRequest = motionRequest_;
   motionRequest.tail = outputs_.tail;

@@ -22,11 +22,14 @@ namespace gt {
 class GT2003BehaviorControl {
  public:
   struct Parameters {
+    std::string agent;
     Movement::Parameters movement;
     Tactics::Parameters tactics;
 
     static constexpr auto fields() {
-      return Fields{field("movement", &Parameters::movement),
+      return Fields{field("agent", &Parameters::agent, "",
+                          "of the behavior, which is executed; empty: its first one"),
+                    field("movement", &Parameters::movement),
                     field("tactics", &Parameters::tactics)};
     }
   };
@@ -51,6 +54,7 @@ class GT2003BehaviorControl {
 
  private:
   void load(const Behavior& behavior, const MotionNet& motions, Debug& debug);
+  void chooseAgent(Debug& debug);
   void apply(const BehaviorControlRequest& control, Debug& debug);
   void execute(Time now, const BehaviorControlRequest& control, Debug& debug);
 
@@ -65,6 +69,7 @@ class GT2003BehaviorControl {
   std::optional<xabsl::Engine> engine_;
   BehaviorControlRequest applied_;  ///< The request that was applied last.
   xabsl::TraceRecorder recorder_{10'000};
+  std::string agent_;  ///< That was chosen last.
   bool recording_ = false;
 };
 static_assert(complete<GT2003BehaviorControl::Parameters>);

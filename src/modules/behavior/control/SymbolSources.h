@@ -2,6 +2,7 @@
 #include "modules/behavior/SoccerSymbols.h"
 #include "modules/behavior/skills/SpecialAction.h"
 #include "modules/behavior/tactics/Tactics.h"
+#include "modules/behavior/tactics/Tour.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/MotionRequest.h"
@@ -39,6 +40,15 @@ class SoccerInputs final : public soccer::Inputs {
   double ballKickTolerance() const override { return toDegrees(tactics_.kickTolerance()); }
   double ballAngleAround(double facing) const override;
 
+  double ballGoalDirection() const override;
+  double ballGoalAngle() const override;
+
+  double robotPoseX() const override { return w().self.pose.translation.x(); }
+  double robotPoseY() const override { return w().self.pose.translation.y(); }
+  double robotPoseValidity() const override { return w().self.validity; }
+  double opponentGoalAngle() const override { return toDegrees(angleOf(opponentGoal())); }
+  double opponentGoalDistance() const override { return opponentGoal().norm(); }
+  double backSwitchPressedFor() const override { return ms(w().body.pressedFor[Switch::back]); }
   double robotPoseAngle() const override { return toDegrees(w().self.pose.rotation); }
   bool bodyFallen() const override { return w().body.state == BodyState::fallen; }
   SpecialAction motionSpecialAction() const override;
@@ -47,6 +57,21 @@ class SoccerInputs final : public soccer::Inputs {
   double kickY(SpecialAction id) const override { return motion(id).kick.y; }
   double kickDirection(SpecialAction id) const override { return motion(id).kick.direction; }
   bool kickReaches(SpecialAction id, double astray, double margin) const override;
+
+  double obstaclesFreeAhead(double angle, double width) const override;
+  double obstaclesFreeDirection(double angle, double width, double length) const override;
+  double obstaclesGap(double angle, double range) const override;
+
+  double targetCount() const override { return static_cast<double>(tour_.size()); }
+  double targetX(double index) const override { return target(index).translation.x(); }
+  double targetY(double index) const override { return target(index).translation.y(); }
+  double targetAngle(double index) const override { return toDegrees(target(index).rotation); }
+  double targetDistance(double index) const override { return towards(index).norm(); }
+  double targetAhead(double index) const override { return towards(index).x(); }
+  double targetLeft(double index) const override { return towards(index).y(); }
+  double targetTurn(double index) const override {
+    return toDegrees(normalize(target(index).rotation - w().self.pose.rotation));
+  }
 
   double min(double a, double b) const override { return std::min(a, b); }
   double max(double a, double b) const override { return std::max(a, b); }
@@ -58,7 +83,15 @@ class SoccerInputs final : public soccer::Inputs {
   const WorldState& w() const { return tactics_.world(); }
   const MotionNet::Motion& motion(SpecialAction id) const { return motionOf(w().motions, id); }
 
+  const Pose2D& target(double index) const;
+  Vector2d towards(double index) const {
+    return relative(w().self.pose, target(index).translation);
+  }
+  /// Relative to the robot.
+  Vector2d opponentGoal() const { return relative(w().self.pose, {w().field.xGroundline, 0}); }
+
   const Tactics& tactics_;
+  mutable Tour tour_;
   mutable SpecialAction action_{};  ///< The one being executed, looked up when its name changes.
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "modules/behavior/skills/ContinuousBehaviors.h"
 #include "modules/behavior/skills/GoToBall.h"
 #include "modules/behavior/skills/GoToPoint.h"
 
@@ -32,10 +33,21 @@ struct BasicBehaviors {
         walk{movement},
         performSpecialAction{movement},
         goToPoint{movement},
-        goToBall{movement} {}
+        goToBall{movement},
+        goToPointContinuously{movement},
+        goToBallContinuously{movement, goToBall},
+        goToOwnGoal{movement} {}
 
   soccer::BasicBehaviors all() {
-    return {stand, getup, walk, performSpecialAction, goToPoint, goToBall};
+    return {stand,
+            getup,
+            walk,
+            performSpecialAction,
+            goToPoint,
+            goToBall,
+            goToPointContinuously,
+            goToBallContinuously,
+            goToOwnGoal};
   }
 
   Stand stand;
@@ -44,6 +56,9 @@ struct BasicBehaviors {
   PerformSpecialAction performSpecialAction;
   GoToPoint goToPoint;
   GoToBall goToBall;
+  GoToPointContinuously goToPointContinuously;
+  GoToBallContinuously goToBallContinuously;
+  GoToOwnGoal goToOwnGoal;
 };
 
 }  // namespace gt

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "modules/behavior/tactics/FreeSpace.h"
 
@@ -58,6 +59,31 @@ void Movement::approachAvoiding(const Vector2d& offset, double turn, double maxS
   const double speed = std::clamp(room, -50., maxSpeed);
   walk({way ? speed * std::max(0., std::cos(*way)) : std::min(speed, 0.), 0},
        1.5 * way.value_or(heading));
+}
+
+void Movement::followField(const PotentialField& field, const Pose2D& target, double maxSpeed) {
+  const WorldState& world = tactics_.world();
+  PotentialScene scene =
+      PotentialScene::of(world, tactics_.obstacles(), tactics_.knownBallOnField());
+  scene.setTarget(target.translation);
+  const Pose2D& self = world.self.pose;
+  const Vector2d force =
+      pilot_.update(field, std::move(scene), self.translation, parameters_.pilot);
+  piloted_ = true;
+  const double fastest = maxSpeed > 0 ? maxSpeed : parameters_.maxForward;
+  const double finalTurn = normalize(target.rotation - self.rotation);
+  if ((target.translation - self.translation).norm() < parameters_.pilot.arrival)
+    return approach(relative(self, target.translation), finalTurn, fastest);
+  const double strength = force.norm();
+  const Vector2d ahead =
+      strength > 0 ? rotated(force / strength, -self.rotation) : Vector2d::Zero();
+  const bool near = (target.translation - self.translation).norm() < parameters_.faceTarget;
+  const double turn = near ? finalTurn : angleOf(ahead);
+  double speed = fastest * std::min(1., strength);
+  // Far away the robot walks where it looks, so it turns first.
+  if (!near) speed *= std::max(0.2, std::cos(std::min(std::abs(turn), pi / 2)));
+  const double over = std::abs(ahead.y()) * speed / parameters_.maxSideways;
+  walk(ahead * speed / std::max(1., over), 1.5 * turn);
 }
 
 }  // namespace gt

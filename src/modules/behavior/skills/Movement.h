@@ -1,4 +1,5 @@
 #pragma once
+#include "modules/behavior/potentialfields/FieldPilot.h"
 #include "modules/behavior/skills/SpecialAction.h"
 #include "modules/behavior/tactics/Tactics.h"
 #include "representations/behavior/MotionRequest.h"
@@ -17,6 +18,8 @@ class Movement {
     double freeWay = 700;
     double keepOff = 260;
     double stopBefore = 230;
+    double faceTarget = 500;
+    FieldPilot::Parameters pilot;
 
     static constexpr auto fields() {
       return Fields{
@@ -34,7 +37,11 @@ class Movement {
           field("keepOff", &Parameters::keepOff, "mm",
                 "least distance from the robot's middle to that of another robot", {0, 1000}),
           field("stopBefore", &Parameters::stopBefore, "mm",
-                "distance from the robot's middle to an obstacle at which it stops", {0, 1000})};
+                "distance from the robot's middle to an obstacle at which it stops", {0, 1000}),
+          field("faceTarget", &Parameters::faceTarget, "mm",
+                "nearer to the target of a potential field the robot turns as it shall stand there",
+                {0, 1e4}),
+          field("pilot", &Parameters::pilot)};
     }
   };
 
@@ -58,6 +65,17 @@ class Movement {
   /// The same from far away: past obstacles on the way, for which the robot faces the direction in
   /// which it walks (report 4.3).
   void approachAvoiding(const Vector2d& offset, double turn, double maxSpeed);
+  /// Walks to a pose on the field by a potential field (report 3.8.3), where it walks where it
+  /// looks until it is near. As fast as it can with a speed of 0.
+  void followField(const PotentialField& field, const Pose2D& target, double maxSpeed);
+
+  /// A cycle begins.
+  void begin() {
+    piloted_ = false;
+    stand();
+  }
+  /// Who followed a potential field in this cycle; null if nobody did.
+  const FieldPilot* pilot() const { return piloted_ ? &pilot_ : nullptr; }
 
  private:
   /// A speed that does not lead into another robot.
@@ -73,6 +91,8 @@ class Movement {
   const Tactics& tactics_;
   MotionRequest& request_;
   const Parameters& parameters_;
+  FieldPilot pilot_;
+  bool piloted_ = false;
 };
 static_assert(complete<Movement::Parameters>);
 

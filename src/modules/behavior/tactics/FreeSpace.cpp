@@ -26,6 +26,15 @@ std::optional<double> freeDirection(const ObstaclesModel& obstacles, double want
   return std::nullopt;
 }
 
+double nearestObstacle(const ObstaclesModel& obstacles, double middle, double halfRange) {
+  double nearest = ObstaclesModel::farAway;
+  for (const ObstaclesModel::Sector& sector : obstacles.sectors)
+    if (sector.obstacle &&
+        std::abs(normalize(angleOf(sector.representative) - middle)) <= halfRange)
+      nearest = std::min(nearest, sector.representative.norm());
+  return nearest;
+}
+
 std::optional<AngleRange> freeGoalPart(const ObstaclesModel& obstacles, const Vector2d& from,
                                        const Vector2d& leftPost, const Vector2d& rightPost,
                                        double gap) {

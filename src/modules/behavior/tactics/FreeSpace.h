@@ -24,6 +24,10 @@ double corridor(const ObstaclesModel& obstacles, double direction, double width,
 std::optional<double> freeDirection(const ObstaclesModel& obstacles, double wanted, double width,
                                     double length, double most = pi, const Vector2d& from = {0, 0});
 
+/// The distance of the nearest obstacle in directions around one (rad), at most
+/// ObstaclesModel::farAway (mm).
+double nearestObstacle(const ObstaclesModel& obstacles, double middle, double halfRange);
+
 /// The widest range of directions between the posts of a goal in which nothing blocks a ball that
 /// rolls from a point to the goal line. Empty if all of it is blocked or seen from behind. `gap` is
 /// what a ball needs, its diameter (mm).

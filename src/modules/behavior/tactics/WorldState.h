@@ -1,6 +1,8 @@
 #pragma once
 #include <tuple>
 
+#include "modules/behavior/potentialfields/PotentialFields.h"
+#include "modules/behavior/tactics/TargetPoints.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -31,13 +33,15 @@ struct WorldState {
   const TeamMessages& team;
   const MotionInfo& motion;
   const MotionNet& motions;
+  const PotentialFields& fields;
+  const TargetPoints& targets;
 
   /// Each is an input of the module that takes a WorldState.
   using Parts =
       std::tuple<const FrameInfo&, const Player&, const FieldDimensions&, const GameControlData&,
                  const RobotPose&, const BallModel&, const TeamBallModel&, const ObstaclesModel&,
                  const PlayersCollection&, const RobotState&, const TeamMessages&,
-                 const MotionInfo&, const MotionNet&>;
+                 const MotionInfo&, const MotionNet&, const PotentialFields&, const TargetPoints&>;
 };
 
 }  // namespace gt

@@ -18,10 +18,12 @@ struct ImaginedWorld {
   TeamMessages team;
   MotionInfo motion;
   MotionNet motions;
+  PotentialFields fields;
+  TargetPoints targets;
 
   WorldState state() const {
-    return {frame,     player,  field, game, self,   ball,   teamBall,
-            obstacles, players, body,  team, motion, motions};
+    return {frame,   player, field, game,   self,    ball,   teamBall, obstacles,
+            players, body,   team,  motion, motions, fields, targets};
   }
 };
 

@@ -90,6 +90,10 @@ void DefaultObstaclesLocator::seeImage(const ObstaclesPercept& percept, const Ba
 void DefaultObstaclesLocator::seePsd(const PsdPercept& psd, const CameraMatrix& camera) {
   const Vector3d start = camera.pose.translation, way = psd.offset - start;
   const Vector2d hit = psd.offset.head<2>();
+  const double agreement = parameters.psdAgreement;
+  const bool agrees = agreement == 0 || (hit - psdHit_).norm() <= agreement;
+  psdHit_ = hit;
+  if (!agrees) return;
   const double fall = start.z() - psd.offset.z();
   if (psd.offset.z() < parameters.lowestObstacle && fall > 0) {
     const double share = std::clamp((start.z() - parameters.lowestObstacle) / fall, 0., 1.);

@@ -19,6 +19,7 @@ class DefaultObstaclesLocator {
   struct Parameters {
     bool useImages = true;
     bool usePsd = false;
+    double psdAgreement = 0;
     std::int64_t forgetAfter = 4000;
     double ballSize = 150;
     std::int64_t ballTime = 500;
@@ -31,6 +32,10 @@ class DefaultObstaclesLocator {
           field("useImages", &P::useImages, "", "whether images count"),
           field("usePsd", &P::usePsd, "",
                 "whether the distance sensor counts; it did not in the competition"),
+          field("psdAgreement", &P::psdAgreement, "mm",
+                "the distance sensor's obstacle counts if the reading before was no farther off: "
+                "reflections are not; 0: every reading counts",
+                {0, 10000}),
           field("forgetAfter", &P::forgetAfter, "ms",
                 "time after which a sector that is not seen again is forgotten", {100, 100000}),
           field(
@@ -65,6 +70,7 @@ class DefaultObstaclesLocator {
   void draw(const CameraMatrix& camera, Debug& debug) const;
 
   ObstaclesModel model_;
+  Vector2d psdHit_ = Vector2d::Zero();  ///< Of the last reading, relative to the robot.
   bool first_ = true;
   OdometryData lastOdometry_;
   Time lastPicture_ = never(), lastPsd_ = never(), lastLandmarks_ = never();

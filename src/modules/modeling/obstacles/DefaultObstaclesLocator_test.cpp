@@ -157,6 +157,26 @@ TEST(DefaultObstaclesLocator, TheDistanceSensorCountsIfItShall) {
   EXPECT_EQ(radar.at(0), nothing) << "above all robots";
 }
 
+TEST(DefaultObstaclesLocator, AReflectionOfTheDistanceSensorIsNoObstacle) {
+  Radar radar;
+  radar.camera.valid = true;
+  radar.camera.pose.translation = {150, 0, 200};
+  radar.psd = {Time{40}, {600, 0, 150}, false};
+  radar.walk({});
+  EXPECT_EQ(radar.at(0), nothing);
+  radar.locator.parameters.usePsd = true;
+  radar.locator.parameters.psdAgreement = 150;
+  radar.psd = {Time{80}, {600, 0, 150}, false};
+  radar.walk({});
+  EXPECT_EQ(radar.at(0), nothing) << "one reading";
+  radar.psd = {Time{120}, {300, 0, 150}, false};
+  radar.walk({});
+  EXPECT_EQ(radar.at(0), nothing) << "and another one";
+  radar.psd = {Time{160}, {310, 0, 150}, false};
+  radar.walk({});
+  EXPECT_NEAR(radar.at(0), 310, 1);
+}
+
 TEST(DefaultObstaclesLocator, RemembersTheFreePartOfTheGoal) {
   Radar radar;
   radar.landmarks.time = Time{40};

@@ -1,0 +1,32 @@
+#pragma once
+#include "modules/behavior/skills/Skill.h"
+
+namespace gt {
+
+// The continuous basic behaviors (report 3.8.3): what they pursue and avoid is put together in
+// config/potentialfields.cfg.
+
+/// Walks to a pose on the field.
+struct GoToPointContinuously final : Skill<soccer::GoToPointContinuously> {
+  using Skill::Skill;
+  void execute() override;
+};
+
+/// Walks behind the ball so that the robot faces a direction on the field and has the ball at
+/// (x, y); the last part as go_to_ball does.
+struct GoToBallContinuously final : Skill<soccer::GoToBallContinuously> {
+  GoToBallContinuously(Movement& movement, soccer::GoToBall& lastPart)
+      : Skill{movement}, lastPart_{lastPart} {}
+  void execute() override;
+
+ private:
+  soccer::GoToBall& lastPart_;
+};
+
+/// Walks to a place before the middle of the own goal, and faces the opponent's.
+struct GoToOwnGoal final : Skill<soccer::GoToOwnGoal> {
+  using Skill::Skill;
+  void execute() override;
+};
+
+}  // namespace gt
