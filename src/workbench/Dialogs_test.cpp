@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPlainTextEdit>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTableWidget>
@@ -287,6 +288,47 @@ TEST_F(DialogTest, AColorTableIsMadeByClicking) {
   click("colorTable", "send");
   finish();
   EXPECT_TRUE(until([&] { return classThere() == ColorClass::noColor; }));
+}
+
+TEST_F(DialogTest, AMessageIsWrittenAndSent) {
+  ASSERT_TRUE(execute("sr BehaviorControl disabled"));
+  window->open("messages");
+  choose("messages", "type", "MotionRequest");
+  auto* text = widget<QPlainTextEdit>("messages", "text");
+  EXPECT_TRUE(text->toPlainText().contains("\"stand\"")) << text->toPlainText().toStdString();
+  text->setPlainText("{\"type\": \"walk\", \"walk\": {\"translation\": {\"x\": 70, \"y\": 0}}}");
+  click("messages", "send");
+  EXPECT_EQ(widget<QLabel>("messages", "fault")->text(), "");
+  finish();
+  ASSERT_TRUE(execute("run 100 ms"));
+  EXPECT_EQ(value("MotionRequest.walk.translation.x"), "70");
+  // What is wrong is refused, and said.
+  text->setPlainText("{\"type\": \"fly\"}");
+  click("messages", "send");
+  EXPECT_TRUE(widget<QLabel>("messages", "fault")->text().contains("type"));
+  click("messages", "fromRobot");
+  EXPECT_TRUE(until([&] { return text->toPlainText().contains("70"); }));
+  // Texts are kept for each type.
+  choose("messages", "type", "LedRequest");
+  choose("messages", "type", "MotionRequest");
+  EXPECT_TRUE(text->toPlainText().contains("70"));
+}
+
+TEST_F(WindowTest, EightImagesShowRobotsOfTheirOwn) {
+  Dialog* dialog = window->open("images");
+  QJsonObject settings = dialog->settings();
+  QJsonArray fields = settings["fields"].toArray();
+  ASSERT_EQ(fields.size(), 8);
+  fields[2] = QJsonObject{{"robot", "blue3"}, {"image", "image"}};
+  settings["fields"] = fields;
+  dialog->restore(settings);
+  EXPECT_EQ(dialog->settings()["fields"].toArray()[2].toObject()["robot"].toString(), "blue3");
+  ASSERT_TRUE(execute("run 200 ms"));
+  auto* own = dynamic_cast<ViewDialog*>(dialog->findChild<Dialog*>("field3"));
+  auto* classes = dynamic_cast<ViewDialog*>(dialog->findChild<Dialog*>("field2"));
+  ASSERT_TRUE(own && classes);
+  EXPECT_TRUE(until([&] { return own->sheet().sheet() && classes->sheet().sheet(); }));
+  EXPECT_NE(own->sheet().image(1), classes->sheet().image(1));
 }
 
 }  // namespace

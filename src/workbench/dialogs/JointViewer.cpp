@@ -7,8 +7,8 @@
 
 #include "representations/infrastructure/Joints.h"
 #include "representations/infrastructure/SensorData.h"
-#include "workbench/CustomPlot.h"
 #include "workbench/Dialog.h"
+#include "workbench/PlotColors.h"
 #include "workbench/RobotMenu.h"
 
 namespace gt {
@@ -78,6 +78,7 @@ class JointViewer : public Dialog {
                      [this](const QPoint& at) { showMenu(plot_->mapToGlobal(at)); });
     layout->addWidget(plot_);
     addCurves();
+    setPlotColors(*plot_, palette());
     record();
   }
 
@@ -110,6 +111,12 @@ class JointViewer : public Dialog {
     plot_->xAxis->setRange(newest_ - shownSeconds, newest_);
     plot_->yAxis->rescale(true);
     plot_->replot(QCustomPlot::rpQueuedReplot);
+  }
+
+ protected:
+  void changeEvent(QEvent* event) override {
+    if (event->type() == QEvent::PaletteChange) setPlotColors(*plot_, palette());
+    Dialog::changeEvent(event);
   }
 
  private:

@@ -18,6 +18,7 @@
 #include "streams/File.h"
 #include "workbench/CustomPlot.h"
 #include "workbench/Dialog.h"
+#include "workbench/PlotColors.h"
 
 namespace gt {
 namespace {
@@ -151,7 +152,7 @@ class PlotViewer : public Dialog {
     QObject::connect(plot_, &QCustomPlot::customContextMenuRequested, this,
                      [this](const QPoint& at) { showMenu(at); });
     setAcceptDrops(true);
-    setColors();
+    setPlotColors(*plot_, palette());
   }
 
   QJsonObject settings() const override {
@@ -201,7 +202,7 @@ class PlotViewer : public Dialog {
     event->acceptProposedAction();
   }
   void changeEvent(QEvent* event) override {
-    if (event->type() == QEvent::PaletteChange) setColors();
+    if (event->type() == QEvent::PaletteChange) setPlotColors(*plot_, palette());
     Dialog::changeEvent(event);
   }
 
@@ -388,28 +389,6 @@ class PlotViewer : public Dialog {
   }
 
  private:
-  void setColors() {
-    const QColor text = palette().color(QPalette::WindowText),
-                 base = palette().color(QPalette::Base);
-    QColor faint = text;
-    faint.setAlpha(40);
-    plot_->setBackground(base);
-    for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->yAxis2}) {
-      axis->setBasePen(QPen{text});
-      axis->setTickPen(QPen{text});
-      axis->setSubTickPen(QPen{text});
-      axis->setTickLabelColor(text);
-      axis->setLabelColor(text);
-      axis->grid()->setPen(QPen{faint});
-    }
-    QColor cover = base;
-    cover.setAlpha(200);
-    plot_->legend->setBrush(cover);
-    plot_->legend->setBorderPen(QPen{faint});
-    plot_->legend->setTextColor(text);
-    plot_->replot(QCustomPlot::rpQueuedReplot);
-  }
-
   QLineEdit* input_;
   QToolButton* follow_;
   QSlider* seconds_;

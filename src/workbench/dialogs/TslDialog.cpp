@@ -16,9 +16,9 @@
 #include "colors/TslHistogram.h"
 #include "streams/File.h"
 #include "views/painting/ColorClassViews.h"
-#include "workbench/CustomPlot.h"
 #include "workbench/Dialog.h"
 #include "workbench/ImageSource.h"
+#include "workbench/PlotColors.h"
 #include "workbench/PushButton.h"
 #include "workbench/SendToRobots.h"
 #include "workbench/SheetWidget.h"
@@ -70,6 +70,12 @@ class TslDialog : public Dialog {
     return Unsaved{"the TSL colors", [this] { return save(false); }};
   }
 
+ protected:
+  void changeEvent(QEvent* event) override {
+    if (event->type() == QEvent::PaletteChange && plot_) setPlotColors(*plot_, palette());
+    Dialog::changeEvent(event);
+  }
+
  private:
   void addPlot(QBoxLayout& layout) {
     plot_ = new QCustomPlot;
@@ -81,6 +87,7 @@ class TslDialog : public Dialog {
       plot_->graph()->setPen(
           QPen{std::array{QColor{200, 60, 160}, QColor{40, 140, 60}, QColor{90, 90, 100}}[i]});
     }
+    setPlotColors(*plot_, palette());
     layout.addWidget(plot_, 1);
   }
   void addSliders(QBoxLayout& layout) {
@@ -260,7 +267,7 @@ class TslDialog : public Dialog {
   SheetWidget* raw_;
   SheetWidget* classified_;
   QComboBox* color_;
-  QCustomPlot* plot_;
+  QCustomPlot* plot_ = nullptr;
   std::array<QSlider*, 6> sliders_{};
   QListWidget* order_;
   TslColors colors_;
