@@ -1,6 +1,9 @@
+#include <unistd.h>
+
 #include "Process.h"
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
+#include "robot/linux/Lockstep.h"
 #include "robot/linux/RobotProgram.h"
 
 namespace {
@@ -113,15 +116,21 @@ int main(int argc, char** argv) {
   app.add_option("--keys", arguments.keys,
                  "Key file for listening (robot.key of router --make-keys)");
   app.add_option("--connect-keys", arguments.connectKeys, "Key file for connecting (tool.key)");
+  bool lockstep = false;
+  app.add_flag("--lockstep", lockstep,
+               "All of the robot in this program, in lockstep with the simulator that started it "
+               "with a socket as its standard input; player.cfg and network.cfg are not read");
   gt::CrashSettings crashes{std::string{"gtrobot-"} + gt::processName};
   app.add_option("--crashes", crashes.folder, "Folder for a crash report, which crashlog reads")
       ->capture_default_str();
   return line.run([&]() -> gt::Result<void> {
     gt::installCrashHandler(crashes);
-    if (auto done = readFiles(app, options, arguments); !done) return done;
+    if (!lockstep)
+      if (auto done = readFiles(app, options, arguments); !done) return done;
     // The configuration names for its parts where in these they are.
     gt::RobotModules modules = gt::tasks();
     gt::addProcessModules(modules);
+    if (lockstep) return gt::runInLockstep(options, modules, gt::FileDescriptor{STDIN_FILENO});
     return gt::runRobotProgram(options, modules);
   });
 }

@@ -94,6 +94,7 @@ Result<int> play(PlayOptions options) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   screen.end();
   Match& match = session.match();
+  if (const auto done = match.teamFailure(); !done) return done.error();
   const MatchTimes times = timesOf(match, seconds.count(), options.match.threads);
   if (const auto done = match.close(); !done) return done.error();
   if (const auto done = writeResults(match, times, out); !done) return done.error();

@@ -25,7 +25,8 @@ void addMatchOptions(CLI::App& command, gt::MatchOptions& match) {
       ->capture_default_str();
   command.add_option("--red", match.red,
                      "Team that plays red: a folder with files of its own in config, behavior and "
-                     "motions, or a name of the folder teams");
+                     "motions, a name of the folder teams, or commit:REVISION[:TEAM], whose "
+                     "programs are built and cached");
   command.add_option("--blue", match.blue, "Team that plays blue");
   command.add_option("--layout", match.layout, "Process layout of all robots, not the scene's");
   command.add_option("--profile", match.profile, "How far all is from perfect, not the scene's")

@@ -71,6 +71,7 @@ template <typename Done>
 bool PlayedMatch::runUntil(Done done) {
   const bool goesOn = stepUntil(done);
   warnOfFailures();
+  orThrow(session_->match().teamFailure());
   return goesOn;
 }
 

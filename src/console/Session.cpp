@@ -69,9 +69,10 @@ SceneTree& Session::tree() {
 }
 
 bool Session::tick() {
-  if (simulation().finished()) return false;
+  if (simulation().finished() || !state_.match->teamFailure()) return false;
   if (input_) input_();
   state_.match->step();
+  if (const auto done = state_.match->teamFailure(); !done) screen_.print(done.error().text());
   if (state_.connection) state_.connection->step();
   for (const auto& robot : state_.robots)
     if (const auto done = robot->step(time()); !done) screen_.print(done.error().text());

@@ -13,6 +13,8 @@
 namespace gt {
 namespace {
 
+namespace fs = std::filesystem;
+
 MatchEvent toMatchEvent(const GameEvent& event) {
   return {event.time,      std::string{enumName(event.type)},
           describe(event), event.team,
@@ -56,7 +58,7 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     match->simulation_->add(std::move(challenge));
   }
   if (scene->ceilingCamera && !options.logs.empty()) {
-    auto log = McapWriter::open((std::filesystem::path{options.logs} / "ceiling.mcap").string());
+    auto log = McapWriter::open((fs::path{options.logs} / "ceiling.mcap").string());
     if (!log) return log.error();
     match->ceilingLog_ = std::move(*log);
   }
@@ -66,7 +68,7 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     if (auto done = match->gameController_->listen(*options.gameControllerPort); !done)
       return done.error();
   match->statistics_ =
-      std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_, match->motions());
+      std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_, match->kicks());
   match->images_ =
       std::make_unique<ReportImages>(options.images, scene->game.minutes, match->robots_);
   return match;
@@ -76,19 +78,27 @@ Result<void> Match::loadTeams(const ConfigurationPaths& paths, const SceneDescri
   auto configuration = loadConfiguration(paths);
   if (!configuration) return configuration.error();
   configuration_ = std::move(*configuration);
+  for (std::string* team : {&options_.red, &options_.blue}) {
+    auto resolved = resolvedTeam(*team, options_.root);
+    if (!resolved) return resolved.error();
+    *team = *std::move(resolved);
+  }
   const auto nameOf = [&](const std::string& given, const std::string& ofScene) {
     return given.empty() && !ofScene.empty() ? scene.resolve(ofScene) : given;
   };
   for (const auto& [color, name] : {std::pair{TeamColor::red, nameOf(options_.red, scene.red)},
                                     {TeamColor::blue, nameOf(options_.blue, scene.blue)}}) {
     Team& team = teams_[static_cast<std::size_t>(color)];
-    team = {nullptr, paths, configuration_};
+    team = {nullptr, paths, configuration_, std::nullopt};
+    if (namesProgram(name)) {
+      if (scene.challenge)
+        return Error{.field = name, .what = "plays soccer only: a challenge is for this program"};
+      if (auto done = loadProgram(name, paths, team); !done) return done;
+      continue;
+    }
     const std::string folder = teamFolder(name, options_.root);
     if (folder.empty()) continue;
-    auto opened = TeamFolder::open(folder, paths);
-    if (!opened) return opened.error();
-    team.folder = std::move(*opened);
-    team.paths = team.folder->paths();
+    if (auto done = team.open(folder); !done) return done;
     auto own = loadConfiguration(team.paths);
     if (!own) return team.folder->named(own.error());
     team.configuration = std::move(*own);
@@ -105,16 +115,55 @@ void Match::drawTargets() {
   }
 }
 
-std::vector<const MotionNet*> Match::motions() const {
-  std::vector<const MotionNet*> all;
+Result<void> Match::Team::open(const std::string& name) {
+  auto opened = TeamFolder::open(name, paths);
+  if (!opened) return opened.error();
+  folder = std::move(*opened);
+  paths = folder->paths();
+  return {};
+}
+
+/// The robots read from the program's own tree what lies in this one's by the same name.
+Result<void> Match::loadProgram(const std::string& name, const ConfigurationPaths& paths,
+                                Team& team) {
+  auto program = teamProgram(name, options_.root);
+  if (!program) return program.error();
+  const DataRoot& root = program->root;
+  const auto there = [&](const std::string& path, const std::string& ours) {
+    const auto relative = fs::absolute(path).lexically_normal().lexically_relative(
+        fs::absolute(options_.root.path(".")).lexically_normal());
+    const bool within = !relative.empty() && *relative.begin() != "..";
+    return root.path(within ? relative.string() : ours);
+  };
+  team.configuration = nullptr;
+  team.paths = paths;
+  team.paths.config = there(paths.config, "config");
+  team.paths.motions = there(paths.motions, "motions");
+  team.paths.behavior = there(paths.behavior, "behavior/GT2003.xabsl");
+  team.program = std::move(*program);
+  const std::string folder = teamFolder(team.program->team, root);
+  return folder.empty() ? Result<void>{} : team.open(folder);
+}
+
+std::vector<std::vector<std::string>> Match::kicks() const {
+  std::vector<std::vector<std::string>> all;
   for (const SceneRobot& robot : simulation_->scene().robots)
-    all.push_back(teamOf(robot).configuration->motions.get());
+    if (const auto& own = teamOf(robot).configuration)
+      all.push_back(kickNames(*own->motions));
+    else
+      all.emplace_back();
+  for (std::size_t i = 0; i < lockstepRobots_.size(); ++i)
+    all[lockstepIndices_[i]] = lockstepRobots_[i]->greeting().kicks;
   return all;
 }
 
 Result<void> Match::addRobots() {
   const std::vector<SceneRobot>& robots = simulation_->scene().robots;
   for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (teamOf(robots[i]).program && !isRemote(robots[i].name)) {
+      if (auto added = addLockstepRobot(i); !added) return added;
+      continue;
+    }
     const auto layout = loadLayout(layoutFile(robots[i]));
     if (!layout) return layout.error();
     auto added = isRemote(robots[i].name) ? addRemoteRobot(i, *layout) : addRobot(i, *layout);
@@ -123,7 +172,7 @@ Result<void> Match::addRobots() {
   for (const auto& [name, endpoint] : options_.remote)
     if (std::ranges::find(robots, name, &SceneRobot::name) == robots.end())
       return Error{.file = options_.scene, .field = name, .what = "the scene has no such robot"};
-  return {};
+  return greetLockstepRobots();
 }
 
 std::string Match::layoutFile(const SceneRobot& robot) const {
@@ -152,13 +201,12 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
 
 Result<void> Match::record(SimulatedRobot& robot, const Configuration::LogSettings& settings,
                            const SetupFiles& setup) {
-  const std::string base = (std::filesystem::path{options_.logs} / robot.name()).string();
+  const std::string base = (fs::path{options_.logs} / robot.name()).string();
   robot.saveTo(base);
-  const McapWriter::Metadata about{
-      {"scene", std::filesystem::path{options_.scene}.filename().string()},
-      {"seed", std::to_string(options_.seed)},
-      {"robot", robot.name()},
-      {"minutes", std::to_string(simulation_->scene().game.minutes)}};
+  const McapWriter::Metadata about{{"scene", fs::path{options_.scene}.filename().string()},
+                                   {"seed", std::to_string(options_.seed)},
+                                   {"robot", robot.name()},
+                                   {"minutes", std::to_string(simulation_->scene().game.minutes)}};
   return robot.record(base + ".mcap", about, settings, setup, options_.inputs);
 }
 
@@ -175,6 +223,59 @@ Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
   remoteRobots_.push_back(controller->get());
   allRobots_.push_back(controller->get());
   simulation_->attach(index, std::move(*controller));
+  return {};
+}
+
+Result<void> Match::addLockstepRobot(std::size_t index) {
+  const SceneRobot& player = simulation_->scene().robots[index];
+  const Team& team = teamOf(player);
+  const std::uint64_t seed = Random{options_.seed}.fork(player.name)();
+  std::vector<std::string> command{
+      team.program->file,
+      "--lockstep",
+      "--root",
+      team.program->root.path("."),
+      "--robot",
+      player.name,
+      "--layout",
+      team.program->root.path("layouts/" + fs::path{layoutFile(player)}.filename().string()),
+      "--team",
+      std::string{enumName(player.team)},
+      "--role",
+      std::string{enumName(player.player().role)},
+      "--seed",
+      std::to_string(seed),
+      "--config",
+      team.paths.config,
+      "--motions",
+      team.paths.motions,
+      "--behavior",
+      team.paths.behavior};
+  if (!player.address.empty()) command.insert(command.end(), {"--address", player.address});
+  auto controller = LockstepRobot::start(player.name, command, options_.patience);
+  if (!controller) return controller.error();
+  lockstepRobots_.push_back(controller->get());
+  lockstepIndices_.push_back(index);
+  allRobots_.push_back(controller->get());
+  simulation_->attach(index, std::move(*controller));
+  return {};
+}
+
+/// After all have been started, since they read their files at the same time.
+Result<void> Match::greetLockstepRobots() {
+  for (std::size_t i = 0; i < lockstepRobots_.size(); ++i) {
+    const std::size_t index = lockstepIndices_[i];
+    const Team& team = teamOf(simulation_->scene().robots[index]);
+    if (auto done = lockstepRobots_[i]->greet(); !done)
+      return team.folder ? team.folder->named(done.error()) : done.error();
+    simulation_->setCamera(index, lockstepRobots_[i]->camera());
+  }
+  return {};
+}
+
+Result<void> Match::teamFailure() const {
+  for (const LockstepRobot* robot : lockstepRobots_)
+    if (robot->failure()) return *robot->failure();
   return {};
 }
 
@@ -289,7 +390,7 @@ Result<void> Match::close() {
 
 MatchSummary Match::summary() const {
   MatchSummary summary;
-  summary.scene = std::filesystem::path{options_.scene}.filename().string();
+  summary.scene = fs::path{options_.scene}.filename().string();
   summary.seed = options_.seed;
   summary.duration = simulation_->time();
   summary.redScore = simulation_->referee().score(TeamColor::red);
@@ -301,7 +402,9 @@ MatchSummary Match::summary() const {
       summary.events.push_back({.time = note.time, .kind = "challenge", .text = note.text});
   statistics_->summarize(summary);
   for (RobotSummary& robot : summary.robots) {
-    if (!options_.logs.empty() && !isRemote(robot.name)) robot.log = robot.name + ".mcap";
+    if (!options_.logs.empty() &&
+        std::ranges::count(robots_, robot.name, &SimulatedRobot::name) > 0)
+      robot.log = robot.name + ".mcap";
     for (const GameEvent& event : simulation_->referee().events()) {
       if (event.type != GameEventType::goal || event.number != robot.player) continue;
       robot.goals += !event.ownGoal && event.team == robot.team;

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "base/DataRoot.h"
 #include "match/GameControllerFollower.h"
+#include "match/LockstepRobot.h"
 #include "match/MatchState.h"
 #include "match/MatchStatistics.h"
 #include "match/MatchSummary.h"
@@ -17,6 +19,7 @@
 #include "match/ReportImages.h"
 #include "match/SimulatedRobot.h"
 #include "robot/TeamFolder.h"
+#include "robot/TeamProgram.h"
 #include "simulation/Challenge.h"
 #include "simulation/Simulation.h"
 
@@ -35,8 +38,11 @@ struct MatchOptions {
   int images = 0;       ///< How many camera images to keep for the report page.
   std::string behavior = root.path("behavior/GT2003.xabsl");
   std::string motions = root.path("motions");
-  /// Teams with files of their own (TeamFolder.h), as `teamFolder` takes them.
+  /// Teams with files of their own (TeamFolder.h), as `teamFolder` takes them, or with programs of
+  /// their own (TeamProgram.h).
   std::string red{}, blue{};
+  /// How long a team's program may take for an answer; one that takes longer ends the match.
+  std::chrono::milliseconds patience = std::chrono::seconds{60};
   std::string layout{};          ///< Of all robots, instead of the scene's, if not empty.
   bool randomChallenge = false;  ///< A challenge's start is random, whatever the scene says.
   std::string profile{};  ///< Instead of the scene's and of what it says in elements, if not empty.
@@ -61,13 +67,16 @@ class Match {
 
   /// One tick of 8 ms.
   void step();
-  /// Whether the referee has ended the game; in a scene without one, whether its time is over.
+  /// Whether the referee has ended the game; in a scene without one, whether its time is over. Also
+  /// if a team has failed.
   bool finished() const {
     const GameParameters& game = simulation_->referee().parameters();
-    return simulation_->finished() || (challenge_ && challenge_->finished()) ||
+    return simulation_->finished() || !teamFailure() || (challenge_ && challenge_->finished()) ||
            (!game.referee && static_cast<double>(time().ms) >= game.minutes * 60'000);
   }
   Time time() const { return simulation_->time(); }
+  /// An error if a team's program died or did not answer: then the match is void.
+  Result<void> teamFailure() const;
 
   /// Repeats what was done by the console: a command line.
   using Perform = std::function<Result<void>(Match& match, const std::string& line)>;
@@ -117,7 +126,11 @@ class Match {
   struct Team {
     std::unique_ptr<TeamFolder> folder;  ///< Null if it has nothing of its own.
     ConfigurationPaths paths;
-    std::shared_ptr<const Configuration> configuration;
+    std::shared_ptr<const Configuration> configuration;  ///< Null if it has a program.
+    std::optional<TeamProgram> program;
+
+    /// Lays a team's folder over the paths.
+    Result<void> open(const std::string& name);
   };
 
   Result<void> loadTeams(const ConfigurationPaths& paths, const SceneDescription& scene);
@@ -126,12 +139,15 @@ class Match {
   const Team& teamOf(const SceneRobot& robot) const {
     return teams_[static_cast<std::size_t>(robot.team)];
   }
-  std::vector<const MotionNet*> motions() const;  ///< Of each robot.
+  Result<void> loadProgram(const std::string& name, const ConfigurationPaths& paths, Team& team);
+  std::vector<std::vector<std::string>> kicks() const;  ///< Of each robot.
   Result<void> addRobots();
   Result<void> addRobot(std::size_t index, const Layout& layout);
   Result<void> record(SimulatedRobot& robot, const Configuration::LogSettings& settings,
                       const SetupFiles& setup);
   Result<void> addRemoteRobot(std::size_t index, const Layout& layout);
+  Result<void> addLockstepRobot(std::size_t index);
+  Result<void> greetLockstepRobots();
   bool isRemote(const std::string& robot) const { return options_.remote.contains(robot); }
   std::string layoutFile(const SceneRobot& robot) const;
   std::uint64_t fingerprint() const;
@@ -149,6 +165,8 @@ class Match {
   std::vector<SimulatedRobot*> robots_;
   std::vector<std::size_t> indices_;  ///< In the simulation, of each of robots_.
   std::vector<RemoteRobot*> remoteRobots_;
+  std::vector<LockstepRobot*> lockstepRobots_;
+  std::vector<std::size_t> lockstepIndices_;  ///< In the simulation, of each of them.
   std::unique_ptr<GameControllerFollower> gameController_;
   std::unique_ptr<MatchStatistics> statistics_;
   std::unique_ptr<ReportImages> images_;

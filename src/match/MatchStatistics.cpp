@@ -21,11 +21,8 @@ ErrorStatistics statisticsOf(const std::vector<double>& errors) {
 
 MatchStatistics::MatchStatistics(const Simulation& simulation,
                                  const std::vector<MatchRobot*>& robots,
-                                 std::vector<const MotionNet*> motions)
-    : simulation_{simulation},
-      robots_{robots},
-      motions_{std::move(motions)},
-      records_(robots.size()) {}
+                                 std::vector<std::vector<std::string>> kicks)
+    : simulation_{simulation}, robots_{robots}, kicks_{std::move(kicks)}, records_(robots.size()) {}
 
 void MatchStatistics::update() {
   const bool second = simulation_.time().ms % 1000 == 0;
@@ -74,9 +71,7 @@ void MatchStatistics::countActions(std::size_t robot) {
     const std::string& action =
         motion->executed.type == MotionType::specialAction ? motion->executed.specialAction : none;
     if (action != record.lastAction) {
-      const int index = motions_[robot]->find(action);
-      if (index >= 0 && motions_[robot]->motions[static_cast<std::size_t>(index)].isKick())
-        ++record.kicks[action];
+      if (std::ranges::find(kicks_[robot], action) != kicks_[robot].end()) ++record.kicks[action];
       record.lastAction = action;
     }
   }

@@ -5,7 +5,6 @@
 
 #include "match/MatchRobot.h"
 #include "match/MatchSummary.h"
-#include "representations/motion/MotionNet.h"
 #include "simulation/Simulation.h"
 
 namespace gt {
@@ -14,9 +13,9 @@ namespace gt {
 /// (ready, set, playing).
 class MatchStatistics {
  public:
-  /// Each robot's motions define which special actions are kicks; they must outlive this object.
+  /// `kicks` are each robot's special actions that are kicks.
   MatchStatistics(const Simulation& simulation, const std::vector<MatchRobot*>& robots,
-                  std::vector<const MotionNet*> motions);
+                  std::vector<std::vector<std::string>> kicks);
 
   /// Looks at the world and the robots after a tick.
   void update();
@@ -43,7 +42,7 @@ class MatchStatistics {
 
   const Simulation& simulation_;
   const std::vector<MatchRobot*>& robots_;
-  std::vector<const MotionNet*> motions_;
+  std::vector<std::vector<std::string>> kicks_;
   std::vector<RobotRecord> records_;
   std::vector<Vector2d> ball_;
 };

@@ -46,8 +46,7 @@ TEST(MatchStatistics, ComparesEachImageWithTheTruth) {
   auto robot = std::make_unique<Believer>();
   const std::vector<MatchRobot*> robots{robot.get()};
   (*simulation)->attach(0, std::move(robot));
-  const MotionNet motions;
-  MatchStatistics statistics{**simulation, robots, {&motions}};
+  MatchStatistics statistics{**simulation, robots, {{}}};
   for (int i = 0; i < 250; ++i) {
     (*simulation)->step();
     statistics.update();
@@ -72,8 +71,7 @@ TEST(MatchStatistics, TheDistanceWalkedKnowsNeitherSwayingNorReferees) {
   auto robot = std::make_unique<Believer>();
   const std::vector<MatchRobot*> robots{robot.get()};
   (*simulation)->attach(0, std::move(robot));
-  const MotionNet motions;
-  MatchStatistics statistics{**simulation, robots, {&motions}};
+  MatchStatistics statistics{**simulation, robots, {{}}};
   // Ten seconds at 100 mm/s, 10 mm to and fro each tick; meanwhile somebody carries it by 2 m.
   for (int i = 0; i < 10 * 125; ++i) {
     const double carried = i < 5 * 125 ? 0 : 2000;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "match/BodyCommands.h"
 
 namespace gt {
 namespace {
@@ -10,34 +11,6 @@ namespace {
 /// No robot of this kind walks or turns faster; what would is no step but a new start.
 constexpr double mostSpeed = 2.0;     // mm in 1 ms
 constexpr double mostTurning = 0.02;  // rad in 1 ms
-
-bool isSane(double value, double most) {
-  return std::abs(value) <= most;  // not so for NaN
-}
-
-bool isSane(const Pose2D& pose) {
-  constexpr double farAway = 1e6;  // mm
-  return isSane(pose.rotation, farAway) && isSane(pose.translation.x(), farAway) &&
-         isSane(pose.translation.y(), farAway);
-}
-
-bool isSane(const JointData& joints) {
-  return std::ranges::all_of(joints.angles.values,
-                             [](double angle) { return isSane(angle, std::numbers::pi); });
-}
-
-bool isSane(const JointGains& joints) {
-  const auto word = [](int value) { return value >= 0 && value <= 255; };
-  return std::ranges::all_of(joints.gains.values, [&](const PidGains& gains) {
-    return word(gains.p) && word(gains.i) && word(gains.d);
-  });
-}
-
-bool isSane(const TeamMessage& message) {
-  return isSane(message.robotPose) && isSane({0, message.ballPosition}) &&
-         isSane(message.robotPoseValidity, 1) &&
-         !std::isnan(message.behavior.estimatedTimeToReachBall);
-}
 
 }  // namespace
 
@@ -95,7 +68,7 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
   if (auto& gains = command<JointGains>(); gains.take() && isSane(gains.value))
     output.gains = gains.value;
   if (auto& speaker = command<Speaker>(); speaker.take()) output.speaker = speaker.value;
-  if (odometry.take() && isSane(odometry.value.pose)) walk(odometry.value, input, output);
+  if (odometry.take() && isSane(odometry.value)) walk(odometry.value, input, output);
   if (auto& camera = command<CameraSettings>(); camera.take() && camera_ != camera.value)
     output.camera = camera_ = camera.value;
   pose_.take();
@@ -122,8 +95,8 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
 void RemoteRobot::walk(const OdometryData& odometry, const RobotInput& input, RobotOutput& output) {
   const Pose2D step = odometry.pose.relativeTo(walked_);
   const auto time = static_cast<double>(input.now - walkedAt_);
-  const bool possible = isSane(step.translation.norm(), mostSpeed * std::min(time, 200.0)) &&
-                        isSane(step.rotation, mostTurning * std::min(time, 200.0));
+  const bool possible = step.translation.norm() <= mostSpeed * std::min(time, 200.0) &&
+                        std::abs(step.rotation) <= mostTurning * std::min(time, 200.0);
   if (possible && walkedAt_ != never()) output.odometry.pose = output.odometry.pose * step;
   walked_ = odometry.pose;
   walkedAt_ = input.now;

@@ -13,7 +13,7 @@ namespace gt {
 SimulatedRobot::SimulatedRobot(std::string name, std::unique_ptr<Robot> robot)
     : name_{std::move(name)}, robot_{std::move(robot)} {
   bind();
-  if (const auto* camera = command<CameraSettings>()) camera_ = *camera;
+  if (const auto* camera = commands_.place<CameraSettings>()) commands_.camera = *camera;
 }
 
 void SimulatedRobot::saveTo(const std::string& base) {
@@ -28,11 +28,11 @@ void SimulatedRobot::bind() {
   if (layoutChanges_ == robot_->layoutChanges()) return;
   layoutChanges_ = robot_->layoutChanges();
   const auto look = [this]<typename T>(const T*& command) { command = robot_->provided<T>(); };
-  std::apply([&](auto&... commands) { (look(commands), ...); }, commands_);
+  std::apply([&](auto&... places) { (look(places), ...); }, commands_.places);
   pose_ = robot_->provided<RobotPose>();
   ball_ = robot_->provided<BallModel>();
   state_ = robot_->provided<RobotState>();
-  motion_ = robot_->provided<MotionInfo>();
+  commands_.motion = robot_->provided<MotionInfo>();
   const auto image = robot_->value(representation<Image>().name);
   image_ = image ? static_cast<const Image*>(image->data()) : nullptr;
 }
@@ -89,17 +89,7 @@ void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
   if (withImage && slowness_ > 0)
     busyUntil_ = static_cast<double>(input.now.ms) + slowness_ * watch.totalMs;
   bind();
-  if (const auto* joints = command<JointData>()) output.joints = *joints;
-  if (const auto* odometry = command<OdometryData>()) output.odometry = *odometry;
-  if (const auto* leds = command<LedValue>()) output.leds = *leds;
-  if (const auto* gains = command<JointGains>()) output.gains = *gains;
-  if (const auto* speaker = command<Speaker>()) output.speaker = *speaker;
-  if (motion_) output.specialAction = motion_->executed.specialAction;
-  if (const auto* message = command<TeamMessage>();
-      message && withImage && images_ % imagesPerTeamMessage == 0)
-    output.message = *message;
-  if (const auto* camera = command<CameraSettings>(); camera && *camera != camera_)
-    output.camera = camera_ = *camera;
+  commands_.give(output, withImage);
   handleMessages();
 }
 
@@ -107,7 +97,6 @@ void SimulatedRobot::send(const RobotInput& input, bool withImage) {
   input.forEach([&](const auto& package) { send(input.now, package); }, withImage);
   if (!withImage) return;
   if (oracle_) sendOracle(input.oracle);
-  ++images_;
   if (!log_ || loggedImagePeriod_ == 0 || input.now < nextLoggedImage_) return;
   const Stopwatch::Lap lap{logTime_};
   log_->write(*input.image);

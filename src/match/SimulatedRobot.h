@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "match/BodyCommands.h"
 #include "match/MatchRobot.h"
 #include "modules/modeling/OracledLocators.h"
 #include "observer/RobotLink.h"
@@ -62,7 +63,7 @@ class SimulatedRobot : public MatchRobot {
   const RobotPose* pose() const override { return pose_; }
   const BallModel* ball() const override { return ball_; }
   const RobotState* state() const override { return state_; }
-  const MotionInfo* motion() const override { return motion_; }
+  const MotionInfo* motion() const override { return commands_.motion; }
   /// The time that writing the log has taken.
   const Stopwatch& logTime() const { return logTime_; }
 
@@ -73,26 +74,17 @@ class SimulatedRobot : public MatchRobot {
   void send(Time now, const T& package);
   void send(const RobotInput& input, bool withImage);
   void sendOracle(const OracledWorldState& truth);
-  template <typename T>
-  const T* command() const {
-    return std::get<const T*>(commands_);
-  }
   void handleMessages();
 
   std::string name_;
   std::unique_ptr<Robot> robot_;
   // What the robot provides, until its layout changes.
   int layoutChanges_ = -1;
-  template <typename T>
-  using Provided = const T*;
-  CommandSlots<Provided> commands_;
-  CameraSettings camera_;  ///< As the camera is set.
+  BodyCommands commands_;
   const RobotPose* pose_ = nullptr;
   const BallModel* ball_ = nullptr;
   const RobotState* state_ = nullptr;
-  const MotionInfo* motion_ = nullptr;
   const Image* image_ = nullptr;  ///< Of the first process that reads images.
-  std::int64_t images_ = 0;
   std::vector<Observer> observers_;
   bool oracle_ = false;
   OracledSelfLocator oracledPose_;

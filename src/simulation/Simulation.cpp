@@ -165,6 +165,8 @@ void Simulation::step() {
   pool_.forEach(robots_.size(), [&](std::size_t robot, std::size_t worker) {
     run(robot, imageDue ? &renderers_[worker] : nullptr);
   });
+  for (Hardware& r : robots_)
+    if (r.controller && r.failure.empty()) r.controller->finish(r.output);
   act();
   ++tick_;
 }

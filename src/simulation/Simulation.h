@@ -31,6 +31,9 @@ class RobotController {
   /// Runs with the input of this tick. Controllers of different robots run at the same time on
   /// several threads: they share nothing that changes.
   virtual void cycle(const RobotInput& input, RobotOutput& output) = 0;
+  /// Completes the cycle, after those of all robots: for what a program elsewhere works on, so that
+  /// such programs work at the same time.
+  virtual void finish(RobotOutput&) {}
 
   /// Where the camera writes the next image, so that nobody has to copy it; null if it does not
   /// matter where it lies.
@@ -55,10 +58,10 @@ class SceneController {
 /// A tick of 8 ms: (1) the world moves by the commands of the last tick; (2) the referee looks and
 /// acts; (3) for each robot, in parallel: sensors are read, the radio delivers, if an image is due
 /// it is taken, the controller runs; the world is only read meanwhile, and a robot touches only
-/// what is its own; (4) in the order of the robots, commands and messages are taken from the
-/// outputs. So a command takes effect in the tick after that whose readings it answers. Images are
-/// due every fifth tick (40 ms) for all robots at once; each row sees the world from where the
-/// camera was when the row was exposed.
+/// what is its own; (4) in the order of the robots, cycles are finished, and commands and messages
+/// are taken from the outputs. So a command takes effect in the tick after that whose readings it
+/// answers. Images are due every fifth tick (40 ms) for all robots at once; each row sees the world
+/// from where the camera was when the row was exposed.
 class Simulation {
  public:
   static constexpr int ticksPerImage = 5;

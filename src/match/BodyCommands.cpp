@@ -1,0 +1,59 @@
+#include "match/BodyCommands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gt {
+namespace {
+
+bool isWithin(double value, double most) {
+  return std::abs(value) <= most;  // not so for NaN
+}
+
+bool isSane(const Pose2D& pose) {
+  constexpr double farAway = 1e6;  // mm
+  return isWithin(pose.rotation, farAway) && isWithin(pose.translation.x(), farAway) &&
+         isWithin(pose.translation.y(), farAway);
+}
+
+}  // namespace
+
+bool isSane(const JointData& joints) {
+  return std::ranges::all_of(joints.angles.values,
+                             [](double angle) { return isWithin(angle, std::numbers::pi); });
+}
+
+bool isSane(const JointGains& joints) {
+  const auto word = [](int value) { return value >= 0 && value <= 255; };
+  return std::ranges::all_of(joints.gains.values, [&](const PidGains& gains) {
+    return word(gains.p) && word(gains.i) && word(gains.d);
+  });
+}
+
+bool isSane(const OdometryData& odometry) {
+  return isSane(odometry.pose);
+}
+
+bool isSane(const TeamMessage& message) {
+  return isSane(message.robotPose) && isSane({0, message.ballPosition}) &&
+         isWithin(message.robotPoseValidity, 1) &&
+         !std::isnan(message.behavior.estimatedTimeToReachBall);
+}
+
+void BodyCommands::give(RobotOutput& output, bool withImage) {
+  images_ += withImage;
+  if (const auto* joints = place<JointData>()) output.joints = *joints;
+  if (const auto* odometry = place<OdometryData>()) output.odometry = *odometry;
+  if (const auto* leds = place<LedValue>()) output.leds = *leds;
+  if (const auto* gains = place<JointGains>()) output.gains = *gains;
+  if (const auto* speaker = place<Speaker>()) output.speaker = *speaker;
+  if (motion) output.specialAction = motion->executed.specialAction;
+  if (const auto* message = place<TeamMessage>();
+      message && withImage && images_ % imagesPerTeamMessage == 0)
+    output.message = *message;
+  if (const auto* settings = place<CameraSettings>(); settings && *settings != camera)
+    output.camera = camera = *settings;
+}
+
+}  // namespace gt

@@ -1,0 +1,123 @@
+#include "match/LockstepRobot.h"
+
+#include <tuple>
+#include <utility>
+
+namespace gt {
+
+LockstepRobot::LockstepRobot(std::string name, FileDescriptor socket,
+                             std::chrono::milliseconds patience,
+                             std::optional<ConnectedProgram> program)
+    : name_{std::move(name)},
+      program_{std::move(program)},
+      stream_{std::move(socket), lockstepVocabulary(), lockstepQueueSize, patience} {}
+
+Result<std::unique_ptr<LockstepRobot>> LockstepRobot::start(std::string name,
+                                                            const std::vector<std::string>& command,
+                                                            std::chrono::milliseconds patience) {
+  auto program = ConnectedProgram::start(command);
+  if (!program) return program.error();
+  FileDescriptor socket = program->takeSocket();
+  return std::make_unique<LockstepRobot>(std::move(name), std::move(socket), patience,
+                                         std::move(*program));
+}
+
+/// With the robot's name, and how its program ended if it did.
+Error LockstepRobot::named(Error error) {
+  error.field = name_ + (error.field.empty() ? "" : ": " + error.field);
+  return error;
+}
+
+Result<void> LockstepRobot::receive() {
+  const auto came = stream_.receive(messages_);
+  if (!came) return Error{.what = "its program " + came.error().text()};
+  if (!*came) return Error{.what = "its program " + (program_ ? program_->ending() : "has ended")};
+  return {};
+}
+
+Result<void> LockstepRobot::greet() {
+  if (auto done = receive(); !done) return named(done.error());
+  std::optional<Error> failure;
+  Result<void> done;
+  messages_.handleAllMessages([&](const Message& message) {
+    Result<void> read;
+    if (message.is<LockstepGreeting>()) read = message.read(greeting_);
+    if (message.is<CameraSettings>()) read = message.read(commands_.camera);
+    if (LockstepFailure told; message.is<LockstepFailure>() && (read = message.read(told)))
+      failure = Error{told.file, told.line, told.element, told.what};
+    if (!read) done = read;
+  });
+  if (failure) return *failure;
+  if (!done) return named(done.error());
+  if (greeting_.protocol != lockstepProtocol)
+    return named({.what = "its program of commit '" + greeting_.commit +
+                          "' takes turns by protocol " + std::to_string(greeting_.protocol) +
+                          "; this one by " + std::to_string(lockstepProtocol)});
+  done = stream_.introduce(MessageQueue{0});
+  return done ? done : named(done.error());
+}
+
+void LockstepRobot::cycle(const RobotInput& input, RobotOutput&) {
+  if (failure_) return;
+  withImage_ = input.image != nullptr;
+  if (auto done = send(input); !done) failure_ = named(done.error());
+}
+
+void LockstepRobot::finish(RobotOutput& output) {
+  if (failure_) return;
+  auto done = receive();
+  if (done) done = takeAnswer();
+  if (done)
+    commands_.give(output, withImage_);
+  else
+    failure_ = named(done.error());
+}
+
+Result<void> LockstepRobot::send(const RobotInput& input) {
+  messages_.clear();
+  input.forEach([&](const auto& package) { messages_.write(input.now, package); });
+  if (messages_.dropped() > 0) return Error{.what = "its image is too large"};
+  // If the program has ended, its end says why.
+  static_cast<void>(stream_.send(messages_));
+  return {};
+}
+
+template <typename T>
+Result<void> LockstepRobot::Received<T>::take(const Message& message) {
+  if (!message.is<T>()) return {};
+  if (auto done = message.read(value); !done) return done;
+  if constexpr (requires { isSane(value); })
+    if (!isSane(value))
+      return Error{.field = std::string{representation<T>().name},
+                   .what = "its program commands what no body can do"};
+  place = &value;
+  return {};
+}
+
+Result<void> LockstepRobot::takeAnswer() {
+  Result<void> done;
+  const auto takeFrom = [&](const Message& message, auto& received) {
+    if (auto taken = received.take(message); !taken) done = taken;
+  };
+  messages_.handleAllMessages([&](const Message& message) {
+    std::apply([&](auto&... received) { (takeFrom(message, received), ...); }, received_);
+    takeFrom(message, pose_);
+    takeFrom(message, ball_);
+    takeFrom(message, state_);
+    takeFrom(message, motion_);
+  });
+  if (!done) return done;
+  std::apply(
+      [&](auto&... received) {
+        const auto copy = [&]<typename T>(const Received<T>& from) {
+          std::get<const T*>(commands_.places) = from.place;
+        };
+        (copy(received), ...);
+      },
+      received_);
+  commands_.motion = motion_.place;
+  if (!commands_.place<JointData>()) return Error{.what = "its program commands no joints"};
+  return {};
+}
+
+}  // namespace gt
