@@ -29,7 +29,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True)
     running = commands.add_parser("run", help="does jobs and merges their results")
     running.add_argument("what", help="experiments, tournament, or a file with jobs, one a line")
-    running.add_argument("teams", nargs="*", help="of a tournament: folders, names of the folder teams, or GT2003")
+    running.add_argument("teams", nargs="*", help="of a tournament: folders, names of the folder teams, GT2003, or commit:REVISION")
     running.add_argument("--seeds", default="1..10", help="a range like 101..110, or one (default: 1..10)")
     running.add_argument("--only", default="", help="experiments or groups, separated by commas")
     running.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of a parameter")

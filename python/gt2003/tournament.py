@@ -62,8 +62,8 @@ class Standing:
 def jobs(teams: Iterable[str], seeds: str = "1..10", settings: Iterable[str] = ()) -> list[str]:
     """Return the jobs of a tournament: every two teams play on each seed, once in each color.
 
-    teams: folders, names of the folder teams, or GT2003 (the project's own files); settings:
-    NAME=VALUE of the experiment `match`. The same as `experiment tournament`.
+    teams: folders, names of the folder teams, GT2003 (the project's own files), or commit:REVISION,
+    whose programs are built when they play; settings: NAME=VALUE of the experiment `match`. The same as `experiment tournament`.
     """
     return _core._list_tournament(list(teams), seeds, list(settings))
 
@@ -172,7 +172,17 @@ def standings(played: Sequence[Game]) -> list[Standing]:
 
 
 def _short(team: str) -> str:
-    return team.partition("@")[0]
+    words = team.partition("@")[0].split(":")
+    if words[0] == "commit":
+        words[1] = words[1][:12]
+    return ":".join(words)
+
+
+def _version(team: str) -> str:
+    """Return what tells which files a team plays with."""
+    if team.startswith("commit:"):
+        return team.split(":")[1]
+    return team.partition("@")[2] or "the project"
 
 
 def _cross_table(played: Sequence[Game], teams: Sequence[str]) -> str:
@@ -213,7 +223,7 @@ def _page(played: Sequence[Game], ranked: Sequence[Standing], settings: str) -> 
     head = ["team", "matches", "won", "drawn", "lost", "goals", "a match", "interval", "points", "Elo", "interval"]
     ratings = [Dot(_short(s.team), s.elo, s.elo_low, s.elo_high) for s in ranked]
     leads = [Dot(_short(s.team), s.difference, s.difference_low, s.difference_high) for s in ranked]
-    files = [[escape(_short(t)), f"<code>{escape(t.partition('@')[2] or 'the project')}</code>"] for t in teams]
+    files = [[escape(_short(t)), f"<code>{escape(_version(t))}</code>"] for t in teams]
     return page(
         "Tournament: " + ", ".join(_short(t) for t in teams),
         [
@@ -227,7 +237,7 @@ def _page(played: Sequence[Game], ranked: Sequence[Standing], settings: str) -> 
             dots(leads),
             "<h2>Against each other</h2><p>The row's goals less the column's, in a match; below: won – drawn – lost.</p>",
             _cross_table(played, teams),
-            "<h2>Files</h2><p>Fingerprints of what the teams have of their own.</p>",
+            "<h2>Files</h2><p>Fingerprints of what the teams have of their own, or the commits of their programs.</p>",
             table(["team", "fingerprint"], files),
         ],
     )

@@ -92,6 +92,16 @@ def test_standings_count_goals_and_points() -> None:
     assert np.isfinite(never_lost[0].elo)
 
 
+def test_the_page_names_commits(tmp_path: Path) -> None:
+    commit = "0123456789abcdef0123456789abcdef01234567"
+    goals = [{"name": "match.goals.red", "value": 1}, {"name": "match.goals.blue", "value": 0}]
+    job = f"match blue=GT2003 minutes=1 red=commit:{commit}:kalman seed=1"
+    (tmp_path / "results.jsonl").write_text(json.dumps({"job": job, "values": goals}) + "\n")
+    tournament.write(tmp_path / "results.jsonl", tmp_path)
+    page = (tmp_path / "tournament.html").read_text()
+    assert "1. commit:0123456789ab:kalman<" in page and page.count(commit) == 1
+
+
 def test_a_tournament_goes_on_after_a_stop(tmp_path: Path) -> None:
     team = tmp_path / "lazy"
     (team / "config").mkdir(parents=True)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/Hash.h"
+#include "robot/TeamProgram.h"
 #include "streams/File.h"
 #include "streams/LinkFiles.h"
 
@@ -56,6 +57,17 @@ Result<std::uint64_t> fingerprintOf(const std::string& folder) {
   return sum.value();
 }
 
+/// A commit is its own fingerprint; other files could change.
+Result<std::string> versionOfProgram(const std::string& team, const DataRoot& root) {
+  auto resolved = resolvedTeam(team, root);
+  if (!resolved) return resolved;
+  if (!resolved->starts_with("commit:"))
+    return Error{.field = team, .what = "may change: expected commit:REVISION"};
+  if (resolved->find_first_of("/ \t\n\r@") != resolved->npos)
+    return Error{.field = team, .what = "expected a team of the commit's folder teams"};
+  return resolved;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<TeamFolder>> TeamFolder::open(const std::string& folder,
@@ -102,6 +114,7 @@ std::string teamFolder(const std::string& team, const DataRoot& root) {
 }
 
 Result<std::string> teamVersion(const std::string& team, const DataRoot& root) {
+  if (namesProgram(team)) return versionOfProgram(team, root);
   const std::string folder = teamFolder(team, root);
   if (folder.empty()) return std::string{TeamFolder::ownTeam};
   if (auto done = checkTeam(folder); !done) return done.error();
@@ -120,6 +133,7 @@ Result<std::string> teamVersion(const std::string& team, const DataRoot& root) {
 }
 
 Result<std::string> teamOfVersion(const std::string& version, const DataRoot& root) {
+  if (namesProgram(version)) return version;
   const auto at = std::min(version.find('@'), version.size());
   const std::string name = version.substr(0, at), folder = teamFolder(name, root);
   if (at == version.size()) return folder;

@@ -36,8 +36,9 @@ class TeamFolder {
 std::string teamFolder(const std::string& team, const DataRoot& root);
 
 /// Names a team for jobs: its folder and a fingerprint of all files in it, NAME@FINGERPRINT, where
-/// NAME is short for a folder of the root's teams, and otherwise absolute. Fails if there is no
-/// such team, or if its path cannot be a word of a job.
+/// NAME is short for a folder of the root's teams, and otherwise absolute; commit:HASH[:TEAM] if it
+/// has programs of its own. Fails if there is no such team, or if its path cannot be a word of a
+/// job.
 Result<std::string> teamVersion(const std::string& team, const DataRoot& root);
 
 /// The folder of a team that `teamVersion` has named. Fails if the files are others now; without a

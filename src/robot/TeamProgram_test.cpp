@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/Program.h"
+#include "robot/TeamFolder.h"
 #include "streams/File.h"
 #include "streams/TemporaryFolder.h"
 
@@ -88,6 +89,20 @@ TEST_F(TeamProgramTest, NamesACommitForEver) {
   EXPECT_EQ(*resolvedTeam("program:x", root), "program:x");
   EXPECT_TRUE(namesProgram("commit:x") && namesProgram("program:x"));
   EXPECT_FALSE(namesProgram("kalman-study"));
+}
+
+TEST_F(TeamProgramTest, AJobNamesItByItsCommit) {
+  const auto version = teamVersion("commit:HEAD~1:kalman", root);
+  ASSERT_TRUE(version) << version.error().text();
+  EXPECT_EQ(*version, "commit:" + first + ":kalman");
+  EXPECT_EQ(*teamOfVersion(*version, root), *version);
+  const auto errorOfVersion = [&](const std::string& team) {
+    const auto wrong = teamVersion(team, root);
+    return wrong ? "" : wrong.error().text();
+  };
+  EXPECT_THAT(errorOfVersion("commit:HEAD:../team"), EndsWith("commit's folder teams"));
+  EXPECT_EQ(errorOfVersion("commit:none"), "commit:none: is no commit of the repository");
+  EXPECT_THAT(errorOfVersion("program:x"), EndsWith("may change: expected commit:REVISION"));
 }
 
 TEST_F(TeamProgramTest, AFailedBuildIsReportedAndDoneAgain) {
