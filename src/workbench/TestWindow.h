@@ -17,9 +17,11 @@ namespace gt {
 /// side of the session and its robots, not on the widgets'.
 class WindowTest : public ::testing::Test {
  protected:
-  explicit WindowTest(const std::string& scene = "scenes/match.scene") {
+  explicit WindowTest(const std::string& scene = "scenes/match.scene",
+                      const std::optional<Keys>& keys = {}) {
     MatchOptions options;
     options.scene = scene;
+    options.keys = keys;
     auto made = SessionThread::make(options);
     EXPECT_TRUE(made) << made.error().text();
     session = std::move(*made);

@@ -1,0 +1,185 @@
+#include <QSlider>
+#include <QTableWidget>
+
+#include "representations/infrastructure/CameraSettings.h"
+#include "support/RobotElsewhere.h"
+#include "workbench/CustomPlot.h"
+#include "workbench/TestWindow.h"
+#include "workbench/ViewDialog.h"
+
+namespace gt {
+namespace {
+
+enum class Kind { simulated, onLog, elsewhere };
+
+/// The programs of a robot elsewhere, if the test is about one; before there is a window.
+struct Programs {
+  explicit Programs(Kind kind) {
+    if (kind == Kind::elsewhere) robot = std::make_unique<testing::RobotElsewhere>(GT_PROGRAMS);
+  }
+  std::optional<Keys> keys() const {
+    if (!robot) return std::nullopt;
+    const auto read = loadKeys(robot->key());
+    return read ? std::optional{*read} : std::nullopt;
+  }
+  std::unique_ptr<testing::RobotElsewhere> robot;
+};
+
+/// A window whose dialogs are connected with one robot of each kind.
+class Robots : public ::testing::WithParamInterface<Kind>, public Programs, public WindowTest {
+ protected:
+  Robots()
+      : Programs{GetParam()},
+        WindowTest{GetParam() == Kind::elsewhere ? "scenes/empty.scene" : "scenes/one-robot.scene",
+                   keys()} {
+    name_ = "red3";
+    if (GetParam() == Kind::onLog) {
+      name_ = "recorded";
+      const std::string log = (folder.path() / "recorded.mcap").string();
+      for (const std::string& line :
+           {std::string{"log start"}, std::string{"run 4s"}, "log save " + log,
+            "sl recorded " + log, std::string{"robot recorded"}, std::string{"lp loop on"},
+            std::string{"lp play"}})
+        EXPECT_TRUE(execute(line)) << line;
+    } else if (robot) {
+      EXPECT_TRUE(robot->made());
+      name_ = robot->address().substr(robot->address().rfind('.') + 1);
+      EXPECT_TRUE(execute("sc " + robot->address()));
+      EXPECT_TRUE(execute("robot " + name_));
+    }
+    EXPECT_TRUE(eventually([this] { return of<Image>() && of<SensorDataBuffer>(); }));
+  }
+
+  /// Lets time pass until something holds.
+  template <typename Condition>
+  bool eventually(Condition condition) {
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 20000) {
+      if (condition()) return true;
+      if (GetParam() == Kind::elsewhere)
+        QTest::qWait(40);
+      else
+        EXPECT_TRUE(execute("run 40 ms"));
+    }
+    return condition();
+  }
+  /// A value that the robot itself reports; empty if none has come yet.
+  template <typename T>
+  std::optional<T> of() {
+    return on([name = name_](Console& console) -> std::optional<T> {
+      const auto known = console.session().find(name)->observed().value<T>();
+      return known ? std::optional{**known} : std::nullopt;
+    });
+  }
+  std::string active(const std::string& task) {
+    return on([name = name_, task](Console& console) -> std::string {
+      const auto known = console.session().find(name)->observed().task(task);
+      return known ? (*known)->active : known.error().text();
+    });
+  }
+  void solve(const QString& task, const QString& solution) {
+    window->bringToFront("solutions");
+    ASSERT_TRUE(eventually(
+        [&] { return window->dialog("solutions")->findChild<QComboBox*>(task) != nullptr; }));
+    choose("solutions", task, solution);
+    auto* box = widget<QComboBox>("solutions", task);
+    Q_EMIT box->activated(box->currentIndex());
+    finish();
+    EXPECT_TRUE(eventually([&] { return active(task.toStdString()) == solution.toStdString(); }));
+  }
+
+  std::string name_;
+};
+
+TEST_P(Robots, AreShownByAllViewers) {
+  for (const DialogType& type : Dialog::types()) {
+    // What is drawn in space needs OpenGL, and is no ViewDialog here.
+    Dialog* const dialog =
+        window->dialog(type.id) ? window->dialog(type.id) : window->open(type.id);
+    auto* const viewer = dynamic_cast<ViewDialog*>(dialog);
+    if (!viewer) continue;
+    const bool ofSimulator = std::string_view{type.group} == "Simulator";
+    if (ofSimulator && GetParam() != Kind::simulated) continue;
+    viewer->setRobot(name_);
+    EXPECT_TRUE(eventually([&] {
+      window->bringToFront(type.id);
+      return viewer->sheet().sheet() && viewer->sheet().text().isEmpty();
+    })) << type.id
+        << ": " << viewer->sheet().text().toStdString();
+  }
+}
+
+/// Robots of this program.
+class LocalRobots : public Robots {};
+
+TEST_P(LocalRobots, HaveDebugKeysSet) {
+  window->bringToFront("debugKeys");
+  widget<QComboBox>("debugKeys", "key")->setEditText("ImageProcessor/grid");
+  click("debugKeys", "always");
+  click("debugKeys", "send");
+  finish();
+  EXPECT_TRUE(eventually([this] {
+    return on([name = name_](Console& console) {
+      return console.session().find(name)->observed().drawings().contains("ImageProcessor/grid");
+    });
+  }));
+}
+
+TEST_P(LocalRobots, HaveSolutionsSet) {
+  solve("BallLocator", "disabled");
+}
+
+TEST_P(LocalRobots, AreMovedByTheMotionTester) {
+  solve("BehaviorControl", "disabled");
+  window->open("motion");
+  choose("motion", "motion", "normal");
+  widget<QSlider>("motion", "x")->setValue(120);
+  click("motion", "send");
+  finish();
+  EXPECT_TRUE(eventually([this] {
+    const auto request = of<MotionRequest>();
+    return request && request->type == MotionType::walk && request->walk.translation.x() == 120;
+  }));
+}
+
+TEST_P(Robots, HaveTheirCamerasSet) {
+  window->bringToFront("camera");
+  choose("camera", "gain", "low");
+  click("camera", "send");
+  finish();
+  EXPECT_TRUE(eventually([this] {
+    const auto settings = of<CameraSettings>();
+    return settings && settings->gain == Gain::gain_low;
+  }));
+}
+
+TEST_P(Robots, AreRecordedOverTime) {
+  session->execute("start");  // joints are shown over the session's time
+  window->open("joints");
+  auto* joints = window->dialog("joints")->findChild<QCustomPlot*>();
+  EXPECT_TRUE(eventually([&] { return joints->graph(0)->dataCount() > 5; }));
+  session->execute("log clear");
+  session->execute("log start");
+  EXPECT_TRUE(eventually([this] {
+    for (const RecordingInfo& recording : session->status().recordings)
+      if (recording.robot == name_ && recording.messages > 20) return true;
+    return false;
+  }));
+}
+
+std::string nameOf(const ::testing::TestParamInfo<Kind>& test) {
+  return std::string{enumName(test.param)};
+}
+INSTANTIATE_TEST_SUITE_P(, Robots, ::testing::Values(Kind::simulated, Kind::onLog, Kind::elsewhere),
+                         nameOf);
+INSTANTIATE_TEST_SUITE_P(, LocalRobots, ::testing::Values(Kind::simulated, Kind::onLog), nameOf);
+
+}  // namespace
+}  // namespace gt
+
+int main(int argc, char** argv) {
+  QApplication application{argc, argv};
+  ::testing::InitGoogleMock(&argc, argv);
+  return RUN_ALL_TESTS();
+}
