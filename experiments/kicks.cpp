@@ -40,7 +40,7 @@ Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, R
   robot.request = {};
   robot.request.type = MotionType::specialAction;
   robot.request.specialAction = name;
-  constexpr double longest = 5;  // s
+  constexpr double longest = 8;  // s
   double waited = 0;
   for (; robot.motion().executed.specialAction != name && waited < longest; waited += tickSeconds)
     robot.step();
@@ -55,7 +55,6 @@ Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, R
   const auto step = [&] {
     robot.step();
     kicked.seconds += tickSeconds;
-    kicked.fell |= robot.hasFallen();
     const double speed = robot.world().ball(0).speed.norm();
     if (speed > fastest) kicked.strike = kicked.seconds;
     fastest = std::max(fastest, speed);
@@ -68,7 +67,8 @@ Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, R
   const double slowing = robot.simulation().scene().physics.deceleration;
   const Vector2d rolls = ball.speed * ball.speed.norm() / (2 * slowing);
   kicked.way = relative(from, Vector2d{ball.position + rolls}) - place;
-  for (double after = 0; after < 1; after += tickSeconds) {  // s: some fall when they stand again
+  // What rolls over on purpose stands again now; others fall only when they stand again.
+  for (double after = 0; after < 1; after += tickSeconds) {
     robot.step();
     kicked.fell |= robot.hasFallen();
   }
@@ -165,16 +165,21 @@ Result<Measurement> kickAll(const Job& job, const DataRoot& root) {
   return measurement;
 }
 
+/// Places before a robot, in mm.
+struct Grid {
+  int step, nearest, farthest;
+};
+
 /// Balls at all places of a grid, one each.
-void measurePlaces(MovedRobot& robot, const std::string& motion, int step, Random& random,
+void measurePlaces(MovedRobot& robot, const std::string& motion, const Grid& grid, Random& random,
                    Measurement& measurement) {
-  constexpr int nearest = 60, farthest = 220, widest = 180;  // mm
+  constexpr int widest = 180;  // mm
   double seconds = 0, x = 0, y = 0, turned = 0;
   int kicks = 0;
   std::vector<double> strikes;
   const std::string name = "kicks." + motion;
-  for (int ahead = nearest; ahead <= farthest; ahead += step)
-    for (int left = -widest; left <= widest; left += step) {
+  for (int ahead = grid.nearest; ahead <= grid.farthest; ahead += grid.step)
+    for (int left = -widest; left <= widest; left += grid.step) {
       const Kicked kicked = kick(robot, motion, Vector2d(ahead, left), random);
       if (kicked.overlaps) continue;
       ++kicks;
@@ -210,8 +215,9 @@ Result<Measurement> measureGrid(const Job& job, const DataRoot& root) {
   if (!robot) return robot.error();
   (*robot)->standUp();
   Measurement measurement;
-  const int step = static_cast<int>(job.number("step"));
-  if (step < 1) return Error{.field = "step", .what = "expected some mm"};
+  const auto number = [&](const char* name) { return static_cast<int>(job.number(name)); };
+  const Grid grid{number("step"), number("nearest"), number("farthest")};
+  if (grid.step < 1) return Error{.field = "step", .what = "expected some mm"};
   KickTable table;
   if (auto read = readConfig(root.path("config/kicks.cfg"), table); !read) return read.error();
   const std::string& only = job.parameter("kick");
@@ -219,7 +225,7 @@ Result<Measurement> measureGrid(const Job& job, const DataRoot& root) {
     Random random = Random{job.seed}.fork(name);
     // What ends in Right is the mirrored Left.
     if (only == name || (only == "all" && table.find(name) >= 0 && !name.ends_with("Right")))
-      measurePlaces(**robot, name, step, random, measurement);
+      measurePlaces(**robot, name, grid, random, measurement);
   }
   if (measurement.values.empty()) return Error{.field = only, .what = "is no kick"};
   return measurement;
@@ -236,7 +242,9 @@ Experiment kickTableExperiment() {
        changeParameter(),
        fidelityParameter(),
        {"kick", "one of them, or all of the table", Parameter::Kind::text, {"all"}},
-       {"step", "mm from place to place; the table has 20", Parameter::Kind::number, {"60"}}},
+       {"step", "mm from place to place; the table has 20", Parameter::Kind::number, {"60"}},
+       {"nearest", "mm ahead, of the places", Parameter::Kind::number, {"60"}},
+       {"farthest", "mm ahead, of the places", Parameter::Kind::number, {"220"}}},
       measureGrid};
 }
 

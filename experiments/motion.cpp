@@ -210,23 +210,31 @@ Result<Measurement> odometry(const Job& job, const DataRoot& root) {
   }
   Eigen::MatrixXd turns(walks.size(), 2);
   Eigen::VectorXd turned(walks.size());
-  Vector2d squares = Vector2d::Zero(), products = Vector2d::Zero();
+  struct {
+    double squares = 0, products = 0;
+    void add(double truth, double believed) {
+      squares += believed * believed;
+      products += believed * truth;
+    }
+    [[nodiscard]] double share() const { return products / squares; }
+  } ahead, back, sideways;
   for (std::size_t i = 0; i < walks.size(); ++i) {
     const auto& [truth, believed] = walks[i];
-    squares += believed.translation.cwiseAbs2();
-    products += believed.translation.cwiseProduct(truth.translation);
+    (believed.translation.x() < 0 ? back : ahead)
+        .add(truth.translation.x(), believed.translation.x());
+    sideways.add(truth.translation.y(), believed.translation.y());
     turns.row(static_cast<Eigen::Index>(i)) << believed.rotation, believed.translation.y();
     turned[static_cast<Eigen::Index>(i)] = truth.rotation;
   }
-  const Vector2d share = products.cwiseQuotient(squares);
   const Vector2d ofTurns = turns.colPivHouseholderQr().solve(turned);
   const WalkParameters& now = types[type];
   const double correctionR = now.correctionR * ofTurns.x();
   Measurement measurement;
   measurement.add("motion.odometry.wayError", "%", 100 * astray / way, Aim::atMost(5));
   measurement.add("motion.odometry.turnError", "deg/s", turn.mean(), Aim::atMost(2));
-  measurement.add("motion.odometry.correctionX", "", now.correctionX * share.x());
-  measurement.add("motion.odometry.correctionY", "", now.correctionY * share.y());
+  measurement.add("motion.odometry.correctionX", "", now.correctionX * ahead.share());
+  measurement.add("motion.odometry.correctionBack", "", now.correctionBack * back.share());
+  measurement.add("motion.odometry.correctionY", "", now.correctionY * sideways.share());
   measurement.add("motion.odometry.correctionR", "", correctionR);
   measurement.add("motion.odometry.counterRotation", "rad/mm",
                   now.counterRotation - ofTurns.y() * now.correctionY / correctionR);

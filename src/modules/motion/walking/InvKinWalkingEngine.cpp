@@ -147,15 +147,20 @@ bool InvKinWalkingEngine::allOnGround() const {
   });
 }
 
+double InvKinWalkingEngine::correctionAlong(double x) const {
+  return x < 0 ? walk().correctionBack : walk().correctionX;
+}
+
 Pose2D InvKinWalkingEngine::measured(const Pose2D& ofFeet) const {
   return {(ofFeet.rotation - walk().counterRotation * ofFeet.translation.y()) * walk().correctionR,
-          ofFeet.translation.x() * walk().correctionX, ofFeet.translation.y() * walk().correctionY};
+          ofFeet.translation.x() * correctionAlong(ofFeet.translation.x()),
+          ofFeet.translation.y() * walk().correctionY};
 }
 
 Pose2D InvKinWalkingEngine::allowed(const Pose2D& request) const {
-  const double y = request.translation.y() / walk().correctionY;
+  const double x = request.translation.x(), y = request.translation.y() / walk().correctionY;
   Pose2D speed{request.rotation / walk().correctionR + walk().counterRotation * y,
-               request.translation.x() / walk().correctionX, y};
+               x / correctionAlong(x), y};
   // The farthest any foot would go, in units of the ellipse: all are shortened alike, so that the
   // robot moves in the direction requested.
   double farthest = 1;
@@ -165,10 +170,10 @@ Pose2D InvKinWalkingEngine::allowed(const Pose2D& request) const {
     const FootPath path{walk(), leg};
     const double time =
         unitTime(path) * std::max(std::abs(path.landing().along), std::abs(path.lifting().along));
-    const double x = (ofLeg.translation.x() - ofLeg.rotation * center.y()) * time;
+    const double along = (ofLeg.translation.x() - ofLeg.rotation * center.y()) * time;
     const double across = (ofLeg.translation.y() + ofLeg.rotation * center.x()) * time;
     farthest =
-        std::max(farthest, std::hypot(x / walk().maxStepSizeX, across / walk().maxStepSizeY));
+        std::max(farthest, std::hypot(along / walk().maxStepSizeX, across / walk().maxStepSizeY));
   }
   return {speed.rotation / farthest, speed.translation / farthest};
 }

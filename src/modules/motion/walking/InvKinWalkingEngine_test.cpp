@@ -231,6 +231,20 @@ TEST(InvKinWalkingEngine, ReportsTheSpeedThatWasMeasured) {
   EXPECT_NEAR(walk.output.odometryStep.translation.x(), 0.8, 1e-9);
 }
 
+TEST(InvKinWalkingEngine, ReportsTheSpeedThatWasMeasuredBack) {
+  Walk walk;
+  walk.engine.parameters.normal.correctionBack = 0.7;
+  walk.go(-70, 0, 0);
+  walk.frames(200);
+  EXPECT_NEAR(walk.output.speed.translation.x(), -70, 1e-9);
+  const auto before = walk.feet();
+  walk.frame();
+  const auto after = walk.feet();
+  double fastest = 0;  // the feet on the ground move faster than the robot
+  for (std::size_t i = 0; i < 4; ++i) fastest = std::max(fastest, after[i].x() - before[i].x());
+  EXPECT_NEAR(fastest, 0.8, 0.01);
+}
+
 TEST(InvKinWalkingEngine, EveryFootModeWalksAsHighAndFarAsItsParametersSay) {
   for (const auto mode : footModes) {
     Walk walk;

@@ -48,7 +48,7 @@ struct WalkParameters {
   bool holdsHead = false;
   double headTilt = 0, headPan = 0, headRoll = 0, mouth = 0;
   Quadruple foreFreeFormQuadPos = trapezoid(), hindFreeFormQuadPos = trapezoid();
-  double correctionX = 1, correctionY = 1, correctionR = 1;
+  double correctionX = 1, correctionBack = 1, correctionY = 1, correctionR = 1;
 
   static constexpr auto fields() {
     using P = WalkParameters;
@@ -122,7 +122,9 @@ struct WalkParameters {
               "corners of a fore foot's path: x in half ways on the ground, y and z in mm"),
         field("hindFreeFormQuadPos", &P::hindFreeFormQuadPos, "", "those of a hind foot's path"),
         field("correctionX", &P::correctionX, "",
-              "measured speed, as a share of that of the feet (3.9.1.3)", {0.2, 5}),
+              "measured speed ahead, as a share of that of the feet (3.9.1.3)", {0.2, 5}),
+        field("correctionBack", &P::correctionBack, "",
+              "measured speed back, as a share of that of the feet", {0.2, 5}),
         field("correctionY", &P::correctionY, "", "measured speed, as a share of that of the feet",
               {0.2, 5}),
         field("correctionR", &P::correctionR, "", "measured speed, as a share of that of the feet",
