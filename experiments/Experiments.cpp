@@ -16,6 +16,7 @@ const Experiments& experiments() {
     for (const auto& experiment : motionExperiments()) list.push_back(experiment);
     for (const auto& experiment : headExperiments()) list.push_back(experiment);
     for (const auto& experiment : challengeExperiments()) list.push_back(experiment);
+    for (const auto& experiment : playExperiments()) list.push_back(experiment);
     for (const auto& experiment :
          {fidelityExperiment(), showExperiment(), kickExperiment(), kickTableExperiment(),
           grabExperiment(), matchExperiment(), soakExperiment(), calibrationExperiment(),

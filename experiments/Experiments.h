@@ -28,6 +28,8 @@ Experiments localizationExperiments();
 Experiments realismExperiments();
 /// Whole matches: goals, own goals, localization against the truth.
 Experiment matchExperiment();
+/// How well teams play: against each other, without opponents, a striker alone, penalty shots.
+Experiments playExperiments();
 /// How robots move in the dynamic fidelity: whether they stand, how fast and straight they walk,
 /// how often they fall.
 Experiments motionExperiments();

@@ -1,12 +1,10 @@
 // Plays matches and counts goals, own goals, and how well the robots know where they are.
-#include "match/Match.h"
-
 #include <algorithm>
 
 #include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
-#include "robot/TeamFolder.h"
+#include "Teams.h"
 
 namespace gt {
 namespace {
@@ -27,17 +25,10 @@ double playToTheEnd(Match& match) {
 }
 
 Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
-  MatchOptions options{root};
-  options.seed = job.seed;
-  options.fidelity = job.parameter("fidelity");
-  options.profile = job.parameter("profile");
-  options.minutes = job.number("minutes");
-  for (const auto& [color, team] : {std::pair{"red", &options.red}, {"blue", &options.blue}}) {
-    auto folder = teamOfVersion(job.parameter(color), root);
-    if (!folder) return folder.error();
-    *team = *std::move(folder);
-  }
-  auto match = Match::make(options);
+  auto options = matchOptions(job, root);
+  if (!options) return options.error();
+  options->minutes = job.number("minutes");
+  auto match = Match::make(*options);
   if (!match) return match.error();
   const double ballWay = playToTheEnd(**match);
   if (const auto done = (*match)->teamFailure(); !done) return done.error();
@@ -81,14 +72,6 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
       100 * static_cast<double>(lostImages) / std::max(1.0, static_cast<double>(errors.size())));
   measured.add("match.localization.lost.longest", "s", (*match)->statistics().longestLost());
   return measured;
-}
-
-/// The team that plays in a color.
-Parameter teamParameter(const std::string& color) {
-  return {color,
-          "team: of the folder teams or a path, @ its files' fingerprint if these must not differ",
-          Parameter::Kind::text,
-          {TeamFolder::ownTeam}};
 }
 
 }  // namespace

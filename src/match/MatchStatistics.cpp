@@ -71,7 +71,8 @@ void MatchStatistics::countActions(std::size_t robot) {
     const std::string& action =
         motion->executed.type == MotionType::specialAction ? motion->executed.specialAction : none;
     if (action != record.lastAction) {
-      if (std::ranges::find(kicks_[robot], action) != kicks_[robot].end()) ++record.kicks[action];
+      record.kicking = std::ranges::find(kicks_[robot], action) != kicks_[robot].end();
+      if (record.kicking) ++record.kicks[action];
       record.lastAction = action;
     }
   }

@@ -23,6 +23,8 @@ class MatchStatistics {
   void summarize(MatchSummary& summary) const;
   /// The distances between believed and true positions in mm, of all robots and images.
   std::vector<double> localizationErrors() const;
+  /// Whether a robot performs a kick.
+  bool kicks(std::size_t robot) const { return records_[robot].kicking; }
   /// The longest time in seconds that a robot was wrong by more than a meter.
   double longestLost() const;
 
@@ -32,6 +34,7 @@ class MatchStatistics {
     double lostFor = 0, longestLost = 0;  ///< Images.
     std::map<std::string, int> kicks;
     std::string lastAction;
+    bool kicking = false;
     BodyState lastState = BodyState::standing;
     int falls = 0;
     std::vector<RobotSample> samples;

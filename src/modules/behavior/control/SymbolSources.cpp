@@ -23,10 +23,6 @@ soccer::GameState SoccerInputs::gameState() const {
   return {};
 }
 
-double SoccerInputs::ballKickAngle() const {
-  return toDegrees(normalize(tactics_.kickDirection() - w().self.pose.rotation));
-}
-
 double SoccerInputs::ballAngleAround(double facing) const {
   return toDegrees(
       normalize(angleOf(tactics_.knownBall()) + w().self.pose.rotation - fromDegrees(facing)));
@@ -65,11 +61,6 @@ double SoccerInputs::obstaclesGap(double angle, double range) const {
 /// The tour is planned from where the robot is when it first asks for its beginning (report 4.2.1).
 const Pose2D& SoccerInputs::target(double index) const {
   return tour_.at(static_cast<std::size_t>(std::max(0., index)), w());
-}
-
-bool SoccerInputs::kickReaches(SpecialAction id, double astray, double margin) const {
-  const auto spread = motion(id).kick.spreadAt(w().ball.position, margin);
-  return spread && *spread <= astray;
 }
 
 }  // namespace gt

@@ -35,9 +35,6 @@ class SoccerInputs final : public soccer::Inputs {
   double ballKnownDistance() const override { return tactics_.knownBall().norm(); }
   double ballKnownAngle() const override { return toDegrees(angleOf(tactics_.knownBall())); }
   double ballTimeSinceLastKnown() const override { return ms(tactics_.knownBallAge()); }
-  double ballKickDirection() const override { return toDegrees(tactics_.kickDirection()); }
-  double ballKickAngle() const override;
-  double ballKickTolerance() const override { return toDegrees(tactics_.kickTolerance()); }
   double ballAngleAround(double facing) const override;
 
   double ballGoalDirection() const override;
@@ -53,10 +50,14 @@ class SoccerInputs final : public soccer::Inputs {
   bool bodyFallen() const override { return w().body.state == BodyState::fallen; }
   SpecialAction motionSpecialAction() const override;
 
+  SpecialAction kickPlanned() const override { return SpecialAction{plan().motion}; }
+  double kickFacing() const override { return toDegrees(plan().facing); }
+  SpecialAction kickNow() const override { return SpecialAction{tactics_.kick().now()}; }
+  double kickFollowed() const override {
+    return toDegrees(angleOf(relative(w().self.pose, tactics_.kick().target())));
+  }
   double kickX(SpecialAction id) const override { return motion(id).kick.x; }
   double kickY(SpecialAction id) const override { return motion(id).kick.y; }
-  double kickDirection(SpecialAction id) const override { return motion(id).kick.direction; }
-  bool kickReaches(SpecialAction id, double astray, double margin) const override;
 
   double obstaclesFreeAhead(double angle, double width) const override;
   double obstaclesFreeDirection(double angle, double width, double length) const override;
@@ -81,6 +82,7 @@ class SoccerInputs final : public soccer::Inputs {
   static double ms(std::int64_t time) { return static_cast<double>(time); }
 
   const WorldState& w() const { return tactics_.world(); }
+  const KickChoice::Plan& plan() const { return tactics_.kick().plan(); }
   const MotionNet::Motion& motion(SpecialAction id) const { return motionOf(w().motions, id); }
 
   const Pose2D& target(double index) const;

@@ -49,12 +49,15 @@ TEST_F(SymbolSources, TellWhereAKickPlaysTheBall) {
   constexpr SpecialAction someKick{2};
   EXPECT_EQ(inputs().kickX(someKick), 150);
   EXPECT_EQ(inputs().kickY(someKick), 20);
-  EXPECT_EQ(inputs().kickDirection(someKick), 80);
-  world.ball.position = {115, 20};
-  EXPECT_FALSE(inputs().kickReaches(someKick, 30, 0));
-  EXPECT_TRUE(inputs().kickReaches(someKick, 30, 6));
-  EXPECT_FALSE(inputs().kickReaches(someKick, 29, 6)) << "it goes farther astray";
-  EXPECT_FALSE(inputs().kickReaches(SpecialAction{1}, 180, 1000)) << "is no kick";
+}
+
+TEST_F(SymbolSources, TellWhichKickIsPlanned) {
+  world.motions.motions[2].kick.direction = 0;
+  world.motions.motions[2].kick.length = 3000;
+  world.ball.position = {1000, 0};
+  EXPECT_EQ(inputs().kickPlanned(), SpecialAction{2});
+  EXPECT_NEAR(inputs().kickFacing(), 0, 10);
+  EXPECT_EQ(inputs().kickNow(), SpecialAction{0});
 }
 
 TEST_F(SymbolSources, GiveAnglesInDegreesFromWhereTheRobotLooks) {
@@ -62,7 +65,6 @@ TEST_F(SymbolSources, GiveAnglesInDegreesFromWhereTheRobotLooks) {
   world.ball.position = {0, -500};  // at (500, 0) on the field, on the way to the goal
   EXPECT_NEAR(inputs().ballSeenAngle(), -90, 1e-9);
   EXPECT_NEAR(inputs().ballKnownX(), 500, 1e-9);
-  EXPECT_NEAR(inputs().ballKickAngle(), inputs().ballKickDirection() - 90, 1e-9);
   EXPECT_NEAR(inputs().ballAngleAround(0), 0, 1e-9);
   EXPECT_NEAR(inputs().ballAngleAround(-90), 90, 1e-9);
 }

@@ -10,7 +10,8 @@ namespace gt {
 class Movement {
  public:
   struct Parameters {
-    double maxForward = 225;
+    double maxForward = 320;
+    double nearForward = 180;
     double maxSideways = 165;
     double maxTurn = 100;
     double aroundBall = 240;
@@ -23,7 +24,10 @@ class Movement {
 
     static constexpr auto fields() {
       return Fields{
-          field("maxForward", &Parameters::maxForward, "mm/s", "fastest walk ahead", {10, 400}),
+          field("maxForward", &Parameters::maxForward, "mm/s",
+                "fastest walk ahead, of which a walk type does what it can", {10, 400}),
+          field("nearForward", &Parameters::nearForward, "mm/s",
+                "fastest walk ahead to a near ball", {10, 400}),
           field("maxSideways", &Parameters::maxSideways, "mm/s", "fastest walk sideways and back",
                 {10, 400}),
           field("maxTurn", &Parameters::maxTurn, "degree/s", "fastest turn", {10, 200}),

@@ -1,0 +1,122 @@
+#include "PlayWatch.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/Enum.h"
+#include "simulation/Oracle.h"
+
+namespace gt {
+namespace {
+
+std::string nameOf(TeamColor team, const char* figure) {
+  return std::string{enumName(team)} + '.' + figure;
+}
+
+}  // namespace
+
+void PlayWatch::see(const PlayMoment& moment) {
+  robots_.resize(moment.robots.size());
+  const auto distance = [&](const PlayMoment::Robot& robot) {
+    return (robot.position - moment.ball.position).norm();
+  };
+  constexpr double near = 300, moves = 20;  // mm, mm/s
+  const bool isNear = std::ranges::any_of(
+      moment.robots, [&](const auto& robot) { return robot.plays && distance(robot) < near; });
+  tally_.count("ball.idle", !isNear && moment.ball.speed.norm() < moves);
+  watchRoles(moment);
+  watchKick(moment);
+}
+
+void PlayWatch::watchRoles(const PlayMoment& moment) {
+  constexpr double lostFor = 1000;  // ms
+  constexpr int back = 1000;        // ms
+  std::array<int, 2> strikers{};
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const PlayMoment::Robot& robot = moment.robots[i];
+    RobotRecord& record = robots_[i];
+    if (robot.plays && robot.role == DynamicRole::striker) {
+      ++strikers[static_cast<std::size_t>(robot.team)];
+      tally_.count(nameOf(robot.team, "striker.unseen"), robot.ballUnseen > lostFor);
+    }
+    if (robot.role == record.role) continue;
+    tally_.count(nameOf(robot.team, "roles.kept"),
+                 robot.role != record.before || moment.time - record.changed > back);
+    record.before = std::exchange(record.role, robot.role);
+    record.changed = moment.time;
+  }
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
+    tally_.count(nameOf(team, "strikers.two"), strikers[static_cast<std::size_t>(team)] > 1);
+}
+
+void PlayWatch::watchKick(const PlayMoment& moment) {
+  const BallState& ball = moment.ball;
+  if (kick_) {
+    Kick& kick = *kick_;
+    const PlayMoment::Robot& kicker = moment.robots[kick.robot];
+    const bool touchedByKicker = ball.lastToucher == static_cast<int>(kick.robot);
+    constexpr int longest = 8000, leaves = 200;  // ms
+    if (!kick.free) {
+      if (touchedByKicker && ball.lastTouched >= kick.began) kick.lastTouch = ball.lastTouched;
+      if (kick.lastTouch >= kick.began && moment.time - kick.lastTouch > leaves && !kicker.kicks) {
+        kick.free = true;
+        tally_.count(nameOf(kicker.team, "kick.hits"), true);
+        kick.onGoal = rollsIntoGoal(ball, kicker.team);
+        const Vector2d goal = toTeam(kicker.team, Vector2d{field_.xGroundline, 0});
+        constexpr double shot = 1600;  // mm
+        if ((kick.from - goal).norm() < shot)
+          tally_.count(nameOf(kicker.team, "kick.onGoal"), kick.onGoal);
+      } else if (moment.time - kick.began > longest) {
+        tally_.count(nameOf(kicker.team, "kick.hits"), false);
+        kick_.reset();
+      }
+    } else if (ball.lastTouched > kick.lastTouch && ball.lastToucher >= 0) {
+      end(moment.robots[static_cast<std::size_t>(ball.lastToucher)].team == kicker.team);
+    }
+  }
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const PlayMoment::Robot& robot = moment.robots[i];
+    if (robot.kicks && !robots_[i].kicked) {
+      ++kicks_[static_cast<std::size_t>(robot.team)];
+      kick_ = Kick{i, moment.time, ball.position};
+    }
+    robots_[i].kicked = robot.kicks;
+  }
+  teams_.resize(moment.robots.size());
+  std::ranges::transform(moment.robots, teams_.begin(), &PlayMoment::Robot::team);
+}
+
+void PlayWatch::end(bool own) {
+  const TeamColor team = teams_[kick_->robot];
+  tally_.count(nameOf(team, "kick.nextTouch.own"), own);
+  if (kick_->onGoal)
+    tally_.count(nameOf(team == TeamColor::red ? TeamColor::blue : TeamColor::red, "goal.saved"),
+                 true);
+  kick_.reset();
+}
+
+void PlayWatch::goal(TeamColor team) {
+  if (!kick_) return;
+  const TeamColor kicker = teams_[kick_->robot];
+  tally_.count(nameOf(kicker, "kick.nextTouch.own"), kicker == team);
+  if (kick_->onGoal && kicker == team)
+    tally_.count(nameOf(kicker == TeamColor::red ? TeamColor::blue : TeamColor::red, "goal.saved"),
+                 false);
+  kick_.reset();
+}
+
+void PlayWatch::interrupt() {
+  kick_.reset();
+}
+
+bool PlayWatch::rollsIntoGoal(const BallState& ball, TeamColor shooter) const {
+  const Vector2d from = toTeam(shooter, ball.position), speed = toTeam(shooter, ball.speed);
+  const double ahead = field_.xGroundline - from.x();
+  if (ahead <= 0) return std::abs(from.y()) < field_.yGoal;
+  if (speed.x() <= 0) return false;
+  const double across = from.y() + speed.y() / speed.x() * ahead;
+  const double way = ahead * speed.norm() / speed.x();
+  return std::abs(across) < field_.yGoal && speed.squaredNorm() / (2 * deceleration_) > way;
+}
+
+}  // namespace gt

@@ -1,0 +1,78 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/Geometry.h"
+#include "base/Time.h"
+#include "measure/Tally.h"
+#include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/Player.h"
+#include "simulation/world/World.h"
+
+namespace gt {
+
+/// A tick of a match while the game runs, from the truth.
+struct PlayMoment {
+  struct Robot {
+    TeamColor team = TeamColor::red;
+    Vector2d position = Vector2d::Zero();  ///< mm, on the field
+    bool plays = true;                     ///< It is not penalized.
+    bool kicks = false;                    ///< It performs a kick.
+    DynamicRole role = DynamicRole::defensiveSupporter;
+    double ballUnseen = 0;  ///< ms, since its camera saw the ball
+  };
+  Time time;
+  BallState ball;
+  std::vector<Robot> robots;
+};
+
+/// How teams play: what becomes of their kicks, who goes to the ball, whether they see it. Names
+/// begin with the team's color.
+class PlayWatch {
+ public:
+  /// `deceleration` of the rolling ball in mm/s^2.
+  PlayWatch(const FieldDimensions& field, double deceleration)
+      : field_{field}, deceleration_{deceleration} {}
+
+  void see(const PlayMoment& moment);
+  /// A team has scored.
+  void goal(TeamColor team);
+  /// The game is interrupted, or the ball was put somewhere by hand.
+  void interrupt();
+
+  const Tally& tally() const { return tally_; }
+  int kicks(TeamColor team) const { return kicks_[static_cast<std::size_t>(team)]; }
+
+ private:
+  /// A kick, from its beginning to the next touch of the ball.
+  struct Kick {
+    std::size_t robot;
+    Time began;
+    Vector2d from = Vector2d::Zero();  ///< where the ball lay
+    Time lastTouch = never();          ///< by the kicker
+    bool free = false;                 ///< The ball has left the kicker.
+    bool onGoal = false;
+  };
+  struct RobotRecord {
+    bool kicked = false;  ///< in the last moment
+    DynamicRole role = DynamicRole::defensiveSupporter, before = role;
+    Time changed = never();
+  };
+
+  void watchKick(const PlayMoment& moment);
+  void watchRoles(const PlayMoment& moment);
+  void end(bool own);
+  bool rollsIntoGoal(const BallState& ball, TeamColor shooter) const;
+
+  FieldDimensions field_;
+  double deceleration_;
+  std::vector<RobotRecord> robots_;
+  std::optional<Kick> kick_;  ///< the last one that began
+  std::vector<TeamColor> teams_;
+  std::array<int, 2> kicks_{};
+  Tally tally_;
+};
+
+}  // namespace gt

@@ -1,0 +1,233 @@
+#include "modules/behavior/tactics/KickChoice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modules/behavior/tactics/FreeSpace.h"
+
+namespace gt {
+namespace {
+
+/// A normal distribution by five of its values.
+constexpr std::array<std::pair<double, double>, 5> outcomes{
+    {{-1.6, 0.1}, {-0.8, 0.25}, {0, 0.3}, {0.8, 0.25}, {1.6, 0.1}}};
+
+double nearest(const std::vector<Vector2d>& players, const Vector2d& place, double otherwise) {
+  for (const Vector2d& player : players) otherwise = std::min(otherwise, (player - place).norm());
+  return otherwise;
+}
+
+}  // namespace
+
+void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles,
+                        const Vector2d& ball, std::int64_t unseen) {
+  look(world, obstacles, ball);
+  const int last = plan_.motion;
+  const Plan before = plan_;
+  plan_ = {};
+  plan_.worth = -1e9;
+  for (const bool withRoom : {true, false}) {
+    for (int i = 1; i < static_cast<int>(world.motions.motions.size()); ++i)
+      if (const auto plan = bestPlan(i, withRoom); plan && plan->worth > plan_.worth) plan_ = *plan;
+    if (plan_.motion != 0) break;
+  }
+  // The plan of before, as good as it is now.
+  if (last != 0) {
+    const KickDescription& kick = world.motions.motions[static_cast<std::size_t>(last)].kick;
+    const double worth =
+        worthOfKick(before.direction, kick.spreadAt({kick.x, kick.y}, 0).value_or(p_.aim),
+                    kick.length, 0) -
+        costOfSecond() * (timeTo(kick, before.facing) + kick.seconds);
+    if (hasRoom(before.facing) && worth + p_.otherPlan > plan_.worth) {
+      plan_ = before;
+      plan_.worth = worth;
+    }
+  }
+  const bool atBall = ball.norm() < p_.nearBall;
+  if (!atBall)
+    atBallSince_ = never();
+  else if (atBallSince_ == never())
+    atBallSince_ = world.frame.time;
+
+  const MotionRequest& executed = world.motion.executed;
+  if (executed.type == MotionType::specialAction) {
+    const int running = world.motions.find(executed.specialAction);
+    const bool kicks =
+        running > 0 && world.motions.motions[static_cast<std::size_t>(running)].isKick();
+    now_ = kicks ? running : 0;
+    decided_ = never();
+    return;
+  }
+  if (now_ != 0 && decided_ != never() &&
+      static_cast<double>(world.frame.time - decided_) < p_.begins)
+    return;
+  now_ = 0;
+  decided_ = never();
+  constexpr std::int64_t seen = 250;  // ms
+  if (!atBall || unseen > seen) return;
+  const double waited = static_cast<double>(world.frame.time - atBallSince_) / 1000;
+  const Plan possible = worthNow();
+  if (possible.motion == 0 || possible.worth < plan_.worth - p_.enough - p_.impatience * waited)
+    return;
+  now_ = possible.motion;
+  target_ = ballOnField_ + direction(possible.direction) * p_.follows;
+  decided_ = world.frame.time;
+}
+
+void KickChoice::look(const WorldState& world, const ObstaclesModel& obstacles,
+                      const Vector2d& ball) {
+  world_ = &world;
+  ball_ = ball;
+  ballOnField_ = world.self.pose * ball;
+  own_ = {world.self.pose.translation};
+  for (const LocatedPlayer& player : world.players.ownTeam) own_.push_back(player.position);
+  opponents_.clear();
+  for (const LocatedPlayer& player : world.players.opponents) opponents_.push_back(player.position);
+  crowded_ = nearest(opponents_, ballOnField_, 1e9) < p_.crowded;
+  const bool obstaclesCount = ball.norm() < p_.handled;
+  for (int i = 0; i < directions; ++i) {
+    const double free = obstaclesCount ? corridor(obstacles, i * step - world.self.pose.rotation,
+                                                  p_.ballCorridor, ball)
+                                       : ObstaclesModel::farAway;
+    for (int k = 0; k < lengths; ++k)
+      ways_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] =
+          worthOfWay(i * step, free, k * lengthStep);
+  }
+}
+
+double KickChoice::worthOf(const Vector2d& end) const {
+  const FieldDimensions& field = world_->field;
+  const auto angleOfGoal = [&](double x) {
+    return std::min(p_.widestGoal, std::abs(normalize(angleOf(Vector2d{x, field.yGoal} - end) -
+                                                      angleOf(Vector2d{x, -field.yGoal} - end))));
+  };
+  const double ahead = end.x() / field.xGroundline;
+  const double contest =
+      nearest(opponents_, end, p_.opponentFar) - nearest(own_, end, 2 * p_.opponentFar);
+  return p_.ahead * ahead +
+         p_.shot * (angleOfGoal(field.xGroundline) - angleOfGoal(-field.xGroundline)) +
+         p_.possession * std::clamp(contest / 1000, -1., 1.);
+}
+
+/// A ball that rolls so far in a direction: into a goal, against a wall, to somebody, or to its
+/// end.
+double KickChoice::worthOfWay(double direction, double free, double length) const {
+  const FieldDimensions& field = world_->field;
+  const Vector2d along = gt::direction(direction);
+  const double toLine =
+      std::abs(along.x()) < 1e-6
+          ? 1e9
+          : (std::copysign(field.xGroundline, along.x()) - ballOnField_.x()) / along.x();
+  constexpr double atLine = 150;  // mm: obstacles there are posts, walls and the goal
+  const bool stopped = free < ObstaclesModel::farAway && free < toLine - atLine && free < length;
+  if (!stopped && length > toLine &&
+      std::abs(ballOnField_.y() + along.y() * toLine) < field.yGoal - p_.postClearance)
+    return along.x() > 0 ? 1 : -1;
+  Vector2d end = ballOnField_ + along * std::min(length, stopped ? free : length);
+  end.x() = std::clamp(end.x(), -field.xGroundline, field.xGroundline);
+  end.y() = std::clamp(end.y(), -field.ySideline, field.ySideline);
+  return worthOf(end) - (stopped ? p_.blocked : 0);
+}
+
+/// The same, between what was computed.
+double KickChoice::worthOfWay(double direction, double length) const {
+  const int index = static_cast<int>(std::lround(direction / step));
+  const auto& way = ways_[static_cast<std::size_t>((index % directions + directions) % directions)];
+  const double place = std::clamp(length / lengthStep, 0., lengths - 1.001);
+  const auto k = static_cast<std::size_t>(place);
+  return std::lerp(way[k], way[k + 1], place - static_cast<double>(k));
+}
+
+double KickChoice::worthOfKick(double direction, double spread, double length,
+                               double deviation) const {
+  double worth = 0;
+  for (const auto& [off, share] : outcomes)
+    for (const double side : {-1., 1.})
+      worth +=
+          share / 2 * worthOfWay(direction + fromDegrees(off * spread), length + side * deviation);
+  return worth;
+}
+
+/// How long it takes to stand where the ball lies well for a kick, in s.
+double KickChoice::timeTo(const KickDescription& kick, double facing) const {
+  const double turn = normalize(facing - world_->self.pose.rotation);
+  const Vector2d place = ball_ - rotated({kick.x, kick.y}, turn);
+  const double around =
+      std::abs(normalize(angleOf(-ball_) - (turn + pi + angleOf(Vector2d{kick.x, kick.y}))));
+  constexpr double direct = fromDegrees(25);
+  return std::max(place.norm() / p_.walkSpeed, std::abs(turn) / fromDegrees(p_.turnSpeed)) +
+         std::max(0., around - direct) / fromDegrees(p_.aroundSpeed);
+}
+
+double KickChoice::costOfSecond() const {
+  return crowded_ ? p_.crowdedSecond : p_.second;
+}
+
+/// Whether a robot that stands behind the ball and faces a direction has room between the walls.
+bool KickChoice::hasRoom(double facing) const {
+  const FieldDimensions& field = world_->field;
+  const Vector2d back = ballOnField_ - direction(facing) * p_.bodyLength;
+  const bool insideWalls = std::abs(back.x()) < field.xGroundline - p_.wallClearance &&
+                           std::abs(back.y()) < field.ySideline - p_.wallClearance;
+  const double corner =
+      (field.xGroundline - std::abs(back.x())) + (field.ySideline - std::abs(back.y()));
+  return insideWalls &&
+         corner > field.xGroundline - field.xSideCorner + p_.wallClearance * p_.cornerClearance;
+}
+
+std::optional<KickChoice::Plan> KickChoice::bestPlan(int motion, bool withRoom) const {
+  const MotionNet::Motion& described = world_->motions.motions[static_cast<std::size_t>(motion)];
+  const KickDescription& kick = described.kick;
+  if (!described.isKick() || kick.falls > p_.mostFalls) return {};
+  const double spread =
+      std::hypot(kick.spreadAt({kick.x, kick.y}, 0).value_or(p_.aim), p_.aim, p_.sees);
+  std::optional<Plan> best;
+  for (int i = 0; i < directions; ++i) {
+    const double direction = normalize(i * step);
+    const double facing = normalize(direction - fromDegrees(kick.direction));
+    if (withRoom && !hasRoom(facing)) continue;
+    const double worth = worthOfKick(direction, spread, kick.length, 0.2 * kick.length) -
+                         costOfSecond() * (timeTo(kick, facing) + kick.seconds);
+    if (!best || worth > best->worth) best = Plan{motion, direction, facing, worth};
+  }
+  return best;
+}
+
+/// The best kick from where the robot stands.
+KickChoice::Plan KickChoice::worthNow() const {
+  const Pose2D& walk = world_->motion.executed.walk;
+  const bool walks = world_->motion.executed.type == MotionType::walk;
+  const Pose2D stops =
+      walks ? Pose2D{walk.rotation * p_.stopping, walk.translation * p_.stopping} : Pose2D{};
+  const Vector2d ball = relative(stops, ball_);
+  const double facing = world_->self.pose.rotation + stops.rotation;
+  constexpr int places = 5;
+  Plan best;
+  best.worth = -1e9;
+  for (int i = 1; i < static_cast<int>(world_->motions.motions.size()); ++i) {
+    const MotionNet::Motion& described = world_->motions.motions[static_cast<std::size_t>(i)];
+    const KickDescription& kick = described.kick;
+    if (!described.isKick() || kick.falls > p_.mostFalls) continue;
+    const auto middle = kick.at(ball);
+    if (!middle || middle->hits < p_.reliable) continue;
+    double worth = -costOfSecond() * kick.seconds;
+    const double missed = worthOf(ballOnField_) - p_.blocked;
+    for (const Vector2d& off :
+         {Vector2d{0, 0}, Vector2d{p_.misplaced, 0}, Vector2d{-p_.misplaced, 0},
+          Vector2d{0, p_.misplaced}, Vector2d{0, -p_.misplaced}}) {
+      const auto place = kick.at(ball + off);
+      const double hits = place ? place->hits : 0;
+      worth += (1 - hits) * missed / places;
+      if (place)
+        worth +=
+            hits / places *
+            worthOfKick(facing + fromDegrees(place->direction), std::hypot(place->spread, p_.sees),
+                        place->length, place->lengthDeviation);
+    }
+    const double direction = normalize(facing + fromDegrees(middle->direction));
+    if (worth > best.worth) best = {i, direction, facing, worth};
+  }
+  return best;
+}
+
+}  // namespace gt

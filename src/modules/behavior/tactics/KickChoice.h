@@ -1,0 +1,167 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "modules/behavior/tactics/WorldState.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Chooses how to play the ball (report 3.8.2): the outcomes of each kick of the table, in each
+/// direction, are imagined, from where the ball ends and who is nearer there, which part of the
+/// goal is free, and how long it takes the robot to get behind the ball. The best of them is the
+/// plan. As soon as some kick from where the robot stands is about as good, it is to be performed.
+class KickChoice {
+ public:
+  struct Parameters {
+    // What an end of the ball is worth; a goal is worth 1.
+    double ahead = 0.25;
+    double shot = 0.25;
+    double possession = 0.15;
+    double opponentFar = 1200;
+    double widestGoal = 1;
+    double blocked = 0.25;
+    // What a second costs.
+    double second = 0.03;
+    double crowdedSecond = 0.1;
+    double crowded = 600;
+    // The way to the ball.
+    double walkSpeed = 180;
+    double turnSpeed = 90;
+    double aroundSpeed = 60;
+    // What is good enough.
+    double aim = 8;
+    double sees = 4;
+    double enough = 0.03;
+    double impatience = 0.03;
+    double nearBall = 350;
+    double stopping = 0.15;
+    double misplaced = 18;
+    double follows = 1500;
+    double reliable = 0.9;
+    double mostFalls = 0.02;
+    // Memory.
+    double otherPlan = 0.08;
+    double begins = 600;
+    // The ball's way.
+    double ballCorridor = 200;
+    double handled = 800;
+    double postClearance = 60;
+    // Walls.
+    double wallClearance = 85;
+    double bodyLength = 205;
+    double cornerClearance = 1.4;
+
+    static constexpr auto fields() {
+      using P = Parameters;
+      return Fields{
+          field("ahead", &P::ahead, "",
+                "worth of a ball at the opponent's ground line; at the own one it is as bad",
+                {0, 1}),
+          field("shot", &P::shot, "",
+                "worth of each radian at which the opponent's goal is seen from the ball; the own "
+                "one's is as bad",
+                {0, 1}),
+          field("widestGoal", &P::widestGoal, "rad", "a wider goal counts like this", {0.1, 3.2}),
+          field("possession", &P::possession, "",
+                "worth of a ball that a teammate reaches a meter before any opponent", {0, 1}),
+          field("opponentFar", &P::opponentFar, "mm", "distance of opponents that nobody knows of",
+                {0, 5000}),
+          field("blocked", &P::blocked, "", "cost of a ball that somebody stops", {0, 1}),
+          field("second", &P::second, "", "cost of a second until the ball is on its way", {0, 1}),
+          field("crowdedSecond", &P::crowdedSecond, "",
+                "the same while somebody else is near the ball", {0, 1}),
+          field("crowded", &P::crowded, "mm", "how near that is", {0, 5000}),
+          field("walkSpeed", &P::walkSpeed, "mm/s", "to the ball", {10, 1000}),
+          field("turnSpeed", &P::turnSpeed, "degree/s", "beside the ball", {1, 1000}),
+          field("aroundSpeed", &P::aroundSpeed, "degree/s", "around the ball", {1, 1000}),
+          field("aim", &P::aim, "degree", "how far the robot faces elsewhere than planned",
+                {0, 90}),
+          field("sees", &P::sees, "degree", "how far the ball lies elsewhere than seen", {0, 90}),
+          field("enough", &P::enough, "", "by how much a kick may be worse than the plan", {0, 1}),
+          field("impatience", &P::impatience, "", "by how much more with each second at the ball",
+                {0, 1}),
+          field("nearBall", &P::nearBall, "mm", "how near that is", {0, 1000}),
+          field("stopping", &P::stopping, "s",
+                "so long the robot goes on walking until it begins to kick", {0, 1}),
+          field("misplaced", &P::misplaced, "mm",
+                "how far the ball lies elsewhere when a kick begins", {0, 100}),
+          field("follows", &P::follows, "mm",
+                "so far off a kicked ball is looked for in the direction in which it went",
+                {0, 5000}),
+          field("reliable", &P::reliable, "",
+                "share of the balls that a kick moves from where the ball lies", {0, 1}),
+          field("mostFalls", &P::mostFalls, "", "share of falls after which a kick is not used",
+                {0, 1}),
+          field("otherPlan", &P::otherPlan, "", "by how much another plan has to be better",
+                {0, 1}),
+          field("begins", &P::begins, "ms", "so long a robot tries to begin a kick", {0, 5000}),
+          field("ballCorridor", &P::ballCorridor, "mm",
+                "width of the corridor that a ball needs between obstacles", {0, 1000}),
+          field("handled", &P::handled, "mm",
+                "obstacles around a ball that is farther away do not count", {0, 5000}),
+          field("postClearance", &P::postClearance, "mm",
+                "from a post to the middle of a ball that surely goes in", {0, 300}),
+          field("wallClearance", &P::wallClearance, "mm",
+                "room that the body's middle needs beside a wall", {0, 1000}),
+          field("bodyLength", &P::bodyLength, "mm",
+                "from the ball to the middle of the hind part of a robot behind it", {0, 1000}),
+          field("cornerClearance", &P::cornerClearance, "",
+                "room in a corner, as a multiple of that beside a wall", {0, 10})};
+    }
+  };
+
+  /// A kick, where the ball goes and where the robot faces for it, on the field (rad).
+  struct Plan {
+    int motion = 0;  ///< index in MotionNet::motions; 0 none
+    double direction = 0, facing = 0;
+    double worth = 0;  ///< with the cost of the time it takes
+  };
+
+  /// The parameters must outlive this.
+  explicit KickChoice(const Parameters& parameters) : p_{parameters} {}
+
+  /// Chooses for a ball at a place relative to the robot (mm) that was last seen some ms ago, with
+  /// obstacles relative to the robot.
+  void update(const WorldState& world, const ObstaclesModel& obstacles, const Vector2d& ball,
+              std::int64_t unseen);
+
+  const Plan& plan() const { return plan_; }
+  /// Where the last kick sent the ball, on the field (mm).
+  const Vector2d& target() const { return target_; }
+  /// The motion to be performed now, until it ends; 0 none.
+  int now() const { return now_; }
+
+ private:
+  static constexpr int directions = 72;
+  static constexpr double step = 2 * pi / directions;
+  static constexpr int lengths = 9;
+  static constexpr double lengthStep = 500;  // mm
+
+  double worthOf(const Vector2d& end) const;
+  double worthOfWay(double direction, double free, double length) const;
+  double worthOfWay(double direction, double length) const;
+  double worthOfKick(double direction, double spread, double length, double deviation) const;
+  double timeTo(const KickDescription& kick, double facing) const;
+  double costOfSecond() const;
+  std::optional<Plan> bestPlan(int motion, bool withRoom) const;
+  Plan worthNow() const;
+  bool hasRoom(double facing) const;
+  void look(const WorldState& world, const ObstaclesModel& obstacles, const Vector2d& ball);
+
+  const Parameters& p_;
+  const WorldState* world_ = nullptr;
+  Vector2d ball_ = Vector2d::Zero();         ///< relative to the robot
+  Vector2d ballOnField_ = Vector2d::Zero();  ///< mm
+  /// Of the ball's ways in each direction of the field, and of each length.
+  std::array<std::array<double, lengths>, directions> ways_{};
+  std::vector<Vector2d> own_, opponents_;  ///< on the field
+  bool crowded_ = false;
+  Plan plan_;
+  int now_ = 0;
+  Vector2d target_ = Vector2d::Zero();
+  Time decided_ = never(), atBallSince_ = never();
+};
+static_assert(complete<KickChoice::Parameters>);
+
+}  // namespace gt

@@ -1,0 +1,196 @@
+#include "modules/behavior/tactics/KickChoice.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "base/Random.h"
+#include "modules/behavior/testing/ImaginedWorld.h"
+
+namespace gt {
+namespace {
+
+constexpr int ahead = 1, left = 2, behind = 3;
+
+/// A kick that plays a ball from around a place in one direction.
+MotionNet::Motion kickOf(const char* name, const Vector2d& place, double direction,
+                         double seconds) {
+  KickDescription kick;
+  kick.motion = name;
+  kick.x = place.x();
+  kick.y = place.y();
+  kick.direction = direction;
+  kick.length = 2500;
+  kick.seconds = seconds;
+  kick.strike = seconds / 2;
+  kick.step = 20;
+  for (int x = -40; x <= 40; x += 20)
+    for (int y = -40; y <= 40; y += 20)
+      kick.places.push_back({place.x() + x, place.y() + y, 1, direction, 5, 2500, 200});
+  return {name, kick};
+}
+
+class KickChoiceTest : public ::testing::Test {
+ protected:
+  KickChoiceTest() {
+    world.motions.motions = {{},
+                             kickOf("ahead", {150, 0}, 0, 1.2),
+                             kickOf("left", {150, 0}, 60, 1.2),
+                             kickOf("behind", {100, 150}, 180, 1.5)};
+    world.self.pose = {0, 1000, 0};
+    ball = {1150, 0};
+    world.frame.time = {1000};
+  }
+  const KickChoice& choose() {
+    const WorldState state = world.state();
+    choice->update(state, world.obstacles, relative(world.self.pose, ball), unseen);
+    return *choice;
+  }
+  /// Where a ball that is played as planned crosses the opponent's ground line.
+  double crossing() {
+    const Vector2d way = direction(choose().plan().direction);
+    return ball.y() + way.y() / way.x() * (world.field.xGroundline - ball.x());
+  }
+
+  ImaginedWorld world;
+  Vector2d ball;  ///< on the field
+  std::int64_t unseen = 0;
+  KickChoice::Parameters parameters;
+  std::optional<KickChoice> choice{parameters};
+};
+
+TEST_F(KickChoiceTest, ShootsAtTheGoalAtOnce) {
+  EXPECT_EQ(choose().plan().motion, ahead);
+  EXPECT_LT(std::abs(crossing()), 240);
+  EXPECT_EQ(choose().now(), ahead);
+}
+
+TEST_F(KickChoiceTest, KicksOnlyABallThatItSeesWhereAKickReachesIt) {
+  unseen = 500;
+  EXPECT_EQ(choose().now(), 0);
+  unseen = 0;
+  ball = {1230, 0};
+  EXPECT_EQ(choose().plan().motion, ahead);
+  EXPECT_EQ(choose().now(), 0);
+}
+
+TEST_F(KickChoiceTest, TakesTheKickThatNeedsTheLeastTurning) {
+  ball = {1000, 0};
+  world.self.pose = {fromDegrees(-60), ball - rotated({150, 0}, fromDegrees(-60))};
+  EXPECT_EQ(choose().plan().motion, left);
+  EXPECT_EQ(choose().now(), left);
+  choice.emplace(parameters);
+  world.self.pose = {pi, 1100, 150};
+  EXPECT_EQ(choose().plan().motion, behind);
+  EXPECT_EQ(choose().now(), behind);
+}
+
+// Report 3.8.2: the kick depends on the obstacle model and on the free part of the goal.
+TEST_F(KickChoiceTest, ShootsAtTheFreePartOfTheGoal) {
+  for (const double y : {0., 60., 120., 180.})
+    world.obstacles.enter(relative(world.self.pose, {1900, y}), true, world.frame.time);
+  EXPECT_LT(crossing(), -70);
+  EXPECT_GT(crossing(), -300);
+}
+
+TEST_F(KickChoiceTest, PlaysTheBallPastAnOpponent) {
+  world.self.pose = {0, -1000, 0};
+  ball = {-850, 0};
+  const double free = std::abs(choose().plan().direction);
+  for (const double y : {-80., -40., 0., 40., 80.})
+    world.obstacles.enter({550, y}, true, world.frame.time);
+  world.players.opponents = {{{-450, 0}, world.frame.time, 1, 0}};
+  choice.emplace(parameters);
+  EXPECT_GT(std::abs(choose().plan().direction), free + fromDegrees(5));
+  EXPECT_LT(std::abs(choose().plan().direction), fromDegrees(100));
+}
+
+TEST_F(KickChoiceTest, PlaysToWhereATeammateIsNearer) {
+  world.self.pose = {0, -1000, 0};
+  ball = {-850, 0};
+  const double side = 900;
+  for (const double sign : {1., -1.}) {
+    choice.emplace(parameters);
+    world.players.ownTeam = {{{1000, sign * side}, world.frame.time, 1, 3}};
+    world.players.opponents = {{{1000, -sign * side}, world.frame.time, 1, 0}};
+    EXPECT_GT(sign * choose().plan().direction, 0);
+  }
+}
+
+TEST_F(KickChoiceTest, NeverPlaysTheBallAtTheOwnGoal) {
+  for (double y = -1250; y <= 1250; y += 125)
+    for (double x = -2000; x < 2000; x += 125) {
+      ball = {x, y};
+      world.self.pose = {pi, x + 150, y};  // it faces the own goal
+      choice.emplace(parameters);
+      choose();
+      if (x < -500 && std::abs(y) < 200) {
+        EXPECT_NE(choice->now(), ahead) << x << ' ' << y;
+      }
+      const Vector2d along = direction(choice->plan().direction);
+      if (along.x() >= 0) continue;
+      const double crosses = y + along.y() / along.x() * (-2100 - x);
+      EXPECT_GT(std::abs(crosses), 300) << x << ' ' << y;
+    }
+}
+
+TEST_F(KickChoiceTest, FindsRoomBehindABallAtTheWall) {
+  for (const Vector2d& place :
+       {Vector2d{494, 1269}, Vector2d{-1723, -1200}, Vector2d{1584, -1109}}) {
+    ball = place;
+    world.self.pose = {0, place.x() / 2, place.y() / 2};
+    const Vector2d back = ball - direction(choose().plan().facing) * 205;
+    EXPECT_LT(std::abs(back.y()), 1350 - parameters.wallClearance) << place.transpose();
+    EXPECT_LT(std::abs(back.x()), 2100 - parameters.wallClearance) << place.transpose();
+  }
+}
+
+TEST_F(KickChoiceTest, IsInAHurryWhereAnOpponentIsNear) {
+  // It faces far past the goal.
+  world.self.pose = {fromDegrees(75), ball - rotated({150, 0}, fromDegrees(75))};
+  world.motions.motions.resize(2);
+  EXPECT_EQ(choose().now(), 0);
+  world.players.opponents = {{ball + Vector2d{-350, -300}, world.frame.time, 1, 0}};
+  world.motions.motions[1].kick.seconds = 0.5;
+  parameters.crowdedSecond = 0.6;
+  EXPECT_EQ(choose().now(), ahead);
+}
+
+TEST_F(KickChoiceTest, LosesItsPatience) {
+  world.self.pose = {fromDegrees(25), ball - rotated({150, 0}, fromDegrees(25))};
+  world.motions.motions.resize(2);
+  int cycles = 0;
+  for (; cycles < 2000 && choose().now() == 0; ++cycles) world.frame.time = world.frame.time + 40;
+  EXPECT_GT(cycles, 20);
+  EXPECT_LT(cycles, 2000);
+}
+
+TEST_F(KickChoiceTest, DoesNotChangeItsMindForNoise) {
+  ball = {0, 0};
+  Random random{3};
+  int changes = 0, last = 0;
+  double direction = 0;
+  for (int i = 0; i < 100; ++i) {
+    world.self.pose = {0.03 * random.gaussian(), -600 + 15 * random.gaussian(),
+                       15 * random.gaussian()};
+    const KickChoice::Plan& plan = choose().plan();
+    changes += i > 0 && (plan.motion != last ||
+                         std::abs(normalize(plan.direction - direction)) > fromDegrees(20));
+    last = plan.motion;
+    direction = plan.direction;
+  }
+  EXPECT_LT(changes, 3);
+}
+
+TEST_F(KickChoiceTest, AKickThatHasBegunGoesOn) {
+  ASSERT_EQ(choose().now(), ahead);
+  world.motion.executed.type = MotionType::specialAction;
+  world.motion.executed.specialAction = "ahead";
+  ball = {2000, 0};
+  EXPECT_EQ(choose().now(), ahead);
+  world.motion.executed = {};
+  EXPECT_EQ(choose().now(), 0);
+}
+
+}  // namespace
+}  // namespace gt
