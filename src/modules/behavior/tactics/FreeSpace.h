@@ -8,11 +8,6 @@ namespace gt {
 // What the behavior asks the obstacles around the robot (report 3.5, 3.8.2). All points are
 // relative to the robot.
 
-/// A range of directions.
-struct AngleRange {
-  double middle = 0, width = 0;  ///< rad
-};
-
 /// How far a body of a width (mm) can move in a direction (rad) until it meets an obstacle: the
 /// free distance in a corridor, at most ObstaclesModel::farAway. It begins at `from` (mm);
 /// obstacles beside or behind that are not met.
@@ -27,12 +22,5 @@ std::optional<double> freeDirection(const ObstaclesModel& obstacles, double want
 /// The distance of the nearest obstacle in directions around one (rad), at most
 /// ObstaclesModel::farAway (mm).
 double nearestObstacle(const ObstaclesModel& obstacles, double middle, double halfRange);
-
-/// The widest range of directions between the posts of a goal in which nothing blocks a ball that
-/// rolls from a point to the goal line. Empty if all of it is blocked or seen from behind. `gap` is
-/// what a ball needs, its diameter (mm).
-std::optional<AngleRange> freeGoalPart(const ObstaclesModel& obstacles, const Vector2d& from,
-                                       const Vector2d& leftPost, const Vector2d& rightPost,
-                                       double gap);
 
 }  // namespace gt

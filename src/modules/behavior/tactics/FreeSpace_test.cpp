@@ -59,26 +59,5 @@ TEST(FreeSpace, TurnsToTheNearestFreeDirection) {
   EXPECT_EQ(freeDirection(model, 0, 200, 400), 0) << "free so far";
 }
 
-TEST(FreeSpace, FindsTheFreePartOfTheGoal) {
-  const Vector2d ball{150, 0}, left{1500, 300}, right{1500, -300};
-  const auto all = freeGoalPart(ObstaclesModel{}, ball, left, right, 86);
-  ASSERT_TRUE(all);
-  EXPECT_NEAR(all->middle, 0, 1e-9);
-  EXPECT_NEAR(all->width, 2 * std::atan2(300, 1350), 1e-9);
-
-  // A keeper right of the middle leaves the left part.
-  const auto model = with({{1300, 0}, {1300, -100}, {1300, -200}});
-  const auto part = freeGoalPart(model, ball, left, right, 86);
-  ASSERT_TRUE(part);
-  EXPECT_GT(part->middle - part->width / 2, std::atan2(43, 1150) - 0.01);
-  EXPECT_NEAR(part->middle + part->width / 2, std::atan2(300, 1350), 0.01);
-
-  EXPECT_TRUE(freeGoalPart(with({{1480, 0}, {1700, 100}}), ball, left, right, 86)->width ==
-              all->width)
-      << "what stands on the line or behind it does not count";
-  EXPECT_FALSE(freeGoalPart(with({{250, 0}}), ball, left, right, 500)) << "right before the ball";
-  EXPECT_FALSE(freeGoalPart(ObstaclesModel{}, ball, right, left, 86)) << "from behind";
-}
-
 }  // namespace
 }  // namespace gt
