@@ -83,6 +83,7 @@ Result<Measurement> playBoth(const Job& job, const DataRoot& root) {
   const SceneDescription& scene = (*match)->simulation().scene();
   PlayWatch play{*(*match)->configuration().field, scene.physics.deceleration};
   watch(**match, play);
+  if (const auto done = (*match)->teamFailure(); !done) return done.error();
   const MatchSummary summary = (*match)->summary();
   Measurement measured;
   for (const TeamColor team : {TeamColor::red, TeamColor::blue})

@@ -63,4 +63,9 @@ const Pose2D& SoccerInputs::target(double index) const {
   return tour_.at(static_cast<std::size_t>(std::max(0., index)), w());
 }
 
+bool SoccerInputs::kickReaches(SpecialAction id, double astray, double margin) const {
+  const auto spread = motion(id).kick.spreadAt(w().ball.position, margin);
+  return spread && *spread <= astray;
+}
+
 }  // namespace gt

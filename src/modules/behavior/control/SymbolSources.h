@@ -58,6 +58,7 @@ class SoccerInputs final : public soccer::Inputs {
   }
   double kickX(SpecialAction id) const override { return motion(id).kick.x; }
   double kickY(SpecialAction id) const override { return motion(id).kick.y; }
+  bool kickReaches(SpecialAction id, double astray, double margin) const override;
 
   double obstaclesFreeAhead(double angle, double width) const override;
   double obstaclesFreeDirection(double angle, double width, double length) const override;

@@ -49,6 +49,11 @@ TEST_F(SymbolSources, TellWhereAKickPlaysTheBall) {
   constexpr SpecialAction someKick{2};
   EXPECT_EQ(inputs().kickX(someKick), 150);
   EXPECT_EQ(inputs().kickY(someKick), 20);
+  world.ball.position = {115, 20};
+  EXPECT_FALSE(inputs().kickReaches(someKick, 30, 0));
+  EXPECT_TRUE(inputs().kickReaches(someKick, 30, 6));
+  EXPECT_FALSE(inputs().kickReaches(someKick, 29, 6)) << "it goes farther astray";
+  EXPECT_FALSE(inputs().kickReaches(SpecialAction{1}, 180, 1000)) << "is no kick";
 }
 
 TEST_F(SymbolSources, TellWhichKickIsPlanned) {

@@ -59,5 +59,13 @@ TEST(FreeSpace, TurnsToTheNearestFreeDirection) {
   EXPECT_EQ(freeDirection(model, 0, 200, 400), 0) << "free so far";
 }
 
+TEST(FreeSpace, FindsTheNearestObstacleInARange) {
+  const ObstaclesModel model = with({{700, 0}, {0, 300}, {-200, 0}});
+  EXPECT_NEAR(nearestObstacle(model, 0, fromDegrees(30)), 700, 1e-9);
+  EXPECT_NEAR(nearestObstacle(model, 0, fromDegrees(100)), 300, 1e-9);
+  EXPECT_NEAR(nearestObstacle(model, pi, fromDegrees(10)), 200, 1e-9);
+  EXPECT_EQ(nearestObstacle(model, -pi / 2, fromDegrees(30)), ObstaclesModel::farAway);
+}
+
 }  // namespace
 }  // namespace gt
