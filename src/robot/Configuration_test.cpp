@@ -169,7 +169,7 @@ TEST_F(ConfigurationTest, WrongMotions) {
 TEST_F(ConfigurationTest, ANewKickIsAFileAndRowsOfTheTable) {
   const std::string option = "behavior/options/ball/handle_ball.xabsl";
   std::string text = read(option);
-  const std::string call = "kick(id = push_strong)";
+  const std::string call = "kick(id = kick.now)";
   text.replace(text.find(call), call.size(), "kick(id = my_kick)");
   write(option, text);
   EXPECT_THAT(error(), ::testing::StartsWith(option + ":"));
