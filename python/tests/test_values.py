@@ -110,8 +110,8 @@ def test_parameters_are_read_and_set_with_their_types(robot: gt2003.Robot) -> No
     assert robot.get("BallLocator.PIDSmoothed.proportional") == 0.5
     assert robot.parameters("BallLocator")["outliersBelieved"] == 4
     assert robot.parameters("SelfLocator", "GT2003") != robot.parameters("SelfLocator", "Kalman")
-    for task, solutions in gt2003.modules.solutions().items():
-        for solution in solutions:
+    for task in robot.solutions:
+        for solution in gt2003.modules.solutions()[task]:
             for path, value in robot.parameters(task, solution).items():
                 assert np.array_equal(robot.get(f"{task}.{solution}.{path}"), value)
 

@@ -11,7 +11,7 @@ TEST_F(CompletionTest, CompletesWhatIsTyped) {
   EXPECT_THAT(console->completions("x"), testing::ElementsAre("xbb", "xis", "xlb", "xo", "xos"));
   EXPECT_THAT(console->completions("dk send_self"), Contains("send_selfLocator_drawing"));
   EXPECT_THAT(console->completions("sr SelfLocator M"), testing::ElementsAre("MonteCarlo"));
-  EXPECT_THAT(console->completions("xbb go_to_p"), testing::ElementsAre("go_to_point"));
+  EXPECT_THAT(console->completions("xbb go_to_o"), testing::ElementsAre("go_to_own_goal"));
   EXPECT_THAT(console->completions("xis ball.seen.d"), testing::ElementsAre("ball.seen.distance"));
   EXPECT_THAT(console->completions("get red4.x"), testing::ElementsAre("red4.x"));
   EXPECT_THAT(console->completions("robot red"), testing::ElementsAre("red1", "red4"));

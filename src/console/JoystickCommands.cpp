@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "console/Commands.h"
@@ -7,11 +8,15 @@ namespace {
 
 constexpr std::size_t kickButtons = 4;
 
-/// The first kicks of the table of kicks.
+/// The quickest kicks.
 std::vector<std::string> kicksOf(const MotionNet& motions) {
-  std::vector<std::string> names;
+  std::vector<const KickDescription*> kicks;
   for (const MotionNet::Motion& motion : motions.motions)
-    if (motion.isKick() && names.size() < kickButtons) names.push_back(motion.name);
+    if (motion.isKick()) kicks.push_back(&motion.kick);
+  std::ranges::stable_sort(kicks, {}, &KickDescription::seconds);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(kicks.size(), kickButtons); ++i)
+    names.push_back(kicks[i]->motion);
   return names;
 }
 

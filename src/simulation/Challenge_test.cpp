@@ -9,7 +9,7 @@ namespace {
 
 class ChallengeTest : public ::testing::Test {
  protected:
-  void begin(ChallengeKind kind, std::vector<Vector2d> targets = {}, bool random = false) {
+  void begin(ChallengeKind kind, const std::vector<Vector2d>& targets = {}, bool random = false) {
     SceneDescription scene;
     scene.file = "scenes/test.scene";
     scene.game.referee = false;

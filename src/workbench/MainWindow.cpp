@@ -24,8 +24,9 @@ MainWindow::MainWindow(SessionThread& session, const QString& folder)
   setWindowTitle("RobotControl");
   resize(1280, 760);
   setDockNestingEnabled(true);
-  // No GroupedDragging: Qt 6.4 crashes when it restores a state over a group that floats.
-  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  // Neither grouped dragging nor animations: Qt 6.4 crashes when it restores a state over a group
+  // that floats, or while a dock moves.
+  setDockOptions(AllowNestedDocks | AllowTabbedDocks);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   // Docks fill the whole window.
   auto* nothing = new QWidget;

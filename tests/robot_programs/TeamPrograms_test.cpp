@@ -114,7 +114,8 @@ TEST_F(TeamProgramsTest, AMatchEndsIfAProgramDoesNotAnswer) {
 }
 
 TEST_F(TeamProgramsTest, SimgtFailsInOneLine) {
-  const auto done = runProgram({GT_PROGRAMS "/simgt", "play", "--no-logs", "--out", folder.path(),
+  const std::string simgt = GT_PROGRAMS "/simgt";
+  const auto done = runProgram({simgt, "play", "--no-logs", "--out", folder.path(),
                                 "--blue", script("exit 3")});
   ASSERT_TRUE(done);
   EXPECT_EQ(done->status, 2);

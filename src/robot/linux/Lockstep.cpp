@@ -75,7 +75,7 @@ Result<void> takeTurns(Robot& robot, QueueStream& simulator, MessageQueue& messa
       now = message.time;
       std::apply(
           [&](auto&... room) {
-            for (auto taken : {take(message, robot, room)...})
+            for (const auto& taken : {take(message, robot, room)...})
               if (!taken) done = taken;
           },
           rooms);

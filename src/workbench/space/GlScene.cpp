@@ -68,10 +68,11 @@ void GlScene::clear() {
 }
 
 void GlScene::keep(const std::function<bool(int geom)>& wanted) {
-  const auto rest = std::ranges::remove_if(all(scene_), [&](const mjvGeom& geom) {
+  const auto geoms = all(scene_);
+  const auto end = std::remove_if(geoms.begin(), geoms.end(), [&](const mjvGeom& geom) {
     return geom.objtype != mjOBJ_GEOM || !wanted(geom.objid);
   });
-  scene_.ngeom -= static_cast<int>(rest.size());
+  scene_.ngeom = static_cast<int>(end - geoms.begin());
 }
 
 void GlScene::move(const Pose2D& from, const Pose2D& to) {
