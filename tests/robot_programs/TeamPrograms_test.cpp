@@ -115,8 +115,8 @@ TEST_F(TeamProgramsTest, AMatchEndsIfAProgramDoesNotAnswer) {
 
 TEST_F(TeamProgramsTest, SimgtFailsInOneLine) {
   const std::string simgt = GT_PROGRAMS "/simgt";
-  const auto done = runProgram({simgt, "play", "--no-logs", "--out", folder.path(),
-                                "--blue", script("exit 3")});
+  const auto done =
+      runProgram({simgt, "play", "--no-logs", "--out", folder.path(), "--blue", script("exit 3")});
   ASSERT_TRUE(done);
   EXPECT_EQ(done->status, 2);
   EXPECT_EQ(done->errors, "simgt: blue1: its program has ended with status 3\n");
