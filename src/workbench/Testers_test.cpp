@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 #include <QSlider>
 #include <QSpinBox>
+#include <QTableWidget>
 #include <QTreeWidget>
 
 #include "representations/behavior/BehaviorState.h"
@@ -183,6 +184,40 @@ TEST_F(TesterTest, ValuesAreShownAndChangedInPlace) {
   QApplication::sendEvent(window->dialog("plot"), &drop);
   EXPECT_TRUE(
       until([&] { return window->dialog("plot")->settings()["values"].toArray().size() == 1; }));
+}
+
+TEST_F(TesterTest, NumbersAreSentToAModule) {
+  window->open("testData");
+  auto* id = widget<QComboBox>("testData", "id");
+  auto* values = widget<QTableWidget>("testData", "values");
+  EXPECT_TRUE(until([&] { return id->findText("BallLocator.PIDSmoothed *") >= 0; }));
+  choose("testData", "id", "BallLocator.PIDSmoothed *");
+  ASSERT_GT(values->rowCount(), 2);
+  ASSERT_LE(values->rowCount(), 10);
+  const std::string name = values->item(0, 0)->text().toStdString();
+  const std::string second = values->item(1, 0)->text().toStdString();
+  const std::string before = of("BallLocator.PIDSmoothed." + second);
+  EXPECT_EQ(values->item(1, 1)->text().toStdString(), before);
+  values->item(0, 1)->setText("0.25");  // as the editor does at its end
+  finish();
+  EXPECT_NE(of("BallLocator.PIDSmoothed." + name), "0.25");
+  click("testData", "send");
+  finish();
+  EXPECT_EQ(of("BallLocator.PIDSmoothed." + name), "0.25");
+  EXPECT_EQ(of("BallLocator.PIDSmoothed." + second), before);
+  // What is no number is refused, here or by the robot.
+  values->item(0, 1)->setText("much");
+  click("testData", "send");
+  EXPECT_TRUE(widget<QLabel>("testData", "fault")->text().contains("much"));
+  // What was typed is kept for each id, and in layouts.
+  values->item(0, 1)->setText("0.5");
+  const QJsonObject settings = window->dialog("testData")->settings();
+  id->setCurrentIndex(id->findText("BallLocator.PIDSmoothed *") == 0 ? 1 : 0);
+  window->dialog("testData")->restore(settings);
+  EXPECT_EQ(id->currentText(), "BallLocator.PIDSmoothed *");
+  EXPECT_EQ(values->item(0, 1)->text(), "0.5");
+  click("testData", "fromRobot");
+  EXPECT_TRUE(until([&] { return values->item(0, 1)->text() == "0.25"; }));
 }
 
 TEST_F(TesterTest, TheRobotIsMovedByTheJoystickTester) {
