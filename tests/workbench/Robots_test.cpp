@@ -1,3 +1,4 @@
+#include <QAbstractButton>
 #include <QSlider>
 #include <QTableWidget>
 
@@ -79,11 +80,12 @@ class Robots : public ::testing::WithParamInterface<Kind>, public Programs, publ
     });
   }
   void solve(const QString& task, const QString& solution) {
+    const QString name = GetParam() == Kind::elsewhere ? task + ".physical" : task;
     window->bringToFront("solutions");
     ASSERT_TRUE(eventually(
-        [&] { return window->dialog("solutions")->findChild<QComboBox*>(task) != nullptr; }));
-    choose("solutions", task, solution);
-    auto* box = widget<QComboBox>("solutions", task);
+        [&] { return window->dialog("solutions")->findChild<QComboBox*>(name) != nullptr; }));
+    choose("solutions", name, solution);
+    auto* box = widget<QComboBox>("solutions", name);
     Q_EMIT box->activated(box->currentIndex());
     finish();
     EXPECT_TRUE(eventually([&] { return active(task.toStdString()) == solution.toStdString(); }));
@@ -110,11 +112,12 @@ TEST_P(Robots, AreShownByAllViewers) {
   }
 }
 
-/// Robots of this program.
-class LocalRobots : public Robots {};
-
-TEST_P(LocalRobots, HaveDebugKeysSet) {
+TEST_P(Robots, HaveDebugKeysSet) {
   window->bringToFront("debugKeys");
+  // It shows the table of the connected robot's kind.
+  auto* table = widget<QAbstractButton>("debugKeys",
+                                        GetParam() == Kind::elsewhere ? "physical" : "simulated");
+  EXPECT_TRUE(until([&] { return table->isChecked(); }));
   widget<QComboBox>("debugKeys", "key")->setEditText("ImageProcessor/grid");
   click("debugKeys", "always");
   click("debugKeys", "send");
@@ -126,11 +129,11 @@ TEST_P(LocalRobots, HaveDebugKeysSet) {
   }));
 }
 
-TEST_P(LocalRobots, HaveSolutionsSet) {
+TEST_P(Robots, HaveSolutionsSet) {
   solve("BallLocator", "disabled");
 }
 
-TEST_P(LocalRobots, AreMovedByTheMotionTester) {
+TEST_P(Robots, AreMovedByTheMotionTester) {
   solve("BehaviorControl", "disabled");
   window->open("motion");
   choose("motion", "motion", "normal");
@@ -173,7 +176,6 @@ std::string nameOf(const ::testing::TestParamInfo<Kind>& test) {
 }
 INSTANTIATE_TEST_SUITE_P(, Robots, ::testing::Values(Kind::simulated, Kind::onLog, Kind::elsewhere),
                          nameOf);
-INSTANTIATE_TEST_SUITE_P(, LocalRobots, ::testing::Values(Kind::simulated, Kind::onLog), nameOf);
 
 }  // namespace
 }  // namespace gt

@@ -50,7 +50,7 @@ class DebugKeys : public Dialog {
     auto* layout = new QVBoxLayout{this};
     layout->setContentsMargins(4, 4, 4, 4);
     auto* top = new QHBoxLayout;
-    auto* group = new QButtonGroup{this};
+    group_ = new QButtonGroup{this};
     for (int kind = 0; kind < 2; ++kind) {
       auto* button = new QToolButton;
       button->setText(kinds[kind]);
@@ -58,10 +58,10 @@ class DebugKeys : public Dialog {
       button->setCheckable(true);
       button->setChecked(kind == 0);
       button->setToolTip("Edits the table of these robots");
-      group->addButton(button, kind);
+      group_->addButton(button, kind);
       top->addWidget(button);
     }
-    QObject::connect(group, &QButtonGroup::idClicked, this, [this](int kind) {
+    QObject::connect(group_, &QButtonGroup::idClicked, this, [this](int kind) {
       kind_ = kind;
       showTable();
     });
@@ -170,11 +170,16 @@ class DebugKeys : public Dialog {
     all_->setChecked(settings["all"].toBool());
     showTable();
   }
-  /// A robot that began anew has all its keys off.
+  /// Shows the table of the connected robot's kind. A robot that began anew has all its keys off.
   void refresh() override {
-    const std::uint64_t beginnings = session().status().beginnings;
-    if (beginnings == beginnings_) return;
-    beginnings_ = beginnings;
+    const SessionStatus status = session().status();
+    const auto connected = std::ranges::find_if(status.robots, &RobotInfo::selected);
+    if (connected != status.robots.end() && connected->name != connected_) {
+      connected_ = connected->name;
+      group_->button(connected->kind == RobotKind::physical ? 1 : 0)->click();
+    }
+    if (status.beginnings == beginnings_) return;
+    beginnings_ = status.beginnings;
     for (auto& table : tables_)
       for (auto& [key, entry] : table) entry.sent = false;
     filled_.clear();
@@ -235,6 +240,7 @@ class DebugKeys : public Dialog {
     showTable();
   }
 
+  QButtonGroup* group_;
   QCheckBox* all_;
   QComboBox* key_;
   QSpinBox* n_;
@@ -244,6 +250,7 @@ class DebugKeys : public Dialog {
   std::map<QString, Entry> tables_[2];  ///< Of simulated and of physical robots.
   int kind_ = 0;
   std::string filled_;
+  std::string connected_;  ///< A robot.
   std::uint64_t beginnings_ = 0;
 };
 
