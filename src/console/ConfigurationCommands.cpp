@@ -1,6 +1,8 @@
 #include <filesystem>
 
+#include "base/Lines.h"
 #include "console/Commands.h"
+#include "robot/Deployment.h"
 #include "robot/RunningConfiguration.h"
 
 namespace gt {
@@ -22,6 +24,22 @@ Result<void> config(Console& console, const Words& words) {
   });
 }
 
+/// Copies the configuration of this session for a robot's own programs.
+Result<void> deployTo(Console& console, const Words& words) {
+  const ConfigurationFiles& files = console.session().match().configuration().files;
+  const Deployment deployment{
+      .config = files.paths.config,
+      .location = files.paths.location,
+      .player = {*enumValue<TeamColor>(words[2]), *enumValue<PlayerRole>(words[3])},
+      .robot = words[1],
+      .endpoint = words.size() > 5 ? words[5] : ""};
+  const auto there = deploy(deployment, words[4]);
+  if (!there) return there.error();
+  console.print(words[4] + " holds the configuration with:");
+  for (const Line& line : linesOf(*there)) console.print("  " + std::string{line.text});
+  return {};
+}
+
 }  // namespace
 
 std::vector<Command> configurationCommands() {
@@ -31,7 +49,15 @@ std::vector<Command> configurationCommands() {
        "parameters, color table or the HSI ranges it was made of, TSL thresholds, settings of the "
        "camera, calibration, dimensions. The folder lies in "
        "out/configs/ if it is named without a path; a robot can be started with it, too.",
-       config, nullptr, true}};
+       config, nullptr, true},
+      {Command::Kind::global, "deploy",
+       "NAME (red | blue) (goalie | defender | striker1 | striker2) TARGET "
+       "[ENDPOINT]",
+       "Copies the configuration with the name, team color and role of a robot to where its "
+       "programs read it: to a folder, such as a memory stick, or by ssh to HOST:FOLDER. Tools "
+       "will connect at "
+       "the endpoint, such as tcp://0.0.0.0:15000. Prints what is there then.",
+       deployTo}};
 }
 
 }  // namespace gt

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "representations/perception/ColorTable64.h"
+#include "streams/File.h"
 #include "workbench/SheetWidget.h"
 #include "workbench/TestWindow.h"
 #include "workbench/ViewDialog.h"
@@ -252,6 +253,36 @@ TEST_F(DialogTest, NetworksAreKeptAndConnectedTo) {
   finish();
   EXPECT_EQ(on([](Console& console) { return console.selection(); }),
             std::vector<std::string>{"dog"});
+}
+
+TEST_F(DialogTest, TheConfigurationIsCopiedForARobot) {
+  window->open("connections");
+  Dialog* const dialog = window->dialog("connections");
+  dialog->restore({{"networks", QJsonObject{{"lab", QJsonArray{}}}}, {"current", "lab"}});
+  click("connections", "addRobot");
+  auto* table = widget<QTableWidget>("connections", "robots");
+  const QString target = settings() + "/a stick";
+  table->item(0, 1)->setText("dog");
+  table->item(0, 2)->setText("tcp://10.0.1.7:15007");
+  table->item(0, 5)->setText(target);
+  qobject_cast<QComboBox*>(table->cellWidget(0, 3))->setCurrentText("blue");
+  qobject_cast<QComboBox*>(table->cellWidget(0, 4))->setCurrentText("defender");
+  const QJsonObject settings = dialog->settings();
+  dialog->restore(settings);
+  EXPECT_EQ(dialog->settings(), settings);
+  QTest::mouseClick(table->cellWidget(0, 6), Qt::LeftButton);
+  finish();
+  const std::string stick = target.toStdString();
+  const auto player = readFile(stick + "/player.cfg");
+  ASSERT_TRUE(player) << player.error().text();
+  EXPECT_THAT(*player, ::testing::HasSubstr("teamColor blue"));
+  EXPECT_THAT(*player, ::testing::HasSubstr("playerRole defender"));
+  const auto network = readFile(stick + "/network.cfg");
+  ASSERT_TRUE(network) << network.error().text();
+  EXPECT_THAT(*network, ::testing::HasSubstr("robot dog"));
+  EXPECT_THAT(*network, ::testing::HasSubstr("tcp://0.0.0.0:15007"));
+  EXPECT_EQ(*readFile(stick + "/coltable.c64"), *readFile("config/coltable.c64"));
+  EXPECT_TRUE(printed("playerRole defender"));
 }
 
 TEST_F(DialogTest, AColorTableIsMadeByClicking) {

@@ -8,14 +8,28 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "representations/infrastructure/Player.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
 namespace {
 
+enum Column {
+  enabledColumn,
+  nameColumn,
+  addressColumn,
+  teamColumn,
+  roleColumn,
+  targetColumn,
+  copyColumn,
+  columns
+};
+
 /// Report J.2.5: networks of robots elsewhere. A network has a name and lists robots, each enabled
-/// or not; connecting starts a router to all that are enabled.
+/// or not; connecting starts a router to all that are enabled. The configuration is copied to each
+/// robot with what stands here, so that both are the same.
 class Connections : public Dialog {
  public:
   explicit Connections(SessionThread& session) : Dialog{session} {
@@ -33,9 +47,12 @@ class Connections : public Dialog {
       networks_.remove(network_->currentText());
       showNetworks({});
     });
-    table_ = new QTableWidget{0, 3};
+    table_ = new QTableWidget{0, columns};
     table_->setObjectName("robots");
-    table_->setHorizontalHeaderLabels({"Enabled", "Name", "Address or endpoint"});
+    table_->setHorizontalHeaderLabels(
+        {"Enabled", "Name", "Address or endpoint", "Team", "Role", "Configuration at", ""});
+    table_->horizontalHeaderItem(targetColumn)
+        ->setToolTip("A folder, such as a memory stick, or HOST:FOLDER by ssh");
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->verticalHeader()->hide();
@@ -43,7 +60,7 @@ class Connections : public Dialog {
     auto* bottom = new QHBoxLayout;
     layout->addLayout(bottom);
     button(*bottom, "addRobot", "Add robot", "Adds a robot to the network", [this] {
-      addRobot(true, "robot", "tcp://10.0.1.1:15000");
+      addRobot({true, "robot", "tcp://10.0.1.1:15000"});
       keep();
     });
     button(*bottom, "removeRobot", "Remove robot", "Removes the robot that is marked", [this] {
@@ -114,31 +131,76 @@ class Connections : public Dialog {
       const QSignalBlocker quiet{table_};
       table_->setRowCount(0);
     }
-    for (const QJsonValue robot : networks_.value(name).toArray())
-      addRobot(robot[0].toBool(), robot[1].toString(), robot[2].toString());
+    for (const QJsonValue robot : networks_.value(name).toArray()) addRobot(robot.toArray());
   }
 
-  void addRobot(bool enabled, const QString& name, const QString& address) {
+  /// Adds a robot as networks_ keeps it.
+  void addRobot(const QJsonArray& robot) {
     const QSignalBlocker quiet{table_};
     const int row = table_->rowCount();
     table_->insertRow(row);
     auto* box = new QTableWidgetItem;
     box->setFlags(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-    box->setCheckState(enabled ? Qt::Checked : Qt::Unchecked);
-    table_->setItem(row, 0, box);
-    table_->setItem(row, 1, new QTableWidgetItem{name});
-    table_->setItem(row, 2, new QTableWidgetItem{address});
+    box->setCheckState(robot[0].toBool() ? Qt::Checked : Qt::Unchecked);
+    table_->setItem(row, enabledColumn, box);
+    for (const int column : {nameColumn, addressColumn, targetColumn})
+      table_->setItem(row, column, new QTableWidgetItem{robot[column].toString()});
+    addChoice<TeamColor>(row, teamColumn, robot[teamColumn].toString());
+    addChoice<PlayerRole>(row, roleColumn, robot[roleColumn].toString());
+    auto* copy = new QPushButton{"Copy"};
+    copy->setObjectName("copy");
+    copy->setToolTip("Copies the configuration with this name, address, team color and role");
+    QObject::connect(copy, &QPushButton::clicked, this, [this, copy] { deploy(rowOf(copy)); });
+    table_->setCellWidget(row, copyColumn, copy);
+  }
+  template <typename E>
+  void addChoice(int row, int column, const QString& chosen) {
+    auto* choice = new QComboBox;
+    for (const std::string_view name : enumNames<E>)
+      choice->addItem(QString::fromStdString(std::string{name}));
+    choice->setCurrentIndex(std::max(0, choice->findText(chosen)));
+    QObject::connect(choice, &QComboBox::currentTextChanged, this, [this] { keep(); });
+    table_->setCellWidget(row, column, choice);
   }
 
-  bool enabled(int row) const { return table_->item(row, 0)->checkState() == Qt::Checked; }
-  QString text(int row, int column) const { return table_->item(row, column)->text().trimmed(); }
+  int rowOf(const QWidget* button) const {
+    int row = table_->rowCount() - 1;
+    while (row >= 0 && table_->cellWidget(row, copyColumn) != button) --row;
+    return row;
+  }
+  bool enabled(int row) const {
+    return table_->item(row, enabledColumn)->checkState() == Qt::Checked;
+  }
+  QString text(int row, int column) const {
+    if (const auto* choice = qobject_cast<QComboBox*>(table_->cellWidget(row, column)))
+      return choice->currentText();
+    return table_->item(row, column)->text().trimmed();
+  }
 
   void keep() {
     if (network_->currentText().isEmpty()) return;
     QJsonArray robots;
-    for (int row = 0; row < table_->rowCount(); ++row)
-      robots.append(QJsonArray{enabled(row), text(row, 1), text(row, 2)});
+    for (int row = 0; row < table_->rowCount(); ++row) {
+      QJsonArray robot{enabled(row)};
+      for (int column = nameColumn; column < copyColumn; ++column) robot.append(text(row, column));
+      robots.append(robot);
+    }
     networks_[network_->currentText()] = robots;
+  }
+
+  /// Tools connect at the robot's port of all its addresses.
+  void deploy(int row) {
+    if (row < 0) return;  // of a button that is about to be deleted
+    if (text(row, targetColumn).isEmpty()) {
+      state_->setText("Where the robot's configuration lies is not known.");
+      return;
+    }
+    QString line = "deploy";
+    for (const int column : {nameColumn, teamColumn, roleColumn, targetColumn})
+      line += " \"" + text(row, column) + "\"";
+    const QString port = text(row, addressColumn).section(':', 2);
+    if (!port.isEmpty()) line += " tcp://0.0.0.0:" + port;
+    session().execute(line.toStdString());
   }
 
   void connect() {
@@ -147,7 +209,8 @@ class Connections : public Dialog {
     for (int row = 0; row < table_->rowCount(); ++row)
       if (enabled(row)) {
         any = true;
-        line += " " + text(row, 1).toStdString() + "=" + text(row, 2).toStdString();
+        line += " " + text(row, nameColumn).toStdString() + "=" +
+                text(row, addressColumn).toStdString();
       }
     if (any)
       session().execute(line);
@@ -159,14 +222,15 @@ class Connections : public Dialog {
   QTableWidget* table_;
   QCheckBox* gameManager_;
   QLabel* state_;
-  QJsonObject networks_;  ///< By their names: robots as [enabled, name, endpoint].
+  QJsonObject networks_;  ///< By their names: robots as their rows.
 };
 
 const RegisterDialog<Connections> registered{
     {.id = "connections",
      .title = "Connections",
      .group = "Session",
-     .help = "Networks of robots elsewhere, and connecting to them through a router",
+     .help = "Networks of robots elsewhere, connecting to them through a router, and copying their "
+             "configuration",
      .report = "J.2.5",
      .place = DialogPlace::left}};
 
