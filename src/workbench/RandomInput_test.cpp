@@ -92,8 +92,8 @@ TEST_F(RandomInput, BreaksNothing) {
   }
   // All that was asked for is done or refused, and the session still does what it is told.
   session->interrupt();
-  EXPECT_TRUE(execute("reset"));
   EXPECT_TRUE(execute("stop"));
+  EXPECT_TRUE(execute("reset"));
   EXPECT_TRUE(execute("run 80 ms"));
   EXPECT_EQ(session->status().time.ms, 80);
 }
