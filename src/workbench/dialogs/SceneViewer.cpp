@@ -1,6 +1,8 @@
+#include <QElapsedTimer>
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -37,12 +39,44 @@ struct Thing {
   double height = 0;   ///< Of that place.
 };
 
+/// How fast the mouse moves a thing along the ground.
+class MouseSpeed {
+ public:
+  MouseSpeed() { clock_.start(); }
+  void move(const Vector2d& to) {
+    const double now = clock_.elapsed();
+    while (path_.size() > 1 && path_[1].first < now - shownMs) path_.pop_front();
+    path_.emplace_back(now, to);
+  }
+  /// In mm/s, over the last moment.
+  Vector2d value() const {
+    if (path_.size() < 2) return Vector2d::Zero();
+    const double ms = std::max(clock_.elapsed() - path_.front().first, 1.0);
+    const Vector2d speed = (path_.back().second - path_.front().second) * 1000 / ms;
+    return speed.norm() > fastest ? Vector2d{speed.normalized() * fastest} : speed;
+  }
+
+ private:
+  static constexpr double shownMs = 120;
+  static constexpr double fastest = 5000;  // mm/s
+
+  QElapsedTimer clock_;
+  std::deque<std::pair<double, Vector2d>> path_;  ///< ms, place.
+};
+
 /// Report J.4, I.3.1: the scene in space, whose robots and balls are moved by the mouse.
 class SceneViewer : public SpaceDialog {
  public:
   explicit SceneViewer(SessionThread& session) : SpaceDialog{session} {
     view().grabbed = [this](const QPointF& at) { return take(at); };
-    view().dragged = [this](const QPointF& at, bool last) { drag(at, last); };
+    view().dragged = [this](const QPointF& at) {
+      if (const auto line = dragTo(at); line && !this->session().busy())
+        this->session().execute(*line, {}, true);
+    };
+    view().dropped = [this](const QPointF& at, Qt::KeyboardModifiers keys) {
+      if (const auto line = dragTo(at))
+        this->session().execute(*line + (keys & Qt::ShiftModifier ? speedText() : ""));
+    };
     view().doubleClicked = [this](const QPointF& at) {
       const auto thing = thingAt(at);
       if (thing && thing->robot) this->session().execute("robot " + thing->name);
@@ -156,6 +190,7 @@ class SceneViewer : public SpaceDialog {
   }
 
   bool take(const QPointF& at) {
+    speed_ = {};
     thing_ = thingAt(at);
     if (!thing_) return false;
     known_ = false;
@@ -181,12 +216,14 @@ class SceneViewer : public SpaceDialog {
     return true;
   }
 
-  /// Moves the thing along the ground by as much as the mouse has moved, or turns the robot about
-  /// the middle of its forelegs.
-  void drag(const QPointF& at, bool last) {
-    if (!thing_ || !known_ || (!last && session().busy())) return;
+  /// The command that moves the thing along the ground by as much as the mouse has moved, or turns
+  /// the robot about the middle of its forelegs.
+  std::optional<std::string> dragTo(const QPointF& at) {
+    if (!thing_) return std::nullopt;
     const auto there = view().ray(at).atHeight(thing_->height);
-    if (!there) return;
+    if (!there) return std::nullopt;
+    speed_.move(there->head<2>());
+    if (!known_) return std::nullopt;
     const Vector2d by = there->head<2>() - thing_->taken;
     Pose2D pose = thing_->pose;
     if (thing_->turns) {
@@ -202,13 +239,21 @@ class SceneViewer : public SpaceDialog {
                        std::to_string(std::lround(pose.translation.x())) + " " +
                        std::to_string(std::lround(pose.translation.y()));
     if (thing_->robot) line += " " + std::to_string(std::lround(toDegrees(pose.rotation)));
-    session().execute(line, {}, !last);
+    return line;
+  }
+  /// What throws a ball as fast as the mouse moves.
+  std::string speedText() const {
+    if (thing_->robot) return {};
+    const Vector2d speed = speed_.value();
+    return " " + std::to_string(std::lround(speed.x())) + " " +
+           std::to_string(std::lround(speed.y()));
   }
 
   static constexpr double forelegsAhead = 75;  // mm, of the body's center
 
   Look look_;
   std::optional<Thing> thing_;
+  MouseSpeed speed_;
   bool known_ = false;
 };
 
@@ -262,7 +307,9 @@ const RegisterDialog<SceneViewer> registered{
     {.id = "scene",
      .title = "Scene",
      .group = "Simulator",
-     .help = "The simulated scene in space; robots and balls are dragged by the mouse",
+     .help =
+         "The simulated scene in space; robots and balls are dragged by the mouse, balls thrown "
+         "with Shift",
      .report = "J.4",
      .place = DialogPlace::center,
      .several = true,

@@ -185,7 +185,7 @@ void GlView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF whole = event->position() - *pressed_;
   if (whole.manhattanLength() >= QApplication::startDragDistance()) moved_ = true;
   if (grabs_) {
-    if (moved_ && dragged) dragged(event->position(), false);
+    if (moved_ && dragged) dragged(event->position());
     return;
   }
   if (event->buttons() & Qt::RightButton)
@@ -199,7 +199,7 @@ void GlView::mouseMoveEvent(QMouseEvent* event) {
 void GlView::mouseReleaseEvent(QMouseEvent* event) {
   if (!pressed_) return;
   pressed_.reset();
-  if (grabs_ && moved_ && dragged) dragged(event->position(), true);
+  if (grabs_ && moved_ && dropped) dropped(event->position(), event->modifiers());
   grabs_ = false;
   if (event->button() == Qt::LeftButton && !moved_ && clicked) clicked(event->position());
   if (event->button() == Qt::RightButton && !moved_) showMenu(event->position());

@@ -39,8 +39,10 @@ class GlView : public QOpenGLWidget {
 
   /// Called when the left button goes down; true: it drags something, and not the camera.
   std::function<bool(const QPointF&)> grabbed;
-  /// What was grabbed is dragged; `last`: the button goes up.
-  std::function<void(const QPointF&, bool last)> dragged;
+  /// What was grabbed is dragged.
+  std::function<void(const QPointF&)> dragged;
+  /// It is let go.
+  std::function<void(const QPointF&, Qt::KeyboardModifiers)> dropped;
   /// The left button went down and up at one place.
   std::function<void(const QPointF&)> clicked;
   std::function<void(const QPointF&)> doubleClicked;

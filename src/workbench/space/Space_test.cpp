@@ -62,8 +62,8 @@ class SpaceTest : public WindowTest {
   Vector3d place(const std::string& of, double height) {
     return {std::stod(value(of + ".x")), std::stod(value(of + ".y")), height};
   }
-  void drag(GlView& view, const QPointF& from, const QPointF& to) {
-    QTest::mousePress(&view, Qt::LeftButton, {}, from.toPoint());
+  void drag(GlView& view, const QPointF& from, const QPointF& to, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(&view, Qt::LeftButton, keys, from.toPoint());
     finish();
     QTest::qWait(50);
     for (int i = 1; i <= 4; ++i) {
@@ -96,6 +96,56 @@ TEST_F(SpaceTest, TheBallIsSeenAndDraggedAlongTheGround) {
   drag(view, {20, view.height() - 20.0}, {120, view.height() - 20.0});
   EXPECT_NE(view.camera().azimuth, azimuth);
   EXPECT_NEAR(place("ball", 0).x(), -500, 40);
+}
+
+TEST_F(SpaceTest, TheBallIsThrownWithShift) {
+  ASSERT_TRUE(execute("place ball 300 -600"));
+  SpaceDialog& scene = show("scene");
+  GlView& view = scene.view();
+  const QPointF from = seenAt(view, view.camera(), {300, -600, 43});
+  const auto picked = view.pick(from);
+  ASSERT_TRUE(picked);
+  const QPointF to = seenAt(view, view.camera(), {-300, -600, picked->point.z()});
+  QTest::mousePress(&view, Qt::LeftButton, {}, from.toPoint());
+  finish();
+  QTest::qWait(50);
+  QTest::mouseMove(&view, (from + (to - from) / 4).toPoint());
+  QTest::qWait(40);
+  QTest::mouseRelease(&view, Qt::LeftButton, Qt::ShiftModifier, to.toPoint());
+  finish();
+  const auto ball = [&] {
+    return on([](Console& console) { return console.session().simulation().world().ball(0); });
+  };
+  // It has the speed of the mouse, over the moment before it was let go.
+  const Vector2d speed = ball().speed;
+  EXPECT_LT(speed.x(), -300);
+  EXPECT_LT(std::abs(speed.y()), 0.2 * std::abs(speed.x()));
+  ASSERT_TRUE(execute("run 200 ms"));
+  EXPECT_LT(ball().position.x(), -300 - 40);
+  // Without Shift it stays where it is let go.
+  ASSERT_TRUE(execute("place ball 300 -600"));
+  EXPECT_TRUE(drawn(scene));
+  drag(view, from, to);
+  EXPECT_EQ(ball().speed.norm(), 0);
+}
+
+TEST_F(SpaceTest, ScenesAreDrawnInTheWindowAndFloating) {
+  ASSERT_TRUE(execute("place ball 300 -600"));
+  SpaceDialog& scene = show("scene");
+  GlView& view = scene.view();
+  auto* const dock = static_cast<QDockWidget*>(scene.parentWidget());
+  for (const bool floating : {false, true, false}) {
+    dock->setFloating(floating);
+    window->bringToFront(scene.objectName());
+    EXPECT_TRUE(drawn(scene));
+    EXPECT_TRUE(view.isValid());
+    const QPointF place = seenAt(view, view.camera(), {300, -600, 43});
+    const QColor seen = view.grabFramebuffer().pixelColor(place.toPoint());
+    EXPECT_GT(seen.red(), seen.green() + 30) << floating << " " << seen.name().toStdString();
+    // What the window shows is the same.
+    const QColor shown = dock->grab().toImage().pixelColor(view.mapTo(dock, place.toPoint()));
+    EXPECT_GT(shown.red(), shown.green() + 30) << floating << " " << shown.name().toStdString();
+  }
 }
 
 TEST_F(SpaceTest, RobotsAreDraggedBetweenTheirForelegsAndTurnedBetweenTheirHindLegs) {
