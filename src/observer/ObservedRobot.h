@@ -120,6 +120,13 @@ class ObservedRobot {
 
   /// The newest of each key.
   const std::map<std::string, Drawing>& drawings() const { return drawings_; }
+  /// When the newest of a key came; never if none has.
+  Time drawnAt(const std::string& key) const {
+    const auto known = drawnAt_.find(key);
+    return known == drawnAt_.end() ? never() : known->second;
+  }
+  /// Whether the key of a drawing was switched off here.
+  bool isHidden(const std::string& key) const { return hidden_.contains(key); }
   /// What was plotted, and the times of stopwatches in us.
   const std::map<std::string, std::deque<Point>>& plots() const { return plots_; }
   /// The texts that came since this was called last.

@@ -345,6 +345,37 @@ TEST_F(DialogTest, AMessageIsWrittenAndSent) {
   EXPECT_TRUE(text->toPlainText().contains("70"));
 }
 
+TEST_F(DialogTest, ViewersSayWhyDrawingsDoNotCome) {
+  window->bringToFront("field");
+  auto* hint = widget<QLabel>("field", "hint");
+  const auto says = [&](const char* text) {
+    return until([&] {
+      EXPECT_TRUE(execute("run 80 ms"));
+      return hint->isVisible() == (*text != 0) && (!*text || hint->text().contains(text));
+    });
+  };
+  const auto drawn = [](Console& console) {
+    return (*console.firstRobot())->observed().drawings().contains("SelfLocator/pose");
+  };
+  EXPECT_TRUE(says("") && until([&] {
+                EXPECT_TRUE(execute("run 80 ms"));
+                return on(drawn);
+              }));
+  ASSERT_TRUE(execute("dk SelfLocator/pose off"));
+  EXPECT_TRUE(says("SelfLocator/pose (off)"));
+  EXPECT_FALSE(on(drawn));
+  Q_EMIT hint->linkActivated("on");
+  finish();
+  EXPECT_TRUE(says(""));
+  EXPECT_TRUE(on(drawn));
+  ASSERT_TRUE(execute("sr BallLocator disabled"));
+  EXPECT_TRUE(says("BallLocator/ball (BallLocator is disabled)"));
+  QJsonObject settings = window->dialog("field")->settings();
+  settings["drawings"] = QJsonArray{"NoModule/nothing"};
+  window->dialog("field")->restore(settings);
+  EXPECT_TRUE(says("NoModule/nothing (unknown to red3)"));
+}
+
 TEST_F(WindowTest, EightImagesShowRobotsOfTheirOwn) {
   Dialog* dialog = window->open("images");
   QJsonObject settings = dialog->settings();

@@ -241,6 +241,7 @@ TEST_F(WindowTest, ClosingAsksForWhatIsNotSaved) {
   EXPECT_TRUE(text.contains("the layout mine")) << text.toStdString();
   EXPECT_TRUE(text.contains("the recording of red1")) << text.toStdString();
   EXPECT_TRUE(window->isVisible());
+  ASSERT_TRUE(execute("log stop"));  // viewers ask the robot, whose answers would be recorded
   ASSERT_TRUE(execute("log save " + (folder.path() / "kept.mcap").string()));
   EXPECT_TRUE(until([&] { return session->status().recordings.empty(); }));
   // Only the layout is left, which needs no file name.

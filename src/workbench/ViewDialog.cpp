@@ -1,5 +1,6 @@
 #include "workbench/ViewDialog.h"
 
+#include <QLabel>
 #include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace {
 
 /// A view that takes long rests this many times as long, so that it does not hold up the others.
 constexpr double restFactor = 3;
+/// How often a viewer looks why drawings do not come.
+constexpr qint64 hintInterval = 1000;  // ms
 
 }  // namespace
 
@@ -25,7 +28,18 @@ ViewDialog::ViewDialog(SessionThread& session, std::shared_ptr<const View> view)
     : Dialog{session}, sheet_{new SheetWidget}, view_{std::move(view)} {
   auto* layout = new QVBoxLayout{this};
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(sheet_);
+  layout->setSpacing(0);
+  layout->addWidget(sheet_, 1);
+  hint_ = new QLabel;
+  hint_->setObjectName("hint");
+  hint_->setWordWrap(true);
+  hint_->setMargin(3);
+  hint_->setVisible(false);
+  QObject::connect(hint_, &QLabel::linkActivated, this, [this](const QString&) {
+    for (const DrawingHint& hint : hints_)
+      if (hint.off) this->session().executeFor(hinted_, "dk " + hint.key + " on");
+  });
+  layout->addWidget(hint_);
   sheet_->addActions = [this](QMenu& menu, const QPointF& place) {
     addActions(menu, place);
     menu.addSeparator();
@@ -89,34 +103,59 @@ void ViewDialog::refresh() {
         ViewSubject subject = console.viewSubject();
         if (!robot.empty()) {
           ConsoleRobot* const chosen = console.session().find(robot);
-          if (!chosen) return {nullptr, "There is no robot " + robot + ".", {}, 0};
+          if (!chosen) return {.error = "There is no robot " + robot + "."};
           subject.robots = {&chosen->observed()};
         }
         ObservedRobot* const first = subject.robots.empty() ? nullptr : subject.robots.front();
         if (first && (prepared->robot != first || prepared->beginnings != beginnings ||
                       prepared->keys != keys)) {
-          *prepared = {first, beginnings, keys, first->debugKeys()};
+          *prepared = {first, beginnings, keys, first->debugKeys(), {}, {}};
           // A robot that does not know a key draws nothing for it.
           for (const std::string& key : keys)
             static_cast<void>(first->request(DebugRequest{key, DebugKeyMode::always, 0}));
         }
+        if (!first) prepared->hints.clear();
+        if (first && (!prepared->looked.isValid() || prepared->looked.elapsed() > hintInterval)) {
+          prepared->hints = drawingHints(*first, keys, prepared->known);
+          prepared->looked.start();
+        }
+        Answer answer{.knownKeys = prepared->known, .hints = prepared->hints};
+        if (first) answer.robot = first->name();
         auto sheet = view->show(subject, numbers);
-        if (!sheet) return {nullptr, sheet.error().text(), prepared->known, 0};
-        return {std::make_shared<const Sheet>(std::move(*sheet)),
-                {},
-                prepared->known,
-                static_cast<double>(clock.nsecsElapsed()) / 1e6};
+        if (sheet) {
+          answer.sheet = std::make_shared<const Sheet>(std::move(*sheet));
+          answer.ms = static_cast<double>(clock.nsecsElapsed()) / 1e6;
+        } else {
+          answer.error = sheet.error().text();
+        }
+        return answer;
       },
       [this](Answer& answer) {
         asked_ = false;
         answered_.start();
         rest_ = restFactor * answer.ms;
         knownKeys_ = std::move(answer.knownKeys);
+        showHints(answer);
         if (answer.sheet)
           sheet_->showSheet(std::move(answer.sheet));
         else
           sheet_->showText(QString::fromStdString(answer.error));
       });
+}
+
+/// Names what does not come, with a link that switches on what is off.
+void ViewDialog::showHints(const Answer& answer) {
+  hinted_ = answer.robot;
+  if (answer.hints == hints_) return;
+  hints_ = answer.hints;
+  QStringList texts;
+  bool off = false;
+  for (const DrawingHint& hint : hints_) {
+    texts << QString::fromStdString(hint.key + " (" + hint.why + ")").toHtmlEscaped();
+    off |= hint.off;
+  }
+  hint_->setText("Not drawn: " + texts.join(", ") + (off ? ". <a href=\"on\">Switch on</a>" : "."));
+  hint_->setVisible(!hints_.empty());
 }
 
 }  // namespace gt

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "workbench/Dialog.h"
+#include "workbench/DrawingHints.h"
 #include "workbench/SheetWidget.h"
 
+class QLabel;
 class QMenu;
 
 namespace gt {
@@ -41,22 +43,31 @@ class ViewDialog : public Dialog {
   const std::vector<std::string>& knownKeys() const { return knownKeys_; }
 
  private:
-  /// For which robot which keys were switched on. Used by the session's thread only.
+  /// For which robot which keys were switched on, and what hinders drawings. Used by the session's
+  /// thread only.
   struct Prepared {
     const void* robot = nullptr;
     std::uint64_t beginnings = 0;
     std::vector<std::string> keys, known;
+    std::vector<DrawingHint> hints;
+    QElapsedTimer looked;  ///< For them.
   };
   struct Answer {
-    std::shared_ptr<const Sheet> sheet;
-    std::string error;
-    std::vector<std::string> knownKeys;
+    std::shared_ptr<const Sheet> sheet{};
+    std::string error{};
+    std::vector<std::string> knownKeys{};
+    std::vector<DrawingHint> hints{};
+    std::string robot{};
     double ms = 0;  ///< That it took.
   };
 
   void askAgain();
+  void showHints(const Answer& answer);
 
   SheetWidget* sheet_;
+  QLabel* hint_;                    ///< Why drawings do not come.
+  std::vector<DrawingHint> hints_;  ///< That it shows,
+  std::string hinted_;              ///< of this robot.
   std::shared_ptr<const View> view_;
   std::vector<double> numbers_;
   std::vector<std::string> keys_, knownKeys_;
