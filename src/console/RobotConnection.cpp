@@ -2,37 +2,13 @@
 
 #include <filesystem>
 
+#include "observer/RouterLink.h"
 #include "robot/Solutions.h"
 
 namespace gt {
 namespace {
 
 constexpr int robotPort = 15000;
-
-/// The message queues of a robot elsewhere, by its port at the router.
-class ConnectionLink : public RobotLink {
- public:
-  ConnectionLink(Router& router, std::size_t robot, std::unique_ptr<ToolConnection> connection)
-      : router_{router}, robot_{robot}, connection_{std::move(connection)} {}
-  RobotKind kind() const override { return RobotKind::physical; }
-  MessageQueue& toRobot() override { return connection_->out(); }
-  void exchange(const Taker& take) override {
-    router_.step(0);
-    connection_->update(messages_);
-    take(messages_);
-    messages_.clear();
-  }
-  /// A robot that is not connected cannot answer.
-  std::chrono::milliseconds patience() const override {
-    return std::chrono::milliseconds{router_.statistics()[robot_].connected ? 1500 : 0};
-  }
-
- private:
-  Router& router_;
-  std::size_t robot_;
-  std::unique_ptr<ToolConnection> connection_;
-  MessageQueue messages_{2 * toolQueueSize};
-};
 
 class ConnectedRobot : public ConsoleRobot {
  public:
@@ -75,12 +51,10 @@ Result<std::unique_ptr<RobotConnection>> RobotConnection::open(
   if (!router) return router.error();
   connection->router_ = std::move(*router);
   for (std::size_t i = 0; i < options.robots.size(); ++i) {
-    auto tool = ToolConnection::open(connection->network_, connection->router_->endpointOf(i), {},
-                                     &robotVocabulary());
-    if (!tool) return tool.error();
-    connection->robots_.push_back(std::make_unique<ConnectedRobot>(
-        shortName(options.robots[i].name),
-        std::make_unique<ConnectionLink>(*connection->router_, i, std::move(*tool))));
+    auto link = RouterLink::open(*connection->router_, i, connection->network_, robotVocabulary());
+    if (!link) return link.error();
+    connection->robots_.push_back(
+        std::make_unique<ConnectedRobot>(shortName(options.robots[i].name), std::move(*link)));
   }
   connection->connected_.resize(options.robots.size(), false);
   return connection;

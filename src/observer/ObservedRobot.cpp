@@ -49,7 +49,16 @@ ObservedRobot::ObservedRobot(std::string name, std::unique_ptr<RobotLink> link)
 void ObservedRobot::take(const MessageQueue& messages) {
   messages.handleAllMessages([this](const Message& message) { take(message); });
   if (warnings_.list().size() < mostWarnings) warnings_.add(warningsIn(messages, name_));
-  if (taker_ && !messages.empty()) taker_(messages);
+  if (messages.empty()) return;
+  std::erase_if(takers_, [](const auto& taker) { return taker.expired(); });
+  for (std::size_t i = 0; i < takers_.size(); ++i)
+    if (const auto taker = takers_[i].lock()) (*taker)(messages);
+}
+
+std::shared_ptr<const void> ObservedRobot::passTo(RobotLink::Taker taker) {
+  auto shared = std::make_shared<const RobotLink::Taker>(std::move(taker));
+  takers_.push_back(shared);
+  return shared;
 }
 
 void ObservedRobot::take(const Message& message) {
@@ -193,14 +202,36 @@ Result<void> ObservedRobot::refusalOf(Time asked) const {
 }
 
 Result<void> ObservedRobot::request(const DebugRequest& request) {
-  if (auto done = this->request<DebugRequest>(request); !done) return done;
-  if (request.mode == DebugKeyMode::disabled) {
+  const bool off = request.mode == DebugKeyMode::disabled;
+  DebugRequest sent = request;
+  const auto key = keys_.find(request.key);
+  if (off && key != keys_.end() && key->second.subscriptions > 0) sent.mode = DebugKeyMode::always;
+  if (auto done = this->request<DebugRequest>(sent); !done) return done;
+  keys_[request.key].byHand = request.mode == DebugKeyMode::times
+                                  ? DebugKeyRequest{}
+                                  : DebugKeyRequest{request.mode, request.n};
+  if (off) {
     hidden_.insert(request.key);
     drawings_.erase(request.key);
   } else {
     hidden_.erase(request.key);
   }
   return {};
+}
+
+ObservedRobot::Subscription ObservedRobot::subscribeKey(const std::string& key) {
+  Key& asked = keys_[key];
+  if (asked.subscriptions++ == 0 && asked.byHand.mode == DebugKeyMode::disabled) {
+    hidden_.insert(key);
+    static_cast<void>(send(DebugRequest{key, DebugKeyMode::always, 0}));
+  }
+  return {*this, key, &ObservedRobot::dropKey};
+}
+
+void ObservedRobot::dropKey(const std::string& key) {
+  Key& asked = keys_[key];
+  if (--asked.subscriptions == 0 && asked.byHand.mode == DebugKeyMode::disabled)
+    static_cast<void>(send(DebugRequest{key, DebugKeyMode::disabled, 0}));
 }
 
 // Values of representations.
@@ -251,7 +282,7 @@ ObservedRobot::Subscription ObservedRobot::subscribe(const std::string& represen
   if (!type) return {};
   if (newest_[type->id].subscriptions++ == 0)
     static_cast<void>(send(WatchRequest{representation, "", DebugKeyMode::always, 0}));
-  return {*this, representation};
+  return {*this, representation, &ObservedRobot::drop};
 }
 
 void ObservedRobot::drop(const std::string& representation) {

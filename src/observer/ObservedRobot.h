@@ -68,6 +68,9 @@ class ObservedRobot {
   /// must outlive the subscription.
   class Subscription;
   [[nodiscard]] Subscription subscribe(const std::string& representation);
+  /// Has the output of a debug key sent for as long as the subscription exists, also after a
+  /// request has switched the key off. `drawings()` has none that is drawn for subscriptions alone.
+  [[nodiscard]] Subscription subscribeKey(const std::string& key);
   /// The same by hand: as often as a debug key of this state (command dk).
   Result<void> watch(const std::string& representation, DebugKeyRequest often);
   /// The representations that the robot can be asked for, sorted; empty if it does not answer.
@@ -138,8 +141,9 @@ class ObservedRobot {
   /// Forgets all of that: the robot has begun anew, perhaps at an earlier time.
   void forget();
 
-  /// Also hands all messages to something else, such as a recorder.
-  void passTo(RobotLink::Taker taker) { taker_ = std::move(taker); }
+  /// Also hands all messages to something else, such as a recorder, for as long as the handle
+  /// exists.
+  [[nodiscard]] std::shared_ptr<const void> passTo(RobotLink::Taker taker);
 
  private:
   /// The newest message of a type.
@@ -152,12 +156,19 @@ class ObservedRobot {
     DebugKeyRequest watched{};  ///< By hand.
   };
 
+  /// What is asked for of a debug key.
+  struct Key {
+    DebugKeyRequest byHand{};
+    int subscriptions = 0;
+  };
+
   void take(const Message& message);
   void take(RequestAnswer answer);
   void take(ProcessDescription description);
   void keep(Time time, Drawing drawing);
   void keep(const std::string& plot, Point point);
   void drop(const std::string& representation);
+  void dropKey(const std::string& key);
   Result<void> isKnown(std::string_view representation);
   const void* newest(const RepresentationType& type);
   Result<ConstValue> decoded(const RepresentationType& type);
@@ -187,7 +198,8 @@ class ObservedRobot {
   std::map<std::string, std::deque<Point>> plots_;
   std::vector<std::string> texts_;
   Findings warnings_;
-  RobotLink::Taker taker_;
+  std::vector<std::weak_ptr<const RobotLink::Taker>> takers_;
+  std::map<std::string, Key> keys_;
 
   Time asked_;                                 ///< Time stamp of the last message to the robot.
   std::vector<RequestAnswer> answers_;         ///< To it.
@@ -198,27 +210,32 @@ class ObservedRobot {
   std::map<std::string, ModuleTimes> times_;
 };
 
-/// Keeps a representation coming.
+/// Keeps a representation or the output of a debug key coming.
 class ObservedRobot::Subscription {
  public:
+  using Drop = void (ObservedRobot::*)(const std::string&);
+
   Subscription() = default;
-  Subscription(ObservedRobot& robot, std::string representation)
-      : robot_{&robot}, representation_{std::move(representation)} {}
+  Subscription(ObservedRobot& robot, std::string name, Drop drop)
+      : robot_{&robot}, name_{std::move(name)}, drop_{drop} {}
   Subscription(Subscription&& other) noexcept
       : robot_{std::exchange(other.robot_, nullptr)},
-        representation_{std::move(other.representation_)} {}
+        name_{std::move(other.name_)},
+        drop_{other.drop_} {}
   Subscription& operator=(Subscription&& other) noexcept {
     std::swap(robot_, other.robot_);
-    std::swap(representation_, other.representation_);
+    std::swap(name_, other.name_);
+    std::swap(drop_, other.drop_);
     return *this;
   }
   ~Subscription() {
-    if (robot_) robot_->drop(representation_);
+    if (robot_) (robot_->*drop_)(name_);
   }
 
  private:
   ObservedRobot* robot_ = nullptr;
-  std::string representation_;
+  std::string name_;
+  Drop drop_ = nullptr;
 };
 
 template <typename Request>

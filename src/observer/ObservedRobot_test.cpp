@@ -23,6 +23,7 @@ class OneProcess : public RobotLink {
 
   int images = 0;
   bool answers = true;
+  std::vector<DebugKeyMode> modes;  ///< That were asked for of Eyes/seen.
 
  private:
   void answer(const Message& message, MessageQueue& out) {
@@ -42,8 +43,11 @@ class OneProcess : public RobotLink {
       image.info.height = 1;
       image.allocate();
       if (watch.mode == DebugKeyMode::times) out.write({}, image);
-    } else if (message.is<DebugRequest>() && message.read(key) && key.key != "Eyes/seen") {
-      answer.outcome = RequestOutcome::notConcerned;
+    } else if (message.is<DebugRequest>() && message.read(key)) {
+      if (key.key == "Eyes/seen")
+        modes.push_back(key.mode);
+      else
+        answer.outcome = RequestOutcome::notConcerned;
     } else if (message.is<SolutionRequest>()) {
       answer = answerTo(message, "Eyes", Error{.what = "not now"});
     }
@@ -104,6 +108,38 @@ TEST_F(ObservedRobotTest, AsksForAValueUnlessItIsSubscribed) {
   EXPECT_EQ(link->images, 5) << "it was notified that nobody wants it any more";
   EXPECT_EQ(robot.value("Poem").error().what, "no process of the robot has it");
   EXPECT_THAT(robot.inputs(), ElementsAre("Image"));
+}
+
+TEST_F(ObservedRobotTest, SubscribesKeysBesideWhatIsAskedForByHand) {
+  using enum DebugKeyMode;
+  {
+    const auto first = robot.subscribeKey("Eyes/seen"), second = robot.subscribeKey("Eyes/seen");
+    EXPECT_THAT(link->modes, ElementsAre(always));
+    draw(8, {"Eyes/seen"});
+    EXPECT_TRUE(robot.drawings().empty()) << "views show what was asked for by hand";
+    EXPECT_TRUE(robot.request(DebugRequest{"Eyes/seen", everyMs, 100}));
+    draw(16, {"Eyes/seen"});
+    EXPECT_EQ(elements("Eyes/seen"), 1u);
+    EXPECT_TRUE(robot.request(DebugRequest{"Eyes/seen", disabled}));
+    EXPECT_THAT(link->modes, ElementsAre(always, everyMs, always));
+  }
+  EXPECT_EQ(link->modes.back(), disabled);
+  EXPECT_EQ(link->modes.size(), 4u);
+  EXPECT_TRUE(robot.request(DebugRequest{"Eyes/seen", always}));
+  { const auto subscription = robot.subscribeKey("Eyes/seen"); }
+  EXPECT_EQ(link->modes.size(), 5u) << "it stays on, as it was asked for by hand";
+}
+
+TEST_F(ObservedRobotTest, HandsMessagesToAllWhoFollow) {
+  int first = 0, second = 0;
+  const auto counted = robot.passTo([&](const MessageQueue&) { ++first; });
+  {
+    const auto alsoCounted = robot.passTo([&](const MessageQueue&) { ++second; });
+    draw(8, {"Eyes/seen"});
+  }
+  draw(16, {"Eyes/seen"});
+  EXPECT_EQ(first, 2);
+  EXPECT_EQ(second, 1);
 }
 
 TEST_F(ObservedRobotTest, TakesNoImageThatIsNotWhole) {

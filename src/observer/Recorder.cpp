@@ -31,7 +31,7 @@ Result<void> Recorder::start() {
   for (const std::string& input : robot_.inputs()) inputs_.push_back(robot_.subscribe(input));
   trace(true);
   recording_ = true;
-  robot_.passTo([this](const MessageQueue& messages) { take(messages); });
+  passing_ = robot_.passTo([this](const MessageQueue& messages) { take(messages); });
   return {};
 }
 
@@ -44,7 +44,7 @@ void Recorder::trace(bool on) {
 void Recorder::stop() {
   if (!recording_) return;
   recording_ = false;
-  robot_.passTo({});
+  passing_.reset();
   trace(false);
   inputs_.clear();
 }

@@ -43,6 +43,7 @@ class Recorder {
   std::unique_ptr<TemporaryFolder> folder_;  ///< Once something was recorded.
   std::optional<RobotLog> log_;
   std::vector<ObservedRobot::Subscription> inputs_;
+  std::shared_ptr<const void> passing_;
   bool recording_ = false;
   std::uint64_t messages_ = 0, saved_ = 0;
   Time lastImage_ = never();

@@ -82,7 +82,7 @@ TEST_F(LocalLinkTest, OnlyWhatIsSubscribedComesWithTheCycles) {
     EXPECT_EQ(observed->newest<Image>(), nullptr);
   }
   int messages = 0;
-  observed->passTo([&](const MessageQueue& queue) {
+  const auto passing = observed->passTo([&](const MessageQueue& queue) {
     queue.handleAllMessages([&](const Message&) { ++messages; });
   });
   step();

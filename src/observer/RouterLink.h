@@ -1,0 +1,34 @@
+#pragma once
+#include <memory>
+
+#include "network/Router.h"
+#include "observer/RobotLink.h"
+
+namespace gt {
+
+/// The message queues of a robot elsewhere, by its port at a router of this program.
+class RouterLink : public RobotLink {
+ public:
+  /// Connects to the port of a robot of the router by its index. The router, the network and the
+  /// vocabulary must outlive the link. The keys are for a router that lets in only tools with keys.
+  static Result<std::unique_ptr<RouterLink>> open(Router& router, std::size_t robot,
+                                                  Network& network, const Vocabulary& vocabulary,
+                                                  const std::optional<Keys>& keys = {});
+
+  RobotKind kind() const override { return RobotKind::physical; }
+  MessageQueue& toRobot() override { return connection_->out(); }
+  void exchange(const Taker& take) override;
+  /// A robot that is not connected cannot answer.
+  std::chrono::milliseconds patience() const override;
+
+ private:
+  RouterLink(Router& router, std::size_t robot, std::unique_ptr<ToolConnection> connection)
+      : router_{router}, robot_{robot}, connection_{std::move(connection)} {}
+
+  Router& router_;
+  std::size_t robot_;
+  std::unique_ptr<ToolConnection> connection_;
+  MessageQueue messages_{2 * toolQueueSize};
+};
+
+}  // namespace gt
