@@ -15,6 +15,7 @@ struct Options {
   gt::MatchOptions match;
   std::vector<std::string> scripts, commands;
   std::string settings;
+  std::string foxglove;  ///< Where viewers connect: PORT or ADDRESS:PORT; none if empty.
   bool start = false;
   std::string picture;            ///< A picture of the window is written, and the program ends.
   std::vector<std::string> open;  ///< Dialogs.
@@ -38,7 +39,7 @@ gt::Result<int> run(int argc, char** argv, const Options& options) {
   QApplication application{argc, argv};
   QApplication::setApplicationName("robotcontrol");
   QApplication::setOrganizationName("gt2003");
-  auto session = gt::SessionThread::make(options.match);
+  auto session = gt::SessionThread::make(options.match, options.foxglove);
   if (!session) return session.error();
   (*session)->execute("st on 1", {}, true);
   (*session)->callStartScript();
@@ -84,6 +85,9 @@ int main(int argc, char** argv) {
   app.add_flag("--start", options.start, "Lets time pass at once");
   app.add_option("--settings", options.settings,
                  "Folder of layouts and settings, instead of the user's own");
+  app.add_option("--foxglove", options.foxglove,
+                 "Shows the robots to Foxglove and Lichtblick, too, which connect to "
+                 "ws://localhost:PORT; ADDRESS:PORT for viewers on other machines");
   app.add_option("--open", options.open, "Dialogs to open, by their names in layouts");
   app.add_option("--theme", options.theme, "How the window looks")
       ->check(CLI::IsMember({"light", "dark"}));

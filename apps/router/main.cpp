@@ -2,6 +2,7 @@
 
 #include <csignal>
 
+#include "Viewers.h"
 #include "commandline/CommandLine.h"
 #include "network/RobotAddresses.h"
 #include "network/RouterSettings.h"
@@ -44,6 +45,9 @@ void addOptions(CLI::App& app, gt::RouterSettings& settings) {
                  "robot.key: lets in only tools and routers that hold tool.key");
   app.add_option("--connect-keys", settings.connectKeys,
                  "tool.key: for robots and routers that ask for it");
+  app.add_option("--foxglove", settings.foxglove,
+                 "Shows the robots to Foxglove and Lichtblick, which connect to "
+                 "ws://localhost:PORT; ADDRESS:PORT for viewers on other machines");
 }
 
 /// Starting without arguments is starting as the last time (report 5.3).
@@ -95,19 +99,22 @@ void serve(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& 
 }
 
 /// Passes messages until it shall end.
-void run(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& settings,
-         bool verbose) {
+gt::Result<void> run(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& settings,
+                     gt::Viewers* viewers, bool verbose) {
   std::signal(SIGTERM, [](int) { stopped = 1; });
   std::signal(SIGINT, [](int) { stopped = 1; });
   std::int64_t reported = 0;
   while (!stopped) {
     router.step(10);
     if (robots.searches()) serve(router, robots, settings);
+    if (viewers)
+      if (auto done = viewers->update(); !done) return done;
     if (!verbose || router.elapsed() - reported < 10'000) continue;
     reported = router.elapsed();
     report(router);
   }
   report(router);
+  return {};
 }
 
 gt::Result<void> makeKeys(const std::string& folder) {
@@ -127,13 +134,18 @@ gt::Result<void> route(const gt::RouterSettings& settings, bool verbose) {
     options->robots.push_back(settings.wanted(robot));
   const auto router = gt::Router::open(*options);
   if (!router) return router.error();
+  std::unique_ptr<gt::Viewers> viewers;
+  if (!settings.foxglove.empty()) {
+    auto opened = gt::Viewers::open(**router, settings, *options);
+    if (!opened) return opened.error();
+    viewers = std::move(*opened);
+  }
   keep(settings);
   for (const gt::RoutedRobot& robot : options->robots) report(robot);
   if (!options->all.empty()) fmt::print("tools of all robots at {}\n", options->all);
   if (!options->routers.empty()) fmt::print("other routers at {}\n", options->routers);
   std::fflush(stdout);
-  run(**router, *robots, settings, verbose);
-  return {};
+  return run(**router, *robots, settings, viewers.get(), verbose);
 }
 
 }  // namespace

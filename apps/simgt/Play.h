@@ -15,6 +15,7 @@ struct PlayOptions {
   bool strict = false;              ///< Fails because of warnings of the robots, too.
   bool realTime = false;            ///< No faster than the clock; so are matches of robots outside.
   std::vector<std::string> remote;  ///< Robots outside: NAME or NAME=ENDPOINT.
+  std::string foxglove;             ///< Where viewers connect: PORT or ADDRESS:PORT; none if empty.
   std::string keys;  ///< Key file for those that connect from other machines; none if empty.
 };
 

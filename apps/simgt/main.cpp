@@ -35,6 +35,12 @@ void addMatchOptions(CLI::App& command, gt::MatchOptions& match) {
       ->check(CLI::IsMember(gt::enumNames<gt::Fidelity>));
 }
 
+void addFoxglove(CLI::App& command, std::string& endpoint) {
+  command.add_option("--foxglove", endpoint,
+                     "Shows the robots to Foxglove and Lichtblick, which connect to "
+                     "ws://localhost:PORT; ADDRESS:PORT for viewers on other machines");
+}
+
 void addPlay(CLI::App& command, gt::PlayOptions& play) {
   addMatchOptions(command, play.match);
   command
@@ -59,6 +65,7 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
                   "UDP port on which a RoboCup game controller may lead the game (its own: 3838)")
       ->check(CLI::Range(1, 65535));
   command.add_option("--sockets", play.match.sockets, "Folder in which they find the simulation");
+  addFoxglove(command, play.foxglove);
 }
 
 void addConsole(CLI::App& command, gt::ConsoleOptions& console) {
@@ -71,6 +78,7 @@ void addConsole(CLI::App& command, gt::ConsoleOptions& console) {
   command.add_option("-c,--command", console.commands, "Commands to execute, behind the scripts")
       ->allow_extra_args(false);
   command.add_option("--joystick", console.joystick, "Device, such as /dev/input/js0");
+  addFoxglove(command, console.foxglove);
 }
 
 void addPicture(CLI::App& command, gt::PictureOptions& picture) {

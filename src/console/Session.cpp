@@ -14,6 +14,25 @@ constexpr std::chrono::milliseconds farBehind{100};
 /// How long a robot elsewhere may take to answer the first time.
 constexpr std::chrono::milliseconds connecting{1500};
 
+FoxgloveTruth truthOf(const Simulation& simulation) {
+  FoxgloveTruth truth;
+  const World& world = simulation.world();
+  for (std::size_t i = 0; i < world.robotCount(); ++i) {
+    const Player& player = simulation.players()[i];
+    truth.robots.push_back(
+        {std::string{enumName(player.teamColor)} + std::to_string(player.number()),
+         player.teamColor, world.robot(i).origin()});
+  }
+  for (std::size_t i = 0; i < world.ballCount(); ++i) {
+    foxglove::TrueBody ball{.name = "ball" + std::to_string(i)};
+    truth.ballRadius = world.ballRadius(i);
+    ball.pose.translation = {world.ball(i).position.x(), world.ball(i).position.y(),
+                             truth.ballRadius};
+    truth.balls.push_back(ball);
+  }
+  return truth;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Session>> Session::make(const MatchOptions& options, Screen& screen) {
@@ -25,6 +44,7 @@ Result<std::unique_ptr<Session>> Session::make(const MatchOptions& options, Scre
 Result<void> Session::restart(const MatchOptions& options) {
   auto match = Match::make(options);
   if (!match) return match.error();
+  if (foxglove_) foxglove_->forget();
   state_.robots.clear();  // they still need the match
   state_ = {};
   work(**match);
@@ -44,6 +64,7 @@ void Session::work(Match& match) {
 
 Result<void> Session::load(const std::string& file,
                            const std::function<Result<void>(const std::string& line)>& perform) {
+  if (foxglove_) foxglove_->forget();
   State before = std::exchange(state_, {});
   const std::string behaviorBefore = std::exchange(behavior, {});
   auto match = Match::load(file, options_, [&](Match& made, const std::string& line) {
@@ -51,6 +72,7 @@ Result<void> Session::load(const std::string& file,
     return perform(line);
   });
   if (!match) {
+    if (foxglove_) foxglove_->forget();
     state_ = std::move(before);
     behavior = behaviorBefore;
     return match.error();
@@ -80,6 +102,7 @@ bool Session::tick() {
   for (std::size_t i = 0; i < listeners_.size(); ++i)
     if (const auto work = listeners_[i].lock()) (*work)();
   reportNews();
+  updateFoxglove();
   screen_.stepped();
   return true;
 }
@@ -141,18 +164,39 @@ void Session::listen() {
   if (state_.connection) state_.connection->step();
   for (const auto& robot : state_.robots)
     if (!robot->index()) robot->observed().update();
+  updateFoxglove();
 }
 
 void Session::reportNews() {
   const auto& events = simulation().referee().events();
-  for (; state_.reportedEvents < events.size(); ++state_.reportedEvents)
-    screen_.print(clockText(events[state_.reportedEvents].time) + "  " +
-                  describe(events[state_.reportedEvents]));
+  for (; state_.reportedEvents < events.size(); ++state_.reportedEvents) {
+    const std::string text = describe(events[state_.reportedEvents]);
+    screen_.print(clockText(events[state_.reportedEvents].time) + "  " + text);
+    if (foxglove_) foxglove_->log("referee", text);
+  }
   for (const auto& robot : state_.robots)
     for (const std::string& text : robot->observed().takeTexts())
       if (robot->printsTexts) screen_.print(robot->name() + ": " + text);
   if (state_.connection)
     for (const std::string& line : state_.connection->news()) screen_.print(line);
+}
+
+Result<void> Session::serveFoxglove(const std::string& endpoint) {
+  auto server = FoxgloveServer::open(endpoint, "GT2003: " + options_.scene);
+  if (!server) return server.error();
+  foxglove_ = std::move(*server);
+  return {};
+}
+
+void Session::updateFoxglove() {
+  if (!foxglove_) return;
+  FoxgloveSubject subject{.now = time(), .field = *match().configuration().field};
+  for (const auto& robot : state_.robots) subject.robots.push_back(&robot->observed());
+  subject.truth = [this] { return truthOf(simulation()); };
+  subject.parameterChanged = [this] {
+    match().markIrreproducible("a viewer has changed parameters");
+  };
+  foxglove_->update(subject);
 }
 
 std::optional<Session::Clock::time_point> Session::due() {

@@ -9,6 +9,7 @@
 
 #include "console/ConsoleRobot.h"
 #include "console/RobotConnection.h"
+#include "foxglove/FoxgloveServer.h"
 #include "match/Match.h"
 #include "simulation/scene/SceneTree.h"
 
@@ -89,6 +90,10 @@ class Session {
   /// Report I.5.1: sc; only once.
   Result<void> connect(const std::vector<std::string>& robots, bool gameManager);
 
+  /// Shows all robots to viewers such as Foxglove and Lichtblick from now on (docs/foxglove.md), on
+  /// a port of this machine, or ADDRESS:PORT.
+  Result<void> serveFoxglove(const std::string& endpoint);
+
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
 
@@ -116,6 +121,7 @@ class Session {
   /// Passes on and takes what robots elsewhere send while time stands.
   void listen();
   void reportNews();
+  void updateFoxglove();
   /// When the next step is due; empty if steps are taken as fast as possible.
   std::optional<Clock::time_point> due();
 
@@ -128,6 +134,7 @@ class Session {
   bool started_ = false;
   std::atomic<bool> interrupted_ = false;
   std::function<void()> input_;
+  std::unique_ptr<FoxgloveServer> foxglove_;  ///< Null if there is none.
   std::vector<std::weak_ptr<const std::function<void()>>> listeners_;
 };
 

@@ -20,6 +20,7 @@ struct RouterSettings {
   std::vector<std::string> join;
   std::string keys;
   std::string connectKeys;
+  std::string foxglove;
 
   static constexpr auto fields() {
     return Fields{
@@ -34,7 +35,8 @@ struct RouterSettings {
         field("routers", &RouterSettings::routers, "", "a port for other routers"),
         field("join", &RouterSettings::join, "", "endpoints of other routers"),
         field("keys", &RouterSettings::keys, "", "key file for listening"),
-        field("connectKeys", &RouterSettings::connectKeys, "", "key file for connecting")};
+        field("connectKeys", &RouterSettings::connectKeys, "", "key file for connecting"),
+        field("foxglove", &RouterSettings::foxglove, "", "where viewers connect; empty: nowhere")};
   }
 
   RobotList::Places places() const { return {listen, port, sockets}; }

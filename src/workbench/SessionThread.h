@@ -68,7 +68,9 @@ class SessionThread {
  public:
   using Done = std::function<void(const Result<void>&)>;
 
-  static Result<std::unique_ptr<SessionThread>> make(const MatchOptions& options);
+  /// `foxglove` is where viewers connect (Session::serveFoxglove); empty: nowhere.
+  static Result<std::unique_ptr<SessionThread>> make(const MatchOptions& options,
+                                                     const std::string& foxglove = {});
   ~SessionThread();  ///< Interrupts what is executed.
   SessionThread(const SessionThread&) = delete;
   SessionThread& operator=(const SessionThread&) = delete;

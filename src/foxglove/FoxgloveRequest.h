@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "streams/Json.h"
+
+namespace gt {
+
+/// What a client of the Foxglove WebSocket protocol sends as text.
+struct FoxgloveRequest {
+  enum class Kind {
+    subscribe,
+    unsubscribe,
+    getParameters,
+    setParameters,
+    subscribeParameters,
+    unsubscribeParameters
+  };
+  struct Subscription {
+    std::uint32_t id = 0, channel = 0;
+  };
+  struct Parameter {
+    std::string name;
+    Json value;
+  };
+
+  Kind kind = Kind::subscribe;
+  std::vector<Subscription> subscriptions{};  ///< Of subscribe.
+  std::vector<std::uint32_t> ids{};           ///< Of unsubscribe.
+  std::vector<std::string> names{};           ///< Of parameters.
+  std::vector<Parameter> parameters{};        ///< Of setParameters.
+  std::string id{};  ///< By which the client recognizes the answer; may be empty.
+};
+
+/// Reads a client's text. Returns an error if it is no such message, or asks for something that the
+/// server has not announced.
+Result<FoxgloveRequest> parseFoxgloveRequest(std::string_view text);
+
+/// A parameter's value, which configuration files write as text, as the protocol has it: a number,
+/// true, false, or a text.
+Json parameterJson(const std::string& text);
+/// The other way round; an error if it is neither number, boolean nor text.
+Result<std::string> parameterText(const Json& value);
+
+}  // namespace gt

@@ -1,0 +1,571 @@
+#include "foxglove/FoxgloveServer.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+
+#include "base/Number.h"
+#include "observer/MessageTypes.h"
+#include "observer/RobotLog.h"
+#include "representations/infrastructure/Image.h"
+#include "representations/modeling/RobotPose.h"
+
+namespace gt {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// Both are the same protocol; newer viewers offer the second name.
+const std::vector<std::string> subprotocols{"foxglove.websocket.v1", "foxglove.sdk.v1"};
+const std::string fieldFrame = "field", blueFieldFrame = "field/blue";
+
+/// How often is sent what changes all the time, at most; and what does not.
+constexpr milliseconds worldInterval{30}, timeInterval{20}, fieldInterval{1000};
+/// How often robots are asked that have not answered, and each for its parameters.
+constexpr milliseconds seekInterval{1000}, parameterInterval{250};
+
+// Opcodes of the protocol's binary messages.
+constexpr char messageData = 1, timeData = 2;
+
+/// A number in the protocol's byte order.
+void append(std::string& text, std::uint64_t number, std::size_t bytes) {
+  for (std::size_t i = 0; i < bytes; ++i) text += static_cast<char>(number >> (8 * i));
+}
+
+std::uint64_t nanosecondsOf(Time time) {
+  constexpr std::uint64_t perMs = 1'000'000;
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(time.ms, 0)) * perMs;
+}
+
+Pose3D spatial(const Pose2D& pose) {
+  Pose3D result;
+  result.rotation = Eigen::AngleAxisd{pose.rotation, Vector3d::UnitZ()}.toRotationMatrix();
+  result.translation = {pose.translation.x(), pose.translation.y(), 0};
+  return result;
+}
+
+std::uint8_t levelOf(Severity severity) {
+  switch (severity) {
+    case Severity::note:
+      return foxglove::Log::info;
+    case Severity::warning:
+      return foxglove::Log::warning;
+    case Severity::error:
+      break;
+  }
+  return foxglove::Log::error;
+}
+
+/// ADDRESS:PORT or PORT; an address of IPv6 stands in brackets.
+Result<WebSocketServer::Options> optionsOf(std::string_view endpoint) {
+  WebSocketServer::Options options{.subprotocols = subprotocols};
+  const std::size_t colon = endpoint.rfind(':');
+  const auto port =
+      numberFrom<std::uint16_t>(colon == endpoint.npos ? endpoint : endpoint.substr(colon + 1));
+  if (!port)
+    return Error{.field = std::string{endpoint}, .what = "expected a port, or ADDRESS:PORT"};
+  options.port = *port;
+  if (colon == endpoint.npos) return options;
+  std::string_view address = endpoint.substr(0, colon);
+  if (address.size() > 2 && address.front() == '[' && address.back() == ']')
+    address = address.substr(1, address.size() - 2);
+  options.address = address;
+  return options;
+}
+
+}  // namespace
+
+std::string FoxgloveServer::Robot::field() const {
+  return team == TeamColor::red ? fieldFrame : blueFieldFrame;
+}
+
+FoxgloveServer::FoxgloveServer(std::unique_ptr<WebSocketServer> server, std::string name)
+    : server_{std::move(server)},
+      name_{std::move(name)},
+      session_{std::to_string(std::chrono::system_clock::now().time_since_epoch().count())} {
+  field_ = &add(Source::field, nullptr, "", "/field", foxglove::SceneUpdate::schema());
+  truth_ = &add(Source::truth, nullptr, "", "/truth", foxglove::SceneUpdate::schema());
+  transforms_ = &add(Source::transforms, nullptr, "", "/tf", foxglove::FrameTransforms::schema());
+  log_ = &add(Source::log, nullptr, "", "/log", foxglove::Log::schema());
+}
+
+Result<std::unique_ptr<FoxgloveServer>> FoxgloveServer::open(std::string_view endpoint,
+                                                             std::string name) {
+  const auto options = optionsOf(endpoint);
+  if (!options) return options.error();
+  auto server = WebSocketServer::open(*options);
+  if (!server) return server.error();
+  return std::unique_ptr<FoxgloveServer>{new FoxgloveServer{std::move(*server), std::move(name)}};
+}
+
+void FoxgloveServer::update(const FoxgloveSubject& subject) {
+  now_ = subject.now;
+  for (const auto& event : server_->take()) take(event, subject);
+  if (clients_.empty()) return;
+  addRobots(subject);
+  publishNew(subject);
+  followParameters();
+}
+
+// Clients.
+
+void FoxgloveServer::take(const WebSocketServer::Event& event, const FoxgloveSubject& subject) {
+  using Kind = WebSocketServer::EventKind;
+  if (event.kind == Kind::connected) {
+    clients_[event.client];
+    sendJson(event.client, {{"op", "serverInfo"},
+                            {"name", name_},
+                            {"capabilities", {"time", "parameters", "parametersSubscribe"}},
+                            {"sessionId", session_}});
+    std::vector<const Channel*> all;
+    for (const auto& [id, channel] : channels_) all.push_back(channel.get());
+    advertise(all, &event.client);
+    return;
+  }
+  const auto found = clients_.find(event.client);
+  if (found == clients_.end()) return;
+  if (event.kind == Kind::closed) {
+    while (!found->second.subscriptions.empty())
+      unsubscribe(event.client, found->second, found->second.subscriptions.begin()->first);
+    clients_.erase(found);
+  } else if (event.kind == Kind::binary) {
+    status(event.client, Severity::error, "this server takes no messages");
+  } else if (const auto request = parseFoxgloveRequest(event.data); !request) {
+    status(event.client, Severity::error, request.error().text());
+  } else {
+    perform(event.client, found->second, *request, subject);
+  }
+}
+
+void FoxgloveServer::perform(ClientId id, Client& client, const FoxgloveRequest& request,
+                             const FoxgloveSubject& subject) {
+  using Kind = FoxgloveRequest::Kind;
+  switch (request.kind) {
+    case Kind::subscribe:
+      for (const auto& wanted : request.subscriptions) subscribe(id, client, wanted);
+      break;
+    case Kind::unsubscribe:
+      for (const std::uint32_t subscription : request.ids) unsubscribe(id, client, subscription);
+      break;
+    case Kind::getParameters:
+      sendParameters(id, request.names, request.id);
+      break;
+    case Kind::setParameters:
+      setParameters(id, request, subject);
+      break;
+    case Kind::subscribeParameters:
+      subscribeParameters(client, request.names);
+      break;
+    case Kind::unsubscribeParameters:
+      if (request.names.empty()) client.parameters.clear();
+      for (const std::string& name : request.names) client.parameters.erase(name);
+      break;
+  }
+}
+
+void FoxgloveServer::subscribe(ClientId id, Client& client,
+                               const FoxgloveRequest::Subscription& wanted) {
+  const auto found = channels_.find(wanted.channel);
+  if (found == channels_.end())
+    return status(id, Severity::warning, "there is no channel " + std::to_string(wanted.channel));
+  Channel& channel = *found->second;
+  const bool isNew = client.subscriptions.try_emplace(wanted.id, &channel).second;
+  if (!isNew)
+    return status(id, Severity::warning,
+                  "there is already a subscription " + std::to_string(wanted.id));
+  if (channel.subscribers.empty()) feed(channel);
+  channel.subscribers.push_back({id, wanted.id});
+  if (&channel == field_) fieldSent_ = {};
+}
+
+void FoxgloveServer::unsubscribe(ClientId id, Client& client, std::uint32_t subscription) {
+  const auto found = client.subscriptions.find(subscription);
+  if (found == client.subscriptions.end()) return;
+  Channel& channel = *found->second;
+  client.subscriptions.erase(found);
+  std::erase_if(channel.subscribers, [&](const Subscriber& subscriber) {
+    return subscriber.client == id && subscriber.subscription == subscription;
+  });
+  if (channel.subscribers.empty()) channel.feeds.clear();
+}
+
+/// Has robots send what a channel shows.
+void FoxgloveServer::feed(Channel& channel) {
+  const std::string pose{representation<RobotPose>().name};
+  const auto ask = [&](const std::string& representation) {
+    channel.feeds.push_back(channel.robot->observed->subscribe(representation));
+  };
+  switch (channel.source) {
+    case Source::representation:
+      return ask(channel.name);
+    case Source::camera:
+      return ask(std::string{representation<Image>().name});
+    case Source::scene:
+    case Source::image:
+    case Source::plot:
+      channel.feeds.push_back(channel.robot->observed->subscribeKey(channel.name));
+      return;
+    case Source::transforms:
+      for (const auto& robot : robots_) channel.feeds.push_back(robot->observed->subscribe(pose));
+      return;
+    case Source::field:
+    case Source::truth:
+    case Source::log:
+      return;
+  }
+}
+
+// Robots and channels.
+
+void FoxgloveServer::addRobots(const FoxgloveSubject& subject) {
+  if (robots_.size() == subject.robots.size()) return;
+  const auto now = Clock::now();
+  if (now < robotsSought_ + seekInterval) return;
+  robotsSought_ = now;
+  for (ObservedRobot* observed : subject.robots) {
+    const bool known = std::ranges::any_of(
+        robots_, [&](const auto& robot) { return robot->observed == observed; });
+    if (known) continue;
+    auto robot = std::make_unique<Robot>(Robot{.observed = observed});
+    if (addChannels(*robot)) robots_.push_back(std::move(robot));
+  }
+}
+
+/// False if the robot does not answer yet.
+bool FoxgloveServer::addChannels(Robot& robot) {
+  ObservedRobot& observed = *robot.observed;
+  if (observed.representations().empty()) return false;
+  if (const auto player = observed.value<Player>()) robot.team = (*player)->teamColor;
+  const std::uint32_t before = lastChannel_;
+  const std::string folder = "/" + observed.name() + "/";
+  for (const std::string& name : observed.representations()) {
+    const RepresentationType* type = messageType(name);
+    if (!type || !type->type()) continue;
+    if (type == &representation<Image>())
+      robot.camera =
+          &add(Source::camera, &robot, name, folder + "camera", CompressedImage::schema());
+    else
+      robot.representations[type->id] =
+          &add(Source::representation, &robot, name, folder + name, type->schema());
+  }
+  for (const std::string& key : observed.debugKeys()) {
+    robot.scenes[key] = &add(Source::scene, &robot, key, folder + "drawings/" + key,
+                             foxglove::SceneUpdate::schema());
+    robot.images[key] = &add(Source::image, &robot, key, folder + "camera/drawings/" + key,
+                             foxglove::ImageAnnotations::schema());
+    robot.plots[key] =
+        &add(Source::plot, &robot, key, folder + "plots/" + key, representation<Plot>().schema());
+  }
+  robot.passing = observed.passTo([this, &robot](const MessageQueue& messages) {
+    messages.handleAllMessages([&](const Message& message) { take(robot, message); });
+  });
+  if (!transforms_->subscribers.empty())
+    transforms_->feeds.push_back(observed.subscribe(std::string{representation<RobotPose>().name}));
+  std::vector<const Channel*> added;
+  for (auto i = channels_.upper_bound(before); i != channels_.end(); ++i)
+    added.push_back(i->second.get());
+  advertise(added);
+  return true;
+}
+
+FoxgloveServer::Channel& FoxgloveServer::add(Source source, Robot* robot, std::string name,
+                                             std::string topic, Schema schema) {
+  const std::uint32_t id = ++lastChannel_;
+  auto channel = std::make_unique<Channel>(Channel{.id = id,
+                                                   .source = source,
+                                                   .robot = robot,
+                                                   .name = std::move(name),
+                                                   .topic = std::move(topic),
+                                                   .schema = std::move(schema)});
+  return *channels_.emplace(id, std::move(channel)).first->second;
+}
+
+void FoxgloveServer::advertise(const std::vector<const Channel*>& channels, const ClientId* only) {
+  Json list = Json::array();
+  for (const Channel* channel : channels)
+    list.push_back({{"id", channel->id},
+                    {"topic", channel->topic},
+                    {"encoding", "cdr"},
+                    {"schemaName", channel->schema.name},
+                    {"schema", channel->schema.text},
+                    {"schemaEncoding", "ros2msg"}});
+  const Json message{{"op", "advertise"}, {"channels", std::move(list)}};
+  if (only) return sendJson(*only, message);
+  for (const auto& [id, client] : clients_) sendJson(id, message);
+}
+
+void FoxgloveServer::forget() {
+  Json ids = Json::array();
+  const auto belongsToRobot = [&](const auto& entry) { return entry.second->robot != nullptr; };
+  for (const auto& entry : channels_)
+    if (belongsToRobot(entry)) ids.push_back(entry.first);
+  for (auto& [id, client] : clients_) {
+    if (!ids.empty()) sendJson(id, {{"op", "unadvertise"}, {"channelIds", ids}});
+    std::erase_if(client.subscriptions,
+                  [](const auto& entry) { return entry.second->robot != nullptr; });
+  }
+  transforms_->feeds.clear();
+  std::erase_if(channels_, belongsToRobot);
+  robots_.clear();
+  robotsSought_ = {};
+  worldTime_ = never();
+}
+
+// What robots send.
+
+void FoxgloveServer::take(Robot& robot, const Message& message) {
+  if (clients_.empty()) return;
+  if (message.is<Drawing>()) return takeDrawing(robot, message);
+  if (message.is<Image>()) return takeImage(robot, message);
+  if (message.is<Text>()) {
+    Text text;
+    if (message.read(text)) log(robot.observed->name(), text.text, text.severity);
+    return;
+  }
+  Plot plot;
+  if (message.is<Plot>()) {
+    if (!message.read(plot)) return;
+  } else if (StopwatchTime lap; message.is<StopwatchTime>()) {
+    if (!message.read(lap)) return;
+    plot = {lap.event, lap.microseconds};
+  } else {
+    const auto channel = robot.representations.find(message.id);
+    if (channel == robot.representations.end() || channel->second->subscribers.empty()) return;
+    const auto* bytes = reinterpret_cast<const char*>(message.bytes.data());
+    return publish(*channel->second, message.time, {bytes, message.bytes.size()}, false);
+  }
+  if (const auto channel = robot.plots.find(plot.key); channel != robot.plots.end())
+    publish(*channel->second, message.time, plot, false);
+}
+
+/// Several modules may draw under a key at one time (report E.5).
+void FoxgloveServer::takeDrawing(Robot& robot, const Message& message) {
+  Drawing drawing;
+  if (!message.read(drawing)) return;
+  const auto& channels = drawing.space == DrawingSpace::image ? robot.images : robot.scenes;
+  const auto channel = channels.find(drawing.key);
+  if (channel == channels.end() || channel->second->subscribers.empty()) return;
+  Drawn& drawn = robot.drawn[channel->second->topic];
+  if (drawn.time == message.time && drawn.drawing.space == drawing.space)
+    std::ranges::move(drawing.elements, std::back_inserter(drawn.drawing.elements));
+  else
+    drawn.drawing = std::move(drawing);
+  drawn.time = message.time;
+  drawn.sent = false;
+}
+
+/// An image may be sent again while there is no newer one.
+void FoxgloveServer::takeImage(Robot& robot, const Message& message) {
+  if (!robot.camera || robot.camera->subscribers.empty()) return;
+  Image image;
+  if (!message.read(image) || image.pixels.empty()) return;
+  if (std::exchange(robot.lastImage, image.time) == image.time) return;
+  CompressedImage picture = compressed(image);
+  picture.header.frameId = robot.frame() + "/camera";
+  publish(*robot.camera, image.time, picture, true);
+}
+
+void FoxgloveServer::publishNew(const FoxgloveSubject& subject) {
+  publishDrawings();
+  publishWorld(subject);
+  const auto now = Clock::now();
+  if (now < timeSent_ + timeInterval) return;
+  timeSent_ = now;
+  constexpr std::uint32_t newestTime = 0xffffffff;
+  WebSocketMessage message{.binary = true,
+                           .head = {timeData},
+                           .body = std::make_shared<const std::string>(),
+                           .newestOf = newestTime};
+  append(message.head, nanosecondsOf(subject.now), sizeof(std::uint64_t));
+  for (const auto& [id, client] : clients_) server_->send(id, message);
+}
+
+void FoxgloveServer::publishDrawings() {
+  for (const auto& robot : robots_)
+    for (auto& [topic, drawn] : robot->drawn) {
+      if (std::exchange(drawn.sent, true)) continue;
+      const Drawing& drawing = drawn.drawing;
+      if (drawing.space == DrawingSpace::image) {
+        publish(*robot->images.at(drawing.key), drawn.time,
+                foxglove::imageAnnotations(drawing, drawn.time), true);
+      } else {
+        const bool onField = drawing.space == DrawingSpace::field;
+        publish(*robot->scenes.at(drawing.key), drawn.time,
+                foxglove::SceneUpdate{{foxglove::sceneEntity(
+                    drawing, drawn.time, onField ? robot->field() : robot->frame())}},
+                true);
+      }
+    }
+}
+
+void FoxgloveServer::publishWorld(const FoxgloveSubject& subject) {
+  const auto now = Clock::now();
+  if (!field_->subscribers.empty() && now >= fieldSent_ + fieldInterval) {
+    fieldSent_ = now;
+    publish(*field_, subject.now,
+            foxglove::SceneUpdate{{foxglove::fieldEntity(subject.field, subject.now, fieldFrame)}},
+            true);
+  }
+  if (worldTime_ == subject.now || now < worldSent_ + worldInterval) return;
+  if (truth_->subscribers.empty() && transforms_->subscribers.empty()) return;
+  worldTime_ = subject.now;
+  worldSent_ = now;
+  const FoxgloveTruth truth = subject.truth ? subject.truth() : FoxgloveTruth{};
+  foxglove::SceneUpdate scene;
+  foxglove::FrameTransforms frames;
+  frames.transforms.push_back(foxglove::transformOf(subject.now, fieldFrame, blueFieldFrame,
+                                                    spatial({pi, Vector2d::Zero()})));
+  for (const foxglove::TrueBody& robot : truth.robots) {
+    scene.entities.push_back(foxglove::robotEntity(robot, subject.now, fieldFrame));
+    frames.transforms.push_back(
+        foxglove::transformOf(subject.now, fieldFrame, robot.name + "/truth", robot.pose));
+  }
+  for (const foxglove::TrueBody& ball : truth.balls)
+    scene.entities.push_back(foxglove::ballEntity(ball, truth.ballRadius, subject.now, fieldFrame));
+  for (const auto& robot : robots_)
+    if (const RobotPose* believed = robot->observed->newest<RobotPose>())
+      frames.transforms.push_back(foxglove::transformOf(subject.now, robot->field(), robot->frame(),
+                                                        spatial(believed->pose)));
+  publish(*truth_, subject.now, scene, true);
+  publish(*transforms_, subject.now, frames, true);
+}
+
+void FoxgloveServer::log(const std::string& source, const std::string& text, Severity severity) {
+  if (log_->subscribers.empty()) return;
+  publish(*log_, now_,
+          foxglove::Log{.timestamp = RosTime::of(now_),
+                        .level = levelOf(severity),
+                        .message = text,
+                        .name = source},
+          false);
+}
+
+template <typename T>
+void FoxgloveServer::publish(Channel& channel, Time time, const T& message, bool newestOnly) {
+  if (channel.subscribers.empty()) return;
+  std::string bytes(encodedSize(message), '\0');
+  encodeTo(message, reinterpret_cast<std::byte*>(bytes.data()));
+  publish(channel, time, std::move(bytes), newestOnly);
+}
+
+void FoxgloveServer::publish(Channel& channel, Time time, std::string bytes, bool newestOnly) {
+  const auto body = std::make_shared<const std::string>(std::move(bytes));
+  for (const auto& [client, subscription] : channel.subscribers) {
+    WebSocketMessage message{.binary = true,
+                             .head = {messageData},
+                             .body = body,
+                             .newestOf = newestOnly ? subscription + 1 : 0};
+    append(message.head, subscription, sizeof subscription);
+    append(message.head, nanosecondsOf(time), sizeof(std::uint64_t));
+    server_->send(client, std::move(message));
+  }
+}
+
+// Parameters.
+
+/// All parameters of the solutions that a robot has, by ROBOT.TASK.SOLUTION.PATH.
+std::map<std::string, std::string> FoxgloveServer::parametersOf(Robot& robot) {
+  std::map<std::string, std::string> values;
+  const auto processes = robot.observed->processes();
+  if (!processes) return values;
+  for (const ProcessDescription& process : **processes)
+    for (const TaskDescription& task : process.tasks)
+      for (const SolutionDescription& solution : task.solutions)
+        for (const ParameterDescription& parameter : solution.parameters)
+          values[robot.observed->name() + "." + task.name + "." + solution.name + "." +
+                 parameter.path] = parameter.value;
+  return values;
+}
+
+FoxgloveServer::Robot* FoxgloveServer::robotOf(std::string_view parameter) {
+  const std::string_view name = parameter.substr(0, parameter.find('.'));
+  const auto found = std::ranges::find_if(
+      robots_, [&](const auto& robot) { return robot->observed->name() == name; });
+  return found == robots_.end() ? nullptr : found->get();
+}
+
+void FoxgloveServer::sendParameters(ClientId client, const std::vector<std::string>& names,
+                                    const std::string& answers) {
+  Json list = Json::array();
+  for (const auto& robot : robots_) {
+    const bool wanted = names.empty() || std::ranges::any_of(names, [&](const std::string& name) {
+                          return robotOf(name) == robot.get();
+                        });
+    if (!wanted) continue;
+    for (const auto& [name, value] : parametersOf(*robot))
+      if (names.empty() || std::ranges::find(names, name) != names.end())
+        list.push_back({{"name", name}, {"value", parameterJson(value)}});
+  }
+  Json message{{"op", "parameterValues"}, {"parameters", std::move(list)}};
+  if (!answers.empty()) message["id"] = answers;
+  sendJson(client, message);
+}
+
+void FoxgloveServer::setParameters(ClientId client, const FoxgloveRequest& request,
+                                   const FoxgloveSubject& subject) {
+  std::set<Robot*> changed;
+  for (const auto& [name, value] : request.parameters) {
+    Robot* robot = robotOf(name);
+    const auto text = parameterText(value);
+    const auto done =
+        !robot  ? Result<void>{Error{.field = name, .what = "there is no such parameter"}}
+        : !text ? Result<void>{Error{.field = name, .what = text.error().what}}
+                : robot->observed->set(name.substr(robot->observed->name().size() + 1), *text);
+    if (!done)
+      status(client, Severity::error, done.error().text());
+    else
+      changed.insert(robot);
+  }
+  if (!changed.empty() && subject.parameterChanged) subject.parameterChanged();
+  for (Robot* robot : changed) notifyParameters(*robot);
+  if (!request.id.empty()) sendParameters(client, request.names, request.id);
+}
+
+/// Without names all parameters that there are.
+void FoxgloveServer::subscribeParameters(Client& client, const std::vector<std::string>& names) {
+  client.parameters.insert(names.begin(), names.end());
+  for (const auto& robot : robots_) {
+    if (robot->parameters.empty()) robot->parameters = parametersOf(*robot);
+    if (names.empty())
+      for (const auto& [name, value] : robot->parameters) client.parameters.insert(name);
+  }
+}
+
+/// Sends to each client which of a robot's parameters that it follows have changed.
+void FoxgloveServer::notifyParameters(Robot& robot) {
+  const auto before = std::exchange(robot.parameters, parametersOf(robot));
+  Json changed = Json::object();
+  for (const auto& [name, value] : robot.parameters) {
+    const auto known = before.find(name);
+    if (known != before.end() && known->second != value) changed[name] = parameterJson(value);
+  }
+  if (changed.empty()) return;
+  for (const auto& [id, client] : clients_) {
+    Json list = Json::array();
+    for (const auto& [name, value] : changed.items())
+      if (client.parameters.contains(name)) list.push_back({{"name", name}, {"value", value}});
+    if (!list.empty()) sendJson(id, {{"op", "parameterValues"}, {"parameters", std::move(list)}});
+  }
+}
+
+/// Looks one robot after another up, since other tools may change parameters, too.
+void FoxgloveServer::followParameters() {
+  const bool followed = std::ranges::any_of(
+      clients_, [](const auto& entry) { return !entry.second.parameters.empty(); });
+  const auto now = Clock::now();
+  if (!followed || robots_.empty() || now < parametersAsked_ + parameterInterval) return;
+  parametersAsked_ = now;
+  notifyParameters(*robots_[nextToAsk_++ % robots_.size()]);
+}
+
+void FoxgloveServer::sendJson(ClientId client, const Json& json) {
+  // Texts of robots elsewhere may be any bytes.
+  const auto text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  server_->send(client, {.body = std::make_shared<const std::string>(text), .droppable = false});
+}
+
+void FoxgloveServer::status(ClientId client, Severity severity, const std::string& text) {
+  sendJson(client, {{"op", "status"}, {"level", static_cast<int>(severity)}, {"message", text}});
+}
+
+}  // namespace gt

@@ -1,0 +1,151 @@
+#pragma once
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "foxglove/FoxgloveMessages.h"
+#include "foxglove/FoxgloveRequest.h"
+#include "foxglove/WebSocketServer.h"
+#include "observer/ObservedRobot.h"
+
+namespace gt {
+
+/// Where all truly is, in a simulation.
+struct FoxgloveTruth {
+  std::vector<foxglove::TrueBody> robots, balls;
+  double ballRadius = 0;  ///< mm
+};
+
+/// What a FoxgloveServer shows.
+struct FoxgloveSubject {
+  Time now;
+  FieldDimensions field;
+  std::vector<ObservedRobot*> robots{};
+  std::function<FoxgloveTruth()> truth{};    ///< Empty where nothing is simulated.
+  std::function<void()> parameterChanged{};  ///< Called when a client has changed something.
+};
+
+/// Shows robots to viewers such as Foxglove and Lichtblick, by the Foxglove WebSocket protocol
+/// (docs/foxglove.md): each representation of a robot as it is in logs, images, drawings, plots,
+/// texts, frames of reference and parameters. A robot is asked only for what a client has
+/// subscribed. One thread calls it, and it never waits for a client.
+class FoxgloveServer {
+ public:
+  /// Listens on an endpoint: PORT on the loopback device, or ADDRESS:PORT; port 0 is any that is
+  /// free. `name` is shown by viewers.
+  static Result<std::unique_ptr<FoxgloveServer>> open(std::string_view endpoint, std::string name);
+
+  /// Answers clients, and sends what is new to them. Called after each step, and again and again
+  /// while time stands. Between two calls the robots of the subject remain, unless `forget` is
+  /// called.
+  void update(const FoxgloveSubject& subject);
+  /// Forgets all robots, because they are about to be destroyed.
+  void forget();
+  /// Sends a text that concerns the whole, such as what a referee says.
+  void log(const std::string& source, const std::string& text, Severity severity = Severity::note);
+
+  std::uint16_t port() const { return server_->port(); }
+  /// Messages that slow clients did not get.
+  std::uint64_t dropped() const { return server_->dropped(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using ClientId = std::uint64_t;
+
+  enum class Source { representation, camera, scene, image, plot, field, truth, transforms, log };
+  struct Subscriber {
+    ClientId client;
+    std::uint32_t subscription;
+  };
+  struct Robot;
+  struct Channel {
+    std::uint32_t id = 0;
+    Source source = Source::representation;
+    Robot* robot = nullptr;
+    std::string name;  ///< Of the representation or debug key.
+    std::string topic;
+    Schema schema;
+    std::vector<Subscriber> subscribers{};
+    std::vector<ObservedRobot::Subscription> feeds{};  ///< What robots are asked for.
+  };
+  /// What was drawn under a key at one time and is not sent yet.
+  struct Drawn {
+    Drawing drawing;
+    Time time;
+    bool sent = true;
+  };
+  struct Robot {
+    ObservedRobot* observed;
+    TeamColor team = TeamColor::red;
+    std::map<std::uint32_t, Channel*> representations{};  ///< By message ids.
+    std::map<std::string, Channel*, std::less<>> scenes{}, images{}, plots{};
+    Channel* camera = nullptr;
+    Time lastImage = never();
+    std::map<std::string, Drawn> drawn{};
+    std::map<std::string, std::string> parameters{};  ///< As they were sent last.
+    std::shared_ptr<const void> passing{};
+    std::string field() const;
+    std::string frame() const { return observed->name(); }
+  };
+  struct Client {
+    std::map<std::uint32_t, Channel*> subscriptions{};
+    std::set<std::string> parameters{};  ///< Those that it wants to know when they change.
+  };
+
+  FoxgloveServer(std::unique_ptr<WebSocketServer> server, std::string name);
+
+  void take(const WebSocketServer::Event& event, const FoxgloveSubject& subject);
+  void perform(ClientId id, Client& client, const FoxgloveRequest& request,
+               const FoxgloveSubject& subject);
+  void subscribe(ClientId id, Client& client, const FoxgloveRequest::Subscription& wanted);
+  void unsubscribe(ClientId id, Client& client, std::uint32_t subscription);
+  void feed(Channel& channel);
+
+  void addRobots(const FoxgloveSubject& subject);
+  bool addChannels(Robot& robot);
+  Channel& add(Source source, Robot* robot, std::string name, std::string topic, Schema schema);
+  void advertise(const std::vector<const Channel*>& channels, const ClientId* only = nullptr);
+
+  void take(Robot& robot, const Message& message);
+  void takeDrawing(Robot& robot, const Message& message);
+  void takeImage(Robot& robot, const Message& message);
+  void publishNew(const FoxgloveSubject& subject);
+  void publishDrawings();
+  void publishWorld(const FoxgloveSubject& subject);
+  template <typename T>
+  void publish(Channel& channel, Time time, const T& message, bool newestOnly);
+  void publish(Channel& channel, Time time, std::string bytes, bool newestOnly);
+
+  std::map<std::string, std::string> parametersOf(Robot& robot);
+  Robot* robotOf(std::string_view parameter);
+  void sendParameters(ClientId client, const std::vector<std::string>& names,
+                      const std::string& answers);
+  void setParameters(ClientId client, const FoxgloveRequest& request,
+                     const FoxgloveSubject& subject);
+  void subscribeParameters(Client& client, const std::vector<std::string>& names);
+  void notifyParameters(Robot& robot);
+  void followParameters();
+
+  void sendJson(ClientId client, const Json& json);
+  void status(ClientId client, Severity severity, const std::string& text);
+
+  std::unique_ptr<WebSocketServer> server_;
+  std::string name_, session_;
+  std::map<ClientId, Client> clients_;
+  std::vector<std::unique_ptr<Robot>> robots_;
+  std::map<std::uint32_t, std::unique_ptr<Channel>> channels_;
+  std::uint32_t lastChannel_ = 0;
+  Channel *field_ = nullptr, *truth_ = nullptr, *transforms_ = nullptr, *log_ = nullptr;
+  Time now_;
+  Time worldTime_ = never();
+  Clock::time_point worldSent_, timeSent_, fieldSent_, robotsSought_, parametersAsked_;
+  std::size_t nextToAsk_ = 0;
+};
+
+}  // namespace gt

@@ -1,0 +1,110 @@
+#pragma once
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "streams/Json.h"
+
+namespace gt {
+
+/// A client of the Foxglove WebSocket protocol for tests.
+class TestViewer {
+ public:
+  struct Data {
+    std::uint32_t subscription = 0;
+    std::uint64_t time = 0;
+    std::string bytes;
+  };
+
+  /// Empty if the server turns it away.
+  static std::optional<TestViewer> connect(std::uint16_t port,
+                                           const std::string& subprotocol = "foxglove.sdk.v1") {
+    TestViewer viewer;
+    boost::beast::error_code failed;
+    viewer.socket().connect({boost::asio::ip::make_address("127.0.0.1"), port}, failed);
+    viewer.stream_->set_option(boost::beast::websocket::stream_base::decorator{[&](auto& request) {
+      request.set(boost::beast::http::field::sec_websocket_protocol, subprotocol);
+    }});
+    viewer.stream_->read_message_max(64 << 20);
+    boost::beast::websocket::response_type response;
+    if (!failed) viewer.stream_->handshake(response, "localhost", "/", failed);
+    if (failed) return std::nullopt;
+    viewer.subprotocol = std::string{response[boost::beast::http::field::sec_websocket_protocol]};
+    return viewer;
+  }
+
+  void send(const std::string& text) {
+    boost::beast::error_code failed;
+    stream_->write(boost::asio::buffer(text), failed);
+    open = open && !failed;
+  }
+  void subscribe(std::uint32_t id, const std::string& topic) {
+    send(Json{{"op", "subscribe"},
+              {"subscriptions", {{{"id", id}, {"channelId", channels.at(topic)["id"]}}}}}
+             .dump());
+  }
+
+  /// Takes what has come, without waiting.
+  void read() {
+    boost::beast::error_code failed;
+    while (open && socket().available(failed) > 0) {
+      boost::beast::flat_buffer buffer;
+      stream_->read(buffer, failed);
+      if (failed)
+        open = false;
+      else
+        take(boost::beast::buffers_to_string(buffer.data()), stream_->got_text());
+    }
+  }
+  boost::asio::ip::tcp::socket& socket() { return stream_->next_layer(); }
+
+  bool open = true;
+  std::string subprotocol;
+  std::vector<Json> texts;
+  std::map<std::string, Json> channels;  ///< By topics.
+  std::vector<Data> data;
+  std::uint64_t time = 0;  ///< ns
+
+ private:
+  TestViewer()
+      : context_{std::make_unique<boost::asio::io_context>()},
+        stream_{std::make_unique<boost::beast::websocket::stream<boost::asio::ip::tcp::socket>>(
+            *context_)} {}
+
+  template <typename N>
+  static N number(const std::string& bytes, std::size_t at) {
+    N value{};
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+  }
+
+  void take(const std::string& message, bool isText) {
+    if (!isText) {
+      if (message[0] == 2)
+        time = number<std::uint64_t>(message, 1);
+      else
+        data.push_back({number<std::uint32_t>(message, 1), number<std::uint64_t>(message, 5),
+                        message.substr(13)});
+      return;
+    }
+    texts.push_back(Json::parse(message));
+    const Json& json = texts.back();
+    if (json["op"] == "advertise")
+      for (const Json& channel : json["channels"]) channels[channel["topic"]] = channel;
+    if (json["op"] == "unadvertise")
+      for (const Json& id : json["channelIds"])
+        std::erase_if(channels, [&](const auto& entry) { return entry.second["id"] == id; });
+  }
+
+  std::unique_ptr<boost::asio::io_context> context_;
+  std::unique_ptr<boost::beast::websocket::stream<boost::asio::ip::tcp::socket>> stream_;
+};
+
+}  // namespace gt

@@ -1,0 +1,62 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/Result.h"
+
+namespace gt {
+
+/// A message for a client of a WebSocketServer. What is sent to many clients is kept once.
+struct WebSocketMessage {
+  bool binary = false;
+  std::string head{};  ///< Of this client.
+  std::shared_ptr<const std::string> body{};
+  /// A message that still waits to be sent is replaced by the next one of the same number, so that
+  /// slow clients get the newest; 0: it is sent even if it waits, or dropped if too much waits.
+  std::uint32_t newestOf = 0;
+  bool droppable = true;  ///< A client that does not take what is not droppable is disconnected.
+};
+
+/// A server of the WebSocket protocol (RFC 6455) on a thread of its own. Its functions are called
+/// by one thread and never wait for the network. Memory is bounded for each client: what one does
+/// not take in time is dropped for that one.
+class WebSocketServer {
+ public:
+  struct Options {
+    std::string address = "127.0.0.1";
+    std::uint16_t port = 0;  ///< 0: any that is free.
+    /// The first of these that a client offers is chosen; clients that offer none are turned away.
+    std::vector<std::string> subprotocols{};
+    std::size_t mostClients = 16;
+    std::size_t mostWaiting = 4 << 20;  ///< Bytes for a client before messages are dropped.
+  };
+  enum class EventKind { connected, text, binary, closed };
+  struct Event {
+    EventKind kind = EventKind::connected;
+    std::uint64_t client = 0;  ///< Counted from 1 and never used again.
+    std::string data{};
+  };
+
+  static Result<std::unique_ptr<WebSocketServer>> open(const Options& options);
+  ~WebSocketServer();  ///< Closes all connections.
+  WebSocketServer(const WebSocketServer&) = delete;
+  WebSocketServer& operator=(const WebSocketServer&) = delete;
+
+  std::uint16_t port() const;
+  /// What has happened since this was called last. Costs next to nothing if that is nothing.
+  std::vector<Event> take();
+  /// Sends a message as soon as the client takes it. A client that is gone is no error.
+  void send(std::uint64_t client, WebSocketMessage message);
+  /// Messages that were dropped for clients that were too slow, or replaced by newer ones.
+  std::uint64_t dropped() const;
+
+ private:
+  class Server;
+  explicit WebSocketServer(std::unique_ptr<Server> server);
+  std::unique_ptr<Server> server_;
+};
+
+}  // namespace gt
