@@ -1,8 +1,10 @@
 #include "foxglove/FoxgloveMessages.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "representations/perception/LandmarksPercept.h"
@@ -11,7 +13,9 @@ namespace gt::foxglove {
 namespace {
 
 constexpr double metersPerMm = 0.001;
-constexpr int circleCorners = 32;
+constexpr int circleCorners = 32, pointCorners = 8;
+/// Areas of more corners are taken as convex, since cutting them up would take too long.
+constexpr std::size_t mostCorners = 200;
 constexpr double liftOfDrawings = 5;  ///< mm above the ground, so that both can be seen.
 constexpr double arrowHead = 0.25;    ///< Of an arrow's length.
 
@@ -46,17 +50,17 @@ SpatialPose poseAt(const Vector3d& mm) {
 
 /// Points of an ellipse around a middle, between two angles in the axes' frame.
 std::vector<Vector2d> arc(const Vector2d& middle, const Vector2d& first, const Vector2d& second,
-                          double from = 0, double to = 2 * pi) {
+                          double from = 0, double to = 2 * pi, int corners = circleCorners) {
   std::vector<Vector2d> points;
-  for (int i = 0; i <= circleCorners; ++i) {
-    const double angle = from + (to - from) * i / circleCorners;
+  for (int i = 0; i <= corners; ++i) {
+    const double angle = from + (to - from) * i / corners;
     points.emplace_back(middle + std::cos(angle) * first + std::sin(angle) * second);
   }
   return points;
 }
 
-std::vector<Vector2d> circle(const Vector2d& middle, double radius) {
-  return arc(middle, {radius, 0}, {0, radius});
+std::vector<Vector2d> circle(const Vector2d& middle, double radius, int corners = circleCorners) {
+  return arc(middle, {radius, 0}, {0, radius}, 0, 2 * pi, corners);
 }
 
 /// How many points an element of a type needs at least.
@@ -90,6 +94,7 @@ std::vector<std::vector<Vector2d>> strokes(const DrawingElement& element) {
   const auto& points = element.points;
   switch (element.type) {
     case ElementType::point:
+      return {circle(points[0], element.size, pointCorners)};
     case ElementType::circle:
     case ElementType::disk:
       return {circle(points[0], element.size)};
@@ -133,35 +138,48 @@ bool inTriangle(const Vector2d& p, const Vector2d& a, const Vector2d& b, const V
          cross(a - c, p - c) >= 0;
 }
 
-/// Cuts ears off a polygon until nothing is left of it.
-std::vector<Vector2d> triangulated(std::vector<Vector2d> corners) {
+/// Cuts ears off a polygon until nothing is left of it. Returns the corners of triangles.
+std::vector<std::uint32_t> triangulated(const std::vector<Vector2d>& points) {
+  std::vector<std::uint32_t> left(points.size());
+  std::iota(left.begin(), left.end(), 0u);
   double area = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    area += cross(corners[i], corners[(i + 1) % corners.size()]);
-  if (area < 0) std::reverse(corners.begin(), corners.end());
-  std::vector<Vector2d> triangles;
-  while (corners.size() >= 3) {
-    const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    area += cross(points[i], points[(i + 1) % points.size()]);
+  if (area < 0) std::ranges::reverse(left);
+  std::vector<std::uint32_t> triangles;
+  while (left.size() >= 3) {
+    const std::size_t n = left.size();
     std::size_t ear = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const Vector2d &a = corners[(i + n - 1) % n], &b = corners[i], &c = corners[(i + 1) % n];
-      const bool free =
-          std::ranges::none_of(corners, [&](const Vector2d& p) { return inTriangle(p, a, b, c); });
+      const Vector2d &a = points[left[(i + n - 1) % n]], &b = points[left[i]],
+                     &c = points[left[(i + 1) % n]];
+      const bool free = std::ranges::none_of(
+          left, [&](std::uint32_t corner) { return inTriangle(points[corner], a, b, c); });
       if (cross(b - a, c - b) < 0 || !free) continue;
       ear = i;
       break;
     }
-    triangles.insert(triangles.end(),
-                     {corners[(ear + n - 1) % n], corners[ear], corners[(ear + 1) % n]});
-    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(ear));
+    triangles.insert(triangles.end(), {left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]});
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
   }
   return triangles;
 }
 
+/// Triangles around the last corner: right for whatever is convex, and for sectors.
+std::vector<std::uint32_t> fan(std::size_t corners) {
+  std::vector<std::uint32_t> triangles;
+  const auto last = static_cast<std::uint32_t>(corners - 1);
+  for (std::uint32_t i = 0; i + 1 < last; ++i) triangles.insert(triangles.end(), {last, i, i + 1});
+  return triangles;
+}
+
 void fill(Triangles& triangles, const std::vector<Vector2d>& corners, const Rgba& color,
-          double height) {
-  for (const Vector2d& point : triangulated(corners)) {
-    triangles.points.push_back(onGround(point, height));
+          double height, bool convex = true) {
+  const auto first = static_cast<std::uint32_t>(triangles.points.size());
+  for (const std::uint32_t corner : convex ? fan(corners.size()) : triangulated(corners))
+    triangles.indices.push_back(first + corner);
+  for (const Vector2d& corner : corners) {
+    triangles.points.push_back(onGround(corner, height));
     triangles.colors.push_back(color);
   }
 }
@@ -255,7 +273,8 @@ SceneEntity sceneEntity(const Drawing& drawing, Time time, std::string frame) {
     }
     for (const auto& stroke : strokes(element)) {
       if (isFilled(element.type)) {
-        fill(areas, stroke, color, liftOfDrawings);
+        fill(areas, stroke, color, liftOfDrawings,
+             element.type != ElementType::area || stroke.size() > mostCorners);
         continue;
       }
       Lines& to = lines[element.penWidth];

@@ -21,9 +21,10 @@ Drawing drawn(ElementType type, std::vector<Vector2d> points, double size = 0) {
 double area(const SceneEntity& entity) {
   double sum = 0;
   for (const Triangles& triangles : entity.triangles)
-    for (std::size_t i = 0; i + 2 < triangles.points.size(); i += 3) {
-      const Point3 &a = triangles.points[i], &b = triangles.points[i + 1],
-                   &c = triangles.points[i + 2];
+    for (std::size_t i = 0; i + 2 < triangles.indices.size(); i += 3) {
+      const Point3 &a = triangles.points[triangles.indices[i]],
+                   &b = triangles.points[triangles.indices[i + 1]],
+                   &c = triangles.points[triangles.indices[i + 2]];
       sum += std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
     }
   return 1e6 * sum;
@@ -59,6 +60,7 @@ TEST(FoxgloveMessages, AreasAreFilledWhateverTheirShape) {
 
 TEST(FoxgloveMessages, ElementsHaveTheirSizes) {
   EXPECT_NEAR(area(entity(drawn(ElementType::disk, {{1000, 0}}, 100))), pi * 100 * 100, 300);
+  EXPECT_NEAR(area(entity(drawn(ElementType::point, {{1000, 0}}, 10))), pi * 10 * 10, 35);
   EXPECT_NEAR(length(entity(drawn(ElementType::circle, {{1000, 0}}, 100))), 2 * pi * 100, 2);
   EXPECT_NEAR(area(entity(drawn(ElementType::sector, {{0, 0}, {0, 100}, {-100, 0}}))),
               pi * 100 * 100 / 4, 100);
