@@ -5,12 +5,12 @@
 
 #include <thread>
 
-#include "foxglove/TestViewer.h"
 #include "observer/RobotLog.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/modeling/BallModel.h"
 #include "representations/modeling/RobotPose.h"
 #include "streams/Jpeg.h"
+#include "support/TestViewer.h"
 
 namespace gt {
 namespace {
@@ -19,6 +19,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::TestViewer;
 
 /// A robot with one process, which sends what it is asked for in each of its cycles.
 class SendingRobot : public RobotLink {
@@ -36,9 +37,11 @@ class SendingRobot : public RobotLink {
     if (asked.contains("Image")) {
       Image image;
       image.time = now;
-      image.info.width = 40;
-      image.info.height = 30;
+      image.info.width = 160;
+      image.info.height = 120;
       image.allocate();
+      for (Pixel& pixel : image.pixels)  // noise makes JPEG long
+        pixel.y = static_cast<std::uint8_t>((noise_ = 1'664'525 * noise_ + 1'013'904'223) >> 24);
       out_.write(now, image);
     }
     if (asked.contains("eyes/seen")) {
@@ -96,6 +99,7 @@ class SendingRobot : public RobotLink {
   }
 
   MessageQueue in_, out_;
+  std::uint32_t noise_ = 1;
 };
 
 class FoxgloveServerTest : public ::testing::Test {
@@ -203,7 +207,7 @@ TEST_F(FoxgloveServerTest, SendsImagesAsJpeg) {
   EXPECT_EQ(picture.header.frameId, "blue1/camera");
   const auto image = decodeJpeg(picture.data);
   ASSERT_TRUE(image);
-  EXPECT_EQ(image->width, 40);
+  EXPECT_EQ(image->width, 160);
 }
 
 TEST_F(FoxgloveServerTest, SendsDrawingsWholeAndInTheirSpaces) {
@@ -322,18 +326,10 @@ TEST_F(FoxgloveServerTest, SlowViewersLoseImagesAndHoldNobodyUp) {
   slow.subscribe(2, "/blue1/RobotPose");
   quick.subscribe(1, "/blue1/camera");
   next<CompressedImage>(quick, 1);
-  const auto begin = std::chrono::steady_clock::now();
-  std::size_t seen = 0, steps = 0;
-  while (server->dropped() < 1000 &&
-         std::chrono::steady_clock::now() < begin + std::chrono::seconds{60}) {
-    update();
-    ++steps;
-    quick.read();
-    for (const auto& data : quick.data) seen += data.subscription == 1 ? 1 : 0;
-    quick.data.clear();
-  }
-  EXPECT_GE(server->dropped(), 1000u) << "the slow one took everything";
-  EXPECT_GT(seen, 100u);
+  const std::uint64_t before = server->dropped();
+  for (int i = 0; i < 1000 && server->dropped() < before + 100; ++i)
+    EXPECT_GT(next<CompressedImage>(quick, 1).data.size(), 0u) << "the quick one gets its images";
+  EXPECT_GE(server->dropped(), before + 100);
   slow.read();
   EXPECT_TRUE(slow.open);
   slow.data.clear();

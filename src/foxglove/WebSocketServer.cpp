@@ -27,6 +27,7 @@ using beast::error_code;
 
 constexpr std::size_t longestMessage = 1 << 20;  ///< Bytes, of a client.
 constexpr std::size_t longestRequest = 16 << 10;
+constexpr int sendBuffer = 256 << 10;     ///< Bytes.
 constexpr std::size_t mostEvents = 1000;  ///< Clients are not read while more wait.
 constexpr std::chrono::seconds patience{30};
 
@@ -167,7 +168,10 @@ class WebSocketServer::Server {
         if (refused) return self->end();
         self->open_ = true;
         error_code ignored;
-        beast::get_lowest_layer(self->stream_).socket().set_option(tcp::no_delay{true}, ignored);
+        auto& socket = beast::get_lowest_layer(self->stream_).socket();
+        socket.set_option(tcp::no_delay{true}, ignored);
+        // What the system has taken can be neither replaced nor dropped.
+        socket.set_option(asio::socket_base::send_buffer_size{sendBuffer}, ignored);
         self->buffer_.clear();
         self->server_.report({EventKind::connected, self->number_});
         self->read();

@@ -2,8 +2,9 @@
 // of this project: the protocol's client and a ROS 2 message decoder of the npm registry. All of one robot and some of the others
 // is subscribed; each message that comes is decoded by its schema and encoded again, which must give the same bytes.
 //
-//   scripts/run-node build/node/foxglove tests/foxglove match.mjs SIMGT [ROUTER]
+//   scripts/run-node build/node/foxglove tests/foxglove match.mjs SIMGT
 import { spawn } from "node:child_process";
+import { readFileSync } from "node:fs";
 import { createServer } from "node:net";
 import protocol from "@foxglove/ws-protocol";
 import { parse } from "@foxglove/rosmsg";
@@ -101,6 +102,20 @@ class Viewer {
   }
 }
 
+/// The topics that a layout's panels show.
+function topicsOfLayout(file) {
+  const texts = [];
+  const collect = (value) => {
+    if (typeof value === "string") texts.push(value);
+    else if (value && typeof value === "object")
+      for (const [key, part] of Object.entries(value)) texts.push(key), collect(part);
+  };
+  collect(JSON.parse(readFileSync(file, "utf8")).configById);
+  const topics = texts.filter((text) => text.startsWith("/")).map((text) => text.split(".")[0]);
+  check(topics.length >= 10, `${file} shows ${topics.length} topics`);
+  return topics;
+}
+
 const some = new Set(["/blue4/BallModel", "/red2/drawings/SelfLocator/pose", "/blue1/plots/BehaviorControl/engine", "/tf",
   "/field", "/truth", "/log"]);
 
@@ -115,6 +130,8 @@ async function checkMatch(simgt) {
     for (const robot of ["red1", "blue4"])
       for (const topic of ["camera", "RobotPose", "drawings/SelfLocator/pose", "camera/drawings/ImageProcessor/percepts"])
         check(viewer.topics.has(`/${robot}/${topic}`), `there is no /${robot}/${topic}`);
+    for (const topic of topicsOfLayout("config/foxglove/match.json"))
+      check(viewer.topics.has(topic), `the layout shows ${topic}, which is not there`);
     for (const topic of [...some, "/red1/camera", "/red1/RobotPose", "/red1/camera/drawings/ImageProcessor/horizon"])
       await viewer.until(() => viewer.newest.has(topic), topic);
 

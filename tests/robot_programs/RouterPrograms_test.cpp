@@ -5,8 +5,11 @@
 #include <cstdlib>
 
 #include "base/ChildProgram.h"
+#include "framework/Description.h"
 #include "framework/Requests.h"
 #include "network/RobotList.h"
+#include "representations/modeling/RobotPose.h"
+#include "support/TestViewer.h"
 #include "support/TestWire.h"
 
 namespace gt {
@@ -77,12 +80,32 @@ class RouterProgramsTest : public ::testing::Test {
     });
   }
 
+  /// Sends what tools ask a robot for that knows where it is.
+  void answer(std::size_t robot) {
+    MessageQueue requests, answers;
+    network.wait(0);
+    robots[robot]->update(requests);
+    requests.handleAllMessages([&](const Message& request) {
+      ProcessDescription description;
+      description.process = "Cognition";
+      description.representations = {{"RobotPose", RepresentationOrigin::provided, true, 0}};
+      if (request.is<DescriptionRequest>()) answers.write(Time{}, description);
+      WatchRequest watch;
+      if (request.is<WatchRequest>() && request.read(watch))
+        watched = watch.representation == "RobotPose" && watch.mode == DebugKeyMode::always;
+      answers.write(Time{}, answerTo(request, "Cognition", {}));
+    });
+    if (watched) answers.write(Time{++round}, RobotPose{{0, {100, 200}}, 1});
+    robots[robot]->send(answers);
+  }
+
   const TestFolder folder;
   const int firstPort = freePort(), secondPort = freePort();
   Network network;
   std::vector<std::unique_ptr<ToolPort>> robots;
   std::array<std::array<bool, 4>, 4> heardOf{};
   std::int64_t round = 0;
+  bool watched = false;
 };
 
 TEST_F(RouterProgramsTest, TheRobotsOfTwoRoutersPlayAsATeam) {
@@ -103,6 +126,25 @@ TEST_F(RouterProgramsTest, TheRobotsOfTwoRoutersPlayAsATeam) {
   first.kill();
   first.start();
   EXPECT_TRUE(playAsATeam());
+}
+
+TEST_F(RouterProgramsTest, ViewersSeeRobotsElsewhere) {
+  const int port = freePort();
+  ChildProgram router{command({"127.0.0", "11", "--foxglove", std::to_string(port)}, firstPort)};
+  std::optional<testing::TestViewer> viewer;
+  const auto work = [&] {
+    answer(0);
+    if (!viewer) viewer = testing::TestViewer::connect(static_cast<std::uint16_t>(port));
+    if (viewer) viewer->read();
+  };
+  const std::string topic = "/127.0.0.11/RobotPose";
+  ASSERT_TRUE(eventually([&] { return viewer && viewer->channels.contains(topic); }, work, 10'000));
+  EXPECT_FALSE(watched) << "nobody has subscribed";
+  viewer->subscribe(5, topic);
+  ASSERT_TRUE(eventually([&] { return !viewer->data.empty(); }, work, 10'000));
+  RobotPose pose;
+  ASSERT_TRUE(decode(std::as_bytes(std::span{viewer->data.front().bytes}), pose));
+  EXPECT_EQ(pose.pose.translation, Vector2d(100, 200));
 }
 
 }  // namespace

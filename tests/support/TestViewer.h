@@ -12,7 +12,7 @@
 
 #include "streams/Json.h"
 
-namespace gt {
+namespace gt::testing {
 
 /// A client of the Foxglove WebSocket protocol for tests.
 class TestViewer {
@@ -28,6 +28,9 @@ class TestViewer {
                                            const std::string& subprotocol = "foxglove.sdk.v1") {
     TestViewer viewer;
     boost::beast::error_code failed;
+    viewer.socket().open(boost::asio::ip::tcp::v4(), failed);
+    constexpr int fewBytes = 65536;  // that come without being read
+    viewer.socket().set_option(boost::asio::socket_base::receive_buffer_size{fewBytes}, failed);
     viewer.socket().connect({boost::asio::ip::make_address("127.0.0.1"), port}, failed);
     viewer.stream_->set_option(boost::beast::websocket::stream_base::decorator{[&](auto& request) {
       request.set(boost::beast::http::field::sec_websocket_protocol, subprotocol);
@@ -107,4 +110,4 @@ class TestViewer {
   std::unique_ptr<boost::beast::websocket::stream<boost::asio::ip::tcp::socket>> stream_;
 };
 
-}  // namespace gt
+}  // namespace gt::testing
