@@ -4,6 +4,10 @@
 
 #include "console/Commands.h"
 #include "console/Condition.h"
+#include "match/MatchState.h"
+#include "streams/File.h"
+#include "streams/Json.h"
+#include "streams/TemporaryFolder.h"
 #include "views/ViewText.h"
 
 namespace gt {
@@ -170,17 +174,16 @@ Result<void> save(Console& console, const Words& words) {
   return {};
 }
 
-Result<void> load(Console& console, const Words& words) {
+Result<void> loadFile(Console& console, const std::string& file) {
   const auto selection = console.selection();
   console.select({});
   console.forgetBehavior();
-  const auto done = console.session().load(
-      withDefaults(words[1], "out/states", ".state"), [&](const std::string& line) -> Result<void> {
-        const Command* command = Console::find(line.substr(0, line.find(' ')));
-        if (!command || !command->changes)
-          return Error{.field = line, .what = "is no command that changes something"};
-        return console.execute(line);
-      });
+  const auto done = console.session().load(file, [&](const std::string& line) -> Result<void> {
+    const Command* command = Console::find(line.substr(0, line.find(' ')));
+    if (!command || !command->changes)
+      return Error{.field = line, .what = "is no command that changes something"};
+    return console.execute(line);
+  });
   if (!done) {
     console.select(selection);
     console.forgetBehavior();
@@ -192,6 +195,33 @@ Result<void> load(Console& console, const Words& words) {
   return {};
 }
 
+Result<void> load(Console& console, const Words& words) {
+  return loadFile(console, withDefaults(words[1], "out/states", ".state"));
+}
+
+Result<void> rewindTo(Console& console, const Words& words) {
+  const auto time = durationOf(words);
+  if (!time) return time.error();
+  if (Time{*time} >= console.session().time())
+    return Error{
+        .field = words[1],
+        .what = "is not past: it is " + std::to_string(console.session().time().ms) + " ms"};
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "past.state").string();
+  if (auto done = console.session().match().save(file); !done) return done;
+  auto state = readMatchState(file);
+  if (!state) return state.error();
+  state->time = Time{*time / tickMs * tickMs};
+  state->fingerprint = 0;  // nobody knows it
+  std::erase_if(state->history, [&](const Intervention& done) { return done.time > state->time; });
+  if (auto done = writeFile(file, toJson(*state).dump()); !done) return done;
+  const bool passes = console.session().started();
+  console.session().stop();
+  auto done = loadFile(console, file);
+  if (!done && passes) console.session().start();
+  return done;
+}
+
 }  // namespace
 
 std::vector<Command> timeCommands() {
@@ -199,6 +229,11 @@ std::vector<Command> timeCommands() {
   return {
       {global, "load", "STATE", "Resumes a simulation from where it was saved.", load},
       {global, "reset", "", "Restarts, with the same scene, its script, and the same seed.", reset},
+      {global, "rewind", "TIME [s | ms | min | steps]",
+       "Goes back in time, to so much time after the begin: the same scene and seed begin anew, "
+       "and "
+       "all is done again that was done until then. Robots on logs and elsewhere are gone.",
+       rewindTo},
       {global, "run", "TIME [s | ms | min | steps]",
        "Lets simulated time pass; TIME may also have its unit behind it: 30s. Ctrl-C stops it, and "
        "all is kept.",

@@ -125,6 +125,30 @@ TEST_F(TimeCommands, LoadedStatesGoOnAsIfNothingHadHappened) {
   EXPECT_FALSE(console->execute("load " + file("d.state")));
 }
 
+TEST_F(TimeCommands, RewindGoesBackAndOnAnotherWay) {
+  expectFine("run 1");
+  expectFine("place ball -500 300 100 0");
+  expectFine("run 1");
+  const auto middle = session->simulation().fingerprint();
+  expectFine("place ball 700 0");
+  expectFine("run 1");
+  const auto end = session->simulation().fingerprint();
+  expectFine("rewind 1.996s");
+  EXPECT_EQ(session->time().ms, 1992) << "a tick ends then";
+  expectFine("step");
+  EXPECT_EQ(session->simulation().fingerprint(), middle);
+  // What was done later is forgotten; done again, the same happens.
+  expectFine("run 1");
+  EXPECT_NE(session->simulation().fingerprint(), end);
+  expectFine("rewind 2");
+  expectFine("place ball 700 0");
+  expectFine("run 1");
+  EXPECT_EQ(session->simulation().fingerprint(), end);
+  expectError("rewind 4", "4", "not past");
+  expectFine("rewind 0");
+  EXPECT_EQ(session->time().ms, 0);
+}
+
 TEST_F(TimeCommands, LosesImagesOnlyIfAskedTo) {
   expectFine("run 400 ms");
   EXPECT_EQ(session->match().robots()[0]->lostImages(), 0);

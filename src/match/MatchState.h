@@ -61,7 +61,8 @@ struct MatchState {
         field("seed", &MatchState::seed),
         field("time", &MatchState::time, "ms", "how far it has come"),
         field("history", &MatchState::history, "", "in the order of time"),
-        field("fingerprint", &MatchState::fingerprint, "", "of world and robots")};
+        field("fingerprint", &MatchState::fingerprint, "",
+              "of world and robots; 0: unknown, so it is not compared")};
   }
 };
 

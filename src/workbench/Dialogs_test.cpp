@@ -1,5 +1,6 @@
 #include <QAbstractButton>
 #include <QCheckBox>
+#include <QInputDialog>
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
@@ -374,6 +375,49 @@ TEST_F(DialogTest, ViewersSayWhyDrawingsDoNotCome) {
   settings["drawings"] = QJsonArray{"NoModule/nothing"};
   window->dialog("field")->restore(settings);
   EXPECT_TRUE(says("NoModule/nothing (unknown to red3)"));
+}
+
+TEST_F(WindowTest, TheTimelineGoesBackInTime) {
+  window->open("timeline");
+  auto* marks = widget<QTreeWidget>("timeline", "marks");
+  auto* slider = widget<QSlider>("timeline", "time");
+  click("game", "ready");
+  finish();
+  ASSERT_TRUE(execute("run 26s"));
+  // The referee's events are marked.
+  ASSERT_TRUE(until([&] { return marks->topLevelItemCount() > 0; }));
+  EXPECT_TRUE(marks->topLevelItem(0)->text(1).contains("Kick-off"));
+  const std::int64_t kickOff = marks->topLevelItem(0)->data(0, Qt::UserRole).toLongLong();
+  const std::string before = value("ball.x") + " " + value("red2.x") + " " + value("blue3.y");
+  // A double click goes to before it.
+  Q_EMIT marks->itemDoubleClicked(marks->topLevelItem(0), 1);
+  finish();
+  EXPECT_EQ(session->status().time.ms, (kickOff - 2000) / tickMs * tickMs);
+  EXPECT_TRUE(until([&] { return slider->value() == session->status().time.ms; }));
+  EXPECT_EQ(slider->maximum(), 26000);
+  EXPECT_EQ(marks->topLevelItemCount(), 1) << "it happens again";
+  // The keys go on, to where it was: the same has happened.
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_End);
+  finish();
+  EXPECT_EQ(session->status().time.ms, 26000);
+  EXPECT_EQ(value("ball.x") + " " + value("red2.x") + " " + value("blue3.y"), before);
+  // Bookmarks are kept with the layout.
+  QTimer::singleShot(100, [] {
+    auto* input = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+    ASSERT_TRUE(input);
+    input->setTextValue("look here");
+    input->accept();
+  });
+  click("timeline", "bookmark");
+  EXPECT_EQ(marks->topLevelItemCount(), 2);
+  const QJsonObject settings = window->dialog("timeline")->settings();
+  EXPECT_EQ(settings["bookmarks"][0][1].toString(), "look here");
+  marks->setCurrentItem(marks->topLevelItem(1));
+  click("timeline", "remove");
+  EXPECT_EQ(marks->topLevelItemCount(), 1);
+  window->dialog("timeline")->restore(settings);
+  EXPECT_EQ(window->dialog("timeline")->settings(), settings);
 }
 
 TEST_F(WindowTest, EightImagesShowRobotsOfTheirOwn) {

@@ -15,9 +15,9 @@ class NoScreen : public gt::Screen {
 /// are another target's.
 bool mayBeExecuted(std::string_view line) {
   static constexpr std::string_view elsewhere[] = {
-      "call", "layout", "behavior", "xlb",  "sl",      "sc",    "log",    "save",
-      "load", "run",    "until",    "test", "picture", "plot",  "film",   "scene",
-      "seed", "reset",  "joystick", "st",   "mof",     "sound", "config", "deploy"};
+      "call",   "layout",   "behavior", "xlb",     "sl",    "sc",     "log",   "save", "load",
+      "run",    "until",    "test",     "picture", "plot",  "film",   "scene", "seed", "reset",
+      "rewind", "joystick", "st",       "mof",     "sound", "config", "deploy"};
   const std::size_t begin = std::min(line.find_first_not_of(" \t\r\""), line.size());
   for (const std::string_view name : elsewhere)
     if (line.substr(begin).starts_with(name)) return false;
