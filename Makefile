@@ -74,7 +74,7 @@ install: build
 
 test python: ENVIRONMENT = build/python
 test python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
-test sanitize: PACKAGES += $(NODE) $(QT) xvfb xauth
+test sanitize: PACKAGES += $(NODE) $(QT) xvfb xauth desktop-file-utils shared-mime-info
 test: build
 	@$(CTEST) --test-dir $(BUILD)
 

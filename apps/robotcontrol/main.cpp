@@ -7,6 +7,7 @@
 
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
+#include "observer/LogPlayer.h"
 #include "workbench/MainWindow.h"
 
 namespace {
@@ -35,10 +36,22 @@ void takePicture(gt::SessionThread& session, gt::MainWindow& window, const std::
   });
 }
 
-gt::Result<int> run(int argc, char** argv, const Options& options) {
+/// A log may be given in the place of a scene: a robot called log runs on it beside the scene's.
+gt::Result<void> openLog(Options& options) {
+  const std::string file = options.match.scene;
+  if (!file.ends_with(".mcap")) return {};
+  if (const auto log = gt::LogPlayer::open(file); !log) return log.error();
+  options.match.scene = gt::MatchOptions{options.match.root}.scene;
+  options.commands.insert(options.commands.begin(), {"sl log \"" + file + "\"", "robot log"});
+  return {};
+}
+
+gt::Result<int> run(int argc, char** argv, Options options) {
   QApplication application{argc, argv};
   QApplication::setApplicationName("robotcontrol");
+  QApplication::setDesktopFileName("robotcontrol");
   QApplication::setOrganizationName("gt2003");
+  if (const auto done = openLog(options); !done) return done.error();
   auto session = gt::SessionThread::make(options.match, options.foxglove);
   if (!session) return session.error();
   (*session)->execute("st on 1", {}, true);
@@ -73,7 +86,9 @@ int main(int argc, char** argv) {
   options.match = gt::MatchOptions{line.root()};
   options.match.threads = 2;
   CLI::App& app = line.app();
-  app.add_option("scene", options.match.scene, "Scene file")->capture_default_str();
+  app.add_option("scene", options.match.scene,
+                 "Scene file; or a log (.mcap), on which a robot runs beside a scene")
+      ->capture_default_str();
   app.add_option("--seed", options.match.seed, "The same seed gives the same match")
       ->capture_default_str();
   app.add_option("--threads", options.match.threads, "Worker threads; they do not change the match")
