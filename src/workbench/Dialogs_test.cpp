@@ -420,6 +420,39 @@ TEST_F(WindowTest, TheTimelineGoesBackInTime) {
   EXPECT_EQ(window->dialog("timeline")->settings(), settings);
 }
 
+TEST_F(DialogTest, ButtonsAndSlidersExecuteLinesOfTheConsole) {
+  Dialog* const dialog = window->open("controls");
+  QTimer::singleShot(100, [] {
+    QWidget* form = QApplication::activeModalWidget();
+    ASSERT_TRUE(form);
+    QTest::keyClicks(form->findChild<QLineEdit*>("text"), "Kick-off place");
+    QTest::keyClicks(form->findChild<QLineEdit*>("line"), "place ball 120 -40");
+    QTest::keyClick(form, Qt::Key_Return);
+  });
+  click("controls", "add");
+  click("controls", "control0");
+  finish();
+  EXPECT_EQ(value("ball.x") + " " + value("ball.y"), "120 -40");
+  // A line with a place for a number belongs to a slider. Layouts keep all.
+  QJsonObject settings = dialog->settings();
+  QJsonArray controls = settings["controls"].toArray();
+  ASSERT_EQ(controls.size(), 1);
+  controls.append(QJsonObject{{"text", "Speed"},
+                              {"line", "set WalkingEngine.InvKin.gameSpeed %1"},
+                              {"key", ""},
+                              {"low", 0.2},
+                              {"high", 1},
+                              {"value", 1}});
+  settings["controls"] = controls;
+  dialog->restore(settings);
+  EXPECT_EQ(dialog->settings(), settings);
+  auto* slider = widget<QSlider>("controls", "control1");
+  EXPECT_EQ(slider->value(), slider->maximum());
+  for (int step = slider->maximum(); step >= 100; step -= 10) slider->setValue(step);
+  EXPECT_TRUE(until([&] { return value("WalkingEngine.InvKin.gameSpeed") == "0.6"; }));
+  EXPECT_NEAR(dialog->settings()["controls"][1]["value"].toDouble(), 0.6, 1e-9);
+}
+
 TEST_F(WindowTest, EightImagesShowRobotsOfTheirOwn) {
   Dialog* dialog = window->open("images");
   QJsonObject settings = dialog->settings();
