@@ -19,6 +19,10 @@ class SoccerInputs final : public soccer::Inputs {
 
   soccer::GameState gameState() const override;
   bool gameOwnKickOff() const override { return w().game.kickOff == KickOff::own; }
+  double gameTimeSinceOwnGoal() const override { return ms(w().frame.time - tactics_.ownGoal()); }
+  double gameTimeSinceOpponentGoal() const override {
+    return ms(w().frame.time - tactics_.opponentGoal());
+  }
   PlayerRole playerRole() const override { return w().player.role; }
   TeamColor playerTeamColor() const override { return w().player.teamColor; }
   DynamicRole teamRole() const override { return tactics_.role(); }
@@ -53,9 +57,12 @@ class SoccerInputs final : public soccer::Inputs {
   SpecialAction kickPlanned() const override { return SpecialAction{plan().motion}; }
   double kickFacing() const override { return toDegrees(plan().facing); }
   SpecialAction kickNow() const override { return SpecialAction{tactics_.kick().now()}; }
-  double kickFollowed() const override {
-    return toDegrees(angleOf(relative(w().self.pose, tactics_.kick().target())));
+  double kickTimeSinceLast() const override {
+    return ms(w().frame.time - tactics_.kick().lastKick());
   }
+  double kickTargetX() const override { return kickTarget().x(); }
+  double kickTargetY() const override { return kickTarget().y(); }
+  double kickTargetAngle() const override { return toDegrees(angleOf(kickTarget())); }
   double kickX(SpecialAction id) const override { return motion(id).kick.x; }
   double kickY(SpecialAction id) const override { return motion(id).kick.y; }
   bool kickReaches(SpecialAction id, double astray, double margin) const override;
@@ -83,6 +90,7 @@ class SoccerInputs final : public soccer::Inputs {
   static double ms(std::int64_t time) { return static_cast<double>(time); }
 
   const WorldState& w() const { return tactics_.world(); }
+  Vector2d kickTarget() const { return relative(w().self.pose, tactics_.kick().target()); }
   const KickChoice::Plan& plan() const { return tactics_.kick().plan(); }
   const MotionNet::Motion& motion(SpecialAction id) const { return motionOf(w().motions, id); }
 

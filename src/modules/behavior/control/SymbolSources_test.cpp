@@ -57,8 +57,10 @@ TEST_F(SymbolSources, TellWhereAKickPlaysTheBall) {
 }
 
 TEST_F(SymbolSources, TellWhichKickIsPlanned) {
-  world.motions.motions[2].kick.direction = 0;
-  world.motions.motions[2].kick.length = 3000;
+  KickDescription& kick = world.motions.motions[2].kick;
+  kick.direction = 0;
+  kick.length = 3000;
+  kick.places = {{150, 20, 1, 0, 5, 3000, 100}};
   world.ball.position = {1000, 0};
   EXPECT_EQ(inputs().kickPlanned(), SpecialAction{2});
   EXPECT_NEAR(inputs().kickFacing(), 0, 10);

@@ -22,27 +22,7 @@ double nearest(const std::vector<Vector2d>& players, const Vector2d& place, doub
 void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles,
                         const Vector2d& ball, std::int64_t unseen) {
   look(world, obstacles, ball);
-  const int last = plan_.motion;
-  const Plan before = plan_;
-  plan_ = {};
-  plan_.worth = -1e9;
-  for (const bool withRoom : {true, false}) {
-    for (int i = 1; i < static_cast<int>(world.motions.motions.size()); ++i)
-      if (const auto plan = bestPlan(i, withRoom); plan && plan->worth > plan_.worth) plan_ = *plan;
-    if (plan_.motion != 0) break;
-  }
-  // The plan of before, as good as it is now.
-  if (last != 0) {
-    const KickDescription& kick = world.motions.motions[static_cast<std::size_t>(last)].kick;
-    const double worth =
-        worthOfKick(before.direction, kick.spreadAt({kick.x, kick.y}, 0).value_or(p_.aim),
-                    kick.length, 0) -
-        costOfSecond() * (timeTo(kick, before.facing) + kick.seconds);
-    if (hasRoom(before.facing) && worth + p_.otherPlan > plan_.worth) {
-      plan_ = before;
-      plan_.worth = worth;
-    }
-  }
+  choosePlan();
   const bool atBall = ball.norm() < p_.nearBall;
   if (!atBall)
     atBallSince_ = never();
@@ -55,6 +35,7 @@ void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles
     const bool kicks =
         running > 0 && world.motions.motions[static_cast<std::size_t>(running)].isKick();
     now_ = kicks ? running : 0;
+    if (kicks) lastKick_ = world.frame.time;
     decided_ = never();
     return;
   }
@@ -120,8 +101,9 @@ double KickChoice::worthOfWay(double direction, double free, double length) cons
           : (std::copysign(field.xGroundline, along.x()) - ballOnField_.x()) / along.x();
   constexpr double atLine = 150;  // mm: obstacles there are posts, walls and the goal
   const bool stopped = free < ObstaclesModel::farAway && free < toLine - atLine && free < length;
+  const double clearance = std::copysign(p_.postClearance, along.x());
   if (!stopped && length > toLine &&
-      std::abs(ballOnField_.y() + along.y() * toLine) < field.yGoal - p_.postClearance)
+      std::abs(ballOnField_.y() + along.y() * toLine) < field.yGoal - clearance)
     return along.x() > 0 ? 1 : -1;
   Vector2d end = ballOnField_ + along * std::min(length, stopped ? free : length);
   end.x() = std::clamp(end.x(), -field.xGroundline, field.xGroundline);
@@ -129,22 +111,47 @@ double KickChoice::worthOfWay(double direction, double free, double length) cons
   return worthOf(end) - (stopped ? p_.blocked : 0);
 }
 
-/// The same, between what was computed.
-double KickChoice::worthOfWay(double direction, double length) const {
-  const int index = static_cast<int>(std::lround(direction / step));
-  const auto& way = ways_[static_cast<std::size_t>((index % directions + directions) % directions)];
-  const double place = std::clamp(length / lengthStep, 0., lengths - 1.001);
-  const auto k = static_cast<std::size_t>(place);
-  return std::lerp(way[k], way[k + 1], place - static_cast<double>(k));
+KickChoice::Imagined KickChoice::imagine(const KickDescription& kick, const Vector2d& place,
+                                         double facing, double spread) const {
+  const std::array<Vector2d, 5> offs{
+      {{0, 0}, {p_.misplaced, 0}, {-p_.misplaced, 0}, {0, p_.misplaced}, {0, -p_.misplaced}}};
+  std::array<double, directions * lengths> shares{};
+  Imagined imagined;
+  // Between what was computed the worth is linear.
+  const auto enter = [&](double direction, double length, double share) {
+    const double turns = std::floor(direction / step),
+                 far = std::clamp(length / lengthStep, 0., lengths - 1.001);
+    const auto k = static_cast<int>(far);
+    for (const int nextWay : {0, 1})
+      for (const int nextLength : {0, 1}) {
+        const double across = direction / step - turns, along = far - k;
+        const int i = ((static_cast<int>(turns) + nextWay) % directions + directions) % directions;
+        shares[static_cast<std::size_t>(i * lengths + k + nextLength)] +=
+            share * (nextWay ? across : 1 - across) * (nextLength ? along : 1 - along);
+      }
+  };
+  for (const Vector2d& off : offs) {
+    const auto at = kick.at(place + off);
+    const double hits = at ? at->hits : 0;
+    imagined.missed += (1 - hits) / offs.size();
+    if (!at) continue;
+    const double sigma = fromDegrees(std::hypot(at->spread, spread));
+    for (const auto& [astray, share] : outcomes)
+      for (const double side : {-1., 1.})
+        enter(facing + fromDegrees(at->direction) + astray * sigma,
+              at->length + side * at->lengthDeviation, hits / offs.size() * share / 2);
+  }
+  for (int i = 0; i < directions * lengths; ++i)
+    if (const double share = shares[static_cast<std::size_t>(i)]; share > 0)
+      imagined.ways.push_back({i / lengths, i % lengths, share});
+  return imagined;
 }
 
-double KickChoice::worthOfKick(double direction, double spread, double length,
-                               double deviation) const {
-  double worth = 0;
-  for (const auto& [off, share] : outcomes)
-    for (const double side : {-1., 1.})
-      worth +=
-          share / 2 * worthOfWay(direction + fromDegrees(off * spread), length + side * deviation);
+double KickChoice::worthOf(const Imagined& imagined, int turned) const {
+  double worth = imagined.missed * (worthOf(ballOnField_) - p_.blocked);
+  for (const Imagined::Way& way : imagined.ways)
+    worth += way.share * ways_[static_cast<std::size_t>((way.direction + turned) % directions)]
+                              [static_cast<std::size_t>(way.length)];
   return worth;
 }
 
@@ -175,22 +182,33 @@ bool KickChoice::hasRoom(double facing) const {
          corner > field.xGroundline - field.xSideCorner + p_.wallClearance * p_.cornerClearance;
 }
 
-std::optional<KickChoice::Plan> KickChoice::bestPlan(int motion, bool withRoom) const {
-  const MotionNet::Motion& described = world_->motions.motions[static_cast<std::size_t>(motion)];
-  const KickDescription& kick = described.kick;
-  if (!described.isKick() || kick.falls > p_.mostFalls) return {};
-  const double spread =
-      std::hypot(kick.spreadAt({kick.x, kick.y}, 0).value_or(p_.aim), p_.aim, p_.sees);
-  std::optional<Plan> best;
-  for (int i = 0; i < directions; ++i) {
-    const double direction = normalize(i * step);
-    const double facing = normalize(direction - fromDegrees(kick.direction));
-    if (withRoom && !hasRoom(facing)) continue;
-    const double worth = worthOfKick(direction, spread, kick.length, 0.2 * kick.length) -
-                         costOfSecond() * (timeTo(kick, facing) + kick.seconds);
-    if (!best || worth > best->worth) best = Plan{motion, direction, facing, worth};
+/// The best kick from its best place; that of before unless another one is better by something.
+void KickChoice::choosePlan() {
+  const auto isSame = [before = plan_](int motion, double facing) {
+    return motion == before.motion && std::abs(normalize(facing - before.facing)) < step / 2;
+  };
+  plan_ = {};
+  plan_.worth = -1e9;
+  for (const bool withRoom : {true, false}) {
+    for (int motion = 1; motion < static_cast<int>(world_->motions.motions.size()); ++motion) {
+      const MotionNet::Motion& described =
+          world_->motions.motions[static_cast<std::size_t>(motion)];
+      const KickDescription& kick = described.kick;
+      if (!described.isKick() || kick.falls > p_.mostFalls) continue;
+      const Imagined imagined = imagine(kick, {kick.x, kick.y}, 0, std::hypot(p_.aim, p_.sees));
+      for (int turned = 0; turned < directions; ++turned) {
+        const double facing = normalize(turned * step);
+        if (withRoom && !hasRoom(facing)) continue;
+        const double worth = worthOf(imagined, turned) -
+                             costOfSecond() * (timeTo(kick, facing) + kick.seconds) +
+                             (isSame(motion, facing) ? p_.otherPlan : 0);
+        if (worth > plan_.worth)
+          plan_ = {motion, normalize(facing + fromDegrees(kick.direction)), facing, worth};
+      }
+    }
+    if (plan_.motion != 0) break;
   }
-  return best;
+  if (isSame(plan_.motion, plan_.facing)) plan_.worth -= p_.otherPlan;
 }
 
 /// The best kick from where the robot stands.
@@ -201,7 +219,6 @@ KickChoice::Plan KickChoice::worthNow() const {
       walks ? Pose2D{walk.rotation * p_.stopping, walk.translation * p_.stopping} : Pose2D{};
   const Vector2d ball = relative(stops, ball_);
   const double facing = world_->self.pose.rotation + stops.rotation;
-  constexpr int places = 5;
   Plan best;
   best.worth = -1e9;
   for (int i = 1; i < static_cast<int>(world_->motions.motions.size()); ++i) {
@@ -210,22 +227,10 @@ KickChoice::Plan KickChoice::worthNow() const {
     if (!described.isKick() || kick.falls > p_.mostFalls) continue;
     const auto middle = kick.at(ball);
     if (!middle || middle->hits < p_.reliable) continue;
-    double worth = -costOfSecond() * kick.seconds;
-    const double missed = worthOf(ballOnField_) - p_.blocked;
-    for (const Vector2d& off :
-         {Vector2d{0, 0}, Vector2d{p_.misplaced, 0}, Vector2d{-p_.misplaced, 0},
-          Vector2d{0, p_.misplaced}, Vector2d{0, -p_.misplaced}}) {
-      const auto place = kick.at(ball + off);
-      const double hits = place ? place->hits : 0;
-      worth += (1 - hits) * missed / places;
-      if (place)
-        worth +=
-            hits / places *
-            worthOfKick(facing + fromDegrees(place->direction), std::hypot(place->spread, p_.sees),
-                        place->length, place->lengthDeviation);
-    }
-    const double direction = normalize(facing + fromDegrees(middle->direction));
-    if (worth > best.worth) best = {i, direction, facing, worth};
+    const double worth = worthOf(imagine(kick, ball, facing, std::hypot(p_.aim, p_.sees)), 0) -
+                         costOfSecond() * kick.seconds;
+    if (worth > best.worth)
+      best = {i, normalize(facing + fromDegrees(middle->direction)), facing, worth};
   }
   return best;
 }

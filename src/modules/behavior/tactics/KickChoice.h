@@ -15,8 +15,8 @@ class KickChoice {
  public:
   struct Parameters {
     // What an end of the ball is worth; a goal is worth 1.
-    double ahead = 0.25;
-    double shot = 0.25;
+    double ahead = 0.1;
+    double shot = 0.5;
     double possession = 0.15;
     double opponentFar = 1200;
     double widestGoal = 1;
@@ -30,9 +30,9 @@ class KickChoice {
     double turnSpeed = 90;
     double aroundSpeed = 60;
     // What is good enough.
-    double aim = 8;
+    double aim = 5;
     double sees = 4;
-    double enough = 0.03;
+    double enough = 0;
     double impatience = 0.03;
     double nearBall = 350;
     double stopping = 0.15;
@@ -42,7 +42,7 @@ class KickChoice {
     double mostFalls = 0.02;
     // Memory.
     double otherPlan = 0.08;
-    double begins = 600;
+    double begins = 1200;
     // The ball's way.
     double ballCorridor = 200;
     double handled = 800;
@@ -101,7 +101,9 @@ class KickChoice {
           field("handled", &P::handled, "mm",
                 "obstacles around a ball that is farther away do not count", {0, 5000}),
           field("postClearance", &P::postClearance, "mm",
-                "from a post to the middle of a ball that surely goes in", {0, 300}),
+                "from a post to the middle of a ball that surely goes in, or surely not into the "
+                "own goal",
+                {0, 300}),
           field("wallClearance", &P::wallClearance, "mm",
                 "room that the body's middle needs beside a wall", {0, 1000}),
           field("bodyLength", &P::bodyLength, "mm",
@@ -127,8 +129,9 @@ class KickChoice {
               std::int64_t unseen);
 
   const Plan& plan() const { return plan_; }
-  /// Where the last kick sent the ball, on the field (mm).
+  /// Where the last kick sent the ball, on the field (mm), and when it ended.
   const Vector2d& target() const { return target_; }
+  Time lastKick() const { return lastKick_; }
   /// The motion to be performed now, until it ends; 0 none.
   int now() const { return now_; }
 
@@ -140,11 +143,22 @@ class KickChoice {
 
   double worthOf(const Vector2d& end) const;
   double worthOfWay(double direction, double free, double length) const;
-  double worthOfWay(double direction, double length) const;
-  double worthOfKick(double direction, double spread, double length, double deviation) const;
+  /// Where a ball goes that lies about at a place before a robot that faces a direction.
+  struct Imagined {
+    struct Way {
+      int direction, length;  ///< indices of ways_
+      double share;
+    };
+    std::vector<Way> ways;
+    double missed = 0;
+  };
+  Imagined imagine(const KickDescription& kick, const Vector2d& place, double facing,
+                   double spread) const;
+  /// The same for a robot that is turned by so many steps.
+  double worthOf(const Imagined& imagined, int turned) const;
   double timeTo(const KickDescription& kick, double facing) const;
   double costOfSecond() const;
-  std::optional<Plan> bestPlan(int motion, bool withRoom) const;
+  void choosePlan();
   Plan worthNow() const;
   bool hasRoom(double facing) const;
   void look(const WorldState& world, const ObstaclesModel& obstacles, const Vector2d& ball);
@@ -160,7 +174,7 @@ class KickChoice {
   Plan plan_;
   int now_ = 0;
   Vector2d target_ = Vector2d::Zero();
-  Time decided_ = never(), atBallSince_ = never();
+  Time decided_ = never(), atBallSince_ = never(), lastKick_ = never();
 };
 static_assert(complete<KickChoice::Parameters>);
 

@@ -9,6 +9,8 @@ void Tactics::update(const WorldState& world) {
   obstacles_ = world.obstacles;
   addTeammatesToObstacles();
   role_ = negotiateRole();
+  ownGoal_.update(world.game.ownScore, world.frame.time);
+  opponentGoal_.update(world.game.opponentScore, world.frame.time);
   kick_.update(world, obstacles_, knownBall(), world.frame.time - world.ball.lastSeen);
 }
 
@@ -48,7 +50,7 @@ std::int64_t Tactics::knownBallAge() const {
 
 double Tactics::estimatedTimeToReachBall() const {
   const Vector2d ball = knownBall();
-  const Vector2d toGoal = opponentGoal() - knownBallOnField();
+  const Vector2d toGoal = goalToScoreIn() - knownBallOnField();
   const double wrongSide =
       std::abs(normalize(angleOf(toGoal) - world_->self.pose.rotation - angleOf(ball)));
   return ball.norm() / p_.walkSpeed + std::abs(angleOf(ball)) / p_.turnSpeed +

@@ -91,11 +91,26 @@ class Tactics {
   /// How to play the ball.
   const KickChoice& kick() const { return kick_; }
 
+  /// When the teams scored last.
+  Time ownGoal() const { return ownGoal_.time; }
+  Time opponentGoal() const { return opponentGoal_.time; }
+
  private:
+  /// The last goal of a team.
+  struct Goal {
+    int score = 0;  ///< with it
+    Time time = never();
+
+    void update(int scoreNow, Time now) {
+      if (scoreNow > score) time = now;
+      score = scoreNow;
+    }
+  };
+
   void addTeammatesToObstacles();
   DynamicRole negotiateRole();
   bool ownBall() const;
-  Vector2d opponentGoal() const { return {world_->field.xGroundline, 0}; }
+  Vector2d goalToScoreIn() const { return {world_->field.xGroundline, 0}; }
 
   const Parameters& p_;
   const WorldState* world_ = nullptr;
@@ -103,6 +118,7 @@ class Tactics {
   DynamicRole role_ = DynamicRole::defensiveSupporter, wanted_ = role_;
   Time wantedSince_ = never();
   KickChoice kick_;
+  Goal ownGoal_, opponentGoal_;
 };
 static_assert(complete<Tactics::Parameters>);
 

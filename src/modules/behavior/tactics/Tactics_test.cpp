@@ -118,5 +118,19 @@ TEST_F(TacticsTest, TeammatesAreObstaclesWhereTheyTellThatTheyAre) {
   EXPECT_EQ(corridor(tactics().obstacles(), 0, 100), ObstaclesModel::farAway);
 }
 
+TEST_F(TacticsTest, KnowsWhenEachTeamScored) {
+  world.frame.time = {5000};
+  EXPECT_EQ(tactics().ownGoal(), never());
+  world.game.ownScore = 1;
+  tactics();
+  world.frame.time = {7000};
+  world.game.opponentScore = 2;
+  EXPECT_EQ(tactics().ownGoal(), Time{5000});
+  EXPECT_EQ(tactics().opponentGoal(), Time{7000});
+  world.frame.time = {8000};
+  world.game.ownScore = world.game.opponentScore = 0;  // another game
+  EXPECT_EQ(tactics().ownGoal(), Time{5000});
+}
+
 }  // namespace
 }  // namespace gt
