@@ -33,7 +33,7 @@ class KickChoice {
     double aim = 5;
     double sees = 4;
     double enough = 0;
-    double impatience = 0.03;
+    double impatience = 0.01;
     double nearBall = 350;
     double stopping = 0.15;
     double misplaced = 18;
