@@ -157,6 +157,7 @@ TEST_F(KickChoiceTest, IsInAHurryWhereAnOpponentIsNear) {
 }
 
 TEST_F(KickChoiceTest, LosesItsPatience) {
+  parameters.impatience = 0.03;
   world.self.pose = {fromDegrees(25), ball - rotated({150, 0}, fromDegrees(25))};
   world.motions.motions.resize(2);
   int cycles = 0;
