@@ -232,7 +232,7 @@ const RegisterDialog<Connections> registered{
      .help = "Networks of robots elsewhere, connecting to them through a router, and copying their "
              "configuration",
      .report = "J.2.5",
-     .place = DialogPlace::left}};
+     .place = DialogPlace::bottom}};
 
 }  // namespace
 }  // namespace gt
