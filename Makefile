@@ -30,7 +30,7 @@ help:
 	@echo 'make robots        builds the programs of robots, with their source lines beside them for crashlog'
 	@echo 'make play-remote   plays a minute against a team whose robots consist of three programs each'
 	@echo 'make kill-test     kills each program of a robot 50 times during a match'
-	@echo 'make bench         measures speed, also against other libraries: out/bench.json; one part with ONLY=camera, python or python.log'
+	@echo 'make bench         measures speed, also against other libraries: out/bench.json; one part with ONLY=camera, python, python.log or workbench'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html; a group with ONLY=vision'
 	@echo 'make mutants       breaks the modules as tests/mutants/ lists and checks that their tests fail; MUTANTS=N breaks N places by chance, with SEED'
 	@echo 'make install       installs the programs and their data below PREFIX=$(PREFIX)'
@@ -106,12 +106,14 @@ kill-test: build
 play-remote: build
 	@scripts/play-remote $(BUILD) 1 red1 red2 red3 red4
 
-bench: TARGETS = --target bench layout-cmd simgt gt2003_python_package
-bench: ENVIRONMENT = build/python
+bench: TARGETS = --target $(if $(filter workbench,$(ONLY)),bench_workbench,bench layout-cmd simgt gt2003_python_package)
+bench: ENVIRONMENT = $(if $(filter workbench,$(ONLY)),,build/python)
 bench: PACKAGES += libprotobuf-dev protobuf-compiler libmrpt-slam-dev libopencv-imgproc-dev libegl-dev libgl1-mesa-dri
 bench: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
+bench: PACKAGES += $(if $(filter workbench,$(ONLY)),$(QT))
 bench: build
-	@$(if $(filter python%,$(ONLY)),,$(BUILD)/bin/bench $(if $(ONLY),--only $(ONLY)) --json out/bench.json)
+	@$(if $(filter workbench,$(ONLY)),QT_QPA_PLATFORM=offscreen $(BUILD)/bin/bench_workbench --json out/bench.json)
+	@$(if $(filter python% workbench,$(ONLY)),,$(BUILD)/bin/bench $(if $(ONLY),--only $(ONLY)) --json out/bench.json)
 	@$(if $(filter-out python%,$(ONLY)),,scripts/python-environment build/python-bench $(PYTHON) python/benchmarks/requirements.txt)
 	@$(if $(filter-out python%,$(ONLY)),,PYTHONPATH=$(BUILD)/python build/python-bench/bin/python python/benchmarks/bench.py \
 	  --build $(BUILD) $(patsubst python.%,--only %,$(filter python.%,$(ONLY))) --json out/bench.json)
