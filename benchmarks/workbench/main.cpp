@@ -78,7 +78,10 @@ class ImageOnSheet : public SheetPainter {
 /// Counts the images that a viewer shows one after another.
 class ShownImages {
  public:
-  explicit ShownImages(Dialog& viewer) : widget_{viewer.findChild<SheetWidget*>()} {}
+  explicit ShownImages(Dialog& viewer) {
+    for (QWidget* child : viewer.findChildren<QWidget*>())
+      if (auto* sheet = dynamic_cast<SheetWidget*>(child)) widget_ = sheet;
+  }
   void look() {
     if (!widget_ || !widget_->sheet() || widget_->sheet() == sheet_) return;
     sheet_ = widget_->sheet();
@@ -89,7 +92,7 @@ class ShownImages {
   double count() const { return count_; }
 
  private:
-  SheetWidget* widget_;
+  SheetWidget* widget_ = nullptr;
   const Sheet* sheet_ = nullptr;
   std::size_t last_ = 0;
   double count_ = 0;
@@ -161,12 +164,19 @@ Result<void> measurePlay(Figures& figures, const Options& options, const Tempora
   openAll(**session, window);
   constexpr double warmUp = 3000, interval = 1000;  // ms
   (*session)->execute("start");
-  ShownImages images{*window.dialog("image")};
+  std::vector<ShownImages> viewers;
+  for (const char* key : {"image", "image#2", "image#3", "image#4", "image#5"})
+    if (Dialog* const viewer = window.dialog(key); viewer && !viewer->visibleRegion().isEmpty())
+      viewers.emplace_back(*viewer);
+  const auto look = [&] {
+    for (ShownImages& viewer : viewers) viewer.look();
+  };
   QElapsedTimer clock;
   clock.start();
   while (elapsedMs(clock) < warmUp) QCoreApplication::processEvents();
-  images.look();
-  const double before = images.count();
+  look();
+  std::vector<double> before, lost;
+  for (const ShownImages& viewer : viewers) before.push_back(viewer.count());
   const Time begin = (*session)->status().time;
   std::vector<double> passes, processor, minutes, sizes;
   clock.start();
@@ -175,7 +185,7 @@ Result<void> measurePlay(Figures& figures, const Options& options, const Tempora
     QCoreApplication::processEvents();
     passes.push_back(elapsedMs(clock) - from);
     processor.push_back(processorMs() - used);
-    images.look();
+    look();
     constexpr double perMinute = 60'000;
     if (elapsedMs(clock) >= interval * static_cast<double>(sizes.size())) {
       minutes.push_back(elapsedMs(clock) / perMinute);
@@ -187,8 +197,9 @@ Result<void> measurePlay(Figures& figures, const Options& options, const Tempora
   const double taken = elapsedMs(clock);
   constexpr double imageInterval = 40;  // ms
   const double made = simulated / imageInterval;
-  figures.add("workbench.images.lost", "%",
-              {std::max(0.0, 100 * (1 - (images.count() - before) / made))}, Aim::atMost(0));
+  for (std::size_t i = 0; i < viewers.size(); ++i)
+    lost.push_back(std::max(0.0, 100 * (1 - (viewers[i].count() - before[i]) / made)));
+  figures.add("workbench.images.lost", "%", lost, Aim::atMost(0));
   const auto addLoop = [&](const std::string& name, std::vector<double>& times) {
     std::ranges::sort(times);
     figures.add(name + ".p95", "ms", {times[times.size() * 95 / 100]}, Aim::atMost(16));
