@@ -1,5 +1,5 @@
 #include <QApplication>
-#include <QDir>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <algorithm>
 #include <ctime>
@@ -143,6 +143,11 @@ void openAll(SessionThread& session, MainWindow& window) {
   window.resize(1600, 1000);
   for (const char* dialog : {"image", "image", "image", "image", "field", "plot", "times"})
     window.open(dialog);
+  // Beside each other: what lies behind another dialog is not refreshed.
+  for (auto* dock : window.findChildren<QDockWidget*>()) {
+    dock->setFloating(true);
+    dock->show();
+  }
   QJsonArray values;
   int number = 0;
   for (const char* robot : {"red1", "red2", "red3", "red4"})
