@@ -13,7 +13,6 @@ namespace gt {
 namespace {
 
 using ::testing::Contains;
-using ::testing::ElementsAre;
 
 /// A robot of this program that is watched, and has seen one image.
 class LocalLinkTest : public ::testing::Test {

@@ -13,12 +13,14 @@
 namespace gt {
 namespace {
 
-/// A robot that looks at the ball.
+/// A robot that has the ball before its eyes.
 class ColorDialogTest : public WindowTest {
  protected:
   ColorDialogTest() : WindowTest{"scenes/one-robot.scene"} {
+    EXPECT_TRUE(execute("sr BehaviorControl disabled"));
+    EXPECT_TRUE(execute("hcm lookStraightAhead"));
     EXPECT_TRUE(execute("place red3 0 0 0"));
-    EXPECT_TRUE(execute("place ball 400 0"));
+    EXPECT_TRUE(execute("place ball 600 0"));
     EXPECT_TRUE(execute("run 1s"));
     image_ =
         on([](Console& console) { return **(*console.firstRobot())->observed().value<Image>(); });
