@@ -57,20 +57,20 @@ void PlayWatch::watchKick(const PlayMoment& moment) {
     const bool touchedByKicker = ball.lastToucher == static_cast<int>(kick.robot);
     constexpr int longest = 8000, leaves = 200;  // ms
     if (!kick.free) {
-      if (touchedByKicker && ball.lastTouched >= kick.began) kick.lastTouch = ball.lastTouched;
-      if (kick.lastTouch >= kick.began && moment.time - kick.lastTouch > leaves && !kicker.kicks) {
-        kick.free = true;
-        tally_.count(nameOf(kicker.team, "kick.hits"), true);
+      if (touchedByKicker && ball.lastTouched >= kick.began) {
+        kick.lastTouch = ball.lastTouched;
         kick.onGoal = rollsIntoGoal(ball, kicker.team);
-        const Vector2d goal = toTeam(kicker.team, Vector2d{field_.xGroundline, 0});
-        constexpr double shot = 1600;  // mm
-        if ((kick.from - goal).norm() < shot)
-          tally_.count(nameOf(kicker.team, "kick.onGoal"), kick.onGoal);
+      }
+      const bool hit = kick.lastTouch >= kick.began;
+      if (hit &&
+          (!touchedByKicker || (moment.time - kick.lastTouch > leaves && !kicker.kicks))) {
+        leave();
       } else if (moment.time - kick.began > longest) {
         tally_.count(nameOf(kicker.team, "kick.hits"), false);
         kick_.reset();
       }
-    } else if (ball.lastTouched > kick.lastTouch && ball.lastToucher >= 0) {
+    }
+    if (kick_ && kick.free && ball.lastTouched > kick.lastTouch && ball.lastToucher >= 0) {
       end(moment.robots[static_cast<std::size_t>(ball.lastToucher)].team == kicker.team);
     }
   }
@@ -86,6 +86,16 @@ void PlayWatch::watchKick(const PlayMoment& moment) {
   std::ranges::transform(moment.robots, teams_.begin(), &PlayMoment::Robot::team);
 }
 
+void PlayWatch::leave() {
+  const TeamColor team = teams_[kick_->robot];
+  kick_->free = true;
+  tally_.count(nameOf(team, "kick.hits"), true);
+  const Vector2d goal = toTeam(team, Vector2d{field_.xGroundline, 0});
+  constexpr double shot = 1600;  // mm
+  if ((kick_->from - goal).norm() < shot)
+    tally_.count(nameOf(team, "kick.onGoal"), kick_->onGoal);
+}
+
 void PlayWatch::end(bool own) {
   const TeamColor team = teams_[kick_->robot];
   tally_.count(nameOf(team, "kick.nextTouch.own"), own);
@@ -97,6 +107,7 @@ void PlayWatch::end(bool own) {
 
 void PlayWatch::goal(TeamColor team) {
   if (!kick_) return;
+  if (!kick_->free && kick_->lastTouch >= kick_->began) leave();
   const TeamColor kicker = teams_[kick_->robot];
   tally_.count(nameOf(kicker, "kick.nextTouch.own"), kicker == team);
   if (kick_->onGoal && kicker == team)

@@ -53,7 +53,7 @@ class PlayWatch {
     Vector2d from = Vector2d::Zero();  ///< where the ball lay
     Time lastTouch = never();          ///< by the kicker
     bool free = false;                 ///< The ball has left the kicker.
-    bool onGoal = false;
+    bool onGoal = false;               ///< as the kicker's last touch had it roll
   };
   struct RobotRecord {
     bool kicked = false;  ///< in the last moment
@@ -63,6 +63,8 @@ class PlayWatch {
 
   void watchKick(const PlayMoment& moment);
   void watchRoles(const PlayMoment& moment);
+  /// The ball leaves the kicker, which has hit it.
+  void leave();
   void end(bool own);
   bool rollsIntoGoal(const BallState& ball, TeamColor shooter) const;
 

@@ -72,6 +72,27 @@ TEST_F(PlayWatchTest, TellsShotsThatAGoalieSavesFromGoals) {
   EXPECT_EQ(percent("red.kick.onGoal"), 50) << "too slow";
 }
 
+TEST_F(PlayWatchTest, CountsShotsThatEndBeforeTheMotionDoes) {
+  moment.robots[0].kicks = true;
+  see();
+  touch(0);
+  moment.ball.speed = {1500, 0};
+  see();
+  watch.goal(TeamColor::red);
+  EXPECT_EQ(percent("red.kick.onGoal"), 100);
+  moment.robots[0].kicks = false;
+  see();
+  moment.robots[0].kicks = true;
+  see();
+  touch(0);
+  see();
+  touch(1);
+  moment.ball.speed = {-500, 0};
+  see();
+  EXPECT_EQ(percent("red.kick.onGoal"), 100) << "as the kicker's touch had it roll";
+  EXPECT_EQ(percent("blue.goal.saved"), 50);
+}
+
 TEST_F(PlayWatchTest, CountsKicksThatMissTheBall) {
   moment.robots[0].kicks = true;
   see();

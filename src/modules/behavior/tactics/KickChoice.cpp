@@ -12,6 +12,10 @@ namespace {
 constexpr std::array<std::pair<double, double>, 5> outcomes{
     {{-1.6, 0.1}, {-0.8, 0.25}, {0, 0.3}, {0.8, 0.25}, {1.6, 0.1}}};
 
+double cross(const Vector2d& a, const Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 double nearest(const std::vector<Vector2d>& players, const Vector2d& place, double otherwise) {
   for (const Vector2d& player : players) otherwise = std::min(otherwise, (player - place).norm());
   return otherwise;
@@ -20,15 +24,8 @@ double nearest(const std::vector<Vector2d>& players, const Vector2d& place, doub
 }  // namespace
 
 void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles,
-                        const Vector2d& ball, std::int64_t unseen) {
-  look(world, obstacles, ball);
-  choosePlan();
-  const bool atBall = ball.norm() < p_.nearBall;
-  if (!atBall)
-    atBallSince_ = never();
-  else if (atBallSince_ == never())
-    atBallSince_ = world.frame.time;
-
+                        const Vector2d& ball, std::int64_t unseen, bool plays) {
+  world_ = &world;
   const MotionRequest& executed = world.motion.executed;
   if (executed.type == MotionType::specialAction) {
     const int running = world.motions.find(executed.specialAction);
@@ -37,27 +34,38 @@ void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles
     now_ = kicks ? running : 0;
     if (kicks) lastKick_ = world.frame.time;
     decided_ = never();
-    return;
+  } else if (plays) {
+    look(obstacles, ball);
+    choosePlan();
+    decide(unseen);
+  } else {
+    now_ = 0;
   }
-  if (now_ != 0 && decided_ != never() &&
-      static_cast<double>(world.frame.time - decided_) < p_.begins)
-    return;
+}
+
+void KickChoice::decide(std::int64_t unseen) {
+  const Time time = world_->frame.time;
+  const bool atBall = ball_.norm() < p_.nearBall;
+  if (!atBall)
+    atBallSince_ = never();
+  else if (atBallSince_ == never())
+    atBallSince_ = time;
+  if (now_ != 0 && decided_ != never() && static_cast<double>(time - decided_) < p_.begins) return;
   now_ = 0;
   decided_ = never();
   constexpr std::int64_t seen = 250;  // ms
   if (!atBall || unseen > seen) return;
-  const double waited = static_cast<double>(world.frame.time - atBallSince_) / 1000;
+  const double waited = static_cast<double>(time - atBallSince_) / 1000;
   const Plan possible = worthNow();
   if (possible.motion == 0 || possible.worth < plan_.worth - p_.enough - p_.impatience * waited)
     return;
   now_ = possible.motion;
   target_ = ballOnField_ + direction(possible.direction) * p_.follows;
-  decided_ = world.frame.time;
+  decided_ = time;
 }
 
-void KickChoice::look(const WorldState& world, const ObstaclesModel& obstacles,
-                      const Vector2d& ball) {
-  world_ = &world;
+void KickChoice::look(const ObstaclesModel& obstacles, const Vector2d& ball) {
+  const WorldState& world = *world_;
   ball_ = ball;
   ballOnField_ = world.self.pose * ball;
   own_ = {world.self.pose.translation};
@@ -67,20 +75,21 @@ void KickChoice::look(const WorldState& world, const ObstaclesModel& obstacles,
   crowded_ = nearest(opponents_, ballOnField_, 1e9) < p_.crowded;
   const bool obstaclesCount = ball.norm() < p_.handled;
   for (int i = 0; i < directions; ++i) {
-    const double free = obstaclesCount ? corridor(obstacles, i * step - world.self.pose.rotation,
-                                                  p_.ballCorridor, ball)
+    Facing& facing = facings_[static_cast<std::size_t>(i)];
+    facing.along = direction(i * step);
+    facing.turn = normalize(i * step - world.self.pose.rotation);
+    facing.turned = direction(facing.turn);
+    const double free = obstaclesCount ? corridor(obstacles, facing.turn, p_.ballCorridor, ball)
                                        : ObstaclesModel::farAway;
-    for (int k = 0; k < lengths; ++k)
-      ways_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] =
-          worthOfWay(i * step, free, k * lengthStep);
+    judgeWays(facing.along, free, ways_[static_cast<std::size_t>(i)]);
   }
 }
 
 double KickChoice::worthOf(const Vector2d& end) const {
   const FieldDimensions& field = world_->field;
   const auto angleOfGoal = [&](double x) {
-    return std::min(p_.widestGoal, std::abs(normalize(angleOf(Vector2d{x, field.yGoal} - end) -
-                                                      angleOf(Vector2d{x, -field.yGoal} - end))));
+    const Vector2d left = Vector2d{x, field.yGoal} - end, right = Vector2d{x, -field.yGoal} - end;
+    return std::min(p_.widestGoal, std::abs(std::atan2(cross(left, right), left.dot(right))));
   };
   const double ahead = end.x() / field.xGroundline;
   const double contest =
@@ -90,25 +99,31 @@ double KickChoice::worthOf(const Vector2d& end) const {
          p_.possession * std::clamp(contest / 1000, -1., 1.);
 }
 
-/// A ball that rolls so far in a direction: into a goal, against a wall, to somebody, or to its
-/// end.
-double KickChoice::worthOfWay(double direction, double free, double length) const {
+/// A ball that rolls in a direction, farther and farther: into a goal, against a wall, to somebody,
+/// or to its end.
+void KickChoice::judgeWays(const Vector2d& along, double free, Ways& ways) const {
   const FieldDimensions& field = world_->field;
-  const Vector2d along = gt::direction(direction);
   const double toLine =
       std::abs(along.x()) < 1e-6
           ? 1e9
           : (std::copysign(field.xGroundline, along.x()) - ballOnField_.x()) / along.x();
   constexpr double atLine = 150;  // mm: obstacles there are posts, walls and the goal
-  const bool stopped = free < ObstaclesModel::farAway && free < toLine - atLine && free < length;
+  const bool isBlocked = free < ObstaclesModel::farAway && free < toLine - atLine;
   const double clearance = std::copysign(p_.postClearance, along.x());
-  if (!stopped && length > toLine &&
-      std::abs(ballOnField_.y() + along.y() * toLine) < field.yGoal - clearance)
-    return along.x() > 0 ? 1 : -1;
-  Vector2d end = ballOnField_ + along * std::min(length, stopped ? free : length);
-  end.x() = std::clamp(end.x(), -field.xGroundline, field.xGroundline);
-  end.y() = std::clamp(end.y(), -field.ySideline, field.ySideline);
-  return worthOf(end) - (stopped ? p_.blocked : 0);
+  const bool hitsGoal = std::abs(ballOnField_.y() + along.y() * toLine) < field.yGoal - clearance;
+  for (int i = 0; i < lengths; ++i) {
+    const double length = i * lengthStep;
+    double& worth = ways[static_cast<std::size_t>(i)];
+    const bool stopped = isBlocked && free < length;
+    if (!stopped && length > toLine && hitsGoal) {
+      worth = along.x() > 0 ? 1 : -1;
+    } else {
+      Vector2d end = ballOnField_ + along * std::min(length, stopped ? free : length);
+      end.x() = std::clamp(end.x(), -field.xGroundline, field.xGroundline);
+      end.y() = std::clamp(end.y(), -field.ySideline, field.ySideline);
+      worth = worthOf(end) - (stopped ? p_.blocked : 0);
+    }
+  }
 }
 
 KickChoice::Imagined KickChoice::imagine(const KickDescription& kick, const Vector2d& place,
@@ -156,13 +171,14 @@ double KickChoice::worthOf(const Imagined& imagined, int turned) const {
 }
 
 /// How long it takes to stand where the ball lies well for a kick, in s.
-double KickChoice::timeTo(const KickDescription& kick, double facing) const {
-  const double turn = normalize(facing - world_->self.pose.rotation);
-  const Vector2d place = ball_ - rotated({kick.x, kick.y}, turn);
-  const double around =
-      std::abs(normalize(angleOf(-ball_) - (turn + pi + angleOf(Vector2d{kick.x, kick.y}))));
+double KickChoice::timeTo(const KickDescription& kick, const Facing& facing) const {
+  const Vector2d& turned = facing.turned;
+  const Vector2d place = ball_ - Vector2d{turned.x() * kick.x - turned.y() * kick.y,
+                                          turned.y() * kick.x + turned.x() * kick.y};
+  const Vector2d behind = place - ball_;
+  const double around = std::abs(std::atan2(cross(behind, -ball_), behind.dot(-ball_)));
   constexpr double direct = fromDegrees(25);
-  return std::max(place.norm() / p_.walkSpeed, std::abs(turn) / fromDegrees(p_.turnSpeed)) +
+  return std::max(place.norm() / p_.walkSpeed, std::abs(facing.turn) / fromDegrees(p_.turnSpeed)) +
          std::max(0., around - direct) / fromDegrees(p_.aroundSpeed);
 }
 
@@ -171,9 +187,9 @@ double KickChoice::costOfSecond() const {
 }
 
 /// Whether a robot that stands behind the ball and faces a direction has room between the walls.
-bool KickChoice::hasRoom(double facing) const {
+bool KickChoice::hasRoom(const Facing& facing) const {
   const FieldDimensions& field = world_->field;
-  const Vector2d back = ballOnField_ - direction(facing) * p_.bodyLength;
+  const Vector2d back = ballOnField_ - facing.along * p_.bodyLength;
   const bool insideWalls = std::abs(back.x()) < field.xGroundline - p_.wallClearance &&
                            std::abs(back.y()) < field.ySideline - p_.wallClearance;
   const double corner =
@@ -197,10 +213,11 @@ void KickChoice::choosePlan() {
       if (!described.isKick() || kick.falls > p_.mostFalls) continue;
       const Imagined imagined = imagine(kick, {kick.x, kick.y}, 0, std::hypot(p_.aim, p_.sees));
       for (int turned = 0; turned < directions; ++turned) {
+        const Facing& there = facings_[static_cast<std::size_t>(turned)];
+        if (withRoom && !hasRoom(there)) continue;
         const double facing = normalize(turned * step);
-        if (withRoom && !hasRoom(facing)) continue;
         const double worth = worthOf(imagined, turned) -
-                             costOfSecond() * (timeTo(kick, facing) + kick.seconds) +
+                             costOfSecond() * (timeTo(kick, there) + kick.seconds) +
                              (isSame(motion, facing) ? p_.otherPlan : 0);
         if (worth > plan_.worth)
           plan_ = {motion, normalize(facing + fromDegrees(kick.direction)), facing, worth};

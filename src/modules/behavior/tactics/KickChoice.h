@@ -124,9 +124,10 @@ class KickChoice {
   explicit KickChoice(const Parameters& parameters) : p_{parameters} {}
 
   /// Chooses for a ball at a place relative to the robot (mm) that was last seen some ms ago, with
-  /// obstacles relative to the robot.
+  /// obstacles relative to the robot. One that does not play the ball now only sees what it
+  /// performs.
   void update(const WorldState& world, const ObstaclesModel& obstacles, const Vector2d& ball,
-              std::int64_t unseen);
+              std::int64_t unseen, bool plays = true);
 
   const Plan& plan() const { return plan_; }
   /// Where the last kick sent the ball, on the field (mm), and when it ended.
@@ -141,8 +142,17 @@ class KickChoice {
   static constexpr int lengths = 9;
   static constexpr double lengthStep = 500;  // mm
 
+  /// A direction on the field: a unit vector on the field and relative to the robot, and the angle
+  /// by which the robot has to turn.
+  struct Facing {
+    Vector2d along = Vector2d::Zero(), turned = Vector2d::Zero();
+    double turn = 0;
+  };
+  /// The worth of the ball's ways in a direction, of each length.
+  using Ways = std::array<double, lengths>;
+
   double worthOf(const Vector2d& end) const;
-  double worthOfWay(double direction, double free, double length) const;
+  void judgeWays(const Vector2d& along, double free, Ways& ways) const;
   /// Where a ball goes that lies about at a place before a robot that faces a direction.
   struct Imagined {
     struct Way {
@@ -156,19 +166,20 @@ class KickChoice {
                    double spread) const;
   /// The same for a robot that is turned by so many steps.
   double worthOf(const Imagined& imagined, int turned) const;
-  double timeTo(const KickDescription& kick, double facing) const;
+  double timeTo(const KickDescription& kick, const Facing& facing) const;
   double costOfSecond() const;
   void choosePlan();
+  void decide(std::int64_t unseen);
   Plan worthNow() const;
-  bool hasRoom(double facing) const;
-  void look(const WorldState& world, const ObstaclesModel& obstacles, const Vector2d& ball);
+  bool hasRoom(const Facing& facing) const;
+  void look(const ObstaclesModel& obstacles, const Vector2d& ball);
 
   const Parameters& p_;
   const WorldState* world_ = nullptr;
   Vector2d ball_ = Vector2d::Zero();         ///< relative to the robot
   Vector2d ballOnField_ = Vector2d::Zero();  ///< mm
-  /// Of the ball's ways in each direction of the field, and of each length.
-  std::array<std::array<double, lengths>, directions> ways_{};
+  std::array<Facing, directions> facings_;
+  std::array<Ways, directions> ways_{};
   std::vector<Vector2d> own_, opponents_;  ///< on the field
   bool crowded_ = false;
   Plan plan_;

@@ -11,7 +11,8 @@ void Tactics::update(const WorldState& world) {
   role_ = negotiateRole();
   ownGoal_.update(world.game.ownScore, world.frame.time);
   opponentGoal_.update(world.game.opponentScore, world.frame.time);
-  kick_.update(world, obstacles_, knownBall(), world.frame.time - world.ball.lastSeen);
+  const bool plays = role_ == DynamicRole::striker || role_ == DynamicRole::goalie;
+  kick_.update(world, obstacles_, knownBall(), world.frame.time - world.ball.lastSeen, plays);
 }
 
 void Tactics::addTeammatesToObstacles() {
