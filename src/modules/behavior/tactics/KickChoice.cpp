@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "modules/behavior/tactics/FreeSpace.h"
 
@@ -72,7 +73,7 @@ void KickChoice::look(const ObstaclesModel& obstacles, const Vector2d& ball) {
   for (const LocatedPlayer& player : world.players.ownTeam) own_.push_back(player.position);
   opponents_.clear();
   for (const LocatedPlayer& player : world.players.opponents) opponents_.push_back(player.position);
-  crowded_ = nearest(opponents_, ballOnField_, 1e9) < p_.crowded;
+  opponentArrives_ = opponentArrival(obstacles);
   const bool obstaclesCount = ball.norm() < p_.handled;
   for (int i = 0; i < directions; ++i) {
     Facing& facing = facings_[static_cast<std::size_t>(i)];
@@ -162,12 +163,42 @@ KickChoice::Imagined KickChoice::imagine(const KickDescription& kick, const Vect
   return imagined;
 }
 
-double KickChoice::worthOf(const Imagined& imagined, int turned) const {
-  double worth = imagined.missed * (worthOf(ballOnField_) - p_.blocked);
+double KickChoice::worthOf(const Imagined& imagined, int turned, double seconds) const {
+  const double stays = worthOf(ballOnField_) - p_.blocked;
+  double worth = imagined.missed * stays;
   for (const Imagined::Way& way : imagined.ways)
     worth += way.share * ways_[static_cast<std::size_t>((way.direction + turned) % directions)]
                               [static_cast<std::size_t>(way.length)];
-  return worth;
+  const double share = disturbed(seconds);
+  return (1 - share) * worth + share * stays;
+}
+
+/// When the first opponent is at the ball, in s from now: one that is known, or an obstacle that is
+/// neither teammate nor wall.
+double KickChoice::opponentArrival(const ObstaclesModel& obstacles) const {
+  constexpr double far = 1e4, body = 300, border = 150;  // mm
+  const FieldDimensions& field = world_->field;
+  double distance = nearest(opponents_, ballOnField_, far);
+  for (const ObstaclesModel::Sector& sector : obstacles.sectors) {
+    if (!sector.obstacle) continue;
+    const Vector2d place = world_->self.pose * sector.representative;
+    const bool isInside = std::abs(place.x()) < field.xGroundline - border &&
+                          std::abs(place.y()) < field.ySideline - border;
+    const auto mates = std::span{own_}.subspan(1);
+    const bool isMate = std::ranges::any_of(
+        mates, [&](const Vector2d& mate) { return (mate - place).norm() < body; });
+    if (isInside && !isMate) distance = std::min(distance, (place - ballOnField_).norm());
+  }
+  return (distance - p_.opponentReach) / p_.opponentSpeed;
+}
+
+/// Share of the balls that do not move because an opponent comes in so many seconds.
+double KickChoice::disturbed(double seconds) const {
+  return p_.disturbed * std::clamp((seconds - opponentArrives_) / p_.arrives + 0.5, 0., 1.);
+}
+
+bool KickChoice::isUsed(const KickDescription& kick) const {
+  return kick.falls <= p_.mostFalls && kick.seconds <= p_.longest;
 }
 
 /// How long it takes to stand where the ball lies well for a kick, in s.
@@ -182,8 +213,11 @@ double KickChoice::timeTo(const KickDescription& kick, const Facing& facing) con
          std::max(0., around - direct) / fromDegrees(p_.aroundSpeed);
 }
 
-double KickChoice::costOfSecond() const {
-  return crowded_ ? p_.crowdedSecond : p_.second;
+/// Whether a kick does about what it can with a ball at a place.
+bool KickChoice::isSure(const KickDescription& kick, const Vector2d& place) const {
+  const auto at = kick.at(place);
+  return at && at->hits >= p_.reliable && at->length >= p_.strong * kick.length &&
+         at->spread <= p_.accurate;
 }
 
 /// Whether a robot that stands behind the ball and faces a direction has room between the walls.
@@ -210,14 +244,15 @@ void KickChoice::choosePlan() {
       const MotionNet::Motion& described =
           world_->motions.motions[static_cast<std::size_t>(motion)];
       const KickDescription& kick = described.kick;
-      if (!described.isKick() || kick.falls > p_.mostFalls) continue;
+      if (!described.isKick() || !isUsed(kick)) continue;
       const Imagined imagined = imagine(kick, {kick.x, kick.y}, 0, std::hypot(p_.aim, p_.sees));
       for (int turned = 0; turned < directions; ++turned) {
         const Facing& there = facings_[static_cast<std::size_t>(turned)];
         if (withRoom && !hasRoom(there)) continue;
         const double facing = normalize(turned * step);
-        const double worth = worthOf(imagined, turned) -
-                             costOfSecond() * (timeTo(kick, there) + kick.seconds) +
+        const double way = timeTo(kick, there);
+        const double worth = worthOf(imagined, turned, way + kick.strike) -
+                             p_.second * (way + kick.seconds) +
                              (isSame(motion, facing) ? p_.otherPlan : 0);
         if (worth > plan_.worth)
           plan_ = {motion, normalize(facing + fromDegrees(kick.direction)), facing, worth};
@@ -228,7 +263,8 @@ void KickChoice::choosePlan() {
   if (isSame(plan_.motion, plan_.facing)) plan_.worth -= p_.otherPlan;
 }
 
-/// The best kick from where the robot stands.
+/// The best kick from where the robot stands. Where the ball lies now it must be hit, too: who has
+/// only begun to walk stops at once.
 KickChoice::Plan KickChoice::worthNow() const {
   const Pose2D& walk = world_->motion.executed.walk;
   const bool walks = world_->motion.executed.type == MotionType::walk;
@@ -241,13 +277,12 @@ KickChoice::Plan KickChoice::worthNow() const {
   for (int i = 1; i < static_cast<int>(world_->motions.motions.size()); ++i) {
     const MotionNet::Motion& described = world_->motions.motions[static_cast<std::size_t>(i)];
     const KickDescription& kick = described.kick;
-    if (!described.isKick() || kick.falls > p_.mostFalls) continue;
-    const auto middle = kick.at(ball);
-    if (!middle || middle->hits < p_.reliable) continue;
-    const double worth = worthOf(imagine(kick, ball, facing, std::hypot(p_.aim, p_.sees)), 0) -
-                         costOfSecond() * kick.seconds;
+    if (!described.isKick() || !isUsed(kick)) continue;
+    if (!isSure(kick, ball) || !isSure(kick, ball_)) continue;
+    const Imagined imagined = imagine(kick, ball, facing, std::hypot(p_.aim, p_.sees));
+    const double worth = worthOf(imagined, 0, kick.strike) - p_.second * kick.seconds;
     if (worth > best.worth)
-      best = {i, normalize(facing + fromDegrees(middle->direction)), facing, worth};
+      best = {i, normalize(facing + fromDegrees(kick.at(ball)->direction)), facing, worth};
   }
   return best;
 }

@@ -23,8 +23,11 @@ class KickChoice {
     double blocked = 0.25;
     // What a second costs.
     double second = 0.03;
-    double crowdedSecond = 0.1;
-    double crowded = 600;
+    // An opponent that comes to the ball.
+    double opponentSpeed = 200;
+    double opponentReach = 200;
+    double disturbed = 0.7;
+    double arrives = 1;
     // The way to the ball.
     double walkSpeed = 180;
     double turnSpeed = 90;
@@ -39,7 +42,10 @@ class KickChoice {
     double misplaced = 18;
     double follows = 1500;
     double reliable = 0.9;
+    double strong = 0.5;
+    double accurate = 20;
     double mostFalls = 0.02;
+    double longest = 3;
     // Memory.
     double otherPlan = 0.08;
     double begins = 1200;
@@ -69,9 +75,15 @@ class KickChoice {
                 {0, 5000}),
           field("blocked", &P::blocked, "", "cost of a ball that somebody stops", {0, 1}),
           field("second", &P::second, "", "cost of a second until the ball is on its way", {0, 1}),
-          field("crowdedSecond", &P::crowdedSecond, "",
-                "the same while somebody else is near the ball", {0, 1}),
-          field("crowded", &P::crowded, "mm", "how near that is", {0, 5000}),
+          field("opponentSpeed", &P::opponentSpeed, "mm/s", "of one that comes to the ball",
+                {10, 1000}),
+          field("opponentReach", &P::opponentReach, "mm",
+                "from the ball to the middle of one that is there", {0, 1000}),
+          field("disturbed", &P::disturbed, "",
+                "share of the balls that stay where they are because an opponent is there, too",
+                {0, 1}),
+          field("arrives", &P::arrives, "s", "so uncertain it is when an opponent is there",
+                {0.01, 10}),
           field("walkSpeed", &P::walkSpeed, "mm/s", "to the ball", {10, 1000}),
           field("turnSpeed", &P::turnSpeed, "degree/s", "beside the ball", {1, 1000}),
           field("aroundSpeed", &P::aroundSpeed, "degree/s", "around the ball", {1, 1000}),
@@ -91,8 +103,14 @@ class KickChoice {
                 {0, 5000}),
           field("reliable", &P::reliable, "",
                 "share of the balls that a kick moves from where the ball lies", {0, 1}),
+          field("strong", &P::strong, "",
+                "how far it moves them from there, as a share of the way from its best place",
+                {0, 1}),
+          field("accurate", &P::accurate, "degree", "how far they spread from there at most",
+                {0, 180}),
           field("mostFalls", &P::mostFalls, "", "share of falls after which a kick is not used",
                 {0, 1}),
+          field("longest", &P::longest, "s", "kicks that take longer are not used", {0, 10}),
           field("otherPlan", &P::otherPlan, "", "by how much another plan has to be better",
                 {0, 1}),
           field("begins", &P::begins, "ms", "so long a robot tries to begin a kick", {0, 5000}),
@@ -164,10 +182,13 @@ class KickChoice {
   };
   Imagined imagine(const KickDescription& kick, const Vector2d& place, double facing,
                    double spread) const;
-  /// The same for a robot that is turned by so many steps.
-  double worthOf(const Imagined& imagined, int turned) const;
+  /// The same for a robot that is turned by so many steps, and kicks the ball in so many seconds.
+  double worthOf(const Imagined& imagined, int turned, double seconds) const;
+  bool isUsed(const KickDescription& kick) const;
+  bool isSure(const KickDescription& kick, const Vector2d& place) const;
   double timeTo(const KickDescription& kick, const Facing& facing) const;
-  double costOfSecond() const;
+  double disturbed(double seconds) const;
+  double opponentArrival(const ObstaclesModel& obstacles) const;
   void choosePlan();
   void decide(std::int64_t unseen);
   Plan worthNow() const;
@@ -181,7 +202,7 @@ class KickChoice {
   std::array<Facing, directions> facings_;
   std::array<Ways, directions> ways_{};
   std::vector<Vector2d> own_, opponents_;  ///< on the field
-  bool crowded_ = false;
+  double opponentArrives_ = 0;             ///< s, from now
   Plan plan_;
   int now_ = 0;
   Vector2d target_ = Vector2d::Zero();

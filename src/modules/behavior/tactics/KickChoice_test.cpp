@@ -150,10 +150,41 @@ TEST_F(KickChoiceTest, IsInAHurryWhereAnOpponentIsNear) {
   world.self.pose = {fromDegrees(75), ball - rotated({150, 0}, fromDegrees(75))};
   world.motions.motions.resize(2);
   EXPECT_EQ(choose().now(), 0);
-  world.players.opponents = {{ball + Vector2d{-350, -300}, world.frame.time, 1, 0}};
-  world.motions.motions[1].kick.seconds = 0.5;
-  parameters.crowdedSecond = 0.6;
+  world.players.opponents = {{ball + Vector2d{-250, -200}, world.frame.time, 1, 0}};
+  world.motions.motions[1].kick.strike = 0.2;
+  parameters.disturbed = 1;
   EXPECT_EQ(choose().now(), ahead);
+}
+
+TEST_F(KickChoiceTest, TakesAnObstacleAtTheBallForAnOpponent) {
+  world.self.pose = {fromDegrees(75), ball - rotated({150, 0}, fromDegrees(75))};
+  world.motions.motions.resize(2);
+  world.motions.motions[1].kick.strike = 0.2;
+  parameters.disturbed = 1;
+  parameters.blocked = 1;
+  EXPECT_EQ(choose().now(), 0);
+  const Vector2d place = ball + Vector2d{-250, -200};
+  world.obstacles.enter(relative(world.self.pose, place), true, world.frame.time);
+  world.players.ownTeam = {{place, world.frame.time, 1, 0}};
+  EXPECT_EQ(choose().now(), 0) << "it is a teammate";
+  world.players.ownTeam.clear();
+  EXPECT_EQ(choose().now(), ahead);
+}
+
+TEST_F(KickChoiceTest, DoesNotKickABallThatLiesBesideItsGoodPlaces) {
+  world.motions.motions.resize(2);
+  KickDescription& kick = world.motions.motions[1].kick;
+  const KickDescription good = kick;
+  const auto kicks = [&] { return choice.emplace(parameters), choose().now() == ahead; };
+  EXPECT_TRUE(kicks());
+  for (auto& place : kick.places) place[5] = 0.3 * kick.length;
+  EXPECT_FALSE(kicks()) << "it hardly moves";
+  kick = good;
+  for (auto& place : kick.places) place[4] = 40;
+  EXPECT_FALSE(kicks()) << "it goes anywhere";
+  kick = good;
+  kick.seconds = 5;
+  EXPECT_FALSE(kicks()) << "it takes too long";
 }
 
 TEST_F(KickChoiceTest, LosesItsPatience) {
