@@ -12,7 +12,7 @@ class Tactics {
  public:
   struct Parameters {
     // The ball and the team.
-    double ownBall = 2000;
+    double ownBall = 600;
     double heard = 5000;
     double teammateWidth = 160;
     // Roles.

@@ -103,10 +103,10 @@ TEST_F(TacticsTest, KnowsTheTeamsBallWhereItsOwnIsOld) {
   world.ball.position = {300, 0};
   world.teamBall.position = {500, 900};
   world.teamBall.lastSeen = {1500};
-  world.frame.time = {2900};
+  world.frame.time = {1550};
   EXPECT_NEAR((tactics().knownBallOnField() - Vector2d{500, 300}).norm(), 0, 1e-9);
-  EXPECT_EQ(tactics().knownBallAge(), 1400);
-  world.frame.time = {3100};
+  EXPECT_EQ(tactics().knownBallAge(), 50);
+  world.frame.time = {1650};
   EXPECT_NEAR((tactics().knownBall() - Vector2d{900, 0}).norm(), 0, 1e-9);
 }
 

@@ -21,8 +21,8 @@ class FusedTeamBallLocator {
     std::int64_t oldestBall = 5000;
     std::int64_t silence = 3000;
     double leastNoise = 30, distanceShare = 0.08;
-    double poseNoise = 60, doubtNoise = 900, directionNoise = 0.06;
-    double drift = 150;
+    double poseNoise = 60, doubtNoise = 400, directionNoise = 0.06;
+    double drift = 500;
     double deceleration = 250;
     double gate = 2.5;
 
