@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
 #include "WorldModelWatch.h"
@@ -166,8 +167,9 @@ Experiment worldModelExperiment() {
             "the simulator's, or that of a camera at the ceiling",
             Parameter::Kind::choice,
             {"oracle", "ceiling"}},
-           {"logs", "folder for the logs of that camera", Parameter::Kind::text, {noLogs}}},
-          measureWorldModel};
+           {"logs", "folder for the logs of that camera", Parameter::Kind::text, {noLogs}},
+           valuesParameter()},
+          withValues<measureWorldModel>};
 }
 
 }  // namespace gt
