@@ -13,7 +13,7 @@ const DebugKey drawHypotheses{"SelfLocator/hypotheses"};
 const DebugKey drawPose{"SelfLocator/pose"};
 
 constexpr double newStandardDeviation = 250, newAngleStandardDeviation = 0.25;  // mm, rad
-constexpr double badFit = 0.3;
+constexpr double badFit = 0.3, goodFit = 0.5;
 constexpr double sameDistance = 120, sameAngle = 0.2;  // mm, rad
 
 double squared(double x) {
@@ -21,17 +21,21 @@ double squared(double x) {
 }
 
 /// A bearing on the edge of a flag or a goal, as seen by a hypothesis (report (3.10)).
-ScalarMeasurement measurementOf(const Bearing& bearing, const Vector2d& cameraOffset,
-                                const Pose2D& pose, double variance) {
+ScalarMeasurement bearingOf(const Bearing& bearing, const Vector2d& cameraOffset,
+                            const PoseHypothesis& hypothesis, double variance, double panVariance) {
+  const Pose2D& pose = hypothesis.pose();
   const Vector2d offset = rotated(cameraOffset, pose.rotation);
   const Vector2d way = bearing.landmark - pose.translation - offset;
   const double distance = std::max(way.norm(), 1.01 * std::abs(bearing.radius) + 1);
-  const double expected = angleOf(way) - pose.rotation + std::asin(bearing.radius / distance);
+  const double expected =
+      angleOf(way) - pose.rotation + std::asin(bearing.radius / distance) + hypothesis.camera().z();
   const Vector2d byPosition = Vector2d{way.y(), -way.x()} / squared(distance);
   const double byRotation = byPosition.dot(Vector2d{-offset.y(), offset.x()}) - 1;
   return {normalize(angleOf(bearing.direction) - expected),
           {byPosition.x(), byPosition.y(), byRotation},
-          variance};
+          variance,
+          {0, 0, 1},
+          variance + panVariance};
 }
 
 /// The distance of a flag, as seen by a hypothesis.
@@ -54,6 +58,8 @@ void KalmanSelfLocator::update(const LandmarksPercept& landmarks, const LinesPer
   hypotheses_.reserve(static_cast<std::size_t>(parameters.hypotheses) + 1);
   move(odometry, std::max(landmarks.time, lines.time));
   const Vector3d& cameraOffset = camera.pose.translation;
+  const bool newImage = landmarks.time != lastLandmarks_ || lines.time != lastLines_;
+  if (newImage) turnCamera(camera);
   if (landmarks.time != lastLandmarks_) {
     lastLandmarks_ = landmarks.time;
     observeLandmarks(landmarks, field, player.teamColor);
@@ -69,6 +75,7 @@ void KalmanSelfLocator::update(const LandmarksPercept& landmarks, const LinesPer
     addFromView(field, random);
   }
   sortOut(field);
+  if (newImage) learnCameraErrors();
   if (!hypotheses_.empty()) {
     const Hypothesis& best = hypotheses_.front();
     double sum = 0;
@@ -84,7 +91,11 @@ void KalmanSelfLocator::update(const LandmarksPercept& landmarks, const LinesPer
 /// some way, which makes their variances larger than those of each step.
 void KalmanSelfLocator::move(const OdometryData& odometry, Time now) {
   constexpr double likeWay = 150, likeTurn = 0.5;  // mm, rad
-  if (!started_) lastOdometry_ = odometry;
+  if (!started_) {
+    lastOdometry_ = odometry;
+    tiltError_ = parameters.tiltError;
+    panError_ = parameters.commonAngle;
+  }
   const double seconds = !started_ || last_ == never()
                              ? 0
                              : std::clamp(static_cast<double>(now - last_), 0., 1000.) / 1000;
@@ -102,6 +113,36 @@ void KalmanSelfLocator::move(const OdometryData& odometry, Time now) {
   view_.move(step);
 }
 
+/// The camera of the next image errs otherwise than that of the last one.
+void KalmanSelfLocator::turnCamera(const CameraMatrix& camera) {
+  panSpeed_ = camera.turning.z();
+  const CameraErrors errors = cameraErrors();
+  for (Hypothesis& h : hypotheses_) h.filter.turnCamera(errors);
+}
+
+CameraErrors KalmanSelfLocator::cameraErrors() const {
+  const double tilt = squared(tiltError_);
+  return {{0, 0, imageDelay_ * panSpeed_}, {tilt, tilt, squared(panError_)}, parameters.swayMemory};
+}
+
+/// What the best hypothesis says of the camera's errors in this image tells how large they are.
+void KalmanSelfLocator::learnCameraErrors() {
+  if (hypotheses_.empty() || hypotheses_.front().fit < goodFit) return;
+  const Parameters& p = parameters;
+  const PoseHypothesis& best = hypotheses_.front().filter;
+  const Vector3d off = best.camera() - cameraErrors().mean;
+  const Vector3d unsure = best.covariance().diagonal().tail<3>();
+  const auto learn = [&](double& error, double square) {
+    const double variance = squared(error) + p.learning * (square - squared(error));
+    error = std::sqrt(std::clamp(variance, squared(p.leastError), squared(p.mostError)));
+  };
+  learn(tiltError_, (squared(off.x()) + unsure.x() + squared(off.y()) + unsure.y()) / 2);
+  learn(panError_, squared(off.z()) + unsure.z());
+  imageDelay_ += p.learning * off.z() * panSpeed_ / (1 + squared(panSpeed_));
+  constexpr double mostDelay = 0.05;  // s
+  imageDelay_ = std::clamp(imageDelay_, -mostDelay, mostDelay);
+}
+
 void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
                                          const FieldDimensions& field, TeamColor team) {
   const Bearings bearings = bearingsIn(percept, team, field);
@@ -110,23 +151,21 @@ void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
   const Vector2d offset = percept.cameraOffset.head<2>();
   addMirrored();
   view_.add(bearings, offset);
-  // What errs alike does not become better known by being measured often.
-  const double ofCamera = squared(p.commonAngle) * bearings.count + squared(p.bearingError);
   // A landmark that stands beside its place is seen beside its bearing, the more the nearer it is.
   const auto variance = [&](const Bearing& bearing, const Pose2D& pose) {
     constexpr double nearest = 300;
     const double distance = (bearing.landmark - pose.translation).norm();
     const double error = bearing.radius == 0 ? p.postError : p.flagError;
-    return ofCamera + squared(error / std::max(distance, nearest));
+    return squared(p.bearingError) + squared(error / std::max(distance, nearest));
   };
+  const double pan = squared(panError_);
   for (Hypothesis& h : hypotheses_) {
     double sum = 0;
-    for (const Bearing& bearing : bearings) {
-      const Pose2D& pose = h.filter.pose();
-      sum += std::log(
-          p.landmarkSurprise +
-          h.filter.correct(measurementOf(bearing, offset, pose, variance(bearing, pose)), p.gate));
-    }
+    for (const Bearing& bearing : bearings)
+      sum += std::log(p.landmarkSurprise +
+                      h.filter.correct(bearingOf(bearing, offset, h.filter,
+                                                 variance(bearing, h.filter.pose()), pan),
+                                       p.gate));
     for (int i = 0; i < percept.numberOfFlags; ++i) {
       const FlagPercept& flag = percept.flags[static_cast<std::size_t>(i)];
       if (flag.distance > 0)
@@ -134,54 +173,66 @@ void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
                                     p.flagDistanceError),
                          p.gate);
     }
-    judge(h, sum, bearings.count, 1.5);
+    const double fits = judge(h, sum, bearings.count, 1.5);
+    h.trust = std::clamp(h.trust + (fits > badFit ? 1 : -2), 0., p.mostTrust);
   }
+}
+
+/// A point on an edge, as seen by a hypothesis. An error of tilt or roll lengthens the view, one of
+/// the pan turns it.
+ScalarMeasurement KalmanSelfLocator::measurementOf(const ChosenPoint& chosen,
+                                                   const Vector3d& camera,
+                                                   const PoseHypothesis& hypothesis) const {
+  const Parameters& p = parameters;
+  const Pose2D& pose = hypothesis.pose();
+  const Vector2d seen = chosen.point - camera.head<2>();
+  const double distance = std::max(seen.norm(), 1.);
+  const double lengthening = (squared(distance) + squared(camera.z())) / std::max(camera.z(), 50.);
+  const Vector2d axis = seen / distance;  // its cosine and sine share out tilt and roll
+  const double lengthened = lengthening * hypothesis.camera().head<2>().dot(axis);
+  const Vector2d point =
+      camera.head<2>() + rotated(seen - lengthened * axis, -hypothesis.camera().z());
+  const Vector2d place = pose * point;
+  const EdgeTables::Edge& edge = edges_.tables().nearest(chosen.type, static_cast<float>(place.x()),
+                                                         static_cast<float>(place.y()));
+  const Vector2d normal{edge.normal.x, edge.normal.y};
+  const Vector2d lever = place - pose.translation;
+  const Vector2d view = rotated(seen, pose.rotation);
+  const double along = view.dot(normal) / distance;
+  const double byTilt = -along * lengthening;
+  const double across = normal.dot(Vector2d{-view.y(), view.x()});
+  const double variance =
+      squared(p.pointError) * (squared(byTilt) + squared(across)) + squared(p.edgeError);
+  return {normal.dot(Vector2d{edge.point.x, edge.point.y} - place),
+          {normal.x(), normal.y(), normal.dot(Vector2d{-lever.y(), lever.x()})},
+          variance,
+          {byTilt * axis.x(), byTilt * axis.y(), -across},
+          variance + squared(byTilt * tiltError_) + squared(across * panError_)};
 }
 
 void KalmanSelfLocator::observeEdges(const Vector3d& camera) {
   const std::vector<ChosenPoint>& points = edges_.chosen();
   if (points.empty()) return;
   const Parameters& p = parameters;
-  const auto count = static_cast<double>(points.size());
-  const double pan = squared(p.commonAngle) * count + squared(p.pointError);
-  const double tilt = squared(p.tiltError) * count + squared(p.pointError);
   for (Hypothesis& h : hypotheses_) {
     double sum = 0;
-    for (const ChosenPoint& chosen : points) {
-      const Pose2D& pose = h.filter.pose();
-      const Vector2d place = pose * chosen.point;
-      const EdgeTables::Edge& edge = edges_.tables().nearest(
-          chosen.type, static_cast<float>(place.x()), static_cast<float>(place.y()));
-      const Vector2d normal{edge.normal.x, edge.normal.y};
-      const Vector2d view = chosen.point - camera.head<2>();
-      const double distance = std::max(view.norm(), 1.);
-      // An error of the tilt lengthens the view, one of the pan turns it.
-      const double along = rotated(view, pose.rotation).dot(normal) / distance;
-      const double lengthening =
-          (squared(distance) + squared(camera.z())) / std::max(camera.z(), 50.);
-      const double variance = squared(along * lengthening) * tilt +
-                              (1 - squared(along)) * squared(distance) * pan + squared(p.edgeError);
-      const Vector2d lever = place - pose.translation;
-      sum += std::log(
-          p.surprise +
-          h.filter.correct({normal.dot(Vector2d{edge.point.x, edge.point.y} - place),
-                            {normal.x(), normal.y(), normal.dot(Vector2d{-lever.y(), lever.x()})},
-                            variance},
-                           p.gate));
-    }
+    for (const ChosenPoint& chosen : points)
+      sum +=
+          std::log(p.surprise + h.filter.correct(measurementOf(chosen, camera, h.filter), p.gate));
     judge(h, sum, static_cast<int>(points.size()), 1);
   }
 }
 
 /// The more of an image fits, the better the hypothesis; many measurements count as a few, since
 /// they are not independent.
-void KalmanSelfLocator::judge(Hypothesis& hypothesis, double likelihoods, int count,
-                              double importance) const {
+double KalmanSelfLocator::judge(Hypothesis& hypothesis, double likelihoods, int count,
+                                double importance) const {
   constexpr double follow = 0.15;
   const double average = likelihoods / count;
   hypothesis.weight += importance * average * std::min(std::sqrt(count), 3.);
   hypothesis.surprises = std::exp(average) < badFit ? hypothesis.surprises + 1 : 0;
   hypothesis.fit += follow * (std::min(std::exp(average), 1.) - hypothesis.fit);
+  return std::exp(average);
 }
 
 void KalmanSelfLocator::addFromLandmarks(Random& random) {
@@ -201,7 +252,7 @@ bool KalmanSelfLocator::isElsewhere() const {
 /// hypothesis fits badly, the pose need not prove itself: it begins as far before or behind it as
 /// it agrees better or worse with what was seen.
 void KalmanSelfLocator::addFromView(const FieldDimensions& field, Random& random) {
-  constexpr double goodFit = 0.5, lostFit = 0.4;
+  constexpr double lostFit = 0.4;
   constexpr int tried = 60;
   if (!hypotheses_.empty() && hypotheses_.front().fit > goodFit && random.chance(0.9)) return;
   std::optional<Pose2D> best;
@@ -232,15 +283,18 @@ void KalmanSelfLocator::addMirrored() {
   if (hypotheses_.empty()) return;
   Hypothesis mirrored = hypotheses_.front();
   mirrored.filter.mirror();
-  mirrored.weight -= parameters.newWeight;
+  mirrored.weight -= parameters.newWeight + mirrored.trust;
+  mirrored.trust = 0;
   add(mirrored);
 }
 
 /// Adds a pose as a hypothesis behind the best one.
 void KalmanSelfLocator::add(const Pose2D& pose, double behind) {
   double best = hypotheses_.empty() ? behind : -1e9;
-  for (const Hypothesis& h : hypotheses_) best = std::max(best, h.weight);
-  add({{pose, newStandardDeviation, newAngleStandardDeviation}, best - behind, 0.3});
+  for (const Hypothesis& h : hypotheses_) best = std::max(best, h.weight - h.trust);
+  Hypothesis fresh{{pose, newStandardDeviation, newAngleStandardDeviation}, best - behind, 0.3};
+  fresh.filter.turnCamera(cameraErrors());
+  add(fresh);
 }
 
 /// Adds a hypothesis unless there is one like it; the worst makes room.
@@ -283,7 +337,7 @@ void KalmanSelfLocator::draw(const RobotPose& robotPose, Debug& debug) const {
       const Color color{colors::blue.r, colors::blue.g, colors::blue.b, shade};
       canvas.pose(h.filter.pose(), color, 150);
       // The ellipse of one standard deviation of the position.
-      const Matrix3d& c = h.filter.covariance();
+      const PoseHypothesis::Covariance& c = h.filter.covariance();
       const double mean = (c(0, 0) + c(1, 1)) / 2, half = (c(0, 0) - c(1, 1)) / 2;
       const double root = std::hypot(half, c(0, 1));
       canvas.ellipse(h.filter.pose().translation, std::sqrt(mean + root),

@@ -23,21 +23,26 @@ class KalmanSelfLocator {
     int hypotheses = 12;
     int points = 8;
     double farthest = 3000;
-    double slip = 0.6;
+    double slip = 0.28;
     double turnSlip = 0.3;
-    double drift = 15;
-    double turnDrift = 0.05;
+    double drift = 6;
+    double turnDrift = 0.08;
     double commonAngle = 0.02;
+    double swayMemory = 0.65;
+    double learning = 0.01;
+    double leastError = 0.003;
+    double mostError = 0.06;
+    double mostTrust = 8;
     double bearingError = 0.008;
-    double flagDistanceError = 0.08;
+    double flagDistanceError = 0.05;
     double flagError = 100;
     double postError = 30;
     double tiltError = 0.012;
-    double pointError = 0.006;
+    double pointError = 0.008;
     double edgeError = 8;
     double gate = 3;
-    double surprise = 0.03;
-    double landmarkSurprise = 0.2;
+    double surprise = 0.1;
+    double landmarkSurprise = 0.1;
     double memory = 10;
     double newWeight = 3;
 
@@ -57,7 +62,20 @@ class KalmanSelfLocator {
           field("turnDrift", &P::turnDrift, "rad",
                 "standard deviation of the rotation that a second adds", {0, 3}),
           field("commonAngle", &P::commonAngle, "rad",
-                "standard deviation of the camera's pan, the same for all of an image", {1e-6, 1}),
+                "standard deviation of the camera's pan, the same for all of an image, at first",
+                {1e-6, 1}),
+          field("swayMemory", &P::swayMemory, "",
+                "correlation of the camera's tilt and roll errors with those of the next image",
+                {0, 1}),
+          field("learning", &P::learning, "",
+                "share by which an image changes what is known of the camera's errors", {0, 1}),
+          field("leastError", &P::leastError, "rad",
+                "least standard deviation of the camera's angles that is learned", {1e-6, 1}),
+          field("mostError", &P::mostError, "rad",
+                "greatest standard deviation of the camera's angles that is learned", {1e-6, 1}),
+          field("mostTrust", &P::mostTrust, "",
+                "greatest lead that a hypothesis gains over new ones by landmarks that fit",
+                {0, 1000}),
           field("bearingError", &P::bearingError, "rad", "standard deviation of each bearing",
                 {1e-6, 1}),
           field("flagDistanceError", &P::flagDistanceError, "",
@@ -66,8 +84,11 @@ class KalmanSelfLocator {
                 {0, 1e4}),
           field("postError", &P::postError, "mm", "standard deviation of where goal posts stand",
                 {0, 1e4}),
-          field("tiltError", &P::tiltError, "rad",
-                "standard deviation of the camera's tilt, the same for all of an image", {1e-6, 1}),
+          field(
+              "tiltError", &P::tiltError, "rad",
+              "standard deviation of the camera's tilt and roll, the same for all of an image, at "
+              "first",
+              {1e-6, 1}),
           field("pointError", &P::pointError, "rad",
                 "standard deviation of the elevation of each point", {1e-6, 1}),
           field("edgeError", &P::edgeError, "mm", "standard deviation of edges from the model",
@@ -101,6 +122,7 @@ class KalmanSelfLocator {
     double weight = 0;  ///< The logarithm of a probability; the best one has 0.
     double fit = 0.5;   ///< How well the last images fitted, in [0, 1].
     int surprises = 0;  ///< Images in a row that did not fit at all.
+    double trust = 0;   ///< Lead over new ones, by landmarks that fit.
   };
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
 
@@ -108,8 +130,13 @@ class KalmanSelfLocator {
   void move(const OdometryData& odometry, Time now);
   void observeLandmarks(const LandmarksPercept& percept, const FieldDimensions& field,
                         TeamColor team);
+  ScalarMeasurement measurementOf(const ChosenPoint& chosen, const Vector3d& camera,
+                                  const PoseHypothesis& hypothesis) const;
   void observeEdges(const Vector3d& camera);
-  void judge(Hypothesis& hypothesis, double likelihoods, int count, double importance) const;
+  void turnCamera(const CameraMatrix& camera);
+  CameraErrors cameraErrors() const;
+  void learnCameraErrors();
+  double judge(Hypothesis& hypothesis, double likelihoods, int count, double importance) const;
   void addFromLandmarks(Random& random);
   bool isElsewhere() const;
   void addMirrored();
@@ -126,6 +153,10 @@ class KalmanSelfLocator {
   OdometryData lastOdometry_;
   Time last_ = never(), lastLandmarks_ = never(), lastLines_ = never();
   bool started_ = false;
+  // What is known of the camera's errors.
+  double tiltError_ = 0, panError_ = 0;  ///< Standard deviations, rad.
+  double imageDelay_ = 0;                ///< By which images are older than they state, s.
+  double panSpeed_ = 0;                  ///< Of the camera during the image, rad/s.
 };
 
 }  // namespace gt

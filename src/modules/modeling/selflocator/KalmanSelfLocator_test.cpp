@@ -51,6 +51,43 @@ TEST(KalmanSelfLocator, FindsItselfWithinTenImages) {
   EXPECT_LE(quantile(again, 0.5), 10);
 }
 
+/// A camera that is better than the parameters state: the locator learns so.
+TEST(KalmanSelfLocator, LearnsHowTheCameraErrs) {
+  const auto meanError = [](double learning) {
+    std::vector<double> errors;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      SyntheticRobot robot{seed};
+      LocatorOf<KalmanSelfLocator> locator{
+          {.commonAngle = 0.06, .learning = learning, .tiltError = 0.06}, seed};
+      const auto locate = [&](const SyntheticRobot& r) { return locator(seenBy(r)); };
+      follow(robot, 750, locate);
+      const LocalizationTrial trial = follow(robot, 2000, locate);
+      errors.insert(errors.end(), trial.errors.begin(), trial.errors.end());
+    }
+    return mean(errors);
+  };
+  EXPECT_LT(meanError(0.01), 0.9 * meanError(0));
+}
+
+/// One beacon that is taken for another one, now and then, moves no robot that knows where it is.
+TEST(KalmanSelfLocator, AMisnamedBeaconDoesNotMoveIt) {
+  int jumps = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SyntheticRobot robot{seed};
+    LocatorOf<KalmanSelfLocator> locator{{}, seed};
+    follow(robot, 750, [&](const SyntheticRobot& r) { return locator(seenBy(r)); });
+    for (int i = 0; i < 1000; ++i) {
+      robot.step();
+      if (i % 25 == 0 && robot.percept.numberOfFlags > 0) {
+        FlagType& name = robot.percept.flags[0].type;
+        name = static_cast<FlagType>((static_cast<std::size_t>(name) + 3) % enumCount<FlagType>);
+      }
+      jumps += (locator(seenBy(robot)).pose.translation - robot.pose.translation).norm() > 400;
+    }
+  }
+  EXPECT_LE(jumps, 4);
+}
+
 /// Put to the mirror image of its place, without beacons, a robot sees nothing that tells it so but
 /// the goals: with the first one it knows.
 TEST(KalmanSelfLocator, LeavesTheMirrorImageWhenAGoalIsSeen) {

@@ -7,11 +7,10 @@ namespace gt {
 
 PoseHypothesis::PoseHypothesis(const Pose2D& pose, double standardDeviation,
                                double angleStandardDeviation)
-    : pose_{pose},
-      covariance_{Vector3d{standardDeviation * standardDeviation,
-                           standardDeviation * standardDeviation,
-                           angleStandardDeviation * angleStandardDeviation}
-                      .asDiagonal()} {}
+    : pose_{pose}, covariance_{Covariance::Zero()} {
+  covariance_(0, 0) = covariance_(1, 1) = standardDeviation * standardDeviation;
+  covariance_(2, 2) = angleStandardDeviation * angleStandardDeviation;
+}
 
 void PoseHypothesis::move(const Pose2D& step, const Vector3d& noise) {
   const Vector2d way = rotated(step.translation, pose_.rotation);
@@ -19,21 +18,36 @@ void PoseHypothesis::move(const Pose2D& step, const Vector3d& noise) {
   jacobian(0, 2) = -way.y();
   jacobian(1, 2) = way.x();
   const Matrix3d turn = rotationZ(pose_.rotation);
-  covariance_ =
-      jacobian * covariance_ * jacobian.transpose() + turn * noise.asDiagonal() * turn.transpose();
+  covariance_.topRows<3>() = (jacobian * covariance_.topRows<3>()).eval();
+  covariance_.leftCols<3>() = (covariance_.leftCols<3>() * jacobian.transpose()).eval();
+  covariance_.topLeftCorner<3, 3>() += turn * noise.asDiagonal() * turn.transpose();
   pose_ = pose_ * step;
 }
 
+void PoseHypothesis::turnCamera(const CameraErrors& errors) {
+  const Vector3d kept{errors.memory, errors.memory, 0};
+  camera_ = errors.mean + kept.cwiseProduct(camera_ - errors.mean);
+  for (int i = 0; i < 3; ++i) {
+    covariance_.row(3 + i) *= kept[i];
+    covariance_.col(3 + i) *= kept[i];
+    covariance_(3 + i, 3 + i) += (1 - kept[i] * kept[i]) * errors.variances[i];
+  }
+}
+
 double PoseHypothesis::correct(const ScalarMeasurement& m, double gate) {
-  const Vector3d spread = covariance_ * m.slope;
-  const double variance = m.slope.dot(spread) + m.variance;
+  Eigen::Matrix<double, 6, 1> slope;
+  slope << m.slope, m.byCamera;
+  const Eigen::Matrix<double, 6, 1> spread = covariance_ * slope;
+  const double variance = slope.dot(spread) + m.variance;
   const double squared = m.innovation * m.innovation / variance;
-  const double likelihood = std::sqrt(m.variance / variance) * std::exp(-squared / 2);
+  const double usual = std::max(m.usual, m.variance);
+  const double likelihood = std::sqrt(std::min(usual / variance, 1.0)) * std::exp(-squared / 2);
   if (!std::isfinite(squared)) return 0;
   if (squared > gate * gate) return likelihood;
-  const Vector3d gain = spread / variance;
+  const Eigen::Matrix<double, 6, 1> gain = spread / variance;
   pose_.translation += (gain * m.innovation).head<2>();
-  pose_.rotate(gain.z() * m.innovation);
+  pose_.rotate(gain[2] * m.innovation);
+  camera_ += gain.tail<3>() * m.innovation;
   covariance_ -= gain * spread.transpose();
   return likelihood;
 }
@@ -50,8 +64,8 @@ void PoseHypothesis::clamp(double farX, double farY) {
 
 void PoseHypothesis::mirror() {
   pose_ = Pose2D{pi, 0, 0} * pose_;
-  covariance_.block<2, 1>(0, 2) *= -1;
-  covariance_.block<1, 2>(2, 0) *= -1;
+  covariance_.topRightCorner<2, 4>() *= -1;
+  covariance_.bottomLeftCorner<4, 2>() *= -1;
 }
 
 }  // namespace gt

@@ -4,17 +4,34 @@
 namespace gt {
 
 /// One measured number as a Kalman filter sees it: how far it lies beside what is expected, how
-/// that depends on the pose (x, y, rotation), and the variance of its error.
+/// what is expected depends on the pose (x, y, rotation) and on the errors of the camera's angles,
+/// and the variance of its own error.
+///
+/// `usual` is the variance of all its errors, those of the camera included: what a measurement is
+/// expected to be off by if the pose is exactly known. 0: `variance`.
 struct ScalarMeasurement {
   double innovation;
   Vector3d slope;
   double variance;
+  Vector3d byCamera = Vector3d::Zero();  ///< By tilt, roll and pan.
+  double usual = 0;
+};
+
+/// By how much the camera's angles are off that the robot states, as a process in time.
+struct CameraErrors {
+  Vector3d mean = Vector3d::Zero();       ///< Of tilt, roll and pan, rad.
+  Vector3d variances = Vector3d::Zero();  ///< rad^2
+  double memory = 0;                      ///< Share of tilt and roll that is left an image later.
 };
 
 /// A pose that is known with a normally distributed error: an extended Kalman filter of x, y and
-/// rotation, that believes no measurement that is too far off.
+/// rotation, that believes no measurement that is too far off. Tilt, roll and pan of the camera are
+/// off, too: what all measurements of an image share is part of the state. Tilt and roll sway, so
+/// that they are alike from image to image; the pan's error is another one in each.
 class PoseHypothesis {
  public:
+  using Covariance = Eigen::Matrix<double, 6, 6>;
+
   PoseHypothesis() = default;
   /// The standard deviations in mm and rad.
   PoseHypothesis(const Pose2D& pose, double standardDeviation, double angleStandardDeviation);
@@ -22,6 +39,8 @@ class PoseHypothesis {
   /// Moves by the odometry's step; the noise is the variance of the error that grows meanwhile, in
   /// the robot's system (mm^2, mm^2, rad^2).
   void move(const Pose2D& step, const Vector3d& noise);
+  /// The next image was taken: its camera errs otherwise.
+  void turnCamera(const CameraErrors& errors);
   /// Takes a measurement in if it is not farther off than so many standard deviations. Returns how
   /// likely it was, against one that fits exactly to a pose that is exactly known; in [0, 1].
   double correct(const ScalarMeasurement& measurement, double gate);
@@ -32,14 +51,17 @@ class PoseHypothesis {
   void mirror();
 
   const Pose2D& pose() const { return pose_; }
-  /// mm^2, rad^2.
-  const Matrix3d& covariance() const { return covariance_; }
+  /// By how much the camera's tilt, roll and pan are off, rad.
+  const Vector3d& camera() const { return camera_; }
+  /// mm^2, rad^2: of x, y and rotation, of the camera's tilt, roll and pan.
+  const Covariance& covariance() const { return covariance_; }
   /// The standard deviation of the position, mm.
   double standardDeviation() const { return std::sqrt(covariance_(0, 0) + covariance_(1, 1)); }
 
  private:
   Pose2D pose_;
-  Matrix3d covariance_ = Matrix3d::Identity();
+  Vector3d camera_ = Vector3d::Zero();
+  Covariance covariance_ = Covariance::Identity();
 };
 
 }  // namespace gt

@@ -44,14 +44,58 @@ TEST(PoseHypothesis, RotationsAreCorrectedAcrossTheSeam) {
   EXPECT_NEAR(hypothesis.pose().rotation, -pi + 0.01, 1e-9);
 }
 
+/// Measurements that share an error do not make the pose better known than that error allows.
+TEST(PoseHypothesis, ErrorsOfTheCameraDoNotAverageOut) {
+  PoseHypothesis hypothesis{{0, 0, 0}, 0, 1};
+  hypothesis.turnCamera({{0, 0, 0}, {0, 0, 0.04}, 0});
+  for (int i = 0; i < 100; ++i) hypothesis.correct({0.1, {0, 0, 1}, 1e-4, {0, 0, 1}}, 100);
+  EXPECT_NEAR(hypothesis.covariance()(2, 2), 1 * 0.04 / 1.04, 1e-4);
+  // The next image's pan errs otherwise, so that the mean of many images is known better.
+  for (int i = 0; i < 100; ++i) {
+    hypothesis.turnCamera({{0, 0, 0}, {0, 0, 0.04}, 0});
+    hypothesis.correct({0, {0, 0, 1}, 1e-4, {0, 0, 1}}, 100);
+  }
+  EXPECT_LT(hypothesis.covariance()(2, 2), 0.001);
+}
+
+/// Tilt and roll stay what they are as far as they are remembered; the pan starts at its mean.
+TEST(PoseHypothesis, TheCameraSways) {
+  PoseHypothesis hypothesis{{0, 0, 0}, 10, 0.1};
+  const CameraErrors errors{{0, 0, 0.2}, {0.04, 0.01, 0.09}, 0.5};
+  hypothesis.turnCamera(errors);
+  EXPECT_NEAR(hypothesis.camera().z(), 0.2, 1e-9);
+  EXPECT_NEAR(hypothesis.covariance()(3, 3), 0.75 * 0.04, 1e-9);
+  EXPECT_NEAR(hypothesis.covariance()(5, 5), 0.09, 1e-9);
+  hypothesis.correct({0.1, {0, 0, 0}, 1e-9, {1, 0, 0}}, 100);
+  hypothesis.correct({0.1, {0, 0, 0}, 1e-9, {0, 0, 1}}, 100);
+  EXPECT_NEAR(hypothesis.camera().x(), 0.1, 1e-6);
+  EXPECT_NEAR(hypothesis.camera().z(), 0.3, 1e-6);
+  hypothesis.turnCamera(errors);
+  EXPECT_NEAR(hypothesis.camera().x(), 0.05, 1e-6);
+  EXPECT_NEAR(hypothesis.camera().z(), 0.2, 1e-9);
+  EXPECT_EQ(hypothesis.pose().translation, (Vector2d{0, 0}));
+}
+
+/// What is usually off is no reason to disbelieve a pose.
+TEST(PoseHypothesis, JudgesByTheUsualError) {
+  PoseHypothesis hypothesis{{0, 0, 0}, 0, 0.1};
+  hypothesis.turnCamera({{0, 0, 0}, {0, 0, 0.03}, 0});
+  EXPECT_NEAR(hypothesis.correct({0, {0, 0, 1}, 0.01, {0, 0, 1}, 0.04}, 3), std::sqrt(0.8), 1e-9);
+}
+
 TEST(PoseHypothesis, IsItselfWhenMirroredTwice) {
   PoseHypothesis hypothesis{{1, 700, -300}, 10, 0.1};
   hypothesis.move({0.2, 500, 100}, {1, 2, 0.01});
+  hypothesis.turnCamera({{0, 0, 0}, {0, 0, 0.01}, 0});
+  hypothesis.correct({10, {1, 0, 0.5}, 100, {0, 0, 1}}, 100);
   PoseHypothesis mirrored = hypothesis;
   mirrored.mirror();
   EXPECT_NEAR((mirrored.pose().translation + hypothesis.pose().translation).norm(), 0, 1e-9);
   EXPECT_NEAR(mirrored.covariance()(0, 1), hypothesis.covariance()(0, 1), 1e-9);
   EXPECT_NEAR(mirrored.covariance()(0, 2), -hypothesis.covariance()(0, 2), 1e-9);
+  EXPECT_NE(hypothesis.covariance()(0, 5), 0);
+  EXPECT_NEAR(mirrored.covariance()(0, 5), -hypothesis.covariance()(0, 5), 1e-9);
+  EXPECT_NEAR(mirrored.covariance()(5, 1), -hypothesis.covariance()(5, 1), 1e-9);
   mirrored.mirror();
   EXPECT_TRUE(mirrored.isNear(hypothesis.pose(), 1e-6, 1e-9));
 }
