@@ -62,8 +62,7 @@ void PlayWatch::watchKick(const PlayMoment& moment) {
         kick.onGoal = rollsIntoGoal(ball, kicker.team);
       }
       const bool hit = kick.lastTouch >= kick.began;
-      if (hit &&
-          (!touchedByKicker || (moment.time - kick.lastTouch > leaves && !kicker.kicks))) {
+      if (hit && (!touchedByKicker || (moment.time - kick.lastTouch > leaves && !kicker.kicks))) {
         leave();
       } else if (moment.time - kick.began > longest) {
         tally_.count(nameOf(kicker.team, "kick.hits"), false);
@@ -92,8 +91,7 @@ void PlayWatch::leave() {
   tally_.count(nameOf(team, "kick.hits"), true);
   const Vector2d goal = toTeam(team, Vector2d{field_.xGroundline, 0});
   constexpr double shot = 1600;  // mm
-  if ((kick_->from - goal).norm() < shot)
-    tally_.count(nameOf(team, "kick.onGoal"), kick_->onGoal);
+  if ((kick_->from - goal).norm() < shot) tally_.count(nameOf(team, "kick.onGoal"), kick_->onGoal);
 }
 
 void PlayWatch::end(bool own) {
