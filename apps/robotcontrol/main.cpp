@@ -27,7 +27,7 @@ struct Options {
 /// Writes a picture of the window once all commands are executed and the dialogs have shown it.
 void takePicture(gt::SessionThread& session, gt::MainWindow& window, const std::string& file) {
   constexpr int settling = 1200;  // ms
-  session.execute("# all is done", [&window, file](const gt::Result<void>&) {
+  session.execute("# all is done", &window, [&window, file](const gt::Result<void>&) {
     QTimer::singleShot(settling, &window, [&window, file] {
       const bool saved = window.grab().save(QString::fromStdString(file));
       if (!saved) std::fprintf(stderr, "robotcontrol: %s: cannot be written\n", file.c_str());
@@ -54,7 +54,7 @@ gt::Result<int> run(int argc, char** argv, Options options) {
   if (const auto done = openLog(options); !done) return done.error();
   auto session = gt::SessionThread::make(options.match, options.foxglove);
   if (!session) return session.error();
-  (*session)->execute("st on 1", {}, true);
+  (*session)->executeQuietly("st on 1");
   (*session)->callStartScript();
   for (const std::string& script : options.scripts) (*session)->execute("call \"" + script + "\"");
   for (const std::string& command : options.commands) (*session)->execute(command);

@@ -111,7 +111,7 @@ void handleEventsUntil(const std::function<bool()>& holds) {
 /// Executes a command to its end.
 void execute(SessionThread& session, const std::string& line) {
   bool done = false;
-  session.execute(line, [&](const Result<void>& result) {
+  session.execute(line, QCoreApplication::instance(), [&](const Result<void>& result) {
     if (!result) std::fprintf(stderr, "%s: %s\n", line.c_str(), result.error().text().c_str());
     done = true;
   });

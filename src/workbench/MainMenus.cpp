@@ -58,7 +58,8 @@ void MainMenus::addFileMenu() {
         QFileDialog::getSaveFileName(&window_, "Save a picture", "window.png", "Images (*.png)");
     if (!picture.isEmpty()) window_.grab().save(picture);
   });
-  file->addAction("&Quit", QKeySequence::Quit, &window_, [this] { window_.close(); });
+  file->addAction("&Quit", QKeySequence::Quit, &window_, [this] { window_.close(); })
+      ->setObjectName("quit");
 }
 
 void MainMenus::addSimulationMenu() {
@@ -192,7 +193,7 @@ void MainMenus::openLog() {
   if (log.isEmpty()) return;
   const std::string name =
       "log-" + QFileInfo{log}.completeBaseName().replace(' ', '_').toStdString();
-  session_.execute("sl " + name + " \"" + log.toStdString() + "\"",
+  session_.execute("sl " + name + " \"" + log.toStdString() + "\"", &window_,
                    [this, name](const Result<void>& done) {
                      if (!done) return window_.report(done);
                      session_.execute("robot " + name);

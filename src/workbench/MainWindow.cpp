@@ -174,7 +174,7 @@ bool MainWindow::saveRecording(const std::string& robot) {
   if (file.isEmpty()) return false;
   QEventLoop saving;
   bool saved = false;
-  session_.executeFor(robot, "log save \"" + file.toStdString() + "\"",
+  session_.executeFor(robot, "log save \"" + file.toStdString() + "\"", &saving,
                       [&](const Result<void>& done) {
                         report(done);
                         saved = static_cast<bool>(done);

@@ -14,11 +14,29 @@ using Clock = std::chrono::steady_clock;
 constexpr milliseconds updateTime{10}, answerTime{20}, answerInterval{15}, restTime{20};
 /// Time passes this many times as long as questions have taken, so that they cannot stop it.
 constexpr int shareOfTime = 2;
+/// A supply is made after so much of the session's time; and after so much real time, if time
+/// passes slowly or stands. Between two of them lies this much real time, less if the session keeps
+/// to real time; a supply that no one has asked for so long is not made, nor one of which so many
+/// are not shown yet.
+constexpr std::int64_t supplyInterval = 40;  // ms
+constexpr milliseconds slowInterval{60}, fastInterval{40}, leastInterval{8}, lease{500};
+constexpr int mostUnseen = 2;
+/// What takes long rests this many times as long, so that it does not hold up time and the others.
+constexpr int restFactor = 5;
 constexpr milliseconds speedInterval{1000};
 constexpr std::size_t mostLines = 10000;
 
 double seconds(Time time) {
   return static_cast<double>(time.ms) / 1000;
+}
+
+/// Whether time passes in real time at most.
+bool isSlow(const Pace& pace) {
+  return pace.factor > 0 && pace.factor <= 1;
+}
+
+Error discardedError() {
+  return {.what = "the command was discarded"};
 }
 
 std::optional<LogPlace> logPlaceOf(const std::vector<ConsoleRobot*>& robots) {
@@ -77,10 +95,10 @@ SessionThread::~SessionThread() {
 void SessionThread::run() {
   while (!ending_) {
     answer();
-    while (auto task = take(commands_)) {
+    while (auto command = take(commands_)) {
       session_->takeInterrupt();  // it was meant for an earlier one
       if (ending_) return;
-      (*task)(*console_);
+      command->work(*console_);
       ++version_;
       updateStatus();
       answer();
@@ -99,21 +117,30 @@ void SessionThread::run() {
   }
 }
 
-void SessionThread::post(std::deque<Task>& queue, Task task) {
+void SessionThread::post(Command command) {
   {
     const std::lock_guard lock{mutex_};
-    queue.push_back(std::move(task));
-    if (&queue == &commands_) busy_ = true;
+    commands_.push_back(std::move(command));
+    busy_ = true;
   }
   wake_.notify_one();
 }
 
-std::optional<SessionThread::Task> SessionThread::take(std::deque<Task>& queue) {
+void SessionThread::post(Task question) {
+  {
+    const std::lock_guard lock{mutex_};
+    questions_.push_back(std::move(question));
+  }
+  wake_.notify_one();
+}
+
+template <typename T>
+std::optional<T> SessionThread::take(std::deque<T>& queue) {
   const std::lock_guard lock{mutex_};
   if (queue.empty()) return std::nullopt;
-  Task task = std::move(queue.front());
+  T first = std::move(queue.front());
   queue.pop_front();
-  return task;
+  return first;
 }
 
 void SessionThread::answer() {
@@ -123,12 +150,38 @@ void SessionThread::answer() {
     if (!question) break;
     (*question)(*console_);
   }
+  makeSupplies();
   answered_ = Clock::now();
   restAfterAnswers_ = shareOfTime * std::chrono::duration_cast<milliseconds>(answered_ - begin);
 }
 
+void SessionThread::makeSupplies() {
+  {
+    const std::lock_guard lock{mutex_};
+    std::ranges::move(newSupplies_, std::back_inserter(supplies_));
+    newSupplies_.clear();
+  }
+  const milliseconds interval = isSlow(session_->pace()) ? leastInterval : fastInterval;
+  const Time now = session_->time();
+  std::erase_if(supplies_, [](const auto& supply) { return supply.expired(); });
+  for (const auto& known : supplies_) {
+    const auto supply = known.lock();
+    if (!supply || supply->version_ == version_ || supply->unseen_ >= mostUnseen) continue;
+    const auto begin = Clock::now();
+    if (begin > supply->renewed_.load() + lease || begin < supply->rest_) continue;
+    const bool due = now < supply->time_ || now - supply->time_ >= supplyInterval;
+    if (!due && begin < supply->made_ + slowInterval) continue;
+    supply->version_ = version_;
+    supply->time_ = now;
+    supply->made_ = begin;
+    supply->make_(*console_, supply);
+    supply->rest_ = std::max(begin + interval, Clock::now() + restFactor * (Clock::now() - begin));
+  }
+}
+
 void SessionThread::stepped() {
   ++version_;
+  if (isSlow(session_->pace())) makeSupplies();  // no image may be left out
   if (Clock::now() < answered_ + std::max(answerInterval, restAfterAnswers_)) return;
   updateStatus();
   answer();
@@ -149,42 +202,58 @@ Result<void> SessionThread::perform(const std::string& line, bool quiet) {
   return done;
 }
 
-void SessionThread::execute(std::string line, Done done, bool quiet) {
-  post(commands_, [this, line = std::move(line), done = std::move(done), quiet](Console&) {
-    const Result<void> result = perform(line, quiet);
-    if (done) inWindow([done, result] { done(result); });
-  });
+/// Calls back in the window's thread, if anyone waits for it.
+SessionThread::Done SessionThread::reportTo(QObject* receiver, Done done) {
+  if (!done) return [](const Result<void>&) {};
+  return [guard = QPointer<QObject>{receiver}, done = std::move(done)](const Result<void>& result) {
+    inWindow([guard, done, result] {
+      if (guard) done(result);
+    });
+  };
 }
 
-void SessionThread::executeFor(std::string robot, std::string line, Done done) {
-  post(commands_, [this, robot = std::move(robot), line = std::move(line),
-                   done = std::move(done)](Console& console) {
-    // By commands, so that a saved state repeats it.
-    std::string before = "robot all";
-    if (!console.selection().empty()) {
-      before = "robot";
-      for (const std::string& name : console.selection()) before += " " + name;
-    }
-    Result<void> result = perform("robot " + robot, true);
-    if (result) result = perform(line, false);
-    static_cast<void>(perform(before, true));
-    if (done) inWindow([done, result] { done(result); });
-  });
+void SessionThread::execute(std::string line, QObject* receiver, Done done) {
+  const Done report = reportTo(receiver, std::move(done));
+  post({[this, line = std::move(line), report](Console&) { report(perform(line, false)); },
+        [report] { report(discardedError()); }});
+}
+
+void SessionThread::executeQuietly(std::string line) {
+  change([this, line = std::move(line)](Console&) { static_cast<void>(perform(line, true)); });
+}
+
+void SessionThread::executeFor(std::string robot, std::string line, QObject* receiver, Done done) {
+  const Done report = reportTo(receiver, std::move(done));
+  post({[this, robot = std::move(robot), line = std::move(line), report](Console& console) {
+          // By commands, so that a saved state repeats it.
+          std::string before = "robot all";
+          if (!console.selection().empty()) {
+            before = "robot";
+            for (const std::string& name : console.selection()) before += " " + name;
+          }
+          Result<void> result = perform("robot " + robot, true);
+          if (result) result = perform(line, false);
+          static_cast<void>(perform(before, true));
+          report(result);
+        },
+        [report] { report(discardedError()); }});
 }
 
 void SessionThread::callStartScript() {
-  post(commands_, [this](Console& console) {
+  change([this](Console& console) {
     if (const auto done = console.callStartScript(); !done) print("error: " + done.error().text());
   });
 }
 
 void SessionThread::change(std::function<void(Console&)> work) {
-  post(commands_, std::move(work));
+  post({std::move(work), {}});
 }
 
 void SessionThread::interrupt() {
   const std::lock_guard lock{mutex_};
-  commands_.clear();
+  for (const Command& command : commands_)
+    if (command.discarded) command.discarded();
+  std::erase_if(commands_, [](const Command& command) { return command.discarded != nullptr; });
   session_->interrupt();
 }
 

@@ -79,10 +79,13 @@ class SessionThread {
   const DataRoot& root() const { return root_; }
 
   /// Executes a command line behind those that were given before. The line and its error are
-  /// printed, unless it is quiet; then only the error is. `done` is called in the window's thread.
-  void execute(std::string line, Done done = {}, bool quiet = false);
+  /// printed. `done` is called in the window's thread, unless `receiver` is gone by then; with an
+  /// error if the line was discarded.
+  void execute(std::string line, QObject* receiver = nullptr, Done done = {});
   /// The same for one robot, whatever robots are selected.
-  void executeFor(std::string robot, std::string line, Done done = {});
+  void executeFor(std::string robot, std::string line, QObject* receiver = nullptr, Done done = {});
+  /// Executes a line that no one typed: only its error is printed, and nothing discards it.
+  void executeQuietly(std::string line);
   /// Executes the scene's start script.
   void callStartScript();
   /// Does something between two commands: it may change the session.
@@ -91,16 +94,50 @@ class SessionThread {
   /// window's thread, unless `receiver` is gone by then. `work` must not let time pass.
   template <typename Work, typename Show>
   void ask(QObject* receiver, Work work, Show show) {
-    post(questions_, [guard = QPointer<QObject>{receiver}, work = std::move(work),
-                      show = std::move(show)](Console& console) mutable {
+    post([guard = QPointer<QObject>{receiver}, work = std::move(work),
+          show = std::move(show)](Console& console) mutable {
       auto answer = std::make_shared<decltype(work(console))>(work(console));
       inWindow([guard = std::move(guard), show = std::move(show), answer] {
         if (guard) show(*answer);
       });
     });
   }
-  /// Ends a command that lets time pass after its current step, and discards the commands behind
-  /// it.
+  /// What is made again and again for a window, on the session's thread.
+  class Supply {
+   public:
+    /// To be called while what is made can be seen: without that it is not made.
+    void renew() { renewed_ = std::chrono::steady_clock::now(); }
+
+   private:
+    friend SessionThread;
+    std::function<void(Console&, const std::shared_ptr<Supply>&)> make_;
+    std::atomic<std::chrono::steady_clock::time_point> renewed_ = std::chrono::steady_clock::now();
+    std::atomic<int> unseen_ = 0;  ///< How often it was made and is not shown yet.
+    std::uint64_t version_ = 0;    ///< From here on: when it was made last.
+    Time time_;
+    std::chrono::steady_clock::time_point made_, rest_;  ///< Until when it is not made again.
+  };
+  /// Calls `work` and `show` as `ask` does, again and again as things change, for as long as the
+  /// supply exists: in real time after each 40 ms of the session's time, so that none of a camera's
+  /// images is left out.
+  template <typename Work, typename Show>
+  [[nodiscard]] std::shared_ptr<Supply> supply(QObject* receiver, Work work, Show show) {
+    auto made = std::make_shared<Supply>();
+    made->make_ = [guard = QPointer<QObject>{receiver}, work = std::move(work),
+                   show = std::move(show)](Console& console, const std::shared_ptr<Supply>& self) {
+      auto answer = std::make_shared<decltype(work(console))>(work(console));
+      ++self->unseen_;
+      inWindow([guard, show, answer, self] {
+        --self->unseen_;
+        if (guard) show(*answer);
+      });
+    };
+    const std::lock_guard lock{mutex_};
+    newSupplies_.push_back(made);
+    return made;
+  }
+  /// Ends a command that lets time pass after its current step, and discards the command lines
+  /// behind it.
   void interrupt();
   /// Whether a command is executed, or waits for that.
   bool busy() const { return busy_; }
@@ -123,20 +160,29 @@ class SessionThread {
 
  private:
   using Task = std::function<void(Console&)>;
+  struct Command {
+    Task work;
+    std::function<void()> discarded;  ///< Empty: it is never discarded.
+  };
   class ThreadScreen;
 
   explicit SessionThread(DataRoot root);
   void run();
-  void post(std::deque<Task>& queue, Task task);
+  void post(Command command);
+  void post(Task question);
   Result<void> perform(const std::string& line, bool quiet);
-  std::optional<Task> take(std::deque<Task>& queue);
+  template <typename T>
+  std::optional<T> take(std::deque<T>& queue);
   /// Answers questions, as long as there are any, for a limited time.
   void answer();
+  /// Makes what is due to be made again.
+  void makeSupplies();
   void stepped();
   void select();
   void updateStatus();
   void print(std::string_view line);
   static void inWindow(std::function<void()> work);
+  static Done reportTo(QObject* receiver, Done done);
 
   const DataRoot root_;
   std::unique_ptr<ThreadScreen> screen_;
@@ -145,7 +191,9 @@ class SessionThread {
 
   mutable std::mutex mutex_;  ///< Of what follows.
   std::condition_variable wake_;
-  std::deque<Task> commands_, questions_;
+  std::deque<Command> commands_;
+  std::deque<Task> questions_;
+  std::vector<std::weak_ptr<Supply>> newSupplies_;
   std::deque<std::string> lines_;
   std::uint64_t printed_ = 0;  ///< Lines so far.
   std::vector<std::string> offers_;
@@ -157,6 +205,7 @@ class SessionThread {
   std::uint64_t beginnings_ = 0;  ///< From here on of the session's thread only.
   Match* match_ = nullptr;
   std::vector<std::string> selection_;  ///< Of robots, before the session began anew.
+  std::vector<std::weak_ptr<Supply>> supplies_;
   std::chrono::steady_clock::time_point answered_, measured_;
   std::chrono::milliseconds restAfterAnswers_{};
   Time lastTime_, measuredTime_;

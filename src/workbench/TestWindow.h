@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QtTest>
 #include <optional>
+#include <stdexcept>
 
 #include "console/Values.h"
 #include "streams/TemporaryFolder.h"
@@ -19,8 +20,9 @@ class WindowTest : public ::testing::Test {
  protected:
   explicit WindowTest(const std::string& scene = "scenes/match.scene",
                       const std::optional<Keys>& keys = {}) {
-    MatchOptions options;
-    options.scene = scene;
+    const auto root = DataRoot::find(DataRoot::places(""));
+    MatchOptions options{root ? *root : DataRoot{}};
+    options.scene = options.root.path(scene);
     options.keys = keys;
     auto made = SessionThread::make(options);
     EXPECT_TRUE(made) << made.error().text();
@@ -32,17 +34,20 @@ class WindowTest : public ::testing::Test {
 
   QString settings() const { return QString::fromStdString(folder.path().string()); }
 
+  static constexpr int patience = 120'000;  // ms; machines may be loaded
   /// Handles the window's events until something holds.
   template <typename Condition>
   static bool until(Condition condition, int ms = 20000) {
     return QTest::qWaitFor(condition, ms);
   }
-  /// What the session's thread finds.
+  /// What the session's thread finds. Ends the test if it never answers.
   template <typename Work>
   auto on(Work work) {
     std::optional<decltype(work(std::declval<Console&>()))> result;
-    session->ask(window.get(), std::move(work), [&](auto& answer) { result = std::move(answer); });
-    EXPECT_TRUE(until([&] { return result.has_value(); }));
+    QObject receiver;
+    session->ask(&receiver, std::move(work), [&](auto& answer) { result = std::move(answer); });
+    if (!until([&] { return result.has_value(); }, patience))
+      throw std::runtime_error{"no answer came"};
     return std::move(*result);
   }
   /// A value by its path, as the console's command get.
@@ -52,11 +57,13 @@ class WindowTest : public ::testing::Test {
       return found ? found->text : "error: " + found.error().text();
     });
   }
-  /// Executes a line and waits for its end.
+  /// Executes a line and waits for its end. Ends the test if it never does.
   Result<void> execute(const std::string& line) {
     std::optional<Result<void>> result;
-    session->execute(line, [&](const Result<void>& done) { result = done; });
-    EXPECT_TRUE(until([&] { return result.has_value(); }));
+    QObject receiver;
+    session->execute(line, &receiver, [&](const Result<void>& done) { result = done; });
+    if (!until([&] { return result.has_value(); }, patience))
+      throw std::runtime_error{line + " never ended"};
     return *result;
   }
   /// Waits until all commands were executed that were given so far.

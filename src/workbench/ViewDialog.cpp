@@ -11,8 +11,6 @@
 namespace gt {
 namespace {
 
-/// A view that takes long rests this many times as long, so that it does not hold up the others.
-constexpr double restFactor = 3;
 /// How often a viewer looks why drawings do not come.
 constexpr qint64 hintInterval = 1000;  // ms
 
@@ -84,22 +82,16 @@ void ViewDialog::setKeys(std::vector<std::string> keys) {
 }
 
 void ViewDialog::askAgain() {
-  shown_ = 0;
+  supply_.reset();
 }
 
 void ViewDialog::refresh() {
-  const std::uint64_t version = session().version();
-  if (asked_ || version == shown_) return;
-  if (answered_.isValid() && static_cast<double>(answered_.elapsed()) < rest_) return;
-  asked_ = true;
-  shown_ = version;
-  const std::uint64_t beginnings = session().status().beginnings;
-  session().ask(
+  if (supply_) return supply_->renew();
+  supply_ = session().supply(
       this,
-      [view = view_, numbers = numbers_, robot = robot_, keys = keys_, prepared = prepared_,
-       beginnings](Console& console) -> Answer {
-        QElapsedTimer clock;
-        clock.start();
+      [&thread = session(), view = view_, numbers = numbers_, robot = robot_, keys = keys_,
+       prepared = prepared_](Console& console) -> Answer {
+        const std::uint64_t beginnings = thread.status().beginnings;
         ViewSubject subject = console.viewSubject();
         if (!robot.empty()) {
           ConsoleRobot* const chosen = console.session().find(robot);
@@ -124,16 +116,12 @@ void ViewDialog::refresh() {
         auto sheet = view->show(subject, numbers);
         if (sheet) {
           answer.sheet = std::make_shared<const Sheet>(std::move(*sheet));
-          answer.ms = static_cast<double>(clock.nsecsElapsed()) / 1e6;
         } else {
           answer.error = sheet.error().text();
         }
         return answer;
       },
       [this](Answer& answer) {
-        asked_ = false;
-        answered_.start();
-        rest_ = restFactor * answer.ms;
         knownKeys_ = std::move(answer.knownKeys);
         showHints(answer);
         if (answer.sheet)

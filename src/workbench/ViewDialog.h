@@ -58,7 +58,6 @@ class ViewDialog : public Dialog {
     std::vector<std::string> knownKeys{};
     std::vector<DrawingHint> hints{};
     std::string robot{};
-    double ms = 0;  ///< That it took.
   };
 
   void askAgain();
@@ -73,10 +72,7 @@ class ViewDialog : public Dialog {
   std::vector<std::string> keys_, knownKeys_;
   std::string robot_;
   std::shared_ptr<Prepared> prepared_ = std::make_shared<Prepared>();
-  bool asked_ = false;
-  std::uint64_t shown_ = 0;  ///< Version of the session.
-  QElapsedTimer answered_;
-  double rest_ = 0;  ///< ms until it may ask again.
+  std::shared_ptr<SessionThread::Supply> supply_;  ///< Null: what is shown has changed.
 };
 
 /// A built-in view by its name.

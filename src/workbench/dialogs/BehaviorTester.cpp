@@ -252,14 +252,12 @@ class BehaviorTester : public Dialog {
                                                     : console.session().behavior;
         },
         [this](const std::string& file) {
-          session().execute("xlb \"" + file + "\"",
-                            [this, guard = QPointer<QWidget>{this}](const Result<void>& done) {
-                              if (!guard) return;
-                              look();
-                              if (done) return;
-                              error_->setText(QString::fromStdString(done.error().text()));
-                              error_->show();
-                            });
+          session().execute("xlb \"" + file + "\"", this, [this](const Result<void>& done) {
+            look();
+            if (done) return;
+            error_->setText(QString::fromStdString(done.error().text()));
+            error_->show();
+          });
         });
   }
 

@@ -178,14 +178,12 @@ class Controls : public Dialog {
     return row;
   }
   void send() {
-    session().execute(std::exchange(wanted_, {}),
-                      [self = QPointer<Controls>{this}](const Result<void>&) {
-                        if (!self) return;
-                        if (self->wanted_.empty())
-                          self->sending_ = false;
-                        else
-                          self->send();
-                      });
+    session().execute(std::exchange(wanted_, {}), this, [this](const Result<void>&) {
+      if (wanted_.empty())
+        sending_ = false;
+      else
+        send();
+    });
   }
 
   void showMenu(std::size_t index, const QPoint& at) {

@@ -104,7 +104,7 @@ class JoystickTester : public Dialog {
     use_->setToolTip("Reads this machine's joystick while time passes");
     QObject::connect(use_, &QCheckBox::clicked, this, [this](bool on) {
       // Without a joystick it is refused.
-      this->session().execute(on ? "joystick on" : "joystick off",
+      this->session().execute(on ? "joystick on" : "joystick off", this,
                               [this](const Result<void>& done) {
                                 if (!done) use_->setChecked(false);
                               });
@@ -193,7 +193,7 @@ class JoystickTester : public Dialog {
       row->addWidget(button);
     }
   }
-  void move(const std::string& axes) { session().execute("joystick " + axes, {}, true); }
+  void move(const std::string& axes) { session().executeQuietly("joystick " + axes); }
 
   void show(const Asked& asked) {
     asked_ = false;

@@ -122,9 +122,9 @@ class LogPlayerToolbar : public Dialog {
     if (file.isEmpty()) return;
     const std::string name =
         "log-" + QFileInfo{file}.completeBaseName().replace(' ', '_').toStdString();
-    session().execute("sl " + name + " \"" + file.toStdString() + "\"",
-                      [&session = session(), name](const Result<void>& done) {
-                        if (done) session.execute("robot " + name);
+    session().execute("sl " + name + " \"" + file.toStdString() + "\"", this,
+                      [this, name](const Result<void>& done) {
+                        if (done) session().execute("robot " + name);
                       });
   }
 

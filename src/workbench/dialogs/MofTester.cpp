@@ -89,16 +89,16 @@ class MofTester : public Dialog {
 
   void read() {
     // The command prints the line, perhaps behind the robot's name.
-    session().execute("mof read", [this, guard = QPointer<QWidget>{this},
-                                   seen = session().printed()](const Result<void>& done) {
-      if (!guard || !done) return;
-      std::uint64_t since = seen;
-      for (const std::string& line : session().linesSince(since)) {
-        const QString text = QString::fromStdString(line);
-        if (text.startsWith('>') || text.count(' ') < 10) continue;
-        lines_->appendPlainText(text.section(": ", -1));
-      }
-    });
+    session().execute("mof read", this,
+                      [this, seen = session().printed()](const Result<void>& done) {
+                        if (!done) return;
+                        std::uint64_t since = seen;
+                        for (const std::string& line : session().linesSince(since)) {
+                          const QString text = QString::fromStdString(line);
+                          if (text.startsWith('>') || text.count(' ') < 10) continue;
+                          lines_->appendPlainText(text.section(": ", -1));
+                        }
+                      });
   }
 
   QPlainTextEdit* lines_;

@@ -257,7 +257,7 @@ class PlotViewer : public Dialog {
   }
 
   void record(const std::string& name) {
-    if (name.find(' ') == name.npos) session().execute("plot \"" + name + "\" on", {}, true);
+    if (name.find(' ') == name.npos) session().executeQuietly("plot \"" + name + "\" on");
   }
 
   void remove(const std::string& name) {

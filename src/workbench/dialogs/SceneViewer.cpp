@@ -71,7 +71,7 @@ class SceneViewer : public SpaceDialog {
     view().grabbed = [this](const QPointF& at) { return take(at); };
     view().dragged = [this](const QPointF& at) {
       if (const auto line = dragTo(at); line && !this->session().busy())
-        this->session().execute(*line, {}, true);
+        this->session().executeQuietly(*line);
     };
     view().dropped = [this](const QPointF& at, Qt::KeyboardModifiers keys) {
       if (const auto line = dragTo(at))

@@ -196,10 +196,8 @@ class Solutions : public Dialog {
 
   void request(int kind, const std::string& task, const std::string& solution) {
     session().execute(
-        std::string{"to "} + queues[kind][all_->isChecked()] + " sr " + task + " " + solution,
-        [this, self = QPointer<QWidget>{this}](const Result<void>&) {
-          if (self) clock_.invalidate();  // looks again what runs now
-        });
+        std::string{"to "} + queues[kind][all_->isChecked()] + " sr " + task + " " + solution, this,
+        [this](const Result<void>&) { clock_.invalidate(); });  // looks again what runs now
   }
 
   /// Sends all solutions of the chosen setting.

@@ -184,11 +184,9 @@ class TestDataGenerator : public Dialog {
         }
         line += word == "true" ? " 1" : word == "false" ? " 0" : " " + word;
       }
-    session().execute(line.toStdString(),
-                      [fault = QPointer<QLabel>{fault_}](const Result<void>& done) {
-                        if (fault)
-                          fault->setText(done ? "" : QString::fromStdString(done.error().text()));
-                      });
+    session().execute(line.toStdString(), fault_, [this](const Result<void>& done) {
+      fault_->setText(done ? "" : QString::fromStdString(done.error().text()));
+    });
   }
 
   QComboBox* id_;
