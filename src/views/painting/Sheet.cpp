@@ -1,10 +1,10 @@
 #include "views/painting/Sheet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
-#include "colors/Rgb.h"
 #include "streams/File.h"
 #include "streams/Png.h"
 #include "views/painting/CairoPainter.h"
@@ -49,19 +49,45 @@ std::string printable(std::string_view text) {
   return line;
 }
 
+/// What blue and red difference add to red, green and blue (colors/Rgb.h), in fixed point.
+struct RgbTerms {
+  static constexpr int bits = 16, half = 1 << (bits - 1);
+  std::array<int, 256> red, greenByCb, greenByCr, blue;
+
+  RgbTerms() {
+    for (int i = 0; i < 256; ++i) {
+      const auto term = [&](double factor) {
+        return static_cast<int>(std::lround(factor * (i - 128) * (1 << bits)));
+      };
+      const auto at = static_cast<std::size_t>(i);
+      red[at] = term(1.402);
+      greenByCb[at] = term(-0.344136);
+      greenByCr[at] = term(-0.714136);
+      blue[at] = term(1.772);
+    }
+  }
+  static std::uint8_t byte(int value) {
+    return static_cast<std::uint8_t>(std::clamp((value + half) >> bits, 0, 255));
+  }
+};
+
 }  // namespace
 
 RgbImage rgbOf(const Image& image) {
   RgbImage picture{
       std::clamp(image.info.width, 0, largest), std::clamp(image.info.height, 0, largest), {}};
-  const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(value)); };
   const auto count =
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
-  picture.pixels.reserve(3 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Rgb color = i < image.pixels.size() ? rgbOf(image.pixels[i]) : Rgb{};
-    for (const double part : {color.red, color.green, color.blue})
-      picture.pixels.push_back(byte(part));
+  picture.pixels.resize(3 * count);
+  // Viewers do this for each image: the terms of rgbOf(Pixel) from tables, so that it is quick.
+  static const RgbTerms terms;
+  std::uint8_t* to = picture.pixels.data();
+  for (std::size_t i = 0; i < std::min(count, image.pixels.size()); ++i, to += 3) {
+    const Pixel& p = image.pixels[i];
+    const int y = p.y << RgbTerms::bits;
+    to[0] = RgbTerms::byte(y + terms.red[p.cr]);
+    to[1] = RgbTerms::byte(y + terms.greenByCb[p.cb] + terms.greenByCr[p.cr]);
+    to[2] = RgbTerms::byte(y + terms.blue[p.cb]);
   }
   return picture;
 }

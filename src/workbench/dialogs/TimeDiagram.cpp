@@ -22,7 +22,7 @@
 namespace gt {
 namespace {
 
-constexpr int interval = 200;  // ms
+constexpr int interval = 400;  // ms
 constexpr std::size_t mostSnapshots = 10000;
 enum Column { module, process, mean, longest, rate, bar };
 constexpr int shareRole = Qt::UserRole;
