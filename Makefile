@@ -17,12 +17,13 @@ QT       = qt6-base-dev libqt6opengl6-dev libqcustomplot-dev
 # A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
-.PHONY: help install play film control play-remote robots kill-test test python replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers sanitize-python fuzz clean
+.PHONY: help install play film control random-input play-remote robots kill-test test python replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make film          films half a minute of a match: out/match.mp4'
 	@echo 'make control       opens the workbench robotcontrol on a match'
+	@echo 'make random-input  clicks and types at random in the workbench for MINUTES, with SEED; PRESET=asan under the address sanitizer'
 	@echo 'make test          builds everything and runs all tests'
 	@echo 'make python        makes the environment build/python with the package gt2003, for PYTHON=$(PYTHON)'
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
@@ -67,6 +68,12 @@ control: PACKAGES += $(QT)
 control: TARGETS = --target robotcontrol
 control: build
 	@$(BUILD)/bin/robotcontrol scenes/match.scene --seed $(SEED) --threads $(JOBS) --start
+
+# Random clicks and keys in all dialogs of the workbench; PRESET=asan under the address sanitizer.
+random-input: PACKAGES += $(QT)
+random-input: TARGETS = --target gt_workbench_test
+random-input: build
+	@GT_MINUTES=$(MINUTES) GT_SEED=$(SEED) QT_QPA_PLATFORM=offscreen $(BUILD)/bin/gt_workbench_test --gtest_filter='RandomInput.*'
 
 install: PACKAGES += $(QT)
 install: build
