@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,7 +60,10 @@ std::string toText(const std::vector<TraceEvent>& events);
 
 /// The name is for messages.
 TraceReading readTraces(const std::string& name, std::string_view text);
-/// The same from a file of at most 128 MiB.
+/// Appends the events of a text to a trace that was read. Returns what is wrong, and appends what
+/// stands before it.
+std::optional<Diagnostic> readMore(Trace& trace, const std::string& name, std::string_view text);
+/// The same as `readTraces` from a file of at most 128 MiB.
 TraceReading loadTraces(const std::string& path);
 
 }  // namespace xabsl

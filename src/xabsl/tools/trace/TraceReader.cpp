@@ -33,6 +33,17 @@ class TraceReader {
     return reading;
   }
 
+  std::optional<Diagnostic> readMore(Trace& trace) {
+    trace_ = &trace;
+    try {
+      readEvents();
+      if (text_.starts_with("xabsl")) fail("another trace begins");
+    } catch (const Diagnostic& diagnostic) {
+      return diagnostic;
+    }
+    return std::nullopt;
+  }
+
  private:
   [[noreturn]] void fail(const std::string& message) const {
     throw Diagnostic{Diagnostic::Severity::error, name_, line_, 1, message};
@@ -291,6 +302,10 @@ class TraceReader {
 
 TraceReading readTraces(const std::string& name, std::string_view text) {
   return TraceReader(name, text).read();
+}
+
+std::optional<Diagnostic> readMore(Trace& trace, const std::string& name, std::string_view text) {
+  return TraceReader(name, text).readMore(trace);
 }
 
 TraceReading loadTraces(const std::string& path) {

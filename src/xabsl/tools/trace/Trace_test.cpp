@@ -102,6 +102,21 @@ TEST_F(TraceTest, IsTheSameAfterWritingAndReading) {
   }
 }
 
+TEST_F(TraceTest, IsReadInParts) {
+  play();
+  const Trace trace = recorded();
+  const std::string events = toText(trace.events);
+  const std::size_t half = events.find("\nc 180") + 1;
+  Trace read = readTraces("a.trace", toText(trace.subject) + events.substr(0, half)).traces.at(0);
+  EXPECT_LT(read.events.size(), trace.events.size());
+  EXPECT_FALSE(readMore(read, "a.trace", events.substr(half)));
+  EXPECT_EQ(read.events, trace.events);
+  const auto wrong = readMore(read, "a.trace", "c 260\no 7 1\n");
+  ASSERT_TRUE(wrong);
+  EXPECT_THAT(wrong->message, HasSubstr("there is no option 7"));
+  EXPECT_TRUE(readMore(read, "a.trace", toText(trace.subject)));
+}
+
 TEST_F(TraceTest, TellsWhatIsWrongInAFile) {
   const std::string text = toText(recorded().subject);
   const auto error = [](const std::string& wrong) {
