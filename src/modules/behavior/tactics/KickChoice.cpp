@@ -51,11 +51,14 @@ void KickChoice::decide(std::int64_t unseen) {
     atBallSince_ = never();
   else if (atBallSince_ == never())
     atBallSince_ = time;
-  if (now_ != 0 && decided_ != never() && static_cast<double>(time - decided_) < p_.begins) return;
+  constexpr std::int64_t seen = 250;  // ms
+  const bool seesBall = unseen <= seen;
+  if (now_ != 0 && decided_ != never() && static_cast<double>(time - decided_) < p_.begins &&
+      !(seesBall && isOutOfReach(now_)))
+    return;
   now_ = 0;
   decided_ = never();
-  constexpr std::int64_t seen = 250;  // ms
-  if (!atBall || unseen > seen) return;
+  if (!atBall || !seesBall) return;
   const double waited = static_cast<double>(time - atBallSince_) / 1000;
   const Plan possible = worthNow();
   if (possible.motion == 0 || possible.worth < plan_.worth - p_.enough - p_.impatience * waited)
@@ -218,6 +221,12 @@ bool KickChoice::isSure(const KickDescription& kick, const Vector2d& place) cons
   const auto at = kick.at(place);
   return at && at->hits >= p_.reliable && at->length >= p_.strong * kick.length &&
          at->spread <= p_.accurate;
+}
+
+/// Whether somebody has moved the ball away since the kick was decided.
+bool KickChoice::isOutOfReach(int motion) const {
+  const KickDescription& kick = world_->motions.motions[static_cast<std::size_t>(motion)].kick;
+  return !kick.spreadAt(ball_, 2 * p_.misplaced);
 }
 
 /// Whether a robot that stands behind the ball and faces a direction has room between the walls.

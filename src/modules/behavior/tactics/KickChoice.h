@@ -192,6 +192,7 @@ class KickChoice {
   void choosePlan();
   void decide(std::int64_t unseen);
   Plan worthNow() const;
+  bool isOutOfReach(int motion) const;
   bool hasRoom(const Facing& facing) const;
   void look(const ObstaclesModel& obstacles, const Vector2d& ball);
 

@@ -187,6 +187,17 @@ TEST_F(KickChoiceTest, DoesNotKickABallThatLiesBesideItsGoodPlaces) {
   EXPECT_FALSE(kicks()) << "it takes too long";
 }
 
+TEST_F(KickChoiceTest, GivesAKickUpWhenTheBallIsTakenAway) {
+  EXPECT_EQ(choose().now(), ahead);
+  ball += Vector2d{25, 0};
+  EXPECT_EQ(choose().now(), ahead) << "it is still within reach";
+  ball += Vector2d{150, 0};
+  unseen = 500;
+  EXPECT_EQ(choose().now(), ahead) << "it is not seen";
+  unseen = 0;
+  EXPECT_EQ(choose().now(), 0);
+}
+
 TEST_F(KickChoiceTest, LosesItsPatience) {
   parameters.impatience = 0.03;
   world.self.pose = {fromDegrees(25), ball - rotated({150, 0}, fromDegrees(25))};
