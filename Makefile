@@ -8,21 +8,34 @@ SEEDS   ?= 1..10
 OUT     ?= out/match
 PREFIX  ?= /usr/local
 SECONDS ?= 60
+HOURS   ?= 24
+COUNT   ?= 50
 PYTHON  ?= /usr/bin/python3
 JOBS    ?= $(shell nproc)
 # Some tests are run by Node, which may have come from elsewhere, with npm in it: nearly half of all packages that a bare machine lacks.
 NODE     = $(if $(and $(shell command -v node),$(shell command -v npm)),,nodejs npm)
 # What the workbench needs; everything else is built without it.
 QT       = qt6-base-dev libqt6opengl6-dev libqcustomplot-dev
+# What the comparisons of make bench, the page of make realism-page and what checks the sources need.
+BENCH    = libprotobuf-dev protobuf-compiler libmrpt-slam-dev libopencv-imgproc-dev libegl-dev libgl1-mesa-dri
+REALISM  = python3-numpy python3-pil python3-scipy python3-matplotlib python3-sklearn
+CHECKS   = clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen
+# What tests of the workbench and of Node's programs need, and Python's package.
+TESTS    = xvfb xauth desktop-file-utils shared-mime-info $(PACKING)
+# What makes Debian packages.
+PACKING  = dpkg-dev file
+PYTHONS  = python3-dev python3-venv
+ALL_PACKAGES = $(QT) $(BENCH) $(REALISM) $(CHECKS) $(TESTS) $(PYTHONS) nodejs npm debootstrap
 # A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
-.PHONY: help install play film control random-input play-remote robots kill-test test python replay realism-page bench experiments mutants docs build packages format check-format lint sanitize sanitize-layers sanitize-python fuzz clean
+.PHONY: help install play film control pictures random-input play-remote robots chaos growth test python replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint sanitize sanitize-layers sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make film          films half a minute of a match: out/match.mp4'
 	@echo 'make control       opens the workbench robotcontrol on a match'
+	@echo 'make pictures      takes the pictures of the workbench: of each dialog, docs/images/workbench and out/workbench, and of the tutorial'"'"'s steps'
 	@echo 'make random-input  clicks and types at random in the workbench for MINUTES, with SEED; PRESET=asan under the address sanitizer'
 	@echo 'make test          builds everything and runs all tests'
 	@echo 'make python        makes the environment build/python with the package gt2003, for PYTHON=$(PYTHON)'
@@ -30,11 +43,15 @@ help:
 	@echo 'make realism-page  compares images of real robots with simulated ones: out/realism/index.html'
 	@echo 'make robots        builds the programs of robots, with their source lines beside them for crashlog'
 	@echo 'make play-remote   plays a minute against a team whose robots consist of three programs each'
-	@echo 'make kill-test     kills each program of a robot 50 times during a match'
 	@echo 'make bench         measures speed, also against other libraries: out/bench.json; one part with ONLY=camera, python, python.log or workbench'
+	@echo 'make growth        measures how cost grows with players, pixels, particles, matches and logs: out/growth.json; one of them with ONLY=pixels'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html; a group with ONLY=vision'
 	@echo 'make mutants       breaks the modules as tests/mutants/ lists and checks that their tests fail; MUTANTS=N breaks N places by chance, with SEED'
+	@echo 'make soak          plays matches under all that varies for HOURS simulated hours and watches faults, memory and speed: out/soak.json'
+	@echo 'make chaos         does a robot'"'"'s programs, their network and their disk COUNT=$(COUNT) faults of each kind and watches when all plays again: out/chaos.json'
 	@echo 'make install       installs the programs and their data below PREFIX=$(PREFIX)'
+	@echo 'make release       makes Debian packages, an archive of the sources, sums and a page: out/release; make try-release tries the packages in a bare system (root)'
+	@echo 'make dependencies  lists all packages that the project is built of and tested with, with versions and licenses: out/dependencies.md'
 	@echo 'make docs          writes pages with charts about the soccer behavior, out/docs/index.html, and about the sources'"'"' interfaces, out/docs/api/index.html'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
 	@echo 'make sanitize-layers runs the tests of the layers below match/ under the address and undefined-behavior sanitizers'
@@ -44,7 +61,7 @@ help:
 	@echo 'make lint          checks all sources with clang-tidy; SINCE=COMMIT those changed since, MINUTES_OF_LINT=N for N minutes'
 	@echo 'make build         only builds, into $(BUILD); make packages only installs what is missing'
 	@echo 'make clean         removes build/ and out/'
-	@echo 'Settings: MINUTES, SEED, SEEDS, ONLY, SECONDS, MUTANTS, OUT, PREFIX, PRESET (release, debug, asan, tsan, clang), JOBS'
+	@echo 'Settings: MINUTES, HOURS, COUNT, SEED, SEEDS, ONLY, SECONDS, MUTANTS, OUT, PREFIX, PRESET (release, debug, asan, tsan, clang), JOBS'
 
 packages:
 	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14) $(PACKAGES)
@@ -69,6 +86,16 @@ control: TARGETS = --target robotcontrol
 control: build
 	@$(BUILD)/bin/robotcontrol scenes/match.scene --seed $(SEED) --threads $(JOBS) --start
 
+# Of each dialog of the workbench, light and dark, in two sizes; and of the steps that pages show.
+pictures: PACKAGES += $(QT) xvfb xauth
+pictures: TARGETS = --target workbench_clicks
+pictures: DISPLAYED = QT_QPA_PLATFORM=xcb xvfb-run -a -s '-screen 0 2560x1440x24'
+pictures: build
+	@$(DISPLAYED) $(BUILD)/bin/workbench_clicks dialogs --out out/workbench --dialogs docs/images/workbench
+	@for page in docs/robotcontrol.md docs/tutorial/09-workbench.md; do \
+	  $(DISPLAYED) $(BUILD)/bin/workbench_clicks page $$page --pictures docs/images/tutorial || exit 1; \
+	done
+
 # Random clicks and keys in all dialogs of the workbench; PRESET=asan under the address sanitizer.
 random-input: PACKAGES += $(QT)
 random-input: TARGETS = --target gt_workbench_test
@@ -79,9 +106,9 @@ install: PACKAGES += $(QT)
 install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
-test python: ENVIRONMENT = build/python
-test python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
-test sanitize: PACKAGES += $(NODE) $(QT) xvfb xauth desktop-file-utils shared-mime-info
+test python release: ENVIRONMENT = build/python
+test python release: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
+test sanitize: PACKAGES += $(NODE) $(QT) $(TESTS)
 test: build
 	@$(CTEST) --test-dir $(BUILD)
 
@@ -95,7 +122,7 @@ replay: build
 	@$(BUILD)/bin/replay --out out/replay
 
 realism-page: TARGETS = --target simgt gtlog
-realism-page: PACKAGES += python3-numpy python3-pil python3-scipy python3-matplotlib python3-sklearn
+realism-page: PACKAGES += $(REALISM)
 realism-page: build
 	@scripts/real-beside-simulated --build $(BUILD)
 
@@ -105,18 +132,14 @@ robots: packages
 	@cmake --build --preset robots-symbols --parallel $(JOBS)
 	@echo 'Programs: build/symbols/bin/gtrobot-*; for crashlog --symbols: build/symbols/bin/symbols'
 
-# The full test of a robot's programs: each is killed 50 times in a match.
-kill-test: build
-	@GT_KILLS=50 $(BUILD)/bin/robot_programs_test --gtest_filter=*AnyProcess*
-
 # A whole team of programs, three a robot, in real time.
 play-remote: build
 	@scripts/play-remote $(BUILD) 1 red1 red2 red3 red4
 
 bench: TARGETS = --target $(if $(filter workbench,$(ONLY)),bench_workbench,bench layout-cmd simgt gt2003_python_package)
 bench: ENVIRONMENT = $(if $(filter workbench,$(ONLY)),,build/python)
-bench: PACKAGES += libprotobuf-dev protobuf-compiler libmrpt-slam-dev libopencv-imgproc-dev libegl-dev libgl1-mesa-dri
-bench: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
+bench: PACKAGES += $(BENCH)
+bench: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
 bench: PACKAGES += $(if $(filter workbench,$(ONLY)),$(QT))
 bench: build
 	@$(if $(filter workbench,$(ONLY)),QT_QPA_PLATFORM=offscreen $(BUILD)/bin/bench_workbench --json out/bench.json)
@@ -133,13 +156,56 @@ mutants: TARGETS = --target gt_behavior_test gt_kinematics_test gt_modeling_test
 mutants: build
 	@nice scripts/mutants $(BUILD) $(if $(MUTANTS),--sample $(MUTANTS) --seed $(SEED),tests/mutants/*.list) --jobs $(JOBS)
 
+# The same commit gives the same bytes: times are the commit's, and it is only made of what is committed.
+RELEASE = out/release
+VERSION = $(shell awk '/^project/ {print $$3}' CMakeLists.txt)
+COMMIT  = $(shell git rev-parse HEAD)
+release: export SOURCE_DATE_EPOCH = $(shell git log -1 --format=%ct)
+release: PACKAGES += $(QT) $(PACKING)
+release: build
+	@git diff --quiet HEAD || { echo 'make release: commit your changes first' >&2; exit 1; }
+	@rm -rf $(RELEASE) $(BUILD)/packages && mkdir -p $(RELEASE)
+	@cd $(BUILD) && cpack >packages.log 2>&1 || { tail -20 packages.log >&2; exit 1; }
+	@cp $(BUILD)/packages/*.deb $(RELEASE)
+	@git archive --prefix=gt2003-$(VERSION)/ HEAD | gzip -n9 >$(RELEASE)/gt2003-$(VERSION).tar.gz
+	@scripts/dependencies $(ALL_PACKAGES) --debs $(RELEASE) >$(RELEASE)/dependencies.md
+	@scripts/release-page $(RELEASE) $(VERSION) $(COMMIT) --figures out/bench.json out/experiments.json
+	@echo 'Release: $(RELEASE)/index.html'
+
+try-release:
+	@scripts/try-packages $(RELEASE)
+
+dependencies:
+	@mkdir -p out
+	@scripts/dependencies $(ALL_PACKAGES) >out/dependencies.md
+	@echo 'Dependencies: out/dependencies.md'
+
+# Matches one after another in one process; SCENES names others, such as dynamic.
+soak: TARGETS = --target gt2003_python_package
+soak: ENVIRONMENT = build/python
+soak: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
+soak: build
+	@PYTHONPATH=$(BUILD)/python build/python/bin/python python/tests/soak.py --hours $(HOURS) --seed $(SEED) $(if $(SCENES),--scene $(SCENES))
+
+growth: TARGETS = --target gt2003_python_package
+growth: ENVIRONMENT = build/python
+growth: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
+growth: build
+	@PYTHONPATH=$(BUILD)/python build/python/bin/python python/benchmarks/growth.py $(if $(ONLY),--only $(ONLY))
+
+# Faults of a network need root; ONLY=Killed does those of one test.
+chaos: TARGETS = --target chaos_test
+chaos: build
+	@mkdir -p out
+	@GT_FAULTS=$(COUNT) GT_CHAOS=out/chaos.json $(BUILD)/bin/chaos_test --gtest_filter='*Chaos*$(ONLY)*'
+
 docs: TARGETS = --target xabsl
 docs: PACKAGES += doxygen
 docs: build
 	@$(BUILD)/bin/xabsl doc behavior/GT2003.xabsl -o out/docs
 	@doxygen docs/Doxyfile
 
-sanitize sanitize-python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
+sanitize sanitize-python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
 # The thread sanitizer cannot see how libraries that were not built with it (libzmq) hand data from thread to thread.
 sanitize: packages
 	@scripts/python-environment build/python $(PYTHON)
@@ -163,7 +229,7 @@ sanitize-python: packages
 # What is found stays in out/fuzz as a file that reproduces it.
 fuzz: TARGETS = --target gt2003_python_package
 fuzz: ENVIRONMENT = build/python
-fuzz: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),python3-dev python3-venv)
+fuzz: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
 fuzz: build
 	@scripts/install-packages clang-14 libclang-rt-14-dev
 	@cmake --preset fuzz >/dev/null

@@ -183,10 +183,10 @@ function(gt_test name)
   endif()
 endfunction()
 
-# gt_program(name [HOT] SOURCES main.cpp ... DEPS ...): a program under bin/, which is installed if it was built. What it has
-# of its own reads options and prints, unless it is hot.
+# gt_program(name [HOT] [COMPONENT component] SOURCES main.cpp ... DEPS ...): a program under bin/, which is installed if it was built,
+# with the component "programs" unless another is named. What it has of its own reads options and prints, unless it is hot.
 function(gt_program name)
-  cmake_parse_arguments(ARG "HOT" "" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "HOT" "COMPONENT" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   if(NOT ARG_HOT)
     target_compile_options(${name} PRIVATE ${coldCode})
@@ -194,7 +194,10 @@ function(gt_program name)
     gt_unite(${name})
   endif()
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
-  install(TARGETS ${name} OPTIONAL COMPONENT programs)
+  if(NOT ARG_COMPONENT)
+    set(ARG_COMPONENT programs)
+  endif()
+  install(TARGETS ${name} OPTIONAL COMPONENT ${ARG_COMPONENT})
   if(GT_SPLIT_SYMBOLS)
     set(symbols ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/symbols)
     add_custom_command(TARGET ${name} POST_BUILD

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "Commands.h"
 #include "xabsl/formats/Formatter.h"
+#include "xabsl/formats/Sources.h"
 
 namespace xabsl::app {
 
@@ -22,10 +21,9 @@ struct FormatOptions {
 
 /// Formats or checks one file and returns the exit status.
 int formatFile(const std::string& path, const FormatOptions& options) {
-  std::ifstream in(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) {
-    printError(path, "cannot read the file");
+  std::string text;
+  if (const auto failure = readFile(path, text)) {
+    printError(path, *failure);
     return wrong;
   }
   Reporter reporter;
