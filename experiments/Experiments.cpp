@@ -20,8 +20,8 @@ const Experiments& experiments() {
     for (const auto& experiment :
          {fidelityExperiment(), showExperiment(), kickExperiment(), kickTableExperiment(),
           grabExperiment(), matchExperiment(), soakExperiment(), calibrationExperiment(),
-          visionExperiment(), visionPlayExperiment(), collisionExperiment(),
-          worldModelExperiment()})
+          visionExperiment(), visionPlayExperiment(), visionSightExperiment(),
+          collisionExperiment(), worldModelExperiment()})
       list.push_back(experiment);
     std::ranges::sort(list, {}, &Experiment::name);
     return list;

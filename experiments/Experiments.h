@@ -54,6 +54,8 @@ Experiment calibrationExperiment();
 Experiment visionExperiment();
 /// The image processor that adapts its colors while robots play (report 6.2.1).
 Experiment visionPlayExperiment();
+/// Whether the strikers of a match see the ball, and why not.
+Experiment visionSightExperiment();
 /// Whether and how soon legs feel that the robot runs into something (report 3.6).
 Experiment collisionExperiment();
 /// What robots know of ball, obstacles and other players while they play (report 3.4 to 3.7).

@@ -57,4 +57,12 @@ Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root, std:
   return scene;
 }
 
+Result<std::unique_ptr<Match>> makeMatch(const Job& job, const DataRoot& root) {
+  MatchOptions options{root};
+  options.seed = job.seed;
+  options.profile = job.parameter("profile");
+  if (job.parameters.contains("minutes")) options.minutes = job.number("minutes");
+  return Match::make(options);
+}
+
 }  // namespace gt

@@ -1,5 +1,8 @@
 #pragma once
+#include <memory>
+
 #include "base/Enum.h"
+#include "match/Match.h"
 #include "measure/Experiment.h"
 #include "simulation/scene/ProfileTable.h"
 
@@ -43,5 +46,8 @@ inline Parameter varietyParameter() {
 /// fidelity friction, masses and the servos' strength differ from the model's by up to the job's
 /// variety, or a tenth, each seed otherwise.
 Result<SceneDescription> dynamicScene(const Job& job, const DataRoot& root, std::size_t robots = 1);
+
+/// A match of the root's match scene in the profile of a job, as many minutes as the job has.
+Result<std::unique_ptr<Match>> makeMatch(const Job& job, const DataRoot& root);
 
 }  // namespace gt

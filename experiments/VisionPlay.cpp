@@ -82,10 +82,7 @@ class Spectator {
 };
 
 Result<PlayTally> watchPlay(const Job& job, const DataRoot& root) {
-  MatchOptions options{root};
-  options.seed = job.seed;
-  options.profile = job.parameter("profile");
-  auto match = Match::make(options);
+  auto match = makeMatch(job, root);
   if (!match) return match.error();
   // A goalie, a defender and a striker.
   std::vector<std::unique_ptr<Spectator>> spectators;

@@ -166,7 +166,8 @@ Arrival goTo(const Pose2D& goal, SimulatedWalker& robot, AnyLocator& locator) {
   Tactics tactics{tacticsParameters};
   MotionRequest request;
   const Movement::Parameters parameters;
-  Movement movement{tactics, request, parameters};
+  const WalkType walkType = WalkType::normal;
+  Movement movement{tactics, request, walkType, parameters};
   GoToPoint goToPoint{movement};
   goToPoint.x = goal.translation.x();
   goToPoint.y = goal.translation.y();

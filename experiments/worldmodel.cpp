@@ -121,11 +121,7 @@ void look(Match& match, Watches& watches, int picture, Truth& truths, Tally& tal
 }
 
 Result<Tally> watchMatch(const Job& job, const DataRoot& root) {
-  MatchOptions options{root};
-  options.seed = job.seed;
-  options.profile = job.parameter("profile");
-  options.minutes = job.number("minutes");
-  auto match = Match::make(options);
+  auto match = makeMatch(job, root);
   if (!match) return match.error();
   Truth truth{(*match)->simulation(), job};
   if (const std::string& folder = job.parameter("logs"); folder != noLogs)

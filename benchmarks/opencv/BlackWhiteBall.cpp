@@ -8,6 +8,7 @@
 #include "benchmarks/Parts.h"
 #include "colors/ColorTableFile.h"
 #include "measure/worlds/GameViews.h"
+#include "modules/perception/specialists/BallSpotSpecialist.h"
 #include "modules/perception/specialists/BlackWhiteBallSpecialist.h"
 
 namespace gt {
@@ -55,13 +56,16 @@ const Pictures& pictures() {
 void ours(benchmark::State& state) {
   const Pictures& from = pictures();
   BlackWhiteBallSpecialist specialist;
+  BallSpotSpecialist spotSpecialist;
   Random random{1};
   BallPercept percept;
   std::size_t i = 0;
   for ([[maybe_unused]] auto _ : state) {
     const Pictures::Seen& seen = from.all[i++ % from.all.size()];
     const Horizon horizon = horizonOf(seen.matrix);
-    specialist.find({seen.image, from.colors, seen.matrix, horizon}, 43, random, percept);
+    const CameraImage picture{seen.image, from.colors, seen.matrix, horizon};
+    specialist.find(picture, 43, random, percept);
+    if (!percept.seen) spotSpecialist.find(picture, 43, percept);
     benchmark::DoNotOptimize(percept);
   }
   aim(state, 30);

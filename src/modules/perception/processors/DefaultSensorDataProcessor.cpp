@@ -147,6 +147,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   body.roll = std::atan2(shortAverage.y(), shortAverage.z());
   body.height = posture.height;
   body.switches = newest.switches;
+  body.tailPan = newest.joints[Joint::tailPan];
 
   const double exposure = exposureOf(image);
   const JointMotion joints = jointMotion(sensors, image.time, exposure);

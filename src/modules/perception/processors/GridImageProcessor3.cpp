@@ -12,6 +12,7 @@ void GridImageProcessor3::update(const Image& image, const CameraMatrix& matrix,
                                  Percepts found, Random& random, Debug& debug) {
   const auto findBall = [&](const CameraImage& picture, std::span<const BallSegment>) {
     ballSpecialist_.find(picture, field.ballRadius, random, found.ball);
+    if (!found.ball.seen) ballSpotSpecialist_.find(picture, field.ballRadius, found.ball);
   };
   vision_.look(image, matrix, colors, field, found, debug, std::cref(findBall));
   auto canvas = debug.onImage(drawBall);

@@ -1,5 +1,6 @@
 #pragma once
 #include "modules/perception/processors/GT2003ImageProcessor.h"
+#include "modules/perception/specialists/BallSpotSpecialist.h"
 #include "modules/perception/specialists/BlackWhiteBallSpecialist.h"
 
 namespace gt {
@@ -15,6 +16,7 @@ class GridImageProcessor3 {
  private:
   GT2003ImageProcessor vision_;
   BlackWhiteBallSpecialist ballSpecialist_;
+  BallSpotSpecialist ballSpotSpecialist_;
 };
 
 }  // namespace gt

@@ -4,14 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/perception/specialists/BallView.h"
-
 namespace gt {
 namespace {
 
 constexpr int maxGap = 3;              // Pixels within the ball that may have another color.
 constexpr int traceRays = 24;          // Ways from within the ball to its boundary.
 constexpr std::size_t minForCone = 8;  // Boundary points, a third of the circle.
+constexpr double pointError = 0.6;     // Pixels: standard deviation of a boundary point,
+constexpr double radiusError = 0.2;    // and of the radius, as all of them are shifted alike,
+constexpr double radiusLoss = 0.12;    // which is by so much, as the rim is blurred.
+constexpr double hiddenError = 0.7;    // Standard deviation of the radius, as a share, of a ball
+                                       // that may be hidden by a robot all around.
+constexpr ColorSet robotColors{ColorClass::red, ColorClass::blue, ColorClass::black,
+                               ColorClass::gray};
 
 /// Whether fewer than half of the segments' opposite ends lie on the wrong side of a point.
 template <typename Wrong>
@@ -36,6 +41,16 @@ bool intersectPerpendiculars(const Vector2d& a, const Vector2d& b, const Vector2
 
 // Far enough from an edge that its blur does not reach there, in pixels.
 constexpr double away = 2.5;
+
+/// The standard deviation of the angle of a cone that was fitted to points; `points` is the sum of
+/// ray * ray' over them. The fewer and the closer together they are, the larger it is.
+double angleError(const BallCone& cone, const Matrix3d& points, double focal) {
+  // The normal's length (see fitCone) has the variance (tan(angle) * pointError)^2 * n' a^-1 n.
+  const double spread = cone.axis.dot(points.ldlt().solve(cone.axis));
+  return std::hypot(radiusError,
+                    pointError * std::cos(cone.angle) * std::sqrt(std::max(spread, 0.))) /
+         focal;
+}
 
 ColorClass classBeyond(const CameraImage& picture, const Vector2d& edge, const Vector2d& way) {
   const Vector2d beyond = edge + way * away;
@@ -168,7 +183,7 @@ void BallSpecialist::traceBoundary(const CameraImage& picture, const Vector2d& i
 // ray . n = 1 with n = axis / cos(angle), which is linear in n. The points next to green begin, if
 // they are enough: others may lie on what hides the ball. Then all that are close to the cone
 // count.
-bool BallSpecialist::fitCone(const CameraImage& picture, Cone& cone) const {
+bool BallSpecialist::fitCone(const CameraImage& picture, BallCone& cone) const {
   const std::size_t n = std::min<std::size_t>(points_.size(), traceRays);
   if (n < minForCone) return false;
   const double focal = focalLength(picture.matrix.info);
@@ -184,9 +199,12 @@ bool BallSpecialist::fitCone(const CameraImage& picture, Cone& cone) const {
   for (int iteration = 0; iteration < 5; ++iteration) {
     Matrix3d a = Matrix3d::Zero();
     Vector3d b = Vector3d::Zero();
+    double hidden = 0, sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
       if (!used[i]) continue;
       const double weight = points_[i].beyond == ColorClass::green ? 1 : 0.4;
+      hidden += robotColors.contains(points_[i].beyond) ? weight : 0;
+      sum += weight;
       a += weight * rays[i] * rays[i].transpose();
       b += weight * rays[i];
     }
@@ -195,6 +213,8 @@ bool BallSpecialist::fitCone(const CameraImage& picture, Cone& cone) const {
     if (!(length > 1)) return false;
     cone.axis = normal / length;
     cone.angle = std::acos(1 / length);
+    cone.error = angleError(cone, a, focal);
+    cone.error = std::hypot(cone.error, hiddenError * hidden / sum * cone.angle);
     const double limit = std::max(1.0, (0.4 - 0.08 * iteration) * cone.angle * focal);
     inliers = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -209,10 +229,11 @@ bool BallSpecialist::fitCone(const CameraImage& picture, Cone& cone) const {
 
 bool BallSpecialist::look(const CameraImage& picture, std::span<const BallSegment> segments,
                           const Cluster& cluster, double ballRadius, BallPercept& percept) {
-  Cone cone;
+  BallCone cone;
   if (!locate(picture, segments, cluster, ballRadius, cone)) return false;
-  if (!describeBall(picture, cone.axis, cone.angle, ballRadius, percept)) return false;
-  percept.seen = isOnGround(picture, percept, cone.axis, ballRadius) && isOrange(picture, percept);
+  if (!describeBall(picture, cone, ballRadius, percept)) return false;
+  percept.seen = isOnGround(picture, percept, cone.axis, ballRadius) && isOnGreen(percept) &&
+                 isOrange(picture, percept);
   return percept.seen;
 }
 
@@ -220,7 +241,7 @@ bool BallSpecialist::look(const CameraImage& picture, std::span<const BallSegmen
 // lowest point, without any the ball fills the image. Where the boundary can be traced, all of it
 // replaces the circle's three points.
 bool BallSpecialist::locate(const CameraImage& picture, std::span<const BallSegment> segments,
-                            const Cluster& cluster, double ballRadius, Cone& cone) {
+                            const Cluster& cluster, double ballRadius, BallCone& cone) {
   Vector2d inside = Vector2d::Zero();
   double total = 0;
   for (const std::size_t i : cluster.segments) {
@@ -233,18 +254,19 @@ bool BallSpecialist::locate(const CameraImage& picture, std::span<const BallSegm
   const bool point = !circle && pointCone(picture, ballRadius, cone);
   if (!circle && !point) {
     if (!points_.empty()) return false;
-    cone = {picture.ray(inside), 0};
+    cone = {picture.ray(inside)};
   }
-  const Cone first = cone;
+  const BallCone first = cone;
   learnColor(picture, cluster);
   traceBoundary(picture, inside);
   if (!fitCone(picture, cone)) cone = first;
+  if (cone.angle > 0) cone.angle += radiusLoss / focalLength(picture.matrix.info);
   return true;
 }
 
 // Two points with the largest distance, then the one furthest away from both. A point next to
 // green is preferred: its distance counts double.
-bool BallSpecialist::circleCone(const CameraImage& picture, Cone& cone) const {
+bool BallSpecialist::circleCone(const CameraImage& picture, BallCone& cone) const {
   if (points_.size() < 3) return false;
   const auto trust = [](const BoundaryPoint& p) { return p.beyond == ColorClass::green ? 2 : 1; };
   const BoundaryPoint *a = nullptr, *b = nullptr, *c = nullptr;
@@ -272,11 +294,18 @@ bool BallSpecialist::circleCone(const CameraImage& picture, Cone& cone) const {
   cone.axis = picture.ray(center);
   const Vector3d side = picture.ray(center + picture.horizon.along * radius);
   cone.angle = std::acos(std::clamp(cone.axis.dot(side), -1.0, 1.0));
+  Matrix3d points = Matrix3d::Zero();
+  for (const BoundaryPoint* p : {a, b, c}) {
+    const Vector3d ray = picture.ray(p->position);
+    points += ray * ray.transpose();
+  }
+  cone.error = angleError(cone, points, focalLength(picture.matrix.info));
   return cone.angle > 0;
 }
 
 // A highest point lies on the plane through the ball's top, a lowest one on the ground.
-bool BallSpecialist::pointCone(const CameraImage& picture, double ballRadius, Cone& cone) const {
+bool BallSpecialist::pointCone(const CameraImage& picture, double ballRadius,
+                               BallCone& cone) const {
   if (points_.empty()) return false;
   const BoundaryPoint& point = points_.front();
   const Vector3d camera = picture.matrix.pose.translation;
@@ -285,8 +314,16 @@ bool BallSpecialist::pointCone(const CameraImage& picture, double ballRadius, Co
   if (ray.z() >= 0 || down <= 0) return false;
   Vector3d center = camera - ray * (down / ray.z());
   center.z() = ballRadius;
-  cone = {(center - camera).normalized(), 0};
+  cone = {(center - camera).normalized()};
   return true;
+}
+
+// What looks like a ball far away may be anything small and orange, but a ball lies on the field.
+bool BallSpecialist::isOnGreen(const BallPercept& percept) const {
+  constexpr double small = 4;  // Pixels.
+  if (percept.radiusInImage > small) return true;
+  const auto green = std::ranges::count(points_, ColorClass::green, &BoundaryPoint::beyond);
+  return 8 * static_cast<std::size_t>(green) >= points_.size();
 }
 
 // A disk around the place where the ball should be must be orange, and what is around it must not

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "modules/perception/scanning/IndicationScanner.h"
+#include "modules/perception/specialists/BallView.h"
 #include "representations/perception/BallPercept.h"
 
 namespace gt {
@@ -28,12 +29,6 @@ class BallSpecialist {
     int orange = 0;
     std::vector<std::size_t> segments;
   };
-  /// Where a ball is seen: the cone of rays that touch it.
-  struct Cone {
-    Vector3d axis = Vector3d::UnitX();
-    double angle = 0;  ///< Between axis and surface, rad; 0 where it is not known.
-  };
-
   void cluster(std::span<const BallSegment> segments);
   bool look(const CameraImage& picture, std::span<const BallSegment> segments,
             const Cluster& cluster, double ballRadius, BallPercept& percept);
@@ -43,10 +38,11 @@ class BallSpecialist {
   static bool isBoundary(const CameraImage& picture, const Vector2d& edge, const Vector2d& way);
   void traceBoundary(const CameraImage& picture, const Vector2d& inside);
   bool locate(const CameraImage& picture, std::span<const BallSegment> segments,
-              const Cluster& cluster, double ballRadius, Cone& cone);
-  bool circleCone(const CameraImage& picture, Cone& cone) const;
-  bool pointCone(const CameraImage& picture, double ballRadius, Cone& cone) const;
-  bool fitCone(const CameraImage& picture, Cone& cone) const;
+              const Cluster& cluster, double ballRadius, BallCone& cone);
+  bool circleCone(const CameraImage& picture, BallCone& cone) const;
+  bool pointCone(const CameraImage& picture, double ballRadius, BallCone& cone) const;
+  bool fitCone(const CameraImage& picture, BallCone& cone) const;
+  bool isOnGreen(const BallPercept& percept) const;
   bool isOrange(const CameraImage& picture, const BallPercept& percept) const;
 
   std::vector<Cluster> clusters_;

@@ -3,12 +3,36 @@
 #include <cmath>
 
 namespace gt {
+namespace {
 
-bool describeBall(const CameraImage& picture, const Vector3d& axis, double angle, double ballRadius,
+// Both distances are inverted, since their errors grow with the square of the distance: the inverse
+// ones are equally exact anywhere.
+double fusedDistance(const BallPercept& percept, const BallCone& cone, double ballRadius,
+                     double height) {
+  constexpr double tiltError = fromDegrees(1.2);  // of a camera matrix while the robot walks
+  constexpr double heightError = 4;               // mm, of the same
+  constexpr double mostSmaller = 2.5;             // standard deviations, of a whole ball
+  const double cosine = std::hypot(cone.axis.x(), cone.axis.y());
+  const double byProjection = 1 / percept.distanceByProjection;
+  const double bySize = 1 / percept.distanceBySize;
+  const double sizeError = std::cos(cone.angle) / ballRadius * cone.error;
+  const double projectionError =
+      std::hypot(cosine * tiltError, byProjection * heightError) / height;
+  // What hides a part of a ball makes it smaller, and never larger.
+  const double smaller =
+      (byProjection - bySize) / std::hypot(projectionError, sizeError) / mostSmaller;
+  const double weight =
+      std::pow(projectionError / sizeError, 2) / std::pow(std::max(smaller, 1.0), 4);
+  return (1 + weight) / (byProjection + weight * bySize);
+}
+
+}  // namespace
+
+bool describeBall(const CameraImage& picture, const BallCone& cone, double ballRadius,
                   BallPercept& percept) {
   constexpr double minRadius = 1.2;  // Pixels.
+  const auto& [axis, angle, error] = cone;
   const double focal = focalLength(picture.matrix.info);
-  percept.angle = {azimuth(axis), elevation(axis)};
   percept.centerInImage = picture.pointOf(axis);
   percept.radiusInImage = std::tan(angle) * focal;
   if (angle > 0) {
@@ -22,9 +46,17 @@ bool describeBall(const CameraImage& picture, const Vector3d& axis, double angle
     percept.distanceByProjection = (ballRadius - camera.z()) / axis.z();
   if (percept.distanceByProjection > farthest) percept.distanceByProjection = 0;
   const bool projected = picture.matrix.valid && percept.distanceByProjection > 0;
-  const double distance = projected ? percept.distanceByProjection : percept.distanceBySize;
+  const double distance = !projected ? percept.distanceBySize
+                          : percept.distanceBySize == 0
+                              ? percept.distanceByProjection
+                              : fusedDistance(percept, cone, ballRadius, camera.z() - ballRadius);
   if (distance <= 0) return false;
-  percept.offset = (camera + axis * distance).head<2>();
+  // A ball on the ground is seen at the elevation that its distance has.
+  const double lower = camera.z() - ballRadius;
+  const bool corrected = projected && percept.distanceBySize > 0 && lower < distance;
+  percept.angle = {azimuth(axis), corrected ? -std::asin(lower / distance) : elevation(axis)};
+  percept.offset =
+      camera.head<2>() + distance * std::cos(percept.angle.y()) * direction(percept.angle.x());
   if (angle == 0) percept.radiusInImage = focal * ballRadius / distance;
   return true;
 }

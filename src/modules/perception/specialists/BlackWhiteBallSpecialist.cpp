@@ -198,7 +198,10 @@ bool BlackWhiteBallSpecialist::look(const CameraImage& picture, std::size_t cell
   const Vector3d axis = picture.ray(center);
   const Vector3d side = picture.ray(center + picture.horizon.along * radius);
   const double angle = std::acos(std::clamp(axis.dot(side), -1.0, 1.0));
-  if (!describeBall(picture, axis, angle, ballRadius, percept)) return false;
+  constexpr double radiusError = 0.6;  // Pixels.
+  if (!describeBall(picture, {axis, angle, radiusError / focalLength(picture.matrix.info)},
+                    ballRadius, percept))
+    return false;
   percept.seen = isOnGround(picture, percept, axis, ballRadius);
   return percept.seen;
 }
