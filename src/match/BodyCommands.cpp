@@ -11,8 +11,9 @@ bool isWithin(double value, double most) {
   return std::abs(value) <= most;  // not so for NaN
 }
 
+constexpr double farAway = 1e6;  // mm
+
 bool isSane(const Pose2D& pose) {
-  constexpr double farAway = 1e6;  // mm
   return isWithin(pose.rotation, farAway) && isWithin(pose.translation.x(), farAway) &&
          isWithin(pose.translation.y(), farAway);
 }
@@ -36,7 +37,11 @@ bool isSane(const OdometryData& odometry) {
 }
 
 bool isSane(const TeamMessage& message) {
-  return isSane(message.robotPose) && isSane({0, message.ballPosition}) &&
+  const bool opponents = std::ranges::all_of(message.opponents, [](const SeenOpponent& seen) {
+    return isSane({0, seen.position}) && isWithin(seen.validity, 1) &&
+           isWithin(seen.standardDeviation, farAway);
+  });
+  return opponents && isSane(message.robotPose) && isSane({0, message.ballPosition}) &&
          isWithin(message.robotPoseValidity, 1) &&
          !std::isnan(message.behavior.estimatedTimeToReachBall);
 }

@@ -118,6 +118,15 @@ TEST_F(LockstepRobotTest, RefusesWhatNoBodyCanDo) {
   EXPECT_EQ(output.joints.angles[Joint::headTilt], 0);
 }
 
+TEST_F(LockstepRobotTest, RefusesAMessageOfOpponentsThatAreNowhere) {
+  greet();
+  TeamMessage message;
+  message.opponents.back().position.x() = std::numeric_limits<double>::quiet_NaN();
+  ASSERT_TRUE(program->send(queueOf(joints, message)));
+  cycle();
+  EXPECT_THAT(failure(), ::testing::StartsWith("red1: "));
+}
+
 TEST_F(LockstepRobotTest, RefusesAnAnswerWithoutJoints) {
   greet();
   ASSERT_TRUE(program->send(queueOf(BallModel{})));

@@ -41,6 +41,7 @@ void OracledPlayersLocator::update(const OracledWorldState& oracle, const Player
   players.time = frame.time;
   players.ownTeam.clear();
   players.opponents.clear();
+  players.seenOpponents.clear();
   for (const OracledRobot& robot : oracle.others)
     (robot.teamColor == player.teamColor ? players.ownTeam : players.opponents)
         .push_back({robot.pose.translation, frame.time, 1, robot.number});

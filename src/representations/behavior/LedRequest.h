@@ -16,7 +16,8 @@ enum class Led {
   tailBlue,
   tailRed
 };
-enum class LedMode { off, on, slowBlink, fastBlink };
+/// Slow blinking comes in two phases: LEDs of different ones alternate.
+enum class LedMode { off, on, slowBlink, fastBlink, slowBlinkInTurn };
 
 /// What the LEDs shall show. Provided by BehaviorControl.
 struct LedRequest {

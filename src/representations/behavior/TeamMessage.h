@@ -15,11 +15,33 @@ enum class DynamicRole { goalie, striker, offensiveSupporter, defensiveSupporter
 struct BehaviorTeamMessage {
   DynamicRole role = DynamicRole::defensiveSupporter;
   double estimatedTimeToReachBall = 1e6;
+  int striker = 0;
+  int handOver = 0;
 
   static constexpr auto fields() {
     return Fields{
         field("role", &BehaviorTeamMessage::role),
-        field("estimatedTimeToReachBall", &BehaviorTeamMessage::estimatedTimeToReachBall, "ms")};
+        field("estimatedTimeToReachBall", &BehaviorTeamMessage::estimatedTimeToReachBall, "ms"),
+        field("striker", &BehaviorTeamMessage::striker, "",
+              "number of the player that the sender takes for the striker, 0 nobody", {0, 4}),
+        field("handOver", &BehaviorTeamMessage::handOver, "",
+              "number of the decision that made it striker; the highest one counts", {0, 1000000})};
+  }
+};
+
+/// An opponent as the sender of a message has seen it itself.
+struct SeenOpponent {
+  Vector2d position = Vector2d::Zero();
+  Time lastSeen = never();
+  double validity = 0;
+  double standardDeviation = 0;
+
+  static constexpr auto fields() {
+    return Fields{
+        field("position", &SeenOpponent::position, "mm", "on the field"),
+        field("lastSeen", &SeenOpponent::lastSeen, "ms", "by the sender's clock"),
+        field("validity", &SeenOpponent::validity, "", "0: there is none", {0, 1}),
+        field("standardDeviation", &SeenOpponent::standardDeviation, "mm", "of the position")};
   }
 };
 
@@ -34,6 +56,7 @@ struct TeamMessage {
   double ballStandardDeviation = 0;
   Time ballLastSeen = never();
   BehaviorTeamMessage behavior;
+  std::array<SeenOpponent, 4> opponents;
 
   static constexpr auto fields() {
     return Fields{
@@ -45,7 +68,8 @@ struct TeamMessage {
         field("ballSpeed", &TeamMessage::ballSpeed, "mm/s", "on the field"),
         field("ballStandardDeviation", &TeamMessage::ballStandardDeviation, "mm", "BallModel"),
         field("ballLastSeen", &TeamMessage::ballLastSeen, "ms", "by the sender's clock"),
-        field("behavior", &TeamMessage::behavior)};
+        field("behavior", &TeamMessage::behavior),
+        field("opponents", &TeamMessage::opponents)};
   }
 };
 

@@ -13,6 +13,7 @@ struct LocatedPlayer {
   Time lastSeen = never();
   double validity = 0;
   int number = 0;
+  double standardDeviation = 0;
 
   static constexpr auto fields() {
     return Fields{field("position", &LocatedPlayer::position, "mm", "on the field"),
@@ -20,7 +21,9 @@ struct LocatedPlayer {
                         "by this robot, or when it sent where it is"),
                   field("validity", &LocatedPlayer::validity, "", "", {0, 1}),
                   field("number", &LocatedPlayer::number, "",
-                        "1 to 4 of a teammate that sent its pose; 0 if not known")};
+                        "1 to 4 of a teammate that sent its pose; 0 if not known"),
+                  field("standardDeviation", &LocatedPlayer::standardDeviation, "mm",
+                        "of the position, the mean of both axes; 0 if not known")};
   }
 };
 
@@ -28,12 +31,14 @@ struct LocatedPlayer {
 /// PlayersLocator.
 struct PlayersCollection {
   Time time;
-  std::vector<LocatedPlayer> ownTeam, opponents;
+  std::vector<LocatedPlayer> ownTeam, opponents, seenOpponents;
 
   static constexpr auto fields() {
     return Fields{field("time", &PlayersCollection::time, "ms"),
                   field("ownTeam", &PlayersCollection::ownTeam, "", "without the robot itself"),
-                  field("opponents", &PlayersCollection::opponents)};
+                  field("opponents", &PlayersCollection::opponents),
+                  field("seenOpponents", &PlayersCollection::seenOpponents, "",
+                        "what the robot itself has seen of them, to be sent to its teammates")};
   }
 };
 

@@ -12,11 +12,13 @@ struct RobotState {
   BodyState state = BodyState::standing;
   Time lastChange = never();
   EnumArray<Switch, std::int64_t> pressedFor;
+  double tailPan = 0;
 
   static constexpr auto fields() {
     return Fields{field("state", &RobotState::state),
                   field("lastChange", &RobotState::lastChange, "ms", "of the state"),
-                  field("pressedFor", &RobotState::pressedFor, "ms", "0 while not pressed")};
+                  field("pressedFor", &RobotState::pressedFor, "ms", "0 while not pressed"),
+                  field("tailPan", &RobotState::tailPan, "rad", "as measured, + to the left")};
   }
 };
 

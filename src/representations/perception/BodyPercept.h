@@ -15,6 +15,7 @@ struct BodyPercept {
   double tilt = 0;
   double roll = 0;
   double height = 0;
+  double tailPan = 0;
   EnumArray<Switch, bool> switches;
 
   static constexpr auto fields() {
@@ -24,6 +25,7 @@ struct BodyPercept {
         field("tilt", &BodyPercept::tilt, "rad", "of the body, + nose up"),
         field("roll", &BodyPercept::roll, "rad", "+ right side down"),
         field("height", &BodyPercept::height, "mm", "of the body's origin above the ground"),
+        field("tailPan", &BodyPercept::tailPan, "rad", "as measured, + to the left"),
         field("switches", &BodyPercept::switches, "", "pressed")};
   }
 };

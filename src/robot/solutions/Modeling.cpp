@@ -5,6 +5,7 @@
 #include "modules/modeling/ball/ProbabilisticBallLocator.h"
 #include "modules/modeling/obstacles/DefaultObstaclesLocator.h"
 #include "modules/modeling/players/GO2003PlayersLocator.h"
+#include "modules/modeling/players/TrackingPlayersLocator.h"
 #include "modules/modeling/robotstate/DefaultRobotStateDetector.h"
 #include "modules/modeling/selflocator/FusionSelfLocator.h"
 #include "modules/modeling/selflocator/GT2003SelfLocator.h"
@@ -36,6 +37,7 @@ void addModeling(RobotModules& modules) {
   table.add<TeamBallLocator, DefaultTeamBallLocator>("Default");
   table.add<TeamBallLocator, FusedTeamBallLocator>("Fused");
   table.add<PlayersLocator, GO2003PlayersLocator>("GO2003");
+  table.add<PlayersLocator, TrackingPlayersLocator>("Tracks");
   table.add<PlayersLocator, OracledPlayersLocator>("Oracled");
   table.add<ObstaclesLocator, DefaultObstaclesLocator>("Default");
   table.add<ObstaclesLocator, OracledObstaclesLocator>("Oracled");

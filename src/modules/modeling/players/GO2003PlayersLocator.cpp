@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/modeling/players/Teammates.h"
+
 namespace gt {
 namespace {
 
-const DebugKey drawPlayers{"PlayersLocator/players"};
 const DebugKey drawGrid{"PlayersLocator/distribution"};
 
 constexpr std::size_t mostSightings = 512;
@@ -38,24 +39,21 @@ void GO2003PlayersLocator::update(const PlayersPercept& percept, const RobotPose
     const bool own = color == player.teamColor;
     std::vector<LocatedPlayer>& located = own ? players.ownTeam : players.opponents;
     located.clear();
-    if (own) addMates(messages, player, frame.time, located);
+    if (own)
+      addMates(messages, {parameters.silence, parameters.leastValidity}, player, frame.time,
+               located);
     distribute(team, frame.time);
     locate(team, frame.time, located);
     located.resize(std::min<std::size_t>(located.size(), own ? 3 : 4));
   }
   lastPercept_ = percept.time;
   players.time = frame.time;
-  if (auto canvas = debug.onField(drawPlayers))
-    for (const bool own : {true, false}) {
-      const TeamColor color = own ? player.teamColor : opponent(player.teamColor);
-      for (const LocatedPlayer& p : own ? players.ownTeam : players.opponents)
-        canvas.circle(p.position, 150, color == TeamColor::red ? colors::red : colors::blue,
-                      p.number > 0 ? 3 : 1);
-    }
+  players.seenOpponents.clear();
+  drawPlayers(players, player.teamColor, debug);
   if (auto canvas = debug.onField(drawGrid))
     for (const TeamColor color : {TeamColor::red, TeamColor::blue})
       for (const Sighting& sighting : teams_[color].sightings)
-        canvas.point(sighting.position, color == TeamColor::red ? colors::red : colors::blue, 2);
+        canvas.point(sighting.position, colorOf(color), 2);
 }
 
 void GO2003PlayersLocator::setGrid(const FieldDimensions& field) {
@@ -155,18 +153,6 @@ void GO2003PlayersLocator::locate(Team& team, Time now, std::vector<LocatedPlaye
       return (p.position - player.position).norm() < parameters.playerSize;
     });
     if (!known) players.push_back(player);
-  }
-}
-
-void GO2003PlayersLocator::addMates(const TeamMessages& messages, const Player& player, Time now,
-                                    std::vector<LocatedPlayer>& players) const {
-  for (const TeamMessages::Received& received : messages.byPlayer) {
-    const TeamMessage& message = received.message;
-    if (message.playerNumber == 0 || message.playerNumber == player.number()) continue;
-    if (now - received.timeReceived > parameters.silence) continue;
-    if (message.robotPoseValidity < parameters.leastValidity) continue;
-    players.push_back({message.robotPose.translation, received.timeReceived,
-                       message.robotPoseValidity, message.playerNumber});
   }
 }
 

@@ -69,8 +69,6 @@ class GO2003PlayersLocator {
                 const FieldDimensions& field, Team& team) const;
   void distribute(Team& team, Time now);
   void locate(Team& team, Time now, std::vector<LocatedPlayer>& players);
-  void addMates(const TeamMessages& messages, const Player& player, Time now,
-                std::vector<LocatedPlayer>& players) const;
   void setGrid(const FieldDimensions& field);
   double weight(const Sighting& sighting, Time now) const;
   Vector2d cornerOfGrid() const { return {-halfLength_, -halfWidth_}; }

@@ -47,6 +47,7 @@ struct Watcher {
 
 TEST(GO2003PlayersLocator, PlayersAreWhereManyPerceptsAre) {
   Watcher watcher;
+  watcher.players.seenOpponents.resize(1);  // of the solution before
   Random random{7};
   const Vector2d first{500, 300}, second{700, -600};
   for (int i = 0; i < 30; ++i) {
@@ -56,6 +57,7 @@ TEST(GO2003PlayersLocator, PlayersAreWhereManyPerceptsAre) {
   }
   ASSERT_EQ(watcher.players.opponents.size(), 2u);
   EXPECT_TRUE(watcher.players.ownTeam.empty());
+  EXPECT_TRUE(watcher.players.seenOpponents.empty());
   EXPECT_LT((watcher.players.opponents[0].position - first).norm(), 60) << "the most distinct";
   EXPECT_LT((watcher.players.opponents[1].position - second).norm(), 80);
   EXPECT_GT(watcher.players.opponents[0].validity, watcher.players.opponents[1].validity);

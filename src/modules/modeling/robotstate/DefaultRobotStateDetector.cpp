@@ -14,6 +14,7 @@ void DefaultRobotStateDetector::update(const BodyPercept& body, const FrameInfo&
   }
   state.state = believed_;
   state.lastChange = lastChange_;
+  state.tailPan = body.tailPan;
   for (std::size_t i = 0; i < enumCount<Switch>; ++i) {
     const auto which = static_cast<Switch>(i);
     if (body.switches[which] && !pressed_[which]) pressedSince_[which] = frame.time;

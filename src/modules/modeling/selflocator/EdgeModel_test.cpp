@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-const FieldDimensions fieldDimensions;
+const FieldDimensions dimensions;
 
 /// A set of one particle, judged by one point.
 struct Judge {
@@ -18,8 +18,8 @@ struct Judge {
   Random random{1};
 
   Judge() {
-    model.prepare(fieldDimensions, TeamColor::red);
-    set.resize(1, fieldDimensions, 0.5, random);
+    model.prepare(dimensions, TeamColor::red);
+    set.resize(1, dimensions, 0.5, random);
   }
   /// The likelihood after a point was seen from a pose, from 0.5 on.
   float see(EdgeType type, const Pose2D& pose, const Vector2d& point, double speed = 0) {
@@ -81,12 +81,12 @@ TEST(EdgeModel, CorrectsPerpendicularToTheEdge) {
 TEST(EdgeModel, ReplacesOnlyParticlesBelowTheAverage) {
   ParticleSet set{Likelihood::lines, Likelihood::border, Likelihood::goals};
   Random random{1};
-  set.resize(100, fieldDimensions, 0.5, random);
+  set.resize(100, dimensions, 0.5, random);
   for (std::size_t i = 0; i < 50; ++i) set.likelihood[Likelihood::goals][i] = 0.01f;
   set.multiplyLikelihoods();
   const ParticleSet before = set;
   EdgeModel model;
-  model.prepare(fieldDimensions, TeamColor::red);
+  model.prepare(dimensions, TeamColor::red);
   LinesPercept percept;
   percept.points[EdgeType::border].push_back({800, 0});
   model.choose(percept, 1, 3000, random);

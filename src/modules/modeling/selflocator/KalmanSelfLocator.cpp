@@ -121,8 +121,13 @@ void KalmanSelfLocator::turnCamera(const CameraMatrix& camera) {
 }
 
 CameraErrors KalmanSelfLocator::cameraErrors() const {
+  const Parameters& p = parameters;
   const double tilt = squared(tiltError_);
-  return {{0, 0, imageDelay_ * panSpeed_}, {tilt, tilt, squared(panError_)}, parameters.swayMemory};
+  return {{0, 0, imageDelay_ * panSpeed_},
+          {tilt, tilt, squared(panError_)},
+          p.swayMemory,
+          squared(p.leanError),
+          p.leanMemory};
 }
 
 /// What the best hypothesis says of the camera's errors in this image tells how large they are.
@@ -131,7 +136,7 @@ void KalmanSelfLocator::learnCameraErrors() {
   const Parameters& p = parameters;
   const PoseHypothesis& best = hypotheses_.front().filter;
   const Vector3d off = best.camera() - cameraErrors().mean;
-  const Vector3d unsure = best.covariance().diagonal().tail<3>();
+  const Vector3d unsure = best.covariance().diagonal().segment<3>(3);
   const auto learn = [&](double& error, double square) {
     const double variance = squared(error) + p.learning * (square - squared(error));
     error = std::sqrt(std::clamp(variance, squared(p.leastError), squared(p.mostError)));
@@ -189,7 +194,8 @@ ScalarMeasurement KalmanSelfLocator::measurementOf(const ChosenPoint& chosen,
   const double distance = std::max(seen.norm(), 1.);
   const double lengthening = (squared(distance) + squared(camera.z())) / std::max(camera.z(), 50.);
   const Vector2d axis = seen / distance;  // its cosine and sine share out tilt and roll
-  const double lengthened = lengthening * hypothesis.camera().head<2>().dot(axis);
+  const Vector2d off = hypothesis.camera().head<2>() + hypothesis.lean();
+  const double lengthened = lengthening * off.dot(axis);
   const Vector2d point =
       camera.head<2>() + rotated(seen - lengthened * axis, -hypothesis.camera().z());
   const Vector2d place = pose * point;
@@ -293,6 +299,12 @@ void KalmanSelfLocator::add(const Pose2D& pose, double behind) {
   double best = hypotheses_.empty() ? behind : -1e9;
   for (const Hypothesis& h : hypotheses_) best = std::max(best, h.weight - h.trust);
   Hypothesis fresh{{pose, newStandardDeviation, newAngleStandardDeviation}, best - behind, 0.3};
+  if (hypotheses_.empty())
+    fresh.filter.setLean(Vector2d::Zero(),
+                         squared(parameters.leanError) * Eigen::Matrix2d::Identity());
+  else
+    fresh.filter.setLean(hypotheses_.front().filter.lean(),
+                         hypotheses_.front().filter.leanCovariance());
   fresh.filter.turnCamera(cameraErrors());
   add(fresh);
 }

@@ -29,6 +29,8 @@ class KalmanSelfLocator {
     double turnDrift = 0.08;
     double commonAngle = 0.02;
     double swayMemory = 0.65;
+    double leanError = 0;
+    double leanMemory = 0.9995;
     double learning = 0.01;
     double leastError = 0.003;
     double mostError = 0.06;
@@ -66,6 +68,13 @@ class KalmanSelfLocator {
                 {1e-6, 1}),
           field("swayMemory", &P::swayMemory, "",
                 "correlation of the camera's tilt and roll errors with those of the next image",
+                {0, 1}),
+          field(
+              "leanError", &P::leanError, "rad",
+              "standard deviation of the part of the camera's tilt and roll errors that stays; 0: "
+              "none does",
+              {0, 1}),
+          field("leanMemory", &P::leanMemory, "", "share of that part that is left an image later",
                 {0, 1}),
           field("learning", &P::learning, "",
                 "share by which an image changes what is known of the camera's errors", {0, 1}),

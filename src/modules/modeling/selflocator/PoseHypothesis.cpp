@@ -32,22 +32,28 @@ void PoseHypothesis::turnCamera(const CameraErrors& errors) {
     covariance_.col(3 + i) *= kept[i];
     covariance_(3 + i, 3 + i) += (1 - kept[i] * kept[i]) * errors.variances[i];
   }
+  const double left = errors.leanMemory;
+  lean_ *= left;
+  covariance_.bottomRows<2>() *= left;
+  covariance_.rightCols<2>() *= left;
+  covariance_.diagonal().tail<2>().array() += (1 - left * left) * errors.leanVariance;
 }
 
 double PoseHypothesis::correct(const ScalarMeasurement& m, double gate) {
-  Eigen::Matrix<double, 6, 1> slope;
-  slope << m.slope, m.byCamera;
-  const Eigen::Matrix<double, 6, 1> spread = covariance_ * slope;
+  State slope;
+  slope << m.slope, m.byCamera, m.byCamera.head<2>();
+  const State spread = covariance_ * slope;
   const double variance = slope.dot(spread) + m.variance;
   const double squared = m.innovation * m.innovation / variance;
   const double usual = std::max(m.usual, m.variance);
   const double likelihood = std::sqrt(std::min(usual / variance, 1.0)) * std::exp(-squared / 2);
   if (!std::isfinite(squared)) return 0;
   if (squared > gate * gate) return likelihood;
-  const Eigen::Matrix<double, 6, 1> gain = spread / variance;
+  const State gain = spread / variance;
   pose_.translation += (gain * m.innovation).head<2>();
   pose_.rotate(gain[2] * m.innovation);
-  camera_ += gain.tail<3>() * m.innovation;
+  camera_ += gain.segment<3>(3) * m.innovation;
+  lean_ += gain.tail<2>() * m.innovation;
   covariance_ -= gain * spread.transpose();
   return likelihood;
 }
@@ -64,8 +70,15 @@ void PoseHypothesis::clamp(double farX, double farY) {
 
 void PoseHypothesis::mirror() {
   pose_ = Pose2D{pi, 0, 0} * pose_;
-  covariance_.topRightCorner<2, 4>() *= -1;
-  covariance_.bottomLeftCorner<4, 2>() *= -1;
+  covariance_.topRightCorner<2, 6>() *= -1;
+  covariance_.bottomLeftCorner<6, 2>() *= -1;
+}
+
+void PoseHypothesis::setLean(const Vector2d& lean, const Eigen::Matrix2d& covariance) {
+  lean_ = lean;
+  covariance_.bottomRows<2>().setZero();
+  covariance_.rightCols<2>().setZero();
+  covariance_.bottomRightCorner<2, 2>() = covariance;
 }
 
 }  // namespace gt

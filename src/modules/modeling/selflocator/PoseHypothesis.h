@@ -13,7 +13,7 @@ struct ScalarMeasurement {
   double innovation;
   Vector3d slope;
   double variance;
-  Vector3d byCamera = Vector3d::Zero();  ///< By tilt, roll and pan.
+  Vector3d byCamera = Vector3d::Zero();  ///< By tilt, roll and pan, however long they are off.
   double usual = 0;
 };
 
@@ -22,15 +22,20 @@ struct CameraErrors {
   Vector3d mean = Vector3d::Zero();       ///< Of tilt, roll and pan, rad.
   Vector3d variances = Vector3d::Zero();  ///< rad^2
   double memory = 0;                      ///< Share of tilt and roll that is left an image later.
+  double leanVariance = 0;                ///< Of the lean's tilt and roll, rad^2.
+  double leanMemory = 1;                  ///< Share of the lean that is left an image later.
 };
 
 /// A pose that is known with a normally distributed error: an extended Kalman filter of x, y and
 /// rotation, that believes no measurement that is too far off. Tilt, roll and pan of the camera are
 /// off, too: what all measurements of an image share is part of the state. Tilt and roll sway, so
-/// that they are alike from image to image; the pan's error is another one in each.
+/// that they are alike from image to image; the pan's error is another one in each. Besides, the
+/// body leans: a part of tilt and roll that stays, because the robot is not built as it believes.
 class PoseHypothesis {
  public:
-  using Covariance = Eigen::Matrix<double, 6, 6>;
+  /// Of x, y and rotation, of the camera's tilt, roll and pan, of the lean's tilt and roll.
+  using State = Eigen::Matrix<double, 8, 1>;
+  using Covariance = Eigen::Matrix<double, 8, 8>;
 
   PoseHypothesis() = default;
   /// The standard deviations in mm and rad.
@@ -49,11 +54,16 @@ class PoseHypothesis {
   void clamp(double farX, double farY);
   /// Turns it by half a circle around the middle of the field.
   void mirror();
+  /// What is known of the lean before anything is seen from here.
+  void setLean(const Vector2d& lean, const Eigen::Matrix2d& covariance);
 
   const Pose2D& pose() const { return pose_; }
   /// By how much the camera's tilt, roll and pan are off, rad.
   const Vector3d& camera() const { return camera_; }
-  /// mm^2, rad^2: of x, y and rotation, of the camera's tilt, roll and pan.
+  /// By how much tilt and roll are off for long, rad.
+  const Vector2d& lean() const { return lean_; }
+  Eigen::Matrix2d leanCovariance() const { return covariance_.bottomRightCorner<2, 2>(); }
+  /// mm^2, rad^2: of the state.
   const Covariance& covariance() const { return covariance_; }
   /// The standard deviation of the position, mm.
   double standardDeviation() const { return std::sqrt(covariance_(0, 0) + covariance_(1, 1)); }
@@ -61,6 +71,7 @@ class PoseHypothesis {
  private:
   Pose2D pose_;
   Vector3d camera_ = Vector3d::Zero();
+  Vector2d lean_ = Vector2d::Zero();
   Covariance covariance_ = Covariance::Identity();
 };
 

@@ -76,6 +76,23 @@ TEST(PoseHypothesis, TheCameraSways) {
   EXPECT_EQ(hypothesis.pose().translation, (Vector2d{0, 0}));
 }
 
+/// What stays off while the camera sways is the lean: it is known ever better.
+TEST(PoseHypothesis, LearnsTheLean) {
+  PoseHypothesis hypothesis{{0, 0, 0}, 10, 0.1};
+  hypothesis.setLean({0, 0}, 0.0004 * Eigen::Matrix2d::Identity());
+  const CameraErrors errors{{0, 0, 0}, {0.0004, 0.0004, 0.0004}, 0.5, 0.0004, 0.9999};
+  for (int i = 0; i < 400; ++i) {
+    hypothesis.turnCamera(errors);
+    const double sway = i % 2 == 0 ? 0.02 : -0.02;
+    const double known = hypothesis.camera().x() + hypothesis.lean().x();
+    hypothesis.correct({0.03 + sway - known, {0, 0, 0}, 1e-6, {1, 0, 0}}, 100);
+  }
+  EXPECT_NEAR(hypothesis.lean().x(), 0.03, 0.005);
+  EXPECT_NEAR(hypothesis.lean().y(), 0, 1e-9);
+  EXPECT_LT(hypothesis.leanCovariance()(0, 0), 0.2 * 0.0004);
+  EXPECT_GT(hypothesis.leanCovariance()(1, 1), 0.9 * 0.0004);
+}
+
 /// What is usually off is no reason to disbelieve a pose.
 TEST(PoseHypothesis, JudgesByTheUsualError) {
   PoseHypothesis hypothesis{{0, 0, 0}, 0, 0.1};

@@ -3,6 +3,7 @@
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/modeling/BallModel.h"
+#include "representations/modeling/PlayersCollection.h"
 #include "representations/modeling/RobotPose.h"
 
 namespace gt {
@@ -12,7 +13,7 @@ namespace gt {
 class DefaultTeamMessageSender {
  public:
   /// Provides the message. A ball never seen is sent as such, an uncertain pose with its validity.
-  void update(const RobotPose& robotPose, const BallModel& ball,
+  void update(const RobotPose& robotPose, const BallModel& ball, const PlayersCollection& players,
               const BehaviorTeamMessage& behavior, const FrameInfo& frame, const Player& player,
               TeamMessage& message);
 };

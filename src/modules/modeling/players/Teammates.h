@@ -1,0 +1,29 @@
+#pragma once
+#include <vector>
+
+#include "debug/Debug.h"
+#include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/modeling/PlayersCollection.h"
+
+namespace gt {
+
+/// Which messages of teammates are believed.
+struct MessageRule {
+  std::int64_t silence;  ///< ms after which one is too old.
+  double leastValidity;  ///< Of its pose.
+
+  bool accepts(const TeamMessages::Received& received, const Player& player, Time now) const;
+};
+
+/// Appends the teammates whose messages are believed, where they sent that they are (report 3.7.2).
+void addMates(const TeamMessages& messages, const MessageRule& rule, const Player& player, Time now,
+              std::vector<LocatedPlayer>& players);
+
+/// Draws the players on the field, thick if they sent their pose.
+void drawPlayers(const PlayersCollection& players, TeamColor own, Debug& debug);
+inline Color colorOf(TeamColor team) {
+  return team == TeamColor::red ? colors::red : colors::blue;
+}
+
+}  // namespace gt
