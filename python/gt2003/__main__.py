@@ -1,4 +1,4 @@
-"""The command `gt2003`: jobs of experiments, tournaments and studies, on this machine or on a Ray cluster."""
+"""The command `gt2003`: jobs of experiments, tournaments and studies, on this machine or on a Ray cluster; what teams learn from matches."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from . import jobs, study, tournament
+from . import jobs, study, tournament, values
 from ._error import Error
 from ._run import run, workers
 
@@ -51,6 +51,9 @@ def _parser() -> argparse.ArgumentParser:
         "again (default: out/studies/NAME)",
     )
     _add_workers(studying)
+    learning = commands.add_parser("values", help="learns from matches what a ball is worth and where supporters help")
+    learning.add_argument("matches", type=Path, nargs="+", help="files match.json")
+    learning.add_argument("--out", type=Path, required=True, metavar="FILE", help="values.cfg of a team")
     return parser
 
 
@@ -71,6 +74,9 @@ def main() -> int:
     given = _parser().parse_args()
     failed = 0
     try:
+        if given.command == "values":
+            values.learn(given.matches, given.out)
+            return 0
         if given.command == "study":
             studied = study.load(given.file)
         else:

@@ -25,6 +25,7 @@ struct HsiColors;
 struct MotionNet;
 struct PotentialFields;
 struct RobotModules;
+struct PlayValues;
 struct TargetPoints;
 struct TslColors;
 class ModuleProcess;
@@ -63,6 +64,7 @@ struct ConfigurationFiles {
 ///     coltable.tsl               TslColors (report J.6.3)
 ///     potentialfields.cfg        PotentialFields (report 3.8.3)
 ///     targets.cfg                TargetPoints (report 4.2)
+///     values.cfg                 PlayValues
 ///     modules.cfg                the solution of each task
 ///     modules/TASK.SOLUTION.cfg  the parameters of that solution
 ///     log.cfg                    what is recorded
@@ -102,6 +104,7 @@ struct Configuration {
   std::shared_ptr<const Behavior> behavior;
   std::shared_ptr<PotentialFields> potentialFields;
   std::shared_ptr<TargetPoints> targets;
+  std::shared_ptr<PlayValues> values;
   std::vector<SolutionChoice> solutions;
   std::vector<ParameterFile> parameters;
   LogSettings log;

@@ -109,7 +109,7 @@ class Simulation {
   void step();
 
   Time time() const { return world_->time(); }
-  bool finished() const { return referee_.state() == GameState::finished; }
+  bool finished() const { return referee_.over(time()); }
   const SceneDescription& scene() const { return scene_; }
   /// All robots, the active ones first.
   const std::vector<Player>& players() const { return players_; }

@@ -5,6 +5,7 @@
 #include "modules/behavior/control/GT2003BehaviorControl.h"
 #include "modules/behavior/control/ObstacleAvoiderOnGreenField.h"
 #include "modules/behavior/potentialfields/PotentialFields.h"
+#include "modules/behavior/tactics/PlayValues.h"
 #include "modules/behavior/tactics/TargetPoints.h"
 #include "motionnet/Listing.h"
 #include "robot/Robot.h"
@@ -171,6 +172,17 @@ void addBehavior(RobotModules& modules) {
          readFile(files, "targets.cfg", c.targets, f);
        },
        [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.targets); }});
+  modules.parts.push_back(
+      {&representation<PlayValues>(),
+       [](const ConfigurationFiles& files, Configuration& c, Findings& f) {
+         readFile(files, "values.cfg", c.values, f);
+         if (auto done = c.values->check(); !done) {
+           Error error = done.error();
+           error.file = files.folder.path("values.cfg");
+           f.add(error);
+         }
+       },
+       [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.values); }});
 }
 
 }  // namespace gt

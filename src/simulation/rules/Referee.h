@@ -38,6 +38,10 @@ class Referee {
 
   const GameControlData& dataFor(std::size_t robot) const { return data_[robot]; }
   GameState state() const { return state_; }
+  /// Whether the game has ended, and the time in which robots leave the field, too.
+  bool over(Time now) const {
+    return state_ == GameState::finished && now - stateSince_ >= toMs(parameters_.leaveTime);
+  }
   int half() const { return half_; }
   int score(TeamColor team) const { return score_[team]; }
   TeamColor kickOff() const { return kickOff_; }

@@ -181,6 +181,12 @@ TEST_F(RefereeMatch, HalvesAndEnd) {
   EXPECT_EQ(referee_->half(), 2);
   EXPECT_EQ(referee_->events().back().team, TeamColor::blue);
   ASSERT_TRUE(until(GameState::finished, 31));
+  EXPECT_TRUE(referee_->over(world_->time()));
+  GameParameters leaving = referee_->parameters();
+  leaving.leaveTime = 2;
+  referee_->change(leaving);
+  EXPECT_FALSE(referee_->over(world_->time()));
+  EXPECT_TRUE(referee_->over(world_->time() + 2000));
   EXPECT_EQ(referee_->events().back().type, GameEventType::gameOver);
   EXPECT_EQ(referee_->dataFor(6).state, GameState::finished);
   const std::size_t events = referee_->events().size();

@@ -237,6 +237,7 @@ struct GameParameters {
   double stuckTime = 20;
   bool penalties = false;
   ShootOutMode shootOut = ShootOutMode::none;
+  double leaveTime = 0;
 
   static constexpr auto fields() {
     return Fields{
@@ -251,7 +252,10 @@ struct GameParameters {
         field("penalties", &GameParameters::penalties, "",
               "whether the referee penalizes robots, by the element rules"),
         field("shootOut", &GameParameters::shootOut, "",
-              "a penalty shoot-out: none, after a draw, or as the whole game")};
+              "a penalty shoot-out: none, after a draw, or as the whole game"),
+        field("leaveTime", &GameParameters::leaveTime, "s",
+              "that robots have to leave the field after the game, before all stands still",
+              {0, 600})};
   }
 };
 

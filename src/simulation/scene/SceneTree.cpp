@@ -194,6 +194,10 @@ void SceneTree::addActiveRobot(std::size_t i, const std::string& path) {
         [&s, i, which] { return s.sensors(i).isPressed(which); },
         [&s, i, which](bool on) { s.sensors(i).press(which, on); });
   }
+  addNumbers(
+      path + "/tailPush", "deg to the left: pushed by hand, against its servo",
+      [&s, i] { return textOf({toDegrees(s.sensors(i).tailPush())}); }, 1, 1,
+      [&s, i](const Numbers& n) { s.sensors(i).pushTail(fromDegrees(n[0])); });
   add(path + "/sensors/psd", "mm: as the robot measures it",
       [&s, i] { return textOf({s.input(i).sensors.newest().psd}); });
   add(path + "/sensors/acceleration", "mm/s^2: as the robot measures it",

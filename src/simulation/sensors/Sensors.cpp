@@ -23,6 +23,7 @@ void Sensors::read(const World& world, std::size_t robot, SensorData& readings) 
     readings.joints.values[j] = geared_.values[j] - build_.joints.values[j] +
                                 (feedback ? standardDeviation * random_.gaussian() : 0);
   }
+  readings.joints[Joint::tailPan] += tailPush_;
   readings.acceleration = build_.felt(body);
   for (int k = 0; k < 3; ++k) readings.acceleration[k] += noise_.acceleration * random_.gaussian();
   const double distance = rayDistance(world, robot, psdFurthest);

@@ -20,6 +20,10 @@ class Sensors {
   /// Presses or releases a switch by hand (report I.3); paws are also pressed by the ground.
   void press(Switch which, bool pressed) { pressed_[which] = pressed; }
   bool isPressed(Switch which) const { return pressed_[which]; }
+  /// Pushes the tail to the left against its servo (rad), or lets it go (0). Only the sensor feels
+  /// it.
+  void pushTail(double angle) { tailPush_ = angle; }
+  double tailPush() const { return tailPush_; }
 
   const RobotBuild& build() const { return build_; }
   /// How noisy they are from now on, and of which robot.
@@ -34,6 +38,7 @@ class Sensors {
   RobotBuild build_;
   JointAngles geared_{};  ///< Where the sensors' sides of the joints are: rad.
   EnumArray<Switch, bool> pressed_;
+  double tailPush_ = 0;
 };
 
 /// How far it is from a point on the field along a direction to the first thing, at most `range`

@@ -150,7 +150,7 @@ void GT2003BehaviorControl::update(WorldState world, const Behavior& behavior,
   headControlMode = outputs_.head;
   ledRequest = outputs_.leds;
   soundRequest = outputs_.sound;
-  message = {tactics_.role(), tactics_.estimatedTimeToReachBall()};
+  message = tactics_.message();
 }
 
 }  // namespace gt

@@ -1,12 +1,14 @@
 #include "modules/behavior/control/SymbolSources.h"
 
+#include <algorithm>
+
 #include "modules/behavior/tactics/FreeSpace.h"
 
 namespace gt {
 
 /// XABSL has words of its own (`initial`), so its elements have another ending than ours.
 soccer::GameState SoccerInputs::gameState() const {
-  switch (w().game.state) {
+  switch (tactics_.game().state()) {
     case GameState::initial:
       return soccer::GameState::initialState;
     case GameState::ready:
@@ -45,6 +47,30 @@ double SoccerInputs::ballGoalAngle() const {
   return toDegrees(normalize(fromDegrees(ballGoalDirection()) - w().self.pose.rotation));
 }
 
+Vector2d SoccerInputs::place() const {
+  if (w().values.empty()) return Vector2d::Zero();
+  const Vector2d corner{w().field.xGroundline, w().field.ySideline};
+  return tactics_.role() == DynamicRole::offensiveSupporter
+             ? w().values.placeAhead(tactics_.knownBallOnField(), corner)
+             : w().values.placeBehind(tactics_.knownBallOnField(), corner);
+}
+
+Vector2d SoccerInputs::nearest(const std::vector<LocatedPlayer>& players) const {
+  Vector2d nearest{1e5, 0};
+  for (const LocatedPlayer& player : players) {
+    const Vector2d there = relative(w().self.pose, player.position);
+    if (there.norm() < nearest.norm()) nearest = there;
+  }
+  return nearest;
+}
+
+double SoccerInputs::opponentsWithin(double distance) const {
+  return static_cast<double>(
+      std::ranges::count_if(w().players.opponents, [&](const LocatedPlayer& player) {
+        return (player.position - w().self.pose.translation).norm() < distance;
+      }));
+}
+
 double SoccerInputs::obstaclesFreeAhead(double angle, double width) const {
   return corridor(tactics_.obstacles(), fromDegrees(angle), width);
 }
@@ -61,11 +87,6 @@ double SoccerInputs::obstaclesGap(double angle, double range) const {
 /// The tour is planned from where the robot is when it first asks for its beginning (report 4.2.1).
 const Pose2D& SoccerInputs::target(double index) const {
   return tour_.at(static_cast<std::size_t>(std::max(0., index)), w());
-}
-
-bool SoccerInputs::kickReaches(SpecialAction id, double astray, double margin) const {
-  const auto spread = motion(id).kick.spreadAt(w().ball.position, margin);
-  return spread && *spread <= astray;
 }
 
 }  // namespace gt

@@ -18,26 +18,37 @@ class SoccerInputs final : public soccer::Inputs {
   explicit SoccerInputs(const Tactics& tactics) : tactics_{tactics} {}
 
   soccer::GameState gameState() const override;
-  bool gameOwnKickOff() const override { return w().game.kickOff == KickOff::own; }
+  bool gameOwnKickOff() const override { return tactics_.game().ownKickOff(); }
   double gameTimeSinceOwnGoal() const override { return ms(w().frame.time - tactics_.ownGoal()); }
   double gameTimeSinceOpponentGoal() const override {
     return ms(w().frame.time - tactics_.opponentGoal());
   }
+  double gameOwnScore() const override { return w().game.ownScore; }
+  double gameOpponentScore() const override { return w().game.opponentScore; }
+  Penalty gamePenalty() const override { return w().game.penalty; }
   PlayerRole playerRole() const override { return w().player.role; }
   TeamColor playerTeamColor() const override { return w().player.teamColor; }
   DynamicRole teamRole() const override { return tactics_.role(); }
+  double teamConnections() const override { return tactics_.connections(); }
+  bool teamHasLearned() const override { return !w().values.empty(); }
+  double teamPlaceX() const override { return place().x(); }
+  double teamPlaceY() const override { return place().y(); }
   double fieldXGroundline() const override { return w().field.xGroundline; }
 
   double ballSeenX() const override { return w().ball.position.x(); }
   double ballSeenY() const override { return w().ball.position.y(); }
   double ballSeenDistance() const override { return w().ball.position.norm(); }
   double ballSeenAngle() const override { return toDegrees(angleOf(w().ball.position)); }
+  double ballSeenSpeedX() const override { return w().ball.speed.x(); }
+  double ballSeenSpeedY() const override { return w().ball.speed.y(); }
   double ballTimeSinceLastSeen() const override { return ms(w().frame.time - w().ball.lastSeen); }
   double ballConsecutiveTimeSeen() const override { return ms(w().ball.consecutiveTimeSeen); }
   double ballKnownX() const override { return tactics_.knownBallOnField().x(); }
   double ballKnownY() const override { return tactics_.knownBallOnField().y(); }
   double ballKnownDistance() const override { return tactics_.knownBall().norm(); }
   double ballKnownAngle() const override { return toDegrees(angleOf(tactics_.knownBall())); }
+  double ballKnownAhead() const override { return tactics_.knownBall().x(); }
+  double ballKnownLeft() const override { return tactics_.knownBall().y(); }
   double ballTimeSinceLastKnown() const override { return ms(tactics_.knownBallAge()); }
   double ballAngleAround(double facing) const override;
 
@@ -46,10 +57,22 @@ class SoccerInputs final : public soccer::Inputs {
 
   double robotPoseX() const override { return w().self.pose.translation.x(); }
   double robotPoseY() const override { return w().self.pose.translation.y(); }
+  double robotPoseDistanceTo(double x, double y) const override {
+    return (Vector2d{x, y} - w().self.pose.translation).norm();
+  }
   double robotPoseValidity() const override { return w().self.validity; }
   double opponentGoalAngle() const override { return toDegrees(angleOf(opponentGoal())); }
   double opponentGoalDistance() const override { return opponentGoal().norm(); }
   double backSwitchPressedFor() const override { return ms(w().body.pressedFor[Switch::back]); }
+  double chinSwitchPressedFor() const override { return ms(w().body.pressedFor[Switch::chin]); }
+  double headSwitchPressedFor() const override {
+    const auto& pressed = w().body.pressedFor;
+    return ms(std::max(pressed[Switch::headFront], pressed[Switch::headBack]));
+  }
+  double tailAngle() const override { return toDegrees(w().body.tailPan); }
+  double bodyTimeSinceCollision() const override {
+    return ms(w().frame.time - w().collision.lastCollision);
+  }
   double robotPoseAngle() const override { return toDegrees(w().self.pose.rotation); }
   bool bodyFallen() const override { return w().body.state == BodyState::fallen; }
   SpecialAction motionSpecialAction() const override;
@@ -65,11 +88,16 @@ class SoccerInputs final : public soccer::Inputs {
   double kickTargetAngle() const override { return toDegrees(angleOf(kickTarget())); }
   double kickX(SpecialAction id) const override { return motion(id).kick.x; }
   double kickY(SpecialAction id) const override { return motion(id).kick.y; }
-  bool kickReaches(SpecialAction id, double astray, double margin) const override;
 
   double obstaclesFreeAhead(double angle, double width) const override;
   double obstaclesFreeDirection(double angle, double width, double length) const override;
   double obstaclesGap(double angle, double range) const override;
+
+  double teammateDistance() const override { return nearest(w().players.ownTeam).norm(); }
+  double teammateAngle() const override { return angleTo(nearest(w().players.ownTeam)); }
+  double opponentDistance() const override { return nearest(w().players.opponents).norm(); }
+  double opponentAngle() const override { return angleTo(nearest(w().players.opponents)); }
+  double opponentsWithin(double distance) const override;
 
   double targetCount() const override { return static_cast<double>(tour_.size()); }
   double targetX(double index) const override { return target(index).translation.x(); }
@@ -89,6 +117,8 @@ class SoccerInputs final : public soccer::Inputs {
  private:
   static double ms(std::int64_t time) { return static_cast<double>(time); }
 
+  static double angleTo(const Vector2d& point) { return toDegrees(angleOf(point)); }
+
   const WorldState& w() const { return tactics_.world(); }
   Vector2d kickTarget() const { return relative(w().self.pose, tactics_.kick().target()); }
   const KickChoice::Plan& plan() const { return tactics_.kick().plan(); }
@@ -98,6 +128,10 @@ class SoccerInputs final : public soccer::Inputs {
   Vector2d towards(double index) const {
     return relative(w().self.pose, target(index).translation);
   }
+  /// Where the robot supports by the values of its team; the middle of the field without them.
+  Vector2d place() const;
+  /// Relative to the robot; far away if there is none.
+  Vector2d nearest(const std::vector<LocatedPlayer>& players) const;
   /// Relative to the robot.
   Vector2d opponentGoal() const { return relative(w().self.pose, {w().field.xGroundline, 0}); }
 

@@ -49,11 +49,69 @@ TEST_F(SymbolSources, TellWhereAKickPlaysTheBall) {
   constexpr SpecialAction someKick{2};
   EXPECT_EQ(inputs().kickX(someKick), 150);
   EXPECT_EQ(inputs().kickY(someKick), 20);
-  world.ball.position = {115, 20};
-  EXPECT_FALSE(inputs().kickReaches(someKick, 30, 0));
-  EXPECT_TRUE(inputs().kickReaches(someKick, 30, 6));
-  EXPECT_FALSE(inputs().kickReaches(someKick, 29, 6)) << "it goes farther astray";
-  EXPECT_FALSE(inputs().kickReaches(SpecialAction{1}, 180, 1000)) << "is no kick";
+}
+
+TEST_F(SymbolSources, ReportOtherPlayers) {
+  EXPECT_EQ(inputs().opponentDistance(), 1e5) << "there is none";
+  world.self.pose = {pi / 2, {100, 0}};
+  world.players.opponents = {{.position = {100, 900}}, {.position = {-200, 0}}};
+  world.players.ownTeam = {{.position = {100, 500}}};
+  EXPECT_NEAR(inputs().opponentDistance(), 300, 1e-9);
+  EXPECT_NEAR(inputs().opponentAngle(), 90, 1e-9);
+  EXPECT_NEAR(inputs().teammateDistance(), 500, 1e-9);
+  EXPECT_NEAR(inputs().teammateAngle(), 0, 1e-9);
+  EXPECT_EQ(inputs().opponentsWithin(300.1), 1);
+  EXPECT_EQ(inputs().opponentsWithin(1000), 2);
+  EXPECT_EQ(inputs().robotPoseDistanceTo(100, -70), 70);
+}
+
+TEST_F(SymbolSources, ReportBodyAndGame) {
+  world.frame.time = {5000};
+  world.body.pressedFor[Switch::headBack] = 40;
+  world.body.pressedFor[Switch::chin] = 80;
+  world.body.tailPan = fromDegrees(-15);
+  world.collision.lastCollision = {4500};
+  world.game.penalty = Penalty::obstruction;
+  world.game.opponentScore = 2;
+  world.ball.speed = {-300, 20};
+  EXPECT_EQ(inputs().headSwitchPressedFor(), 40);
+  EXPECT_EQ(inputs().chinSwitchPressedFor(), 80);
+  EXPECT_NEAR(inputs().tailAngle(), -15, 1e-9);
+  EXPECT_EQ(inputs().bodyTimeSinceCollision(), 500);
+  EXPECT_EQ(inputs().gamePenalty(), Penalty::obstruction);
+  EXPECT_EQ(inputs().gameOwnScore(), 0);
+  EXPECT_EQ(inputs().gameOpponentScore(), 2);
+  EXPECT_EQ(inputs().ballSeenSpeedX(), -300);
+  EXPECT_EQ(inputs().ballSeenSpeedY(), 20);
+}
+
+TEST_F(SymbolSources, TellWhereARobotSupportsByWhatItsTeamHasLearned) {
+  EXPECT_FALSE(inputs().teamHasLearned());
+  const std::vector<Vector2d> ahead(4, {500, 300}), behind(4, {-500, 100});
+  world.values = {.columns = 2,
+                  .rows = 2,
+                  .ours = {0, 0, 0, 0},
+                  .theirs = {0, 0, 0, 0},
+                  .ahead = ahead,
+                  .behind = behind};
+  world.player.role = PlayerRole::striker2;
+  world.ball.position = {-100, -900};
+  EXPECT_TRUE(inputs().teamHasLearned());
+  const bool isAhead = tactics.role() == DynamicRole::offensiveSupporter;
+  EXPECT_EQ(inputs().teamPlaceX(), isAhead ? 500 : -500);
+  EXPECT_EQ(inputs().teamPlaceY(), isAhead ? -300 : -100) << "mirrored: the ball is on the right";
+}
+
+TEST_F(SymbolSources, CountTheTeammatesThatAreHeard) {
+  world.player.role = PlayerRole::goalie;
+  for (const int number : {1, 2, 4}) {
+    auto& received = world.team.byPlayer[static_cast<std::size_t>(number - 1)];
+    received.message.playerNumber = number;
+    received.timeReceived = world.frame.time;
+  }
+  EXPECT_EQ(inputs().teamConnections(), 2);
+  world.team.byPlayer[1].timeReceived = never();
+  EXPECT_EQ(inputs().teamConnections(), 1);
 }
 
 TEST_F(SymbolSources, TellWhichKickIsPlanned) {

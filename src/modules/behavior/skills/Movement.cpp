@@ -8,26 +8,32 @@
 
 namespace gt {
 
+double Movement::maxSideways() const {
+  return walkType_ == WalkType::fast ? parameters_.fastSideways : parameters_.maxSideways;
+}
+
+double Movement::maxTurn() const {
+  return fromDegrees(walkType_ == WalkType::fast ? parameters_.fastTurn : parameters_.maxTurn);
+}
+
 void Movement::walk(const Vector2d& speed, double turn) {
-  const double maxTurn = fromDegrees(parameters_.maxTurn);
   request(MotionType::walk);
-  request_.walk = {std::clamp(turn, -maxTurn, maxTurn),
-                   std::clamp(speed.x(), -parameters_.maxSideways, parameters_.maxForward),
-                   std::clamp(speed.y(), -parameters_.maxSideways, parameters_.maxSideways)};
+  request_.walk = {std::clamp(turn, -maxTurn(), maxTurn()),
+                   std::clamp(speed.x(), -maxSideways(), parameters_.maxForward),
+                   std::clamp(speed.y(), -maxSideways(), maxSideways())};
 }
 
 void Movement::approach(const Vector2d& offset, double turn, double maxSpeed) {
-  // Braking: the last 150 mm are walked ever slower, but never so slowly that the robot does not
-  // arrive.
+  // Braking: ever slower, but never so slowly that the robot does not arrive.
   const double distance = offset.norm();
-  const double speed = std::min(maxSpeed, 40 + 1.2 * distance);
+  const double speed = std::min(maxSpeed, parameters_.slowest + parameters_.braking * distance);
   Vector2d v = distance < 1 ? Vector2d::Zero() : Vector2d{offset / distance * speed};
   v = keptFromPlayers(v);
   // The same direction at the speed that the slower of the two axes allows.
-  const double maxX = v.x() > 0 ? parameters_.maxForward : parameters_.maxSideways;
-  const double over = std::max(std::abs(v.x()) / maxX, std::abs(v.y()) / parameters_.maxSideways);
+  const double maxX = v.x() > 0 ? parameters_.maxForward : maxSideways();
+  const double over = std::max(std::abs(v.x()) / maxX, std::abs(v.y()) / maxSideways());
   if (over > 1) v /= over;
-  walk(v, 1.5 * turn);
+  walk(v, parameters_.turning * turn);
 }
 
 Vector2d Movement::keptFromPlayers(Vector2d speed) const {
@@ -58,7 +64,7 @@ void Movement::approachAvoiding(const Vector2d& offset, double turn, double maxS
   const double room = corridor(obstacles, 0, width) - parameters_.stopBefore;
   const double speed = std::clamp(room, -50., maxSpeed);
   walk({way ? speed * std::max(0., std::cos(*way)) : std::min(speed, 0.), 0},
-       1.5 * way.value_or(heading));
+       parameters_.turning * way.value_or(heading));
 }
 
 void Movement::followField(const PotentialField& field, const Pose2D& target, double maxSpeed) {
@@ -82,8 +88,8 @@ void Movement::followField(const PotentialField& field, const Pose2D& target, do
   double speed = fastest * std::min(1., strength);
   // Far away the robot walks where it looks, so it turns first.
   if (!near) speed *= std::max(0.2, std::cos(std::min(std::abs(turn), pi / 2)));
-  const double over = std::abs(ahead.y()) * speed / parameters_.maxSideways;
-  walk(ahead * speed / std::max(1., over), 1.5 * turn);
+  const double over = std::abs(ahead.y()) * speed / maxSideways();
+  walk(ahead * speed / std::max(1., over), parameters_.turning * turn);
 }
 
 }  // namespace gt

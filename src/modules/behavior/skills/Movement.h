@@ -11,9 +11,14 @@ class Movement {
  public:
   struct Parameters {
     double maxForward = 320;
-    double nearForward = 180;
+    double nearForward = 300;
     double maxSideways = 165;
     double maxTurn = 100;
+    double fastSideways = 250;
+    double fastTurn = 180;
+    double slowest = 40;
+    double braking = 1.5;
+    double turning = 1.5;
     double aroundBall = 240;
     double clearance = 250;
     double freeWay = 700;
@@ -31,6 +36,16 @@ class Movement {
           field("maxSideways", &Parameters::maxSideways, "mm/s", "fastest walk sideways and back",
                 {10, 400}),
           field("maxTurn", &Parameters::maxTurn, "degree/s", "fastest turn", {10, 200}),
+          field("fastSideways", &Parameters::fastSideways, "mm/s",
+                "fastest walk sideways and back with the walk type fast", {10, 400}),
+          field("fastTurn", &Parameters::fastTurn, "degree/s",
+                "fastest turn with the walk type fast", {10, 200}),
+          field("slowest", &Parameters::slowest, "mm/s",
+                "speed at which the robot arrives at a place", {0, 400}),
+          field("braking", &Parameters::braking, "1/s",
+                "share of the distance to a place that it walks in a second, beside that", {0, 10}),
+          field("turning", &Parameters::turning, "1/s",
+                "share of the angle to its direction that it turns in a second", {0, 10}),
           field("aroundBall", &Parameters::aroundBall, "mm", "radius of the path round the ball",
                 {100, 1000}),
           field("clearance", &Parameters::clearance, "mm",
@@ -49,9 +64,10 @@ class Movement {
     }
   };
 
-  /// All must outlive this.
-  Movement(const Tactics& tactics, MotionRequest& request, const Parameters& parameters)
-      : tactics_{tactics}, request_{request}, parameters_{parameters} {}
+  /// All must outlive this. The walk type is the one that will be requested: it limits the speed.
+  Movement(const Tactics& tactics, MotionRequest& request, const WalkType& walkType,
+           const Parameters& parameters)
+      : tactics_{tactics}, request_{request}, walkType_{walkType}, parameters_{parameters} {}
 
   const Tactics& tactics() const { return tactics_; }
   const Parameters& parameters() const { return parameters_; }
@@ -82,6 +98,9 @@ class Movement {
   const FieldPilot* pilot() const { return piloted_ ? &pilot_ : nullptr; }
 
  private:
+  /// The limits of the walk type, in mm/s and rad/s.
+  double maxSideways() const;
+  double maxTurn() const;
   /// A speed that does not lead into another robot.
   Vector2d keptFromPlayers(Vector2d speed) const;
 
@@ -94,6 +113,7 @@ class Movement {
 
   const Tactics& tactics_;
   MotionRequest& request_;
+  const WalkType& walkType_;
   const Parameters& parameters_;
   FieldPilot pilot_;
   bool piloted_ = false;

@@ -15,6 +15,14 @@ TEST_F(MovementTest, LimitsSpeeds) {
   EXPECT_DOUBLE_EQ(request.walk.rotation, fromDegrees(parameters.maxTurn));
 }
 
+TEST_F(MovementTest, IsFasterSidewaysAndInTurnsWithTheWalkTypeFast) {
+  walkType = WalkType::fast;
+  movement.walk({-1000, 1000}, -20);
+  EXPECT_DOUBLE_EQ(request.walk.translation.x(), -parameters.fastSideways);
+  EXPECT_DOUBLE_EQ(request.walk.translation.y(), parameters.fastSideways);
+  EXPECT_DOUBLE_EQ(request.walk.rotation, -fromDegrees(parameters.fastTurn));
+}
+
 TEST_F(MovementTest, ApproachesInTheDirectionOfItsGoalAndEverSlower) {
   const WorldState state = world.state();
   tactics.update(state);

@@ -53,19 +53,22 @@ void KickChoice::decide(std::int64_t unseen) {
     atBallSince_ = time;
   constexpr std::int64_t seen = 250;  // ms
   const bool seesBall = unseen <= seen;
-  if (now_ != 0 && decided_ != never() && static_cast<double>(time - decided_) < p_.begins &&
-      !(seesBall && isOutOfReach(now_)))
-    return;
+  // A kick begins when the robot stands: until then it is chosen anew, for only then the ball lies
+  // where it will be hit.
+  const bool stopping = decided_ != never() && static_cast<double>(time - decided_) < p_.begins;
+  if (stopping && !seesBall) return;
+  const int begun = stopping ? now_ : 0;
   now_ = 0;
-  decided_ = never();
+  if (!stopping) decided_ = never();
   if (!atBall || !seesBall) return;
   const double waited = static_cast<double>(time - atBallSince_) / 1000;
-  const Plan possible = worthNow();
-  if (possible.motion == 0 || possible.worth < plan_.worth - p_.enough - p_.impatience * waited)
-    return;
+  const Plan possible = worthNow(begun);
+  const double enough =
+      plan_.worth - p_.enough - p_.impatience * waited - (stopping ? p_.otherPlan : 0);
+  if (possible.motion == 0 || possible.worth < enough) return;
   now_ = possible.motion;
   target_ = ballOnField_ + direction(possible.direction) * p_.follows;
-  decided_ = time;
+  if (!stopping) decided_ = time;
 }
 
 void KickChoice::look(const ObstaclesModel& obstacles, const Vector2d& ball) {
@@ -91,13 +94,15 @@ void KickChoice::look(const ObstaclesModel& obstacles, const Vector2d& ball) {
 
 double KickChoice::worthOf(const Vector2d& end) const {
   const FieldDimensions& field = world_->field;
+  const double contest =
+      nearest(opponents_, end, p_.opponentFar) - nearest(own_, end, 2 * p_.opponentFar);
+  if (!world_->values.empty())
+    return world_->values.worth(end, contest, {field.xGroundline, field.ySideline});
   const auto angleOfGoal = [&](double x) {
     const Vector2d left = Vector2d{x, field.yGoal} - end, right = Vector2d{x, -field.yGoal} - end;
     return std::min(p_.widestGoal, std::abs(std::atan2(cross(left, right), left.dot(right))));
   };
   const double ahead = end.x() / field.xGroundline;
-  const double contest =
-      nearest(opponents_, end, p_.opponentFar) - nearest(own_, end, 2 * p_.opponentFar);
   return p_.ahead * ahead +
          p_.shot * (angleOfGoal(field.xGroundline) - angleOfGoal(-field.xGroundline)) +
          p_.possession * std::clamp(contest / 1000, -1., 1.);
@@ -216,17 +221,11 @@ double KickChoice::timeTo(const KickDescription& kick, const Facing& facing) con
          std::max(0., around - direct) / fromDegrees(p_.aroundSpeed);
 }
 
-/// Whether a kick does about what it can with a ball at a place.
-bool KickChoice::isSure(const KickDescription& kick, const Vector2d& place) const {
+/// Whether a kick does about what it can with a ball at a place, or a share of what is demanded.
+bool KickChoice::isSure(const KickDescription& kick, const Vector2d& place, double demand) const {
   const auto at = kick.at(place);
-  return at && at->hits >= p_.reliable && at->length >= p_.strong * kick.length &&
-         at->spread <= p_.accurate;
-}
-
-/// Whether somebody has moved the ball away since the kick was decided.
-bool KickChoice::isOutOfReach(int motion) const {
-  const KickDescription& kick = world_->motions.motions[static_cast<std::size_t>(motion)].kick;
-  return !kick.spreadAt(ball_, 2 * p_.misplaced);
+  return at && at->hits >= demand * p_.reliable && at->length >= demand * p_.strong * kick.length &&
+         demand * at->spread <= p_.accurate;
 }
 
 /// Whether a robot that stands behind the ball and faces a direction has room between the walls.
@@ -273,8 +272,9 @@ void KickChoice::choosePlan() {
 }
 
 /// The best kick from where the robot stands. Where the ball lies now it must be hit, too: who has
-/// only begun to walk stops at once.
-KickChoice::Plan KickChoice::worthNow() const {
+/// only begun to walk stops at once. A kick that is about to begin is not given up for the noise of
+/// the ball's place.
+KickChoice::Plan KickChoice::worthNow(int begun) const {
   const Pose2D& walk = world_->motion.executed.walk;
   const bool walks = world_->motion.executed.type == MotionType::walk;
   const Pose2D stops =
@@ -287,7 +287,8 @@ KickChoice::Plan KickChoice::worthNow() const {
     const MotionNet::Motion& described = world_->motions.motions[static_cast<std::size_t>(i)];
     const KickDescription& kick = described.kick;
     if (!described.isKick() || !isUsed(kick)) continue;
-    if (!isSure(kick, ball) || !isSure(kick, ball_)) continue;
+    const double demand = i == begun ? p_.holds : 1;
+    if (!isSure(kick, ball, demand) || !isSure(kick, ball_, demand)) continue;
     const Imagined imagined = imagine(kick, ball, facing, std::hypot(p_.aim, p_.sees));
     const double worth = worthOf(imagined, 0, kick.strike) - p_.second * kick.seconds;
     if (worth > best.worth)

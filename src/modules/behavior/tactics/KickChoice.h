@@ -29,7 +29,7 @@ class KickChoice {
     double disturbed = 0.7;
     double arrives = 1;
     // The way to the ball.
-    double walkSpeed = 180;
+    double walkSpeed = 230;
     double turnSpeed = 90;
     double aroundSpeed = 60;
     // What is good enough.
@@ -38,12 +38,13 @@ class KickChoice {
     double enough = 0;
     double impatience = 0.01;
     double nearBall = 350;
-    double stopping = 0.15;
-    double misplaced = 18;
+    double stopping = 0.08;
+    double misplaced = 10;
     double follows = 1500;
     double reliable = 0.9;
     double strong = 0.5;
     double accurate = 20;
+    double holds = 0.7;
     double mostFalls = 0.02;
     double longest = 3;
     // Memory.
@@ -108,6 +109,9 @@ class KickChoice {
                 {0, 1}),
           field("accurate", &P::accurate, "degree", "how far they spread from there at most",
                 {0, 180}),
+          field("holds", &P::holds, "",
+                "share of these three demands that is enough for a kick that is about to begin",
+                {0.1, 1}),
           field("mostFalls", &P::mostFalls, "", "share of falls after which a kick is not used",
                 {0, 1}),
           field("longest", &P::longest, "s", "kicks that take longer are not used", {0, 10}),
@@ -185,14 +189,13 @@ class KickChoice {
   /// The same for a robot that is turned by so many steps, and kicks the ball in so many seconds.
   double worthOf(const Imagined& imagined, int turned, double seconds) const;
   bool isUsed(const KickDescription& kick) const;
-  bool isSure(const KickDescription& kick, const Vector2d& place) const;
+  bool isSure(const KickDescription& kick, const Vector2d& place, double demand) const;
   double timeTo(const KickDescription& kick, const Facing& facing) const;
   double disturbed(double seconds) const;
   double opponentArrival(const ObstaclesModel& obstacles) const;
   void choosePlan();
   void decide(std::int64_t unseen);
-  Plan worthNow() const;
-  bool isOutOfReach(int motion) const;
+  Plan worthNow(int begun) const;
   bool hasRoom(const Facing& facing) const;
   void look(const ObstaclesModel& obstacles, const Vector2d& ball);
 

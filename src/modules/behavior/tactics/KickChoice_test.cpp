@@ -65,6 +65,17 @@ TEST_F(KickChoiceTest, ShootsAtTheGoalAtOnce) {
   EXPECT_EQ(choose().now(), ahead);
 }
 
+TEST_F(KickChoiceTest, PlaysTheBallToWhereItsTeamHasLearnedThatItIsWorthMore) {
+  ball = {-150, 0};
+  world.self.pose = {0, -300, 0};
+  EXPECT_LT(std::abs(choose().plan().direction), pi / 2);
+  choice.emplace(parameters);
+  world.values.columns = world.values.rows = 2;
+  world.values.ours = world.values.theirs = {1, 1, -1, -1};
+  world.values.ahead = world.values.behind = std::vector<Vector2d>(4, Vector2d::Zero());
+  EXPECT_GT(std::abs(choose().plan().direction), pi / 2) << "back, says this strange team";
+}
+
 TEST_F(KickChoiceTest, KicksOnlyABallThatItSeesWhereAKickReachesIt) {
   unseen = 500;
   EXPECT_EQ(choose().now(), 0);
@@ -196,6 +207,27 @@ TEST_F(KickChoiceTest, GivesAKickUpWhenTheBallIsTakenAway) {
   EXPECT_EQ(choose().now(), ahead) << "it is not seen";
   unseen = 0;
   EXPECT_EQ(choose().now(), 0);
+}
+
+TEST_F(KickChoiceTest, DoesNotGiveAKickUpForNoise) {
+  world.motions.motions.resize(2);
+  EXPECT_EQ(choose().now(), ahead);
+  for (auto& place : world.motions.motions[1].kick.places)
+    place[5] = 0.8 * parameters.strong * world.motions.motions[1].kick.length;
+  EXPECT_EQ(choose().now(), ahead) << "it is about to begin";
+  choice.emplace(parameters);
+  EXPECT_EQ(choose().now(), 0) << "it would not be begun now";
+}
+
+TEST_F(KickChoiceTest, ChoosesAnewUntilTheKickBegins) {
+  ball = {1000, 0};
+  world.self.pose = {fromDegrees(-60), ball - rotated({150, 0}, fromDegrees(-60))};
+  EXPECT_EQ(choose().now(), left);
+  world.self.pose = {0, ball - Vector2d{150, 0}};
+  EXPECT_EQ(choose().now(), ahead) << "the robot stopped elsewhere";
+  world.self.pose = {fromDegrees(60), ball - rotated({150, 0}, fromDegrees(60))};
+  world.motions.motions.resize(2);
+  EXPECT_EQ(choose().now(), 0) << "from there no kick is good";
 }
 
 TEST_F(KickChoiceTest, LosesItsPatience) {

@@ -2,17 +2,26 @@
 
 #include <algorithm>
 
+#include "modules/behavior/tactics/FreeSpace.h"
+
 namespace gt {
 
 void Tactics::update(const WorldState& world) {
   world_ = &world;
   obstacles_ = world.obstacles;
+  forgetOldObstacles();
   addTeammatesToObstacles();
-  role_ = negotiateRole();
+  buttons_.update(world);
+  negotiateRole();
   ownGoal_.update(world.game.ownScore, world.frame.time);
   opponentGoal_.update(world.game.opponentScore, world.frame.time);
-  const bool plays = role_ == DynamicRole::striker || role_ == DynamicRole::goalie;
+  const bool plays = role() == DynamicRole::striker || role() == DynamicRole::goalie;
   kick_.update(world, obstacles_, knownBall(), world.frame.time - world.ball.lastSeen, plays);
+}
+
+void Tactics::forgetOldObstacles() {
+  for (ObstaclesModel::Sector& sector : obstacles_.sectors)
+    if (static_cast<double>(world_->frame.time - sector.lastSeen) > p_.obstacleMemory) sector = {};
 }
 
 void Tactics::addTeammatesToObstacles() {
@@ -26,6 +35,15 @@ void Tactics::addTeammatesToObstacles() {
     for (const double part : {-1., -0.5, 0., 0.5, 1.})
       obstacles_.enter(front + part * halfWidth * aside, true, mate.lastSeen);
   }
+}
+
+int Tactics::connections() const {
+  const auto isConnected = [this](const TeamMessages::Received& received) {
+    const int number = received.message.playerNumber;
+    return number != 0 && number != world_->player.number() &&
+           static_cast<double>(world_->frame.time - received.timeReceived) < p_.connected;
+  };
+  return static_cast<int>(std::ranges::count_if(world_->team.byPlayer, isConnected));
 }
 
 bool Tactics::ownBall() const {
@@ -50,48 +68,30 @@ std::int64_t Tactics::knownBallAge() const {
 }
 
 double Tactics::estimatedTimeToReachBall() const {
+  const WorldState& w = *world_;
   const Vector2d ball = knownBall();
   const Vector2d toGoal = goalToScoreIn() - knownBallOnField();
   const double wrongSide =
-      std::abs(normalize(angleOf(toGoal) - world_->self.pose.rotation - angleOf(ball)));
+      std::abs(normalize(angleOf(toGoal) - w.self.pose.rotation - angleOf(ball)));
+  const double free = corridor(obstacles_, angleOf(ball), p_.teammateWidth);
   return ball.norm() / p_.walkSpeed + std::abs(angleOf(ball)) / p_.turnSpeed +
          wrongSide * p_.wrongSide / p_.walkSpeed +
-         p_.unseenBall * std::min(static_cast<double>(world_->frame.time - world_->ball.lastSeen),
-                                  p_.longestUnseen) +
-         (world_->body.state == BodyState::fallen ? p_.gettingUp : 0);
+         p_.unseenBall *
+             std::min(static_cast<double>(w.frame.time - w.ball.lastSeen), p_.longestUnseen) +
+         (free < ball.norm() - p_.besideBall ? p_.blockedWay : 0) +
+         (w.body.state == BodyState::fallen ? p_.gettingUp : 0);
 }
 
-/// A striker hands its role over as soon as it hears of one that is nearer; another robot takes it
-/// when it has been nearer than all others for a while. So the role neither flickers nor gets lost.
-DynamicRole Tactics::negotiateRole() {
+void Tactics::negotiateRole() {
   const WorldState& w = *world_;
-  if (w.player.role == PlayerRole::goalie) return DynamicRole::goalie;
-  const double own = estimatedTimeToReachBall();
-  const double ahead = role_ == DynamicRole::offensiveSupporter ? p_.forwardAdvantage : 0;
-  bool nearest = w.game.penalty == Penalty::none, handsOver = !nearest, mostForward = true;
-  for (const TeamMessages::Received& received : w.team.byPlayer) {
-    const TeamMessage& mate = received.message;
-    const bool heard = static_cast<double>(w.frame.time - received.timeReceived) < p_.heard;
-    if (!heard || mate.playerNumber <= 1 || mate.playerNumber == w.player.number()) continue;
-    const bool isStriker = mate.behavior.role == DynamicRole::striker;
-    const double time = mate.behavior.estimatedTimeToReachBall;
-    const bool sooner = time < own || (time == own && mate.playerNumber < w.player.number());
-    if (isStriker && sooner) handsOver = true;
-    if (isStriker ? time < own + p_.strikerAdvantage : sooner) nearest = false;
-    if (!isStriker && mate.robotPose.translation.x() > w.self.pose.translation.x() + ahead)
-      mostForward = false;
+  const double time =
+      w.game.penalty == Penalty::none ? estimatedTimeToReachBall() : RoleNegotiation::notAvailable;
+  if (w.player.role == PlayerRole::goalie) {
+    message_ = {DynamicRole::goalie, time};
+    return;
   }
-  const DynamicRole supporter =
-      mostForward ? DynamicRole::offensiveSupporter : DynamicRole::defensiveSupporter;
-  if (role_ == DynamicRole::striker) {
-    wantedSince_ = w.frame.time;
-    return handsOver ? supporter : role_;
-  }
-  const DynamicRole wanted = nearest ? DynamicRole::striker : supporter;
-  if (wantedSince_ == never()) role_ = wanted;  // the first cycle
-  if (wanted != wanted_ || wantedSince_ == never()) wantedSince_ = w.frame.time;
-  wanted_ = wanted;
-  return static_cast<double>(w.frame.time - wantedSince_) >= p_.roleDelay ? wanted : role_;
+  roles_.update({w.player.number(), time, w.self.pose.translation.x()}, w.team, w.frame.time);
+  message_ = roles_.message();
 }
 
 }  // namespace gt

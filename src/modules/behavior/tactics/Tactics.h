@@ -1,7 +1,9 @@
 #pragma once
 #include "base/Geometry.h"
 #include "base/Time.h"
+#include "modules/behavior/tactics/ButtonControl.h"
 #include "modules/behavior/tactics/KickChoice.h"
+#include "modules/behavior/tactics/RoleNegotiation.h"
 #include "streams/Reflection.h"
 
 namespace gt {
@@ -13,8 +15,8 @@ class Tactics {
   struct Parameters {
     // The ball and the team.
     double ownBall = 600;
-    double heard = 5000;
     double teammateWidth = 160;
+    double obstacleMemory = 1200;
     // Roles.
     double walkSpeed = 0.2;
     double turnSpeed = 0.0015;
@@ -22,9 +24,12 @@ class Tactics {
     double unseenBall = 0.5;
     double longestUnseen = 10000;
     double gettingUp = 3000;
-    double strikerAdvantage = 1500;
-    double roleDelay = 1000;
-    double forwardAdvantage = 300;
+    double blockedWay = 1000;
+    double besideBall = 400;
+    RoleNegotiation::Parameters roles;
+    // The game without a game manager.
+    double connected = 5000;
+    ButtonControl::Parameters buttons;
     // How to play the ball.
     KickChoice::Parameters kick;
 
@@ -34,10 +39,11 @@ class Tactics {
           field("ownBall", &P::ownBall, "ms",
                 "so long after it was seen the robot's own ball counts, then the team's",
                 {0, 60000}),
-          field("heard", &P::heard, "ms", "messages of teammates that are older do not count",
-                {0, 60000}),
           field("teammateWidth", &P::teammateWidth, "mm",
                 "width of a teammate as an obstacle, where its message says it is", {0, 1000}),
+          field("obstacleMemory", &P::obstacleMemory, "ms",
+                "an obstacle that was not seen for so long does not count, as robots move",
+                {0, 1e5}),
           field("walkSpeed", &P::walkSpeed, "mm/ms", "speed in the estimated time to the ball",
                 {0.01, 1}),
           field("turnSpeed", &P::turnSpeed, "rad/ms",
@@ -51,19 +57,24 @@ class Tactics {
                 {0, 60000}),
           field("gettingUp", &P::gettingUp, "ms", "further time of a robot that has fallen",
                 {0, 60000}),
-          field("roleDelay", &P::roleDelay, "ms",
-                "so long a robot wants to become striker, or another supporter, until it does",
-                {0, 10000}),
-          field("strikerAdvantage", &P::strikerAdvantage, "ms",
-                "so much later than others the present striker may reach the ball", {0, 60000}),
-          field("forwardAdvantage", &P::forwardAdvantage, "mm",
-                "so far behind others the present offensive supporter may stand", {0, 5000}),
+          field("blockedWay", &P::blockedWay, "ms",
+                "further time if the direct way to the ball is blocked", {0, 60000}),
+          field("besideBall", &P::besideBall, "mm",
+                "obstacles that are nearer to the ball do not block the way to it", {0, 5000}),
+          field("roles", &P::roles),
+          field("connected", &P::connected, "ms",
+                "a teammate from which nothing was heard for so long is not connected", {0, 60000}),
+          field("buttons", &P::buttons),
           field("kick", &P::kick)};
     }
   };
 
   /// The parameters must outlive this.
-  explicit Tactics(const Parameters& parameters) : p_{parameters}, kick_{parameters.kick} {}
+  explicit Tactics(const Parameters& parameters)
+      : p_{parameters},
+        roles_{parameters.roles},
+        buttons_{parameters.buttons},
+        kick_{parameters.kick} {}
 
   /// Begins a cycle: enters the teammates that sent where they are among the obstacles, for the
   /// camera does not see what is behind the robot, and negotiates the role. The state of the world
@@ -80,16 +91,18 @@ class Tactics {
   /// In ms.
   std::int64_t knownBallAge() const;
 
-  /// How long the robot needs to the ball, in ms: by distance, by the angle to turn, by how long
-  /// the ball is out of sight and by being on the wrong side of it (report 3.8.2).
-  double estimatedTimeToReachBall() const;
-  /// The role of this cycle. A field player compares its time to the ball with what its teammates
-  /// told; the present striker has a little advantage, so that roles do not flicker. The goalie
-  /// stays goalie.
-  const DynamicRole& role() const { return role_; }
+  /// The role of this cycle; the goalie stays goalie.
+  DynamicRole role() const { return message().role; }
+  /// What the teammates have to know.
+  const BehaviorTeamMessage& message() const { return message_; }
 
   /// How to play the ball.
   const KickChoice& kick() const { return kick_; }
+
+  /// The state of the game.
+  const ButtonControl& game() const { return buttons_; }
+  /// How many teammates the robot is connected with: heard lately.
+  int connections() const;
 
   /// When the teams scored last.
   Time ownGoal() const { return ownGoal_.time; }
@@ -107,16 +120,21 @@ class Tactics {
     }
   };
 
+  void forgetOldObstacles();
   void addTeammatesToObstacles();
-  DynamicRole negotiateRole();
+  /// How long the robot needs to the ball, in ms: by distance, by the angle to turn, by how long
+  /// the ball is out of sight, by being on the wrong side of it and by obstacles (report 3.8.2).
+  double estimatedTimeToReachBall() const;
+  void negotiateRole();
   bool ownBall() const;
   Vector2d goalToScoreIn() const { return {world_->field.xGroundline, 0}; }
 
   const Parameters& p_;
   const WorldState* world_ = nullptr;
   ObstaclesModel obstacles_;
-  DynamicRole role_ = DynamicRole::defensiveSupporter, wanted_ = role_;
-  Time wantedSince_ = never();
+  RoleNegotiation roles_;
+  BehaviorTeamMessage message_;
+  ButtonControl buttons_;
   KickChoice kick_;
   Goal ownGoal_, opponentGoal_;
 };

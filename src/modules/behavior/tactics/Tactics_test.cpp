@@ -23,11 +23,6 @@ class TacticsTest : public ::testing::Test {
     tactics_.update(*state);
     return tactics_;
   }
-  /// After so many ms in which the robot sees the ball.
-  const Tactics& later(int ms) {
-    world.frame.time = world.ball.lastSeen = world.frame.time + ms;
-    return tactics();
-  }
   TeamMessage& hear(int number, const BehaviorTeamMessage& behavior, const Pose2D& pose = {}) {
     auto& received = world.team.byPlayer[static_cast<std::size_t>(number - 1)];
     received.timeReceived = world.frame.time;
@@ -43,49 +38,24 @@ class TacticsTest : public ::testing::Test {
   Tactics tactics_{parameters};
 };
 
-TEST_F(TacticsTest, TheNearestRobotIsTheStriker) {
-  world.ball.position = {300, 0};
-  hear(2, {DynamicRole::offensiveSupporter, 30000});
-  EXPECT_EQ(tactics().role(), DynamicRole::striker);
-  hear(2, {DynamicRole::striker, 100}, {0, 1000, 0});
-  EXPECT_EQ(tactics().role(), DynamicRole::offensiveSupporter) << "at once";
-}
-
-TEST_F(TacticsTest, WhoIsNotHeardForSomeTimeIsNoRival) {
-  hear(2, {DynamicRole::striker, 100}, {0, 1000, 0});
-  EXPECT_NE(later(2000).role(), DynamicRole::striker);
-  EXPECT_NE(later(4000).role(), DynamicRole::striker);
-  EXPECT_EQ(later(1000).role(), DynamicRole::striker);
-}
-
-TEST_F(TacticsTest, ARobotThatIsNearerTakesTheRoleAfterAWhile) {
-  world.ball.position = {300, 0};
-  hear(2, {DynamicRole::striker, 100});
-  ASSERT_NE(tactics().role(), DynamicRole::striker);
-  const double own = tactics().estimatedTimeToReachBall();
-  for (int i = 0; i <= 10; ++i) {
-    hear(2, {DynamicRole::striker, own + parameters.strikerAdvantage + 10});
-    EXPECT_EQ(later(100).role() == DynamicRole::striker, i == 10) << i;
-  }
-}
-
-TEST_F(TacticsTest, TheStrikerStaysStrikerWhereOthersAreHardlyNearer) {
-  world.ball.position = {300, 0};
-  ASSERT_EQ(tactics().role(), DynamicRole::striker);
-  const double own = tactics().estimatedTimeToReachBall();
-  hear(2, {DynamicRole::offensiveSupporter, own / 2});
-  EXPECT_EQ(later(500).role(), DynamicRole::striker) << "nobody else is striker";
-  hear(2, {DynamicRole::striker, own / 2});
-  EXPECT_NE(later(40).role(), DynamicRole::striker);
+TEST_F(TacticsTest, TheTimeToTheBallCountsWhatIsInTheWay) {
+  world.ball.position = {1500, 0};
+  const double free = tactics().message().estimatedTimeToReachBall;
+  world.obstacles.enter({700, 0}, true, world.frame.time);
+  EXPECT_EQ(tactics().message().estimatedTimeToReachBall, free + parameters.blockedWay);
+  world.obstacles = {};
+  world.obstacles.enter({1400, 0}, true, world.frame.time);
+  EXPECT_EQ(tactics().message().estimatedTimeToReachBall, free) << "who is at the ball";
 }
 
 TEST_F(TacticsTest, WhoIsPenalizedOrHasFallenLeavesTheBallToOthers) {
   world.ball.position = {300, 0};
-  const double own = tactics().estimatedTimeToReachBall();
+  const double own = tactics().message().estimatedTimeToReachBall;
   world.body.state = BodyState::fallen;
-  EXPECT_EQ(tactics().estimatedTimeToReachBall(), own + parameters.gettingUp);
+  EXPECT_EQ(tactics().message().estimatedTimeToReachBall, own + parameters.gettingUp);
   world.body = {};
   world.game.penalty = Penalty::ballHolding;
+  EXPECT_EQ(tactics().message().estimatedTimeToReachBall, RoleNegotiation::notAvailable);
   EXPECT_NE(tactics().role(), DynamicRole::striker);
 }
 
@@ -115,6 +85,13 @@ TEST_F(TacticsTest, TeammatesAreObstaclesWhereTheyTellThatTheyAre) {
   EXPECT_NEAR(corridor(tactics().obstacles(), 0, 100), 420, 30);
   EXPECT_EQ(corridor(world.obstacles, 0, 100), ObstaclesModel::farAway);
   world.players.ownTeam.front().number = 0;  // seen, but it told nothing
+  EXPECT_EQ(corridor(tactics().obstacles(), 0, 100), ObstaclesModel::farAway);
+}
+
+TEST_F(TacticsTest, ForgetsWhatWasInTheWayBefore) {
+  world.obstacles.enter({500, 0}, true, world.frame.time);
+  EXPECT_EQ(corridor(tactics().obstacles(), 0, 100), 500);
+  world.frame.time = world.frame.time + static_cast<std::int64_t>(parameters.obstacleMemory) + 1;
   EXPECT_EQ(corridor(tactics().obstacles(), 0, 100), ObstaclesModel::farAway);
 }
 

@@ -2,6 +2,7 @@
 #include <tuple>
 
 #include "modules/behavior/potentialfields/PotentialFields.h"
+#include "modules/behavior/tactics/PlayValues.h"
 #include "modules/behavior/tactics/TargetPoints.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/FieldDimensions.h"
@@ -15,6 +16,7 @@
 #include "representations/modeling/RobotState.h"
 #include "representations/motion/MotionInfo.h"
 #include "representations/motion/MotionNet.h"
+#include "representations/perception/CollisionPercept.h"
 
 namespace gt {
 
@@ -32,16 +34,19 @@ struct WorldState {
   const RobotState& body;
   const TeamMessages& team;
   const MotionInfo& motion;
+  const CollisionPercept& collision;
   const MotionNet& motions;
   const PotentialFields& fields;
   const TargetPoints& targets;
+  const PlayValues& values;
 
   /// Each is an input of the module that takes a WorldState.
   using Parts =
       std::tuple<const FrameInfo&, const Player&, const FieldDimensions&, const GameControlData&,
                  const RobotPose&, const BallModel&, const TeamBallModel&, const ObstaclesModel&,
                  const PlayersCollection&, const RobotState&, const TeamMessages&,
-                 const MotionInfo&, const MotionNet&, const PotentialFields&, const TargetPoints&>;
+                 const MotionInfo&, const CollisionPercept&, const MotionNet&,
+                 const PotentialFields&, const TargetPoints&, const PlayValues&>;
 };
 
 }  // namespace gt

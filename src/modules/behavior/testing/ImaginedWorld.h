@@ -17,13 +17,15 @@ struct ImaginedWorld {
   RobotState body;
   TeamMessages team;
   MotionInfo motion;
+  CollisionPercept collision;
   MotionNet motions;
   PotentialFields fields;
   TargetPoints targets;
+  PlayValues values;
 
   WorldState state() const {
-    return {frame,   player, field, game,   self,    ball,   teamBall, obstacles,
-            players, body,   team,  motion, motions, fields, targets};
+    return {frame, player, field,  game,      self,    ball,   teamBall, obstacles, players,
+            body,  team,   motion, collision, motions, fields, targets,  values};
   }
 };
 

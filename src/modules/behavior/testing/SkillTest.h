@@ -23,8 +23,9 @@ class SkillTest : public ::testing::Test {
   Tactics::Parameters tacticsParameters;
   Tactics tactics{tacticsParameters};
   MotionRequest request;
+  WalkType walkType = WalkType::normal;
   Movement::Parameters parameters;
-  Movement movement{tactics, request, parameters};
+  Movement movement{tactics, request, walkType, parameters};
   BasicBehaviors skills{movement};
 };
 

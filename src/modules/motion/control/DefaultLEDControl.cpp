@@ -15,6 +15,7 @@ void DefaultLEDControl::update(const LedRequest& request, const FrameInfo& frame
     value.lit.values[i] =
         mode == LedMode::on ||
         (mode == LedMode::slowBlink && onInPeriod(frame.time, parameters.slowPeriod)) ||
+        (mode == LedMode::slowBlinkInTurn && !onInPeriod(frame.time, parameters.slowPeriod)) ||
         (mode == LedMode::fastBlink && onInPeriod(frame.time, parameters.fastPeriod));
   }
 }

@@ -9,6 +9,8 @@ TEST(DefaultLEDControl, LightsAndBlinks) {
   DefaultLEDControl control;
   LedRequest request;
   request.modes[Led::top] = LedMode::on;
+  request.modes[Led::upperLeft] = LedMode::slowBlink;
+  request.modes[Led::upperRight] = LedMode::slowBlinkInTurn;
   request.modes[Led::tailBlue] = LedMode::slowBlink;
   request.modes[Led::tailRed] = LedMode::fastBlink;
   LedValue value;
@@ -16,6 +18,7 @@ TEST(DefaultLEDControl, LightsAndBlinks) {
   LedValue before;
   for (std::int64_t ms = 0; ms < 4000; ms += 8) {
     control.update(request, {{ms}}, value);
+    EXPECT_NE(value.lit[Led::upperLeft], value.lit[Led::upperRight]) << "they alternate";
     for (std::size_t i = 0; i < value.lit.size(); ++i) {
       changes.values[i] += value.lit.values[i] != before.lit.values[i] ? 1 : 0;
       lit.values[i] += value.lit.values[i] ? 1 : 0;

@@ -1,0 +1,82 @@
+#include "modules/behavior/tactics/RoleNegotiation.h"
+
+#include <algorithm>
+
+namespace gt {
+
+void RoleNegotiation::update(const Candidate& self, const TeamMessages& team, Time now) {
+  const bool begins = self_.number == 0;
+  self_ = self;
+  for (const TeamMessages::Received& mate : team.byPlayer)
+    newest_ = std::max(newest_, mate.timeReceived);
+  adopt(team);
+
+  const Candidate mate = soonestMate(team, now);
+  const bool isStriker = striker_ == self.number, plays = strikerPlays(team, now);
+  const bool leaves = isStriker && mate.timeToBall + p_.strikerAdvantage < self.timeToBall &&
+                      static_cast<double>(now - newest_) < p_.fresh;
+  if (plays && !leaves) strikerRight_ = now;
+  const bool isDue = static_cast<double>(now - strikerRight_) >= p_.delay;
+  if (isStriker && (!plays || (leaves && isDue)))
+    handOverTo(mate.number);
+  else if (!isStriker && !plays && (begins || isDue) && self.timeToBall < notAvailable &&
+           self.timeToBall <= mate.timeToBall)
+    handOverTo(self.number);
+
+  const DynamicRole supporter =
+      isMostForward(team, now) ? DynamicRole::offensiveSupporter : DynamicRole::defensiveSupporter;
+  const DynamicRole wanted = striker_ == self.number ? DynamicRole::striker : supporter;
+  if (wanted == role_) roleRight_ = now;
+  const bool atOnce = begins || wanted == DynamicRole::striker || role_ == DynamicRole::striker;
+  if (atOnce || static_cast<double>(now - roleRight_) >= p_.delay) role_ = wanted;
+}
+
+/// If two have decided the same number, the one with the lower number is the striker.
+void RoleNegotiation::adopt(const TeamMessages& team) {
+  for (const TeamMessages::Received& mate : team.byPlayer) {
+    const BehaviorTeamMessage& told = mate.message.behavior;
+    if (mate.message.playerNumber <= 1 || mate.message.playerNumber == self_.number) continue;
+    const bool isNewer = told.handOver > handOver_;
+    const bool isAsNew = told.handOver == handOver_ && told.striker != 0;
+    if (!isNewer && !(isAsNew && (striker_ == 0 || told.striker < striker_))) continue;
+    striker_ = told.striker;
+    handOver_ = told.handOver;
+  }
+}
+
+bool RoleNegotiation::strikerPlays(const TeamMessages& team, Time now) const {
+  if (striker_ == self_.number) return self_.timeToBall < notAvailable;
+  return striker_ != 0 && isPresent(team.byPlayer[static_cast<std::size_t>(striker_ - 1)], now);
+}
+
+/// The network may break down for seconds in which nobody is heard; a robot that alone is not heard
+/// is gone.
+bool RoleNegotiation::isPresent(const TeamMessages::Received& mate, Time now) const {
+  return mate.message.playerNumber > 1 && mate.message.playerNumber != self_.number &&
+         static_cast<double>(newest_ - mate.timeReceived) < p_.gone &&
+         static_cast<double>(now - mate.timeReceived) < p_.silence;
+}
+
+RoleNegotiation::Candidate RoleNegotiation::soonestMate(const TeamMessages& team, Time now) const {
+  Candidate soonest;
+  for (const TeamMessages::Received& mate : team.byPlayer)
+    if (isPresent(mate, now) && mate.message.behavior.estimatedTimeToReachBall < soonest.timeToBall)
+      soonest = {mate.message.playerNumber, mate.message.behavior.estimatedTimeToReachBall,
+                 mate.message.robotPose.translation.x()};
+  return soonest;
+}
+
+bool RoleNegotiation::isMostForward(const TeamMessages& team, Time now) const {
+  const double ahead = role_ == DynamicRole::offensiveSupporter ? p_.forwardAdvantage : 0;
+  return std::ranges::none_of(team.byPlayer, [&](const TeamMessages::Received& mate) {
+    return isPresent(mate, now) && mate.message.playerNumber != striker_ &&
+           mate.message.robotPose.translation.x() > self_.x + ahead;
+  });
+}
+
+void RoleNegotiation::handOverTo(int number) {
+  striker_ = number;
+  ++handOver_;
+}
+
+}  // namespace gt
