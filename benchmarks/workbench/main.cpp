@@ -1,11 +1,14 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QEvent>
 #include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <functional>
-#include <optional>
+#include <memory>
+#include <numeric>
+#include <span>
 #include <thread>
 
 #include "commandline/CommandLine.h"
@@ -15,6 +18,7 @@
 #include "workbench/CustomPlot.h"
 #include "workbench/MainWindow.h"
 #include "workbench/SheetWidget.h"
+#include "workbench/ViewDialog.h"
 
 namespace gt {
 namespace {
@@ -24,11 +28,13 @@ struct Options {
   double seconds = 20;     ///< Of play.
   double logMinutes = 10;  ///< Of the log that is opened.
   std::string json = "out/bench.json";
+  std::string only{};  ///< One part of it.
 };
 
-double processorMs() {
+/// Processor time in ms: of this thread, or of the whole program.
+double processorMs(clockid_t of = CLOCK_THREAD_CPUTIME_ID) {
   timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  clock_gettime(of, &time);
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
@@ -75,24 +81,27 @@ class ImageOnSheet : public SheetPainter {
   std::size_t hash = 0;
 };
 
-/// Counts the images that a viewer shows one after another.
-class ShownImages {
+/// Counts the images that a viewer paints one after another.
+class ShownImages : public QObject {
  public:
-  explicit ShownImages(Dialog& viewer) {
-    for (QWidget* child : viewer.findChildren<QWidget*>())
-      if (auto* sheet = dynamic_cast<SheetWidget*>(child)) widget_ = sheet;
+  explicit ShownImages(ViewDialog& viewer) : widget_{&viewer.sheet()} {
+    widget_->installEventFilter(this);
   }
-  void look() {
-    if (!widget_ || !widget_->sheet() || widget_->sheet() == sheet_) return;
+  double count() const { return count_; }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::Paint || !widget_->sheet() || widget_->sheet() == sheet_)
+      return false;
     sheet_ = widget_->sheet();
     ImageOnSheet image;
     sheet_->paintOn(image);
     if (std::exchange(last_, image.hash) != image.hash) ++count_;
+    return false;
   }
-  double count() const { return count_; }
 
  private:
-  SheetWidget* widget_ = nullptr;
+  SheetWidget* widget_;
   const Sheet* sheet_ = nullptr;
   std::size_t last_ = 0;
   double count_ = 0;
@@ -138,16 +147,10 @@ Result<void> measureFirstWindow(Figures& figures, const Options& options,
   return {};
 }
 
-/// Opens what a developer has open: viewers, 20 values over time, the time diagram.
-void openAll(SessionThread& session, MainWindow& window) {
-  window.resize(1600, 1000);
-  for (const char* dialog : {"image", "image", "image", "image", "field", "plot", "times"})
-    window.open(dialog);
-  // Beside each other: what lies behind another dialog is not refreshed.
-  for (auto* dock : window.findChildren<QDockWidget*>()) {
-    dock->setFloating(true);
-    dock->show();
-  }
+constexpr const char* viewers[] = {"image", "image#2", "image#3", "image#4"};
+
+/// Twenty values over time, and a robot whose images are shown.
+void showRobots(SessionThread& session, MainWindow& window) {
   QJsonArray values;
   int number = 0;
   for (const char* robot : {"red1", "red2", "red3", "red4"})
@@ -160,37 +163,68 @@ void openAll(SessionThread& session, MainWindow& window) {
   execute(session, "st on 1");
 }
 
-/// Eight robots play in real time with all that open.
-Result<void> measurePlay(Figures& figures, const Options& options, const TemporaryFolder& folder) {
+/// What a developer has before the eyes: four image viewers beside each other, below them field,
+/// 20 values over time, and the time diagram.
+void openViewers(MainWindow& window) {
+  window.resize(1600, 1000);
+  QJsonArray dialogs;
+  for (const char* key : {"image", "image#2", "image#3", "image#4", "field", "plot", "times"})
+    dialogs.append(QJsonObject{{"dialog", key}, {"settings", QJsonObject{}}});
+  static_cast<void>(window.arrange({{"version", 1}, {"dialogs", dialogs}}));
+  const auto dock = [&](const char* key) {
+    return static_cast<QDockWidget*>(window.dialog(key)->parentWidget());
+  };
+  const auto addRow = [&](std::span<const char* const> keys, Qt::DockWidgetArea area) {
+    for (const char* key : keys) {
+      window.removeDockWidget(dock(key));
+      window.addDockWidget(area, dock(key), Qt::Horizontal);
+      dock(key)->show();
+    }
+  };
+  addRow(viewers, Qt::TopDockWidgetArea);
+  const char* const below[] = {"field", "plot", "times"};
+  addRow(below, Qt::BottomDockWidgetArea);
+}
+
+/// All dialogs that there are, and several image viewers: each is a window of its own, for what
+/// lies behind another dialog is not refreshed.
+void openEverything(MainWindow& window) {
+  for (const DialogType& type : Dialog::types()) window.open(type.id);
+  for (int i = 0; i < 3; ++i) window.open("image");
+  for (auto* dock : window.findChildren<QDockWidget*>()) {
+    dock->setFloating(true);
+    dock->show();
+  }
+}
+
+/// Eight robots play in real time with some dialogs open; figures' names begin with `prefix`.
+Result<void> measurePlay(Figures& figures, const Options& options, const TemporaryFolder& folder,
+                         const std::string& prefix, void (*open)(MainWindow&)) {
   auto session = play(options);
   if (!session) return session.error();
   MainWindow window{**session, QString::fromStdString(folder.path().string())};
   window.show();
-  openAll(**session, window);
+  open(window);
+  showRobots(**session, window);
   constexpr double warmUp = 3000, interval = 1000;  // ms
   (*session)->execute("start");
-  std::vector<ShownImages> viewers;
-  for (const char* key : {"image", "image#2", "image#3", "image#4", "image#5"})
-    if (Dialog* const viewer = window.dialog(key); viewer && !viewer->visibleRegion().isEmpty())
-      viewers.emplace_back(*viewer);
-  const auto look = [&] {
-    for (ShownImages& viewer : viewers) viewer.look();
-  };
+  std::vector<std::unique_ptr<ShownImages>> shown;
+  for (const char* key : viewers)
+    shown.push_back(std::make_unique<ShownImages>(dynamic_cast<ViewDialog&>(*window.dialog(key))));
   QElapsedTimer clock;
   clock.start();
   while (elapsedMs(clock) < warmUp) QCoreApplication::processEvents();
-  look();
   std::vector<double> before, lost;
-  for (const ShownImages& viewer : viewers) before.push_back(viewer.count());
+  for (const auto& viewer : shown) before.push_back(viewer->count());
   const Time begin = (*session)->status().time;
   std::vector<double> passes, processor, minutes, sizes;
+  const double usedBefore = processorMs(CLOCK_PROCESS_CPUTIME_ID);
   clock.start();
   while (elapsedMs(clock) < 1000 * options.seconds) {
     const double from = elapsedMs(clock), used = processorMs();
     QCoreApplication::processEvents();
     passes.push_back(elapsedMs(clock) - from);
     processor.push_back(processorMs() - used);
-    look();
     constexpr double perMinute = 60'000;
     if (elapsedMs(clock) >= interval * static_cast<double>(sizes.size())) {
       minutes.push_back(elapsedMs(clock) / perMinute);
@@ -200,21 +234,35 @@ Result<void> measurePlay(Figures& figures, const Options& options, const Tempora
   }
   const auto simulated = static_cast<double>((*session)->status().time - begin);
   const double taken = elapsedMs(clock);
+  const double usedAll = processorMs(CLOCK_PROCESS_CPUTIME_ID) - usedBefore;
   constexpr double imageInterval = 40;  // ms
   const double made = simulated / imageInterval;
-  for (std::size_t i = 0; i < viewers.size(); ++i)
-    lost.push_back(std::max(0.0, 100 * (1 - (viewers[i].count() - before[i]) / made)));
-  figures.add("workbench.images.lost", "%", lost, Aim::atMost(0));
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    lost.push_back(std::max(0.0, 100 * (1 - (shown[i]->count() - before[i]) / made)));
+  figures.add(prefix + ".images.lost", "%", lost, Aim::atMost(0));
+  const double windows = std::accumulate(processor.begin(), processor.end(), 0.0);
   const auto addLoop = [&](const std::string& name, std::vector<double>& times) {
     std::ranges::sort(times);
     figures.add(name + ".p95", "ms", {times[times.size() * 95 / 100]}, Aim::atMost(16));
     figures.add(name + ".longest", "ms", {times.back()}, Aim::atMost(50));
   };
-  addLoop("workbench.loop", passes);
-  addLoop("workbench.loop.processor", processor);
-  figures.add("workbench.realTime", "x", {simulated / taken}, Aim::atLeast(0.98));
-  figures.add("workbench.memory.growth", "MB/min", {slope(minutes, sizes)});
+  addLoop(prefix + ".loop", passes);
+  addLoop(prefix + ".loop.processor", processor);
+  figures.add(prefix + ".realTime", "x", {simulated / taken}, Aim::atLeast(0.98));
+  // What it takes in processors: of the window's thread, and of the whole.
+  figures.add(prefix + ".processors.window", "1", {windows / taken});
+  figures.add(prefix + ".processors", "1", {usedAll / taken}, Aim::atMost(2));
+  figures.add(prefix + ".memory.growth", "MB/min", {slope(minutes, sizes)});
   return {};
+}
+
+Result<void> measureViewers(Figures& figures, const Options& options,
+                            const TemporaryFolder& folder) {
+  return measurePlay(figures, options, folder, "workbench", openViewers);
+}
+Result<void> measureEverything(Figures& figures, const Options& options,
+                               const TemporaryFolder& folder) {
+  return measurePlay(figures, options, folder, "workbench.everything", openEverything);
 }
 
 /// Lets a robot play alone, without a window, for its log.
@@ -295,8 +343,14 @@ Result<void> measure(int argc, char** argv, const Options& options) {
   QApplication application{argc, argv};
   const TemporaryFolder folder;
   Figures figures;
-  for (const auto part : {measureFirstWindow, measurePan, measurePlay, measureLog})
-    if (auto done = part(figures, options, folder); !done) return done;
+  const std::pair<const char*, decltype(&measurePan)> parts[] = {{"window", measureFirstWindow},
+                                                                 {"plot", measurePan},
+                                                                 {"play", measureViewers},
+                                                                 {"everything", measureEverything},
+                                                                 {"log", measureLog}};
+  for (const auto& [name, part] : parts)
+    if (options.only.empty() || options.only == name)
+      if (auto done = part(figures, options, folder); !done) return done;
   figures.print();
   return figures.write(options.json);
 }
@@ -317,6 +371,9 @@ int main(int argc, char** argv) {
       .add_option("--log-minutes", options.logMinutes, "Length of the log that is opened")
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();
+  line.app()
+      .add_option("--only", options.only, "Measures one part")
+      ->check(CLI::IsMember({"window", "plot", "play", "everything", "log"}));
   line.app().add_option("--json", options.json, "File for the figures")->capture_default_str();
   return line.run([&] { return gt::measure(argc, argv, options); });
 }

@@ -20,7 +20,8 @@ constexpr FileKind fileKinds[] = {{"FILE", "", ""},
                                   {"SCENE", "scenes", ".scene", true},
                                   {"SCRIPT", "scenes", ".con", true},
                                   {"STATE", "out/states", ".state"},
-                                  {"TABLE", "out", ".csv"}};
+                                  {"TABLE", "out", ".csv"},
+                                  {"TEST", "out/tests", ".con"}};
 
 constexpr std::size_t mostFiles = 500;
 

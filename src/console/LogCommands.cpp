@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "console/Commands.h"
+#include "console/ComparedRuns.h"
 #include "observer/LogTransfer.h"
 
 namespace gt {
@@ -107,11 +108,44 @@ Result<void> lp(Console& console, const Words& words) {
   });
 }
 
+/// compare LOG LOG, or LOG TASK SOLUTION SOLUTION.
+Result<void> compare(Console& console, const Words& words) {
+  ComparedRun a{withDefaults(words[1], "out/logs", ".mcap")}, b = a;
+  if (words.size() == 3) {
+    b.log = withDefaults(words[2], "out/logs", ".mcap");
+  } else {
+    a.replayed = b.replayed = true;
+    a.task = b.task = words[2];
+    a.solution = words[3];
+    b.solution = words[4];
+  }
+  Session& session = console.session();
+  const auto comparison =
+      compareRuns(a, b, session.logOptions(), [&](double) { return !session.takeInterrupt(); });
+  if (!comparison) return comparison.error();
+  list(console, linesOf(*comparison));
+  return {};
+}
+
+std::vector<std::string> compareChoices(Console&, const Words& before) {
+  const auto tasks = allSolutions();
+  std::vector<std::string> names;
+  if (before.size() == 2)
+    for (const auto& [task, solutions] : tasks) names.push_back(task);
+  const auto task = before.size() > 2 ? tasks.find(before[2]) : tasks.end();
+  return task == tasks.end() ? names : task->second;
+}
+
 }  // namespace
 
 std::vector<Command> logCommands() {
   constexpr auto kind = Command::Kind::robot;
   return {
+      {Command::Kind::global, "compare", "LOG (LOG | TASK SOLUTION SOLUTION)",
+       "Compares two logs at the same times, or what one log's robot computes with one solution "
+       "of a task and with another. Prints which representations differ, how often, and where "
+       "first.",
+       compare, compareChoices},
       {kind, "log", "start | stop | clear | save FILE",
        "Records all that comes from the robots, with all that it takes to replay that; saves it to "
        "out/logs/ and with .mcap if the file has no folder and extension. Several robots get a "

@@ -29,6 +29,8 @@ class RobotConnection {
   std::vector<std::unique_ptr<ConsoleRobot>> takeRobots() { return std::move(robots_); }
   /// What has changed since this was called last: a line for each robot that came or went.
   std::vector<std::string> news();
+  /// State of each robot's connection, and how many messages went through it.
+  std::vector<Router::Statistics> statistics() const { return router_->statistics(); }
   /// The robots that are not connected.
   std::vector<std::string> silent() const;
 

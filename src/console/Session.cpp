@@ -229,11 +229,7 @@ ConsoleRobot* Session::find(std::string_view name) const {
 Result<void> Session::replay(const std::string& name, const std::string& file,
                              const std::string& colorTable) {
   if (find(name)) return Error{.field = name, .what = "there is already a robot of this name"};
-  LogRobotOptions options;
-  options.configuration = state_.match->sharedConfiguration();
-  options.root = options_.root;
-  options.colorTable = colorTable;
-  auto robot = makeLogRobot(name, file, options, time());
+  auto robot = makeLogRobot(name, file, logOptions(colorTable), time());
   if (!robot) return robot.error();
   match().markIrreproducible("a robot runs on a log");
   state_.robots.push_back(std::move(*robot));

@@ -87,12 +87,21 @@ class Session {
   /// `colorTable` is for logs of real robots; see LogRobotOptions.
   Result<void> replay(const std::string& name, const std::string& file,
                       const std::string& colorTable = {});
+  /// What logs have from this session that hold no setup of their own.
+  LogRobotOptions logOptions(const std::string& colorTable = {}) const {
+    return {options_.root, state_.match->sharedConfiguration(), colorTable};
+  }
   /// Report I.5.1: sc; only once.
   Result<void> connect(const std::vector<std::string>& robots, bool gameManager);
 
   /// Shows all robots to viewers such as Foxglove and Lichtblick from now on (docs/foxglove.md), on
   /// a port of this machine, or ADDRESS:PORT.
   Result<void> serveFoxglove(const std::string& endpoint);
+
+  /// State of the connection to each robot elsewhere; empty without `sc`.
+  std::vector<Router::Statistics> connections() const {
+    return state_.connection ? state_.connection->statistics() : std::vector<Router::Statistics>{};
+  }
 
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }

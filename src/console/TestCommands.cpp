@@ -163,7 +163,80 @@ std::optional<std::string> takeFile(std::vector<std::string>& words) {
   return file;
 }
 
+constexpr std::pair<Posture, const char*> thrown[] = {{Posture::onLeftSide, "left"},
+                                                      {Posture::onRightSide, "right"},
+                                                      {Posture::onNose, "nose"},
+                                                      {Posture::onBack, "back"},
+                                                      {Posture::sitting, "sitting"}};
+
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+/// Commands that put up what is on the field now: game, robots and balls.
+std::string situationOf(Console& console) {
+  Session& session = console.session();
+  Simulation& simulation = session.simulation();
+  const Referee& referee = simulation.referee();
+  const World& world = simulation.world();
+  // A scene of ours is named so that the test also works elsewhere.
+  const std::filesystem::path path = std::filesystem::absolute(session.options().scene);
+  std::error_code failed;
+  const bool ours = std::filesystem::equivalent(path.parent_path(),
+                                                session.options().root.path("scenes"), failed);
+  const std::string scene = ours ? path.stem().string() : path.string();
+  std::string text =
+      formatted("# What was on the field at %.3f s.\n",
+                static_cast<double>(session.time().ms) / 1000) +
+      "scene \"" + scene + "\"\nseed " + std::to_string(session.options().seed) + "\n" +
+      formatted("gc kickOff %s %d %d\n", std::string{enumName(referee.kickOff())}.c_str(),
+                referee.score(TeamColor::blue), referee.score(TeamColor::red));
+  // A kick-off is prepared by gc kickOff itself.
+  const std::pair<GameState, const char*> orders[] = {{GameState::initial, "reset"},
+                                                      {GameState::ready, "ready"},
+                                                      {GameState::playing, "playing"},
+                                                      {GameState::finished, "final"}};
+  for (const auto& [state, order] : orders)
+    if (referee.state() == state) text += std::string{"gc "} + order + "\n";
+  const auto robots = simulation.scene().allRobots();
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const RobotBody& body = world.robot(i);
+    const std::string& name = robots[i]->name;
+    text += formatted("place %s %.1f %.1f %.1f\n", name.c_str(), body.pose.translation.x(),
+                      body.pose.translation.y(), toDegrees(body.pose.rotation));
+    for (const auto& [posture, how] : thrown)
+      if (body.posture == posture) text += "throw " + name + " " + how + "\n";
+  }
+  for (std::size_t i = 0; i < world.ballCount(); ++i) {
+    const BallState& ball = world.ball(i);
+    text += formatted("place ball%zu %.1f %.1f %.1f %.1f\n", i, ball.position.x(),
+                      ball.position.y(), ball.speed.x(), ball.speed.y());
+  }
+  return text;
+}
+
+/// test save SCRIPT [SECONDS CONDITION]
+Result<void> saveSituation(Console& console, const Words& words) {
+  std::string text = situationOf(console);
+  if (words.size() > 4) {
+    const auto seconds = numberOf(words[3], 0.008, 1e6);
+    if (!seconds) return seconds.error();
+    if (const auto condition = Condition::parse(words[4]); !condition) return condition.error();
+    text += "until " + words[4] + " within " + words[3] + "\n";
+  }
+  const std::string file = withDefaults(words[2], "out/tests", ".con");
+  std::error_code ignored;  // then writing reports what is wrong
+  std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
+  if (auto done = writeFile(file, text); !done) return done;
+  printWritten(console, file);
+  return {};
+}
+
 Result<void> test(Console& console, const Words& words) {
+  if (words.size() > 2 && words[1] == "save") return saveSituation(console, words);
   std::vector<std::string> rest{words.begin(), words.end()};
   const std::string file = takeFile(rest).value_or("out/test.csv");
   if (rest.size() < 3) return wrongArguments(words);
@@ -204,12 +277,15 @@ Result<void> test(Console& console, const Words& words) {
 
 std::vector<Command> testCommands() {
   return {{Command::Kind::global, "test",
-           "game N [TABLE] | situation N TIMEOUT CONDITION {CONDITION} [TABLE]",
+           "game N [TABLE] | situation N TIMEOUT CONDITION {CONDITION} [TABLE] | save TEST "
+           "[SECONDS CONDITION]",
            "Plays N games, or N times up to TIMEOUT seconds until one of the conditions holds (in "
            "quotes if it has spaces), each with the next seed and all that was done so far at its "
            "beginning. Prints how they ended; the results go to a table (.csv), out/test.csv if "
            "none is "
-           "named.",
+           "named. Or saves what is on the field now, with score and state of the game, as a "
+           "script that puts it up again and fails if the condition does not hold within SECONDS; "
+           "to out/tests/ and with .con if the file has no folder and extension.",
            test, valueChoices}};
 }
 

@@ -6,6 +6,7 @@ namespace {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using TestCommands = SessionTest;
 
@@ -26,6 +27,55 @@ TEST_F(TestCommands, SituationsAreTriedManyTimes) {
   expectError("test situation 2 1 nothing", "nothing", "no such value");
   expectError("test game many", "many", "is no number");
   expectError("test", "test", "expected");
+}
+
+TEST_F(TestCommands, SituationsAreSaved) {
+  const std::string script = file("situation.con");
+  expectFine("gc kickOff blue 1 2");
+  expectFine("gc playing");
+  expectFine("place red4 -600 200 90");
+  expectFine("throw red4 left");
+  expectFine("place blue1 1500 -300 45");
+  expectFine("place ball 100 50 400 0");
+  expectFine("test save " + script + " 1 \"ball.x > 200\"");
+  expectFine("place ball -900 0");
+  expectFine("stand red4");
+  expectFine("run 400 ms");
+  // The script begins anew, and takes time until its condition holds.
+  expectFine("call " + script);
+  EXPECT_LT(session->time().ms, 1000);
+  EXPECT_TRUE(holds("ball.x > 200 and ball.x < 300 and score.red == 2 and score.blue == 1"));
+  EXPECT_TRUE(holds("state == playing and kickOff == blue"));
+  EXPECT_TRUE(holds("distance(red4, ball) < 1000 and abs(red4.y - 200) < 60"));
+  EXPECT_EQ(value("red4.posture"), "onLeftSide");
+  EXPECT_TRUE(holds("blue1.x == 1500 and blue1.rotation == 45"));
+  // It fails if what is expected does not happen.
+  expectFine("place ball 0 0");
+  expectFine("test save " + script + " 0.2 \"ball.x > 2000\"");
+  EXPECT_FALSE(console->execute("call " + script));
+  expectError("test save " + script + " 0 \"ball.x > 2000\"", "0", "is not from");
+  expectError("test save " + script + " 1 \"ball.x >\"", "the condition's end", "expected a value");
+}
+
+TEST_F(TestCommands, SolutionsAreComparedOnALog) {
+  const std::string log = file("compared.mcap");
+  expectFine("robot red1");
+  expectFine("place red1 -600 0 0");
+  expectFine("place ball 0 0");
+  expectFine("log start");
+  expectFine("run 1 s");
+  ASSERT_TRUE(holds("BallModel.lastSeen > 0")) << "nothing to compare";
+  expectFine("log save " + log);
+  const auto lines = answers("compare " + log + " BallLocator PIDSmoothed Probabilistic");
+  EXPECT_THAT(lines, Contains(HasSubstr("BallModel: differs at ")));
+  EXPECT_THAT(lines, Not(Contains(HasSubstr("BallPercept: differs")))) << "it comes first";
+  // The same computes the same.
+  const auto same = answers("compare " + log + " BallLocator PIDSmoothed PIDSmoothed");
+  ASSERT_EQ(same.size(), 1u) << same.front();
+  EXPECT_THAT(same.front(), HasSubstr("are the same"));
+  EXPECT_EQ(answers("compare " + log + " " + log).size(), 1u);
+  expectError("compare " + log + " BallLocator Kalmann PIDSmoothed", "BallLocator", "Kalmann");
+  EXPECT_FALSE(console->execute("compare no/such.mcap no/such.mcap"));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 namespace gt {
 namespace {
 
+constexpr double tailPush = fromDegrees(20);
+
 /// The robots of the scene, active and passive, in the world's order.
 std::vector<std::string> sceneRobots(Console& console) {
   std::vector<std::string> names;
@@ -96,12 +98,16 @@ Result<void> standUp(Console& console, const Words& words) {
 }
 
 Result<void> press(Console& console, const Words& words) {
-  if (asked(console, words, namesOf<Switch>())) return {};
-  const Switch which = *enumValue<Switch>(words[1]);
+  std::vector<std::string> names = namesOf<Switch>();
+  names.insert(names.end(), {"tailLeft", "tailRight"});
+  if (asked(console, words, names)) return {};
+  const auto which = enumValue<Switch>(words[1]);
   const bool on = words.back() != "off";
+  const double tail = on ? (words[1] == "tailLeft" ? tailPush : -tailPush) : 0;
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     if (!robot.index()) return Error{.field = "press", .what = "is for robots of the scene"};
-    console.session().simulation().sensors(*robot.index()).press(which, on);
+    Sensors& sensors = console.session().simulation().sensors(*robot.index());
+    which ? sensors.press(*which, on) : sensors.pushTail(tail);
     return {};
   });
 }
@@ -134,8 +140,10 @@ std::vector<Command> worldCommands() {
        "Puts a robot on the field, in mm and degrees, or a ball, which may roll, in mm/s.", place,
        thingNames, true},
       {robot, "press",
-       "? | (headFront | headBack | chin | back | pawFR | pawFL | pawHR | pawHL) [on | off]",
-       "Presses a switch of the selected robots until it is off again.", press, nullptr, true},
+       "? | (headFront | headBack | chin | back | pawFR | pawFL | pawHR | pawHL | tailLeft | "
+       "tailRight) [on | off]",
+       "Presses a switch of the selected robots until it is off again, or pushes the tail aside.",
+       press, nullptr, true},
       {global, "stand", "? | ROBOT", "Puts a robot back on its feet.", standUp, thingNames, true},
       {global, "throw", "? | ROBOT [left | right | nose | back | sitting]",
        "Throws a robot on its side, its nose or its back, or makes it sit.", throwOver, thingNames,

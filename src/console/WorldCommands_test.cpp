@@ -24,9 +24,13 @@ TEST_F(WorldCommands, ThingsAreMovedByHand) {
   expectFine("press back on");
   expectFine("run 200 ms");
   EXPECT_TRUE(holds("RobotState.pressedFor.back > 0 and red1.RobotState.pressedFor.back == 0"));
-  expectFine("press back off");
+  expectFine("press tailRight");
   expectFine("run 200 ms");
-  EXPECT_TRUE(holds("RobotState.pressedFor.back == 0"));
+  EXPECT_TRUE(holds("RobotState.tailPan < -0.3 and abs(red1.RobotState.tailPan) < 0.05"));
+  expectFine("press back off");
+  expectFine("press tailRight off");
+  expectFine("run 200 ms");
+  EXPECT_TRUE(holds("RobotState.pressedFor.back == 0 and abs(RobotState.tailPan) < 0.05"));
   expectError("place nobody 0 0", "nobody", "no robot");
   expectError("place ball7 0 0", "ball7", "no such ball");
   expectError("place red4 0 99999", "99999", "is not from");

@@ -4,16 +4,20 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTreeWidget>
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "representations/perception/ColorTable64.h"
 #include "streams/File.h"
+#include "workbench/CustomPlot.h"
 #include "workbench/SheetWidget.h"
 #include "workbench/TestWindow.h"
 #include "workbench/ViewDialog.h"
@@ -143,6 +147,152 @@ TEST_F(DialogTest, ValuesAreRecordedAndShownOverTime) {
   EXPECT_EQ(window->dialog("plot")->settings()["values"].toArray().size(), 1);
 }
 
+/// Chooses an entry of the context menu that a widget shows, by the texts on the way to it.
+void chooseInMenu(QWidget* target, const QStringList& way) {
+  QTimer answers;
+  bool chosen = false;
+  QObject::connect(&answers, &QTimer::timeout, [&] {
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    if (!menu) return;
+    QMenu* part = menu;
+    for (const QString& text : way)
+      for (QAction* action : part->actions())
+        if (action->text() == text) {
+          if (action->menu()) {
+            part = action->menu();
+          } else {
+            action->trigger();
+            chosen = true;
+          }
+          break;
+        }
+    menu->close();
+  });
+  answers.start(20);
+  Q_EMIT target->customContextMenuRequested({5, 5});
+  EXPECT_TRUE(chosen) << way.join(" > ").toStdString();
+}
+
+TEST_F(DialogTest, CurvesHaveAxesFiltersAndCursors) {
+  window->bringToFront("plot");
+  ASSERT_TRUE(execute("place ball 0 0 400 0"));
+  auto* input = widget<QLineEdit>("plot", "value");
+  for (const char* name : {"ball.x", "ball.speed"}) {
+    QTest::keyClicks(input, name);
+    QTest::keyClick(input, Qt::Key_Return);
+    EXPECT_TRUE(until([&] { return input->text().isEmpty(); }));
+  }
+  finish();
+  ASSERT_TRUE(execute("run 2s"));
+  auto* plot = window->dialog("plot")->findChild<QCustomPlot*>();
+  ASSERT_TRUE(until([&] { return plot->graph(0)->dataCount() > 40; }));
+  const QCPGraph* x = plot->graph(0);
+  chooseInMenu(plot, {"ball.x", "Axis", "Second right"});
+  EXPECT_EQ(plot->axisRect()->axis(QCPAxis::atRight, 1), x->valueAxis());
+  EXPECT_TRUE(x->valueAxis()->visible());
+  // How fast x grows is the ball's speed, as the session knows both.
+  chooseInMenu(plot, {"ball.x", "Filter", "Derivative (per s)"});
+  const auto points = [this](const std::string& name) {
+    return on([name](Console& console) { return console.recorder().series().at(name); });
+  };
+  const auto xs = points("ball.x");
+  ASSERT_GT(xs.size(), 40u);
+  for (int i = 20; i < 25; ++i) {
+    const auto& now = xs[static_cast<std::size_t>(i)];
+    const auto& before = xs[static_cast<std::size_t>(i) - 1];
+    const auto found = x->data()->findBegin(static_cast<double>(now.time.ms) / 1000, false);
+    EXPECT_NEAR(found->value, 1000 * (now.value - before.value) / double(now.time - before.time),
+                1e-6);
+  }
+  // The cursors: what lies at each of them, and between both.
+  click("plot", "cursors");
+  auto* values = widget<QTreeWidget>("plot", "cursorValues");
+  ASSERT_EQ(values->topLevelItemCount(), 3);
+  const double first = values->topLevelItem(0)->text(1).toDouble();
+  const double second = values->topLevelItem(0)->text(2).toDouble();
+  EXPECT_LT(first, second);
+  const auto at = [&](double time) { return int(std::lround(plot->xAxis->coordToPixel(time))); };
+  const int middle = plot->axisRect()->center().y();
+  QTest::mousePress(plot, Qt::LeftButton, {}, {at(first), middle});
+  QTest::mouseMove(plot, {at(1), middle});
+  QTest::mouseRelease(plot, Qt::LeftButton, {}, {at(1), middle});
+  EXPECT_NEAR(values->topLevelItem(0)->text(1).toDouble(), 1, 0.1);
+  const auto speeds = points("ball.speed");
+  const double speedAtOne =
+      std::ranges::lower_bound(speeds, Time{1000}, {}, &ObservedRobot::Point::time)->value;
+  EXPECT_NEAR(values->topLevelItem(1)->text(1).toDouble(), speedAtOne, 30);
+  // One over the other, kept with the layout.
+  chooseInMenu(plot, {"X axis", "ball.speed"});
+  EXPECT_FALSE(x->visible());
+  EXPECT_EQ(plot->xAxis->label(), "ball.speed");
+  EXPECT_TRUE(until([&] {
+    const auto* over = qobject_cast<QCPCurve*>(plot->plottable(1));
+    return over && over->visible() && over->dataCount() > 40;
+  }));
+  const QJsonObject settings = window->dialog("plot")->settings();
+  window->dialog("plot")->restore({});
+  EXPECT_EQ(plot->plottableCount(), 0);
+  window->dialog("plot")->restore(settings);
+  EXPECT_EQ(window->dialog("plot")->settings(), settings);
+}
+
+TEST_F(WindowTest, TheToolbarOfViewsOpensDialogs) {
+  window->open("views");
+  EXPECT_FALSE(window->dialog("behaviorGraph"));
+  click("views", "open.behaviorGraph");
+  EXPECT_TRUE(window->dialog("behaviorGraph"));
+}
+
+TEST_F(DialogTest, ASceneIsEditedAndBegun) {
+  window->open("sceneEditor");
+  click("sceneEditor", "current");
+  auto* text = widget<QPlainTextEdit>("sceneEditor", "text");
+  const QString scene = text->toPlainText();
+  EXPECT_TRUE(scene.contains("<robots>"));
+  // What is wrong is shown at its place.
+  auto* errors = widget<QListWidget>("sceneEditor", "errors");
+  const auto shown = [&](const QString& what) {
+    return until([&] { return errors->count() > 0 && errors->item(0)->text().contains(what); });
+  };
+  EXPECT_TRUE(shown("Nothing is wrong")) << errors->item(0)->text().toStdString();
+  // As typing does, and unlike setPlainText, this changes the document.
+  const auto type = [&](const QString& all) {
+    text->selectAll();
+    text->insertPlainText(all);
+  };
+  type(QString{scene}.replace("<balls>", "\n<bals>").replace("</balls>", "</bals>"));
+  EXPECT_TRUE(shown("bals")) << errors->item(0)->text().toStdString();
+  const int line = text->toPlainText().split("<bals>").front().count('\n') + 1;
+  EXPECT_TRUE(errors->item(0)->text().startsWith(QString{"%1: "}.arg(line)))
+      << errors->item(0)->text().toStdString();
+  // Another place of the ball, in a file of its own.
+  type(QString{scene}.replace("<ball x=\"0\"", "<ball x=\"700\""));
+  ASSERT_TRUE(window->dialog("sceneEditor")->unsaved());
+  const std::string stray = (folder.path() / "edited.scene").string();
+  answerWith(stray);
+  click("sceneEditor", "save");
+  EXPECT_EQ(*readFile(stray), text->toPlainText().toStdString());
+  // A scene names other files from its own folder: here they are missing.
+  EXPECT_TRUE(shown("there is no folder")) << errors->item(0)->text().toStdString();
+  click("sceneEditor", "begin");
+  EXPECT_TRUE(until([&] {
+    return widget<QLabel>("sceneEditor", "state")->text().contains("there is no");
+  })) << widget<QLabel>("sceneEditor", "state")->text().toStdString();
+  EXPECT_EQ(value("ball.x"), "0");
+  for (const char* name : {"config", "layouts", "models"})
+    std::filesystem::create_directory_symlink(std::filesystem::absolute(session->root().path(name)),
+                                              folder.path() / name);
+  const std::string file = (folder.path() / "scenes" / "edited.scene").string();
+  std::filesystem::create_directory(folder.path() / "scenes");
+  answerWith(file);
+  click("sceneEditor", "saveAs");
+  EXPECT_FALSE(window->dialog("sceneEditor")->unsaved());
+  EXPECT_TRUE(shown("Nothing is wrong")) << errors->item(0)->text().toStdString();
+  click("sceneEditor", "begin");
+  finish();
+  EXPECT_EQ(value("ball.x"), "700");
+}
+
 TEST_F(DialogTest, ALogIsPlayedByTheToolbar) {
   ASSERT_TRUE(execute("log start"));
   ASSERT_TRUE(execute("run 3s"));
@@ -196,15 +346,16 @@ TEST_F(WindowTest, ThingsArePutOnTheFieldByTheContextMenu) {
                                      sheet.height() / 2.0 - y * fieldViewScale});
     for (QAction* action : menu.actions().front()->menu()->actions())
       if (action->text() == what) action->trigger();
-    QTest::qWait(100);
-    finish();
+  };
+  const auto stands = [&](const std::string& what, const std::string& where) {
+    return until([&] { return value(what + ".x") + " " + value(what + ".y") == where; });
   };
   put("ball", 700, -300);
-  EXPECT_EQ(value("ball.x") + " " + value("ball.y"), "700 -300");
+  EXPECT_TRUE(stands("ball", "700 -300"));
   // The blue team looks from the other side.
   field->setRobot("blue1");
   put("red2", 500, 200);
-  EXPECT_EQ(value("red2.x") + " " + value("red2.y"), "-500 -200");
+  EXPECT_TRUE(stands("red2", "-500 -200"));
 }
 
 TEST_F(DialogTest, TimesAreMeasuredOverSomeTime) {
@@ -249,6 +400,9 @@ TEST_F(DialogTest, NetworksAreKeptAndConnectedTo) {
     return list;
   });
   EXPECT_EQ(names, (std::vector<std::string>{"red3", "dog"}));
+  EXPECT_TRUE(until([&] {
+    return widget<QLabel>("connections", "state")->text().startsWith("dog: does not answer");
+  }));
   // A robot that does not answer does not hold up the window.
   choose("simulation", "robot", "dog");
   finish();

@@ -77,6 +77,8 @@ Dialog* Docks::create(const DialogType& type, const QString& key) {
     bar->setObjectName("toolbar." + key);
     bar->addWidget(dialog);
     bar->setToolTip(helpOf(type));
+    // In a row of its own: what does not fit into a row makes the window wider than the screen.
+    if (!type.atFirst) window_.addToolBarBreak();
     window_.addToolBar(bar);
     frames_[key] = bar;
     return dialog;

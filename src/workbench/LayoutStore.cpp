@@ -3,9 +3,10 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonDocument>
-#include <QSaveFile>
 #include <QUrl>
 #include <utility>
+
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -27,15 +28,12 @@ Result<QJsonObject> readObject(const QString& path) {
 }
 
 Result<void> writeObject(const QString& path, const QJsonObject& object) {
-  // Written beside and moved: a full disk leaves the old file.
   if (const QString before = path + "~"; readObject(path)) {
     QFile::remove(before);
     QFile::copy(path, before);
   }
-  QSaveFile file{path};
-  if (file.open(QIODevice::WriteOnly)) file.write(QJsonDocument{object}.toJson());
-  if (file.isOpen() && file.commit()) return {};
-  return Error{.file = path.toStdString(), .what = file.errorString().toStdString()};
+  // Not by QSaveFile, which does not notice a full disk when it writes its buffer at the end.
+  return writeFile(path.toStdString(), QJsonDocument{object}.toJson().toStdString());
 }
 
 }  // namespace

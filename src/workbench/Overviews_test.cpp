@@ -63,12 +63,11 @@ TEST_F(BehaviorHistoryTest, ItFollowsTheConnectedRobotThroughAReset) {
   for (int i = 0; i < 2; ++i) {
     ASSERT_TRUE(execute("reset"));
     EXPECT_TRUE(until([&] { return session->status().beginnings == 2u + i; }));
-    QTest::qWait(100);  // for the dialog to see that
-    ASSERT_TRUE(execute("run 1 s"));
-    EXPECT_TRUE(until([&] { return strip->minimumHeight() > 0; }));
     auto* why = widget<QPlainTextEdit>("behaviorHistory", "why");
     why->clear();
+    // The dialog sees the reset a little later.
     EXPECT_TRUE(until([&] {
+      EXPECT_TRUE(execute("run 200 ms"));
       QTest::mouseClick(strip, Qt::LeftButton, {}, {strip->width() - 3, 5});
       return !why->toPlainText().isEmpty();
     }));

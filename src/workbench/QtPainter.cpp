@@ -98,8 +98,9 @@ void QtPainter::text(const Vector2d& at, std::string_view text, const Font& font
 }
 
 void QtPainter::picture(const RgbImage& picture, const Vector2d& at, double scale) {
+  // Qt enlarges this format quickest.
   painter_.drawImage(QRectF{at.x(), at.y(), picture.width * scale, picture.height * scale},
-                     wrapped(picture));
+                     wrapped(picture).convertToFormat(QImage::Format_RGB32));
 }
 
 }  // namespace gt

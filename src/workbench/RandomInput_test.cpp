@@ -67,12 +67,15 @@ class RandomInput : OwnFolder, public WindowTest {
     return list[below(static_cast<int>(std::size(list)))];
   }
 
-  /// What is modal waits for an answer.
+  static bool ends(const QAction& action) { return action.objectName() == "quit"; }
+
+  /// What is modal waits for an answer; the entry that ends the program is none.
   void answer() {
     if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
       QList<QAction*> actions;
       for (QAction* action : menu->actions())
-        if (action->isEnabled() && !action->isSeparator() && !action->menu()) actions << action;
+        if (action->isEnabled() && !action->isSeparator() && !action->menu() && !ends(*action))
+          actions << action;
       if (actions.isEmpty() || below(3) == 0) return static_cast<void>(menu->close());
       menu->setActiveAction(oneOf(actions));
       QTest::keyClick(menu, Qt::Key_Return);
@@ -169,7 +172,7 @@ class RandomInput : OwnFolder, public WindowTest {
   /// One of the menus' entries, but for the one that ends the program.
   void chooseCommand() {
     QList<QAction*> commands = window->commands();
-    commands.removeIf([](const QAction* action) { return action->objectName() == "quit"; });
+    commands.removeIf([](const QAction* action) { return ends(*action); });
     QAction* const chosen = oneOf(commands);
     if (trace_) std::fprintf(stderr, "menu %s\n", qPrintable(chosen->text()));
     chosen->trigger();

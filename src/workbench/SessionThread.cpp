@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 namespace gt {
 namespace {
@@ -20,11 +21,19 @@ constexpr int shareOfTime = 2;
 /// are not shown yet.
 constexpr std::int64_t supplyInterval = 40;  // ms
 constexpr milliseconds slowInterval{60}, fastInterval{40}, leastInterval{8}, lease{500};
-constexpr int mostUnseen = 2;
-/// What takes long rests this many times as long, so that it does not hold up time and the others.
+constexpr int mostUnseen = 4;
+/// What takes much processor time rests this many times as long, so that it does not hold up time
+/// and the others.
 constexpr int restFactor = 5;
 constexpr milliseconds speedInterval{1000};
 constexpr std::size_t mostLines = 10000;
+
+/// Processor time of this thread: what else runs on the machine does not count.
+std::chrono::nanoseconds processorTime() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
+}
 
 double seconds(Time time) {
   return static_cast<double>(time.ms) / 1000;
@@ -174,8 +183,10 @@ void SessionThread::makeSupplies() {
     supply->version_ = version_;
     supply->time_ = now;
     supply->made_ = begin;
+    const auto before = processorTime();
     supply->make_(*console_, supply);
-    supply->rest_ = std::max(begin + interval, Clock::now() + restFactor * (Clock::now() - begin));
+    supply->rest_ = begin + std::max(std::chrono::nanoseconds{interval},
+                                     (restFactor + 1) * (processorTime() - before));
   }
 }
 

@@ -22,6 +22,8 @@ namespace {
 
 constexpr double mostZoom = 40;
 constexpr double copyScale = 2;  // of copied images
+constexpr double leastPageScale = 0.75, mostPageScale = 1.5;
+constexpr double pageStep = 48;  // pixels that a step of the wheel moves a page
 
 }  // namespace
 
@@ -34,6 +36,7 @@ SheetWidget::SheetWidget(QWidget* parent) : QWidget{parent} {
 
 void SheetWidget::showSheet(std::shared_ptr<const Sheet> sheet) {
   sheet_ = std::move(sheet);
+  unpainted_ = true;
   text_.clear();
   update();
 }
@@ -50,12 +53,18 @@ QSize SheetWidget::sizeHint() const {
 
 double SheetWidget::scale() const {
   if (!sheet_) return 1;
+  if (pages_)
+    return zoom_ * std::clamp(static_cast<double>(width()) / sheet_->width(), leastPageScale,
+                              mostPageScale);
   return zoom_ * std::min(static_cast<double>(width()) / sheet_->width(),
                           static_cast<double>(height()) / sheet_->height());
 }
 
 QPointF SheetWidget::corner() const {
   const QPointF size{scale() * sheet_->width(), scale() * sheet_->height()};
+  if (pages_)
+    return {std::clamp(moved_.x(), std::min(0.0, width() - size.x()), 0.0),
+            std::clamp(moved_.y(), std::min(0.0, height() - size.y()), 0.0)};
   return QPointF{width() - size.x(), height() - size.y()} / 2 + moved_;
 }
 
@@ -82,12 +91,18 @@ void SheetWidget::paintEvent(QPaintEvent*) {
                           : palette().color(QPalette::Disabled, QPalette::WindowText));
     painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap, text_);
   }
+  unpainted_ = false;
+  if (painted) painted();
 }
 
 void SheetWidget::wheelEvent(QWheelEvent* event) {
   const double steps = event->angleDelta().y() / 120.0;
   if (wheeled) return wheeled(steps);
   if (!sheet_) return;
+  if (pages_ && !event->modifiers().testFlag(Qt::ControlModifier)) {
+    moved_ = corner() + QPointF{0, pageStep * steps};
+    return update();
+  }
   const QPointF place = toSheet(event->position());
   zoom_ = std::clamp(zoom_ * std::pow(1.2, steps), 1.0, mostZoom);
   if (zoom_ == 1) moved_ = {};
@@ -101,15 +116,25 @@ void SheetWidget::mousePressEvent(QMouseEvent* event) {
     if (sheet_) clicked(toSheet(event->position()), event->button());
     return;
   }
-  if (event->button() == Qt::LeftButton) drag_ = event->position();
+  if (event->button() != Qt::LeftButton) return;
+  if (drawn && sheet_)
+    drawnFrom_ = toSheet(event->position());
+  else
+    drag_ = event->position();
 }
 
 void SheetWidget::mouseMoveEvent(QMouseEvent* event) {
-  if (drag_) {
+  if (drawnFrom_) {
+    drawn(*drawnFrom_, toSheet(event->position()), false);
+  } else if (drag_) {
     const QPointF by = event->position() - *drag_;
     drag_ = event->position();
     if (dragged) return dragged(by);
-    if (zoom_ > 1) moved_ += by;
+    if (!sheet_) return;
+    if (pages_)
+      moved_ = corner() + by;
+    else if (zoom_ > 1)
+      moved_ += by;
     update();
   } else if (sheet_ && placeText) {
     QToolTip::showText(event->globalPosition().toPoint(), placeText(toSheet(event->position())),
@@ -117,11 +142,14 @@ void SheetWidget::mouseMoveEvent(QMouseEvent* event) {
   }
 }
 
-void SheetWidget::mouseReleaseEvent(QMouseEvent*) {
+void SheetWidget::mouseReleaseEvent(QMouseEvent* event) {
   drag_.reset();
+  if (const auto from = std::exchange(drawnFrom_, std::nullopt))
+    drawn(*from, toSheet(event->position()), true);
 }
 
-void SheetWidget::mouseDoubleClickEvent(QMouseEvent*) {
+void SheetWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (drawn) return mousePressEvent(event);
   zoom_ = 1;
   moved_ = {};
   update();

@@ -21,7 +21,14 @@ class SheetWidget : public QWidget {
   void showSheet(std::shared_ptr<const Sheet> sheet);
   /// Shows a text instead, such as why there is no sheet.
   void showText(const QString& text);
+  /// Shows sheets as pages of text: from their top on, as wide as there is room but large enough to
+  /// be read. The wheel and dragging move what does not fit; the wheel zooms with Ctrl.
+  void showPages() { pages_ = true; }
   const Sheet* sheet() const { return sheet_.get(); }
+  /// Whether the sheet was given, and is not painted yet although it can be seen.
+  bool waitsForPainting() const { return unpainted_ && !visibleRegion().isEmpty(); }
+  /// Called after each painting.
+  std::function<void()> painted;
   const QString& text() const { return text_; }
 
   /// The text beside the pointer for a place on the sheet; empty: none.
@@ -37,6 +44,10 @@ class SheetWidget : public QWidget {
   /// context menu.
   std::function<void(const QPointF&, Qt::MouseButton)> clicked;
 
+  /// Dragging with the left button from a place of the sheet to another, instead of moving the
+  /// sheet; `done` when the button is let go.
+  std::function<void(const QPointF& from, const QPointF& to, bool done)> drawn;
+
   void copyImage() const;
   void copyVectors() const;
   QImage image(double scale) const;
@@ -50,8 +61,8 @@ class SheetWidget : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent*) override;
-  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -61,9 +72,12 @@ class SheetWidget : public QWidget {
 
   std::shared_ptr<const Sheet> sheet_;
   QString text_;
+  bool unpainted_ = false;
+  bool pages_ = false;
   double zoom_ = 1;
   QPointF moved_;
   std::optional<QPointF> drag_;
+  std::optional<QPointF> drawnFrom_;  ///< On the sheet.
 };
 
 }  // namespace gt

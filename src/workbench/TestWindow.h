@@ -4,6 +4,9 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QTimer>
 #include <QtTest>
 #include <optional>
 #include <stdexcept>
@@ -37,7 +40,7 @@ class WindowTest : public ::testing::Test {
   static constexpr int patience = 120'000;  // ms; machines may be loaded
   /// Handles the window's events until something holds.
   template <typename Condition>
-  static bool until(Condition condition, int ms = 20000) {
+  static bool until(Condition condition, int ms = patience) {
     return QTest::qWaitFor(condition, ms);
   }
   /// What the session's thread finds. Ends the test if it never answers.
@@ -68,6 +71,20 @@ class WindowTest : public ::testing::Test {
   }
   /// Waits until all commands were executed that were given so far.
   void finish() { EXPECT_TRUE(execute("# all is done")); }
+  /// Answers the next question for a file with this one, again until it takes the answer: at first
+  /// it may not know its folder yet.
+  void answerWith(const std::string& file) {
+    answers_.disconnect();
+    QObject::connect(&answers_, &QTimer::timeout, [this, file] {
+      auto* chooser = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (!chooser) return;
+      auto* field = chooser->findChild<QLineEdit*>();
+      field->setText(QString::fromStdString(file));
+      QTest::keyClick(field, Qt::Key_Return);
+      if (!chooser->isVisible()) answers_.stop();
+    });
+    answers_.start(20);
+  }
   bool printed(const std::string& text) {
     std::uint64_t seen = 0;
     for (const std::string& line : session->linesSince(seen))
@@ -83,8 +100,11 @@ class WindowTest : public ::testing::Test {
     EXPECT_TRUE(found) << dialog.toStdString() << " " << name.toStdString();
     return found;
   }
+  /// Clicks as soon as that is possible.
   void click(const QString& dialog, const QString& name) {
-    QTest::mouseClick(widget<QWidget>(dialog, name), Qt::LeftButton);
+    auto* const target = widget<QWidget>(dialog, name);
+    ASSERT_TRUE(until([&] { return target->isEnabled(); })) << name.toStdString();
+    QTest::mouseClick(target, Qt::LeftButton);
   }
   /// Chooses an entry as a person does.
   void choose(const QString& dialog, const QString& name, const QString& entry) {
@@ -99,6 +119,9 @@ class WindowTest : public ::testing::Test {
   TemporaryFolder folder;
   std::unique_ptr<SessionThread> session;
   std::unique_ptr<MainWindow> window;
+
+ private:
+  QTimer answers_;
 };
 
 }  // namespace gt

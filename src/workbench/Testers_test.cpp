@@ -138,6 +138,12 @@ TEST_F(WindowTest, ABehaviorIsRequested) {
   finish();
   ASSERT_TRUE(execute("run 500 ms"));
   EXPECT_EQ(on(state), "go_to_point");
+  // The motion that results is shown: to a point so far away the robot walks.
+  EXPECT_TRUE(until([&] {
+    return widget<QLabel>("behaviorTester", "motion")
+        ->text()
+        .startsWith(QString::fromStdString("Motion: " + value("MotionRequest.type")));
+  }));
   choose("behaviorTester", "element", "unchanged");
   click("behaviorTester", "send");
   finish();

@@ -13,6 +13,9 @@ namespace {
 
 /// How often a viewer looks why drawings do not come.
 constexpr qint64 hintInterval = 1000;  // ms
+/// How long a sheet can be seen at least if others wait, and how many of them may.
+constexpr int leastShown = 15;  // ms
+constexpr std::size_t mostWaiting = 5;
 
 }  // namespace
 
@@ -38,6 +41,12 @@ ViewDialog::ViewDialog(SessionThread& session, std::shared_ptr<const View> view)
       if (hint.off) this->session().executeFor(hinted_, "dk " + hint.key + " on");
   });
   layout->addWidget(hint_);
+  next_.setSingleShot(true);
+  next_.setInterval(leastShown);
+  QObject::connect(&next_, &QTimer::timeout, this, [this] { showNext(); });
+  sheet_->painted = [this] {
+    if (!waiting_.empty() && !next_.isActive()) next_.start();
+  };
   sheet_->addActions = [this](QMenu& menu, const QPointF& place) {
     addActions(menu, place);
     menu.addSeparator();
@@ -83,6 +92,7 @@ void ViewDialog::setKeys(std::vector<std::string> keys) {
 
 void ViewDialog::askAgain() {
   supply_.reset();
+  waiting_.clear();
 }
 
 void ViewDialog::refresh() {
@@ -121,14 +131,27 @@ void ViewDialog::refresh() {
         }
         return answer;
       },
-      [this](Answer& answer) {
-        knownKeys_ = std::move(answer.knownKeys);
-        showHints(answer);
-        if (answer.sheet)
-          sheet_->showSheet(std::move(answer.sheet));
-        else
-          sheet_->showText(QString::fromStdString(answer.error));
-      });
+      [this](Answer& answer) { take(std::move(answer)); });
+}
+
+/// Shows an answer once the one before was painted: none of a camera's images is left out because
+/// the window was busy for a moment.
+void ViewDialog::take(Answer answer) {
+  waiting_.push_back(std::move(answer));
+  while (waiting_.size() > mostWaiting) waiting_.pop_front();
+  if (!next_.isActive() && !sheet_->waitsForPainting()) showNext();
+}
+
+void ViewDialog::showNext() {
+  if (waiting_.empty()) return;
+  const Answer answer = std::move(waiting_.front());
+  waiting_.pop_front();
+  knownKeys_ = answer.knownKeys;
+  showHints(answer);
+  if (answer.sheet)
+    sheet_->showSheet(answer.sheet);
+  else
+    sheet_->showText(QString::fromStdString(answer.error));
 }
 
 /// Names what does not come, with a link that switches on what is off.

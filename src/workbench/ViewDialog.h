@@ -1,5 +1,7 @@
 #pragma once
 #include <QElapsedTimer>
+#include <QTimer>
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,6 +63,8 @@ class ViewDialog : public Dialog {
   };
 
   void askAgain();
+  void take(Answer answer);
+  void showNext();
   void showHints(const Answer& answer);
 
   SheetWidget* sheet_;
@@ -73,6 +77,8 @@ class ViewDialog : public Dialog {
   std::string robot_;
   std::shared_ptr<Prepared> prepared_ = std::make_shared<Prepared>();
   std::shared_ptr<SessionThread::Supply> supply_;  ///< Null: what is shown has changed.
+  std::deque<Answer> waiting_;                     ///< For the one before to be painted.
+  QTimer next_;                                    ///< Shows the next of them.
 };
 
 /// A built-in view by its name.

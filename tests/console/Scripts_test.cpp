@@ -60,6 +60,17 @@ TEST(Scripts, ThereIsOneForEachCommand) {
   }
 }
 
+TEST(Scripts, LeadRobotsThroughAGame) {
+  for (const auto& [scene, script] : {std::pair{"no-opponents", "by-buttons"},
+                                      {"match", "cheers"},
+                                      {"no-opponents", "leave-field"}}) {
+    TextScreen screen;
+    const auto done = runScript("scenes/" + std::string{scene} + ".scene",
+                                "tests/console/game/" + std::string{script} + ".con", screen);
+    EXPECT_TRUE(done) << script << ": " << done.error().text() << "\n" << screen.text;
+  }
+}
+
 TEST(Scripts, OfTheReportTellIfTheirRobotDoesNotAnswer) {
   for (const char* script : {"record-log", "remote-control"}) {
     TextScreen screen;

@@ -1,7 +1,10 @@
 #include <QAbstractButton>
+#include <QLabel>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTableWidget>
 
+#include "observer/LogPlayer.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "support/RobotElsewhere.h"
 #include "workbench/CustomPlot.h"
@@ -56,7 +59,7 @@ class Robots : public ::testing::WithParamInterface<Kind>, public Programs, publ
   bool eventually(Condition condition) {
     QElapsedTimer clock;
     clock.start();
-    while (clock.elapsed() < 20000) {
+    while (clock.elapsed() < patience) {
       if (condition()) return true;
       if (GetParam() == Kind::elsewhere)
         QTest::qWait(40);
@@ -169,6 +172,41 @@ TEST_P(Robots, AreRecordedOverTime) {
       if (recording.robot == name_ && recording.messages > 20) return true;
     return false;
   }));
+}
+
+TEST_P(Robots, MayBeKilledInTheMiddle) {
+  if (GetParam() != Kind::elsewhere) GTEST_SKIP() << "no program of its own";
+  ASSERT_TRUE(execute("log start"));
+  EXPECT_TRUE(eventually([this] {
+    const auto recordings = session->status().recordings;
+    return !recordings.empty() && recordings.front().messages > 20;
+  }));
+  window->open("connections");
+  const auto state = [this] { return widget<QLabel>("connections", "state")->text(); };
+  const QRegularExpression rates{"connected, [1-9]\\d* messages/s from it"};
+  EXPECT_TRUE(eventually([&] { return state().contains(rates); })) << state().toStdString();
+  for (const auto& process : robot->processes()) process->kill();
+  // The window stays as quick as it was, and what was recorded can be saved.
+  qint64 longest = 0;
+  for (int i = 0; i < 100; ++i) {
+    QElapsedTimer clock;
+    clock.start();
+    QCoreApplication::processEvents();
+    longest = std::max(longest, clock.elapsed());
+    QTest::qSleep(10);
+  }
+  EXPECT_LT(longest, 2000) << "ms";
+  EXPECT_TRUE(eventually([&] { return state().contains("does not answer"); }))
+      << state().toStdString();
+  const std::string file = (folder.path() / "kept.mcap").string();
+  EXPECT_TRUE(execute("log save " + file));
+  EXPECT_TRUE(LogPlayer::open(file));
+  EXPECT_TRUE(execute("mr nod"));  // goes nowhere
+  QElapsedTimer clock;
+  clock.start();
+  window.reset();
+  session.reset();
+  EXPECT_LT(clock.elapsed(), 10000);
 }
 
 std::string nameOf(const ::testing::TestParamInfo<Kind>& test) {

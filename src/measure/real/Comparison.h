@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "base/Enum.h"
+#include "labels/BallLabels.h"
 #include "measure/Figures.h"
-#include "measure/real/Labels.h"
 #include "representations/perception/BallPercept.h"
 
 namespace gt {

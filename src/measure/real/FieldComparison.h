@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
+#include "labels/FieldLabels.h"
 #include "measure/Figures.h"
-#include "measure/real/FieldLabels.h"
 #include "measure/real/MatrixFit.h"
 #include "representations/perception/CameraMatrix.h"
 #include "representations/perception/LandmarksPercept.h"

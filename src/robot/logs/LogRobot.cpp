@@ -49,6 +49,33 @@ bool asksOnce(const Message& message) {
 
 }  // namespace
 
+Result<OpenedLog> openLog(const std::string& file, const LogRobotOptions& options,
+                          const std::vector<Configuration::SolutionChoice>& solutions) {
+  if (!fs::is_regular_file(file)) return Error{.file = file, .what = "there is no such file"};
+  std::unique_ptr<TemporaryFolder> converted;
+  const auto make = [&](const std::string& log, std::shared_ptr<const Configuration> configuration,
+                        const std::string& layout) -> Result<OpenedLog> {
+    auto platform = ReplayPlatform::make({log, std::move(configuration), layout, solutions});
+    if (!platform) return platform.error();
+    return OpenedLog{file, std::move(converted), std::move(*platform)};
+  };
+  const std::string replay = options.root.path("layouts/replay.layout");
+  if (const auto log = McapReader::open(file)) {
+    if (const auto setup = recordedSetup(*log, file); setup && !setup->files.empty())
+      return make(file, {}, {});
+    // As far as what was recorded suffices.
+    if (auto opened = make(file, options.configuration, options.root.path("layouts/cmd.layout")))
+      return opened;
+    return make(file, options.configuration, replay);
+  }
+  converted = std::make_unique<TemporaryFolder>();
+  const std::string copy = (converted->path() / "log.mcap").string();
+  if (auto done = importNaoLog(file, copy); !done) return done.error();
+  const auto configuration = naoConfiguration(file, options);
+  if (!configuration) return configuration.error();
+  return make(copy, *configuration, replay);
+}
+
 /// Messages wait here until they are exchanged, so that those can be refused that make no sense.
 class LogRobot::Link : public RobotLink {
  public:
@@ -71,7 +98,10 @@ class LogRobot::Link : public RobotLink {
   LogRobot& robot_;
 };
 
-LogRobot::LogRobot(ReplayPlatform platform) : platform_{std::move(platform)} {
+LogRobot::LogRobot(OpenedLog log)
+    : file_{std::move(log.file)},
+      converted_{std::move(log.converted)},
+      platform_{std::move(log.platform)} {
   platform_.showRecorded();
   platform_.onNewRobot([this](Robot& robot) {
     requests_.copyAllMessages(robot.fromTools());
@@ -82,29 +112,9 @@ LogRobot::LogRobot(ReplayPlatform platform) : platform_{std::move(platform)} {
 
 Result<std::unique_ptr<LogRobot>> LogRobot::open(const std::string& file,
                                                  const LogRobotOptions& options) {
-  if (!fs::is_regular_file(file)) return Error{.file = file, .what = "there is no such file"};
-  const auto make = [](const ReplayOptions& how) -> Result<std::unique_ptr<LogRobot>> {
-    auto platform = ReplayPlatform::make(how);
-    if (!platform) return platform.error();
-    return std::unique_ptr<LogRobot>{new LogRobot{std::move(*platform)}};
-  };
-  const std::string replay = options.root.path("layouts/replay.layout");
-  if (const auto log = McapReader::open(file)) {
-    if (const auto setup = recordedSetup(*log, file); setup && !setup->files.empty())
-      return make({file});
-    // As far as what was recorded suffices.
-    if (auto robot = make({file, options.configuration, options.root.path("layouts/cmd.layout")}))
-      return robot;
-    return make({file, options.configuration, replay});
-  }
-  auto folder = std::make_unique<TemporaryFolder>();
-  const std::string copy = (folder->path() / "log.mcap").string();
-  if (auto done = importNaoLog(file, copy); !done) return done.error();
-  const auto configuration = naoConfiguration(file, options);
-  if (!configuration) return configuration.error();
-  auto robot = make({copy, *configuration, replay});
-  if (robot) (*robot)->converted_ = std::move(folder);
-  return robot;
+  auto log = openLog(file, options);
+  if (!log) return log.error();
+  return std::unique_ptr<LogRobot>{new LogRobot{std::move(*log)}};
 }
 
 std::unique_ptr<RobotLink> LogRobot::link() {

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/DataRoot.h"
 #include "observer/RobotLink.h"
@@ -17,13 +18,23 @@ struct LogRobotOptions {
   std::string colorTable{};
 };
 
+/// A log that is replayed, of this system (.mcap) or of a real robot of 2009.
+struct OpenedLog {
+  std::string file;                            ///< As it was named.
+  std::unique_ptr<TemporaryFolder> converted;  ///< Holds a log of 2009 in our format.
+  ReplayPlatform platform;
+};
+/// Opens a log with its own setup, or else with the options', as far as what was recorded suffices;
+/// with other solutions of tasks.
+Result<OpenedLog> openLog(const std::string& file, const LogRobotOptions& options,
+                          const std::vector<Configuration::SolutionChoice>& solutions = {});
+
 /// A robot that runs on a log as it is played: played on, back, from elsewhere, faster, again and
 /// again. Whenever it is not simply played on, the robot begins anew some seconds before, with all
 /// that it has received by messages. What the log's robot drew, plotted and decided is shown as it
 /// was recorded, unless the robot is asked to draw it anew.
 class LogRobot {
  public:
-  /// Of a log of this system (.mcap), or of one of a real robot of 2009.
   static Result<std::unique_ptr<LogRobot>> open(const std::string& file,
                                                 const LogRobotOptions& options);
 
@@ -38,6 +49,8 @@ class LogRobot {
   Result<void> goToTime(Time time, const RobotLink::Taker& take);
   Result<void> goToMessage(std::uint64_t message, const RobotLink::Taker& take);
 
+  /// The log's name; the player's is another one if the log was of another format.
+  const std::string& file() const { return file_; }
   LogPlayer& player() { return platform_.player(); }
   Robot& robot() { return platform_.robot(); }
   /// Counts how often the robot began anew.
@@ -46,13 +59,14 @@ class LogRobot {
  private:
   class Link;
 
-  explicit LogRobot(ReplayPlatform platform);
+  explicit LogRobot(OpenedLog log);
   Result<bool> playNext(const RobotLink::Taker& take);
   Result<void> goTo(std::size_t moment, const RobotLink::Taker& take);
   void handOver(const RobotLink::Taker& take);
   bool refuses(const Message& message, MessageQueue& answers) const;
 
-  std::unique_ptr<TemporaryFolder> converted_;  ///< Of a log of 2009.
+  std::string file_;
+  std::unique_ptr<TemporaryFolder> converted_;
   ReplayPlatform platform_;
   MessageQueue toRobot_, requests_{4 << 20};
   int beginnings_ = 0;

@@ -11,10 +11,8 @@
 #include <algorithm>
 #include <deque>
 #include <map>
-#include <mutex>
 
-#include "observer/RobotLog.h"
-#include "representations/behavior/BehaviorTrace.h"
+#include "workbench/BehaviorTraces.h"
 #include "workbench/Dialog.h"
 #include "workbench/RobotMenu.h"
 #include "xabsl/tools/trace/TraceFile.h"
@@ -25,77 +23,6 @@ namespace {
 
 constexpr double keptMs = 600'000, gapMs = 200;
 constexpr int rowHeight = 20, namesWidth = 170;
-constexpr std::size_t mostParts = 20'000;
-
-/// Collects what a robot's behavior sends about its decisions, on the session's thread.
-class TraceCollector : public std::enable_shared_from_this<TraceCollector> {
- public:
-  explicit TraceCollector(std::string robot) : robot_{std::move(robot)} {}
-
-  /// The robots are other ones from now on.
-  void forget() { forgotten_ = true; }
-  /// To be called after each step.
-  void look(Console& console) {
-    ConsoleRobot* robot = console.session().find(robot_);
-    if (robot_.empty())
-      if (const auto selected = console.selected(); !selected.empty()) robot = selected.front();
-    if (!robot) return;
-    ObservedRobot& observed = robot->observed();
-    if (forgotten_.exchange(false) || &observed != observed_) {
-      observed_ = &observed;
-      handle_ = observed.passTo([collector = weak_from_this()](const MessageQueue& queue) {
-        const auto self = collector.lock();
-        if (!self) return;
-        queue.handleAllMessages([&](const Message& message) { self->take(message); });
-      });
-      complete_ = false;
-      request(DebugKeyMode::always);
-      return;
-    }
-    // What a trace is about comes when it is switched on: it has been on, so off and on again.
-    if (!restarting_) return;
-    if (*restarting_ == never()) {
-      restarting_ = observed.time();
-      request(DebugKeyMode::disabled);
-    } else if (std::abs(observed.time() - *restarting_) > pause) {
-      restarting_.reset();
-      request(DebugKeyMode::always);
-    }
-  }
-  std::deque<std::string> takeParts() {
-    const std::lock_guard lock{mutex_};
-    return std::exchange(parts_, {});
-  }
-
- private:
-  static constexpr std::int64_t pause = 100;  // ms
-
-  void request(DebugKeyMode mode) {
-    // A robot without behavior has no trace.
-    static_cast<void>(observed_->request(DebugRequest{traceKey, mode, 0}));
-  }
-  void take(const Message& message) {
-    BehaviorTrace trace;
-    if (!message.is<BehaviorTrace>() || !message.read(trace)) return;
-    complete_ |= trace.text.starts_with("xabsl");
-    if (!complete_) {
-      if (!restarting_) restarting_ = never();
-      return;
-    }
-    const std::lock_guard lock{mutex_};
-    parts_.push_back(std::move(trace.text));
-    if (parts_.size() > mostParts) parts_.pop_front();
-  }
-
-  std::string robot_;
-  ObservedRobot* observed_ = nullptr;
-  std::shared_ptr<const void> handle_;
-  std::atomic<bool> forgotten_ = true;
-  bool complete_ = false;           ///< What the trace is about has come.
-  std::optional<Time> restarting_;  ///< Never: to be switched off.
-  std::mutex mutex_;
-  std::deque<std::string> parts_;
-};
 
 /// A state of an option, for as long as it was active.
 struct Span {
@@ -290,8 +217,6 @@ class BehaviorHistory : public Dialog {
     parts->addWidget(why_);
     parts->setStretchFactor(0, 2);
     parts->setStretchFactor(1, 1);
-    beginnings_ = session.status().beginnings;
-    collect();
   }
 
   QJsonObject settings() const override {
@@ -303,12 +228,8 @@ class BehaviorHistory : public Dialog {
   }
 
   void refresh() override {
-    const std::uint64_t beginnings = session().status().beginnings;
-    if (std::exchange(beginnings_, beginnings) != beginnings) {
-      collector_->forget();
-      spans_.clear();
-    }
-    const auto parts = collector_->takeParts();
+    if (traces_.beganAnew()) spans_.clear();
+    const auto parts = traces_.takeParts();
     for (const std::string& part : parts) spans_.take(part);
     if (!parts.empty()) showStrip();
   }
@@ -324,18 +245,7 @@ class BehaviorHistory : public Dialog {
   void setRobot(const std::string& robot) {
     robot_ = robot;
     spans_.clear();
-    collect();
-  }
-  /// Has traces collected as long as this dialog has the collector.
-  void collect() {
-    collector_ = std::make_shared<TraceCollector>(robot_);
-    const auto handle = std::make_shared<std::shared_ptr<const void>>();
-    session().change([collector = std::weak_ptr{collector_}, handle](Console& console) {
-      *handle = console.session().afterSteps([collector, &console] {
-        if (const auto known = collector.lock()) known->look(console);
-      });
-    });
-    handle_ = handle;
+    traces_.follow(robot);
   }
   void showStrip() {
     strip_->show(seconds_->value(), spans_.newest());
@@ -350,9 +260,7 @@ class BehaviorHistory : public Dialog {
   Strip* strip_;
   QPlainTextEdit* why_;
   std::string robot_;  ///< Empty: the connected one.
-  std::shared_ptr<TraceCollector> collector_;
-  std::shared_ptr<const void> handle_;  ///< Its end ends the collecting.
-  std::uint64_t beginnings_ = 0;
+  BehaviorTraces traces_{session()};
 };
 
 const RegisterDialog<BehaviorHistory> registered{

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "representations/behavior/MotionRequest.h"
 #include "workbench/Dialog.h"
 #include "workbench/PushButton.h"
 #include "xabsl/language/Model.h"
@@ -89,6 +90,24 @@ BehaviorParts partsOf(Console& console) {
   return parts;
 }
 
+/// The motion that the behavior of the connected robot requests.
+QString motionOf(Console& console) {
+  const auto robot = console.firstRobot();
+  if (!robot) return "–";
+  const auto found = (*robot)->observed().value<MotionRequest>();
+  if (!found) return "–";
+  const MotionRequest& request = **found;
+  if (request.type == MotionType::specialAction)
+    return QString::fromStdString(request.specialAction);
+  const QString type = QString::fromStdString(std::string{enumName(request.type)});
+  if (request.type != MotionType::walk) return type;
+  return QString{"%1 %2, %3 and %4 mm/s, %5°/s"}
+      .arg(type, QString::fromStdString(std::string{enumName(request.walkType)}))
+      .arg(request.walk.translation.x(), 0, 'f', 0)
+      .arg(request.walk.translation.y(), 0, 'f', 0)
+      .arg(toDegrees(request.walk.rotation), 0, 'f', 0);
+}
+
 /// Report J.5.1: has the behavior's engine execute an option or a basic behavior, sets an output
 /// symbol, shows symbols. Nothing is sent before the button Send request is pressed.
 class BehaviorTester : public Dialog {
@@ -127,6 +146,10 @@ class BehaviorTester : public Dialog {
     error_->setWordWrap(true);
     error_->hide();
     layout->addWidget(error_);
+    motion_ = new QLabel;
+    motion_->setObjectName("motion");
+    motion_->setToolTip("The motion request that results");
+    layout->addWidget(motion_);
     filter_ = new QLineEdit;
     filter_->setObjectName("filter");
     filter_->setPlaceholderText("Symbols to show in the behavior viewer");
@@ -152,9 +175,14 @@ class BehaviorTester : public Dialog {
 
   void refresh() override {
     const std::uint64_t beginnings = session().status().beginnings;
-    if (beginnings == beginnings_) return;
-    beginnings_ = beginnings;
-    look();
+    if (std::exchange(beginnings_, beginnings) != beginnings) look();
+    const std::uint64_t version = session().version();
+    if (asked_ || std::exchange(version_, version) == version) return;
+    asked_ = true;
+    session().ask(this, motionOf, [this](const QString& motion) {
+      asked_ = false;
+      motion_->setText("Motion: " + motion);
+    });
   }
 
  private:
@@ -267,11 +295,13 @@ class BehaviorTester : public Dialog {
   QComboBox* output_;
   QComboBox* value_;
   QLabel* error_;
+  QLabel* motion_;
   QLineEdit* filter_;
   QListWidget* symbols_;
   BehaviorParts parts_;
   std::set<QString> set_;  ///< Output symbols that were set.
-  std::uint64_t beginnings_ = 0;
+  std::uint64_t beginnings_ = 0, version_ = 0;
+  bool asked_ = false;
 };
 
 const RegisterDialog<BehaviorTester> registered{

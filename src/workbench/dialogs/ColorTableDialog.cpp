@@ -69,7 +69,7 @@ class ColorTableDialog : public Dialog {
     const auto edit = [this](auto change) {
       return [this, change] {
         change();
-        changed_ = true;
+        changed_ = started_ = true;
         showClasses();
       };
     };
@@ -123,7 +123,7 @@ class ColorTableDialog : public Dialog {
   void refresh() override {
     if (asked_ || (hold_->isChecked() && started_ && seen_)) return;
     if (clock_.isValid() && clock_.elapsed() < interval) return;
-    if (started_ && session().version() == version_) return;
+    if (started_ && seen_ && session().version() == version_) return;
     version_ = session().version();
     clock_.start();
     asked_ = true;
@@ -212,7 +212,7 @@ class ColorTableDialog : public Dialog {
     const int x = static_cast<int>(at.x()) / enlarged, y = static_cast<int>(at.y()) / enlarged;
     if (!seen_ || at.x() < 0 || at.y() < 0 || x >= seen_->info.width || y >= seen_->info.height)
       return;
-    changed_ = true;
+    changed_ = started_ = true;
     if (pressed == Qt::LeftButton)
       editor_.set(seen_->at(x, y), chosen());
     else if (pressed == Qt::RightButton)
@@ -232,7 +232,7 @@ class ColorTableDialog : public Dialog {
   SheetWidget* classes_;
   ColorTableEditor editor_;
   std::optional<Image> seen_;
-  bool started_ = false, asked_ = false;  ///< Started from the robot's table.
+  bool started_ = false, asked_ = false;  ///< Started: the robot's table is not waited for.
   bool changed_ = false;                  ///< Since the table was read or saved.
   std::uint64_t version_ = 0;
   QElapsedTimer clock_;

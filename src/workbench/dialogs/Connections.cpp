@@ -1,5 +1,6 @@
 #include <QCheckBox>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
@@ -90,12 +91,12 @@ class Connections : public Dialog {
     showNetworks(settings["current"].toString());
   }
   void refresh() override {
-    QStringList elsewhere;
-    for (const RobotInfo& robot : session().status().robots)
-      if (robot.kind == RobotKind::physical) elsewhere << QString::fromStdString(robot.name);
-    state_->setText(elsewhere.isEmpty()
-                        ? "No robot elsewhere is connected."
-                        : "Connected: " + elsewhere.join(", ") + ". A reset ends the connections.");
+    constexpr int interval = 1000;  // ms
+    if (asked_ || (clock_.isValid() && clock_.elapsed() < interval)) return;
+    asked_ = true;
+    session().ask(
+        this, [](Console& console) { return console.session().connections(); },
+        [this](std::vector<Router::Statistics>& now) { showState(now); });
   }
   /// Adds a network without robots.
   void add(const QString& name) {
@@ -105,6 +106,40 @@ class Connections : public Dialog {
   }
 
  private:
+  /// Shows a line for each robot that was connected to, with rates since the time before.
+  void showState(std::vector<Router::Statistics>& now) {
+    constexpr double perSecond = 1000;  // ms
+    const double seconds = clock_.isValid() ? static_cast<double>(clock_.elapsed()) / perSecond : 0;
+    clock_.start();
+    asked_ = false;
+    QStringList lines = note_;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const Router::Statistics& robot = now[i];
+      QString line = QString::fromStdString(robot.robot) +
+                     (robot.connected ? ": connected" : ": does not answer");
+      if (!robot.trouble.empty()) line += ", " + QString::fromStdString(robot.trouble);
+      if (i < before_.size() && before_[i].robot == robot.robot && seconds > 0) {
+        const auto rate = [&](std::uint64_t Router::Statistics::*count) {
+          return QString::number(static_cast<double>(robot.*count - before_[i].*count) / seconds,
+                                 'f', 0);
+        };
+        line += ", " + rate(&Router::Statistics::toTools) + " messages/s from it, " +
+                rate(&Router::Statistics::toRobot) + " to it";
+      }
+      if (robot.dropped > 0) line += QString{", %1 dropped"}.arg(robot.dropped);
+      if (robot.rejected > 0) line += QString{", %1 rejected"}.arg(robot.rejected);
+      lines << line;
+    }
+    lines << (now.empty() ? "No robot elsewhere is connected." : "A reset ends the connections.");
+    before_ = std::move(now);
+    state_->setText(lines.join("\n"));
+  }
+  /// Shows why something could not be done, until something else is.
+  void note(const QString& text) {
+    note_ = {text};
+    clock_.invalidate();
+  }
+
   template <typename Pressed>
   void button(QHBoxLayout& row, const char* name, const char* text, const char* help,
               Pressed pressed) {
@@ -192,7 +227,7 @@ class Connections : public Dialog {
   void deploy(int row) {
     if (row < 0) return;  // of a button that is about to be deleted
     if (text(row, targetColumn).isEmpty()) {
-      state_->setText("Where the robot's configuration lies is not known.");
+      note("Where the robot's configuration lies is not known.");
       return;
     }
     QString line = "deploy";
@@ -200,10 +235,12 @@ class Connections : public Dialog {
       line += " \"" + text(row, column) + "\"";
     const QString port = text(row, addressColumn).section(':', 2);
     if (!port.isEmpty()) line += " tcp://0.0.0.0:" + port;
+    note_.clear();
     session().execute(line.toStdString());
   }
 
   void connect() {
+    note_.clear();
     std::string line = gameManager_->isChecked() ? "sc gameManager" : "sc";
     bool any = false;
     for (int row = 0; row < table_->rowCount(); ++row)
@@ -215,14 +252,18 @@ class Connections : public Dialog {
     if (any)
       session().execute(line);
     else
-      state_->setText("No robot is enabled.");
+      note("No robot is enabled.");
   }
 
   QComboBox* network_;
   QTableWidget* table_;
   QCheckBox* gameManager_;
   QLabel* state_;
-  QJsonObject networks_;  ///< By their names: robots as their rows.
+  QJsonObject networks_;                    ///< By their names: robots as their rows.
+  std::vector<Router::Statistics> before_;  ///< A second ago, or so.
+  QElapsedTimer clock_;                     ///< Since then.
+  QStringList note_;
+  bool asked_ = false;
 };
 
 const RegisterDialog<Connections> registered{

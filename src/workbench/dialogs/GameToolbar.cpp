@@ -59,7 +59,7 @@ class GameToolbar : public Dialog {
     penalty_->addItems({"illegalDefender", "obstruction", "keeperCharged", "ballHolding",
                         "fieldPlayerCharged", "illegalDefense", "requestForPickup"});
     penalty_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    penalty_->setMinimumContentsLength(8);
+    penalty_->setMinimumContentsLength(10);
     penalty_->view()->setMinimumWidth(150);
     layout->addWidget(penalty_);
     button("penalize", "Penalize", "Penalizes the robot",

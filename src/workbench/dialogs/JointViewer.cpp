@@ -72,6 +72,7 @@ class JointViewer : public Dialog {
     plot_ = new QCustomPlot;
     plot_->setMinimumHeight(80);
     plot_->legend->setVisible(true);
+    keepLegendInside(*plot_);
     plot_->yAxis->setLabel("degrees");
     plot_->setContextMenuPolicy(Qt::CustomContextMenu);
     QObject::connect(plot_, &QWidget::customContextMenuRequested, this,

@@ -65,6 +65,7 @@ class LogPlayerToolbar : public Dialog {
                      [this](bool on) { play(on ? "loop on" : "loop off"); });
     layout->addWidget(loop_);
     player_ << slider_ << speed_ << loop_;
+    for (QWidget* part : player_) part->setEnabled(false);  // until a log is there
     layout->addSpacing(8);
     record_ = new QToolButton;
     record_->setObjectName("record");

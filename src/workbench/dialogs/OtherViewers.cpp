@@ -17,7 +17,9 @@ const RegisterDialog<ColorSpaceViewer> colorSpace{
 
 /// What the body's sensors measure.
 struct SensorViewer : ViewDialog {
-  explicit SensorViewer(SessionThread& session) : ViewDialog{session, builtInView("sensors")} {}
+  explicit SensorViewer(SessionThread& session) : ViewDialog{session, builtInView("sensors")} {
+    sheet().showPages();
+  }
 };
 const RegisterDialog<SensorViewer> sensors{
     {.id = "sensors",
@@ -29,6 +31,7 @@ const RegisterDialog<SensorViewer> sensors{
 struct BehaviorViewer : ViewDialog {
   explicit BehaviorViewer(SessionThread& session) : ViewDialog{session, builtInView("xabsl")} {
     setKeys({"BehaviorControl/activations"});
+    sheet().showPages();
   }
 };
 const RegisterDialog<BehaviorViewer> behavior{

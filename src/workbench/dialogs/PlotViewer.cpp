@@ -2,90 +2,29 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QSlider>
 #include <QStringListModel>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 #include <map>
 
-#include "console/Values.h"
-#include "streams/File.h"
-#include "workbench/CustomPlot.h"
+#include "workbench/CurvePlot.h"
 #include "workbench/Dialog.h"
 #include "workbench/PlotColors.h"
+#include "workbench/PlotCursors.h"
+#include "workbench/PlottedValues.h"
 
 namespace gt {
 namespace {
 
-constexpr QRgb curveColors[] = {0xff2f7ed8, 0xffe4572e, 0xff3a9b52, 0xffb05bc4,
-                                0xffd79a1e, 0xff17a2a2, 0xffc2417c, 0xff7f8c9b};
 constexpr int shortest = 1, longest = 120;  // s
-constexpr std::size_t mostPoints = 2'000'000;
-
-/// New points of a value.
-struct Points {
-  std::string name;
-  std::vector<ObservedRobot::Point> points;
-};
-struct News {
-  Time now;
-  std::vector<Points> points;
-};
-
-/// A plot of a robot is named by the robot and its debug key: red1 BallLocator/speed.
-const std::deque<ObservedRobot::Point>* plotOf(Console& console, const std::string& name) {
-  const std::size_t blank = name.find(' ');
-  if (blank == name.npos) return nullptr;
-  ConsoleRobot* const robot = console.session().find(name.substr(0, blank));
-  if (!robot) return nullptr;
-  const auto& plots = robot->observed().plots();
-  const auto found = plots.find(name.substr(blank + 1));
-  return found == plots.end() ? nullptr : &found->second;
-}
-
-template <typename List>
-void addSince(std::vector<ObservedRobot::Point>& points, const List& list, Time after) {
-  const auto begin = std::ranges::upper_bound(list, after, {}, &ObservedRobot::Point::time);
-  points.insert(points.end(), begin, list.end());
-}
-
-News newsOf(Console& console, const std::map<std::string, Time>& known) {
-  News news{console.session().time(), {}};
-  for (const auto& [name, after] : known) {
-    Points points{name, {}};
-    const auto& series = console.recorder().series();
-    if (const auto* plot = plotOf(console, name))
-      addSince(points.points, *plot, after);
-    else if (const auto recorded = series.find(name); recorded != series.end())
-      addSince(points.points, recorded->second, after);
-    if (!points.points.empty()) news.points.push_back(std::move(points));
-  }
-  return news;
-}
-
-/// All that can be plotted.
-std::vector<std::string> choicesOf(Console& console) {
-  std::vector<std::string> names = valueNames(console);
-  for (ConsoleRobot* robot : console.selected())
-    for (const auto& [key, points] : robot->observed().plots())
-      names.push_back(robot->name() + " " + key);
-  std::ranges::sort(names);
-  return names;
-}
-
-/// The name of a value for good: what the connected robot has begins with that robot's name.
-std::string fullName(Console& console, const std::string& name) {
-  const std::string first = name.substr(0, name.find('.'));
-  const auto robot = console.firstRobot();
-  if (!robot || name.find(' ') != name.npos || console.session().find(first)) return name;
-  return (*robot)->observed().has(first) ? (*robot)->name() + "." + name : name;
-}
 
 /// Report J.3.5: values over time. Any number of any representation, of the game and of the bodies,
 /// and what modules plot.
@@ -124,31 +63,46 @@ class PlotViewer : public Dialog {
     seconds_->setFixedWidth(120);
     seconds_->setToolTip("How many seconds are shown");
     top->addWidget(seconds_);
+    cursors_ = new QToolButton;
+    cursors_->setObjectName("cursors");
+    cursors_->setText("Cursors");
+    cursors_->setCheckable(true);
+    cursors_->setToolTip("Two lines to be dragged, and the values there");
+    QObject::connect(cursors_, &QToolButton::toggled, this, [this](bool on) {
+      cursorValues_->setOn(on);
+      if (on) follow_->setChecked(false);
+      draw();
+    });
     shown_ = new QLabel{"20 s"};
     shown_->setMinimumWidth(40);
     top->addWidget(shown_);
+    top->addWidget(cursors_);
     layout->addLayout(top);
-    plot_ = new QCustomPlot;
+    plot_ = new CurvePlot;
     plot_->setMinimumHeight(80);
-    plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom | QCP::iSelectLegend |
-                           QCP::iSelectPlottables);
-    plot_->legend->setVisible(true);
-    plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignLeft);
-    plot_->xAxis->setNumberFormat("gb");
-    plot_->setNoAntialiasingOnDrag(true);
     plot_->setContextMenuPolicy(Qt::CustomContextMenu);
     layout->addWidget(plot_, 1);
+    cursorValues_ = new PlotCursors{*plot_};
+    layout->addWidget(cursorValues_);
     QObject::connect(seconds_, &QSlider::valueChanged, this, [this](int seconds) {
       shown_->setText(QString{"%1 s"}.arg(seconds));
       draw();
     });
     QObject::connect(follow_, &QToolButton::toggled, this, [this] { draw(); });
     QObject::connect(plot_, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
-      if (event->button() == Qt::LeftButton) follow_->setChecked(false);
+      if (event->button() != Qt::LeftButton) return;
+      const bool held = cursorValues_->hold(event->pos());
+      plot_->setInteraction(QCP::iRangeDrag, !held);
+      if (!held) follow_->setChecked(false);
     });
+    QObject::connect(plot_, &QCustomPlot::mouseRelease, this, [this] { cursorValues_->letGo(); });
     QObject::connect(plot_, &QCustomPlot::mouseWheel, this, [this] { follow_->setChecked(false); });
-    QObject::connect(plot_, &QCustomPlot::mouseMove, this,
-                     [this](const QMouseEvent* event) { showValues(event->pos()); });
+    QObject::connect(plot_, &QCustomPlot::mouseMove, this, [this](const QMouseEvent* event) {
+      if (cursorValues_->drag(event->pos()))
+        draw();
+      else if (!plot_->curves().empty() && plot_->x().empty())
+        plot_->setToolTip(plot_->textAt(plot_->xAxis->pixelToCoord(event->pos().x())));
+    });
     QObject::connect(plot_, &QCustomPlot::customContextMenuRequested, this,
                      [this](const QPoint& at) { showMenu(at); });
     setAcceptDrops(true);
@@ -157,17 +111,27 @@ class PlotViewer : public Dialog {
 
   QJsonObject settings() const override {
     QJsonArray values;
-    for (const auto& [name, curve] : curves_)
-      values.append(
-          QJsonArray{QString::fromStdString(name), curve.graph->valueAxis() == plot_->yAxis2});
-    return {{"values", values}, {"seconds", seconds_->value()}};
+    for (const auto& [name, curve] : plot_->curves())
+      values.append(QJsonArray{QString::fromStdString(name), plot_->axisOf(curve),
+                               static_cast<int>(curve.filter.kind())});
+    return {{"values", values},
+            {"seconds", seconds_->value()},
+            {"x", QString::fromStdString(plot_->x())},
+            {"cursors", cursors_->isChecked()}};
   }
   void restore(const QJsonObject& settings) override {
-    curves_.clear();
-    plot_->clearGraphs();
+    plot_->clear();
     seconds_->setValue(settings["seconds"].toInt(20));
-    for (const QJsonValue value : settings["values"].toArray())
-      add(value[0].toString().toStdString(), value[1].toBool());
+    for (const QJsonValue value : settings["values"].toArray()) {
+      // Earlier layouts say only whether it is on the right axis.
+      const int axis = value[1].isBool() ? value[1].toBool() : value[1].toInt();
+      const int filter = value[2].toInt();
+      add(value[0].toString().toStdString(), std::clamp(axis, 0, CurvePlot::axisCount - 1),
+          static_cast<CurveFilterKind>(
+              std::clamp(filter, 0, static_cast<int>(enumCount<CurveFilterKind>) - 1)));
+    }
+    setX(settings["x"].toString().toStdString());
+    cursors_->setChecked(settings["cursors"].toBool());
   }
 
   void refresh() override {
@@ -177,18 +141,19 @@ class PlotViewer : public Dialog {
     const std::uint64_t beginnings = session().status().beginnings;
     if (beginnings != beginnings_) {
       beginnings_ = beginnings;
-      for (auto& [name, curve] : curves_) {
-        curve.last = never();
-        curve.graph->data()->clear();
-        record(name);
-      }
+      plot_->keepRuns();
+      for (const auto& [name, curve] : plot_->curves()) record(name);
     }
     std::map<std::string, Time> known;
-    for (const auto& [name, curve] : curves_) known[name] = curve.last;
+    for (const auto& [name, curve] : plot_->curves()) known[name] = curve.last;
     asked_ = true;
     session().ask(
-        this, [known](Console& console) { return newsOf(console, known); },
-        [this](const News& news) { take(news); });
+        this, [known](Console& console) { return PlottedValues::since(console, known); },
+        [this](const PlottedValues& news) {
+          asked_ = false;
+          plot_->take(news);
+          draw();
+        });
   }
 
  protected:
@@ -207,16 +172,11 @@ class PlotViewer : public Dialog {
   }
 
  private:
-  struct Curve {
-    QCPGraph* graph = nullptr;
-    Time last = never();
-  };
-
   void complete() {
     // All names at once: the completer finds those that hold what is typed.
     if (completing_ || input_->text().size() != 1) return;
     completing_ = true;
-    session().ask(this, choicesOf, [this](const std::vector<std::string>& names) {
+    session().ask(this, plottableNames, [this](const std::vector<std::string>& names) {
       completing_ = false;
       QStringList words;
       for (const std::string& name : names) words << QString::fromStdString(name);
@@ -226,134 +186,78 @@ class PlotViewer : public Dialog {
 
   void choose(const std::string& name) {
     session().ask(
-        this,
-        [name](Console& console) -> Result<std::string> {
-          std::string full = fullName(console, name);
-          if (plotOf(console, full)) return full;
-          const auto value = valueAt(console, full);
-          if (!value) return value.error();
-          if (!value->number) return Error{.field = name, .what = "is no number"};
-          return full;
-        },
+        this, [name](Console& console) { return plottableName(console, name); },
         [this](const Result<std::string>& full) {
           input_->setStyleSheet(full ? "" : "color: #d04030");
           input_->setToolTip(full ? QString{} : QString::fromStdString(full.error().text()));
           if (!full) return;
           input_->clear();
-          add(*full, false);
+          add(*full, 0, CurveFilterKind::none);
         });
   }
 
-  void add(const std::string& name, bool right) {
-    if (name.empty() || curves_.contains(name)) return;
-    QCPGraph* graph = plot_->addGraph(plot_->xAxis, right ? plot_->yAxis2 : plot_->yAxis);
-    graph->setName(QString::fromStdString(name));
-    graph->setPen(QPen{QColor{curveColors[colors_++ % std::size(curveColors)]}, 1.5});
-    graph->setAdaptiveSampling(true);
-    curves_[name] = {graph, never()};
-    plot_->yAxis2->setVisible(plot_->yAxis2->visible() || right);
+  void add(const std::string& name, int axis, CurveFilterKind filter) {
+    if (name.empty() || !plot_->add(name, axis, filter)) return;
     version_ = 0;
     record(name);
+    draw();
   }
-
+  void setX(const std::string& name) {
+    plot_->setX(name);
+    follow_->setChecked(true);
+    draw();
+  }
   void record(const std::string& name) {
     if (name.find(' ') == name.npos) session().executeQuietly("plot \"" + name + "\" on");
   }
 
-  void remove(const std::string& name) {
-    const auto curve = curves_.find(name);
-    if (curve == curves_.end()) return;
-    plot_->removeGraph(curve->second.graph);
-    curves_.erase(curve);
-    draw();
-  }
-
-  void take(const News& news) {
-    asked_ = false;
-    now_ = static_cast<double>(news.now.ms) / 1000;
-    for (const Points& fresh : news.points) {
-      const auto known = curves_.find(fresh.name);
-      if (known == curves_.end()) continue;
-      Curve& curve = known->second;
-      QVector<double> times, values;
-      for (const auto& [time, value] : fresh.points) {
-        times << static_cast<double>(time.ms) / 1000;
-        values << value;
-      }
-      if (curve.graph->dataCount() > static_cast<int>(mostPoints))
-        curve.graph->data()->removeBefore(now_ - longest);
-      curve.graph->addData(times, values, true);
-      curve.last = fresh.points.back().time;
-    }
-    draw();
-  }
-
   void draw() {
-    if (follow_->isChecked()) {
-      plot_->xAxis->setRange(now_ - seconds_->value(), now_);
-      for (QCPAxis* axis : {plot_->yAxis, plot_->yAxis2}) fit(axis);
-    }
-    plot_->legend->setVisible(!curves_.empty());
+    if (follow_->isChecked()) plot_->follow(seconds_->value());
+    cursorValues_->showValues();
     plot_->replot(QCustomPlot::rpQueuedReplot);
-  }
-
-  /// Fits an axis to what can be seen of its curves.
-  void fit(QCPAxis* axis) {
-    bool any = false;
-    QCPRange all;
-    for (const auto& [name, curve] : curves_) {
-      if (curve.graph->valueAxis() != axis) continue;
-      bool found = false;
-      const QCPRange range = curve.graph->getValueRange(found, QCP::sdBoth, plot_->xAxis->range());
-      if (!found) continue;
-      if (any)
-        all.expand(range);
-      else
-        all = range;
-      any = true;
-    }
-    if (!any) return;
-    const double margin =
-        all.size() > 0 ? 0.06 * all.size() : std::max(1.0, 0.1 * std::abs(all.lower));
-    axis->setRange(all.lower - margin, all.upper + margin);
-  }
-
-  void showValues(const QPoint& at) {
-    if (curves_.empty()) return;
-    const double time = plot_->xAxis->pixelToCoord(at.x());
-    QStringList lines{QString{"%1 s"}.arg(time, 0, 'f', 2)};
-    for (const auto& [name, curve] : curves_) {
-      const auto point = curve.graph->data()->findBegin(time);
-      if (point != curve.graph->data()->constEnd())
-        lines << QString{"%1 = %2"}.arg(QString::fromStdString(name)).arg(point->value, 0, 'g', 6);
-    }
-    plot_->setToolTip(lines.join("\n"));
   }
 
   void showMenu(const QPoint& at) {
     QMenu menu;
-    for (const auto& [name, curve] : curves_) {
+    const auto choice = [](QMenu* part, const QString& text, bool checked, auto chosen) {
+      QAction* action = part->addAction(text, chosen);
+      action->setCheckable(true);
+      action->setChecked(checked);
+    };
+    for (const auto& [name, curve] : plot_->curves()) {
       QMenu* part = menu.addMenu(QString::fromStdString(name));
-      QAction* right = part->addAction("On the right axis");
-      right->setCheckable(true);
-      right->setChecked(curve.graph->valueAxis() == plot_->yAxis2);
-      QObject::connect(right, &QAction::toggled, this, [this, graph = curve.graph](bool on) {
-        graph->setValueAxis(on ? plot_->yAxis2 : plot_->yAxis);
-        plot_->yAxis2->setVisible(std::ranges::any_of(curves_, [this](const auto& known) {
-          return known.second.graph->valueAxis() == plot_->yAxis2;
-        }));
+      QMenu* axis = part->addMenu("Axis");
+      for (int i = 0; i < CurvePlot::axisCount; ++i)
+        choice(axis, CurvePlot::axisNames[i], plot_->axisOf(curve) == i, [this, known = name, i] {
+          plot_->setAxis(known, i);
+          draw();
+        });
+      QMenu* filter = part->addMenu("Filter");
+      for (const auto& [kind, text] : CurvePlot::filters)
+        choice(filter, text, curve.filter.kind() == kind, [this, known = name, k = kind] {
+          plot_->setFilter(known, k);
+          draw();
+        });
+      part->addAction("Remove", this, [this, removed = name] {
+        plot_->remove(removed);
         draw();
       });
-      part->addAction("Remove", this, [this, removed = name] { remove(removed); });
     }
+    QMenu* over = menu.addMenu("X axis");
+    choice(over, "Time", plot_->x().empty(), [this] { setX({}); });
+    for (const auto& [name, curve] : plot_->curves())
+      choice(over, QString::fromStdString(name), plot_->x() == name, [this, x = name] { setX(x); });
     menu.addSeparator();
-    menu.addAction("Export as CSV…", this,
-                   [this] {
-                     const QString file = QFileDialog::getSaveFileName(
-                         this, "Export", "out/plot.csv", "Tables (*.csv)");
-                     if (!file.isEmpty()) static_cast<void>(exportTo(file.toStdString()));
-                   })
-        ->setEnabled(!curves_.empty());
+    menu.addAction(
+            "Export as CSV…", this,
+            [this] {
+              const QString file =
+                  QFileDialog::getSaveFileName(this, "Export", "out/plot.csv", "Tables (*.csv)");
+              if (file.isEmpty()) return;
+              if (const auto done = plot_->exportTo(file.toStdString()); !done)
+                QMessageBox::warning(this, "Export", QString::fromStdString(done.error().text()));
+            })
+        ->setEnabled(!plot_->curves().empty());
     menu.addAction("Save as picture…", this, [this] {
       const QString file =
           QFileDialog::getSaveFileName(this, "Save", "plot.png", "Images (*.png);;PDF (*.pdf)");
@@ -365,40 +269,15 @@ class PlotViewer : public Dialog {
     menu.exec(plot_->mapToGlobal(at));
   }
 
- public:
-  /// Writes all points, a line for each time.
-  Result<void> exportTo(const std::string& file) const {
-    std::map<double, std::map<std::string, double>> rows;
-    std::string text = "time";
-    for (const auto& [name, curve] : curves_) {
-      text += "," + name;
-      for (const QCPGraphData& point : *curve.graph->data()) rows[point.key][name] = point.value;
-    }
-    text += "\n";
-    for (const auto& [time, values] : rows) {
-      text += QString::number(time, 'f', 3).toStdString();
-      for (const auto& [name, curve] : curves_) {
-        const auto value = values.find(name);
-        text +=
-            "," + (value == values.end() ? std::string{}
-                                         : QString::number(value->second, 'g', 9).toStdString());
-      }
-      text += "\n";
-    }
-    return writeFile(file, text);
-  }
-
- private:
   QLineEdit* input_;
   QToolButton* follow_;
   QSlider* seconds_;
   QLabel* shown_;
-  QCustomPlot* plot_;
+  QToolButton* cursors_;
+  CurvePlot* plot_;
+  PlotCursors* cursorValues_;
   QStringListModel words_;
   QCompleter completer_;
-  std::map<std::string, Curve> curves_;
-  std::size_t colors_ = 0;
-  double now_ = 0;
   std::uint64_t version_ = 0, beginnings_ = 0;
   bool asked_ = false, completing_ = false;
 };

@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "workbench/Dialog.h"
 #include "workbench/IconButton.h"
@@ -24,7 +25,7 @@ class SimulationToolbar : public Dialog {
     layout->setContentsMargins(2, 0, 2, 0);
     const auto button = [&](auto... what) { return addIconButton(*layout, *this, what...); };
     start_ = button("start", QStyle::SP_MediaPlay, "Lets time pass, or stand (F5)", [this] {
-      if (this->session().busy())
+      if (occupied_ && this->session().busy())
         this->session().interrupt();
       else
         this->session().execute(this->session().status().started ? "stop" : "start");
@@ -56,7 +57,10 @@ class SimulationToolbar : public Dialog {
 
   void refresh() override {
     const SessionStatus status = session().status();
-    const bool runs = status.started || session().busy();
+    // Most commands end before anybody sees that they run.
+    const bool wasBusy = std::exchange(busy_, session().busy());
+    occupied_ = wasBusy && busy_;
+    const bool runs = status.started || occupied_;
     if (runs != runs_) {
       runs_ = runs;
       start_->showIcon(runs ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay);
@@ -90,7 +94,9 @@ class SimulationToolbar : public Dialog {
   QComboBox* speed_;
   QComboBox* robot_;
   QStringList names_;
-  bool runs_ = false;
+  bool runs_ = false;      ///< as the button shows it
+  bool busy_ = false;      ///< at the last look
+  bool occupied_ = false;  ///< by a command, at the last two looks
 };
 
 const RegisterDialog<SimulationToolbar> registered{

@@ -122,6 +122,8 @@ class TeamViewer : public Dialog {
     table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->setToolTip(
         "What each robot told its team last, and how long ago it heard from each teammate");
+    constexpr int lines = 7;  // the heading, four robots, and what scrolls sideways
+    table_->setMinimumHeight(lines * table_->fontMetrics().height());
     parts->addWidget(table_);
     parts->setStretchFactor(0, 3);
     parts->setStretchFactor(1, 1);

@@ -82,6 +82,8 @@ class TslDialog : public Dialog {
     plot_->setMinimumHeight(90);
     plot_->xAxis->setRange(0, 255);
     plot_->legend->setVisible(true);
+    plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);  // in one row
+    keepLegendInside(*plot_);
     for (std::size_t i = 0; i < channels.size(); ++i) {
       plot_->addGraph()->setName(channels[i]);
       plot_->graph()->setPen(

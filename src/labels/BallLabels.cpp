@@ -1,27 +1,30 @@
-#include "measure/real/Labels.h"
+#include "labels/BallLabels.h"
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "base/Enum.h"
+#include "base/Number.h"
 #include "streams/File.h"
 
 namespace gt {
 namespace {
 
+constexpr double largest = 1e15;  ///< Whole numbers are exact up to there.
 constexpr const char* ballHeading = "picture,time,class,x,y,r";
 
 bool number(const std::string& text, double& value) {
-  std::istringstream stream(text);
-  return static_cast<bool>(stream >> value) && (stream >> std::ws).eof();
+  const auto found = numberFrom<double>(text);
+  if (found) value = *found;
+  return found && std::isfinite(value) && std::abs(value) < largest;
 }
 
 }  // namespace
 
-Result<std::vector<BallLabel>> readLabels(const std::string& file) {
-  const auto content = readFile(file);
-  if (!content) return content.error();
-  std::istringstream stream(*content);
+Result<std::vector<BallLabel>> parseLabels(std::string_view content, const std::string& file) {
+  std::istringstream stream{std::string{content}};
   std::vector<BallLabel> labels;
   std::string text;
   for (int line = 1; std::getline(stream, text); ++line) {
@@ -44,6 +47,8 @@ Result<std::vector<BallLabel>> readLabels(const std::string& file) {
                    .line = line,
                    .field = "class",
                    .what = "whole, partial or none was expected"};
+    if (std::abs(values[0]) > std::numeric_limits<int>::max())
+      return Error{.file = file, .line = line, .field = names[0], .what = "is too large"};
     labels.push_back({static_cast<int>(values[0]),
                       static_cast<std::int64_t>(values[1]),
                       *view,
@@ -52,6 +57,21 @@ Result<std::vector<BallLabel>> readLabels(const std::string& file) {
   }
   if (labels.empty()) return Error{.file = file, .what = "there are no labels"};
   return labels;
+}
+
+Result<std::vector<BallLabel>> readLabels(const std::string& file) {
+  const auto content = readFile(file);
+  if (!content) return content.error();
+  return parseLabels(*content, file);
+}
+
+std::string labelTable(const std::vector<BallLabel>& labels) {
+  std::string text = std::string{ballHeading} + "\n";
+  for (const BallLabel& label : labels)
+    text += std::to_string(label.picture) + "," + std::to_string(label.time) + "," +
+            std::string{enumName(label.view)} + "," + numberText(label.center.x()) + "," +
+            numberText(label.center.y()) + "," + numberText(label.radius) + "\n";
+  return text;
 }
 
 }  // namespace gt

@@ -1,4 +1,4 @@
-#include "measure/real/Labels.h"
+#include "labels/BallLabels.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/Geometry.h"
@@ -18,9 +20,15 @@ struct BallLabel {
   BallView view = BallView::none;
   Vector2d center = Vector2d::Zero();  ///< Pixels.
   double radius = 0;                   ///< Pixels.
+
+  bool operator==(const BallLabel&) const = default;
 };
 
-/// Reads labels from a table with the columns image, time, class, x, y, r.
+/// Reads labels from a table with the columns picture, time, class, x, y, r. The name is for
+/// errors.
+Result<std::vector<BallLabel>> parseLabels(std::string_view text, const std::string& name);
 Result<std::vector<BallLabel>> readLabels(const std::string& file);
+/// The same table; reading it gives the same labels, bit for bit.
+std::string labelTable(const std::vector<BallLabel>& labels);
 
 }  // namespace gt

@@ -1,10 +1,10 @@
-#include "measure/real/FieldLabels.h"
+#include "labels/FieldLabels.h"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 
-#include "measure/real/Labels.h"
+#include "labels/BallLabels.h"
 
 namespace gt {
 namespace {
@@ -31,6 +31,11 @@ TEST(FieldLabels, NameTheLineThatIsWrong) {
   EXPECT_THAT(errorOf("1,2,line1,0,nan"), testing::HasSubstr("field.csv:3: x"));
   EXPECT_THAT(errorOf("1,2,line1"), testing::HasSubstr("field.csv:3: x"));
   EXPECT_THAT(errorOf("0,2,line1,1,1"), testing::HasSubstr("field.csv:3: time"));
+  EXPECT_THAT(errorOf("1,2,flag.redAbovePink,1,1"), testing::HasSubstr("field.csv:3: what"));
+  EXPECT_THAT(errorOf("1,2,player.red,1,1"), testing::HasSubstr("field.csv:3: what"));
+  EXPECT_THAT(errorOf("1,2,goal.yellow,1,1"), testing::HasSubstr("goal.yellow: has one corner"));
+  EXPECT_THAT(errorOf("1,2,goal.yellow,1,1\n1,2,goal.yellow,1,2\n1,2,goal.yellow,1,3"),
+              testing::HasSubstr("field.csv:5: what"));
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
-#include "measure/real/FieldLabels.h"
+#include "labels/FieldLabels.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "base/Enum.h"
 #include "base/Number.h"
+#include "representations/infrastructure/Player.h"
+#include "representations/perception/LandmarksPercept.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -36,6 +39,7 @@ struct Row {
 struct Reading {
   std::map<int, FieldLabel> labels;
   std::map<std::pair<int, std::string_view>, std::size_t> lines;
+  std::map<std::pair<int, BoxName>, int> corners;  ///< How many of a box were read.
 
   Result<void> add(const Row& row);
 };
@@ -63,10 +67,25 @@ Result<void> Reading::add(const Row& row) {
     const auto [line, isFirst] = lines.try_emplace({*picture, what}, all.size());
     if (isFirst) all.emplace_back();
     all[line->second].emplace_back(*x, *y);
+  } else if (const auto box = BoxName::parse(what)) {
+    BoxLabel& known = label->second.boxes[*box];
+    int& count = corners[{*picture, *box}];
+    if (++count > 2) return row.wrong(2, "has more than two corners");
+    (count == 1 ? known.from : known.to) = Vector2d{*x, *y};
+    if (count == 1) known.to = known.from;
   } else {
-    return row.wrong(2, "line and a number, leftPost, rightPost or none was expected");
+    return row.wrong(2,
+                     "line and a number, leftPost, rightPost, flag.NAME, goal.COLOR, player.COLOR "
+                     "and a number, or none was expected");
   }
   return {};
+}
+
+template <typename E>
+std::optional<BoxName> boxName(BoxName::Kind kind, std::string_view name, int number = 0) {
+  const auto which = enumValue<E>(name);
+  if (!which) return std::nullopt;
+  return BoxName{kind, static_cast<int>(*which), number};
 }
 
 double distanceToSegment(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
@@ -91,10 +110,33 @@ double FieldLabel::distance(const Vector2d& point) const {
   return least;
 }
 
-Result<std::map<int, FieldLabel>> readFieldLabels(const std::string& file) {
-  const auto content = readFile(file);
-  if (!content) return content.error();
-  std::string_view text = *content;
+std::string BoxName::text() const {
+  switch (kind) {
+    case Kind::flag:
+      return "flag." + std::string{enumName(static_cast<FlagType>(which))};
+    case Kind::goal:
+      return "goal." + std::string{enumName(static_cast<GoalColor>(which))};
+    case Kind::player:
+      break;
+  }
+  return "player." + std::string{enumName(static_cast<TeamColor>(which))} + std::to_string(number);
+}
+
+std::optional<BoxName> BoxName::parse(std::string_view text) {
+  const std::size_t dot = text.find('.');
+  if (dot == text.npos) return std::nullopt;
+  const std::string_view kind = text.substr(0, dot);
+  std::string_view name = text.substr(dot + 1);
+  if (kind == "flag") return boxName<FlagType>(Kind::flag, name);
+  if (kind == "goal") return boxName<GoalColor>(Kind::goal, name);
+  if (kind != "player") return std::nullopt;
+  const std::size_t digits = std::min(name.find_first_of("0123456789"), name.size());
+  const auto number = numberFrom<int>(name.substr(digits));
+  if (!number || *number < 1) return std::nullopt;
+  return boxName<TeamColor>(Kind::player, name.substr(0, digits), *number);
+}
+
+Result<std::map<int, FieldLabel>> parseFieldLabels(std::string_view text, const std::string& file) {
   Reading reading;
   for (int line = 1; !text.empty(); ++line) {
     const auto end = std::min(text.find('\n'), text.size());
@@ -113,7 +155,39 @@ Result<std::map<int, FieldLabel>> readFieldLabels(const std::string& file) {
     if (auto done = reading.add({file, line, cells}); !done) return done.error();
   }
   if (reading.labels.empty()) return Error{.file = file, .what = "there are no labels"};
+  for (const auto& [box, count] : reading.corners)
+    if (count < 2)
+      return Error{.file = file,
+                   .field = box.second.text(),
+                   .what = "has one corner only in image " + std::to_string(box.first)};
   return std::move(reading.labels);
+}
+
+Result<std::map<int, FieldLabel>> readFieldLabels(const std::string& file) {
+  const auto content = readFile(file);
+  if (!content) return content.error();
+  return parseFieldLabels(*content, file);
+}
+
+std::string fieldLabelTable(const std::map<int, FieldLabel>& labels) {
+  std::string text = std::string{fieldHeading} + "\n";
+  for (const auto& [picture, label] : labels) {
+    const std::string begin = std::to_string(picture) + "," + std::to_string(label.time) + ",";
+    const std::size_t before = text.size();
+    const auto add = [&](const std::string& what, const Vector2d& at) {
+      text += begin + what + "," + numberText(at.x()) + "," + numberText(at.y()) + "\n";
+    };
+    for (std::size_t i = 0; i < label.lines.size(); ++i)
+      for (const Vector2d& point : label.lines[i]) add("line" + std::to_string(i + 1), point);
+    if (label.leftPost) add("leftPost", *label.leftPost);
+    if (label.rightPost) add("rightPost", *label.rightPost);
+    for (const auto& [name, box] : label.boxes) {
+      add(name.text(), box.from);
+      add(name.text(), box.to);
+    }
+    if (text.size() == before) add("none", Vector2d::Zero());
+  }
+  return text;
 }
 
 }  // namespace gt

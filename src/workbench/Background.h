@@ -1,0 +1,69 @@
+#pragma once
+#include <QCoreApplication>
+#include <QObject>
+#include <QPointer>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <utility>
+
+namespace gt {
+
+/// Long work on a thread of its own, one at a time, which neither the window nor the session wait
+/// for. Its end stops what runs.
+class Background {
+ public:
+  /// To be called by the work with the share that is done; false: it is to stop.
+  using Progress = std::function<bool(double share)>;
+
+  Background() = default;
+  Background(const Background&) = delete;
+  Background& operator=(const Background&) = delete;
+  ~Background() { end(); }
+
+  /// Calls `work(progress)`, and then `show` with its result on the window's thread, unless
+  /// `receiver` is gone by then. What ran before is stopped, and not shown.
+  template <typename Work, typename Show>
+  void start(QObject* receiver, Work work, Show show) {
+    end();
+    state_ = std::make_shared<State>();
+    thread_ = std::thread{[state = state_, guard = QPointer<QObject>{receiver},
+                           work = std::move(work), show = std::move(show)]() mutable {
+      auto result = std::make_shared<decltype(work(Progress{}))>(work([state](double share) {
+        state->share = share;
+        return !state->stopping;
+      }));
+      state->ended = true;
+      QMetaObject::invokeMethod(
+          QCoreApplication::instance(),
+          [state, guard, show = std::move(show), result] {
+            if (guard && !state->forgotten) show(*result);
+          },
+          Qt::QueuedConnection);
+    }};
+  }
+  /// Has the work return what it has so far.
+  void stop() {
+    if (state_) state_->stopping = true;
+  }
+  bool running() const { return state_ && !state_->ended; }
+  double share() const { return state_ ? state_->share.load() : 0; }
+
+ private:
+  struct State {
+    std::atomic<bool> stopping = false, ended = false, forgotten = false;
+    std::atomic<double> share = 0;
+  };
+
+  void end() {
+    stop();
+    if (state_) state_->forgotten = true;
+    if (thread_.joinable()) thread_.join();
+  }
+
+  std::shared_ptr<State> state_;
+  std::thread thread_;
+};
+
+}  // namespace gt
