@@ -1,4 +1,5 @@
 #pragma once
+#include <malloc.h>
 #include <nanobind/nanobind.h>
 
 #include <memory>
@@ -55,6 +56,11 @@ class PlayedMatch {
   };
   /// Marks the match as running.
   class Run;
+  /// Gives back to the system what a match held: between the blocks of what lives longer it would
+  /// stay, and a program that plays many would grow.
+  struct MemoryReturn {
+    ~MemoryReturn() { malloc_trim(0); }
+  };
 
   struct Joined {
     std::size_t robot;
@@ -73,6 +79,7 @@ class PlayedMatch {
   template <typename Done>
   bool stepUntil(Done done);
 
+  MemoryReturn memoryReturn_;  ///< The last one to go.
   Screen screen_;
   std::unique_ptr<Session> session_;
   std::unique_ptr<Console> console_;

@@ -143,7 +143,7 @@ def test_broken_logs_are_one_error(folder: Path, tmp_path: Path) -> None:
     whole = (folder / "red1.mcap").read_bytes()
     file = tmp_path / "broken.mcap"
     chance = random.Random(1)
-    for length in [0, 1, 8, 100, *(chance.randrange(len(whole)) for _ in range(5))]:
+    for length in [0, 1, 8, 100, *(chance.randrange(len(whole) // 2) for _ in range(5))]:
         file.write_bytes(whole[:length])
         with pytest.raises(gt2003.Error) as caught:
             gt2003.Log(file)

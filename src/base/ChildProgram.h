@@ -21,6 +21,8 @@ class ChildProgram {
   bool runs();
   /// Sends it a signal by which it ends, and waits until it has.
   void kill(int signal = SIGKILL);
+  /// Its process id; negative once it has ended.
+  pid_t id() const { return pid_; }
   /// How it ended, as waitpid() returns it.
   int status() const { return status_; }
   /// What it has of the memory, in MB.

@@ -17,6 +17,9 @@ using std::chrono::milliseconds;
 
 /// Both are the same protocol; newer viewers offer the second name.
 const std::vector<std::string> subprotocols{"foxglove.websocket.v1", "foxglove.sdk.v1"};
+/// Where the viewers are from: Foxglove's pages, and its program and Lichtblick's for the desktop.
+const std::vector<std::string> origins{"https://app.foxglove.dev", "https://studio.foxglove.dev",
+                                       "file://"};
 const std::string fieldFrame = "field", blueFieldFrame = "field/blue";
 
 /// How often is sent what changes all the time, at most; and what does not.
@@ -58,7 +61,7 @@ std::uint8_t levelOf(Severity severity) {
 
 /// ADDRESS:PORT or PORT; an address of IPv6 stands in brackets.
 Result<WebSocketServer::Options> optionsOf(std::string_view endpoint) {
-  WebSocketServer::Options options{.subprotocols = subprotocols};
+  WebSocketServer::Options options{.subprotocols = subprotocols, .origins = origins};
   const std::size_t colon = endpoint.rfind(':');
   const auto port =
       numberFrom<std::uint16_t>(colon == endpoint.npos ? endpoint : endpoint.substr(colon + 1));

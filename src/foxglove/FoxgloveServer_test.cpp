@@ -340,6 +340,21 @@ TEST_F(FoxgloveServerTest, SlowViewersLoseImagesAndHoldNobodyUp) {
   })) << "it gets the newest as soon as it reads again";
 }
 
+/// A browser lets any page that its user visits connect to this machine.
+TEST(FoxgloveServer, TurnsPagesAwayThatAreFromElsewhere) {
+  const auto server = *FoxgloveServer::open("127.0.0.1:0", "");
+  const auto letsIn = [&](const std::string& origin) {
+    return TestViewer::connect(server->port(), "foxglove.sdk.v1", origin).has_value();
+  };
+  for (const char* own : {"", "http://localhost", "http://localhost:8080", "http://127.0.0.1:8080",
+                          "http://[::1]:80", "file://", "https://app.foxglove.dev"})
+    EXPECT_TRUE(letsIn(own)) << own;
+  for (const char* other :
+       {"https://elsewhere.example", "http://localhost.elsewhere.example", "null",
+        "https://app.foxglove.dev.elsewhere.example", "http://elsewhere.example:8765"})
+    EXPECT_FALSE(letsIn(other)) << other;
+}
+
 TEST(FoxgloveEndpoint, IsAPortOrAnAddressAndAPort) {
   for (const char* wrong : {"", "here", "70000", "here:8765", ":8765", "127.0.0.1:", "-1"})
     EXPECT_FALSE(FoxgloveServer::open(wrong, "")) << wrong;

@@ -15,6 +15,8 @@
 #include <thread>
 #include <utility>
 
+#include "network/LoopbackPeer.h"
+
 namespace gt {
 namespace {
 
@@ -37,6 +39,16 @@ std::string chosen(std::string_view offered, const std::vector<std::string>& kno
     for (const auto& word : http::token_list{{offered.data(), offered.size()}})
       if (word == protocol) return protocol;
   return "";
+}
+
+/// Whether a page may connect that a browser has loaded from there. A browser lets any page connect
+/// to this machine, and names where the page is from; other programs name nothing.
+bool isTrusted(std::string_view origin, const std::vector<std::string>& trusted) {
+  if (origin.empty() || std::ranges::find(trusted, origin) != trusted.end()) return true;
+  for (const std::string_view own : {"http://localhost", "https://localhost", "http://127.0.0.1",
+                                     "https://127.0.0.1", "http://[::1]", "https://[::1]"})
+    if (origin == own || (origin.starts_with(own) && origin[own.size()] == ':')) return true;
+  return false;
 }
 
 }  // namespace
@@ -138,8 +150,16 @@ class WebSocketServer::Server {
       if (!writing_) write();
     }
 
+    bool open() const { return open_; }
     void resume() {
       if (std::exchange(paused_, false)) read();
+    }
+
+    void end() {
+      if (std::exchange(ended_, true)) return;
+      if (std::exchange(open_, false)) server_.report({EventKind::closed, number_});
+      beast::get_lowest_layer(stream_).close();
+      server_.connections_.erase(number_);
     }
 
    private:
@@ -156,6 +176,12 @@ class WebSocketServer::Server {
       if (!websocket::is_upgrade(request) || protocol.empty())
         return refuse(http::status::bad_request, "This is a WebSocket server of the subprotocol " +
                                                      server_.options_.subprotocols.front() + ".\n");
+      const auto origin = request[http::field::origin];
+      if (!isTrusted({origin.data(), origin.size()}, server_.options_.origins))
+        return refuse(http::status::forbidden, "Pages from there may not connect.\n");
+      const int file = beast::get_lowest_layer(stream_).socket().native_handle();
+      if (isOverLoopback(file) && !isPeerOfThisUser(file))
+        return refuse(http::status::forbidden, "This server is another user's.\n");
       if (server_.connections_.size() > server_.options_.mostClients)
         return refuse(http::status::service_unavailable, "There are too many clients.\n");
       beast::get_lowest_layer(stream_).expires_never();
@@ -216,13 +242,6 @@ class WebSocketServer::Server {
                           });
     }
 
-    void end() {
-      if (std::exchange(ended_, true)) return;
-      if (std::exchange(open_, false)) server_.report({EventKind::closed, number_});
-      beast::get_lowest_layer(stream_).close();
-      server_.connections_.erase(number_);
-    }
-
     Server& server_;
     const std::uint64_t number_;
     websocket::stream<beast::tcp_stream> stream_;
@@ -237,12 +256,23 @@ class WebSocketServer::Server {
     acceptor_.async_accept([this](error_code failed, tcp::socket socket) {
       if (failed == asio::error::operation_aborted) return;
       if (!failed) {
+        makeRoom();
         const std::uint64_t number = ++numbers_;
         connections_.emplace(number, std::make_shared<Connection>(*this, number, std::move(socket)))
             .first->second->run();
       }
       accept();
     });
+  }
+
+  /// Who has connected and is no client yet leaves for who comes later.
+  void makeRoom() {
+    if (connections_.size() < options_.mostClients) return;
+    const auto stranger =
+        std::ranges::find_if(connections_, [](const auto& c) { return !c.second->open(); });
+    if (stranger == connections_.end()) return;
+    const std::shared_ptr<Connection> connection = stranger->second;  // lives until it has ended
+    connection->end();
   }
 
   /// Returns how many events wait.

@@ -22,7 +22,8 @@ struct WebSocketMessage {
 
 /// A server of the WebSocket protocol (RFC 6455) on a thread of its own. Its functions are called
 /// by one thread and never wait for the network. Memory is bounded for each client: what one does
-/// not take in time is dropped for that one.
+/// not take in time is dropped for that one. On the loopback device programs of other users are
+/// turned away, and everywhere pages that a browser has loaded from elsewhere.
 class WebSocketServer {
  public:
   struct Options {
@@ -30,6 +31,8 @@ class WebSocketServer {
     std::uint16_t port = 0;  ///< 0: any that is free.
     /// The first of these that a client offers is chosen; clients that offer none are turned away.
     std::vector<std::string> subprotocols{};
+    /// Where pages may be from that connect, beside this machine: SCHEME://HOST[:PORT].
+    std::vector<std::string> origins{};
     std::size_t mostClients = 16;
     std::size_t mostWaiting = 4 << 20;  ///< Bytes for a client before messages are dropped.
   };

@@ -313,8 +313,18 @@ void LocalSocket::accept() {
     FileDescriptor socket{
         accept4(listening_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
     if (!socket) return;
-    if (connections_.size() < limits_.peers && isTrusted(socket)) add(std::move(socket));
+    if (isTrusted(socket) && hasRoom()) add(std::move(socket));
   }
+}
+
+/// Who has not told a name yet leaves for who comes later.
+bool LocalSocket::hasRoom() {
+  if (connections_.size() < limits_.peers) return true;
+  const auto stranger =
+      std::ranges::find_if(connections_, [](const auto& c) { return !c->name(); });
+  if (stranger == connections_.end()) return false;
+  connections_.erase(stranger);
+  return true;
 }
 
 void LocalSocket::connectAgain() {

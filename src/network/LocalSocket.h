@@ -92,6 +92,7 @@ class LocalSocket : public Socket {
   Result<void> bind();
   void accept();
   void connectAgain();
+  bool hasRoom();
   void add(FileDescriptor socket);
   bool listens() const { return static_cast<bool>(listening_); }
   void welcome(LocalConnection& connection);

@@ -3,15 +3,11 @@
 #include <linux/tcp.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
+#include "network/LoopbackPeer.h"
 #include "network/Network.h"
 
 namespace gt {
@@ -21,35 +17,6 @@ std::string binaryKey(const std::string& text) {
   std::string bytes(32, '\0');
   zmq_z85_decode(reinterpret_cast<std::uint8_t*>(bytes.data()), text.c_str());
   return bytes;
-}
-
-/// An end of a connection over the loopback device, as /proc/net/tcp lists it.
-std::string endOf(int file, decltype(&getpeername) name) {
-  sockaddr_in address{};
-  socklen_t size = sizeof address;
-  if (name(file, reinterpret_cast<sockaddr*>(&address), &size) != 0 ||
-      address.sin_family != AF_INET)
-    return "";
-  std::array<char, 14> text{};
-  std::snprintf(text.data(), text.size(), "%08X:%04X", address.sin_addr.s_addr,
-                static_cast<unsigned>(ntohs(address.sin_port)));
-  return text.data();
-}
-
-/// Whether the program at the other end of a connection within this machine is of this user or the
-/// administrator.
-bool isUsers(int file) {
-  const std::string peer = endOf(file, getpeername), own = endOf(file, getsockname);
-  std::ifstream connections{"/proc/net/tcp"};
-  for (std::string line; std::getline(connections, line);) {
-    std::istringstream words{line};
-    std::string number, local, remote, state, queues, timer, retransmits;
-    uid_t user = 0;
-    if (words >> number >> local >> remote >> state >> queues >> timer >> retransmits >> user &&
-        local == peer && remote == own)
-      return user == geteuid() || user == 0;
-  }
-  return false;
 }
 
 Error wrong(const std::string& endpoint, const std::string& what) {
@@ -120,18 +87,38 @@ void ConnectionGuard::takeEvents() {
   while (const auto event = events_.next()) {
     std::erase_if(connections_, [&](const Connection& c) { return c.file == event->value; });
     if (event->kind != ZMQ_EVENT_ACCEPTED) continue;
-    if (connections_.size() < limits_.peers && (!usersOnly_ || isUsers(event->value)))
+    if (hasRoom())
       connections_.push_back({event->value});
     else
       shutdown(event->value, SHUT_RDWR);
   }
 }
 
+/// Who has sent nothing yet leaves for who comes later.
+bool ConnectionGuard::hasRoom() {
+  if (connections_.size() < limits_.peers) return true;
+  const auto stranger =
+      std::ranges::find_if(connections_, [](const Connection& c) { return !c.known; });
+  if (stranger == connections_.end()) return false;
+  drop(stranger);
+  return true;
+}
+
+void ConnectionGuard::drop(std::vector<Connection>::iterator connection) {
+  shutdown(connection->file, SHUT_RDWR);
+  connections_.erase(connection);
+}
+
 bool ConnectionGuard::admits(int connection) {
   takeEvents();
   const auto found = std::ranges::find(connections_, connection, &Connection::file);
   if (found == connections_.end()) return false;
-  return found->heard = true;
+  // Whose it is takes long to find out: not for each of thousands who connect and send nothing.
+  if (!found->known && usersOnly_ && !isPeerOfThisUser(connection)) {
+    drop(found);
+    return false;
+  }
+  return found->known = found->heard = true;
 }
 
 bool ConnectionGuard::isTolerable(Connection& connection) const {
@@ -157,8 +144,13 @@ ZeroMqSocket::ZeroMqSocket(const Network& network, ZeroMq& zeroMq, zmq::socket_t
   socket_.set(zmq::sockopt::sndhwm, limits.frames);
   socket_.set(zmq::sockopt::rcvhwm, limits.frames);
   socket_.set(zmq::sockopt::maxmsgsize, limits.frameSize);
-  socket_.set(zmq::sockopt::heartbeat_ivl, 2000);
-  socket_.set(zmq::sockopt::heartbeat_timeout, 6000);
+  // A connection whose peer does not acknowledge ends soon: the longer the network was cut, the
+  // later TCP would try again. Not by ZeroMQ's heartbeats: when one is due while a full queue is
+  // not read and the peer is gone, libzmq 4.3 ends the program (its issue 4364).
+  socket_.set(zmq::sockopt::tcp_maxrt, 1500);
+  socket_.set(zmq::sockopt::tcp_keepalive, 1);
+  socket_.set(zmq::sockopt::tcp_keepalive_idle, 1);
+  socket_.set(zmq::sockopt::tcp_keepalive_intvl, 1);
   socket_.set(zmq::sockopt::handshake_ivl, 5000);
 }
 
@@ -191,6 +183,7 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::connect(const Network& network, Ze
   zmq::socket_t& raw = socket->socket_;
   if (!name.empty()) raw.set(zmq::sockopt::routing_id, name);
   raw.set(zmq::sockopt::immediate, true);  // nothing waits for who is not there
+  raw.set(zmq::sockopt::connect_timeout, 500);
   raw.set(zmq::sockopt::reconnect_ivl, 20);
   raw.set(zmq::sockopt::reconnect_ivl_max, 500);
   if (keys) {

@@ -44,8 +44,9 @@ class SocketEvents {
 
 /// Watches who is connected with a listening socket over tcp. ZeroMQ limits the parts of a message,
 /// but not their number, nor that of connections: who sends more bytes without an end of a message
-/// than a frame has, or comes when all places are taken, is cut off. So is, where no key is needed,
-/// who is not of this user (or the administrator): as with sockets of the file system.
+/// than a frame has is cut off, and when all places are taken, who has sent nothing yet, or if all
+/// have, who comes. So is, where no key is needed, who is not of this user (or the administrator):
+/// as with sockets of the file system.
 class ConnectionGuard {
  public:
   ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits,
@@ -60,9 +61,12 @@ class ConnectionGuard {
     int file;
     std::int64_t bytes = 0;  ///< That had come in when a message was complete.
     bool heard = false;
+    bool known = false;  ///< Something was admitted from it.
   };
 
   void takeEvents();
+  bool hasRoom();
+  void drop(std::vector<Connection>::iterator connection);
   bool isTolerable(Connection& connection) const;
 
   SocketLimits limits_;

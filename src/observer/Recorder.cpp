@@ -75,13 +75,17 @@ void Recorder::take(const MessageQueue& messages) {
 
 Result<void> Recorder::save(const std::string& file) {
   if (!log_) return Error{.field = robot_.name(), .what = "nothing was recorded; log start begins"};
-  log_->flush();
-  std::error_code ignored;  // then opening the file reports what is wrong
+  static_cast<void>(log_->flush());  // what is missing is counted below
+  std::error_code ignored;           // then opening the file reports what is wrong
   std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
   const auto copied = repairLog(path(), file);
   if (!copied) return copied.error();
   saved_ = messages_;
-  return {};
+  if (copied->messages >= messages_) return {};
+  return Error{.file = file,
+               .what = "holds the first " + std::to_string(copied->messages) + " of " +
+                       std::to_string(messages_) +
+                       " messages: there was no room for the others while it was recorded"};
 }
 
 }  // namespace gt

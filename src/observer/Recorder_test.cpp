@@ -89,10 +89,10 @@ TEST_F(RecorderTest, StopsAndForgets) {
   send(8, 2);
   recorder.stop();
   send(16, 2);
-  EXPECT_EQ(recorder.messages(), 2u);
+  EXPECT_EQ(recorder.messages(), 3u);
   ASSERT_TRUE(recorder.start());
   send(24, 2);
-  EXPECT_EQ(recorder.messages(), 4u);
+  EXPECT_EQ(recorder.messages(), 6u);
   recorder.clear();
   EXPECT_EQ(recorder.messages(), 0u);
   send(32, 2);

@@ -63,6 +63,7 @@ void RobotLog::write(const Message& message) {
 
 void RobotLog::write(const Image& image) {
   file_.write("/camera", image.time, compressed(image));
+  ++messages_;
 }
 
 /// Of a buffer that has moved on by one frame, the new frame alone.

@@ -61,8 +61,9 @@ class RobotLog {
   void writeInput(Time now, const T& package) {
     writeInput(now, representation<T>(), &package);
   }
-  /// Makes all that was written readable, however the program ends.
-  void flush() { file_.flush(); }
+  /// Makes all that was written readable, however the program ends. After an error nothing more is
+  /// written.
+  Result<void> flush() { return file_.flush(); }
   Result<void> close() { return file_.close(); }
   std::uint64_t messages() const { return messages_; }
 

@@ -38,8 +38,12 @@ Result<void> writeFile(const std::string& path, std::string_view content) {
   std::ofstream stream{unfinished, std::ios::binary};
   stream.write(content.data(), static_cast<std::streamsize>(content.size()));
   stream.close();
-  if (!stream) return fileError(path, std::string("cannot be written: ") + std::strerror(errno));
   std::error_code failure;
+  if (!stream) {
+    const Error error = fileError(path, std::string("cannot be written: ") + std::strerror(errno));
+    std::filesystem::remove(unfinished, failure);
+    return error;
+  }
   std::filesystem::rename(unfinished, path, failure);
   if (failure) return fileError(path, failure.message());
   return {};

@@ -41,8 +41,8 @@ struct McapChannel {
 };
 
 /// Writes a log. What was written in whole chunks is readable however the program ends. After an
-/// error (a full disk) nothing more is written; close() returns it. The same calls give the same
-/// bytes.
+/// error (a full disk, a file that another program has truncated) nothing more is written; flush()
+/// and close() return it. The same calls give the same bytes.
 class McapWriter {
  public:
   using ChannelId = std::uint16_t;
@@ -78,8 +78,9 @@ class McapWriter {
   void attachment(const std::string& name, const std::string& mediaType, Time time,
                   std::span<const std::byte> data);
 
-  /// Ends the chunk, so that everything up to here is readable after a crash.
-  void flush();
+  /// Ends the chunk, so that everything up to here is readable after a crash. Returns the first
+  /// error since open().
+  Result<void> flush();
   /// Writes the index. Returns the first error since open().
   Result<void> close();
 

@@ -1,3 +1,5 @@
+#include <stdio_ext.h>
+#include <sys/stat.h>
 #include <zlib.h>
 #include <zstd.h>
 
@@ -54,8 +56,9 @@ struct McapWriter::State {
   std::unique_ptr<std::FILE, FileCloser> file;
   std::unique_ptr<ZSTD_CCtx, CompressorDeleter> compressor{ZSTD_createCCtx()};
   std::optional<Error> error;
-  std::uint64_t size = 0;  ///< Of the file.
-  std::uint32_t crc = 0;   ///< Of the data section.
+  std::uint64_t size = 0;     ///< Of the file.
+  std::uint64_t flushed = 0;  ///< Of the file, as far as the operating system has it.
+  std::uint32_t crc = 0;      ///< Of the data section.
 
   /// Ids by topic and encoding, and by name, encoding and text.
   std::map<std::tuple<std::string, std::string, std::uint16_t>, ChannelId> channelIds;
@@ -68,15 +71,32 @@ struct McapWriter::State {
   std::uint32_t chunkCount = 0, attachmentCount = 0, metadataCount = 0;
 
   void put(std::span<const std::byte> bytes) {
-    if (error || !file) return;
+    if (error || !file || wasTruncated()) return;
     errno = 0;
     if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) return failed();
     size += bytes.size();
     crc = crcOf(bytes, crc);
   }
-  void failed() {
-    if (!error)
-      error = Error{.file = path, .what = std::string("cannot be written: ") + strerror(errno)};
+  void failed() { fail(std::string("cannot be written: ") + strerror(errno)); }
+  /// What waits to be written would lie behind what is missing.
+  void fail(const std::string& what) {
+    if (error) return;
+    error = Error{.file = path, .what = what};
+    if (file) __fpurge(file.get());
+  }
+  /// Gives the operating system all that was put so far.
+  void handOver() {
+    if (file && std::fflush(file.get()) != 0) failed();
+    flushed = size;
+  }
+  /// What followed would lie behind a hole, where no reader gets to.
+  bool wasTruncated() {
+    struct stat status {};
+    if (fstat(fileno(file.get()), &status) != 0 || !S_ISREG(status.st_mode) ||
+        static_cast<std::uint64_t>(status.st_size) >= flushed)
+      return false;
+    fail("was truncated while it was written");
+    return true;
   }
 
   std::uint16_t addSchema(const McapChannel& channel);
@@ -123,7 +143,7 @@ void McapWriter::State::putChunk() {
   ++chunkCount;
   chunk.clear();
   chunkSpan = {};
-  if (std::fflush(file.get()) != 0) failed();
+  handOver();
 }
 
 void McapWriter::State::putMessageIndexes() {
@@ -338,8 +358,11 @@ void McapWriter::attachment(const std::string& name, const std::string& mediaTyp
   s.put(record);
 }
 
-void McapWriter::flush() {
+Result<void> McapWriter::flush() {
   state_->putChunk();
+  state_->handOver();
+  if (state_->error) return *state_->error;
+  return {};
 }
 
 Result<void> McapWriter::close() {

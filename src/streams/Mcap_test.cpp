@@ -282,6 +282,32 @@ TEST(Mcap, IsReadableUpToTheLastChunkWhenTheMediumIsFull) {
   EXPECT_TRUE(errors.empty());
 }
 
+TEST(Mcap, IsReadableAsFarAsItIsLeftWhenItIsTruncatedWhileItIsWritten) {
+  const TemporaryFile file{"Mcap_test_truncated.mcap"};
+  auto writer = McapWriter::open(file.path, {false, 1, 1000});
+  ASSERT_TRUE(writer);
+  for (int i = 0; i < 2000; ++i) writer->write("/inner", Time{i}, inner(i));
+  ASSERT_TRUE(writer->flush());
+  writer->write("/late", Time{2000}, picture());  // a channel that waits to be written
+  const auto left = std::filesystem::file_size(file.path) / 2;
+  std::filesystem::resize_file(file.path, left);
+  for (int i = 2000; i < 4000; ++i) writer->write("/inner", Time{i}, inner(i));
+  const auto flushed = writer->flush(), closed = writer->close();
+  ASSERT_FALSE(flushed);
+  ASSERT_FALSE(closed);
+  EXPECT_EQ(flushed.error().text(), file.path + ": was truncated while it was written");
+  EXPECT_EQ(closed.error().text(), flushed.error().text());
+  EXPECT_EQ(std::filesystem::file_size(file.path), left);
+  auto reader = McapReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().text();
+  EXPECT_FALSE(reader->complete());
+  std::vector<std::string> errors;
+  const int count = readAll(*reader, errors);
+  EXPECT_GT(count, 800);
+  EXPECT_LT(count, 1200);
+  EXPECT_TRUE(errors.empty());
+}
+
 /// A log of one chunk in lz4, as other programs write them.
 std::string lz4Log(const Schema& schema, std::span<const std::byte> message) {
   using namespace mcap;

@@ -4,11 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <thread>
@@ -25,6 +23,7 @@
 #include "streams/TemporaryFolder.h"
 #include "support/OtherMachine.h"
 #include "support/RobotElsewhere.h"
+#include "support/RobotOfPrograms.h"
 #include "support/TestWire.h"
 
 namespace gt {
@@ -95,56 +94,16 @@ class BadTools {
   std::thread sending_;
 };
 
-/// A match in real time in which red3 consists of three programs.
-class RobotProgramsTest : public ::testing::Test {
+/// Tests of a robot of programs.
+class RobotProgramsTest : public ::testing::Test, protected testing::RobotOfPrograms {
  protected:
-  explicit RobotProgramsTest(const std::string& endpoint = "", const Keys* keys = nullptr) {
-    setenv("XDG_STATE_HOME", folder.c_str(), 1);  // what a router keeps is gone with the test
-    MatchOptions options;
-    options.remote = {{"red3", endpoint}};
-    options.sockets = folder;
-    if (keys) options.keys = *keys;
-    auto made = Match::make(options);
-    EXPECT_TRUE(made) << made.error().text();
-    match = std::move(*made);
+  explicit RobotProgramsTest(const std::string& endpoint = "", const Keys* keys = nullptr)
+      : RobotOfPrograms{endpoint, keys} {
     if (keys) return;
     for (const char* process : {"cognition", "motion", "debug"})
       processes.push_back(std::make_unique<ChildProgram>(command(process, folder)));
   }
-  ~RobotProgramsTest() override { processes.clear(); }
 
-  std::vector<std::string> command(const std::string& process, const std::string& sockets) const {
-    const std::string who = "--robot=red3", team = "--team=red", role = "--role=striker1";
-    return {
-        GT_PROGRAMS "/gtrobot-" + process, who, team, role, "--sockets", sockets, "--logs", folder};
-  }
-  const RemoteRobot& robot() const { return *match->remoteRobots().front(); }
-  /// Plays on for some ms.
-  void play(std::int64_t ms) {
-    const auto begin = std::chrono::steady_clock::now();
-    for (std::int64_t t = 8; t <= ms; t += 8) {
-      match->step();
-      std::this_thread::sleep_until(begin + std::chrono::milliseconds{t});
-    }
-  }
-  /// Plays until something holds; false if it does not in some seconds.
-  template <typename Condition>
-  bool playUntil(Condition condition) {
-    for (int i = 0; i < 200; ++i) {
-      if (condition()) return true;
-      play(48);
-    }
-    return false;
-  }
-  /// The robot answers in time, as far as a busy machine lets it.
-  bool joined() {
-    const RemoteStatistics before = robot().statistics();
-    play(400);
-    const RemoteStatistics& now = robot().statistics();
-    return now.frames > before.frames && now.pictures > before.pictures &&
-           now.missedFrames - before.missedFrames < 25 &&
-           now.missedPictures - before.missedPictures < 5;
-  }
   /// A tool gets what it asked for.
   bool answers(const std::string& endpoint) {
     Network network;
@@ -196,18 +155,6 @@ class RobotProgramsTest : public ::testing::Test {
       EXPECT_LT(watched[i]->memory() - memory[i], 150) << "MB more in program " << i;
     EXPECT_GT(heardOfIt().ms, heardBefore.ms) << "its team mates still hear of it";
   }
-  std::vector<fs::path> logs() const {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator{folder})
-      if (entry.path().extension() == ".mcap") files.push_back(entry.path());
-    return files;
-  }
-
-  const TemporaryFolder temporary;
-  const std::string folder = temporary.path().string();
-  const std::string tools = "ipc://" + folder + "/red3.Tools";
-  std::unique_ptr<Match> match;
-  std::vector<std::unique_ptr<ChildProgram>> processes;
 };
 
 TEST_F(RobotProgramsTest, ARobotOfThreeProgramsPlaysInTheTeam) {
@@ -429,37 +376,6 @@ TEST_F(RobotProgramsTest, BadToolsAtTheRouterHarmNoRobot) {
       {GT_PROGRAMS "/router", "red3=" + tools, "--port", std::to_string(port - 301)}};
   expectNoHarm("tcp://127.0.0.1:" + std::to_string(port), {processes[2].get(), &router});
   EXPECT_TRUE(router.runs());
-}
-
-/// Kills each process at random moments; GT_KILLS sets how often (3).
-TEST_F(RobotProgramsTest, AnyProcessMayEndAtAnyMoment) {
-  const char* wanted = std::getenv("GT_KILLS");
-  const int kills = wanted ? std::atoi(wanted) : 3;
-  Random random{static_cast<std::uint64_t>(kills)};
-  ASSERT_TRUE(playUntil([&] { return joined(); }));
-  for (int i = 0; i < kills * 3; ++i) {
-    const auto killed = static_cast<std::size_t>(i) % processes.size();
-    play(8 + static_cast<std::int64_t>(random() % 400));
-    processes[killed]->kill();
-    play(8 + static_cast<std::int64_t>(random() % 400));
-    for (std::size_t p = 0; p < processes.size(); ++p)
-      ASSERT_EQ(processes[p]->runs(), p != killed) << "kill " << i;
-    const std::size_t logsBefore = logs().size();
-    processes[killed]->start();
-    ASSERT_TRUE(playUntil([&] { return joined(); })) << "kill " << i;
-    const std::size_t expected = logsBefore + (killed == 2 ? 1 : 0);
-    EXPECT_TRUE(playUntil([&] { return logs().size() == expected; }));
-  }
-  play(1200);
-  processes[2]->kill();
-  std::size_t messages = 0;
-  for (const fs::path& path : logs()) {
-    auto log = McapReader::open(path.string());
-    ASSERT_TRUE(log) << log.error().text();
-    for (auto message = log->next(); message && *message; message = log->next()) ++messages;
-  }
-  EXPECT_EQ(logs().size(), static_cast<std::size_t>(kills) + 1);
-  EXPECT_GT(messages, 100u);
 }
 
 }  // namespace

@@ -23,9 +23,10 @@ class TestViewer {
     std::string bytes;
   };
 
-  /// Empty if the server turns it away.
+  /// Empty if the server turns it away. A browser names the origin of its page.
   static std::optional<TestViewer> connect(std::uint16_t port,
-                                           const std::string& subprotocol = "foxglove.sdk.v1") {
+                                           const std::string& subprotocol = "foxglove.sdk.v1",
+                                           const std::string& origin = "") {
     TestViewer viewer;
     boost::beast::error_code failed;
     viewer.socket().open(boost::asio::ip::tcp::v4(), failed);
@@ -34,6 +35,7 @@ class TestViewer {
     viewer.socket().connect({boost::asio::ip::make_address("127.0.0.1"), port}, failed);
     viewer.stream_->set_option(boost::beast::websocket::stream_base::decorator{[&](auto& request) {
       request.set(boost::beast::http::field::sec_websocket_protocol, subprotocol);
+      if (!origin.empty()) request.set(boost::beast::http::field::origin, origin);
     }});
     viewer.stream_->read_message_max(64 << 20);
     boost::beast::websocket::response_type response;

@@ -21,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 /// How a program ended and what it printed.
@@ -57,14 +58,15 @@ class Workplace {
   }
   const fs::path& root() const { return root_; }
 
-  /// Runs a program in there; names of files in its output are relative to it.
-  Outcome run(const std::string& arguments) const {
+  /// Runs a program in there; names of files in its output are relative to it. The shell can be
+  /// told something before, such as a limit.
+  Outcome run(const std::string& arguments, const std::string& before = "") const {
     const std::string log = (root_ / "errors").string();
     const std::string place =
-        "cd " + root_.string() + " && GT2003_ROOT=. XDG_STATE_HOME=" + root_.string();
-    const int raw = std::system(
-        (place + "/state timeout 60 " + GT_PROGRAMS "/" + arguments + " >/dev/null 2>" + log)
-            .c_str());
+        "cd " + root_.string() + " && GT2003_ROOT=. XDG_STATE_HOME=" + root_.string() + "/state";
+    const std::string program = "sh -c '" + before + "exec " GT_PROGRAMS "/" + arguments + "'";
+    const int raw =
+        std::system((place + " timeout 60 " + program + " >/dev/null 2>" + log).c_str());
     return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, *readFile(log)};
   }
 
@@ -331,7 +333,8 @@ TEST(Programs, RefuseFoldersInsteadOfFiles) {
   const Workplace workplace;
   for (const std::string program :
        {"simgt play scenes", "simgt play scenes/one-robot.scene --behavior behavior",
-        "replay --log scenes", "replay --log robot.log --colors scenes", "xabsl check behavior"}) {
+        "replay --log scenes", "replay --log robot.log --colors scenes", "xabsl check behavior",
+        "xabsl format behavior"}) {
     const Outcome outcome = workplace.run(program);
     EXPECT_EQ(outcome.status, 2) << program;
     EXPECT_EQ(messages(outcome.errors), 1) << outcome.errors;
@@ -411,6 +414,49 @@ TEST(Programs, OfTheNetworkRefuseWrongUse) {
     EXPECT_EQ(outcome.status, 2) << command;
     EXPECT_THAT(outcome.errors, StartsWith(line)) << command;
     EXPECT_EQ(messages(outcome.errors), 1) << command << "\n" << outcome.errors;
+  }
+}
+
+/// XML whose entity stands for ten thousand million letters, or for a file of the machine.
+std::string xmlBomb(const std::string& root) {
+  std::string entities = "<!ENTITY a0 \"aaaaaaaaaa\">";
+  for (int i = 1; i < 10; ++i) {
+    std::string ten;
+    for (int k = 0; k < 10; ++k) ten += "&a" + std::to_string(i - 1) + ";";
+    entities += "<!ENTITY a" + std::to_string(i) + " \"" + ten + "\">";
+  }
+  return "<!DOCTYPE x [" + entities + "]>\n<" + root + " name=\"&a9;\">&a9;</" + root + ">";
+}
+std::string xmlThatReads(const std::string& root) {
+  return "<!DOCTYPE x [<!ENTITY e SYSTEM \"file:///etc/passwd\">]>\n<" + root + ">&e;</" + root +
+         ">";
+}
+std::string deepXml() {
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += "<a>";
+  return text;
+}
+
+/// What is small and claims to be large, deep or another's file ends at once, in little memory.
+TEST(Programs, EndOnBombs) {
+  const Workplace workplace;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  const std::string limit;  // they take all addresses
+#else
+  const std::string limit = "ulimit -v 4000000; ";
+#endif
+  const auto outcome = [&](const std::string& command) { return workplace.run(command, limit); };
+  const std::string play = "simgt play --minutes 0.01 --out bomb ";
+  EXPECT_EQ(outcome(play + "scenes/one-robot.scene").status, 0);
+  for (const char* root : {"agent-collection", "scene"}) {
+    const bool isScene = std::string{root} == "scene";
+    for (const std::string& text : {xmlBomb(root), xmlThatReads(root), deepXml()}) {
+      workplace.write("bomb.xml", text);
+      const Outcome ended = outcome((isScene ? play : "xabsl check ") + "bomb.xml");
+      EXPECT_EQ(ended.status, 2) << root << "\n" << ended.errors;
+      EXPECT_THAT(ended.errors, HasSubstr("bomb.xml:"));
+      EXPECT_THAT(ended.errors, Not(HasSubstr("/root:"))) << "no file of the machine is read";
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #include "robot/linux/ProgramRecorder.h"
 
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -8,6 +9,23 @@
 #include "robot/SetupFiles.h"
 
 namespace gt {
+namespace {
+
+/// Begins a log that is not there yet; none is left behind if it cannot be written.
+Result<RobotLog> beginLog(const RobotProgramOptions& options, const RecordedSetup& setup) {
+  const std::string file = freeLogFile(options.logs + "/" + options.addresses.robot);
+  auto log = RobotLog::open(file, {{"robot", options.addresses.robot}});
+  if (!log) return log.error();
+  attach(setup, log->file());
+  if (const auto done = log->flush(); !done) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    return done.error();
+  }
+  return log;
+}
+
+}  // namespace
 
 Result<std::unique_ptr<ProgramRecorder>> ProgramRecorder::open(const RobotProgramOptions& options,
                                                                const Layout& layout,
@@ -15,14 +33,13 @@ Result<std::unique_ptr<ProgramRecorder>> ProgramRecorder::open(const RobotProgra
   const std::vector<const RepresentationType*> none;
   const auto configuration = loadConfiguration(options.paths, modules, &none);
   if (!configuration) return configuration.error();
-  auto log = RobotLog::open(freeLogFile(options.logs + "/" + options.addresses.robot),
-                            {{"robot", options.addresses.robot}});
-  if (!log) return log.error();
   const auto setup = recordSetup(
       {options.paths, options.layout, options.player, options.seed, options.hardwareAddress});
   if (!setup) return setup.error();
-  attach(*setup, log->file());
-  std::unique_ptr<ProgramRecorder> recorder{new ProgramRecorder{std::move(*log), layout}};
+  auto log = beginLog(options, *setup);
+  if (!log) return log.error();
+  std::unique_ptr<ProgramRecorder> recorder{
+      new ProgramRecorder{std::move(*log), options, *setup, layout}};
   recorder->choose((*configuration)->log, modules.solutions);
   return recorder;
 }
@@ -67,8 +84,17 @@ void ProgramRecorder::write(const Wire& wire, const MessageQueue& messages, std:
   }
   if (imagePeriod_ > 0) writePicture(now);
   if (now < nextFlush_) return;
-  log_.flush();
+  if (const auto done = log_.flush(); !done) beginAnew(done.error());
   nextFlush_ = now + 1000;
+}
+
+void ProgramRecorder::beginAnew(const Error& reason) {
+  if (!std::exchange(broken_, true)) news_.push_back(reason.text());
+  auto log = beginLog(options_, setup_);
+  if (!log) return;
+  log_ = std::move(*log);
+  broken_ = false;
+  news_.push_back("the log goes on in another file");
 }
 
 /// The platform is asked for the next image only when it is due; its clock, which begins anew

@@ -2,9 +2,11 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/Layout.h"
+#include "observer/RecordedSetup.h"
 #include "observer/RobotLog.h"
 #include "representations/infrastructure/Image.h"
 #include "robot/linux/RobotProgram.h"
@@ -25,11 +27,16 @@ class ProgramRecorder {
   void connect(Wire& wire);
   /// Asks each process for what the log shall hold, again when it was started again.
   void ask(const Wire& wire, MessageQueue& requests);
-  /// Writes what came in; `now` in ms.
+  /// Writes what came in; `now` in ms. If the log can no longer be written, because the disk is
+  /// full or the file was truncated, another one is begun as soon as that is possible.
   void write(const Wire& wire, const MessageQueue& messages, std::int64_t now);
+  /// What happened to the log and was not yet reported, line by line.
+  std::vector<std::string> takeNews() { return std::exchange(news_, {}); }
 
  private:
-  ProgramRecorder(RobotLog log, const Layout& layout) : log_{std::move(log)}, layout_{layout} {}
+  ProgramRecorder(RobotLog log, const RobotProgramOptions& options, RecordedSetup setup,
+                  const Layout& layout)
+      : log_{std::move(log)}, options_{options}, setup_{std::move(setup)}, layout_{layout} {}
   struct Input {
     explicit Input(const RepresentationType& t)
         : type{t}, value{t.make()}, receiver{t, value.get()} {}
@@ -40,8 +47,11 @@ class ProgramRecorder {
 
   void choose(const Configuration::LogSettings& settings, const SolutionTable& table);
   void writePicture(std::int64_t now);
+  void beginAnew(const Error& reason);
 
   RobotLog log_;
+  const RobotProgramOptions& options_;
+  const RecordedSetup setup_;
   const Layout& layout_;
   std::vector<WatchRequest> requests_;
   std::map<std::string, std::uint64_t> sessions_;
@@ -51,6 +61,8 @@ class ProgramRecorder {
   PackageReceiver pictures_{representation<Image>(), &picture_};
   std::int64_t imagePeriod_ = 0, nextRequest_ = 0;
   Time lastPicture_ = never();
+  bool broken_ = false;  ///< The log, and no other one could be begun.
+  std::vector<std::string> news_;
 };
 
 }  // namespace gt

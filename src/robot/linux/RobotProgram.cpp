@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <iterator>
 
 #include "network/ToolPort.h"
 #include "network/Wire.h"
@@ -89,7 +90,11 @@ class ToolServer {
   void ask() {
     if (recorder_) recorder_->ask(wire_, robot_.fromTools());
   }
-  std::vector<std::string> takeNews() { return port_->takeNews(); }
+  std::vector<std::string> takeNews() {
+    std::vector<std::string> news = port_->takeNews();
+    if (recorder_) std::ranges::move(recorder_->takeNews(), std::back_inserter(news));
+    return news;
+  }
   void serve(std::int64_t elapsed) {
     if (recorder_) recorder_->write(wire_, robot_.toTools(), elapsed);
     port_->send(robot_.toTools());
