@@ -13,9 +13,11 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE)
+  # Paths below the sources are hashed relative to them, and the build folder is not hashed: a clone in another folder is served, too.
   # It must not look at the times of precompiled headers, would read all their megabytes for each file without a cache of what
   # it has hashed, and must hash sources with their comments: gcc compares the files that a precompiled header was made from.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+    CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=true
     CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_INODECACHE=true CCACHE_DEPEND=true ${CCACHE})
 endif()
 set(GT_SANITIZE "" CACHE STRING "Sanitizers to build with, as for -fsanitize=: address,undefined or thread")
@@ -72,7 +74,7 @@ find_package(Threads REQUIRED)
 find_package(GTest REQUIRED)
 
 # Headers that nearly all files of a target include are compiled once. Each file still includes what it needs: the preset
-# "clang" builds without. ccache cannot share them between work trees: who has several switches this off.
+# "clang" builds without.
 option(GT_PRECOMPILE "Precompile headers (gcc)" ON)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   set(GT_PRECOMPILE OFF)
@@ -113,16 +115,56 @@ if(GT_PRECOMPILE)
 endif()
 
 # Most of the time of a build goes into headers. Where speed does not matter, several files of a target are compiled as one,
-# so that their own names have to differ; the preset "clang" compiles each by itself.
+# so that their own names have to differ (the test united_names checks it); the preset "clang" compiles each by itself. CMake's own
+# unity builds include files by absolute paths, so that ccache could not serve another clone.
 option(GT_UNITE "Compile several files of tests and cold code as one (gcc)" ON)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   set(GT_UNITE OFF)
 endif()
+set(filesUnited 10)
+set_property(GLOBAL PROPERTY GT_UNITED "")
+# gt_unite(target): its sources that are neither generated nor compiled in a way of their own, however they are set in its folder.
 function(gt_unite target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GT_UNITE} UNITY_BUILD_BATCH_SIZE 10)
   if(GT_UNITE)
     target_compile_options(${target} PRIVATE -Wno-shadow)  # of another file's names
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL gt_unite_sources ${target})")
   endif()
+endfunction()
+function(gt_unite_sources target)
+  get_target_property(sources ${target} SOURCES)
+  set(single)
+  set(united)
+  foreach(source ${sources})
+    get_filename_component(file ${source} ABSOLUTE)
+    cmake_path(IS_PREFIX CMAKE_BINARY_DIR ${file} generated)
+    set(own ${generated})
+    foreach(property COMPILE_OPTIONS COMPILE_DEFINITIONS INCLUDE_DIRECTORIES SKIP_UNITY_BUILD_INCLUSION)
+      get_source_file_property(value ${source} ${property})
+      if(value)
+        set(own TRUE)
+      endif()
+    endforeach()
+    if(own)
+      list(APPEND single ${source})
+    else()
+      list(APPEND united ${file})
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND_STRING PROPERTY GT_UNITED "${target} ${united}\n")
+  list(LENGTH united count)
+  set(first 0)
+  while(first LESS count)
+    list(SUBLIST united ${first} ${filesUnited} files)
+    set(batch "")
+    foreach(file ${files})
+      file(RELATIVE_PATH path ${CMAKE_CURRENT_BINARY_DIR} ${file})
+      string(APPEND batch "#include \"${path}\"\n")
+    endforeach()
+    file(CONFIGURE OUTPUT ${target}_${first}.cpp CONTENT "${batch}" @ONLY)
+    list(APPEND single ${CMAKE_CURRENT_BINARY_DIR}/${target}_${first}.cpp)
+    math(EXPR first "${first} + ${filesUnited}")
+  endwhile()
+  set_target_properties(${target} PROPERTIES SOURCES "${single}")
 endfunction()
 
 # gt_library(name [COLD [APART]] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [HOT b.cpp ... | HOT_TESTS])
