@@ -29,7 +29,7 @@ ALL_PACKAGES = $(QT) $(BENCH) $(REALISM) $(CHECKS) $(TESTS) $(PYTHONS) nodejs np
 # A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
-.PHONY: help install play film control pictures random-input play-remote robots chaos growth test python replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint sanitize sanitize-layers sanitize-python fuzz clean
+.PHONY: help install play film control pictures random-input play-remote robots chaos growth test python replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -54,11 +54,13 @@ help:
 	@echo 'make dependencies  lists all packages that the project is built of and tested with, with versions and licenses: out/dependencies.md'
 	@echo 'make docs          writes pages with charts about the soccer behavior, out/docs/index.html, and about the sources'"'"' interfaces, out/docs/api/index.html'
 	@echo 'make sanitize      runs the tests under the address, undefined-behavior and thread sanitizers'
-	@echo 'make sanitize-layers runs the tests of the layers below match/ under the address and undefined-behavior sanitizers'
+	@echo 'make verify        what takes longer than make test: clang-tidy and sanitizers on what changed SINCE=COMMIT, and all that is rarely built; make verify-all: everything'
+	@echo 'make test-changed  runs the tests of the folders that changed SINCE=COMMIT; PRESET=asan under the address sanitizer'
+	@echo 'make build-times   builds everything without compiler cache and prints the dearest steps'
 	@echo 'make sanitize-python runs the tests of what the Python package has compiled under the same two'
 	@echo 'make fuzz          feeds broken files to all that reads files, SECONDS=$(SECONDS) each'
 	@echo 'make format        formats the sources; make check-format reports those that are not formatted'
-	@echo 'make lint          checks all sources with clang-tidy; SINCE=COMMIT those changed since, MINUTES_OF_LINT=N for N minutes'
+	@echo 'make lint          checks all sources with clang-tidy; SINCE=COMMIT those changed since'
 	@echo 'make build         only builds, into $(BUILD); make packages only installs what is missing'
 	@echo 'make clean         removes build/ and out/'
 	@echo 'Settings: MINUTES, HOURS, COUNT, SEED, SEEDS, ONLY, SECONDS, MUTANTS, OUT, PREFIX, PRESET (release, debug, asan, tsan, clang), JOBS'
@@ -214,11 +216,6 @@ sanitize: packages
 	  TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=$(CURDIR)/cmake/tsan.supp $(CTEST) --test-dir build/$$preset || exit 1; \
 	done
 
-sanitize-layers: packages
-	@cmake --preset asan >/dev/null
-	@cmake --build --preset asan --parallel $(JOBS) --target layers_tests
-	@$(CTEST) --test-dir build/asan --label-regex layers
-
 # The Python package's compiled part: no call of it may break anything.
 sanitize-python: packages
 	@scripts/python-environment build/python $(PYTHON)
@@ -242,21 +239,53 @@ fuzz: build
 	done
 	@PYTHONPATH=$(BUILD)/python build/python/bin/python python/tests/fuzz_bindings.py --seconds $(SECONDS) --seed $(SEED)
 
+# Also those that git does not know yet; none that is deleted.
+SOURCES = git ls-files -z --cached --others --exclude-standard '*.h' '*.cpp' | xargs -0 ls -d 2>/dev/null | tr '\n' '\0'
 format:
 	@scripts/install-packages clang-format-14
-	@git ls-files '*.h' '*.cpp' | xargs clang-format-14 -i
+	@$(SOURCES) | xargs -0 clang-format-14 -i
 	@if [ -x $(BUILD)/bin/xabsl ]; then git ls-files 'behavior/*.xabsl' | xargs $(BUILD)/bin/xabsl format -i; fi
 
 check-format:
 	@scripts/install-packages clang-format-14
-	@git ls-files '*.h' '*.cpp' | xargs clang-format-14 --dry-run -Werror
+	@$(SOURCES) | xargs -0 clang-format-14 --dry-run -Werror
 
 # The headers that the build generates have to be there; the preset "clang" has no precompiled headers.
 lint:
 	@scripts/install-packages clang-14 clang-tidy-14 $(QT)
 	@cmake --preset clang >/dev/null
 	@cmake --build --preset clang --parallel $(JOBS) --target commit gt_behavior_symbols
-	@scripts/lint build/clang $(if $(SINCE),--since $(SINCE)) $(if $(MINUTES_OF_LINT),--minutes $(MINUTES_OF_LINT))
+	@scripts/lint build/clang $(if $(SINCE),--since $(SINCE))
+
+# The test programs of the folders that changed since a commit.
+test-changed: packages
+	@[ -n "$(SINCE)" ] || { echo 'make $@: name a commit: SINCE=COMMIT' >&2; exit 2; }
+	@cmake --preset $(PRESET) >/dev/null
+	@tests=$$(scripts/changed-tests $(BUILD) $(SINCE)) || exit 2; [ -n "$$tests" ] || exit 0; \
+	  cmake --build --preset $(PRESET) --parallel $(JOBS) --target $$tests && \
+	  $(CTEST) --test-dir $(BUILD) --tests-regex "^($$(echo $$tests | tr ' ' '|'))$$"
+
+# No reason not to merge, but what it finds is mended before an issue is resolved.
+verify: PACKAGES += $(NODE) $(QT) $(TESTS)
+verify: packages
+	@[ -n "$(SINCE)" ] || { echo 'make $@: name a commit: SINCE=COMMIT' >&2; exit 2; }
+	@$(MAKE) --no-print-directory lint
+	@$(MAKE) --no-print-directory test-changed PRESET=asan
+	@$(MAKE) --no-print-directory test-changed PRESET=clang
+	@$(MAKE) --no-print-directory build TARGETS="--target bench experiment"
+
+verify-all:
+	@$(MAKE) --no-print-directory lint SINCE=
+	@$(MAKE) --no-print-directory build PRESET=clang
+	@$(MAKE) --no-print-directory build TARGETS="--target bench experiment"
+	@$(MAKE) --no-print-directory sanitize sanitize-python fuzz mutants
+
+# Of an idle machine.
+build-times: PACKAGES += $(NODE) $(QT) $(TESTS) $(PYTHONS)
+build-times: packages
+	@rm -rf build/times && cmake --preset release -B build/times >/dev/null
+	@CCACHE_DISABLE=1 cmake --build build/times --parallel $(JOBS) >/dev/null
+	@scripts/build-times build/times
 
 clean:
 	@rm -rf build out

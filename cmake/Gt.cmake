@@ -200,8 +200,8 @@ function(gt_library name)
   endif()
 endfunction()
 
-# gt_test(name [HOT] SOURCES a_test.cpp ... DEPS ...): a program of GoogleTest, run in the root of the sources. If gt_test_label is
-# set, the test has that label, and a target <label>_tests builds all tests with it.
+# gt_test(name [HOT] SOURCES a_test.cpp ... DEPS ...): a program of GoogleTest, run in the root of the sources. Its label is its folder
+# (scripts/changed-tests).
 function(gt_test name)
   cmake_parse_arguments(ARG "HOT" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -216,13 +216,8 @@ function(gt_test name)
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   gt_unite(${name})
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  if(gt_test_label)
-    set_tests_properties(${name} PROPERTIES LABELS ${gt_test_label})
-    if(NOT TARGET ${gt_test_label}_tests)
-      add_custom_target(${gt_test_label}_tests)
-    endif()
-    add_dependencies(${gt_test_label}_tests ${name})
-  endif()
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  set_tests_properties(${name} PROPERTIES LABELS ${folder})
 endfunction()
 
 # gt_program(name [HOT] [COMPONENT component] SOURCES main.cpp ... DEPS ...): a program under bin/, which is installed if it was built,
