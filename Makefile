@@ -14,6 +14,8 @@ PYTHON  ?= /usr/bin/python3
 JOBS    ?= $(shell nproc)
 # Some tests are run by Node, which may have come from elsewhere, with npm in it: nearly half of all packages that a bare machine lacks.
 NODE     = $(if $(and $(shell command -v node),$(shell command -v npm)),,nodejs npm)
+# What crashlog, tests and bench are built of, and pictures of layouts made with; a match needs none of it.
+TOOLS    = libdw-dev libgtest-dev libgmock-dev libbenchmark-dev graphviz
 # What the workbench needs; everything else is built without it.
 QT       = qt6-base-dev libqt6opengl6-dev libqcustomplot-dev
 # What the comparisons of make bench, the page of make realism-page and what checks the sources need.
@@ -25,7 +27,7 @@ TESTS    = xvfb xauth desktop-file-utils shared-mime-info $(PACKING)
 # What makes Debian packages.
 PACKING  = dpkg-dev file
 PYTHONS  = python3-dev python3-venv
-ALL_PACKAGES = $(QT) $(BENCH) $(REALISM) $(CHECKS) $(TESTS) $(PYTHONS) nodejs npm debootstrap
+ALL_PACKAGES = $(TOOLS) $(QT) $(BENCH) $(REALISM) $(CHECKS) $(TESTS) $(PYTHONS) nodejs npm debootstrap
 # A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
 
@@ -66,14 +68,15 @@ help:
 	@echo 'Settings: MINUTES, HOURS, COUNT, SEED, SEEDS, ONLY, SECONDS, MUTANTS, OUT, PREFIX, PRESET (release, debug, asan, tsan, clang), JOBS'
 
 packages:
-	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14) $(PACKAGES)
+	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14) $(TOOLS) $(PACKAGES)
 
 build: packages
 	@$(if $(ENVIRONMENT),scripts/python-environment $(ENVIRONMENT) $(PYTHON))
 	@cmake --preset $(PRESET) >/dev/null
 	@cmake --build --preset $(PRESET) --parallel $(JOBS) $(TARGETS)
 
-# A match needs one program only.
+# A match needs one program only, and little to build it.
+play film: TOOLS =
 play: TARGETS = --target simgt
 play: build
 	@$(BUILD)/bin/simgt play scenes/match.scene --minutes $(MINUTES) --seed $(SEED) --threads $(JOBS) --out $(OUT)

@@ -71,7 +71,11 @@ set(hotCode $<$<CONFIG:Release>:-O3> $<$<CONFIG:RelWithDebInfo>:-O2>)
 set(testCode $<$<NOT:$<CONFIG:Debug>>:-O0>)
 
 find_package(Threads REQUIRED)
-find_package(GTest REQUIRED)
+# Without these only programs are built, as `make play` does.
+find_package(GTest QUIET)
+if(NOT GTest_FOUND)
+  message(STATUS "GoogleTest is missing: tests are not built (make test installs it)")
+endif()
 
 # Headers that nearly all files of a target include are compiled once. Each file still includes what it needs: the preset
 # "clang" builds without.
@@ -95,22 +99,25 @@ endfunction()
 
 # One for each way to compile. A change in a header that is in all of them builds everything: so these are such as seldom
 # change, and none of a module.
-if(GT_PRECOMPILE)
-  find_package(Eigen3 REQUIRED)
-  function(gt_precompiled name)
-    cmake_parse_arguments(ARG "" "CODE" "DEPS;HEADERS" ${ARGN})
-    add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/Precompiled.cpp)
-    target_compile_options(${name} PRIVATE ${ARG_CODE})
-    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
-    target_link_libraries(${name} PRIVATE Eigen3::Eigen ${ARG_DEPS})
-    gt_precompile(${name}
-      <algorithm> <filesystem> <functional> <map> <memory> <optional> <sstream> <string> <unordered_map> <vector>
-      <Eigen/Geometry> <base/Geometry.h> <base/Random.h> <base/Result.h> <streams/Binary.h> <streams/MessageQueue.h>
-      <debug/Debug.h> ${ARG_HEADERS})
-  endfunction()
-  gt_precompiled(gt_precompiled_hot)
-  gt_precompiled(gt_precompiled_cold CODE ${coldCode})
-  gt_precompiled(gt_precompiled_programs CODE ${coldCode} HEADERS <CLI/CLI.hpp> <fstream> <iostream>)
+find_package(Eigen3 REQUIRED)
+function(gt_precompiled name)
+  if(NOT GT_PRECOMPILE)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "CODE" "DEPS;HEADERS" ${ARGN})
+  add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/Precompiled.cpp)
+  target_compile_options(${name} PRIVATE ${ARG_CODE})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${name} PRIVATE Eigen3::Eigen ${ARG_DEPS})
+  gt_precompile(${name}
+    <algorithm> <filesystem> <functional> <map> <memory> <optional> <sstream> <string> <unordered_map> <vector>
+    <Eigen/Geometry> <base/Geometry.h> <base/Random.h> <base/Result.h> <streams/Binary.h> <streams/MessageQueue.h>
+    <debug/Debug.h> ${ARG_HEADERS})
+endfunction()
+gt_precompiled(gt_precompiled_hot)
+gt_precompiled(gt_precompiled_cold CODE ${coldCode})
+gt_precompiled(gt_precompiled_programs CODE ${coldCode} HEADERS <CLI/CLI.hpp> <fstream> <iostream>)
+if(GTest_FOUND)
   gt_precompiled(gt_precompiled_tests CODE ${testCode} DEPS GTest::gmock HEADERS <gmock/gmock.h>)
 endif()
 
@@ -121,16 +128,18 @@ option(GT_UNITE "Compile several files of tests and cold code as one (gcc)" ON)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   set(GT_UNITE OFF)
 endif()
-set(filesUnited 10)
 set_property(GLOBAL PROPERTY GT_UNITED "")
-# gt_unite(target): its sources that are neither generated nor compiled in a way of their own, however they are set in its folder.
+# gt_unite(target [COUNT]): COUNT (10) of its sources each that are neither generated nor compiled in a way of their own, as they are set
+# at the end of its folder. Few where people wait for a change of one file.
 function(gt_unite target)
   if(GT_UNITE)
+    set(filesUnited ${ARGN} 10)
+    list(GET filesUnited 0 filesUnited)
     target_compile_options(${target} PRIVATE -Wno-shadow)  # of another file's names
-    cmake_language(EVAL CODE "cmake_language(DEFER CALL gt_unite_sources ${target})")
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL gt_unite_sources ${target} ${filesUnited})")
   endif()
 endfunction()
-function(gt_unite_sources target)
+function(gt_unite_sources target filesUnited)
   get_target_property(sources ${target} SOURCES)
   set(single)
   set(united)
@@ -167,12 +176,12 @@ function(gt_unite_sources target)
   set_target_properties(${target} PROPERTIES SOURCES "${single}")
 endfunction()
 
-# gt_library(name [COLD [APART]] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [HOT b.cpp ... | HOT_TESTS])
-# One folder is one library. Without sources it is a library of headers. Its tests become the program <name>_test. What is
+# gt_library(name [COLD [APART]] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [TEST_DEPS ...] [HOT b.cpp ... | HOT_TESTS])
+# One folder is one library. Without sources it is a library of headers. Its tests become the program <name>_test, which links TEST_DEPS, too. What is
 # cold runs but once, besides the sources that are hot. Sources that are apart use the same names, or are linked
 # singly. Hot tests compute much.
 function(gt_library name)
-  cmake_parse_arguments(ARG "COLD;APART;HOT_TESTS" "" "SOURCES;TESTS;DEPS;HOT" ${ARGN})
+  cmake_parse_arguments(ARG "COLD;APART;HOT_TESTS" "" "SOURCES;TESTS;DEPS;TEST_DEPS;HOT" ${ARGN})
   if(ARG_SOURCES)
     add_library(${name} STATIC ${ARG_SOURCES})
     set(precompiled gt_precompiled_hot)
@@ -196,13 +205,16 @@ function(gt_library name)
     if(ARG_HOT_TESTS)
       set(hot HOT)
     endif()
-    gt_test(${name}_test ${hot} SOURCES ${ARG_TESTS} DEPS ${name})
+    gt_test(${name}_test ${hot} SOURCES ${ARG_TESTS} DEPS ${name} ${ARG_TEST_DEPS})
   endif()
 endfunction()
 
 # gt_test(name [HOT] SOURCES a_test.cpp ... DEPS ...): a program of GoogleTest, run in the root of the sources. Its label is its folder
 # (scripts/changed-tests).
 function(gt_test name)
+  if(NOT GTest_FOUND)
+    return()
+  endif()
   cmake_parse_arguments(ARG "HOT" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   if(ARG_HOT)
