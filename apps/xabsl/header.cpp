@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "Commands.h"
+#include "xabsl/formats/Sources.h"
 #include "xabsl/formats/SymbolsHeader.h"
 
 namespace xabsl::app {
@@ -70,6 +71,12 @@ std::string dependencies(const HeaderOptions& options, const Model& model) {
   return text + "\n";
 }
 
+/// Writes the header unless the file is just that: what includes it would be compiled again.
+bool update(const std::string& path, const std::string& text) {
+  std::string present;
+  return (!readFile(path, present) && present == text) || writeFile(path, text);
+}
+
 bool writeHeader(HeaderOptions& options) {
   if (!isCppName(options.settings.space))
     return fail(inQuotes(options.settings.space) + " is no namespace of C++");
@@ -81,7 +88,7 @@ bool writeHeader(HeaderOptions& options) {
     return false;
   std::error_code ignored;  // writing the file fails, too
   std::filesystem::create_directories(std::filesystem::path(options.output).parent_path(), ignored);
-  return writeFile(options.output, writeSymbolsHeader(model, options.settings)) &&
+  return update(options.output, writeSymbolsHeader(model, options.settings)) &&
          (options.dependencies.empty() ||
           writeFile(options.dependencies, dependencies(options, model)));
 }
