@@ -6,15 +6,13 @@
 namespace gt {
 namespace {
 
-constexpr std::size_t striker = 2;  // in the scene
-
 /// Walk to the ball so that it lies before the robot, which faces the opponent's goal.
 class Approach : public BallGame {
  public:
   Approach(EnvironmentOptions options, SceneDescription scene)
       : BallGame{std::move(options),
                  std::move(scene),
-                 {.robots = {striker}},
+                 {.robots = {sceneStriker}},
                  {.skills = {skill::stand, skill::goToBall, skill::searchBall}, .kicks = false}} {
     terms_ = {{"closer", "by how much the robot got closer to its place 0.15 m behind the ball: m"},
               {"facing", "0.3 times by how much it got to face the goal more: rad"},

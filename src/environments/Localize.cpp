@@ -12,7 +12,6 @@
 namespace gt {
 namespace {
 
-constexpr std::size_t striker = 2;  // in the scene
 constexpr std::array modes{HeadMode::searchForLandmarks, HeadMode::searchAuto,
                            HeadMode::lookStraightAhead, HeadMode::lookLeft, HeadMode::lookRight};
 constexpr std::array headJoints{Joint::headTilt, Joint::headPan, Joint::headRoll};
@@ -21,7 +20,7 @@ constexpr std::array headJoints{Joint::headTilt, Joint::headPan, Joint::headRoll
 class Localize : public Players {
  public:
   Localize(EnvironmentOptions options, SceneDescription scene)
-      : Players{std::move(options), std::move(scene), {.robots = {striker}, .ball = false}} {
+      : Players{std::move(options), std::move(scene), {.robots = {sceneStriker}, .ball = false}} {
     terms_ = {
         {"place", "-1 for each m by which the believed place is wrong, for each second"},
         {"heading", "-0.3 for each rad by which the believed heading is wrong, for each second"}};

@@ -4,7 +4,7 @@
 namespace gt {
 namespace {
 
-constexpr std::size_t striker = 2, blueGoalie = 4;  // in the scene
+constexpr std::size_t blueGoalie = 4;  // in the scene
 
 /// Score against the other team's goalie.
 class PenaltyShot : public BallGame {
@@ -13,7 +13,7 @@ class PenaltyShot : public BallGame {
       : BallGame{
             std::move(options),
             std::move(scene),
-            {.robots = {striker, blueGoalie}},
+            {.robots = {sceneStriker, blueGoalie}},
             {.skills = {skill::stand, skill::goToBall, skill::handleBall, skill::searchBall}}} {
     terms_ = {
         {"closer", "0.3 times by how much the robot got closer to the ball: m"},

@@ -9,6 +9,8 @@
 
 namespace gt {
 
+constexpr std::size_t sceneStriker = 2;  ///< Red's striker, of the robots of the scene of matches.
+
 /// An environment of robots that run their own programs; those of the agents obey them instead of
 /// their behavior, those of other players play as they always do.
 ///

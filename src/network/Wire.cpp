@@ -9,16 +9,16 @@ namespace gt {
 namespace {
 
 /// Who has not been heard of for so long is not there any more, in ms.
-constexpr std::int64_t lostAfter = 1000;
+constexpr std::int64_t peerLostAfter = 1000;
 /// A request is repeated, in case that it or its answer was lost with a process, in ms.
-constexpr std::int64_t repeatAfter = 100;
+constexpr std::int64_t requestRepeatedAfter = 100;
 /// Who has not answered for so long is waited for in vain, in ms.
 constexpr std::int64_t missedAfter = 3000;
 /// A robot has less processes, and none of them more receivers of one type.
 constexpr std::size_t mostPeers = 64;
 constexpr std::uint32_t mostReceivers = 16;
 /// What is taken in one go, so that a flood does not hold the process up.
-constexpr int framesPerUpdate = 256;
+constexpr int peerFramesPerUpdate = 256;
 /// More is not reported to the user.
 constexpr std::size_t mostNews = 100;
 
@@ -30,7 +30,7 @@ class Wire::Link : public PackageLink {
   Link(Network& network, Peer& peer, const Topic& topic)
       : network_{network}, peer_{peer}, topic_{topic} {}
 
-  bool active() const override { return network_.elapsed() - heard_ < lostAfter; }
+  bool active() const override { return network_.elapsed() - heard_ < peerLostAfter; }
   bool requested() const override { return requested_ && active(); }
   bool accepts() const override { return accepts_ && active(); }
   void deliver(const void* package) override {
@@ -103,7 +103,8 @@ Wire::Clock Wire::clockOf(std::string_view name) const {
 void Wire::takeIn() {
   Received received;
   const auto takeAll = [&](Socket& socket) {
-    for (int i = 0; i < framesPerUpdate && socket.receive(received); ++i) take(socket, received);
+    for (int i = 0; i < peerFramesPerUpdate && socket.receive(received); ++i)
+      take(socket, received);
   };
   if (listening_) takeAll(*listening_);
   for (std::size_t i = 0; i < peers_.size(); ++i)
@@ -240,7 +241,7 @@ void Wire::ask(Inbound& inbound) {
   if (!inbound.receiver->accepts()) return;
   const FrameKind kind = inbound.receiver->requested() ? FrameKind::request : FrameKind::accept;
   const bool known = inbound.asked >= 0 && inbound.sent == kind &&
-                     network_.elapsed() - inbound.asked < repeatAfter;
+                     network_.elapsed() - inbound.asked < requestRepeatedAfter;
   if (known) return;
   Peer* peer = find(inbound.peer);
   if (!peer) return;

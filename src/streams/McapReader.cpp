@@ -1,5 +1,4 @@
 #include <lz4frame.h>
-#include <zlib.h>
 #include <zstd.h>
 
 #include <algorithm>
@@ -18,11 +17,6 @@ namespace {
 
 /// The largest chunk that is unpacked: a guard against bytes that claim to be enormous.
 constexpr std::uint64_t largestChunk = 1u << 28;
-
-std::uint32_t crcOf(std::span<const std::byte> bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
 
 /// A stretch of the file that holds messages: a chunk, or messages outside of chunks.
 struct Segment {

@@ -1,4 +1,6 @@
 #pragma once
+#include <zlib.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -15,6 +17,12 @@ namespace gt::mcap {
 
 using Bytes = std::vector<std::byte>;
 using TextMap = std::map<std::string, std::string>;
+
+/// CRC-32 of bytes that follow others of this one.
+inline std::uint32_t crcOf(std::span<const std::byte> bytes, std::uint32_t crc = 0) {
+  return static_cast<std::uint32_t>(
+      crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
 
 constexpr std::size_t magicSize = 8;
 constexpr char magic[magicSize + 1] = "\x89MCAP0\r\n";

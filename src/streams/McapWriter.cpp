@@ -1,6 +1,5 @@
 #include <stdio_ext.h>
 #include <sys/stat.h>
-#include <zlib.h>
 #include <zstd.h>
 
 #include <algorithm>
@@ -16,11 +15,6 @@ namespace gt {
 using namespace mcap;
 
 namespace {
-
-std::uint32_t crcOf(std::span<const std::byte> bytes, std::uint32_t crc = 0) {
-  return static_cast<std::uint32_t>(
-      crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
 
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }

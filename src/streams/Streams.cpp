@@ -46,7 +46,7 @@ std::size_t entryLength(std::string_view text) {
   return std::clamp<std::size_t>(n, 1, text.size());
 }
 
-Error wrong(std::string what) {
+Error textError(std::string what) {
   return {.what = std::move(what)};
 }
 
@@ -157,7 +157,7 @@ bool InText::eof() {
 }
 
 Result<void> InText::readScalar(Value scalar) {
-  if (eof()) return wrong("the text ends too early");
+  if (eof()) return textError("the text ends too early");
   std::string entry;
   if (left() > 1 && next() == '"' && std::to_integer<char>(left_[1]) == '"') {
     left_ = left_.subspan(2);
@@ -172,7 +172,7 @@ Result<void> InText::readScalar(Value scalar) {
     entry += c;
   }
   const auto done = setScalar(scalar, entry);
-  return done ? done : wrong(done.error().what + " instead of " + entry);
+  return done ? done : textError(done.error().what + " instead of " + entry);
 }
 
 void InConfig::begin(std::span<const std::byte> content) {
@@ -215,7 +215,7 @@ Result<void> detail::readValue(Value value, StreamReader& format) {
     std::uint32_t length = 0;
     if (auto done = format.readScalar(valueOf(length)); !done) return done;
     if (length > format.left() / std::max<std::size_t>(1, width(type.element())))
-      return wrong("its length exceeds the data");
+      return textError("its length exceeds the data");
     type.resize(value.data, length);
   }
   for (std::size_t i = 0; i < value.size(); ++i)

@@ -23,7 +23,7 @@ std::string rangeText(Range range) {
   return "must be from " + numberText(range.low) + " to " + numberText(range.high);
 }
 
-Error wrong(std::string what) {
+Error valueError(std::string what) {
   return {.what = std::move(what)};
 }
 
@@ -32,11 +32,11 @@ Result<void> setNumber(void* data, std::string_view text, Range range) {
   N n{};
   if (text.starts_with('+')) text.remove_prefix(1);
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (failure == std::errc::result_out_of_range) return wrong("is too large a number");
+  if (failure == std::errc::result_out_of_range) return valueError("is too large a number");
   if (failure != std::errc{} || end != text.data() + text.size() || text.empty())
-    return wrong(std::is_integral_v<N> ? "expected a whole number" : "expected a number");
+    return valueError(std::is_integral_v<N> ? "expected a whole number" : "expected a number");
   const auto v = static_cast<double>(n);
-  if (range.bounds() && !(v >= range.low && v <= range.high)) return wrong(rangeText(range));
+  if (range.bounds() && !(v >= range.low && v <= range.high)) return valueError(rangeText(range));
   std::memcpy(data, &n, sizeof n);
   return {};
 }
@@ -61,7 +61,7 @@ std::string camelCase(std::string_view word) {
 Result<void> setEnumeration(Value v, std::string_view text) {
   const std::string name = camelCase(text);
   const auto found = std::ranges::find(v.type->names, name);
-  if (found == v.type->names.end()) return wrong(choices(v.type->names));
+  if (found == v.type->names.end()) return valueError(choices(v.type->names));
   setOrdinal(v, found - v.type->names.begin());
   return {};
 }
@@ -110,7 +110,7 @@ Result<void> checked(ConstValue value) {
   }
   const std::string_view validationError =
       type.validationError ? type.validationError(value.data()) : std::string_view{};
-  if (!validationError.empty()) return wrong(std::string(validationError));
+  if (!validationError.empty()) return valueError(std::string(validationError));
   return {};
 }
 
@@ -179,7 +179,7 @@ std::string scalarText(ConstValue scalar) {
 Result<void> setScalar(Value scalar, std::string_view text, Range range) {
   switch (scalar.type->kind) {
     case Kind::boolean:
-      if (text != "true" && text != "false") return wrong("expected true | false");
+      if (text != "true" && text != "false") return valueError("expected true | false");
       setOrdinal(scalar, text == "true");
       return {};
     case Kind::text:

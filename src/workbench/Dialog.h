@@ -18,7 +18,7 @@ class Dialog;
 /// What there is to know of a dialog or toolbar before it is opened. Its file registers it in one
 /// line; nothing else names it:
 ///
-///     const RegisterDialog<FieldDialog> registered{{.id = "field", ...}};
+///     const RegisterDialog<FieldDialog> registeredFieldDialog{{.id = "field", ...}};
 struct DialogType {
   const char* id;           ///< In layouts.
   const char* title;        ///< In menus and as its heading.

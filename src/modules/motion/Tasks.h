@@ -15,6 +15,8 @@
 /// The tasks of the motion (report 3.9), each an exchangeable slot. All of them run every 8 ms.
 namespace gt {
 
+constexpr double frameTime = 0.008;  ///< Between two updates of a task of the motion, in s.
+
 struct WalkingEngine {
   using Outputs = std::tuple<WalkingEngineOutput>;
 };

@@ -6,20 +6,17 @@
 #include <optional>
 #include <string_view>
 
+#include "simulation/camera/GeomColor.h"
+
 namespace gt {
 namespace {
 
-constexpr int decalGroup = 1, hiddenGroup = 5;
+constexpr int decalGroup = 1;
 constexpr float infinitePlane = 30;
 
 Eigen::Vector3f vectorAt(const mjtNum* values, int i) {
   return {static_cast<float>(values[3 * i]), static_cast<float>(values[3 * i + 1]),
           static_cast<float>(values[3 * i + 2])};
-}
-
-const float* rgbaOf(const mjModel& model, int geom) {
-  const int material = model.geom_matid[geom];
-  return material >= 0 ? model.mat_rgba + 4 * material : model.geom_rgba + 4 * geom;
 }
 
 ColorClass classOf(const mjModel& model, int geom) {

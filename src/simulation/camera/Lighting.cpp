@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/camera/GeomColor.h"
+
 namespace gt {
 namespace {
 
-constexpr int hiddenGroup = 5;
 constexpr double farAway = 1000;       // m
 constexpr double offSurface = 0.0005;  // m: a shadow's ray does not meet the surface it leaves
 
@@ -16,11 +17,6 @@ Vector3d vectorOf(const mjtNum* numbers) {
 
 Eigen::Matrix3d matrixOf(const mjtNum* numbers) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers);
-}
-
-const float* rgbaOf(const mjModel& model, int geom) {
-  const int material = model.geom_matid[geom];
-  return material >= 0 ? model.mat_rgba + 4 * material : model.geom_rgba + 4 * geom;
 }
 
 bool isSeen(const mjModel& model, int geom) {

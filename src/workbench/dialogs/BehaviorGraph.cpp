@@ -476,7 +476,7 @@ class BehaviorGraph : public Dialog {
   BehaviorTraces traces_{session()};
 };
 
-const RegisterDialog<BehaviorGraph> registered{
+const RegisterDialog<BehaviorGraph> registeredBehaviorGraph{
     {.id = "behaviorGraph",
      .title = "Behavior graph",
      .group = "Viewers",

@@ -263,7 +263,7 @@ class BehaviorHistory : public Dialog {
   BehaviorTraces traces_{session()};
 };
 
-const RegisterDialog<BehaviorHistory> registered{
+const RegisterDialog<BehaviorHistory> registeredBehaviorHistory{
     {.id = "behaviorHistory",
      .title = "Behavior history",
      .group = "Viewers",

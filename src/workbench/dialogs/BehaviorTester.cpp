@@ -304,7 +304,7 @@ class BehaviorTester : public Dialog {
   bool asked_ = false;
 };
 
-const RegisterDialog<BehaviorTester> registered{
+const RegisterDialog<BehaviorTester> registeredBehaviorTester{
     {.id = "behaviorTester",
      .title = "Behavior tester",
      .group = "Robots",

@@ -81,7 +81,7 @@ class CameraToolbar : public Dialog {
   std::uint64_t beginnings_ = 0;
 };
 
-const RegisterDialog<CameraToolbar> registered{
+const RegisterDialog<CameraToolbar> registeredCameraToolbar{
     {.id = "camera",
      .title = "Camera",
      .group = "Toolbars",

@@ -150,7 +150,7 @@ class ColorSpace3D : public SpaceDialog {
   ColorSpaceKind kind_ = ColorSpaceKind::image;
 };
 
-const RegisterDialog<ColorSpace3D> registered{
+const RegisterDialog<ColorSpace3D> registeredColorSpace3D{
     {.id = "colorSpace3D",
      .title = "Color space 3D",
      .group = "Viewers",

@@ -238,7 +238,7 @@ class ColorTableDialog : public Dialog {
   QElapsedTimer clock_;
 };
 
-const RegisterDialog<ColorTableDialog> registered{
+const RegisterDialog<ColorTableDialog> registeredColorTableDialog{
     {.id = "colorTable",
      .title = "Color table",
      .group = "Colors",

@@ -352,7 +352,7 @@ class CompareLogs : public Dialog {
   Background work_;
 };
 
-const RegisterDialog<CompareLogs> registered{
+const RegisterDialog<CompareLogs> registeredCompareLogs{
     {.id = "compare",
      .title = "Compare logs",
      .group = "Session",

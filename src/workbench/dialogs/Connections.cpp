@@ -266,7 +266,7 @@ class Connections : public Dialog {
   bool asked_ = false;
 };
 
-const RegisterDialog<Connections> registered{
+const RegisterDialog<Connections> registeredConnections{
     {.id = "connections",
      .title = "Connections",
      .group = "Session",

@@ -176,7 +176,7 @@ class ConsoleDialog : public Dialog {
   std::uint64_t seen_ = 0;
 };
 
-const RegisterDialog<ConsoleDialog> registered{
+const RegisterDialog<ConsoleDialog> registeredConsoleDialog{
     {.id = "console",
      .title = "Console",
      .group = "Session",

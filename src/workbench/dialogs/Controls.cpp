@@ -208,7 +208,7 @@ class Controls : public Dialog {
   bool sending_ = false;
 };
 
-const RegisterDialog<Controls> registered{
+const RegisterDialog<Controls> registeredControls{
     {.id = "controls",
      .title = "Controls",
      .group = "Session",

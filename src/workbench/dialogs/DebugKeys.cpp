@@ -254,7 +254,7 @@ class DebugKeys : public Dialog {
   std::uint64_t beginnings_ = 0;
 };
 
-const RegisterDialog<DebugKeys> registered{
+const RegisterDialog<DebugKeys> registeredDebugKeys{
     {.id = "debugKeys",
      .title = "Debug keys",
      .group = "Robots",

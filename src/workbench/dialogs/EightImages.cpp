@@ -47,7 +47,7 @@ class EightImages : public Dialog {
   std::array<Dialog*, fieldCount> fields_{};
 };
 
-const RegisterDialog<EightImages> registered{
+const RegisterDialog<EightImages> registeredEightImages{
     {.id = "images",
      .title = "Eight images",
      .group = "Viewers",

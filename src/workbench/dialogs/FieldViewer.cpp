@@ -104,7 +104,7 @@ class FieldViewer : public ViewDialog {
   std::vector<std::string> parts_{"fieldPolygons", "fieldLines", "flags", "truth"};
 };
 
-const RegisterDialog<FieldViewer> registered{
+const RegisterDialog<FieldViewer> registeredFieldViewer{
     {.id = "field",
      .title = "Field",
      .group = "Viewers",

@@ -82,7 +82,7 @@ class FilmDialog : public Dialog {
   QLabel* state_;
 };
 
-const RegisterDialog<FilmDialog> registered{
+const RegisterDialog<FilmDialog> registeredFilmDialog{
     {.id = "film",
      .title = "Film",
      .group = "Session",

@@ -120,7 +120,7 @@ class GameToolbar : public Dialog {
   QStringList names_;
 };
 
-const RegisterDialog<GameToolbar> registered{
+const RegisterDialog<GameToolbar> registeredGameToolbar{
     {.id = "game",
      .title = "Game",
      .group = "Toolbars",

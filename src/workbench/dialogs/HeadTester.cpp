@@ -122,7 +122,7 @@ class HeadTester : public Dialog {
   QList<QList<QWidget*>> point_, scan_, angles_;  ///< Rows of the form.
 };
 
-const RegisterDialog<HeadTester> registered{
+const RegisterDialog<HeadTester> registeredHeadTester{
     {.id = "head",
      .title = "Head motion tester",
      .group = "Robots",

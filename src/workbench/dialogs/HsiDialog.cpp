@@ -234,7 +234,7 @@ class HsiDialog : public Dialog {
                       }};
 };
 
-const RegisterDialog<HsiDialog> registered{
+const RegisterDialog<HsiDialog> registeredHsiDialog{
     {.id = "hsi",
      .title = "HSI",
      .group = "Colors",

@@ -67,7 +67,7 @@ class ImageViewer : public ViewDialog {
   std::string image_ = "image";
 };
 
-const RegisterDialog<ImageViewer> registered{
+const RegisterDialog<ImageViewer> registeredImageViewer{
     {.id = "image",
      .title = "Image",
      .group = "Viewers",

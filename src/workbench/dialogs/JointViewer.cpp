@@ -195,7 +195,7 @@ class JointViewer : public Dialog {
   std::uint64_t beginnings_ = 0;
 };
 
-const RegisterDialog<JointViewer> registered{
+const RegisterDialog<JointViewer> registeredJointViewer{
     {.id = "joints",
      .title = "Joints",
      .group = "Viewers",

@@ -215,7 +215,7 @@ class JoystickTester : public Dialog {
   bool asked_ = false;
 };
 
-const RegisterDialog<JoystickTester> registered{
+const RegisterDialog<JoystickTester> registeredJoystickTester{
     {.id = "joystick",
      .title = "Joystick motion tester",
      .group = "Robots",

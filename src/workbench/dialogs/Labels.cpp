@@ -480,7 +480,7 @@ class Labels : public Dialog {
   Background indexing_, comparing_;
 };
 
-const RegisterDialog<Labels> registered{
+const RegisterDialog<Labels> registeredLabels{
     {.id = "labels",
      .title = "Labels",
      .group = "Session",

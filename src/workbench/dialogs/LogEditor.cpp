@@ -180,7 +180,7 @@ class LogEditor : public Dialog {
   Background work_;
 };
 
-const RegisterDialog<LogEditor> registered{
+const RegisterDialog<LogEditor> registeredLogEditor{
     {.id = "logEditor",
      .title = "Edit logs",
      .group = "Session",

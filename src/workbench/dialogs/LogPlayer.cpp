@@ -141,7 +141,7 @@ class LogPlayerToolbar : public Dialog {
   bool playing_ = false;
 };
 
-const RegisterDialog<LogPlayerToolbar> registered{
+const RegisterDialog<LogPlayerToolbar> registeredLogPlayerToolbar{
     {.id = "logPlayer",
      .title = "Log player",
      .group = "Toolbars",

@@ -133,7 +133,7 @@ class MessageGenerator : public Dialog {
   std::map<QString, QString> texts_;
 };
 
-const RegisterDialog<MessageGenerator> registered{
+const RegisterDialog<MessageGenerator> registeredMessageGenerator{
     {.id = "messages",
      .title = "Debug message generator",
      .group = "Robots",

@@ -291,7 +291,7 @@ class ModuleGraphViewer : public Dialog {
   bool asked_ = false;
 };
 
-const RegisterDialog<ModuleGraphViewer> registered{
+const RegisterDialog<ModuleGraphViewer> registeredModuleGraphViewer{
     {.id = "modules",
      .title = "Module graph",
      .group = "Viewers",

@@ -105,7 +105,7 @@ class MofTester : public Dialog {
   QCheckBox* loop_;
 };
 
-const RegisterDialog<MofTester> registered{
+const RegisterDialog<MofTester> registeredMofTester{
     {.id = "mof",
      .title = "Mof tester",
      .group = "Robots",

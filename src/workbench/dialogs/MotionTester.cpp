@@ -120,7 +120,7 @@ class MotionTester : public Dialog {
   std::uint64_t beginnings_ = 0;
 };
 
-const RegisterDialog<MotionTester> registered{
+const RegisterDialog<MotionTester> registeredMotionTester{
     {.id = "motion",
      .title = "Motion tester",
      .group = "Robots",

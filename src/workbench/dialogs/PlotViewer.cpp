@@ -282,7 +282,7 @@ class PlotViewer : public Dialog {
   bool asked_ = false, completing_ = false;
 };
 
-const RegisterDialog<PlotViewer> registered{
+const RegisterDialog<PlotViewer> registeredPlotViewer{
     {.id = "plot",
      .title = "Value history",
      .group = "Viewers",

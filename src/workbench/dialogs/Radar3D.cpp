@@ -132,7 +132,7 @@ class Radar3D : public SpaceDialog {
   }
 };
 
-const RegisterDialog<Radar3D> registered{
+const RegisterDialog<Radar3D> registeredRadar3D{
     {.id = "radar3D",
      .title = "Radar 3D",
      .group = "Viewers",

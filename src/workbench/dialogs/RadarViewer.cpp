@@ -51,7 +51,7 @@ class RadarViewer : public ViewDialog {
   double range_ = 2400;
 };
 
-const RegisterDialog<RadarViewer> registered{
+const RegisterDialog<RadarViewer> registeredRadarViewer{
     {.id = "radar",
      .title = "Radar",
      .group = "Viewers",

@@ -125,7 +125,7 @@ class RobotBodyDialog : public Dialog {
   std::uint64_t beginnings_ = 0;
 };
 
-const RegisterDialog<RobotBodyDialog> registered{
+const RegisterDialog<RobotBodyDialog> registeredRobotBodyDialog{
     {.id = "body",
      .title = "Robot by hand",
      .group = "Simulator",

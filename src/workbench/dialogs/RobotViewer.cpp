@@ -167,7 +167,7 @@ class PaintedRobotViewer : public ViewDialog {
   double direction_ = 35;  // degrees
 };
 
-const RegisterDialog<RobotViewer> registered{
+const RegisterDialog<RobotViewer> registeredRobotViewer{
     {.id = "robot",
      .title = "Robot",
      .group = "Simulator",

@@ -195,7 +195,7 @@ class SceneEditor : public Dialog {
   Background checking_;
 };
 
-const RegisterDialog<SceneEditor> registered{
+const RegisterDialog<SceneEditor> registeredSceneEditor{
     {.id = "sceneEditor",
      .title = "Scene editor",
      .group = "Simulator",

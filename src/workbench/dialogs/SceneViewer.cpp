@@ -303,7 +303,7 @@ class PaintedSceneViewer : public ViewDialog {
   double azimuth_ = -90, elevation_ = 33, distance_ = 4200;
 };
 
-const RegisterDialog<SceneViewer> registered{
+const RegisterDialog<SceneViewer> registeredSceneViewer{
     {.id = "scene",
      .title = "Scene",
      .group = "Simulator",

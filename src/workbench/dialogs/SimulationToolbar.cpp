@@ -99,7 +99,7 @@ class SimulationToolbar : public Dialog {
   bool occupied_ = false;  ///< by a command, at the last two looks
 };
 
-const RegisterDialog<SimulationToolbar> registered{
+const RegisterDialog<SimulationToolbar> registeredSimulationToolbar{
     {.id = "simulation",
      .title = "Simulation",
      .group = "Toolbars",

@@ -132,7 +132,7 @@ class SituationTest : public Dialog {
   QTreeWidget* results_;
 };
 
-const RegisterDialog<SituationTest> registered{
+const RegisterDialog<SituationTest> registeredSituationTest{
     {.id = "situation",
      .title = "Situation as test",
      .group = "Session",

@@ -233,7 +233,7 @@ class Solutions : public Dialog {
   bool asked_ = false;
 };
 
-const RegisterDialog<Solutions> registered{
+const RegisterDialog<Solutions> registeredSolutions{
     {.id = "solutions",
      .title = "Settings",
      .group = "Robots",

@@ -181,7 +181,7 @@ class TeamViewer : public Dialog {
   std::shared_ptr<SessionThread::Supply> supply_;
 };
 
-const RegisterDialog<TeamViewer> registered{
+const RegisterDialog<TeamViewer> registeredTeamViewer{
     {.id = "team",
      .title = "Team",
      .group = "Viewers",

@@ -199,7 +199,7 @@ class TestDataGenerator : public Dialog {
   std::uint64_t beginnings_ = 0;
 };
 
-const RegisterDialog<TestDataGenerator> registered{
+const RegisterDialog<TestDataGenerator> registeredTestDataGenerator{
     {.id = "testData",
      .title = "Test data generator",
      .group = "Robots",

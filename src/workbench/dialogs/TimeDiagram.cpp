@@ -222,7 +222,7 @@ class TimeDiagram : public Dialog {
   bool asked_ = false;
 };
 
-const RegisterDialog<TimeDiagram> registered{
+const RegisterDialog<TimeDiagram> registeredTimeDiagram{
     {.id = "times",
      .title = "Time diagram",
      .group = "Viewers",

@@ -215,7 +215,7 @@ class Timeline : public Dialog {
   std::uint64_t version_ = 0;
 };
 
-const RegisterDialog<Timeline> registered{
+const RegisterDialog<Timeline> registeredTimeline{
     {.id = "timeline",
      .title = "Timeline",
      .group = "Session",

@@ -285,7 +285,7 @@ class TslDialog : public Dialog {
                       }};
 };
 
-const RegisterDialog<TslDialog> registered{
+const RegisterDialog<TslDialog> registeredTslDialog{
     {.id = "tsl",
      .title = "TSL",
      .group = "Colors",

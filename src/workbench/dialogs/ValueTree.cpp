@@ -282,7 +282,7 @@ class ValueTree : public Dialog {
   bool asked_ = false;
 };
 
-const RegisterDialog<ValueTree> registered{
+const RegisterDialog<ValueTree> registeredValueTree{
     {.id = "values",
      .title = "Values",
      .group = "Robots",

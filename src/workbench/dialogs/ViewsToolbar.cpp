@@ -73,7 +73,7 @@ class ViewsToolbar : public Dialog {
   QList<QToolButton*> buttons_;
 };
 
-const RegisterDialog<ViewsToolbar> registered{
+const RegisterDialog<ViewsToolbar> registeredViewsToolbar{
     {.id = "views",
      .title = "Views",
      .group = "Toolbars",

@@ -10,7 +10,6 @@ namespace gt {
 namespace {
 
 const DebugKey drawHypotheses{"SelfLocator/hypotheses"};
-const DebugKey drawPose{"SelfLocator/pose"};
 
 constexpr double newStandardDeviation = 250, newAngleStandardDeviation = 0.25;  // mm, rad
 constexpr double badFit = 0.3, goodFit = 0.5;
@@ -355,7 +354,7 @@ void KalmanSelfLocator::draw(const RobotPose& robotPose, Debug& debug) const {
       canvas.ellipse(h.filter.pose().translation, std::sqrt(mean + root),
                      std::sqrt(std::max(mean - root, 0.)), std::atan2(c(0, 1), half) / 2, color);
     }
-  if (auto canvas = debug.onField(drawPose)) canvas.pose(robotPose.pose, colors::red);
+  drawPose(robotPose.pose, debug);
 }
 
 }  // namespace gt

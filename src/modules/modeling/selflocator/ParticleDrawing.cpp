@@ -8,7 +8,7 @@ namespace gt {
 namespace {
 
 const DebugKey drawParticles{"SelfLocator/samples"};
-const DebugKey drawPose{"SelfLocator/pose"};
+const DebugKey poseKey{"SelfLocator/pose"};
 const DebugKey drawEdges{"SelfLocator/edges"};
 const std::array<DebugKey, enumCount<EdgeType>> distanceKeys{
     DebugKey{"SelfLocator/distances/lines"}, DebugKey{"SelfLocator/distances/border"},
@@ -31,11 +31,15 @@ void drawDistances(EdgeType type, const EdgeTables& tables, const FieldDimension
 
 }  // namespace
 
+void drawPose(const Pose2D& pose, Debug& debug) {
+  if (auto canvas = debug.onField(poseKey)) canvas.pose(pose, colors::red);
+}
+
 void draw(const ParticleSet& particles, const RobotPose& robotPose, Debug& debug) {
   if (auto canvas = debug.onField(drawParticles))
     for (std::size_t i = 0; i < particles.size(); ++i)
       canvas.pose(particles.pose(i), colors::gray, 60);
-  if (auto canvas = debug.onField(drawPose)) canvas.pose(robotPose.pose, colors::red);
+  drawPose(robotPose.pose, debug);
 }
 
 void draw(const EdgeModel& edges, const FieldDimensions& field, const Pose2D& pose, Debug& debug) {

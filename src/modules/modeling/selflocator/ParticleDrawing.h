@@ -6,6 +6,9 @@
 
 namespace gt {
 
+/// Draws the pose that a self-locator believes in, if somebody asks for it.
+void drawPose(const Pose2D& pose, Debug& debug);
+
 /// Draws the particles, and the pose that follows from them, if somebody asks for it (report,
 /// figure 3.8).
 void draw(const ParticleSet& particles, const RobotPose& robotPose, Debug& debug);

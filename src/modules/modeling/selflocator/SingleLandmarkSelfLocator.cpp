@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/modeling/selflocator/ParticleDrawing.h"
+
 namespace gt {
 namespace {
-
-const DebugKey drawPose{"SelfLocator/pose"};
 
 /// How much of a correction is made: all of it if nothing is known yet, the less the more reliable
 /// the estimate is against the measurement.
@@ -38,7 +38,7 @@ void SingleLandmarkSelfLocator::update(const LandmarksPercept& percept,
   }
   robotPose.pose = pose_;
   robotPose.validity = positionReliability_ * orientationReliability_;
-  if (auto canvas = debug.onField(drawPose)) canvas.pose(pose_, colors::red);
+  drawPose(pose_, debug);
 }
 
 /// What is known becomes less reliable by time, and more so by walking.

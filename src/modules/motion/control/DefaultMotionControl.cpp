@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "modules/kinematics/LegKinematics.h"
+#include "modules/motion/Tasks.h"
 #include "modules/motion/control/MotorLimits.h"
 #include "modules/motion/specialactions/GT2003MotionNetSpecialActions.h"
 
 namespace gt {
 namespace {
 
-constexpr double frameTime = 0.008;  // s
 constexpr std::array legs{Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft};
 
 /// Carries out a tail request: swings, or jumps from end to end (wagLeftRight).

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/motion/Tasks.h"
+
 namespace gt {
-namespace {
-
-constexpr double frameTime = 0.008;  // s
-
-}  // namespace
+namespace {}  // namespace
 
 std::string_view GravityGetupEngine::actionFor(const Vector3d& up) const {
   const double aside = std::abs(up.y());

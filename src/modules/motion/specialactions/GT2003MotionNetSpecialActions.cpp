@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/motion/Tasks.h"
+
 namespace gt {
 namespace {
-
-constexpr double frameTime = 0.008;  // s
 
 bool contains(const MotionNet& net, int node) {
   return node >= 0 && node < static_cast<int>(net.nodes.size());

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/motion/Tasks.h"
+
 namespace gt {
 namespace {
 
-constexpr double frameTime = 0.008;  // s
-constexpr int learned = 3;           // cycles after which the means are good enough
-constexpr double learning = 0.1;     // share of a new cycle in the means
-constexpr double sway = 1000;        // mm/s^2: of what differs by more no more is learned
+constexpr int learned = 3;        // cycles after which the means are good enough
+constexpr double learning = 0.1;  // share of a new cycle in the means
+constexpr double sway = 1000;     // mm/s^2: of what differs by more no more is learned
 constexpr std::array legs{Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft};
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "modules/kinematics/LegKinematics.h"
+#include "modules/motion/Tasks.h"
 
 namespace gt {
 namespace {
 
-constexpr double frameTime = 0.008;  // s
 constexpr std::array legs{Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft};
 
 /// Where a body is after it has moved at a constant speed, along a line or an arc.
