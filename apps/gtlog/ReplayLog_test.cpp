@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "match/Match.h"
@@ -11,6 +12,7 @@
 #include "representations/behavior/BehaviorTrace.h"
 #include "representations/modeling/RobotPose.h"
 #include "robot/logs/LogRobot.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -21,19 +23,18 @@ using testing::HasSubstr;
 class ReplayLog : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    play("play", false);
-    play("images", true);
+    play("play", {});
+    play("images", {.inputs = true});
+    play("team", {.red = "kalman-study"});
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(folder()); }
 
   static std::string path(const std::string& name) { return (folder() / name).string(); }
 
  private:
-  static void play(const std::string& name, bool inputs) {
-    MatchOptions options;
+  static void play(const std::string& name, MatchOptions options) {
     options.logs = path(name);
     std::filesystem::create_directories(options.logs);
-    options.inputs = inputs;
     options.seed = 3;
     auto match = Match::make(options);
     ASSERT_TRUE(match) << match.error().text();
@@ -66,6 +67,20 @@ TEST_F(ReplayLog, EveryLogOfAMatchComputesTheSameBitForBit) {
     const Player& player = platform->robot().setup().player;
     EXPECT_EQ(std::string{enumName(player.teamColor)} + std::to_string(player.number()), robot);
   }
+}
+
+/// Its log holds the files that its robots read by their places in the team.
+TEST_F(ReplayLog, ComputesTheSameOfATeamWithFilesOfItsOwn) {
+  expectTheSame(path("team/red1.mcap"), path("replayed.mcap"));
+  const auto log = McapReader::open(path("team/red1.mcap"));
+  ASSERT_TRUE(log) << log.error().text();
+  const auto setup = recordedSetup(*log, "red1.mcap");
+  ASSERT_TRUE(setup) << setup.error().text();
+  const auto own =
+      std::ranges::find(setup->files, "config/modules/SelfLocator.Kalman.cfg", &SetupFile::name);
+  ASSERT_NE(own, setup->files.end());
+  EXPECT_EQ((std::string{own->content.begin(), own->content.end()}),
+            *readFile("teams/kalman-study/config/modules/SelfLocator.Kalman.cfg"));
 }
 
 TEST_F(ReplayLog, ComputesTheSameFromImagesAndFromReplays) {
