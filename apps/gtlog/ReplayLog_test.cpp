@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "match/Match.h"
 #include "observer/ObservedRobot.h"
@@ -26,6 +27,9 @@ class ReplayLog : public testing::Test {
     play("play", {});
     play("images", {.inputs = true});
     play("team", {.red = "kalman-study"});
+    std::filesystem::create_directories(path("oracled/config"));
+    ASSERT_TRUE(writeFile(path("oracled/config/modules.cfg"), "SelfLocator Oracled\n"));
+    play("truth", {.red = path("oracled"), .truth = {"red"}});
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(folder()); }
 
@@ -81,6 +85,19 @@ TEST_F(ReplayLog, ComputesTheSameOfATeamWithFilesOfItsOwn) {
   ASSERT_NE(own, setup->files.end());
   EXPECT_EQ((std::string{own->content.begin(), own->content.end()}),
             *readFile("teams/kalman-study/config/modules/SelfLocator.Kalman.cfg"));
+}
+
+/// The truth that a robot was given is in its log; others may be given theirs in a replay.
+TEST_F(ReplayLog, ComputesTheSameFromTheTruth) {
+  expectTheSame(path("truth/red3.mcap"), path("replayed.mcap"));
+  expectTheSame(path("replayed.mcap"), path("twice.mcap"));
+  const auto given = replayLog(
+      {path("play/red3.mcap"), {}, {}, {{"SelfLocator", "Oracled", "", 0}}}, path("other.mcap"));
+  ASSERT_TRUE(given) << given.error().text();
+  std::map<std::string, bool> differs;
+  for (const ReplayedTopic& topic : *given) differs[topic.topic] = topic.different > 0;
+  EXPECT_TRUE(differs.at("/RobotPose"));
+  EXPECT_FALSE(differs.at("/OracledWorldState"));
 }
 
 TEST_F(ReplayLog, ComputesTheSameFromImagesAndFromReplays) {
