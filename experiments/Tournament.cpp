@@ -23,6 +23,8 @@ Result<std::vector<Job>> listTournament(const std::vector<std::string>& teams,
   for (const std::string& setting : settings)
     if (setting.starts_with("red=") || setting.starts_with("blue="))
       return Error{.field = setting, .what = "is what the tournament sets"};
+    else if (setting.starts_with("oracled="))
+      return Error{.field = setting, .what = "no team of a tournament is given the truth"};
   const auto isProfile = [](const std::string& setting) { return setting.starts_with("profile="); };
   if (std::ranges::none_of(settings, isProfile)) settings.emplace_back("profile=padova");
   const auto matches = listJobs(experiments(), {seeds, {"match"}, settings}, commit());

@@ -57,6 +57,28 @@ TEST_F(TournamentTest, MistakesAreToldInOneLine) {
   EXPECT_EQ(errorOf({"GT2003", one, "GT2003"}), "GT2003: is given twice");
   EXPECT_EQ(errorOf({"GT2003", one}, {"red=GT2003"}), "red=GT2003: is what the tournament sets");
   EXPECT_THAT(errorOf({"GT2003", one}, {"minuets=1"}), ::testing::HasSubstr("minuets"));
+  EXPECT_EQ(errorOf({"GT2003", one}, {"oracled=red"}),
+            "oracled=red: no team of a tournament is given the truth");
+}
+
+/// A team that asks for the truth is refused by its file and line; an experiment may give it.
+TEST_F(TournamentTest, ATeamThatAsksForTheTruthIsRefused) {
+  const std::string asking = team("asks", "BallLocator PIDSmoothed\nSelfLocator Oracled\n");
+  auto jobs = listTournament({"GT2003", asking}, {1}, {"minutes=0.02"}, {});
+  ASSERT_TRUE(jobs) << jobs.error().text();
+  const Experiment* match = findExperiment(experiments(), "match");
+  for (Job& job : *jobs) {
+    const auto refused = match->measure(job, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().text(),
+              asking +
+                  "/config/modules.cfg:2: SelfLocator: 'Oracled' reads OracledWorldState, "
+                  "which this robot does not get");
+  }
+  Job& given = jobs->front();
+  given.parameters["oracled"] = given.parameter("red").starts_with("GT2003") ? "blue" : "red";
+  const auto played = match->measure(given, {});
+  EXPECT_TRUE(played) << played.error().text();
 }
 
 /// A job names the files that its teams had: with others it does not give another result, but none.

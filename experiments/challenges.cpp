@@ -3,7 +3,7 @@
 #include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
-#include "match/Match.h"
+#include "Teams.h"
 
 namespace gt {
 namespace {
@@ -16,6 +16,7 @@ Result<std::unique_ptr<Match>> run(const Job& job, const DataRoot& root, const s
   options.seed = job.seed;
   options.profile = job.parameter("profile");
   options.fidelity = job.parameter("fidelity");
+  options.truth = oracled(job);
   options.randomChallenge = job.parameter("course") == "random";
   auto match = Match::make(options);
   if (!match) return match;
@@ -75,6 +76,7 @@ std::vector<Parameter> parameters() {
            "where all stand: as the seed says, or as in the scene",
            Parameter::Kind::choice,
            {"random", "scene"}},
+          oracledParameter(),
           valuesParameter()};
 }
 

@@ -84,6 +84,7 @@ Experiment matchExperiment() {
            teamParameter("red"),
            teamParameter("blue"),
            {"minutes", "both halves together", Parameter::Kind::number, {"10"}},
+           oracledParameter(),
            valuesParameter()},
           withValues<playMatch>};
 }

@@ -150,6 +150,7 @@ Experiment experiment(const char* name, const char* description,
       {"fidelity", "of the bodies", Parameter::Kind::choice, {"kinematic", "dynamic"}},
       teamParameter("red"),
       teamParameter("blue"),
+      oracledParameter(),
       valuesParameter()};
   parameters.insert(parameters.end(), more.begin(), more.end());
   return {name, description, std::move(parameters), measure};

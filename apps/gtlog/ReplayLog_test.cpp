@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "match/Match.h"
 #include "observer/ObservedRobot.h"
@@ -11,6 +13,7 @@
 #include "representations/behavior/BehaviorTrace.h"
 #include "representations/modeling/RobotPose.h"
 #include "robot/logs/LogRobot.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -21,19 +24,21 @@ using testing::HasSubstr;
 class ReplayLog : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    play("play", false);
-    play("images", true);
+    play("play", {});
+    play("images", {.inputs = true});
+    play("team", {.red = "kalman-study"});
+    std::filesystem::create_directories(path("oracled/config"));
+    ASSERT_TRUE(writeFile(path("oracled/config/modules.cfg"), "SelfLocator Oracled\n"));
+    play("truth", {.red = path("oracled"), .truth = {"red"}});
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(folder()); }
 
   static std::string path(const std::string& name) { return (folder() / name).string(); }
 
  private:
-  static void play(const std::string& name, bool inputs) {
-    MatchOptions options;
+  static void play(const std::string& name, MatchOptions options) {
     options.logs = path(name);
     std::filesystem::create_directories(options.logs);
-    options.inputs = inputs;
     options.seed = 3;
     auto match = Match::make(options);
     ASSERT_TRUE(match) << match.error().text();
@@ -66,6 +71,33 @@ TEST_F(ReplayLog, EveryLogOfAMatchComputesTheSameBitForBit) {
     const Player& player = platform->robot().setup().player;
     EXPECT_EQ(std::string{enumName(player.teamColor)} + std::to_string(player.number()), robot);
   }
+}
+
+/// Its log holds the files that its robots read by their places in the team.
+TEST_F(ReplayLog, ComputesTheSameOfATeamWithFilesOfItsOwn) {
+  expectTheSame(path("team/red1.mcap"), path("replayed.mcap"));
+  const auto log = McapReader::open(path("team/red1.mcap"));
+  ASSERT_TRUE(log) << log.error().text();
+  const auto setup = recordedSetup(*log, "red1.mcap");
+  ASSERT_TRUE(setup) << setup.error().text();
+  const auto own =
+      std::ranges::find(setup->files, "config/modules/SelfLocator.Kalman.cfg", &SetupFile::name);
+  ASSERT_NE(own, setup->files.end());
+  EXPECT_EQ((std::string{own->content.begin(), own->content.end()}),
+            *readFile("teams/kalman-study/config/modules/SelfLocator.Kalman.cfg"));
+}
+
+/// The truth that a robot was given is in its log; others may be given theirs in a replay.
+TEST_F(ReplayLog, ComputesTheSameFromTheTruth) {
+  expectTheSame(path("truth/red3.mcap"), path("replayed.mcap"));
+  expectTheSame(path("replayed.mcap"), path("twice.mcap"));
+  const auto given = replayLog(
+      {path("play/red3.mcap"), {}, {}, {{"SelfLocator", "Oracled", "", 0}}}, path("other.mcap"));
+  ASSERT_TRUE(given) << given.error().text();
+  std::map<std::string, bool> differs;
+  for (const ReplayedTopic& topic : *given) differs[topic.topic] = topic.different > 0;
+  EXPECT_TRUE(differs.at("/RobotPose"));
+  EXPECT_FALSE(differs.at("/OracledWorldState"));
 }
 
 TEST_F(ReplayLog, ComputesTheSameFromImagesAndFromReplays) {

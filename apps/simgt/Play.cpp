@@ -74,8 +74,6 @@ Result<int> play(PlayOptions options) {
   screen.watch(session);
   if (!options.foxglove.empty())
     if (const auto done = session.serveFoxglove(options.foxglove); !done) return done.error();
-  if (options.script.empty())
-    for (SimulatedRobot* robot : session.match().robots()) robot->sendOracle(false);
   if (options.realTime || !options.match.remote.empty()) session.setPace({1, 0});
 
   fmt::print("{}, {} minutes, seed {}\n", options.match.scene,

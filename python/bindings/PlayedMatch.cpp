@@ -35,10 +35,7 @@ class PlayedMatch::Run {
 
 PlayedMatch::PlayedMatch(const MatchOptions& options)
     : session_{orThrow(Session::make(options, screen_))},
-      console_{std::make_unique<Console>(*session_)} {
-  // As `simgt play`: a console hands the truth to robots whose tasks are disabled.
-  execute("so off");
-}
+      console_{std::make_unique<Console>(*session_)} {}
 
 std::unique_ptr<PlayedMatch> PlayedMatch::load(const std::string& file,
                                                const MatchOptions& options) {

@@ -129,6 +129,15 @@ def test_a_state_that_was_changed_is_refused(tmp_path: Path) -> None:
         gt2003.Match.load(str(file))
 
 
+def test_only_robots_that_are_given_the_truth_may_ask_for_it() -> None:
+    match = gt2003.Match("match", seed=4, minutes=0.05, truth=["red2"])
+    match.robots["red2"].solve("SelfLocator", "Oracled")
+    with pytest.raises(gt2003.Error, match="'Oracled' reads OracledWorldState, which this robot does not get"):
+        match.robots["red1"].solve("SelfLocator", "Oracled")
+    match.run()
+    assert match.summary().truth == ["red2"]
+
+
 def test_requests_move_a_robot() -> None:
     match = gt2003.Match(seed=2)
     match.until(lambda: match.game_state == "playing", 60)

@@ -9,7 +9,6 @@ class RobotOfScene : public ConsoleRobot {
  public:
   RobotOfScene(SimulatedRobot& robot, std::size_t index)
       : ConsoleRobot{robot.name(), robot.link()}, robot_{robot}, index_{index} {
-    robot_.sendOracle(true);
     robot_.observe([this](const MessageQueue& messages) { take(messages); });
   }
   std::optional<std::size_t> index() const override { return index_; }

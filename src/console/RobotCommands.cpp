@@ -285,8 +285,8 @@ Result<void> ci(Console& console, const Words& words) {
 Result<void> so(Console& console, const Words& words) {
   const bool on = words[1] == "on";
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
-    if (SimulatedRobot* simulated = robot.simulated()) simulated->sendOracle(on);
-    return {};
+    SimulatedRobot* const simulated = robot.simulated();
+    return simulated ? simulated->giveTruth(on) : Result<void>{};
   });
 }
 
@@ -367,8 +367,9 @@ std::vector<Command> robotCommands() {
       {kind, "sg", "? | ID {NUMBER}",
        "Sends up to ten numbers as generic debug data to the modules.", sg, idNames, true},
       {kind, "so", "off | on",
-       "Switches oracled world states on (the default) or off: what disabled tasks would provide "
-       "comes from the simulator.",
+       "Gives the selected robots the truth or not (the default): with oracled world states, "
+       "solutions Oracled can be chosen, and what disabled tasks would provide comes from the "
+       "simulator.",
        so, nullptr, true},
       {kind, "sr", "? | TASK (? | SOLUTION)",
        "Has a task solved by another solution, or by none: disabled.", sr, taskNames, true}};

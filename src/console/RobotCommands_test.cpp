@@ -137,11 +137,20 @@ TEST_F(RobotCommands, ChangesLayouts) {
   expectError("run soon", "soon", "is no number");
 }
 
+/// The truth is given to the selected robots alone, when somebody asks for it.
 TEST_F(RobotCommands, TakesWhatIsDisabledFromTheOracle) {
   expectFine("ci off");
+  const char* refused = "'Oracled' reads OracledWorldState, which this robot does not get";
+  expectError("sr SelfLocator Oracled", "SelfLocator", refused);
+  expectFine("robot red4");
+  expectFine("so on");
+  expectFine("sr BallLocator Oracled");
+  expectFine("robot red1");
+  expectError("sr BallLocator Oracled", "BallLocator", refused);
+  expectFine("robot red4");
   expectFine("sr SelfLocator disabled");
-  expectFine("sr BallLocator disabled");
   expectFine("run 1");
+  EXPECT_EQ(session->match().summary().truth, std::vector<std::string>{"red4"});
   const auto error = [&] {
     return (robot(1).provided<RobotPose>()->pose.translation -
             session->simulation().world().robot(1).pose.translation)

@@ -55,16 +55,16 @@ Result<void> Players::begin(Random& random) {
 
 Result<void> Players::addRobot(std::size_t robot, std::uint64_t seed) {
   const SceneRobot& player = scene_.robots[robot];
-  auto made = Robot::make(
-      {configuration_, *layout_, player.player(), seed, platformRepresentations(), player.address});
-  if (!made) return made.error();
-  auto program = std::make_unique<SimulatedRobot>(player.name, std::move(*made));
   const std::vector<const char*> disabled = disabledTasks(robot < agents_.size());
-  for (const char* task : disabled)
-    if (auto done = program->robot().request(SolutionRequest{task, "disabled"}); !done) return done;
   const bool sees =
       std::ranges::find(disabled, std::string_view{"ImageProcessor"}) == disabled.end();
-  program->sendOracle(!sees);
+  auto made =
+      Robot::make({configuration_, *layout_, player.player(), seed,
+                   sees ? platformRepresentations() : representationsWithTruth(), player.address});
+  if (!made) return made.error();
+  auto program = std::make_unique<SimulatedRobot>(player.name, std::move(*made));
+  for (const char* task : disabled)
+    if (auto done = program->robot().request(SolutionRequest{task, "disabled"}); !done) return done;
   simulation().setCamera(robot, configuration_->camera.of(player.address));
   programs_.push_back(program.get());
   simulation().attach(robot, std::move(program));

@@ -28,6 +28,22 @@ Types inputsOf(const Task& task, PortKind kind) {
   return types;
 }
 
+/// Whether a robot on this platform can go without what nobody provides: no task of any layout
+/// would, and only solutions read it that need not be chosen.
+bool isDispensable(const Task& task, const RepresentationType* type, const SolutionTable& table) {
+  const auto reads = [&](const Solution& solution) {
+    return std::ranges::any_of(solution.ports, [&](const Port& port) {
+      return port.kind != PortKind::output && port.type == type;
+    });
+  };
+  return std::ranges::none_of(
+             table.tasks(),
+             [&](const auto& other) { return contains(other.second.outputs, type); }) &&
+         std::ranges::none_of(task.solutions, [&](const Solution& solution) {
+           return (&solution == &task.solutions.front() || solution.added) && reads(solution);
+         });
+}
+
 /// Where each representation is provided.
 struct Provider {
   std::string process;
@@ -205,7 +221,7 @@ Plan::Process planProcess(const ProcessLayout& process, const Layout& layout,
                           const SolutionTable& table, const Providers& providers,
                           const Types& platform, const Types& given,
                           std::vector<Connection>& connections, Errors& errors) {
-  Plan::Process plan{process, {}, {}, {}};
+  Plan::Process plan{process, {}, {}, {}, {}};
   Connector connector{layout, process, providers, platform};
   const auto trigger = [&](const std::string& name, int line,
                            bool blocking) -> const RepresentationType* {
@@ -229,11 +245,15 @@ Plan::Process planProcess(const ProcessLayout& process, const Layout& layout,
       for (const PortKind kind : {PortKind::input, PortKind::previous})
         if (const Task* task = table.find(group.tasks[i]))
           for (const RepresentationType* input : inputsOf(*task, kind))
-            if (!contains(given, input) && !connector.input(input))
-              errors.add({.file = layout.file,
-                          .line = group.taskLines[i],
-                          .field = group.tasks[i],
-                          .what = "nobody provides its " + std::string{input->name}});
+            if (!contains(given, input) && !connector.input(input)) {
+              if (isDispensable(*task, input, table))
+                plan.missing.push_back(input);
+              else
+                errors.add({.file = layout.file,
+                            .line = group.taskLines[i],
+                            .field = group.tasks[i],
+                            .what = "nobody provides its " + std::string{input->name}});
+            }
   }
   for (const Connection& connection : connector.connections()) {
     if (connection.from.empty()) plan.platform.push_back(connection.type);

@@ -65,6 +65,8 @@ struct Plan {
     ProcessLayout layout;
     std::vector<Step> order;
     std::vector<const RepresentationType*> platform;  ///< What the platform sends to it.
+    /// What only another platform would send: solutions that read it cannot be chosen.
+    std::vector<const RepresentationType*> missing;
     /// What it sends to a tool that names no process; see WatchRequest.
     std::vector<const RepresentationType*> answersFor;
   };
@@ -79,9 +81,11 @@ struct Plan {
 /// Works out the plan, for all solutions of each task so that they can be switched at run time.
 /// Inside a group the signatures give the order; what an earlier group reads of a later one is of
 /// the last cycle, as between processes. `platform` names what the platform sends, `given` what
-/// lies on every blackboard from the start. Errors: unknown tasks or triggers, a task listed twice,
-/// a missing provider, two providers, a circle, something that crosses but cannot be streamed, two
-/// representations of one name.
+/// lies on every blackboard from the start. A task's default has all that it reads; another
+/// solution of the table may read what no task provides and this platform does not send: then it
+/// cannot be chosen. Errors: unknown tasks or triggers, a task listed twice, a missing provider,
+/// two providers, a circle, something that crosses but cannot be streamed, two representations of
+/// one name.
 Result<Plan> makePlan(const Layout& layout, const SolutionTable& table,
                       const std::vector<const RepresentationType*>& platform,
                       const std::vector<const RepresentationType*>& given);

@@ -204,6 +204,29 @@ TEST(Layout, RefusesTwoRepresentationsOfOneName) {
   EXPECT_DEATH(blackboard.get<other::Reading>(), "cannot be distinguished");
 }
 
+/// A solution that need not be chosen may want another platform; a default may not.
+TEST(Layout, LeavesOutWhatOnlyAnotherPlatformWouldSend) {
+  const Layout layout = *parseLayout("process A on Reading\nFilter\n", "test.layout");
+  const auto planFor = [&](const SolutionTable& table, auto*... sent) {
+    return makePlan(layout, table, {&representation<Reading>(), sent...}, {});
+  };
+  SolutionTable table = testing::table();
+  table.add<testing::Filter, testing::SecretFilter>("Secret");
+  const auto without = planFor(table);
+  ASSERT_TRUE(without) << without.error().text();
+  EXPECT_EQ(without->processes[0].missing, std::vector{&representation<testing::Secret>()});
+  EXPECT_EQ(without->connections.size(), 1u);
+  const auto with = planFor(table, &representation<testing::Secret>());
+  ASSERT_TRUE(with) << with.error().text();
+  EXPECT_TRUE(with->processes[0].missing.empty());
+  EXPECT_EQ(with->connections.size(), 2u);
+  SolutionTable always;
+  always.add<testing::Filter, testing::SecretFilter>("Secret");
+  const auto refused = planFor(always);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(), "test.layout:2: Filter: nobody provides its Secret");
+}
+
 TEST(Layout, HasOneProcessThatCollectsMessages) {
   const auto layout = parseLayout("process A on messages\nprocess B on messages\n", "test.layout");
   ASSERT_FALSE(layout);

@@ -14,6 +14,7 @@ ModuleProcess::ModuleProcess(const Plan::Process& plan, Blackboard blackboard, T
       blackboard_{std::move(blackboard)},
       frameTime_{frameTime},
       platform_{plan.platform},
+      missing_{plan.missing},
       answersFor_{plan.answersFor},
       debugSender_{representation<MessageQueue>(), &debugOut_},
       debugReceiver_{representation<MessageQueue>(), &debugIn_} {
@@ -69,6 +70,17 @@ Result<AnyModule*> ModuleProcess::find(std::string_view task, std::string_view s
                                         : "there is no solution '" + std::string{solution} + "'"};
 }
 
+/// Whether a solution gets all that it reads.
+Result<void> ModuleProcess::checkInputs(const Task& task, std::string_view solution) const {
+  if (const Solution* chosen = task.find(solution))
+    for (const Port& port : chosen->ports)
+      if (std::ranges::find(missing_, port.type) != missing_.end())
+        return Error{.field = task.name,
+                     .what = "'" + chosen->name + "' reads " + std::string{port.type->name} +
+                             ", which this robot does not get"};
+  return {};
+}
+
 bool ModuleProcess::concerns(const WatchRequest& request) const {
   if (!request.process.empty()) return request.process == name();
   return request.representation == typeName<ModuleTimes>() ||
@@ -103,6 +115,7 @@ Result<void> ModuleProcess::request(const SolutionRequest& request) {
   }
   const auto module = find(request.task, request.solution);
   if (!module) return module.error();
+  if (auto done = checkInputs(*slot->task, request.solution); !done) return done;
   slot->active = *module;
   return {};
 }

@@ -117,6 +117,7 @@ class ModuleProcess : public Process {
   const Slot* find(std::string_view task) const;
   Slot* find(std::string_view task);
   Result<AnyModule*> find(std::string_view task, std::string_view solution);
+  Result<void> checkInputs(const Task& task, std::string_view solution) const;
   bool isDue(const Slot& slot) const;
   void run(Slot& slot);
   void handle(const Message& message);
@@ -136,7 +137,7 @@ class ModuleProcess : public Process {
   Debug debug_;
   Time& frameTime_;
   std::vector<Slot> slots_;
-  std::vector<const RepresentationType*> platform_, answersFor_;
+  std::vector<const RepresentationType*> platform_, missing_, answersFor_;
   ModuleTimes times_;
   std::vector<Watched> watched_;
   std::vector<Held> held_;

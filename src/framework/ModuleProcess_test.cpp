@@ -95,6 +95,22 @@ TEST_F(ModuleProcessTest, SwitchesSolutionsAtRunTime) {
   EXPECT_EQ(answers[2].what, "Filter: there is no solution 'Unheard'");
 }
 
+TEST_F(ModuleProcessTest, RefusesASolutionThatReadsWhatThePlatformDoesNotSend) {
+  table.add<testing::Filter, testing::SecretFilter>("Secret");
+  const auto layout = parseLayout("process Main on Reading\nFilter\n", "test.layout");
+  const auto request = [&](auto*... sent) {
+    const Plan made = *makePlan(*layout, table, {&representation<Reading>(), sent...},
+                                {&representation<FrameTime>()});
+    Blackboard blackboard;
+    Time& time = blackboard.get<FrameTime>().time;
+    ModuleProcess one{made.processes[0], std::move(blackboard), time, Random{1}};
+    const auto done = one.request(SolutionRequest{"Filter", "Secret"});
+    return one.activeSolution("Filter") + (done ? "" : ": " + done.error().text());
+  };
+  EXPECT_EQ(request(), "Smooth: Filter: 'Secret' reads Secret, which this robot does not get");
+  EXPECT_EQ(request(&representation<testing::Secret>()), "Secret");
+}
+
 TEST_F(ModuleProcessTest, SetsParametersAtRunTime) {
   ask(ParameterRequest{"Filter", "Smooth", "gain", "1"});
   cycle(3);

@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 
 #include <limits>
+#include <set>
 #include <thread>
 
 namespace gt {
@@ -74,6 +75,22 @@ TEST_F(LockstepRobotTest, SendsWhatIsMeasuredAndTakesTheAnswerOfTheSameTick) {
     ++messages;
   });
   EXPECT_EQ(messages, 1) << "there is no image in this tick";
+}
+
+/// Another version's program would use whatever it gets.
+TEST_F(LockstepRobotTest, SendsNoTruth) {
+  greet();
+  Image image;
+  image.allocate();
+  input.image = &image;
+  ASSERT_TRUE(program->send(queueOf(joints)));
+  cycle();
+  MessageQueue asked{lockstepQueueSize};
+  ASSERT_TRUE(program->receive(asked));
+  std::set<std::uint32_t> sent;
+  asked.handleAllMessages([&](const Message& message) { sent.insert(message.id); });
+  EXPECT_TRUE(sent.contains(messageId<Image>()));
+  EXPECT_FALSE(sent.contains(messageId<OracledWorldState>()));
 }
 
 TEST_F(LockstepRobotTest, SendsATeamMessageWithEachThirdImage) {

@@ -15,6 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Whether a name is a robot's or its team's.
+bool isNamed(const SceneRobot& robot, const std::string& name) {
+  return name == robot.name || name == enumName(robot.team);
+}
+
 MatchEvent toMatchEvent(const GameEvent& event) {
   return {event.time,      std::string{enumName(event.type)},
           describe(event), event.team,
@@ -169,10 +174,33 @@ Result<void> Match::addRobots() {
     auto added = isRemote(robots[i].name) ? addRemoteRobot(i, *layout) : addRobot(i, *layout);
     if (!added) return added;
   }
+  if (auto done = checkNames(); !done) return done;
+  return greetLockstepRobots();
+}
+
+/// Whether the scene has the robots that the options name. What runs in another program gets what a
+/// body senses and nothing else.
+Result<void> Match::checkNames() const {
+  const std::vector<SceneRobot>& robots = simulation_->scene().robots;
+  const auto wrong = [&](const std::string& name, const char* what) {
+    return Error{.file = options_.scene, .field = name, .what = what};
+  };
   for (const auto& [name, endpoint] : options_.remote)
     if (std::ranges::find(robots, name, &SceneRobot::name) == robots.end())
-      return Error{.file = options_.scene, .field = name, .what = "the scene has no such robot"};
-  return greetLockstepRobots();
+      return wrong(name, "the scene has no such robot");
+  for (const std::string& name : options_.truth)
+    if (std::ranges::none_of(robots, [&](const SceneRobot& r) { return isNamed(r, name); }))
+      return wrong(name, "the scene has no such robot or team");
+  for (const SceneRobot& robot : robots)
+    if (getsTruth(robot) &&
+        std::ranges::find(robots_, robot.name, &SimulatedRobot::name) == robots_.end())
+      return wrong(robot.name, "runs in another program, which cannot be given the truth");
+  return {};
+}
+
+bool Match::getsTruth(const SceneRobot& robot) const {
+  return std::ranges::any_of(options_.truth,
+                             [&](const std::string& name) { return isNamed(robot, name); });
 }
 
 std::string Match::layoutFile(const SceneRobot& robot) const {
@@ -183,8 +211,9 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   const SceneRobot& player = simulation_->scene().robots[index];
   const std::uint64_t seed = Random{options_.seed}.fork(player.name)();
   const Team& team = teamOf(player);
-  auto robot = Robot::make({team.configuration, layout, player.player(), seed,
-                            platformRepresentations(), player.address});
+  auto robot = Robot::make(
+      {team.configuration, layout, player.player(), seed,
+       getsTruth(player) ? representationsWithTruth() : platformRepresentations(), player.address});
   if (!robot) return team.folder ? team.folder->named(robot.error()) : robot.error();
   auto controller = std::make_unique<SimulatedRobot>(player.name, std::move(*robot));
   const SetupFiles setup{team.paths, layoutFile(player), player.player(), seed, player.address};
@@ -327,6 +356,7 @@ Result<void> Match::save(const std::string& path) const {
                          .motions = options_.motions,
                          .red = options_.red,
                          .blue = options_.blue,
+                         .truth = options_.truth,
                          .minutes = simulation_->scene().game.minutes,
                          .seed = options_.seed,
                          .time = time(),
@@ -347,6 +377,7 @@ Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions
   options.motions = state->motions;
   options.red = state->red;
   options.blue = state->blue;
+  options.truth = state->truth;
   options.minutes = state->minutes;
   options.seed = state->seed;
   options.remote.clear();
@@ -400,6 +431,8 @@ MatchSummary Match::summary() const {
   if (challenge_)
     for (const Challenge::Note& note : challenge_->notes())
       summary.events.push_back({.time = note.time, .kind = "challenge", .text = note.text});
+  for (const SimulatedRobot* robot : robots_)
+    if (robot->hadTruth()) summary.truth.push_back(robot->name());
   statistics_->summarize(summary);
   for (RobotSummary& robot : summary.robots) {
     if (!options_.logs.empty() &&

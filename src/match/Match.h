@@ -43,6 +43,9 @@ struct MatchOptions {
   std::string red{}, blue{};
   /// How long a team's program may take for an answer; one that takes longer ends the match.
   std::chrono::milliseconds patience = std::chrono::seconds{60};
+  /// Robots that are given the truth (OracledWorldState), or teams: red1, blue. A team's own files
+  /// cannot ask for it: a solution in its modules.cfg that reads the truth is an error otherwise.
+  std::vector<std::string> truth{};
   std::string layout{};          ///< Of all robots, instead of the scene's, if not empty.
   bool randomChallenge = false;  ///< A challenge's start is random, whatever the scene says.
   std::string profile{};  ///< Instead of the scene's and of what it says in elements, if not empty.
@@ -148,6 +151,9 @@ class Match {
   Result<void> addRemoteRobot(std::size_t index, const Layout& layout);
   Result<void> addLockstepRobot(std::size_t index);
   Result<void> greetLockstepRobots();
+  Result<void> checkNames() const;
+  /// Whether a robot is given the truth.
+  bool getsTruth(const SceneRobot& robot) const;
   bool isRemote(const std::string& robot) const { return options_.remote.contains(robot); }
   std::string layoutFile(const SceneRobot& robot) const;
   std::uint64_t fingerprint() const;

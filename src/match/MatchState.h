@@ -41,6 +41,7 @@ struct Intervention {
 /// every module. The price is time: a minute of a match takes some seconds to load.
 struct MatchState {
   std::string scene, layout, profile, fidelity, behavior, motions, red, blue;
+  std::vector<std::string> truth;
   double minutes = 0;
   std::uint64_t seed = 0;
   Time time;
@@ -57,6 +58,7 @@ struct MatchState {
         field("motions", &MatchState::motions, "", "folder"),
         field("red", &MatchState::red, "", "team, if it has files of its own"),
         field("blue", &MatchState::blue, "", "team, if it has files of its own"),
+        field("truth", &MatchState::truth, "", "robots and teams that are given the truth"),
         field("minutes", &MatchState::minutes, "min", "both halves together", {0.01, 1e4}),
         field("seed", &MatchState::seed),
         field("time", &MatchState::time, "ms", "how far it has come"),

@@ -114,6 +114,7 @@ struct MatchSummary {
   std::uint64_t seed = 0;
   Time duration;
   int redScore = 0, blueScore = 0;
+  std::vector<std::string> truth;
   std::vector<MatchEvent> events;
   std::vector<RobotSummary> robots;
   std::vector<Vector2d> ball;
@@ -124,6 +125,8 @@ struct MatchSummary {
                   field("duration", &MatchSummary::duration, "ms", "simulated"),
                   field("redScore", &MatchSummary::redScore),
                   field("blueScore", &MatchSummary::blueScore),
+                  field("truth", &MatchSummary::truth, "",
+                        "robots that were given the truth; none in a fair match"),
                   field("events", &MatchSummary::events),
                   field("robots", &MatchSummary::robots),
                   field("ball", &MatchSummary::ball, "mm", "true position, one a second")};

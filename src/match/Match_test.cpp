@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "match/TestMatch.h"
 #include "streams/Mcap.h"
 
@@ -206,6 +208,111 @@ TEST_F(MatchTest, TeamsPlayWithFilesOfTheirOwn) {
   }
 }
 
+/// A robot knows what its body senses, in every layout; the truth only if somebody gave it.
+TEST_F(MatchTest, NoRobotGetsTheTruthButThoseThatAreNamed) {
+  using Names = std::vector<std::string>;
+  const auto told = [](const Names& names, const std::string& layout) {
+    MatchOptions options;
+    options.truth = names;
+    options.layout = "layouts/" + layout + ".layout";
+    const auto match = Match::make(options);
+    EXPECT_TRUE(match) << match.error().text();
+    while ((*match)->time() < Time{400}) (*match)->step();
+    Names knowing;
+    for (SimulatedRobot* robot : (*match)->robots())
+      if (std::ranges::any_of(robot->robot().processes(), [](const auto& process) {
+            Blackboard& blackboard = process->blackboard();
+            return blackboard.find("OracledWorldState") &&
+                   blackboard.get<OracledWorldState>().time != Time{};
+          }))
+        knowing.push_back(robot->name());
+    EXPECT_EQ((*match)->summary().truth, knowing);
+    return knowing;
+  };
+  for (const char* layout : {"cmd", "single", "pmbm"}) {
+    EXPECT_EQ(told({}, layout), Names{}) << layout;
+    EXPECT_EQ(told({"red3", "blue"}, layout), (Names{"red3", "blue1", "blue2", "blue3", "blue4"}));
+  }
+}
+
+/// The log holds it, as the simulator knows it.
+TEST_F(MatchTest, LogsHoldTheTruthThatTheirRobotsWereNotGiven) {
+  const auto match = make("truth", 5, 1, 0.01);
+  std::vector<double> truth, logged;
+  while (!match->finished()) {
+    match->step();
+    if (match->simulation().input(0).image)
+      truth.push_back(match->simulation().input(0).oracle.robotPose.translation.x());
+  }
+  ASSERT_TRUE(match->close());
+  auto log = McapReader::open((folder / "truth/red1.mcap").string());
+  ASSERT_TRUE(log) << log.error().text();
+  for (auto message = log->next(); message && *message; message = log->next()) {
+    const std::string& topic = log->channel((*message)->channel)->topic;
+    EXPECT_NE(topic, "/input/OracledWorldState");
+    if (topic != "/OracledWorldState") continue;
+    OracledWorldState state;
+    ASSERT_TRUE(decode((*message)->data, state));
+    logged.push_back(state.robotPose.translation.x());
+  }
+  EXPECT_GT(logged.size(), 10u);
+  EXPECT_EQ(logged, truth);
+}
+
+/// One line with the team's own file; whoever gives it the truth may play with it.
+TEST_F(MatchTest, TeamsThatAskForTheTruthAreRefused) {
+  const std::string team = (folder / "asking").string();
+  std::filesystem::create_directories(team + "/config");
+  ASSERT_TRUE(writeFile(team + "/config/modules.cfg",
+                        "SelfLocator Oracled\nBallLocator Oracled\nPlayersLocator Oracled\n"));
+  MatchOptions options;
+  options.minutes = 0.05;
+  options.blue = team;
+  const auto refused = Match::make(options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(),
+            team +
+                "/config/modules.cfg:1: SelfLocator: 'Oracled' reads OracledWorldState, which "
+                "this robot does not get");
+  options.truth = {"blue"};
+  const auto match = Match::make(options);
+  ASSERT_TRUE(match) << match.error().text();
+  while (!isOver(**match)) (*match)->step();
+  const MatchSummary summary = (*match)->summary();
+  EXPECT_EQ(summary.truth, (std::vector<std::string>{"blue1", "blue2", "blue3", "blue4"}));
+  for (const RobotSummary& robot : summary.robots) {
+    if (robot.team == TeamColor::blue) {
+      EXPECT_LT(robot.localizationError.maximum, 20) << robot.name;
+    }
+  }
+  const std::string file = (folder / "match.state").string();
+  ASSERT_TRUE((*match)->save(file));
+  const auto loaded = Match::load(file, {}, putBall);
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  EXPECT_TRUE(toJson((*loaded)->summary()) == toJson(summary));
+}
+
+/// Who is told the truth and does not ask for it plays as before: nothing else hangs on it.
+TEST_F(MatchTest, TheTruthChangesNothingWhereNobodyAsksForIt) {
+  const auto play = [&](bool give) {
+    MatchOptions options;
+    options.minutes = 0.1;
+    const auto match = Match::make(options);
+    EXPECT_TRUE(match) << match.error().text();
+    while (!isOver(**match)) {
+      if (give && (*match)->time() == Time{400}) {
+        for (SimulatedRobot* robot : (*match)->robots()) EXPECT_TRUE(robot->giveTruth(true));
+      }
+      (*match)->step();
+    }
+    MatchSummary summary = (*match)->summary();
+    EXPECT_EQ(summary.truth.size(), give ? 8u : 0u);
+    summary.truth.clear();
+    return toJson(summary).dump();
+  };
+  EXPECT_TRUE(play(false) == play(true));
+}
+
 TEST_F(MatchTest, WrongFilesAreToldInOneLine) {
   const auto errorOf = [](const MatchOptions& options) {
     const auto match = Match::make(options);
@@ -220,6 +327,14 @@ TEST_F(MatchTest, WrongFilesAreToldInOneLine) {
   options = {};
   options.behavior = "behavior/nowhere.xabsl";
   EXPECT_NE(errorOf(options).find("nowhere.xabsl"), std::string::npos);
+  options = {};
+  options.truth = {"red1", "red7"};
+  EXPECT_EQ(errorOf(options), options.scene + ": red7: the scene has no such robot or team");
+  options.truth = {"red"};
+  options.remote = {{"red2", ""}};
+  options.sockets = (folder / "sockets").string();
+  EXPECT_EQ(errorOf(options),
+            options.scene + ": red2: runs in another program, which cannot be given the truth");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "match/SimulatedRobot.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/CrashNotes.h"
@@ -13,6 +14,8 @@ namespace gt {
 SimulatedRobot::SimulatedRobot(std::string name, std::unique_ptr<Robot> robot)
     : name_{std::move(name)}, robot_{std::move(robot)} {
   bind();
+  truth_ = hadTruth_ =
+      std::ranges::count(robot_->platform(), &representation<OracledWorldState>()) > 0;
   if (const auto* camera = commands_.place<CameraSettings>()) commands_.camera = *camera;
 }
 
@@ -56,6 +59,15 @@ Result<void> SimulatedRobot::record(const std::string& path, const McapWriter::M
   return {};
 }
 
+Result<void> SimulatedRobot::giveTruth(bool on) {
+  if (on)
+    if (auto done = robot_->addToPlatform(representation<OracledWorldState>()); !done) return done;
+  bind();
+  truth_ = on;
+  hadTruth_ |= on;
+  return {};
+}
+
 std::unique_ptr<RobotLink> SimulatedRobot::link() {
   return std::make_unique<LocalLink>(*robot_, [this] { bind(); });
 }
@@ -94,16 +106,21 @@ void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
 }
 
 void SimulatedRobot::send(const RobotInput& input, bool withImage) {
+  if (withImage && truth_) {
+    robot_->send(input.oracle);
+    layTruth(input.oracle);
+  }
   input.forEach([&](const auto& package) { send(input.now, package); }, withImage);
-  if (!withImage) return;
-  if (oracle_) sendOracle(input.oracle);
-  if (!log_ || loggedImagePeriod_ == 0 || input.now < nextLoggedImage_) return;
+  if (!withImage || !log_) return;
   const Stopwatch::Lap lap{logTime_};
+  log_->write(input.now, input.oracle);
+  if (loggedImagePeriod_ == 0 || input.now < nextLoggedImage_) return;
   log_->write(*input.image);
   nextLoggedImage_ = input.now + loggedImagePeriod_;
 }
 
-void SimulatedRobot::sendOracle(const OracledWorldState& truth) {
+/// In place of what disabled tasks would provide.
+void SimulatedRobot::layTruth(const OracledWorldState& truth) {
   const FrameInfo frame{truth.time};
   RobotPose pose;
   oracledPose_.update(truth, pose);

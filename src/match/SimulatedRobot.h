@@ -18,6 +18,10 @@ namespace gt {
 /// The platform of a robot in the simulator: hands what the simulated hardware measured to the
 /// robot's processes and takes their commands. Writes the robot's log.
 ///
+/// A robot gets the truth (report 5.1) only if somebody gives it by name: from the start if its
+/// platform sends it (`representationsWithTruth`), or by `giveTruth`. Its log holds the truth in
+/// any case, as the simulator knows it: /OracledWorldState.
+///
 /// The camera writes each image into the package that the process with the ImageProcessor receives
 /// (`nextImage`), so nobody copies it; docs/image-path.md describes the whole path.
 class SimulatedRobot : public MatchRobot {
@@ -49,9 +53,12 @@ class SimulatedRobot : public MatchRobot {
   /// the order in which they were added.
   using Observer = std::function<void(const MessageQueue& messages)>;
   void observe(Observer observer) { observers_.push_back(std::move(observer)); }
-  /// Whether the robot gets the truth in place of what its disabled tasks would provide: oracled
-  /// world states (report I.5.3: so). A console switches it on; it is off at the start.
-  void sendOracle(bool on) { oracle_ = on; }
+  /// Sends the robot the truth with each image from now on, or no longer, between two cycles
+  /// (report I.5.3: so): for solutions that ask the oracle, which can be chosen from then on, and
+  /// in place of what disabled tasks would provide.
+  Result<void> giveTruth(bool on);
+  /// Whether it has ever been given the truth.
+  bool hadTruth() const { return hadTruth_; }
   /// Gives the robot a computer of its own, so many times slower than this one: images that come
   /// while it is busy are lost, as on the real one (report I.5.2: st off). 0: it takes no time.
   void setSlowness(double slowness) { slowness_ = slowness; }
@@ -73,7 +80,7 @@ class SimulatedRobot : public MatchRobot {
   template <typename T>
   void send(Time now, const T& package);
   void send(const RobotInput& input, bool withImage);
-  void sendOracle(const OracledWorldState& truth);
+  void layTruth(const OracledWorldState& truth);
   void handleMessages();
 
   std::string name_;
@@ -86,7 +93,7 @@ class SimulatedRobot : public MatchRobot {
   const RobotState* state_ = nullptr;
   const Image* image_ = nullptr;  ///< Of the first process that reads images.
   std::vector<Observer> observers_;
-  bool oracle_ = false;
+  bool truth_ = false, hadTruth_ = false;
   OracledSelfLocator oracledPose_;
   OracledBallLocator oracledBall_;
   OracledPlayersLocator oracledPlayers_;

@@ -53,6 +53,11 @@ class RobotLog {
   /// Writes messages of all known types (messageTypes); others are passed over.
   void write(const MessageQueue& queue);
   void write(const Message& message);
+  /// A value that nobody has sent, such as what only the simulator knows.
+  template <typename T>
+  void write(Time now, const T& value) {
+    file_.write(channel(representation<T>()), now, value);
+  }
   /// A camera image as JPEG: /camera.
   void write(const Image& image);
   /// What the platform sends to the robot before it steps at that time.

@@ -136,6 +136,14 @@ Result<void> Robot::changeLayout(const Layout& layout) {
   return {};
 }
 
+Result<void> Robot::addToPlatform(const RepresentationType& type) {
+  if (std::ranges::find(setup_.platform, &type) != setup_.platform.end()) return {};
+  setup_.platform.push_back(&type);
+  auto done = changeLayout(setup_.layout);
+  if (!done) setup_.platform.pop_back();
+  return done;
+}
+
 Result<void> Robot::add(const std::string& task, Solution solution) {
   if (std::ranges::none_of(processes_, [&](const auto& process) { return process->solves(task); }))
     return Error{.field = task, .what = "no process of the robot solves this task"};

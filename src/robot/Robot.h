@@ -96,6 +96,10 @@ class Robot {
   /// it was. Only for robots in one program.
   Result<void> changeLayout(const Layout& layout);
 
+  /// Has the platform send a representation from now on, between two steps: solutions that read it
+  /// can be chosen then. Otherwise as `changeLayout` with the same layout.
+  Result<void> addToPlatform(const RepresentationType& type);
+
   /// Adds a solution of a task, between two steps, to which the robot can be switched from then on.
   /// It replaces one of its name that was added before. Otherwise as `changeLayout` with the same
   /// layout. An error also if no process solves the task, or nobody provides an input.

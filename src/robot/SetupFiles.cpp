@@ -30,10 +30,11 @@ Result<void> addFolder(const fs::path& folder, const std::string& name, Recorded
     if (at->is_regular_file() && at->file_size() <= largestFile) files.push_back(at->path());
   if (failure) return Error{.file = folder.string(), .what = failure.message()};
   std::sort(files.begin(), files.end());
-  for (const fs::path& file : files)
-    if (auto done = addFile(file, name + "/" + fs::relative(file, folder).generic_string(), setup);
-        !done)
-      return done;
+  // By their names alone: a team's folder links to files that lie elsewhere.
+  for (const fs::path& file : files) {
+    const std::string within = file.lexically_relative(folder).generic_string();
+    if (auto done = addFile(file, name + "/" + within, setup); !done) return done;
+  }
   return {};
 }
 

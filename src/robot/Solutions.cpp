@@ -17,6 +17,7 @@
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/OracledWorldState.h"
 #include "representations/motion/JointDataSequence.h"
 #include "robot/platform/Platform.h"
 
@@ -50,6 +51,7 @@ std::vector<const RepresentationType*> RobotModules::messageTypes() const {
                                                &representation<HsiColors>(),
                                                &representation<LayoutRequest>(),
                                                &representation<ModuleTimes>(),
+                                               &representation<OracledWorldState>(),
                                                &representation<ParameterRequest>(),
                                                &representation<Plot>(),
                                                &representation<ProcessDescription>(),

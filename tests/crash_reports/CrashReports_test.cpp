@@ -78,10 +78,10 @@ TEST_F(CrashReports, OfAJob) {
       "experiment",
       "run --job 'fidelity walk=forward100 seed=1' --job 'match minutes=1000 seed=7' --threads 1",
       "1/2");
-  EXPECT_THAT(
-      report.running,
-      testing::MatchesRegex("match blue=GT2003 fidelity=kinematic minutes=1000 profile=padova "
-                            "red=GT2003 values=none seed=7[^,]*(, (red|blue)[1-4].*)?"));
+  EXPECT_THAT(report.running,
+              testing::MatchesRegex(
+                  "match blue=GT2003 fidelity=kinematic minutes=1000 oracled=none "
+                  "profile=padova red=GT2003 values=none seed=7[^,]*(, (red|blue)[1-4].*)?"));
 }
 
 TEST_F(CrashReports, OfARobotsProcess) {

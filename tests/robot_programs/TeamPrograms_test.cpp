@@ -113,6 +113,24 @@ TEST_F(TeamProgramsTest, AMatchEndsIfAProgramDoesNotAnswer) {
             "red3: its program has not answered for 3000 ms");
 }
 
+/// With files alone as with a program.
+TEST_F(TeamProgramsTest, ThatAskForTheTruthAreRefused) {
+  fs::create_directories(folder.path() / "config");
+  const std::string file = (folder.path() / "config/modules.cfg").string();
+  ASSERT_TRUE(writeFile(file, "BallLocator PIDSmoothed\nSelfLocator Oracled\n"));
+  const std::string team = folder.path().string();
+  for (const std::string& red : {team, ourProgram + (":" + team)}) {
+    const TemporaryFolder out;
+    const auto done = runProgram({GT_PROGRAMS "/simgt", "play", "--no-logs", "--minutes", "0.01",
+                                  "--out", out.path(), "--red", red});
+    ASSERT_TRUE(done);
+    EXPECT_EQ(done->status, 2);
+    EXPECT_EQ(done->errors, "simgt: " + file +
+                                ":2: SelfLocator: 'Oracled' reads OracledWorldState, which this "
+                                "robot does not get\n");
+  }
+}
+
 TEST_F(TeamProgramsTest, SimgtFailsInOneLine) {
   const std::string simgt = GT_PROGRAMS "/simgt";
   const auto done =

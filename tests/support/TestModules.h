@@ -23,6 +23,12 @@ struct Command {
   }
 };
 
+/// What only some platforms send.
+struct Secret {
+  double value = 0;
+  static constexpr auto fields() { return Fields{field("value", &Secret::value)}; }
+};
+
 struct Filter {
   using Outputs = std::tuple<Estimate>;
 };
@@ -47,6 +53,12 @@ class SmoothFilter {
 class DirectFilter {
  public:
   void update(const Reading& reading, Estimate& estimate) { estimate.value = reading.value; }
+};
+
+/// In no table but that of a test which adds it.
+class SecretFilter {
+ public:
+  void update(const Secret& secret, Estimate& estimate) { estimate.value = secret.value; }
 };
 
 inline const DebugKey drawCommand{"Controller/command"};

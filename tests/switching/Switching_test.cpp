@@ -95,6 +95,7 @@ class Switching : public testing::TestWithParam<Way> {
 };
 
 TEST_P(Switching, EveryTaskToEverySolutionAndBack) {
+  ASSERT_TRUE(console_->execute("so on")) << "for solutions that read the truth";
   int switches = 0;
   for (const auto& [name, task] : solutions().tasks()) {
     const std::string before = solution(changed(), name);

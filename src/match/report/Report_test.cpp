@@ -86,7 +86,7 @@ TEST_F(ReportTest, MatchJsonHasTheNamesThatOthersReadInTheirOrder) {
   const auto json = parseJson(contentOf("match.json"), "match.json");
   ASSERT_TRUE(json);
   EXPECT_THAT(namesOf(*json), ElementsAre("scene", "seed", "duration", "redScore", "blueScore",
-                                          "events", "robots", "ball"));
+                                          "truth", "events", "robots", "ball"));
   EXPECT_THAT(namesOf((*json)["events"][0]), ElementsAre("time", "kind", "text", "team", "player",
                                                          "ownGoal", "redScore", "blueScore"));
   EXPECT_THAT(namesOf((*json)["robots"][0]["localizationError"]),
@@ -133,6 +133,16 @@ TEST_F(ReportTest, ThePageHoldsTheMatch) {
   EXPECT_EQ(data["pictures"][0]["width"], 352);
   EXPECT_EQ(data["field"]["xGroundline"], 2100);
   EXPECT_EQ(occurrences(page, std::string{page::chartLibrary().substr(0, 200)}), 1u);
+}
+
+TEST_F(ReportTest, ThePageNamesRobotsThatWereGivenTheTruth) {
+  MatchSummary match = sampleMatch(7);
+  EXPECT_TRUE(dataOf(report(match))["match"]["truth"].empty());
+  match.truth = {"red2", "blue1"};
+  const std::string page = report(match);
+  EXPECT_EQ(dataOf(page)["match"]["truth"], (Json{"red2", "blue1"}));
+  EXPECT_THAT(page, HasSubstr("<p id=\"truth\" hidden></p>"));
+  EXPECT_THAT(page, HasSubstr("Given the truth by the simulator: ${match.truth.join(', ')}"));
 }
 
 TEST_F(ReportTest, ThePageLoadsNothingFromElsewhere) {

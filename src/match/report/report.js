@@ -81,6 +81,8 @@ function showScore() {
     `${perTeam('red')} : ${perTeam('blue')} robots`, `${clock(seconds)} minutes`, match.scene,
     `seed ${match.seed}`, `${number(times.realTimeFactor, 1)} × real time`
   ].join(' · ');
+  byId('truth').hidden = match.truth.length === 0;
+  byId('truth').textContent = `Given the truth by the simulator: ${match.truth.join(', ')}`;
 }
 
 function showFigures() {

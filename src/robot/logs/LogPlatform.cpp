@@ -2,18 +2,16 @@
 
 #include <utility>
 
-#include "representations/infrastructure/OracledWorldState.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/motion/OdometryData.h"
 
 namespace gt {
 
 const std::vector<const RepresentationType*>& LogPlatform::representations() {
-  // Nobody knows the truth about a real robot, and not all logs hold its joints: these are never
-  // sent, but solutions that want them may be in the table.
+  // Not all logs hold a robot's joints: then they are never sent, but defaults may want them.
   static const std::vector<const RepresentationType*> list{
       &representation<Image>(), &representation<CameraMatrix>(), &representation<OdometryData>(),
-      &representation<SensorDataBuffer>(), &representation<OracledWorldState>()};
+      &representation<SensorDataBuffer>()};
   return list;
 }
 

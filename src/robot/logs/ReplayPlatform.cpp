@@ -7,6 +7,7 @@
 #include "observer/RobotLog.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
+#include "representations/infrastructure/OracledWorldState.h"
 #include "robot/SetupFiles.h"
 #include "robot/Solutions.h"
 #include "robot/logs/LogPlatform.h"
@@ -115,6 +116,10 @@ Result<void> ReplayPlatform::chooseSetup(const ReplayOptions& options) {
     if ((isRecorded(type->name, true) || !options.layout.empty()) &&
         !contains(setup_.platform, type->name))
       setup_.platform.push_back(type);
+  // What the log's robot was not told, solutions may be that are chosen for the replay.
+  const RepresentationType& truth = representation<OracledWorldState>();
+  if (isRecorded(truth.name, false) || isRecorded(truth.name, true))
+    setup_.platform.push_back(&truth);
   return {};
 }
 

@@ -26,14 +26,15 @@ struct RobotInput {
   const Image* image = nullptr;  ///< Null in ticks without an image; valid during the cycle only.
   GameControlData game;
   TeamMessages team;
+  /// The truth, with each image. No body senses it, so it is in none of the lists: the simulator
+  /// hands it on to robots that were given it by name (SimulatedRobot::giveTruth).
   OracledWorldState oracle;
 
   /// What comes in each tick, and what comes with each image; the image last: it starts a
   /// cycle, which shall have all that belongs to it.
   static constexpr auto eachTick() { return std::tuple{&RobotInput::sensors}; }
   static constexpr auto eachImage() {
-    return std::tuple{&RobotInput::game, &RobotInput::team, &RobotInput::oracle,
-                      &RobotInput::image};
+    return std::tuple{&RobotInput::game, &RobotInput::team, &RobotInput::image};
   }
 
   /// Hands over the packages of this tick in their order, take(package); those of an image only if

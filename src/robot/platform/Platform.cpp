@@ -28,6 +28,12 @@ const Types& platformRepresentations() {
   return list;
 }
 
+Types representationsWithTruth() {
+  Types list = platformRepresentations();
+  list.push_back(&representation<OracledWorldState>());
+  return list;
+}
+
 const Types& commandRepresentations() {
   static const Types list = typesOf(CommandSlots<TypeSlot>{});
   return list;

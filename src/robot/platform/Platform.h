@@ -9,6 +9,9 @@ namespace gt {
 /// What the platform sends to a robot where it senses for itself: in a simulator or on hardware.
 const std::vector<const RepresentationType*>& platformRepresentations();
 
+/// The same and the truth (OracledWorldState): what a simulator sends to a robot that was given it.
+std::vector<const RepresentationType*> representationsWithTruth();
+
 /// What such a platform takes from the robot: its commands, and its message to its team.
 const std::vector<const RepresentationType*>& commandRepresentations();
 

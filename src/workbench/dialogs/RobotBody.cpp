@@ -79,8 +79,11 @@ class RobotBodyDialog : public Dialog {
            [this] { forSelected("stand ", ""); });
     images_ = box("images", "Camera images", "ci ",
                   "Whether the simulator calculates images for the connected robots", true);
-    oracle_ = box("oracle", "Oracled world states", "so ",
-                  "Whether what disabled tasks would provide comes from the simulator", true);
+    oracle_ =
+        box("oracle", "Oracled world states", "so ",
+            "Whether the simulator gives the connected robots the truth: to solutions Oracled "
+            "and in place of disabled tasks",
+            false);
     layout->addWidget(images_);
     layout->addWidget(oracle_);
     layout->addStretch();
@@ -93,7 +96,7 @@ class RobotBodyDialog : public Dialog {
     beginnings_ = beginnings;
     for (QCheckBox* known : {images_, oracle_}) {
       const QSignalBlocker quiet{known};
-      known->setChecked(true);
+      known->setChecked(known == images_);
     }
     for (QToolButton* known : findChildren<QToolButton*>()) {
       const QSignalBlocker quiet{known};
