@@ -177,10 +177,10 @@ function(gt_unite_sources target filesUnited)
   set_target_properties(${target} PROPERTIES SOURCES "${single}")
 endfunction()
 
-# gt_library(name [COLD [APART]] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [TEST_DEPS ...] [HOT b.cpp ... | HOT_TESTS])
-# One folder is one library. Without sources it is a library of headers. Its tests become the program <name>_test, which links TEST_DEPS, too. What is
-# cold runs but once, besides the sources that are hot. Sources that are apart use the same names, or are linked
-# singly. Hot tests compute much.
+# gt_library(name [COLD] [APART] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [TEST_DEPS ...] [HOT b.cpp ... | HOT_TESTS])
+# One folder is one library. Without sources it is a library of headers. Its tests become the program <name>_test, which links
+# TEST_DEPS, too. What is cold runs but once, besides the sources that are hot. Sources that are apart are compiled each by itself: they
+# are linked singly, so that a program has only the modules that it runs, or broken singly by scripts/mutants. Hot tests compute much.
 function(gt_library name)
   cmake_parse_arguments(ARG "COLD;APART;HOT_TESTS" "" "SOURCES;TESTS;DEPS;TEST_DEPS;HOT" ${ARGN})
   if(ARG_SOURCES)
