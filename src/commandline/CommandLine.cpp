@@ -71,7 +71,8 @@ int CommandLine::perform(const Action& action) {
   } catch (const std::bad_alloc&) {
     return fail("not enough memory");
   } catch (const std::filesystem::filesystem_error& error) {
-    return fail(error.path1().string() + ": " + error.code().message());
+    const std::string path = error.path1().string();
+    return fail(path.empty() ? error.what() : path + ": " + error.code().message());
   } catch (const std::system_error& error) {  // fmt's, where nothing can be printed
     return fail(std::string{"standard output: "} + error.what());
   }

@@ -67,6 +67,16 @@ TEST(CommandLine, ExceptionsOfTheSystemAreOneLineAndStatus2) {
             2);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
             "program: not enough memory\nprogram: /nowhere: No such file or directory\n");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({},
+                []() -> int {
+                  throw std::filesystem::filesystem_error{
+                      "temp_directory_path",
+                      std::make_error_code(std::errc::no_such_file_or_directory)};
+                }),
+            2);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              HasSubstr("program: filesystem error: temp_directory_path: No such file"));
 }
 
 TEST(CommandLine, AFileThatGrowsBeyondItsLimitEndsNoProgram) {
