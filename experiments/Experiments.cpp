@@ -31,16 +31,19 @@ const Experiments& experiments() {
 
 namespace {
 
-Result<void> writePages(const Figures& figures, const std::filesystem::path& json) {
+Result<void> writePages(const Figures& figures, const std::filesystem::path& json,
+                        const std::string& note) {
   const auto ofLocators = [](const Figure& f) { return f.name.starts_with("localization."); };
   if (std::ranges::none_of(figures.all(), ofLocators)) return {};
-  return writeLocalizationPage(std::filesystem::path{json}.replace_extension(".html"), figures);
+  return writeLocalizationPage(std::filesystem::path{json}.replace_extension(".html"), figures,
+                               note);
 }
 
 }  // namespace
 
 Result<Figures> mergeFiles(const std::vector<std::string>& files, const std::vector<Job>& jobs,
-                           const std::string& json, std::vector<Error>& warnings) {
+                           const std::string& json, std::vector<Error>& warnings,
+                           const std::string& note) {
   JobResults results;
   for (const std::string& file : files)
     if (auto done = results.read(file); !done) return done.error();
@@ -50,7 +53,7 @@ Result<Figures> mergeFiles(const std::vector<std::string>& files, const std::vec
   for (const Job& job : missingJobs(jobs, results.results))
     warnings.push_back({.field = job.text(), .what = "has no result"});
   if (auto done = figures->write(json); !done) return done.error();
-  if (auto done = writePages(*figures, json); !done) return done.error();
+  if (auto done = writePages(*figures, json, note); !done) return done.error();
   return figures;
 }
 

@@ -12,10 +12,11 @@ namespace gt {
 const Experiments& experiments();
 
 /// Merges files of results and writes the figures to a file; beside it the page of the
-/// self-locators, if they were measured. What was dropped, and which jobs of a list have no result,
-/// joins the warnings.
+/// self-locators, if they were measured, with a note at its top. What was dropped, and which jobs
+/// of a list have no result, joins the warnings.
 Result<Figures> mergeFiles(const std::vector<std::string>& files, const std::vector<Job>& jobs,
-                           const std::string& json, std::vector<Error>& warnings);
+                           const std::string& json, std::vector<Error>& warnings,
+                           const std::string& note = {});
 
 /// The same walks in the kinematic and in the dynamic fidelity. Nothing in it is left to chance.
 Experiment fidelityExperiment();

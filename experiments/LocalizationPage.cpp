@@ -151,7 +151,8 @@ std::string table(const Figures& figures) {
 
 }  // namespace
 
-Result<void> writeLocalizationPage(const std::string& path, const Figures& figures) {
+Result<void> writeLocalizationPage(const std::string& path, const Figures& figures,
+                                   const std::string& note) {
   const auto both = [&](const std::string& title, const std::string& group, const char* where) {
     return robustness(title + ": mean error (mm)", group, where, "error.mean", 400, "{:.0f}",
                       figures) +
@@ -160,6 +161,7 @@ Result<void> writeLocalizationPage(const std::string& path, const Figures& figur
   };
   const std::string all = "localization.";
   std::string html = head;
+  if (!note.empty()) html += fmt::format("<p class=\"missed\">{}</p>\n", note);
   for (const auto& [profile, group] : {std::pair{"padova", all}, {"benign", all + "benign."}}) {
     html += fmt::format("<h2>In the profile {}</h2>\n<div class=\"charts\">\n", profile);
     for (const Chart& chart : charts) html += draw(chart, figures, group);

@@ -7,7 +7,8 @@
 namespace gt {
 
 /// Writes the figures of the self-locators as one page that opens offline: charts beside the
-/// report's figures, the table of robustness, all figures.
-Result<void> writeLocalizationPage(const std::string& path, const Figures& figures);
+/// report's figures, the table of robustness, all figures. `note` stands at the top.
+Result<void> writeLocalizationPage(const std::string& path, const Figures& figures,
+                                   const std::string& note);
 
 }  // namespace gt

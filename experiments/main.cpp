@@ -1,6 +1,10 @@
 #include <fmt/core.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -9,8 +13,11 @@
 
 #include "Experiments.h"
 #include "Tournament.h"
+#include "base/EndSignals.h"
+#include "base/OutputLock.h"
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
+#include "measure/InParallel.h"
 #include "measure/RunJobs.h"
 #include "robot/SetupFiles.h"
 #include "streams/File.h"
@@ -52,19 +59,41 @@ Result<void> tournament(const Arguments& arguments, const DataRoot& root) {
   return {};
 }
 
-/// Does jobs and reports each on the standard error. Returns the exit status.
+/// What is still to be done when a signal has come, with a sentence on how far the jobs are.
+using AtInterrupt = std::function<Result<void>(const std::string& note)>;
+
+/// Does jobs and reports each on the standard error. Returns the exit status. A signal ends the
+/// program, without the jobs under way.
 Result<int> runAll(const std::vector<Job>& jobs, const std::string& out, const DataRoot& root,
-                   unsigned threads) {
+                   unsigned threads, const AtInterrupt& atInterrupt) {
   auto writer = JobResultWriter::open(out);
   if (!writer) return writer.error();
-  std::size_t done = 0;
+  std::atomic<std::size_t> done = 0;
+  const EndSignals signals;
   RunOptions options;
   options.threads = threads;
   options.report = [&](const Job& job, const Result<void>& result) {
+    if (signals.received()) return;
     fmt::print(stderr, "{}/{} {}{}\n", ++done, jobs.size(), job.text(),
                result ? "" : ": " + result.error().text());
   };
+  const FileDescriptor allDone{eventfd(0, EFD_CLOEXEC)};
+  std::jthread watch{[&] {
+    if (signals.waitFor(allDone.number())) return;
+    writer->close();
+    const std::string note = fmt::format("Interrupted: {} of {} jobs are done.", done, jobs.size());
+    const auto ended = guarded([&]() -> Result<void> {
+      fmt::print(stderr, "experiment: {}\n", note);
+      return atInterrupt(note);
+    });
+    if (!ended) std::fprintf(stderr, "experiment: %s\n", ended.error().text().c_str());
+    std::fflush(stdout);
+    std::_Exit(signals.status());  // jobs cannot be stopped
+  }};
   const auto failed = runJobs(jobs, experiments(), root, *writer, options);
+  const std::uint64_t one = 1;
+  static_cast<void>(write(allDone.number(), &one, sizeof one));
+  watch.join();
   if (!failed) return failed.error();
   if (*failed > 0) fmt::print(stderr, "experiment: {} jobs failed\n", *failed);
   return *failed > 0 ? 2 : 0;
@@ -118,21 +147,25 @@ Result<int> run(const Arguments& arguments, const DataRoot& root) {
     if (jobs->size() < all)
       fmt::print(stderr, "{}: {} of {} jobs are done\n", arguments.out, all - jobs->size(), all);
   }
-  return runAll(*jobs, arguments.out, root, arguments.threads);
+  return runAll(*jobs, arguments.out, root, arguments.threads, [&](const std::string&) {
+    if (!arguments.out.empty())
+      fmt::print(stderr, "experiment: the same command does the others\n");
+    return Result<void>{};
+  });
 }
 
-/// Merges results and prints the figures. Returns the exit status.
-Result<int> mergeAll(const std::vector<std::string>& files, const std::vector<Job>& jobs,
-                     const std::string& json) {
+/// Merges results and prints the figures.
+Result<void> mergeAll(const std::vector<std::string>& files, const std::vector<Job>& jobs,
+                      const std::string& json, const std::string& note = {}) {
   std::vector<Error> warnings;
-  const auto figures = mergeFiles(files, jobs, json, warnings);
+  const auto figures = mergeFiles(files, jobs, json, warnings, note);
   if (!figures) return figures.error();
   warn(warnings);
   figures->print();
-  return 0;
+  return {};
 }
 
-Result<int> mergeResults(const Arguments& arguments) {
+Result<void> mergeResults(const Arguments& arguments) {
   std::vector<Job> jobs;
   if (!arguments.jobs.empty()) {
     auto read = readJobs({arguments.jobs}, {});
@@ -142,17 +175,27 @@ Result<int> mergeResults(const Arguments& arguments) {
   return mergeAll(arguments.results, jobs, arguments.json);
 }
 
-/// Lists, runs and merges.
+/// Lists, runs and merges; merges what there is also if jobs failed or a signal came.
 Result<int> measure(const Arguments& arguments, const DataRoot& root) {
   const auto jobs = selectedJobs(arguments);
   if (!jobs) return jobs.error();
-  const std::string results =
-      std::filesystem::path{arguments.json}.replace_extension(".jsonl").string();
+  const std::filesystem::path results =
+      std::filesystem::path{arguments.json}.replace_extension(".jsonl");
   std::error_code ignored;  // then writing reports what is wrong
-  std::filesystem::remove(results, ignored);
-  const auto status = runAll(*jobs, results, root, arguments.threads);
-  if (!status || *status != 0) return status;
-  return mergeAll({results}, *jobs, arguments.json);
+  std::filesystem::create_directories(results.parent_path(), ignored);
+  const auto lock = OutputLock::ofFile(results.string());
+  if (!lock) return lock.error();
+  std::filesystem::resize_file(results, 0, ignored);
+  const auto mergeDone = [&](const std::vector<Job>& wanted,
+                             const std::string& note) -> Result<void> {
+    if (std::filesystem::is_empty(results, ignored)) return {};
+    return mergeAll({results.string()}, wanted, arguments.json, note);
+  };
+  const auto status = runAll(*jobs, results.string(), root, arguments.threads,
+                             [&](const std::string& note) { return mergeDone({}, note); });
+  const auto merged = mergeDone(*jobs, {});
+  if (!status || merged) return status;
+  return merged.error();
 }
 
 Result<void> calibrate(const Arguments& arguments, const DataRoot& root) {

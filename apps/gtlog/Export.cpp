@@ -130,8 +130,10 @@ Result<void> exportJson(const std::string& log, const Selection& selection, std:
         if (++count == limit) return enough;
         return {};
       });
-  if (!done && (limit == 0 || count < limit)) return done;
-  return {};
+  if (!done) return limit == 0 || count < limit ? done : Result<void>{};
+  const auto reader = McapReader::open(log);
+  if (!reader) return reader.error();
+  return reader->damage() ? Result<void>{*reader->damage()} : Result<void>{};
 }
 
 Result<void> exportCsv(const std::string& log, const Selection& selection, const std::string& topic,

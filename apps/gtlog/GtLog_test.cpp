@@ -176,6 +176,22 @@ TEST_F(GtLog, ExportsJsonLines) {
   EXPECT_EQ(last->at("message").at("position").at("x"), 148.5);
 }
 
+TEST_F(GtLog, TellsThatTheLogIsDamagedBehindWhatItExports) {
+  const std::string bytes = *readFile(makeLog("a.mcap"));
+  ASSERT_TRUE(writeFile(path("cut.mcap"), bytes.substr(0, bytes.size() / 2)));
+  const auto cut = exportLog(path("cut.mcap"), {}, path("cut.json"));
+  ASSERT_FALSE(cut);
+  EXPECT_THAT(cut.error().text(), HasSubstr("cut.mcap: "));
+  EXPECT_THAT(cut.error().text(), HasSubstr("the log ends within a record"));
+  EXPECT_THAT(*readFile(path("cut.json")), HasSubstr("/BallModel"));
+
+  // A record behind the header that claims to be as long as can be.
+  const std::size_t header = 8 + 1 + 8 + 4 + 4 + 4 + 6;
+  ASSERT_TRUE(
+      writeFile(path("long.mcap"), bytes.substr(0, header) + '\5' + std::string(8, '\xff')));
+  EXPECT_FALSE(exportJson(path("long.mcap"), {}, stdout, "standard output", 0));
+}
+
 TEST_F(GtLog, ExportsCsv) {
   const std::string log = makeLog("a.mcap");
   ASSERT_TRUE(exportLog(log, {}, path("tables")));

@@ -1,16 +1,13 @@
 #include <fmt/core.h>
 
-#include <csignal>
-
 #include "Viewers.h"
+#include "base/EndSignals.h"
 #include "commandline/CommandLine.h"
 #include "network/RobotAddresses.h"
 #include "network/RouterSettings.h"
 #include "streams/Config.h"
 
 namespace {
-
-volatile std::sig_atomic_t stopped = 0;
 
 void addOptions(CLI::App& app, gt::RouterSettings& settings) {
   app.add_option(
@@ -98,13 +95,12 @@ void serve(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& 
   }
 }
 
-/// Passes messages until it shall end.
+/// Passes messages until a signal ends it, as is usual.
 gt::Result<void> run(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& settings,
                      gt::Viewers* viewers, bool verbose) {
-  std::signal(SIGTERM, [](int) { stopped = 1; });
-  std::signal(SIGINT, [](int) { stopped = 1; });
+  const gt::EndSignals signals;
   std::int64_t reported = 0;
-  while (!stopped) {
+  while (!signals.received()) {
     router.step(10);
     if (robots.searches()) serve(router, robots, settings);
     if (viewers)

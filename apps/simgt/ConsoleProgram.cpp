@@ -2,13 +2,14 @@
 
 #include <unistd.h>
 
-#include <atomic>
+#include <array>
 #include <csignal>
-#include <iostream>
+#include <optional>
 
 #include "JoystickDevice.h"
 #include "LineEditor.h"
 #include "TerminalScreen.h"
+#include "base/EndSignals.h"
 #include "views/ViewText.h"
 
 namespace gt {
@@ -18,47 +19,39 @@ namespace {
 /// rests if it stands.
 constexpr std::chrono::milliseconds updateTime{20}, restTime{10};
 
-constexpr int statusInterrupted = 128 + SIGINT;
-
-/// Interrupts the session when a person presses Ctrl-C, for as long as this object exists. Who
-/// presses it again and again while nothing happens ends the program.
-class InterruptKey {
+/// Lines of the standard input.
+class InputLines {
  public:
-  explicit InterruptKey(Session& session) {
-    interrupted = &session;
-    presses = 0;
-    struct sigaction action {};
-    action.sa_handler = press;
-    sigaction(SIGINT, &action, &before_);
+  /// The next line; empty at the end, and once a signal has come.
+  std::optional<std::string> next(const EndSignals& signals) {
+    std::array<char, 4096> bytes;
+    for (;;) {
+      if (const auto end = text_.find('\n'); end != text_.npos) return take(end, end + 1);
+      const auto count = signals.waitFor(STDIN_FILENO)
+                             ? ::read(STDIN_FILENO, bytes.data(), bytes.size())
+                             : ssize_t{-1};
+      if (count > 0)
+        text_.append(bytes.data(), static_cast<std::size_t>(count));
+      else
+        return count < 0 || text_.empty() ? std::nullopt : take(text_.size(), text_.size());
+    }
   }
-  ~InterruptKey() {
-    sigaction(SIGINT, &before_, nullptr);
-    interrupted = nullptr;
-  }
-  InterruptKey(const InterruptKey&) = delete;
-  InterruptKey& operator=(const InterruptKey&) = delete;
-
-  /// The program has done what was asked for.
-  static void release() { presses = 0; }
-  static bool wasPressed() { return presses > 0; }
 
  private:
-  static constexpr int impatient = 3;
-  static void press(int) {
-    if (++presses >= impatient) _exit(statusInterrupted);
-    if (interrupted) interrupted->interrupt();
+  std::optional<std::string> take(std::size_t length, std::size_t withEnd) {
+    std::string line = text_.substr(0, length);
+    text_.erase(0, withEnd);
+    return line;
   }
 
-  static inline Session* interrupted = nullptr;
-  static inline std::atomic<int> presses = 0;
-  struct sigaction before_ {};
+  std::string text_;
 };
 
 /// One program with its console, screen and joystick.
 class ConsoleProgram {
  public:
   explicit ConsoleProgram(Session& session, TerminalScreen& screen)
-      : console_{session}, screen_{screen}, interruptKey_{session} {}
+      : console_{session}, screen_{screen}, signals_{[&session] { session.interrupt(); }} {}
   ~ConsoleProgram() { console_.session().setInput({}); }
   ConsoleProgram(const ConsoleProgram&) = delete;
   ConsoleProgram& operator=(const ConsoleProgram&) = delete;
@@ -74,10 +67,12 @@ class ConsoleProgram {
   /// Scripts and commands of the command line; the first error ends them.
   Result<void> runAll(const ConsoleOptions& options) {
     if (auto done = console_.callStartScript(); !done) return done;
-    for (const std::string& script : options.scripts)
+    for (const std::string& script : options.scripts) {
+      if (ended()) break;
       if (auto done = console_.call(script); !done) return done;
+    }
     for (const std::string& command : options.commands) {
-      if (console_.ended()) break;
+      if (ended()) break;
       if (auto done = console_.execute(command); !done) {
         const Error& error = done.error();
         return error.file.empty() ? Error{.file = "-c \"" + command + "\"",
@@ -90,10 +85,11 @@ class ConsoleProgram {
   }
   /// Lines that are piped in: as a script, up to the first error.
   Result<void> runPiped() {
-    int number = 0;
-    for (std::string line; !console_.ended() && std::getline(std::cin, line);) {
-      ++number;
-      if (auto done = console_.execute(line); !done) {
+    InputLines lines;
+    for (int number = 1; !ended(); ++number) {
+      const auto line = lines.next(signals_);
+      if (!line) break;
+      if (auto done = console_.execute(*line); !done) {
         const Error& error = done.error();
         return error.file.empty() ? Error{.file = "input",
                                           .line = number,
@@ -110,26 +106,47 @@ class ConsoleProgram {
     LineEditor editor{console_};
     screen_.setEditor(&editor);
     screen_.print("Type help for the commands, tab to complete them, exit to end.");
-    while (!console_.ended()) {
+    while (!ended()) {
       std::string line;
       prompt_ = screen_.prompt(console_);
       const auto key = editor.read(
           line, prompt_, [&] { return update(editor); },
           [&] { return console_.session().takeInterrupt(); });
-      InterruptKey::release();
+      forgetCtrlC();
+      // A terminal that is closed ends the lines, perhaps before its signal comes.
+      terminalClosed_ = key == LineEditor::Key::end && !isatty(STDIN_FILENO);
       if (key == LineEditor::Key::end) break;
       if (key == LineEditor::Key::interrupt) stop();
-      if (key != LineEditor::Key::line) continue;
+      if (key != LineEditor::Key::line || ended()) continue;
       const auto done = console_.execute(line);
-      InterruptKey::release();
+      forgetCtrlC();
       screen_.end();
       if (!done) screen_.printError(done.error().text());
     }
     screen_.setEditor(nullptr);
   }
-  bool ended() const { return console_.ended(); }
-  int status() const {
-    return InterruptKey::wasPressed() ? statusInterrupted : console_.expectationFailed() ? 1 : 2;
+  bool ended() const { return console_.ended() || signals_.received() != 0; }
+  /// What a signal ends the program with; 0 if none came.
+  int statusOfSignal() const {
+    if (signals_.received() != 0) return signals_.status();
+    return terminalClosed_ ? 128 + SIGHUP : 0;
+  }
+  /// Of a program that an error ended.
+  int statusOfError() const { return console_.expectationFailed() ? 1 : 2; }
+
+  /// Ends the film, and after a signal saves recordings that nobody can save any more.
+  void close() {
+    console_.recorder().clear(console_);
+    if (statusOfSignal() == 0) return;
+    for (const auto& robot : console_.session().robots()) {
+      if (robot->recorder.unsaved() == 0) continue;
+      const std::string file = freeLogFile("out/logs/" + robot->name() + ".interrupted");
+      if (const auto done = robot->recorder.save(file); !done)
+        screen_.printError(done.error().text());
+      else
+        screen_.print(robot->name() + ": " + std::to_string(robot->recorder.messages()) +
+                      " messages in " + file);
+    }
   }
 
  private:
@@ -141,6 +158,10 @@ class ConsoleProgram {
     prompt_ = std::move(prompt);
     return session.started() ? 0 : static_cast<int>(restTime.count());
   }
+  /// In a terminal, Ctrl-C ends what runs, but not the program.
+  void forgetCtrlC() {
+    if (signals_.received() == SIGINT) signals_.forget();
+  }
   void stop() {
     Session& session = console_.session();
     if (session.started()) screen_.print("stopped at " + clockText(session.time()));
@@ -149,9 +170,10 @@ class ConsoleProgram {
 
   Console console_;
   TerminalScreen& screen_;
-  InterruptKey interruptKey_;
+  EndSignals signals_;
   std::unique_ptr<JoystickDevice> joystick_;
   std::string prompt_;
+  bool terminalClosed_ = false;
 };
 
 }  // namespace
@@ -176,10 +198,11 @@ int runConsole(const ConsoleOptions& options) {
       done = program.runPiped();
   }
   screen.end();
-  if (done) done = (*session)->match().close();
-  if (done) return 0;
-  screen.printError("simgt: " + done.error().text());
-  return program.status();
+  program.close();
+  if (const auto closed = (*session)->match().close(); done) done = closed;
+  if (!done) screen.printError("simgt: " + done.error().text());
+  if (const int status = program.statusOfSignal(); status != 0) return status;
+  return done ? 0 : program.statusOfError();
 }
 
 }  // namespace gt

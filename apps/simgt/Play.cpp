@@ -6,7 +6,10 @@
 #include <filesystem>
 
 #include "TerminalScreen.h"
+#include "base/EndSignals.h"
+#include "base/OutputLock.h"
 #include "match/report/Report.h"
+#include "simulation/rules/GameEvent.h"
 
 namespace gt {
 namespace {
@@ -38,15 +41,41 @@ MatchTimes timesOf(const Match& match, double seconds, std::size_t threads) {
   return times;
 }
 
-Result<void> writeResults(const Match& match, const MatchTimes& times,
+/// Writes each file, whether the others can be written or not. Returns the first error.
+Result<void> writeResults(const Match& match, const MatchTimes& times, bool interrupted,
                           const std::filesystem::path& out) {
   std::vector<ReportPicture> pictures;
   for (const ReportImage& kept : match.images())
     pictures.push_back(reportPicture(kept.title, kept.image, kept.drawings));
-  const MatchSummary summary = match.summary();
-  if (auto done = writeMatchJson((out / "match.json").string(), summary); !done) return done;
-  if (auto done = writeTimesJson((out / "times.json").string(), times); !done) return done;
-  return writeReport((out / "report.html").string(), summary, times, pictures);
+  MatchSummary summary = match.summary();
+  summary.interrupted = interrupted;
+  std::error_code ignored;                            // then writing reports what is wrong
+  std::filesystem::create_directories(out, ignored);  // somebody may have removed it
+  Result<void> first;
+  for (const auto& done : {writeMatchJson((out / "match.json").string(), summary),
+                           writeTimesJson((out / "times.json").string(), times),
+                           writeReport((out / "report.html").string(), summary, times, pictures)})
+    if (first && !done) first = done;
+  return first;
+}
+
+/// Closes the logs, writes the results and prints what became of the match. Returns the first
+/// error.
+Result<void> finish(Match& match, const MatchTimes& times, bool interrupted,
+                    const PlayOptions& options) {
+  const std::filesystem::path out{options.out};
+  const auto closed = match.close();
+  const auto written = writeResults(match, times, interrupted, out);
+  if (interrupted) fmt::print(stderr, "simgt: interrupted at {}\n", clockText(match.time()));
+  const Referee& referee = match.simulation().referee();
+  fmt::print("{} red {} : {} blue, {:.1f} times real time\n", interrupted ? "Score" : "Final score",
+             referee.score(TeamColor::red), referee.score(TeamColor::blue), times.realTimeFactor);
+  printRemote(match);
+  if (!closed || !written) return closed ? written : closed;
+  fmt::print("Report: {}\n", (out / "report.html").string());
+  fmt::print("Data:   {}, {}{}\n", (out / "match.json").string(), (out / "times.json").string(),
+             options.logs ? ", logs beside them (*.mcap)" : "");
+  return {};
 }
 
 }  // namespace
@@ -61,16 +90,15 @@ Result<int> play(PlayOptions options) {
     if (!keys) return keys.error();
     options.match.keys = std::move(*keys);
   }
-  const std::filesystem::path out{options.out};
-  std::error_code failed;
-  std::filesystem::create_directories(out, failed);
-  if (failed) return Error{.file = options.out, .what = failed.message()};
+  const auto lock = OutputLock::ofFolder(options.out);
+  if (!lock) return lock.error();
   if (options.logs) options.match.logs = options.out;
   options.match.images = 12;
   TerminalScreen screen;
   auto made = Session::make(options.match, screen);
   if (!made) return made.error();
   Session& session = **made;
+  const EndSignals signals{[&session] { session.interrupt(); }};
   screen.watch(session);
   if (!options.foxglove.empty())
     if (const auto done = session.serveFoxglove(options.foxglove); !done) return done.error();
@@ -83,29 +111,24 @@ Result<int> play(PlayOptions options) {
   if (!options.script.empty()) {
     const auto done = console.call(options.script);
     screen.end();
-    if (!done && !console.expectationFailed()) return done.error();
-    if (!done) {
+    if (!done && !signals.received() && !console.expectationFailed()) return done.error();
+    if (!done && !signals.received()) {
       fmt::print(stderr, "simgt: {}\n", done.error().text());
       return 1;
     }
   }
-  while (!session.match().finished() && session.step()) {
+  while (!signals.received() && !session.match().finished() && session.step()) {
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   screen.end();
   Match& match = session.match();
   if (const auto done = match.teamFailure(); !done) return done.error();
   const MatchTimes times = timesOf(match, seconds.count(), options.match.threads);
-  if (const auto done = match.close(); !done) return done.error();
-  if (const auto done = writeResults(match, times, out); !done) return done.error();
-  const Referee& referee = match.simulation().referee();
-  fmt::print("Final score red {} : {} blue, {:.1f} times real time\n",
-             referee.score(TeamColor::red), referee.score(TeamColor::blue), times.realTimeFactor);
-  printRemote(match);
-  fmt::print("Report: {}\n", (out / "report.html").string());
-  fmt::print("Data:   {}, {}{}\n", (out / "match.json").string(), (out / "times.json").string(),
-             options.logs ? ", logs beside them (*.mcap)" : "");
-  return printWarnings(session).fail(options.strict) ? 1 : 0;
+  const bool interrupted = signals.received() != 0 && !match.finished();
+  if (const auto done = finish(match, times, interrupted, options); !done) return done.error();
+  const Findings warnings = printWarnings(session);
+  if (interrupted) return signals.status();
+  return warnings.fail(options.strict) ? 1 : 0;
 }
 
 }  // namespace gt

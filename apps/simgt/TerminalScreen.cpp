@@ -14,6 +14,12 @@ constexpr std::chrono::milliseconds interval{200};
 constexpr const char* clearLine = "\r\033[K";
 constexpr const char* plain = "\033[0m";
 
+/// Prints without an error: a match does not end because its terminal is gone or the disk is full.
+/// At the program's end, CommandLine reports what could not be printed.
+void put(std::FILE* file, std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), file);
+}
+
 /// The color in which a line is printed; empty: none.
 const char* colorOf(std::string_view line) {
   if (line.find("Goal for") != line.npos) return "\033[1;33m";
@@ -46,10 +52,10 @@ std::string TerminalScreen::prompt(Console& console) const {
 
 void TerminalScreen::printLine(std::string_view line, const char* color, std::FILE* file) {
   if (editor_) editor_->hide();
-  if (!live_.empty()) fmt::print("{}", clearLine);
+  if (!live_.empty()) put(stdout, clearLine);
   std::fflush(stdout);
-  fmt::print(file, "{}{}{}\n", color, line, *color ? plain : "");
-  fmt::print("{}", live_);
+  put(file, fmt::format("{}{}{}\n", color, line, *color ? plain : ""));
+  put(stdout, live_);
   std::fflush(stdout);
   if (editor_) editor_->show();
 }
@@ -64,7 +70,7 @@ void TerminalScreen::printError(std::string_view line) {
 }
 
 void TerminalScreen::clear() {
-  if (terminal_) fmt::print("\033[2J\033[H");
+  if (terminal_) put(stdout, "\033[2J\033[H");
 }
 
 void TerminalScreen::stepped() {
@@ -79,12 +85,12 @@ void TerminalScreen::stepped() {
   live_ = fmt::format("{}\033[7m {:>5}  {}:{}  {:4.1f} times real time \033[0m", clearLine,
                       clockText(session_->time()), referee.score(TeamColor::red),
                       referee.score(TeamColor::blue), factor);
-  fmt::print("{}", live_);
+  put(stdout, live_);
   std::fflush(stdout);
 }
 
 void TerminalScreen::end() {
-  if (!live_.empty()) fmt::print("{}", clearLine);
+  if (!live_.empty()) put(stdout, clearLine);
   live_.clear();
   std::fflush(stdout);
 }

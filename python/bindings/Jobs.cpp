@@ -4,9 +4,13 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <new>
+#include <utility>
+
 #include "Failure.h"
 #include "Root.h"
 #include "base/Enum.h"
+#include "base/OutputLock.h"
 #include "experiments/ChangedRoot.h"
 #include "experiments/Experiments.h"
 #include "experiments/Tournament.h"
@@ -78,11 +82,11 @@ auto readResults(const std::string& file) {
 
 std::vector<std::string> mergeResults(const std::vector<std::string>& files,
                                       const std::vector<std::string>& lines,
-                                      const std::string& json) {
+                                      const std::string& json, const std::string& note) {
   std::vector<Job> jobs;
   for (const std::string& line : lines) jobs.push_back(jobOf(line));
   std::vector<Error> warnings;
-  orThrow(mergeFiles(files, jobs, json, warnings));
+  orThrow(mergeFiles(files, jobs, json, warnings, note));
   return texts(warnings);
 }
 
@@ -107,7 +111,15 @@ void bindJobs(nb::module_& module) {
   module.def("_result_line",
              [](const std::string& line) { return orThrow(parseJobResult(line)).text(); });
   module.def("_changed_files", &changedFiles, "values"_a);
-  module.def("_merge_results", &mergeResults, "files"_a, "jobs"_a, "json"_a);
+  module.def("_merge_results", &mergeResults, "files"_a, "jobs"_a, "json"_a, "note"_a);
+  nb::class_<OutputLock>(module, "_OutputLock", "Keeps a folder for what one program writes.")
+      .def(
+          "__init__",
+          [](OutputLock* self, const std::string& folder) {
+            new (self) OutputLock{orThrow(OutputLock::ofFolder(folder))};
+          },
+          "folder"_a)
+      .def("close", [](OutputLock& self) { const OutputLock over = std::move(self); });
 }
 
 }  // namespace gt::python

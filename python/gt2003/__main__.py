@@ -9,6 +9,7 @@ from pathlib import Path
 from . import jobs, study, tournament, values
 from ._error import Error
 from ._run import run, workers
+from ._signals import EndSignals, Interrupted
 
 
 def _add_workers(parser: argparse.ArgumentParser) -> None:
@@ -70,8 +71,9 @@ def _jobs_of(given: argparse.Namespace) -> list[str]:
 
 
 def main() -> int:
-    """Run the command; return its exit status: 2 if something was wrong or a job failed."""
+    """Run the command; return its exit status: 2 if something was wrong or a job failed, 128 more than a signal."""
     given = _parser().parse_args()
+    signals = EndSignals()
     failed = 0
     try:
         if given.command == "values":
@@ -82,6 +84,7 @@ def main() -> int:
         else:
             todo = _jobs_of(given)
         who = workers(given.address, given.processes, given.retries)
+        signals.install()  # Ray has taken some
         try:
             if given.command == "study":
                 out = given.out or Path("out/studies") / given.file.stem
@@ -95,9 +98,13 @@ def main() -> int:
     except Error as error:
         print(f"gt2003: {error}", file=sys.stderr)
         return 2
-    except KeyboardInterrupt:
-        print("gt2003: stopped; the same command goes on", file=sys.stderr)
-        return 130
+    except OSError as error:
+        what = error.strerror or str(error)
+        print(f"gt2003: {error.filename}: {what}" if error.filename else f"gt2003: {what}", file=sys.stderr)
+        return 2
+    except Interrupted as interrupted:
+        print("gt2003: interrupted; the same command goes on", file=sys.stderr)
+        return interrupted.status
     if failed:
         print(f"gt2003: {failed} jobs failed", file=sys.stderr)
     return 2 if failed else 0

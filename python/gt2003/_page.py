@@ -16,13 +16,14 @@ svg text { font: 12px sans-serif; fill: #444; }"""
 BLUE, GREEN, RED, GRAY = "#2050b0", "#0a7a30", "#b02020", "#999"
 
 
-def page(title: str, parts: Sequence[str]) -> str:
-    """Return a page that opens offline."""
+def page(title: str, parts: Sequence[str], note: str = "") -> str:
+    """Return a page that opens offline, with a note at its top."""
     head = (
         f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>'
         f"<style>{STYLE}</style></head><body><h1>{escape(title)}</h1>"
     )
-    return "\n".join([head, *parts, "</body></html>\n"])
+    top = [f'<p class="bad">{escape(note)}</p>'] if note else []
+    return "\n".join([head, *top, *parts, "</body></html>\n"])
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

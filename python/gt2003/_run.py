@@ -6,12 +6,14 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import closing, suppress
 from pathlib import Path
 from typing import TextIO
 
 from . import _core, jobs
 from ._error import Error
 from ._run_page import write_page
+from ._signals import Interrupted
 from ._workers import Outcome, Processes, Ray
 
 
@@ -33,9 +35,15 @@ class Results:
 
     def add(self, job: str, line: str) -> None:
         """Append a result; the second one of a job is passed over."""
-        if job not in self.done:
-            self.done.add(job)
-            os.write(self._file, line.encode() + b"\n")
+        if job in self.done:
+            return
+        left = line.encode() + b"\n"
+        try:
+            while left:
+                left = left[os.write(self._file, left) :]
+        except OSError as wrong:
+            raise Error(f"cannot be written: {wrong.strerror}", str(self.path)) from None
+        self.done.add(job)
 
 
 class Progress:
@@ -74,8 +82,9 @@ class Progress:
         )
 
     def _print(self, text: str) -> None:
-        self._stream.write(text)
-        self._stream.flush()
+        with suppress(OSError):  # jobs do not end because nobody can see how far they are
+            self._stream.write(text)
+            self._stream.flush()
 
 
 def _clock(seconds: float) -> str:
@@ -103,34 +112,54 @@ def do(todo: Sequence[str], results: Results, who: Processes | Ray, quiet: bool 
     return failed
 
 
-Merge = Callable[[Path, list[str]], list[str]]
+Merge = Callable[[Path, list[str], str], list[str]]
 
 
-def _merge(results: Path, listed: list[str]) -> list[str]:
+def _merge(results: Path, listed: list[str], note: str) -> list[str]:
     figures = results.with_name("experiments.json")
-    warnings = jobs.merge([results], figures, listed)
-    write_page(figures, results.with_name("run.html"))
+    warnings = jobs.merge([results], figures, listed, note)
+    write_page(figures, results.with_name("run.html"), note)
     return warnings
 
 
 def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | None = None, parquet: bool = False) -> int:
     """Do jobs, and write results, figures and pages into a folder. Return how many failed.
 
-    merge: makes the figures and pages of the results in a folder, which hold those jobs; without it
-    those of experiments. parquet: writes results.parquet, too.
+    merge: makes the figures and pages of the results in a folder, which hold those jobs, with a note
+    at their top; without it those of experiments. parquet: writes results.parquet, too.
 
-    A run that was stopped goes on where it was: jobs that have a result there are not done again.
+    A run that was stopped goes on where it was: jobs that have a result there are not done again. It
+    is stopped by a signal, or because results cannot be written; figures and pages then are of the
+    jobs that are done, and the exception is raised afterwards. An Error if another run works in the
+    folder.
     """
     listed = list(dict.fromkeys(todo))
-    results = Results(out / "results.jsonl")
-    others = sorted(results.done.difference(listed))
-    if others:
-        raise Error("holds results of other jobs; choose another folder", str(results.path), field=others[0])
-    (out / "jobs").write_text("".join(job + "\n" for job in listed))
-    failed = do(listed, results, who)
-    warnings = results.warnings + (merge or _merge)(results.path, listed)
-    if parquet:
-        jobs.convert(results.path, out / "results.parquet")
+    with closing(_core._OutputLock(os.fspath(out))):
+        results = Results(out / "results.jsonl")
+        others = sorted(results.done.difference(listed))
+        if others:
+            raise Error("holds results of other jobs; choose another folder", str(results.path), field=others[0])
+        (out / "jobs").write_text("".join(job + "\n" for job in listed))
+        failed = 0
+        stopped: Interrupted | Error | None = None
+        try:
+            failed = do(listed, results, who)
+        except (Interrupted, Error) as reason:
+            stopped = reason
+        if stopped and not results.done:
+            raise stopped
+        note = ""
+        if stopped:
+            word = "Interrupted"
+            if isinstance(stopped, Error):
+                print(f"gt2003: {stopped}", file=sys.stderr)
+                word = "Stopped by an error"
+            note = f"{word}: {len(results.done)} of {len(listed)} jobs are done."
+        warnings = results.warnings + (merge or _merge)(results.path, [] if stopped else listed, note)
+        if parquet:
+            jobs.convert(results.path, out / "results.parquet")
     for warning in dict.fromkeys(warnings):
         print(f"gt2003: warning: {warning}", file=sys.stderr)
+    if stopped:
+        raise stopped
     return failed

@@ -53,8 +53,8 @@ def _row(figure: dict[str, Any]) -> list[str]:
             _strip(figure) if runs else "", worst, aim]
 
 
-def write_page(figures: Path, path: Path) -> None:
-    """Write the page of a file of figures, which opens offline."""
+def write_page(figures: Path, path: Path, note: str = "") -> None:
+    """Write the page of a file of figures, which opens offline, with a note at its top."""
     groups: dict[str, list[dict[str, Any]]] = {}
     for figure in json.loads(figures.read_text()):
         groups.setdefault(figure["name"].partition(".")[0], []).append(figure)
@@ -64,4 +64,4 @@ def write_page(figures: Path, path: Path) -> None:
     head = ["figure", "mean", "unit", "interval", "seeds", "each seed", "lowest, highest", "aim"]
     for group, members in groups.items():
         parts += [f"<h2>{escape(group)}</h2>", table(head, [_row(figure) for figure in members])]
-    path.write_text(page("Run: " + ", ".join(groups), parts))
+    path.write_text(page("Run: " + ", ".join(groups), parts, note))

@@ -1,7 +1,8 @@
 """What does jobs: processes of this machine, or the nodes of a Ray cluster.
 
 Both have `cpus`, the number of jobs at once, and `results`, which does jobs in any order. A worker
-that dies loses the job that it is at; another one does that again, which `redone` counts.
+that dies loses the job that it is at; another one does that again, which `redone` counts. Whatever
+goes wrong with a job otherwise is its error.
 """
 
 from __future__ import annotations
@@ -39,8 +40,8 @@ def work(job: str) -> Outcome:
     result = error = ""
     try:
         result = jobs.measure(job)
-    except Error as wrong:
-        error = str(wrong)
+    except Exception as wrong:
+        error = _text(wrong)
     return Outcome(job, result, error, time.process_time() - began)
 
 
@@ -48,56 +49,100 @@ def _lost(job: str, times: int) -> Outcome:
     return Outcome(job, "", f"its worker died {times} times", 0)
 
 
+def _text(wrong: Exception) -> str:
+    return str(wrong) if isinstance(wrong, Error) else f"{type(wrong).__name__}: {wrong}"
+
+
 class Processes:
     """Processes of this machine, each of which does one job at a time."""
+
+    program = "from gt2003._workers import serve; serve()"
 
     def __init__(self, count: int | None = None, retries: int = 3) -> None:
         self.cpus = count or len(os.sched_getaffinity(0))
         self.redone = 0
         self._retries = retries
+        self._closed = False
+        self._starting = threading.Lock()
         self._all: list[subprocess.Popen[str]] = []
         self._idle: list[subprocess.Popen[str]] = []
 
     def results(self, todo: Sequence[str]) -> Iterator[Outcome]:
         """Do jobs and yield what became of each, in the order in which they are done."""
         waiting = deque(todo)  # its methods are atomic
-        done: queue.Queue[Outcome] = queue.Queue()
-        for _ in range(min(self.cpus, len(waiting))):
-            threading.Thread(target=self._serve, args=(waiting, done), daemon=True).start()
-        for _ in todo:
-            yield done.get()
+        done: queue.Queue[Outcome | Exception | None] = queue.Queue()
+        serving, left = 0, len(todo)
+        why: Exception | None = None
+        try:
+            for _ in range(min(self.cpus, len(waiting))):
+                threading.Thread(target=self._serve, args=(waiting, done), daemon=True).start()
+                serving += 1
+        except RuntimeError as wrong:  # there are too many threads
+            why = wrong
+        while left and serving:
+            outcome = done.get()
+            if isinstance(outcome, Outcome):
+                left -= 1
+                yield outcome
+            else:  # a thread has ended
+                serving -= 1
+                why = outcome or why
+        if left:
+            raise Error(f"no worker can be started: {why}")
 
     def close(self) -> None:
         """End the processes."""
+        with self._starting:
+            self._closed = True
         for process in self._all:
             process.kill()
             process.wait()
 
-    def _serve(self, waiting: deque[str], done: queue.Queue[Outcome]) -> None:
-        process = self._idle.pop() if self._idle else self._start()
-        while True:
-            try:
-                job = waiting.popleft()
-            except IndexError:
-                self._idle.append(process)
-                return
-            died = 0
-            while not (outcome := self._ask(process, job)) and died <= self._retries:
-                died += 1
-                self.redone += 1
-                process = self._start()
-            done.put(outcome or _lost(job, died))
+    def _serve(self, waiting: deque[str], done: queue.Queue[Outcome | Exception | None]) -> None:
+        """Do jobs until none is waiting; the last that is put is None, or what kept it from going on."""
+        try:
+            process = self._idle.pop() if self._idle else self._start()
+            while True:
+                try:
+                    job = waiting.popleft()
+                except IndexError:
+                    break
+                try:
+                    outcome, process = self._do(job, process)
+                except Exception as wrong:
+                    done.put(Outcome(job, "", _text(wrong), 0))
+                    process.kill()  # nobody knows what it is at
+                    process = self._start()
+                else:
+                    done.put(outcome)
+            self._idle.append(process)
+            done.put(None)
+        except Exception as wrong:
+            done.put(wrong)
+
+    def _do(self, job: str, process: subprocess.Popen[str]) -> tuple[Outcome, subprocess.Popen[str]]:
+        """Return what became of a job, and the process that does the next one."""
+        died = 0
+        while not (outcome := self._ask(process, job)) and died <= self._retries:
+            died += 1
+            self.redone += 1
+            process = self._start()
+        return outcome or _lost(job, died), process
 
     def _start(self) -> subprocess.Popen[str]:
-        process = subprocess.Popen(
-            [sys.executable, "-c", "from gt2003._workers import serve; serve()"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-            bufsize=1,
-            start_new_session=True,  # Ctrl-C is for this process, which ends them
-        )
-        self._all.append(process)
+        with self._starting:
+            if self._closed:
+                raise Error("the workers are closed")
+            process = subprocess.Popen(
+                [sys.executable, "-c", self.program],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                text=True,
+                errors="replace",
+                bufsize=1,
+                start_new_session=True,  # Ctrl-C is for this process, which ends them
+            )
+            self._all.append(process)
         return process
 
     @staticmethod
@@ -108,13 +153,26 @@ class Processes:
             answer = process.stdout.readline()
         except (BrokenPipeError, ValueError):
             return None
-        return Outcome(**json.loads(answer)) if answer.endswith("\n") else None
+        if not answer.endswith("\n"):
+            return None
+        try:
+            outcome = Outcome(**json.loads(answer))
+            if outcome.job == job:
+                return outcome
+        except (TypeError, ValueError):
+            pass
+        raise Error(f"its worker answered {answer.strip()[:200]!r}")
 
 
 def serve() -> None:
-    """Do the jobs of the standard input, one a line; end with it."""
-    for line in sys.stdin:
-        print(json.dumps(asdict(work(line.strip()))), flush=True)
+    """Do the jobs of the standard input, one a line; end with it.
+
+    What jobs print on the standard output goes to the standard error: it is no answer.
+    """
+    with os.fdopen(os.dup(1), "w") as answers:
+        os.dup2(2, 1)
+        for line in sys.stdin:
+            print(json.dumps(asdict(work(line.strip()))), file=answers, flush=True)
 
 
 def _check(address: str) -> None:

@@ -96,11 +96,13 @@ def merge(
     files: Iterable[str | os.PathLike[str]],
     json: str | os.PathLike[str],
     jobs: Iterable[str] = (),
+    note: str = "",
 ) -> list[str]:
     """Merge files of results (lines of JSON, or *.parquet) to figures in a file `json`, and pages beside it.
 
-    Returns warnings: what was dropped, and which of the jobs have no result. The same results give
-    the same bytes as `experiment merge`, in whatever order they come.
+    note: a sentence for the top of the pages. Returns warnings: what was dropped, and which of the
+    jobs have no result. The same results give the same bytes as `experiment merge`, in whatever order
+    they come.
     """
     with tempfile.TemporaryDirectory() as folder:
         lines = []
@@ -110,7 +112,7 @@ def merge(
                 made.write_text("".join(line + "\n" for line in _parquet.read(file)))
                 file = str(made)
             lines.append(file)
-        return _core._merge_results(lines, list(jobs), os.fspath(json))
+        return _core._merge_results(lines, list(jobs), os.fspath(json), note)
 
 
 def results(file: str | os.PathLike[str]) -> list[str]:

@@ -14,6 +14,7 @@ import re
 import tomllib
 import warnings
 from collections.abc import Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -379,7 +380,15 @@ def _weigh(study: Study, laboratory: _Laboratory, new: Mapping[str, float]) -> l
 
 
 def run(study: Study, out: Path, who: Processes | Ray) -> list[Comparison]:
-    """Do a study; write its page, study.json and the configuration found into a folder."""
+    """Do a study; write its page, study.json and the configuration found into a folder.
+
+    An Error if another study or run works in the folder.
+    """
+    with closing(_core._OutputLock(os.fspath(out))):
+        return _run(study, out, who)
+
+
+def _run(study: Study, out: Path, who: Processes | Ray) -> list[Comparison]:
     laboratory = _Laboratory(study, out, who)
     new, history = _search(study, laboratory)
     comparisons = _compare(study, laboratory, new)

@@ -209,7 +209,7 @@ def _cross_table(played: Sequence[Game], teams: Sequence[str]) -> str:
     return "\n".join(rows) + "</table>"
 
 
-def _page(played: Sequence[Game], ranked: Sequence[Standing], settings: str) -> str:
+def _page(played: Sequence[Game], ranked: Sequence[Standing], settings: str, note: str) -> str:
     teams = [s.team for s in ranked]
     seeds = len({game.seed for game in played})
     red = sum(g.red_goals for g in played) / len(played)
@@ -240,10 +240,11 @@ def _page(played: Sequence[Game], ranked: Sequence[Standing], settings: str) -> 
             "<h2>Files</h2><p>Fingerprints of what the teams have of their own, or the commits of their programs.</p>",
             table(["team", "fingerprint"], files),
         ],
+        note,
     )
 
 
-def merge(results: Path, listed: Sequence[str]) -> list[str]:
+def merge(results: Path, listed: Sequence[str], note: str = "") -> list[str]:
     """Write tournament.json and tournament.html beside a file of results, and print the standings.
 
     Returns a warning for each of the jobs that has no result.
@@ -252,7 +253,7 @@ def merge(results: Path, listed: Sequence[str]) -> list[str]:
     missing = [f"{job}: has no result" for job in sorted(set(listed).difference(with_results))]
     if not with_results:
         return missing
-    for place, s in enumerate(write(results, results.parent), 1):
+    for place, s in enumerate(write(results, results.parent, note), 1):
         print(
             f"{place}. {_short(s.team):<30} {s.won} won, {s.drawn} drawn, {s.lost} lost, {s.goals}:{s.against} goals, "
             f"{s.points} points, Elo {s.elo:.0f} ({s.elo_low:.0f} to {s.elo_high:.0f})"
@@ -260,14 +261,16 @@ def merge(results: Path, listed: Sequence[str]) -> list[str]:
     return missing
 
 
-def write(results: str | os.PathLike[str], out: Path) -> list[Standing]:
-    """Write tournament.json and tournament.html of results into a folder. Returns the standings."""
+def write(results: str | os.PathLike[str], out: Path, note: str = "") -> list[Standing]:
+    """Write tournament.json and tournament.html of results into a folder. Returns the standings.
+
+    note: a sentence for both, such as that the tournament was interrupted.
+    """
     played = games(results)
     ranked = standings(played)
-    (out / "tournament.json").write_text(
-        json.dumps({"standings": [asdict(s) for s in ranked], "games": [asdict(g) for g in played]}, indent=1) + "\n"
-    )
-    (out / "tournament.html").write_text(_page(played, ranked, _settings(results)))
+    told = {"note": note, "standings": [asdict(s) for s in ranked], "games": [asdict(g) for g in played]}
+    (out / "tournament.json").write_text(json.dumps(told, indent=1) + "\n")
+    (out / "tournament.html").write_text(_page(played, ranked, _settings(results), note))
     return ranked
 
 

@@ -209,7 +209,7 @@ class Fuzzer:
         assert behavior is not None, wrong
         for made in (match, match.robots["red1"], behavior, _core.LogFile("log.mcap", False)):
             self.keep(made)
-        for made in (_core.Engine(behavior), _core.ColorStatistics(), _core.ColorTableEditor()):
+        for made in (_core.Engine(behavior), _core.ColorStatistics(), _core.ColorTableEditor(), _core._OutputLock("locked")):
             self.keep(made)
         self.keep(modules.BallLocator())
 

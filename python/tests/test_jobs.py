@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 
 import pandas
@@ -178,6 +180,141 @@ def test_a_job_that_kills_its_workers_fails_alone() -> None:
     workers.close()
     assert errors.pop(deadly) == "its worker died 2 times"
     assert list(errors.values()) == ["", ""]
+
+
+def test_what_a_job_prints_is_no_answer(capfd: pytest.CaptureFixture[str]) -> None:
+    class Talking(Processes):
+        program = (
+            "import os, gt2003._workers as w; w.jobs.measure = lambda job: "
+            "(print('hello'), os.write(1, b'from C\\n'), '{}')[2]; w.serve()"
+        )
+
+    workers = Talking(1)
+    outcomes = list(workers.results(["a", "b"]))
+    workers.close()
+    assert [(o.job, o.result, o.error) for o in outcomes] == [("a", "{}", ""), ("b", "{}", "")]
+    assert capfd.readouterr().err.count("hello") == 2
+
+
+@pytest.mark.parametrize(
+    ("program", "error"),
+    [
+        ("for job in open(0): print('what', flush=True)", "its worker answered 'what'"),
+        ("for job in open(0): print('[1]', flush=True)", "its worker answered '[1]'"),
+        ("import os\nfor job in open(0): os.write(1, b'\\xff\\n')", "its worker answered '\ufffd'"),
+        ("import gt2003._workers as w\ndef fail(job): raise MemoryError('too large')\nw.jobs.measure = fail; w.serve()", "MemoryError: too large"),
+    ],
+    ids=["garbage", "JSON", "bytes", "exception"],
+)
+def test_what_a_worker_answers_or_raises_is_an_error_of_its_job(program: str, error: str) -> None:
+    class Odd(Processes):
+        pass
+
+    Odd.program = program
+    workers = Odd(2)
+    outcomes = {outcome.job: outcome.error for outcome in workers.results(["a", "b", "c"])}
+    workers.close()
+    assert outcomes == {"a": error, "b": error, "c": error}
+
+
+def test_a_run_without_workers_ends() -> None:
+    class Refused(Processes):
+        def _start(self) -> subprocess.Popen[str]:
+            raise OSError(24, "Too many open files")
+
+    with pytest.raises(gt2003.Error, match="no worker can be started: .*Too many open files"):
+        list(Refused(3).results(["a", "b", "c", "d"]))
+
+    class One(Processes):
+        def _start(self) -> subprocess.Popen[str]:
+            if self._all:
+                raise OSError(24, "Too many open files")
+            return super()._start()
+
+    workers = One(3)
+    assert [outcome.error for outcome in workers.results(some("1..5"))] == [""] * 5
+    workers.close()
+
+
+def test_a_run_without_descriptors_ends(expected: Path, tmp_path: Path) -> None:
+    limited = "import resource, sys\nfrom gt2003.__main__ import main\nresource.setrlimit(resource.RLIMIT_NOFILE, (9, 9))\nsys.exit(main())"
+    line = [sys.executable, "-c", limited, "run", expected / "jobs", "--out", tmp_path / "r"]
+    told = subprocess.run(line, capture_output=True, text=True, timeout=300)
+    assert told.returncode == 2 and "Too many open files" in told.stderr
+    assert len(told.stderr.splitlines()) == 1, told.stderr
+
+
+def started(*arguments: str | Path, **options: object) -> subprocess.Popen[str]:
+    """Start the command, with signals as they are by default."""
+    def reset() -> None:
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, signal.SIG_DFL)
+
+    line = [sys.executable, "-m", "gt2003", *map(str, arguments)]
+    return subprocess.Popen(line, text=True, preexec_fn=reset, **options)  # type: ignore[call-overload]
+
+
+def await_results(folder: Path, process: subprocess.Popen[str]) -> None:
+    """Wait until a job is done."""
+    while process.poll() is None and not (folder.exists() and (folder / "results.jsonl").exists() and (folder / "results.jsonl").stat().st_size):
+        time.sleep(0.01)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_ends_a_run_with_the_figures_of_what_is_done(number: signal.Signals, tmp_path: Path) -> None:
+    (tmp_path / "list").write_text("\n".join(some("1..1000")))
+    process = started("run", tmp_path / "list", "--out", tmp_path / "out", stderr=subprocess.PIPE)
+    await_results(tmp_path / "out", process)
+    process.send_signal(number)
+    _, told = process.communicate()
+    assert process.returncode == 128 + number, told
+    assert "gt2003: interrupted; the same command goes on" in told and "has no result" not in told
+    assert json.loads((tmp_path / "out/experiments.json").read_text())
+    for name in ("run.html", "experiments.html"):
+        assert " of 1000 jobs are done." in (tmp_path / "out" / name).read_text()
+    assert (tmp_path / "out/results.jsonl").read_text().endswith("}\n")
+    assert not (tmp_path / "out/.lock").exists()
+
+
+def test_a_closed_terminal_ends_a_run(tmp_path: Path) -> None:
+    (tmp_path / "list").write_text("\n".join(some("1..1000")))
+    child, terminal = os.forkpty()
+    if child == 0:
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)
+        os.execv(sys.executable, [sys.executable, "-m", "gt2003", "run", str(tmp_path / "list"), "--out", str(tmp_path / "out")])
+    os.read(terminal, 1)  # a line is printed once a second
+    os.close(terminal)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 128 + signal.SIGHUP
+    assert "Interrupted: " in (tmp_path / "out/run.html").read_text()
+
+
+def test_two_runs_do_not_share_a_folder(tmp_path: Path) -> None:
+    (tmp_path / "list").write_text("\n".join(some("1..1000")))
+    first = started("run", tmp_path / "list", "--out", tmp_path / "out", stderr=subprocess.DEVNULL)
+    await_results(tmp_path / "out", first)
+    second = command("run", tmp_path / "list", "--out", tmp_path / "out")
+    first.terminate()
+    assert first.wait() == 128 + signal.SIGTERM
+    assert second.returncode == 2
+    assert second.stderr == f"gt2003: {tmp_path / 'out'}: is being written by another program or match\n"
+    jobs_done = [json.loads(line)["job"] for line in (tmp_path / "out/results.jsonl").read_text().splitlines()]
+    assert len(set(jobs_done)) == len(jobs_done)
+
+
+def test_results_that_cannot_be_written_end_a_run_with_status_2(expected: Path, tmp_path: Path) -> None:
+    (tmp_path / "results.jsonl").write_text(300_000 * "x" + "\n")  # larger than the pages
+    limit = 300_001 + len((expected / "results.jsonl").read_bytes()) // 2  # of each file, as if the disk were full
+
+    def fill() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+    told = command("run", expected / "jobs", "--out", tmp_path, preexec_fn=fill)
+    assert told.returncode == 2
+    error = f"gt2003: {tmp_path}/results.jsonl: cannot be written: File too large"
+    assert told.stderr.splitlines()[-1] == error  # why the status is 2
+    assert told.stderr.count(error) == 2  # and as soon as it happened
+    assert json.loads((tmp_path / "experiments.json").read_text())
+    assert "Stopped by an error: " in (tmp_path / "run.html").read_text()
 
 
 def test_a_result_is_written_once(tmp_path: Path) -> None:

@@ -1,7 +1,9 @@
 #include "commandline/CommandLine.h"
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -57,11 +59,20 @@ int CommandLine::perform(const Action& action) {
     return app_.exit(error) == 0 ? 0 : wrongInput;
   }
   if (root_ && !*root_) return fail(root_->error().text());
+  // A file that grows beyond its limit is an error of who writes it.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const auto status = command_ ? command_() : action();
     if (!status) return fail(status.error().text());
-    if (std::fflush(stdout) == 0) return *status;
-    return fail("standard output: " + std::generic_category().message(errno));
+    if (std::fflush(stdout) != 0)
+      return fail("standard output: " + std::generic_category().message(errno));
+    if (*status == 0 && std::ferror(stdout) != 0) return fail("standard output: cannot be written");
+    return *status;
+  } catch (const std::bad_alloc&) {
+    return fail("not enough memory");
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string path = error.path1().string();
+    return fail(path.empty() ? error.what() : path + ": " + error.code().message());
   } catch (const std::system_error& error) {  // fmt's, where nothing can be printed
     return fail(std::string{"standard output: "} + error.what());
   }

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <csignal>
+#include <filesystem>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -50,6 +53,36 @@ TEST(CommandLine, AnErrorIsOneLineAndStatus2) {
                 }),
             2);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "program: file:3: field: is wrong\n");
+}
+
+TEST(CommandLine, ExceptionsOfTheSystemAreOneLineAndStatus2) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({}, []() -> int { throw std::bad_alloc{}; }), 2);
+  EXPECT_EQ(run({},
+                []() -> int {
+                  throw std::filesystem::filesystem_error{
+                      "temp_directory_path", "/nowhere",
+                      std::make_error_code(std::errc::no_such_file_or_directory)};
+                }),
+            2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "program: not enough memory\nprogram: /nowhere: No such file or directory\n");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({},
+                []() -> int {
+                  throw std::filesystem::filesystem_error{
+                      "temp_directory_path",
+                      std::make_error_code(std::errc::no_such_file_or_directory)};
+                }),
+            2);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              HasSubstr("program: filesystem error: temp_directory_path: No such file"));
+}
+
+TEST(CommandLine, AFileThatGrowsBeyondItsLimitEndsNoProgram) {
+  const auto before = std::signal(SIGXFSZ, SIG_DFL);
+  EXPECT_EQ(run({}, [] { return raise(SIGXFSZ); }), 0);
+  std::signal(SIGXFSZ, before);
 }
 
 TEST(CommandLine, AWrongOptionIsStatus2AndRunsNothing) {

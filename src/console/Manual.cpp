@@ -13,7 +13,8 @@ Made by `simgt commands` from the table of commands; a test holds both together.
 `simgt console SCENE` runs a scene with a console: commands are typed (with history, and completion by the tab key), piped in, or
 stand in scripts (`--script FILE`, `-c COMMAND`), one a line; `#` begins a comment. A scene names the script that it begins with; if
 it does not, `console.con` beside it is executed where there is one. After an error a script ends, and so does the program, with exit
-status 2, 1 if a condition did not hold that was expected to (a script is a test), or 130 after Ctrl-C.
+status 2, or 1 if a condition did not hold that was expected to (a script is a test). Ctrl-C, SIGTERM and a closed terminal end scripts
+and program with status 130, 143 or 129; a film is whole then, and recordings are saved to `out/logs/ROBOT.interrupted.mcap`.
 
     robot red4
     sr BallLocator disabled
@@ -24,7 +25,7 @@ status 2, 1 if a condition did not hold that was expected to (a script is a test
 Arguments: `|` stands between alternatives, `[ ]` around what may be missing, `{ }` around what may be repeated. A backslash takes
 the next character as it is; quotes keep words together. Names of symbols, options and elements may be written as in the report,
 with hyphens. Simulated time stands while nothing is asked of it: `run` and `until` let it pass, and `start` while lines are typed.
-Ctrl-C stops it, and nothing is lost. `help` lists the commands by topic.
+Where lines are typed, Ctrl-C stops it, and nothing is lost. `help` lists the commands by topic.
 
 ## Values and conditions
 

@@ -42,6 +42,9 @@ Result<std::unique_ptr<Session>> Session::make(const MatchOptions& options, Scre
 }
 
 Result<void> Session::restart(const MatchOptions& options) {
+  // The same logs may be written anew.
+  if (state_.match && !options_.logs.empty())
+    if (const auto done = state_.match->close(); !done) screen_.print(done.error().text());
   auto match = Match::make(options);
   if (!match) return match.error();
   if (foxglove_) foxglove_->forget();
@@ -65,6 +68,8 @@ void Session::work(Match& match) {
 Result<void> Session::load(const std::string& file,
                            const std::function<Result<void>(const std::string& line)>& perform) {
   if (foxglove_) foxglove_->forget();
+  if (!options_.logs.empty())
+    if (const auto done = state_.match->close(); !done) screen_.print(done.error().text());
   State before = std::exchange(state_, {});
   const std::string behaviorBefore = std::exchange(behavior, {});
   auto match = Match::load(file, options_, [&](Match& made, const std::string& line) {
@@ -174,9 +179,13 @@ void Session::reportNews() {
     screen_.print(clockText(events[state_.reportedEvents].time) + "  " + text);
     if (foxglove_) foxglove_->log("referee", text);
   }
-  for (const auto& robot : state_.robots)
+  for (const Error& error : state_.match->takeLogErrors()) screen_.print(error.text());
+  for (const auto& robot : state_.robots) {
     for (const std::string& text : robot->observed().takeTexts())
       if (robot->printsTexts) screen_.print(robot->name() + ": " + text);
+    if (const auto error = robot->recorder.takeError())
+      screen_.print(robot->name() + ": " + error->text());
+  }
   if (state_.connection)
     for (const std::string& line : state_.connection->news()) screen_.print(line);
 }

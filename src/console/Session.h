@@ -39,11 +39,12 @@ class Session {
   static Result<std::unique_ptr<Session>> make(const MatchOptions& options, Screen& screen);
 
   /// Starts again with another scene, seed, or whatever is different. Robots on logs and elsewhere
-  /// are gone, and nothing has been done yet. An error leaves all as it was.
+  /// are gone, and nothing has been done yet. An error leaves all as it was, but that the match's
+  /// logs are closed.
   Result<void> restart(const MatchOptions& options);
   const MatchOptions& options() const { return options_; }
   /// Resumes a match from where it was saved (Match::save): starts again and repeats what was done
-  /// to it, by `perform`. An error leaves all as it was.
+  /// to it, by `perform`. An error leaves all as it was, but that the match's logs are closed.
   Result<void> load(const std::string& file,
                     const std::function<Result<void>(const std::string& line)>& perform);
 

@@ -70,7 +70,9 @@ void ViewRecorder::step(Console& console) {
 
 void ViewRecorder::clear(Console& console) {
   series_.clear();
-  if (const auto film = film_ ? stopFilm() : Error{}) console.print("written: " + *film);
+  if (!film_) return;
+  const auto film = stopFilm();
+  console.print(film ? "written: " + *film : "film: " + film.error().text());
 }
 
 }  // namespace gt

@@ -419,6 +419,16 @@ Result<void> Match::close() {
   return first;
 }
 
+std::vector<Error> Match::takeLogErrors() {
+  std::vector<Error> errors;
+  const auto add = [&](std::optional<Error> error) {
+    if (error) errors.push_back(*std::move(error));
+  };
+  if (ceilingLog_) add(ceilingLog_->takeError());
+  for (SimulatedRobot* robot : robots_) add(robot->takeLogError());
+  return errors;
+}
+
 MatchSummary Match::summary() const {
   MatchSummary summary;
   summary.scene = fs::path{options_.scene}.filename().string();

@@ -102,6 +102,9 @@ class Match {
 
   /// Closes the logs. Returns the first error that happened while one was written.
   Result<void> close();
+  /// The first error of each log that cannot be written any more, once. The match goes on without
+  /// these logs.
+  std::vector<Error> takeLogErrors();
 
   const MatchOptions& options() const { return options_; }
   Simulation& simulation() { return *simulation_; }

@@ -113,6 +113,7 @@ struct MatchSummary {
   std::string scene;
   std::uint64_t seed = 0;
   Time duration;
+  bool interrupted = false;
   int redScore = 0, blueScore = 0;
   std::vector<std::string> truth;
   std::vector<MatchEvent> events;
@@ -123,6 +124,8 @@ struct MatchSummary {
     return Fields{field("scene", &MatchSummary::scene),
                   field("seed", &MatchSummary::seed),
                   field("duration", &MatchSummary::duration, "ms", "simulated"),
+                  field("interrupted", &MatchSummary::interrupted, "",
+                        "whether a signal ended it before its end"),
                   field("redScore", &MatchSummary::redScore),
                   field("blueScore", &MatchSummary::blueScore),
                   field("truth", &MatchSummary::truth, "",

@@ -34,6 +34,8 @@ class SimulatedRobot : public MatchRobot {
                       const Configuration::LogSettings& settings, const SetupFiles& setup,
                       bool pixels);
   Result<void> closeLog();
+  /// The first error while the log was written, once.
+  std::optional<Error> takeLogError() { return log_ ? log_->takeError() : std::nullopt; }
   /// Where messages go that a QueueFillRequest asks to save: BASE.saved.mcap, BASE.saved.2.mcap.
   void saveTo(const std::string& base);
 

@@ -55,7 +55,15 @@ Result<JobResultWriter> JobResultWriter::open(const std::string& path) {
 }
 
 Result<void> JobResultWriter::write(const JobResult& result) {
-  return writeAll(file_.number(), result.text() + '\n', path_);
+  const std::string line = result.text() + '\n';
+  const std::lock_guard lock{*mutex_};
+  if (!file_) return Error{.file = path_, .what = "is closed"};
+  return writeAll(file_.number(), line, path_);
+}
+
+void JobResultWriter::close() {
+  const std::lock_guard lock{*mutex_};
+  const FileDescriptor closed = std::move(file_);
 }
 
 Result<void> JobResults::read(const std::string& path) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,14 @@ class JobResultWriter {
  public:
   /// Begins a new line if the last one is not whole. An empty path is the standard output.
   static Result<JobResultWriter> open(const std::string& path);
+  /// May be called by several threads.
   Result<void> write(const JobResult& result);
+  /// Waits until the line under way is written. Nothing is written any more.
+  void close();
 
  private:
   std::string path_;
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
   FileDescriptor file_;
 };
 

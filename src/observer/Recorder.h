@@ -28,6 +28,8 @@ class Recorder {
   /// Forgets what was recorded.
   void clear();
   std::uint64_t messages() const { return messages_; }
+  /// The first error while it was recorded, once: later messages are lost.
+  std::optional<Error> takeError() { return log_ ? log_->takeError() : std::nullopt; }
   /// Messages since the recording was saved last.
   std::uint64_t unsaved() const { return messages_ - saved_; }
   /// Writes a log of what was recorded; an error if that is nothing.

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -70,6 +71,8 @@ class RobotLog {
   /// written.
   Result<void> flush() { return file_.flush(); }
   Result<void> close() { return file_.close(); }
+  /// The first error since open(), once.
+  std::optional<Error> takeError() { return file_.takeError(); }
   std::uint64_t messages() const { return messages_; }
 
   McapWriter& file() { return file_; }

@@ -40,9 +40,10 @@ struct McapChannel {
   std::uint64_t messageCount = 0;  ///< 0 if the log has no index.
 };
 
-/// Writes a log. What was written in whole chunks is readable however the program ends. After an
-/// error (a full disk, a file that another program has truncated) nothing more is written; flush()
-/// and close() return it. The same calls give the same bytes.
+/// Writes a log, which is locked meanwhile (OutputLock). What was written in whole chunks is
+/// readable however the program ends. After an error (a full disk, a file that another program has
+/// truncated or removed) nothing more is written; flush() and close() return it. The same calls
+/// give the same bytes.
 class McapWriter {
  public:
   using ChannelId = std::uint16_t;
@@ -83,6 +84,8 @@ class McapWriter {
   Result<void> flush();
   /// Writes the index. Returns the first error since open().
   Result<void> close();
+  /// The first error since open(), once: for who reports it as soon as it happens.
+  std::optional<Error> takeError();
 
  private:
   struct State;

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 
+#include "base/OutputLock.h"
 #include "streams/Mcap.h"
 #include "streams/McapRecords.h"
 
@@ -47,9 +48,11 @@ struct Span {
 struct McapWriter::State {
   std::string path;
   McapOptions options;
+  std::optional<OutputLock> lock;
   std::unique_ptr<std::FILE, FileCloser> file;
   std::unique_ptr<ZSTD_CCtx, CompressorDeleter> compressor{ZSTD_createCCtx()};
   std::optional<Error> error;
+  bool errorTaken = false;
   std::uint64_t size = 0;     ///< Of the file.
   std::uint64_t flushed = 0;  ///< Of the file, as far as the operating system has it.
   std::uint32_t crc = 0;      ///< Of the data section.
@@ -65,7 +68,7 @@ struct McapWriter::State {
   std::uint32_t chunkCount = 0, attachmentCount = 0, metadataCount = 0;
 
   void put(std::span<const std::byte> bytes) {
-    if (error || !file || wasTruncated()) return;
+    if (error || !file || wasSpoiled()) return;
     errno = 0;
     if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) return failed();
     size += bytes.size();
@@ -83,14 +86,15 @@ struct McapWriter::State {
     if (file && std::fflush(file.get()) != 0) failed();
     flushed = size;
   }
-  /// What followed would lie behind a hole, where no reader gets to.
-  bool wasTruncated() {
+  /// What followed would lie behind a hole, where no reader gets to, or in a file without a name.
+  bool wasSpoiled() {
     struct stat status {};
-    if (fstat(fileno(file.get()), &status) != 0 || !S_ISREG(status.st_mode) ||
-        static_cast<std::uint64_t>(status.st_size) >= flushed)
-      return false;
-    fail("was truncated while it was written");
-    return true;
+    if (fstat(fileno(file.get()), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+    if (status.st_nlink == 0)
+      fail("was removed while it was written");
+    else if (static_cast<std::uint64_t>(status.st_size) < flushed)
+      fail("was truncated while it was written");
+    return error.has_value();
   }
 
   std::uint16_t addSchema(const McapChannel& channel);
@@ -224,7 +228,10 @@ McapWriter::~McapWriter() {
 }
 
 Result<McapWriter> McapWriter::open(const std::string& path, const McapOptions& options) {
+  auto lock = OutputLock::ofFile(path);
+  if (!lock) return lock.error();
   auto state = std::make_unique<State>();
+  state->lock = std::move(*lock);
   state->path = path;
   state->options = options;
   state->file.reset(std::fopen(path.c_str(), "wb"));
@@ -365,9 +372,16 @@ Result<void> McapWriter::close() {
     s.putChunk();
     s.putSummary();
     if (std::fclose(s.file.release()) != 0) s.failed();
+    s.lock.reset();
   }
   if (s.error) return *s.error;
   return {};
+}
+
+std::optional<Error> McapWriter::takeError() {
+  if (state_->errorTaken || !state_->error) return std::nullopt;
+  state_->errorTaken = true;
+  return state_->error;
 }
 
 }  // namespace gt

@@ -235,10 +235,42 @@ TEST(Mcap, TellsOfAFullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   auto writer = McapWriter::open("/dev/full", {false, 1, 100});
   ASSERT_TRUE(writer);
+  EXPECT_FALSE(writer->takeError());
   for (int i = 0; i < 1000; ++i) writer->write("/inner", Time{i}, inner(i));
+  const auto taken = writer->takeError();
+  ASSERT_TRUE(taken) << "is known before the log is closed";
+  EXPECT_FALSE(writer->takeError());
   const auto result = writer->close();
   ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().text(), taken->text());
   EXPECT_THAT(result.error().text(), HasSubstr("/dev/full: cannot be written: No space"));
+}
+
+TEST(Mcap, IsWrittenByOneAtATime) {
+  const TemporaryFile file{"Mcap_test_locked.mcap"};
+  auto writer = McapWriter::open(file.path);
+  ASSERT_TRUE(writer);
+  writer->write("/inner", Time{1}, inner(1));
+  const auto second = McapWriter::open(file.path);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().text(), file.path + ": is being written by another program or match");
+  ASSERT_TRUE(writer->close());
+  auto reader = McapReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().text();
+  EXPECT_TRUE(reader->complete());
+  EXPECT_TRUE(McapWriter::open(file.path)) << "a log that is closed may be written anew";
+}
+
+TEST(Mcap, TellsThatItWasRemovedWhileItWasWritten) {
+  const TemporaryFile file{"Mcap_test_removed.mcap"};
+  auto writer = McapWriter::open(file.path, {false, 1, 1000});
+  ASSERT_TRUE(writer);
+  std::filesystem::remove(file.path);
+  for (int i = 0; i < 1000; ++i) writer->write("/inner", Time{i}, inner(i));
+  const auto taken = writer->takeError();
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->text(), file.path + ": was removed while it was written");
+  EXPECT_FALSE(writer->close());
 }
 
 /// A limit of the size of files, as a medium that is full has it.

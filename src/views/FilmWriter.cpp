@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+
+#include "base/OutputLock.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -23,6 +26,7 @@ std::string reason(int code) {
 
 struct FilmWriter::State {
   std::string file;
+  std::optional<OutputLock> lock;
   AVFormatContext* format = nullptr;
   AVCodecContext* codec = nullptr;
   AVStream* stream = nullptr;
@@ -81,6 +85,9 @@ Result<void> FilmWriter::State::openFile() {
   if (!stream) return Error{.file = file, .what = "no memory"};
   stream->time_base = codec->time_base;
   avcodec_parameters_from_context(stream->codecpar, codec);
+  auto locked = OutputLock::ofFile(file);
+  if (!locked) return locked.error();
+  lock = std::move(*locked);
   if (const int code = avio_open(&format->pb, file.c_str(), AVIO_FLAG_WRITE); code < 0)
     return error("cannot be written", code);
   if (const int code = avformat_write_header(format, nullptr); code < 0)

@@ -41,6 +41,12 @@ std::string linesOf(const Json& object) {
   return text + "\n}\n";
 }
 
+/// Minutes and seconds: 3:12.
+std::string clockOf(Time time) {
+  const std::string seconds = std::to_string(time.ms / 1000 % 60);
+  return std::to_string(time.ms / 60'000) + (seconds.size() == 1 ? ":0" : ":") + seconds;
+}
+
 /// JSON as it may stand between script tags: no character of it means anything to HTML, and all of
 /// it is ASCII.
 std::string scriptSafe(const Json& json) {
@@ -197,8 +203,9 @@ ReportPicture reportPicture(std::string title, const Image& image,
 Result<void> writeReport(const std::string& path, const MatchSummary& summary,
                          const MatchTimes& times, const std::vector<ReportPicture>& pictures,
                          const FieldDimensions& field) {
-  const std::string score = "Red " + std::to_string(summary.redScore) + " : " +
-                            std::to_string(summary.blueScore) + " Blue";
+  std::string score = "Red " + std::to_string(summary.redScore) + " : " +
+                      std::to_string(summary.blueScore) + " Blue";
+  if (summary.interrupted) score += ", interrupted at " + clockOf(summary.duration);
   return writeFile(
       path, filled(page::html(), {{"@TITLE@", htmlSafe(score)},
                                   {"@STYLE@", std::string{page::style()}},

@@ -85,8 +85,8 @@ TEST_F(ReportTest, MatchJsonHasTheNamesThatOthersReadInTheirOrder) {
   ASSERT_TRUE(writeMatchJson(path("match.json"), sampleMatch(1)));
   const auto json = parseJson(contentOf("match.json"), "match.json");
   ASSERT_TRUE(json);
-  EXPECT_THAT(namesOf(*json), ElementsAre("scene", "seed", "duration", "redScore", "blueScore",
-                                          "truth", "events", "robots", "ball"));
+  EXPECT_THAT(namesOf(*json), ElementsAre("scene", "seed", "duration", "interrupted", "redScore",
+                                          "blueScore", "truth", "events", "robots", "ball"));
   EXPECT_THAT(namesOf((*json)["events"][0]), ElementsAre("time", "kind", "text", "team", "player",
                                                          "ownGoal", "redScore", "blueScore"));
   EXPECT_THAT(namesOf((*json)["robots"][0]["localizationError"]),
@@ -143,6 +143,18 @@ TEST_F(ReportTest, ThePageNamesRobotsThatWereGivenTheTruth) {
   EXPECT_EQ(dataOf(page)["match"]["truth"], (Json{"red2", "blue1"}));
   EXPECT_THAT(page, HasSubstr("<p id=\"truth\" hidden></p>"));
   EXPECT_THAT(page, HasSubstr("Given the truth by the simulator: ${match.truth.join(', ')}"));
+}
+
+TEST_F(ReportTest, ThePageNamesWhenTheMatchWasInterrupted) {
+  MatchSummary match = sampleMatch(7);
+  EXPECT_THAT(report(match), Not(HasSubstr("Blue, interrupted at")));
+  match.interrupted = true;
+  match.duration = {192'500};
+  const std::string page = report(match);
+  EXPECT_THAT(page, HasSubstr("<title>Red 3 : 2 Blue, interrupted at 3:12 "));
+  EXPECT_EQ(dataOf(page)["match"]["interrupted"], true);
+  match.duration = {65'000};
+  EXPECT_THAT(report(match), HasSubstr("interrupted at 1:05"));
 }
 
 TEST_F(ReportTest, ThePageLoadsNothingFromElsewhere) {

@@ -78,8 +78,9 @@ function showScore() {
   }
   const perTeam = (team) => robots.filter((robot) => robot.team === team).length;
   byId('subtitle').textContent = [
-    `${perTeam('red')} : ${perTeam('blue')} robots`, `${clock(seconds)} minutes`, match.scene,
-    `seed ${match.seed}`, `${number(times.realTimeFactor, 1)} × real time`
+    `${perTeam('red')} : ${perTeam('blue')} robots`,
+    match.interrupted ? `interrupted at ${clock(seconds)}` : `${clock(seconds)} minutes`,
+    match.scene, `seed ${match.seed}`, `${number(times.realTimeFactor, 1)} × real time`
   ].join(' · ');
   byId('truth').hidden = match.truth.length === 0;
   byId('truth').textContent = `Given the truth by the simulator: ${match.truth.join(', ')}`;
@@ -196,7 +197,8 @@ function showRun() {
   const facts = {
     'Scene': match.scene,
     'Seed': match.seed,
-    'Duration': `${clock(seconds)} minutes of simulated time`,
+    'Duration': `${clock(seconds)} minutes of simulated time${
+        match.interrupted ? ', then it was interrupted' : ''}`,
     'Computing time':
         `${number(times.seconds, 1)} s, ${number(times.realTimeFactor, 1)} × real time`,
     'Threads': times.threads,
@@ -204,6 +206,7 @@ function showRun() {
   };
   for (const [name, value] of Object.entries(facts))
     byId('facts').append(element('dt', {text: name}), element('dd', {text: value}));
+  byId('again').hidden = match.interrupted;  // nobody knows how long it should have been
   byId('command').textContent = `simgt play ${match.scene} --minutes ${minutes} --seed ${
       match.seed} --threads ${times.threads} --out out/again`;
 }

@@ -1,10 +1,10 @@
 #include "robot/linux/RobotProgram.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <iterator>
 
+#include "base/EndSignals.h"
 #include "network/ToolPort.h"
 #include "network/Wire.h"
 #include "observer/RobotLog.h"
@@ -15,19 +15,10 @@
 namespace gt {
 namespace {
 
-volatile std::sig_atomic_t stopped = 0;
-
 /// How long a program sleeps at most before it looks whether it shall end, in ms.
 constexpr std::int64_t longestWait = 50;
 /// The process that serves tools does not turn faster, whatever they send, in ms.
 constexpr std::int64_t shortestTurn = 2;
-
-void stopOnSignals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { stopped = 1; };
-  sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGINT, &action, nullptr);
-}
 
 /// Each two processes have one connection: the one later in the layout connects to the other, all
 /// connect to the platform.
@@ -131,7 +122,7 @@ void print(const RobotProgramOptions& options, const std::vector<std::string>& n
 /// Runs the process until the program shall end, or, as modules follow the platform's clock, until
 /// the platform starts again.
 Result<void> runSession(const RobotProgramOptions& options, const RobotModules& modules,
-                        const RobotSetup& setup, bool servesTools) {
+                        const RobotSetup& setup, bool servesTools, const EndSignals& signals) {
   const auto robot = Robot::make(setup, modules, {options.process});
   if (!robot) return robot.error();
   (*robot)->provideSetup([&options] {
@@ -150,7 +141,7 @@ Result<void> runSession(const RobotProgramOptions& options, const RobotModules& 
   }
 
   std::uint64_t session = 0;
-  while (!stopped) {
+  while (!signals.received()) {
     if (tools)
       network.wait(std::clamp<std::int64_t>((*robot)->nextDebugCycle().ms - network.elapsed(), 0,
                                             longestWait),
@@ -175,7 +166,7 @@ Result<void> runSession(const RobotProgramOptions& options, const RobotModules& 
 }  // namespace
 
 Result<void> runRobotProgram(const RobotProgramOptions& options, const RobotModules& modules) {
-  stopOnSignals();
+  const EndSignals signals;
   const auto layout = loadLayout(options.layout);
   if (!layout) return layout.error();
   const auto process = std::ranges::find_if(
@@ -193,9 +184,9 @@ Result<void> runRobotProgram(const RobotProgramOptions& options, const RobotModu
       *configuration,         *layout, options.player, options.seed, platformRepresentations(),
       options.hardwareAddress};
   do {
-    if (auto done = runSession(options, modules, setup, process->collectsMessages); !done)
+    if (auto done = runSession(options, modules, setup, process->collectsMessages, signals); !done)
       return done;
-  } while (!stopped);
+  } while (!signals.received());
   return {};
 }
 

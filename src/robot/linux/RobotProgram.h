@@ -24,7 +24,7 @@ struct RobotProgramOptions {
 };
 
 /// Runs one process of a robot as a program of its own (report 2.2.4) until it is told to end
-/// (SIGTERM, SIGINT). `modules` are those that are linked into the program: at least those of the
+/// (EndSignals). `modules` are those that are linked into the program: at least those of the
 /// process; only the configuration that they need is read. What it reads from and sends to the
 /// robot's other processes and the platform follows from the layout. Errors are those of a wrong
 /// start; whom it waits for and cannot understand is printed on stderr.
