@@ -1,7 +1,9 @@
 #include "commandline/CommandLine.h"
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -28,7 +30,8 @@ CommandLine::CommandLine(int argc, char** argv, const std::string& description)
       argv_{argv},
       name_{std::filesystem::path{argv[0]}.filename().string()},
       app_{description, name_} {
-  app_.fallthrough();  // options of the program may stand behind the command
+  app_.fallthrough();             // options of the program may stand behind the command
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer
 }
 
 const DataRoot& CommandLine::root() {
@@ -64,6 +67,8 @@ int CommandLine::perform(const Action& action) {
     return fail("standard output: " + std::generic_category().message(errno));
   } catch (const std::system_error& error) {  // fmt's, where nothing can be printed
     return fail(std::string{"standard output: "} + error.what());
+  } catch (const std::bad_alloc&) {
+    return fail("not enough memory");
   }
 }
 

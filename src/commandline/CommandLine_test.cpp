@@ -1,7 +1,13 @@
 #include "commandline/CommandLine.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -50,6 +56,31 @@ TEST(CommandLine, AnErrorIsOneLineAndStatus2) {
                 }),
             2);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "program: file:3: field: is wrong\n");
+}
+
+TEST(CommandLine, TooLittleMemoryIsAnError) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({}, []() -> int { throw std::bad_alloc{}; }), 2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "program: not enough memory\n");
+}
+
+/// By default the system ends a program whose file may not grow, without a word.
+TEST(CommandLine, AFileThatMayNotGrowIsAnErrorOfItsWriter) {
+  const auto handler = std::signal(SIGXFSZ, SIG_DFL);
+  EXPECT_EQ(run({},
+                [] {
+                  std::FILE* file = std::tmpfile();
+                  rlimit before{};
+                  getrlimit(RLIMIT_FSIZE, &before);
+                  const rlimit none{0, before.rlim_max};
+                  setrlimit(RLIMIT_FSIZE, &none);
+                  const bool failed = write(fileno(file), "x", 1) < 0 && errno == EFBIG;
+                  setrlimit(RLIMIT_FSIZE, &before);
+                  std::fclose(file);
+                  return failed ? 0 : 1;
+                }),
+            0);
+  std::signal(SIGXFSZ, handler);
 }
 
 TEST(CommandLine, AWrongOptionIsStatus2AndRunsNothing) {
