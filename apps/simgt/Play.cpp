@@ -72,7 +72,7 @@ Result<int> play(PlayOptions options) {
   if (!made) return made.error();
   Session& session = **made;
   screen.watch(session);
-  if (!options.foxglove.empty())
+  if (!options.foxglove.endpoint.empty())
     if (const auto done = session.serveFoxglove(options.foxglove); !done) return done.error();
   if (options.script.empty())
     for (SimulatedRobot* robot : session.match().robots()) robot->sendOracle(false);
