@@ -19,7 +19,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from . import jobs
+from . import _json, jobs
 from ._error import Error
 
 
@@ -108,7 +108,7 @@ class Processes:
             answer = process.stdout.readline()
         except (BrokenPipeError, ValueError):
             return None
-        return Outcome(**json.loads(answer)) if answer.endswith("\n") else None
+        return Outcome(**_json.parse(answer)) if answer.endswith("\n") else None
 
 
 def serve() -> None:
