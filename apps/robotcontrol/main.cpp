@@ -16,7 +16,7 @@ struct Options {
   gt::MatchOptions match;
   std::vector<std::string> scripts, commands;
   std::string settings;
-  std::string foxglove;  ///< Where viewers connect: PORT or ADDRESS:PORT; none if empty.
+  gt::FoxgloveAccess foxglove;
   bool start = false;
   std::string picture;            ///< A picture of the window is written, and the program ends.
   std::vector<std::string> open;  ///< Dialogs.
@@ -100,9 +100,14 @@ int main(int argc, char** argv) {
   app.add_flag("--start", options.start, "Lets time pass at once");
   app.add_option("--settings", options.settings,
                  "Folder of layouts and settings, instead of the user's own");
-  app.add_option("--foxglove", options.foxglove,
+  app.add_option("--foxglove", options.foxglove.endpoint,
                  "Shows the robots to Foxglove and Lichtblick, too, which connect to "
                  "ws://localhost:PORT; ADDRESS:PORT for viewers on other machines");
+  app.add_option("--foxglove-origin", options.foxglove.origins,
+                 "Lets in viewers that a browser has loaded from there, as from "
+                 "https://app.foxglove.dev, not only from this machine")
+      ->allow_extra_args(false)
+      ->needs("--foxglove");
   app.add_option("--open", options.open, "Dialogs to open, by their names in layouts");
   app.add_option("--theme", options.theme, "How the window looks")
       ->check(CLI::IsMember({"light", "dark"}));

@@ -15,7 +15,8 @@ Result<std::unique_ptr<Viewers>> Viewers::open(Router& router, const RouterSetti
   if (settings.release) return Error{.field = "--foxglove", .what = "needs ports for tools"};
   if (options.listenKeys && !options.connectKeys)
     return Error{.field = "--foxglove", .what = "needs --connect-keys where there is --keys"};
-  auto server = FoxgloveServer::open(settings.foxglove, "GT2003 router");
+  auto server =
+      FoxgloveServer::open({settings.foxglove, settings.foxgloveOrigins}, "GT2003 router");
   if (!server) return server.error();
   std::unique_ptr<Viewers> viewers{new Viewers{router, std::move(*server)}};
   if (options.listenKeys) viewers->keys_ = options.connectKeys;

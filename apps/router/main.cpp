@@ -45,6 +45,11 @@ void addOptions(CLI::App& app, gt::RouterSettings& settings) {
   app.add_option("--foxglove", settings.foxglove,
                  "Shows the robots to Foxglove and Lichtblick, which connect to "
                  "ws://localhost:PORT; ADDRESS:PORT for viewers on other machines");
+  app.add_option("--foxglove-origin", settings.foxgloveOrigins,
+                 "Lets in viewers that a browser has loaded from there, as from "
+                 "https://app.foxglove.dev, not only from this machine")
+      ->allow_extra_args(false)
+      ->needs("--foxglove");
 }
 
 /// Starting without arguments is starting as the last time (report 5.3).

@@ -188,7 +188,8 @@ int runConsole(const ConsoleOptions& options) {
   screen.watch(**session);
   ConsoleProgram program{**session, screen};
   Result<void> done = options.joystick.empty() ? Result<void>{} : program.connect(options.joystick);
-  if (done && !options.foxglove.empty()) done = (*session)->serveFoxglove(options.foxglove);
+  if (done && !options.foxglove.endpoint.empty())
+    done = (*session)->serveFoxglove(options.foxglove);
   if (done) done = program.runAll(options);
   const bool scripted = !options.scripts.empty() || !options.commands.empty();
   if (done && !scripted && !program.ended()) {

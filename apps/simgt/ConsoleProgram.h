@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "foxglove/FoxgloveServer.h"
 #include "match/Match.h"
 
 namespace gt {
@@ -12,7 +13,7 @@ struct ConsoleOptions {
   std::vector<std::string> scripts;   ///< Executed one after another, before anything is typed.
   std::vector<std::string> commands;  ///< Likewise, behind them.
   std::string joystick;               ///< Device, such as /dev/input/js0; none if empty.
-  std::string foxglove;               ///< Where viewers connect: PORT or ADDRESS:PORT; or empty.
+  FoxgloveAccess foxglove;
 };
 
 /// Runs a scene with a console: its start script, then scripts and commands of the command line, or

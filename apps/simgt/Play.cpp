@@ -100,7 +100,7 @@ Result<int> play(PlayOptions options) {
   Session& session = **made;
   const EndSignals signals{[&session] { session.interrupt(); }};
   screen.watch(session);
-  if (!options.foxglove.empty())
+  if (!options.foxglove.endpoint.empty())
     if (const auto done = session.serveFoxglove(options.foxglove); !done) return done.error();
   if (options.realTime || !options.match.remote.empty()) session.setPace({1, 0});
 

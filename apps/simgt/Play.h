@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "foxglove/FoxgloveServer.h"
 #include "match/Match.h"
 
 namespace gt {
@@ -15,7 +16,7 @@ struct PlayOptions {
   bool strict = false;              ///< Fails because of warnings of the robots, too.
   bool realTime = false;            ///< No faster than the clock; so are matches of robots outside.
   std::vector<std::string> remote;  ///< Robots outside: NAME or NAME=ENDPOINT.
-  std::string foxglove;             ///< Where viewers connect: PORT or ADDRESS:PORT; none if empty.
+  FoxgloveAccess foxglove;
   std::string keys;  ///< Key file for those that connect from other machines; none if empty.
 };
 

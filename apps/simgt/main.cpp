@@ -35,10 +35,16 @@ void addMatchOptions(CLI::App& command, gt::MatchOptions& match) {
       ->check(CLI::IsMember(gt::enumNames<gt::Fidelity>));
 }
 
-void addFoxglove(CLI::App& command, std::string& endpoint) {
-  command.add_option("--foxglove", endpoint,
+void addFoxglove(CLI::App& command, gt::FoxgloveAccess& access) {
+  command.add_option("--foxglove", access.endpoint,
                      "Shows the robots to Foxglove and Lichtblick, which connect to "
                      "ws://localhost:PORT; ADDRESS:PORT for viewers on other machines");
+  command
+      .add_option("--foxglove-origin", access.origins,
+                  "Lets in viewers that a browser has loaded from there, as from "
+                  "https://app.foxglove.dev, not only from this machine")
+      ->allow_extra_args(false)
+      ->needs("--foxglove");
 }
 
 void addPlay(CLI::App& command, gt::PlayOptions& play) {

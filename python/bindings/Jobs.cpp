@@ -17,6 +17,7 @@
 #include "measure/RunJobs.h"
 #include "robot/SetupFiles.h"
 #include "streams/File.h"
+#include "streams/Json.h"
 
 namespace gt::python {
 namespace {
@@ -110,6 +111,10 @@ void bindJobs(nb::module_& module) {
   module.def("_read_results", &readResults, "file"_a);
   module.def("_result_line",
              [](const std::string& line) { return orThrow(parseJobResult(line)).text(); });
+  module.def(
+      "_check_json",
+      [](const std::string& text, const std::string& file) { orThrow(parseJson(text, file)); },
+      "text"_a, "file"_a);
   module.def("_changed_files", &changedFiles, "values"_a);
   module.def("_merge_results", &mergeResults, "files"_a, "jobs"_a, "json"_a, "note"_a);
   nb::class_<OutputLock>(module, "_OutputLock", "Keeps a folder for what one program writes.")

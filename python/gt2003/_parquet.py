@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from . import _core
+from . import _core, _json
 from ._error import Error
 
 COLUMNS = ("job", "experiment", "parameters", "seed", "commit", "name", "unit", "value", "aim", "aim_value")
@@ -38,7 +38,7 @@ def write(lines: Iterable[str], file: str | os.PathLike[str]) -> None:
              pa.string(), pa.float64(), pa.string(), pa.float64()]
     rows = []
     for line in lines:
-        result = json.loads(line)
+        result = _json.parse(line)
         rows += [_row(result["job"], value) for value in result["values"] or [{}]]
     columns = list(zip(*rows)) or [()] * len(COLUMNS)
     table = pa.table([pa.array(c, t) for c, t in zip(columns, types, strict=True)], names=list(COLUMNS))

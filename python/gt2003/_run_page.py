@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from html import escape
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from . import _json
 from ._page import BLUE, GREEN, number, page, table
 
 
@@ -56,7 +56,7 @@ def _row(figure: dict[str, Any]) -> list[str]:
 def write_page(figures: Path, path: Path, note: str = "") -> None:
     """Write the page of a file of figures, which opens offline, with a note at its top."""
     groups: dict[str, list[dict[str, Any]]] = {}
-    for figure in json.loads(figures.read_text()):
+    for figure in _json.parse(figures.read_text(), str(figures)):
         groups.setdefault(figure["name"].partition(".")[0], []).append(figure)
     parts = [
         "<p>Means over the seeds with their 95 % intervals (bootstrap). Dots: each seed; black: the mean; green, dashed: the aim.</p>"

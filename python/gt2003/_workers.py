@@ -20,7 +20,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from . import jobs
+from . import _json, jobs
 from ._error import Error
 
 
@@ -156,10 +156,10 @@ class Processes:
         if not answer.endswith("\n"):
             return None
         try:
-            outcome = Outcome(**json.loads(answer))
+            outcome = Outcome(**_json.parse(answer))
             if outcome.job == job:
                 return outcome
-        except (TypeError, ValueError):
+        except (Error, TypeError):
             pass
         raise Error(f"its worker answered {answer.strip()[:200]!r}")
 

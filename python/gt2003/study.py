@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _core, jobs, modules
+from . import _core, _json, jobs, modules
 from ._error import Error
 from ._run import Results, do
 from ._study_page import write_page
@@ -233,8 +233,8 @@ class _Laboratory:
     def _read(self) -> None:
         for line in self._results.path.read_text().splitlines():
             try:
-                result = json.loads(line)
-            except ValueError:
+                result = _json.parse(line)
+            except Error:
                 continue  # half a line, of a study that was killed
             self._values[result["job"]] = {v["name"]: v["value"] for v in result["values"]}
             self.units.update((v["name"], v["unit"]) for v in result["values"])

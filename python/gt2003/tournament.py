@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
+from . import _core, _json
 from ._error import Error
 from ._page import Dot, dots, interval, page, table
 
@@ -77,8 +77,8 @@ def games(file: str | os.PathLike[str]) -> list[Game]:
     played: dict[str, Game] = {}
     for line in text.splitlines():
         try:
-            result = json.loads(line)
-        except ValueError:
+            result = _json.parse(line)
+        except Error:
             continue
         words = dict(word.split("=", 1) for word in result["job"].split()[1:])
         values = {v["name"].replace(".benign.", "."): v["value"] for v in result["values"]}
@@ -279,8 +279,8 @@ def _settings(results: str | os.PathLike[str]) -> str:
     with open(results) as lines:
         for line in lines:
             try:
-                words = json.loads(line)["job"].split()
-            except ValueError:
+                words = _json.parse(line)["job"].split()
+            except Error:
                 continue
             return " ".join(w for w in words if w.partition("=")[0] not in ("red", "blue", "seed"))
     return ""

@@ -13,7 +13,6 @@ rule).
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +20,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _json
 from ._error import Error
 
 Array = NDArray[np.float64]
@@ -223,8 +223,8 @@ def learn(summaries: Iterable[Path], out: Path) -> None:
     plays: list[Play] = []
     for file in summaries:
         try:
-            plays += plays_of(json.loads(file.read_text()))
-        except (OSError, ValueError, KeyError, TypeError) as error:
+            plays += plays_of(_json.parse(file.read_text()))
+        except (Error, OSError, ValueError, KeyError, TypeError) as error:
             raise Error(f"is no summary of a match: {error}", file=str(file)) from None
     if not any(play.goal for play in plays):
         raise Error("nobody scored in these matches", file=str(out))

@@ -98,3 +98,12 @@ def test_what_is_no_match_is_one_line(tmp_path: Path) -> None:
     failed = subprocess.run(command, capture_output=True, text=True)
     assert failed.returncode == 2
     assert failed.stderr == f"gt2003: {tmp_path}/match.json: is no summary of a match: 'ball'\n"
+
+
+def test_a_summary_that_is_nested_too_deeply_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "match.json").write_text(100_000 * '["]",' + "1" + 100_000 * "]")
+    command = [sys.executable, "-m", "gt2003", "values", tmp_path / "match.json", "--out", tmp_path / "values.cfg"]
+    failed = subprocess.run(command, capture_output=True, text=True)
+    assert failed.returncode == 2
+    place = f"gt2003: {tmp_path}/match.json: is no summary of a match"
+    assert failed.stderr == f"{place}: is nested too deeply, at most 100 levels\n"

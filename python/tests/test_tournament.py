@@ -31,6 +31,11 @@ def test_a_match_of_two_teams() -> None:
         gt2003.Match(blue="nowhere")
 
 
+def test_lines_that_are_no_results_are_passed_over(tmp_path: Path) -> None:
+    (tmp_path / "results.jsonl").write_text('{"job": "tourn\n' + 100_000 * '["]",' + "1" + 100_000 * "]" + "\n")
+    assert tournament.games(tmp_path / "results.jsonl") == []
+
+
 def test_what_is_wrong_in_a_team_is_told_with_its_file(tmp_path: Path) -> None:
     (tmp_path / "config/modules").mkdir(parents=True)
     (tmp_path / "config/modules/SelfLocator.Kalman.cfg").write_text("slip 0.4\nslop 1\n")

@@ -1,8 +1,12 @@
 #include "commandline/CommandLine.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <new>
 #include <string>
@@ -79,10 +83,23 @@ TEST(CommandLine, ExceptionsOfTheSystemAreOneLineAndStatus2) {
               HasSubstr("program: filesystem error: temp_directory_path: No such file"));
 }
 
-TEST(CommandLine, AFileThatGrowsBeyondItsLimitEndsNoProgram) {
-  const auto before = std::signal(SIGXFSZ, SIG_DFL);
-  EXPECT_EQ(run({}, [] { return raise(SIGXFSZ); }), 0);
-  std::signal(SIGXFSZ, before);
+/// By default the system ends a program whose file may not grow, without a word.
+TEST(CommandLine, AFileThatMayNotGrowIsAnErrorOfItsWriter) {
+  const auto handler = std::signal(SIGXFSZ, SIG_DFL);
+  EXPECT_EQ(run({},
+                [] {
+                  std::FILE* file = std::tmpfile();
+                  rlimit before{};
+                  getrlimit(RLIMIT_FSIZE, &before);
+                  const rlimit none{0, before.rlim_max};
+                  setrlimit(RLIMIT_FSIZE, &none);
+                  const bool failed = write(fileno(file), "x", 1) < 0 && errno == EFBIG;
+                  setrlimit(RLIMIT_FSIZE, &before);
+                  std::fclose(file);
+                  return failed ? 0 : 1;
+                }),
+            0);
+  std::signal(SIGXFSZ, handler);
 }
 
 TEST(CommandLine, AWrongOptionIsStatus2AndRunsNothing) {

@@ -163,6 +163,9 @@ Result<void> Console::execute(std::string_view line) {
   if (begin == line.size() || line[begin] == '#') return {};
   auto words = splitWords(line);
   if (!words) return words.error();
+  if (words->size() > Usage::mostWords)
+    return Error{.field = words->front(),
+                 .what = "has more than " + std::to_string(Usage::mostWords) + " words"};
   const Command* command = find(words->front());
   if (!command)
     return Error{

@@ -21,6 +21,14 @@ TEST(Words, KeepQuotesTogether) {
   EXPECT_EQ(splitWords("echo  what it \t is  ")->rest, "what it \t is");
 }
 
+TEST_F(ConsoleTest, LinesOfVeryManyWordsAreRefused) {
+  std::string line;
+  for (int i = 0; i < 200'000; ++i) line += " not";
+  for (const std::string command : {"until", "sc", "echo", "nothing"})
+    expectError(command + line, command, "has more than 1000 words");
+  EXPECT_THAT(console->completions("until" + line + " "), ::testing::IsEmpty());
+}
+
 TEST_F(ConsoleTest, EveryCommandHasHelp) {
   for (const Command& command : Console::commands()) {
     EXPECT_FALSE(command.help.empty());

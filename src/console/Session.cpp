@@ -190,8 +190,8 @@ void Session::reportNews() {
     for (const std::string& line : state_.connection->news()) screen_.print(line);
 }
 
-Result<void> Session::serveFoxglove(const std::string& endpoint) {
-  auto server = FoxgloveServer::open(endpoint, "GT2003: " + options_.scene);
+Result<void> Session::serveFoxglove(const FoxgloveAccess& access) {
+  auto server = FoxgloveServer::open(access, "GT2003: " + options_.scene);
   if (!server) return server.error();
   foxglove_ = std::move(*server);
   return {};

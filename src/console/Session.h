@@ -95,9 +95,8 @@ class Session {
   /// Report I.5.1: sc; only once.
   Result<void> connect(const std::vector<std::string>& robots, bool gameManager);
 
-  /// Shows all robots to viewers such as Foxglove and Lichtblick from now on (docs/foxglove.md), on
-  /// a port of this machine, or ADDRESS:PORT.
-  Result<void> serveFoxglove(const std::string& endpoint);
+  /// Shows all robots to viewers such as Foxglove and Lichtblick from now on (docs/foxglove.md).
+  Result<void> serveFoxglove(const FoxgloveAccess& access);
 
   /// State of the connection to each robot elsewhere; empty without `sc`.
   std::vector<Router::Statistics> connections() const {

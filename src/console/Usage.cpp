@@ -123,15 +123,14 @@ class UsageMatcher {
   }
   void matchWord(const std::string& word, std::size_t at, const Goal& then) {
     if (word == "COMMAND") next_.command = at;
-    if (at == words_.size()) {
-      auto& found = isPlaceholder(word) ? next_.placeholders : next_.words;
-      if (std::ranges::find(found, word) == found.end()) found.push_back(word);
-      return;
-    }
-    if (word == "COMMAND") return then(words_.size());
     const bool text = word == "CONDITION" || word == "TEXT";  // of several words
-    if (text || (isPlaceholder(word) ? words_[at] != "?" : words_[at] == word)) then(at + 1);
-    if (text) matchWord(word, at + 1, then);
+    for (; at < words_.size(); ++at) {
+      if (word == "COMMAND") return then(words_.size());
+      if (text || (isPlaceholder(word) ? words_[at] != "?" : words_[at] == word)) then(at + 1);
+      if (!text) return;
+    }
+    auto& found = isPlaceholder(word) ? next_.placeholders : next_.words;
+    if (std::ranges::find(found, word) == found.end()) found.push_back(word);
   }
 
   std::span<const std::string> words_;
@@ -142,13 +141,14 @@ class UsageMatcher {
 Usage::Usage(std::string_view text) : root_{UsageParser{text}.readChoice()} {}
 
 Usage::Next Usage::next(std::span<const std::string> before) const {
+  if (before.size() > mostWords) return {};
   UsageMatcher matcher{before};
   matcher.match(root_, 0, [](std::size_t) {});
   return matcher.take();
 }
 
 bool Usage::matches(std::span<const std::string> words) const {
-  return UsageMatcher{words}.matches(root_);
+  return words.size() <= mostWords && UsageMatcher{words}.matches(root_);
 }
 
 }  // namespace gt

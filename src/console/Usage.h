@@ -12,6 +12,9 @@ namespace gt {
 /// for something else; all others are typed as they are.
 class Usage {
  public:
+  /// More words match nothing: matching takes a stack that grows with them.
+  static constexpr std::size_t mostWords = 1000;
+
   explicit Usage(std::string_view text);
 
   /// What may stand behind some words.

@@ -50,6 +50,15 @@ bool matches(std::string_view usage, std::vector<std::string> words) {
   return Usage{usage}.matches(words);
 }
 
+TEST(Usage, MatchesSoManyWordsAtMost) {
+  for (const char* usage : {"CONDITION [within SECONDS]", "{A}", "{A | b [c]}", "TEXT"}) {
+    EXPECT_TRUE(matches(usage, std::vector<std::string>(Usage::mostWords, "not"))) << usage;
+    EXPECT_FALSE(matches(usage, std::vector<std::string>(Usage::mostWords + 1, "not"))) << usage;
+    EXPECT_FALSE(matches(usage, std::vector<std::string>(1'000'000, "not"))) << usage;
+    EXPECT_THAT(next(usage, std::vector<std::string>(1'000'000, "not")).placeholders, IsEmpty());
+  }
+}
+
 TEST(Usage, MatchesWholeLinesOnly) {
   constexpr auto usage = "? | KEY (off | every NUMBER [ms])";
   EXPECT_TRUE(matches(usage, {"?"}));

@@ -12,6 +12,9 @@ namespace {
 
 using Kind = FoxgloveRequest::Kind;
 
+/// Of a list. Eight robots have some 5000 parameters.
+constexpr std::size_t mostElements = 20'000;
+
 constexpr std::array<std::pair<std::string_view, Kind>, 6> operations{{
     {"subscribe", Kind::subscribe},
     {"unsubscribe", Kind::unsubscribe},
@@ -45,6 +48,8 @@ template <typename Read>
 Result<void> each(const Json& json, const char* list, Read read) {
   const Json& elements = member(json, list);
   if (!elements.is_array()) return wrong(list, "expected a list");
+  if (elements.size() > mostElements)
+    return wrong(list, "has more than " + std::to_string(mostElements) + " elements");
   for (const Json& element : elements)
     if (!read(element)) return wrong(list, "has an element that is wrong");
   return {};

@@ -17,15 +17,15 @@ using std::chrono::milliseconds;
 
 /// Both are the same protocol; newer viewers offer the second name.
 const std::vector<std::string> subprotocols{"foxglove.websocket.v1", "foxglove.sdk.v1"};
-/// Where the viewers are from: Foxglove's pages, and its program and Lichtblick's for the desktop.
-const std::vector<std::string> origins{"https://app.foxglove.dev", "https://studio.foxglove.dev",
-                                       "file://"};
 const std::string fieldFrame = "field", blueFieldFrame = "field/blue";
 
 /// How often is sent what changes all the time, at most; and what does not.
 constexpr milliseconds worldInterval{30}, timeInterval{20}, fieldInterval{1000};
 /// How often robots are asked that have not answered, and each for its parameters.
 constexpr milliseconds seekInterval{1000}, parameterInterval{250};
+
+/// Subscriptions of a client for one channel: each gets every message. A viewer has one.
+constexpr std::ptrdiff_t mostSubscriptions = 4;
 
 // Opcodes of the protocol's binary messages.
 constexpr char messageData = 1, timeData = 2;
@@ -59,9 +59,22 @@ std::uint8_t levelOf(Severity severity) {
   return foxglove::Log::error;
 }
 
+/// Whether a browser could name a page's origin like this (RFC 6454): no path, no slash at the end.
+bool isOrigin(std::string_view text) {
+  const std::size_t scheme = text.find("://");
+  if (scheme == text.npos || scheme == 0) return false;
+  const std::string_view host = text.substr(scheme + 3);
+  if (host.empty()) return text == "file://";
+  return host.find_first_of("/ ?#@") == host.npos;
+}
+
 /// ADDRESS:PORT or PORT; an address of IPv6 stands in brackets.
-Result<WebSocketServer::Options> optionsOf(std::string_view endpoint) {
-  WebSocketServer::Options options{.subprotocols = subprotocols, .origins = origins};
+Result<WebSocketServer::Options> optionsOf(const FoxgloveAccess& access) {
+  for (const std::string& origin : access.origins)
+    if (!isOrigin(origin))
+      return Error{.field = origin, .what = "expected an origin, SCHEME://HOST[:PORT] or file://"};
+  WebSocketServer::Options options{.subprotocols = subprotocols, .origins = access.origins};
+  const std::string_view endpoint = access.endpoint;
   const std::size_t colon = endpoint.rfind(':');
   const auto port =
       numberFrom<std::uint16_t>(colon == endpoint.npos ? endpoint : endpoint.substr(colon + 1));
@@ -92,9 +105,9 @@ FoxgloveServer::FoxgloveServer(std::unique_ptr<WebSocketServer> server, std::str
   log_ = &add(Source::log, nullptr, "", "/log", foxglove::Log::schema());
 }
 
-Result<std::unique_ptr<FoxgloveServer>> FoxgloveServer::open(std::string_view endpoint,
+Result<std::unique_ptr<FoxgloveServer>> FoxgloveServer::open(const FoxgloveAccess& access,
                                                              std::string name) {
-  const auto options = optionsOf(endpoint);
+  const auto options = optionsOf(access);
   if (!options) return options.error();
   auto server = WebSocketServer::open(*options);
   if (!server) return server.error();
@@ -145,7 +158,7 @@ void FoxgloveServer::perform(ClientId id, Client& client, const FoxgloveRequest&
   using Kind = FoxgloveRequest::Kind;
   switch (request.kind) {
     case Kind::subscribe:
-      for (const auto& wanted : request.subscriptions) subscribe(id, client, wanted);
+      subscribe(id, client, request.subscriptions);
       break;
     case Kind::unsubscribe:
       for (const std::uint32_t subscription : request.ids) unsubscribe(id, client, subscription);
@@ -167,18 +180,31 @@ void FoxgloveServer::perform(ClientId id, Client& client, const FoxgloveRequest&
 }
 
 void FoxgloveServer::subscribe(ClientId id, Client& client,
-                               const FoxgloveRequest::Subscription& wanted) {
+                               const std::vector<FoxgloveRequest::Subscription>& wanted) {
+  std::vector<Error> faults;
+  for (const auto& subscription : wanted)
+    if (const auto done = subscribe(id, client, subscription); !done)
+      faults.push_back(done.error());
+  reportFaults(id, Severity::warning, faults);
+}
+
+Result<void> FoxgloveServer::subscribe(ClientId id, Client& client,
+                                       const FoxgloveRequest::Subscription& wanted) {
   const auto found = channels_.find(wanted.channel);
   if (found == channels_.end())
-    return status(id, Severity::warning, "there is no channel " + std::to_string(wanted.channel));
+    return Error{.what = "there is no channel " + std::to_string(wanted.channel)};
   Channel& channel = *found->second;
-  const bool isNew = client.subscriptions.try_emplace(wanted.id, &channel).second;
-  if (!isNew)
-    return status(id, Severity::warning,
-                  "there is already a subscription " + std::to_string(wanted.id));
+  if (client.subscriptions.contains(wanted.id))
+    return Error{.what = "there is already a subscription " + std::to_string(wanted.id)};
+  if (std::ranges::count(channel.subscribers, id, &Subscriber::client) >= mostSubscriptions)
+    return Error{.what = "there are " + std::to_string(mostSubscriptions) +
+                         " subscriptions of channel " + std::to_string(wanted.channel) +
+                         " already"};
+  client.subscriptions[wanted.id] = &channel;
   if (channel.subscribers.empty()) feed(channel);
   channel.subscribers.push_back({id, wanted.id});
   if (&channel == field_) fieldSent_ = {};
+  return {};
 }
 
 void FoxgloveServer::unsubscribe(ClientId id, Client& client, std::uint32_t subscription) {
@@ -480,23 +506,25 @@ std::map<std::string, std::string> FoxgloveServer::parametersOf(Robot& robot) {
   return values;
 }
 
+/// A robot's name may be its address, with dots.
 FoxgloveServer::Robot* FoxgloveServer::robotOf(std::string_view parameter) {
-  const std::string_view name = parameter.substr(0, parameter.find('.'));
-  const auto found = std::ranges::find_if(
-      robots_, [&](const auto& robot) { return robot->observed->name() == name; });
+  const auto found = std::ranges::find_if(robots_, [&](const auto& robot) {
+    const std::string& name = robot->observed->name();
+    return parameter.starts_with(name) && parameter.substr(name.size()).starts_with('.');
+  });
   return found == robots_.end() ? nullptr : found->get();
 }
 
 void FoxgloveServer::sendParameters(ClientId client, const std::vector<std::string>& names,
                                     const std::string& answers) {
+  const std::set<std::string_view> wanted{names.begin(), names.end()};
+  std::set<const Robot*> robots;
+  for (const std::string_view name : wanted) robots.insert(robotOf(name));
   Json list = Json::array();
   for (const auto& robot : robots_) {
-    const bool wanted = names.empty() || std::ranges::any_of(names, [&](const std::string& name) {
-                          return robotOf(name) == robot.get();
-                        });
-    if (!wanted) continue;
+    if (!names.empty() && !robots.contains(robot.get())) continue;
     for (const auto& [name, value] : parametersOf(*robot))
-      if (names.empty() || std::ranges::find(names, name) != names.end())
+      if (names.empty() || wanted.contains(name))
         list.push_back({{"name", name}, {"value", parameterJson(value)}});
   }
   Json message{{"op", "parameterValues"}, {"parameters", std::move(list)}};
@@ -507,6 +535,7 @@ void FoxgloveServer::sendParameters(ClientId client, const std::vector<std::stri
 void FoxgloveServer::setParameters(ClientId client, const FoxgloveRequest& request,
                                    const FoxgloveSubject& subject) {
   std::set<Robot*> changed;
+  std::vector<Error> faults;
   for (const auto& [name, value] : request.parameters) {
     Robot* robot = robotOf(name);
     const auto text = parameterText(value);
@@ -515,23 +544,26 @@ void FoxgloveServer::setParameters(ClientId client, const FoxgloveRequest& reque
         : !text ? Result<void>{Error{.field = name, .what = text.error().what}}
                 : robot->observed->set(name.substr(robot->observed->name().size() + 1), *text);
     if (!done)
-      status(client, Severity::error, done.error().text());
+      faults.push_back(done.error());
     else
       changed.insert(robot);
   }
+  reportFaults(client, Severity::error, faults);
   if (!changed.empty() && subject.parameterChanged) subject.parameterChanged();
   for (Robot* robot : changed) notifyParameters(*robot);
   if (!request.id.empty()) sendParameters(client, request.names, request.id);
 }
 
-/// Without names all parameters that there are.
+/// Without names all parameters that there are; names of others are not kept.
 void FoxgloveServer::subscribeParameters(Client& client, const std::vector<std::string>& names) {
-  client.parameters.insert(names.begin(), names.end());
   for (const auto& robot : robots_) {
-    if (robot->parameters.empty()) robot->parameters = parametersOf(*robot);
+    robot->parameters.merge(parametersOf(*robot));
     if (names.empty())
       for (const auto& [name, value] : robot->parameters) client.parameters.insert(name);
   }
+  for (const std::string& name : names)
+    if (const Robot* robot = robotOf(name); robot && robot->parameters.contains(name))
+      client.parameters.insert(name);
 }
 
 /// Sends to each client which of a robot's parameters that it follows have changed.
@@ -559,6 +591,14 @@ void FoxgloveServer::followParameters() {
   if (!followed || robots_.empty() || now < parametersAsked_ + parameterInterval) return;
   parametersAsked_ = now;
   notifyParameters(*robots_[nextToAsk_++ % robots_.size()]);
+}
+
+void FoxgloveServer::reportFaults(ClientId client, Severity severity,
+                                  const std::vector<Error>& faults) {
+  if (faults.empty()) return;
+  const std::string others =
+      faults.size() == 1 ? "" : " (and " + std::to_string(faults.size() - 1) + " more faults)";
+  status(client, severity, faults.front().text() + others);
 }
 
 void FoxgloveServer::sendJson(ClientId client, const Json& json) {

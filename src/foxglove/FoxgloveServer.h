@@ -16,6 +16,15 @@
 
 namespace gt {
 
+/// Where viewers connect, and which pages of a browser may.
+struct FoxgloveAccess {
+  /// PORT on the loopback device, or ADDRESS:PORT; port 0 is any that is free. Empty: nowhere.
+  std::string endpoint{};
+  /// From which pages may connect that are not from this machine: SCHEME://HOST[:PORT], or file://
+  /// for programs that load their page from the disk.
+  std::vector<std::string> origins{};
+};
+
 /// Where all truly is, in a simulation.
 struct FoxgloveTruth {
   std::vector<foxglove::TrueBody> robots, balls;
@@ -37,9 +46,9 @@ struct FoxgloveSubject {
 /// subscribed. One thread calls it, and it never waits for a client.
 class FoxgloveServer {
  public:
-  /// Listens on an endpoint: PORT on the loopback device, or ADDRESS:PORT; port 0 is any that is
-  /// free. `name` is shown by viewers.
-  static Result<std::unique_ptr<FoxgloveServer>> open(std::string_view endpoint, std::string name);
+  /// `name` is shown by viewers. Returns an error if the endpoint or an origin is none.
+  static Result<std::unique_ptr<FoxgloveServer>> open(const FoxgloveAccess& access,
+                                                      std::string name);
 
   /// Answers clients, and sends what is new to them. Called after each step, and again and again
   /// while time stands. Between two calls the robots of the subject remain, unless `forget` is
@@ -95,7 +104,8 @@ class FoxgloveServer {
   };
   struct Client {
     std::map<std::uint32_t, Channel*> subscriptions{};
-    std::set<std::string> parameters{};  ///< Those that it wants to know when they change.
+    /// Those that it wants to know when they change: names that there are.
+    std::set<std::string> parameters{};
   };
 
   FoxgloveServer(std::unique_ptr<WebSocketServer> server, std::string name);
@@ -103,7 +113,9 @@ class FoxgloveServer {
   void take(const WebSocketServer::Event& event, const FoxgloveSubject& subject);
   void perform(ClientId id, Client& client, const FoxgloveRequest& request,
                const FoxgloveSubject& subject);
-  void subscribe(ClientId id, Client& client, const FoxgloveRequest::Subscription& wanted);
+  void subscribe(ClientId id, Client& client,
+                 const std::vector<FoxgloveRequest::Subscription>& wanted);
+  Result<void> subscribe(ClientId id, Client& client, const FoxgloveRequest::Subscription& wanted);
   void unsubscribe(ClientId id, Client& client, std::uint32_t subscription);
   void feed(Channel& channel);
 
@@ -132,6 +144,8 @@ class FoxgloveServer {
   void notifyParameters(Robot& robot);
   void followParameters();
 
+  /// Reports the first of several faults, and how many there are.
+  void reportFaults(ClientId client, Severity severity, const std::vector<Error>& faults);
   void sendJson(ClientId client, const Json& json);
   void status(ClientId client, Severity severity, const std::string& text);
 

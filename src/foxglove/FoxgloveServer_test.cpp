@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <thread>
 
 #include "observer/RobotLog.h"
@@ -19,6 +20,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using testing::TestViewer;
 
 /// A robot with one process, which sends what it is asked for in each of its cycles.
@@ -105,7 +107,7 @@ class SendingRobot : public RobotLink {
 class FoxgloveServerTest : public ::testing::Test {
  protected:
   FoxgloveServerTest() {
-    auto opened = FoxgloveServer::open("0", "a test");
+    auto opened = FoxgloveServer::open({"0"}, "a test");
     EXPECT_TRUE(opened) << opened.error().text();
     server = std::move(*opened);
     subject.robots = {&robot};
@@ -279,15 +281,35 @@ TEST_F(FoxgloveServerTest, GetsSetsAndFollowsParameters) {
   other.texts.clear();
   link->gain = "1";  // by another tool
   EXPECT_EQ(text(other, "parameterValues")["parameters"][0]["value"], 1);
-  for (const char* wrong : {R"({"name":"blue1.Seeing.Sharp.gain","value":"high"})",
-                            R"({"name":"blue1.Seeing.Sharp.gain","value":[1]})",
-                            R"({"name":"blue1.Hearing.gain","value":1})",
-                            R"({"name":"red9.Seeing.Sharp.gain","value":1})"}) {
+  for (const char* wrong :
+       {R"({"name":"blue1.Seeing.Sharp.gain","value":"high"})",
+        R"({"name":"blue1.Seeing.Sharp.gain","value":[1]})",
+        R"({"name":"blue1.Hearing.gain","value":1})", R"({"name":"blue1","value":1})",
+        R"({"name":"","value":1})", R"({"name":"red9.Seeing.Sharp.gain","value":1})"}) {
     viewer.texts.clear();
     viewer.send(std::string{R"({"op":"setParameters","parameters":[)"} + wrong + "]}");
     EXPECT_EQ(text(viewer, "status")["level"], 2) << wrong;
   }
   EXPECT_EQ(changes, 1);
+}
+
+TEST_F(FoxgloveServerTest, SetsParametersOfRobotsThatAreNamedByTheirAddress) {
+  auto* elsewhere = new SendingRobot;
+  ObservedRobot other{"127.0.0.11", std::unique_ptr<RobotLink>{elsewhere}};
+  subject.robots.push_back(&other);
+  auto viewer = connect();
+  EXPECT_TRUE(waitFor(viewer, [&] {
+    other.update();
+    return viewer.channels.contains("/127.0.0.11/RobotPose");
+  }));
+  viewer.send(
+      R"({"op":"setParameters","parameters":[{"name":"127.0.0.11.Seeing.Sharp.gain","value":0.25}],"id":"set"})");
+  EXPECT_TRUE(waitFor(viewer, [&] {
+    other.update();
+    return elsewhere->gain == "0.25";
+  }));
+  EXPECT_EQ(link->gain, "0.5");
+  server->forget();
 }
 
 TEST_F(FoxgloveServerTest, RefusesWhatIsNoRequest) {
@@ -296,12 +318,85 @@ TEST_F(FoxgloveServerTest, RefusesWhatIsNoRequest) {
        {"{", "[]", R"({"op":1})", R"({"op":"advertise","channels":[]})", R"({"op":"subscribe"})",
         R"({"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]})",
         R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":99999}]})",
-        R"({"op":"unsubscribe","subscriptionIds":["x"]})"}) {
+        R"({"op":"unsubscribe","subscriptionIds":["x"]})",
+        R"({"op":"setParameters","parameters":[{"name":"blue1","value":1}]})"}) {
     viewer.texts.clear();
     viewer.send(wrong);
     EXPECT_GT(text(viewer, "status")["message"].get<std::string>().size(), 0u) << wrong;
   }
-  EXPECT_TRUE(viewer.open);
+  EXPECT_TRUE(viewer.isOpen);
+}
+
+/// What this program has of the memory, in MB.
+double residentMemory() {
+  std::ifstream file{"/proc/self/statm"};
+  double pages = 0, resident = 0;
+  file >> pages >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+TEST_F(FoxgloveServerTest, SurvivesNestedValues) {
+  auto viewer = connect();
+  constexpr std::size_t levels = 170'000;
+  std::string value;
+  for (std::size_t i = 0; i < levels; ++i)
+    value += R"(["]",)";  // a bracket in a string closes none
+  value += '1' + std::string(levels, ']');
+  viewer.send(R"({"op":"setParameters","id":"a","parameters":[{"name":"blue1.Seeing.x","value":)" +
+              value + "}]}");
+  EXPECT_THAT(text(viewer, "status")["message"].get<std::string>(), HasSubstr("nested too deeply"));
+}
+
+/// Each subscription gets every message.
+TEST_F(FoxgloveServerTest, LimitsTheSubscriptionsOfAViewer) {
+  auto viewer = connect();
+  const auto channel = viewer.channels["/blue1/RobotPose"]["id"].get<std::uint32_t>();
+  Json wanted = Json::array();
+  for (std::uint32_t id = 0; id < 15'000; ++id)
+    wanted.push_back({{"id", id}, {"channelId", channel}});
+  viewer.send(Json{{"op", "subscribe"}, {"subscriptions", wanted}}.dump());
+  const std::string answer = text(viewer, "status")["message"];
+  EXPECT_THAT(answer, HasSubstr("4 subscriptions of channel"));
+  EXPECT_THAT(answer, HasSubstr("14995 more faults"));
+  EXPECT_THAT(viewer.texts, Not(Contains(::testing::Truly([&](const Json& other) {
+                return other["op"] == "status" && other["message"] != answer;
+              }))));
+  next<RobotPose>(viewer, 3);
+  std::set<std::uint32_t> served;
+  std::uint64_t time = viewer.data.back().time;
+  EXPECT_TRUE(waitFor(viewer, [&] { return viewer.data.back().time > time + 80'000'000; }));
+  for (const auto& data : viewer.data) served.insert(data.subscription);
+  EXPECT_THAT(served, ElementsAre(0, 1, 2, 3));
+  viewer.send(R"({"op":"unsubscribe","subscriptionIds":[0]})");
+  viewer.subscribe(20'000, "/blue1/RobotPose");
+  next<RobotPose>(viewer, 20'000);
+}
+
+TEST_F(FoxgloveServerTest, KeepsOnlyNamesOfParametersThatThereAre) {
+  auto viewer = connect();
+  const auto ask = [&](int from) {
+    Json names = Json::array();
+    for (int i = 0; i < 8'000; ++i)
+      names.push_back("blue1.Seeing.Sharp.nothing.of.this.name.is.there." +
+                      std::to_string(from * 8'000 + i));
+    viewer.send(Json{{"op", "subscribeParameterUpdates"}, {"parameterNames", names}}.dump());
+    viewer.texts.clear();
+    viewer.send(R"({"op":"getParameters","parameterNames":["blue1.Seeing.Sharp.gain"],"id":"x"})");
+    EXPECT_EQ(text(viewer, "parameterValues")["parameters"].size(), 1u);  // it has come that far
+  };
+  for (int i = 0; i < 10; ++i) ask(i);
+  const double before = residentMemory();
+  for (int i = 10; i < 110; ++i) ask(i);
+  EXPECT_LT(residentMemory() - before, 25) << "MB";
+}
+
+TEST_F(FoxgloveServerTest, RefusesListsThatAreTooLong) {
+  auto viewer = connect();
+  Json names = Json::array();
+  for (int i = 0; i <= 20'000; ++i) names.push_back("a");
+  viewer.send(Json{{"op", "getParameters"}, {"parameterNames", names}}.dump());
+  EXPECT_EQ(text(viewer, "status")["message"],
+            "client: parameterNames: has more than 20000 elements");
 }
 
 // Robots are destroyed when a session begins anew.
@@ -331,7 +426,7 @@ TEST_F(FoxgloveServerTest, SlowViewersLoseImagesAndHoldNobodyUp) {
     EXPECT_GT(next<CompressedImage>(quick, 1).data.size(), 0u) << "the quick one gets its images";
   EXPECT_GE(server->dropped(), before + 100);
   slow.read();
-  EXPECT_TRUE(slow.open);
+  EXPECT_TRUE(slow.isOpen);
   slow.data.clear();
   update();
   const std::uint64_t now = static_cast<std::uint64_t>(subject.now.ms) * 1'000'000;
@@ -342,25 +437,44 @@ TEST_F(FoxgloveServerTest, SlowViewersLoseImagesAndHoldNobodyUp) {
 
 /// A browser lets any page that its user visits connect to this machine.
 TEST(FoxgloveServer, TurnsPagesAwayThatAreFromElsewhere) {
-  const auto server = *FoxgloveServer::open("127.0.0.1:0", "");
-  const auto letsIn = [&](const std::string& origin) {
-    return TestViewer::connect(server->port(), "foxglove.sdk.v1", origin).has_value();
+  std::unique_ptr<FoxgloveServer> server;
+  const auto answerTo = [&](const std::string& origin) {
+    return TestViewer::answerTo(server->port(), origin);
   };
-  for (const char* own : {"", "http://localhost", "http://localhost:8080", "http://127.0.0.1:8080",
-                          "http://[::1]:80", "file://", "https://app.foxglove.dev"})
-    EXPECT_TRUE(letsIn(own)) << own;
-  for (const char* other :
-       {"https://elsewhere.example", "http://localhost.elsewhere.example", "null",
-        "https://app.foxglove.dev.elsewhere.example", "http://elsewhere.example:8765"})
-    EXPECT_FALSE(letsIn(other)) << other;
+  const std::vector<std::string> named{"https://app.foxglove.dev", "file://"};
+  for (const bool withNames : {false, true}) {
+    FoxgloveAccess access{"127.0.0.1:0"};
+    if (withNames) access.origins = named;
+    server = *FoxgloveServer::open(access, "");
+    for (const char* own : {"", "http://localhost", "http://localhost:8080",
+                            "https://localhost:8080", "http://127.0.0.1:8080", "http://[::1]:80"})
+      EXPECT_EQ(answerTo(own), 101u) << own;
+    for (const std::string& name : named)
+      EXPECT_EQ(answerTo(name), withNames ? 101u : 403u) << name;
+    for (const char* other :
+         {"https://elsewhere.example", "http://localhost.elsewhere.example", "null",
+          "https://app.foxglove.dev.elsewhere.example", "http://elsewhere.example:8765",
+          "http://localhost:80.elsewhere.example", "file://elsewhere",
+          "https://app.foxglove.dev:8"})
+      EXPECT_EQ(answerTo(other), 403u) << other;
+  }
+}
+
+TEST(FoxgloveServer, TakesOnlyOriginsThatABrowserNames) {
+  for (const char* wrong : {"", "app.foxglove.dev", "https://app.foxglove.dev/", "://a", "https://",
+                            "null", "*", "https://a b"}) {
+    const auto opened = FoxgloveServer::open({"0", {wrong}}, "");
+    ASSERT_FALSE(opened) << wrong;
+    EXPECT_THAT(opened.error().what, HasSubstr("expected an origin")) << wrong;
+  }
 }
 
 TEST(FoxgloveEndpoint, IsAPortOrAnAddressAndAPort) {
   for (const char* wrong : {"", "here", "70000", "here:8765", ":8765", "127.0.0.1:", "-1"})
-    EXPECT_FALSE(FoxgloveServer::open(wrong, "")) << wrong;
-  const auto server = FoxgloveServer::open("127.0.0.1:0", "");
+    EXPECT_FALSE(FoxgloveServer::open({wrong}, "")) << wrong;
+  const auto server = FoxgloveServer::open({"127.0.0.1:0"}, "");
   ASSERT_TRUE(server);
-  EXPECT_THAT(FoxgloveServer::open(std::to_string((*server)->port()), "").error().what,
+  EXPECT_THAT(FoxgloveServer::open({std::to_string((*server)->port())}, "").error().what,
               HasSubstr("in use"));
 }
 

@@ -6,13 +6,16 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
-#include <deque>
+#include <list>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <unordered_map>
 #include <utility>
 
 #include "network/LoopbackPeer.h"
@@ -29,9 +32,16 @@ using beast::error_code;
 
 constexpr std::size_t longestMessage = 1 << 20;  ///< Bytes, of a client.
 constexpr std::size_t longestRequest = 16 << 10;
-constexpr int sendBuffer = 256 << 10;     ///< Bytes.
-constexpr std::size_t mostEvents = 1000;  ///< Clients are not read while more wait.
+constexpr int sendBuffer = 256 << 10;  ///< Bytes.
+/// A client is not read while so much of it was not taken yet.
+constexpr std::size_t mostUnreadEvents = 64, mostUnreadBytes = 1 << 20;
+/// A client is disconnected if so many times `mostWaiting` wait for it.
+constexpr std::size_t muchMore = 16;
+/// Bytes that a message or an event takes beside its text.
+constexpr std::size_t overhead = 128;
 constexpr std::chrono::seconds patience{30};
+/// Without descriptors, until the next connection is accepted.
+constexpr std::chrono::milliseconds acceptAgain{100};
 
 /// The first of the server's subprotocols that a client offers; empty if there is none.
 std::string chosen(std::string_view offered, const std::vector<std::string>& known) {
@@ -46,9 +56,17 @@ std::string chosen(std::string_view offered, const std::vector<std::string>& kno
 bool isTrusted(std::string_view origin, const std::vector<std::string>& trusted) {
   if (origin.empty() || std::ranges::find(trusted, origin) != trusted.end()) return true;
   for (const std::string_view own : {"http://localhost", "https://localhost", "http://127.0.0.1",
-                                     "https://127.0.0.1", "http://[::1]", "https://[::1]"})
-    if (origin == own || (origin.starts_with(own) && origin[own.size()] == ':')) return true;
+                                     "https://127.0.0.1", "http://[::1]", "https://[::1]"}) {
+    if (!origin.starts_with(own)) continue;
+    const std::string_view port = origin.substr(own.size());
+    if (port.empty() || (port[0] == ':' && port.find_first_not_of("0123456789", 1) == port.npos))
+      return true;
+  }
   return false;
+}
+
+std::size_t sizeOf(const WebSocketMessage& message) {
+  return overhead + message.head.size() + message.body->size();
 }
 
 }  // namespace
@@ -91,12 +109,16 @@ class WebSocketServer::Server {
   std::vector<Event> take() {
     if (!news_) return {};
     std::vector<Event> events;
+    bool held = false;
     {
       const std::lock_guard lock{mutex_};
       events.swap(events_);
+      unread_.clear();
+      unreadBytes_ = 0;
+      held = std::exchange(held_, false);
       news_ = false;
     }
-    if (events.size() >= mostEvents)
+    if (held)
       asio::post(context_, [this] {
         for (const auto& [number, connection] : connections_) connection->resume();
       });
@@ -104,13 +126,67 @@ class WebSocketServer::Server {
   }
 
   void send(std::uint64_t client, WebSocketMessage message) {
-    asio::post(context_, [this, client, message = std::move(message)]() mutable {
+    const auto outcome = [&] {
+      const std::lock_guard lock{mutex_};
+      const auto outbox = outboxes_.find(client);
+      return outbox == outboxes_.end()
+                 ? Outbox::Outcome::waits
+                 : outbox->second.put(std::move(message), options_.mostWaiting);
+    }();
+    dropped_ += outcome == Outbox::Outcome::dropped;
+    if (outcome != Outbox::Outcome::first && outcome != Outbox::Outcome::full) return;
+    asio::post(context_, [this, client, isFull = outcome == Outbox::Outcome::full] {
       const auto found = connections_.find(client);
-      if (found != connections_.end()) found->second->send(std::move(message));
+      if (found == connections_.end()) return;
+      const std::shared_ptr<Connection> connection = found->second;  // lives until it has ended
+      isFull ? connection->end() : connection->write();
     });
   }
 
  private:
+  /// What waits to be sent to one client.
+  class Outbox {
+   public:
+    enum class Outcome { first, waits, dropped, full };
+
+    /// Takes a message if there is room. Returns `first` if nothing is being sent: then it is time
+    /// to take a message.
+    Outcome put(WebSocketMessage message, std::size_t mostWaiting) {
+      if (bytes_ > muchMore * mostWaiting) return Outcome::full;
+      const std::size_t size = sizeOf(message);
+      if (const auto older = newest_.find(message.newestOf); older != newest_.end()) {
+        bytes_ += size - sizeOf(*older->second);
+        *older->second = std::move(message);
+        return Outcome::dropped;
+      }
+      if (message.droppable && bytes_ > 0 && bytes_ + size > mostWaiting) return Outcome::dropped;
+      bytes_ += size;
+      waiting_.push_back(std::move(message));
+      if (waiting_.back().newestOf != 0)
+        newest_[waiting_.back().newestOf] = std::prev(waiting_.end());
+      return std::exchange(isSending_, true) ? Outcome::waits : Outcome::first;
+    }
+    /// The next message to send, the one before it being sent.
+    std::optional<WebSocketMessage> take() {
+      bytes_ -= std::exchange(sending_, 0);
+      isSending_ = !waiting_.empty();
+      if (!isSending_) return {};
+      WebSocketMessage message = std::move(waiting_.front());
+      waiting_.pop_front();
+      newest_.erase(message.newestOf);
+      sending_ = sizeOf(message);
+      return message;
+    }
+
+   private:
+    std::list<WebSocketMessage> waiting_;
+    /// Those of `waiting_` that the next one of their number replaces.
+    std::unordered_map<std::uint32_t, std::list<WebSocketMessage>::iterator> newest_;
+    std::size_t bytes_ = 0;    ///< Of what waits and what is being sent.
+    std::size_t sending_ = 0;  ///< Bytes of the message that is being sent.
+    bool isSending_ = false;
+  };
+
   /// One client. All of it runs on the server's thread.
   class Connection : public std::enable_shared_from_this<Connection> {
    public:
@@ -120,53 +196,40 @@ class WebSocketServer::Server {
     void run() {
       parser_.body_limit(0);
       parser_.header_limit(longestRequest);
-      beast::get_lowest_layer(stream_).expires_after(patience);
+      beast::get_lowest_layer(stream_).expires_after(server_.options_.introduction);
       http::async_read_header(
           stream_.next_layer(), buffer_, parser_,
           [self = shared_from_this()](error_code failed, std::size_t) { self->requested(failed); });
     }
 
-    void send(WebSocketMessage message) {
-      if (!open_) return;
-      const std::size_t size = message.head.size() + message.body->size();
-      if (message.newestOf != 0)
-        // The first one is being sent.
-        for (std::size_t i = writing_ ? 1 : 0; i < waiting_.size(); ++i)
-          if (waiting_[i].newestOf == message.newestOf) {
-            waitingBytes_ += size - sizeOf(waiting_[i]);
-            waiting_[i] = std::move(message);
-            ++server_.dropped_;
-            return;
-          }
-      const std::size_t most = server_.options_.mostWaiting;
-      if (message.droppable && waitingBytes_ + size > most && !waiting_.empty()) {
-        ++server_.dropped_;
-        return;
-      }
-      constexpr std::size_t muchMore = 16;
-      if (waitingBytes_ > muchMore * most) return end();
-      waitingBytes_ += size;
-      waiting_.push_back(std::move(message));
-      if (!writing_) write();
+    /// Sends what waits, one message after another.
+    void write() {
+      auto next = server_.nextFor(number_);
+      if (!next) return;
+      sending_ = std::move(*next);
+      stream_.binary(sending_.binary);
+      stream_.async_write(std::array<asio::const_buffer, 2>{asio::buffer(sending_.head),
+                                                            asio::buffer(*sending_.body)},
+                          [self = shared_from_this()](error_code failed, std::size_t) {
+                            if (failed) return self->end();
+                            self->write();
+                          });
     }
 
-    bool open() const { return open_; }
+    /// Whether it has become a client, or is about to.
+    bool isClient() const { return isClient_; }
     void resume() {
       if (std::exchange(paused_, false)) read();
     }
 
     void end() {
       if (std::exchange(ended_, true)) return;
-      if (std::exchange(open_, false)) server_.report({EventKind::closed, number_});
+      if (std::exchange(open_, false)) server_.leave(number_);
       beast::get_lowest_layer(stream_).close();
       server_.connections_.erase(number_);
     }
 
    private:
-    static std::size_t sizeOf(const WebSocketMessage& message) {
-      return message.head.size() + message.body->size();
-    }
-
     void requested(error_code failed) {
       if (failed) return end();
       const auto& request = parser_.get();
@@ -182,10 +245,12 @@ class WebSocketServer::Server {
       const int file = beast::get_lowest_layer(stream_).socket().native_handle();
       if (isOverLoopback(file) && !isPeerOfThisUser(file))
         return refuse(http::status::forbidden, "This server is another user's.\n");
-      if (server_.connections_.size() > server_.options_.mostClients)
+      if (!server_.hasRoom())
         return refuse(http::status::service_unavailable, "There are too many clients.\n");
+      isClient_ = true;
       beast::get_lowest_layer(stream_).expires_never();
-      stream_.set_option(websocket::stream_base::timeout{patience, patience, true});
+      stream_.set_option(
+          websocket::stream_base::timeout{server_.options_.introduction, patience, true});
       stream_.set_option(websocket::stream_base::decorator{[protocol](auto& response) {
         response.set(http::field::sec_websocket_protocol, protocol);
       }});
@@ -199,7 +264,7 @@ class WebSocketServer::Server {
         // What the system has taken can be neither replaced nor dropped.
         socket.set_option(asio::socket_base::send_buffer_size{sendBuffer}, ignored);
         self->buffer_.clear();
-        self->server_.report({EventKind::connected, self->number_});
+        self->server_.join(self->number_);
         self->read();
       });
     }
@@ -219,27 +284,12 @@ class WebSocketServer::Server {
       stream_.async_read(buffer_, [self = shared_from_this()](error_code failed, std::size_t) {
         if (failed) return self->end();
         const bool binary = self->stream_.got_binary();
-        const std::size_t waiting =
-            self->server_.report({binary ? EventKind::binary : EventKind::text, self->number_,
-                                  beast::buffers_to_string(self->buffer_.data())});
+        self->paused_ =
+            !self->server_.report({binary ? EventKind::binary : EventKind::text, self->number_,
+                                   beast::buffers_to_string(self->buffer_.data())});
         self->buffer_.clear();
-        self->paused_ = waiting >= mostEvents;
         if (!self->paused_) self->read();
       });
-    }
-
-    void write() {
-      writing_ = true;
-      const WebSocketMessage& message = waiting_.front();
-      stream_.binary(message.binary);
-      stream_.async_write(std::array{asio::buffer(message.head), asio::buffer(*message.body)},
-                          [self = shared_from_this()](error_code failed, std::size_t) {
-                            if (failed) return self->end();
-                            self->waitingBytes_ -= sizeOf(self->waiting_.front());
-                            self->waiting_.pop_front();
-                            self->writing_ = false;
-                            if (!self->waiting_.empty()) self->write();
-                          });
     }
 
     Server& server_;
@@ -247,50 +297,99 @@ class WebSocketServer::Server {
     websocket::stream<beast::tcp_stream> stream_;
     beast::flat_buffer buffer_;
     http::request_parser<http::empty_body> parser_;
-    std::deque<WebSocketMessage> waiting_;  ///< The first one is being sent if `writing_`.
-    std::size_t waitingBytes_ = 0;
-    bool writing_ = false, open_ = false, paused_ = false, ended_ = false;
+    WebSocketMessage sending_;
+    bool isClient_ = false, open_ = false, paused_ = false, ended_ = false;
   };
 
   void accept() {
     acceptor_.async_accept([this](error_code failed, tcp::socket socket) {
       if (failed == asio::error::operation_aborted) return;
-      if (!failed) {
-        makeRoom();
-        const std::uint64_t number = ++numbers_;
-        connections_.emplace(number, std::make_shared<Connection>(*this, number, std::move(socket)))
-            .first->second->run();
-      }
+      if (failed) return acceptLater();
+      makeRoom();
+      const std::uint64_t number = ++numbers_;
+      connections_.emplace(number, std::make_shared<Connection>(*this, number, std::move(socket)))
+          .first->second->run();
       accept();
     });
   }
 
-  /// Who has connected and is no client yet leaves for who comes later.
-  void makeRoom() {
-    if (connections_.size() < options_.mostClients) return;
-    const auto stranger =
-        std::ranges::find_if(connections_, [](const auto& c) { return !c.second->open(); });
-    if (stranger == connections_.end()) return;
-    const std::shared_ptr<Connection> connection = stranger->second;  // lives until it has ended
-    connection->end();
+  /// As long as there are no descriptors, each attempt would fail at once.
+  void acceptLater() {
+    acceptTimer_.expires_after(acceptAgain);
+    acceptTimer_.async_wait([this](error_code aborted) {
+      if (!aborted) accept();
+    });
   }
 
-  /// Returns how many events wait.
-  std::size_t report(Event event) {
+  /// The oldest connection that has not asked for anything yet leaves for who comes later.
+  void makeRoom() {
+    const auto isStranger = [](const auto& entry) { return !entry.second->isClient(); };
+    const auto strangers = std::ranges::count_if(connections_, isStranger);
+    if (strangers < static_cast<std::ptrdiff_t>(options_.mostStrangers)) return;
+    const std::shared_ptr<Connection> oldest =  // lives until it has ended
+        std::ranges::find_if(connections_, isStranger)->second;
+    oldest->end();
+  }
+
+  /// Whether one more client has room: for itself, and for what it may send.
+  bool hasRoom() {
+    const auto clients = std::ranges::count_if(
+        connections_, [](const auto& entry) { return entry.second->isClient(); });
     const std::lock_guard lock{mutex_};
+    return static_cast<std::size_t>(clients) < options_.mostClients &&
+           unreadBytes_ < options_.mostClients * mostUnreadBytes;
+  }
+
+  void join(std::uint64_t client) {
+    {
+      const std::lock_guard lock{mutex_};
+      outboxes_[client];
+    }
+    report({EventKind::connected, client});
+  }
+  void leave(std::uint64_t client) {
+    report({EventKind::closed, client});
+    const std::lock_guard lock{mutex_};
+    outboxes_.erase(client);
+  }
+  std::optional<WebSocketMessage> nextFor(std::uint64_t client) {
+    const std::lock_guard lock{mutex_};
+    const auto outbox = outboxes_.find(client);
+    return outbox == outboxes_.end() ? std::nullopt : outbox->second.take();
+  }
+
+  /// Returns whether the client may be read: not while much of it was not taken.
+  bool report(Event event) {
+    const std::lock_guard lock{mutex_};
+    Unread& unread = unread_[event.client];
+    const std::size_t size = overhead + event.data.size();
+    ++unread.events;
+    unread.bytes += size;
+    unreadBytes_ += size;
     events_.push_back(std::move(event));
     news_ = true;
-    return events_.size();
+    const bool isMuch = unread.events >= mostUnreadEvents || unread.bytes >= mostUnreadBytes;
+    held_ = held_ || isMuch;
+    return !isMuch;
   }
+
+  struct Unread {
+    std::size_t events = 0, bytes = 0;
+  };
 
   const Options options_;
   asio::io_context context_{1};
   tcp::acceptor acceptor_{context_};
+  asio::steady_timer acceptTimer_{context_};
   std::uint16_t port_ = 0;
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;
   std::uint64_t numbers_ = 0;
-  std::mutex mutex_;  ///< Of the events.
+  std::mutex mutex_;  ///< Of all that follows, unless it is atomic.
+  std::map<std::uint64_t, Outbox> outboxes_;
   std::vector<Event> events_;
+  std::map<std::uint64_t, Unread> unread_;  ///< Of each client's events, since they were taken.
+  std::size_t unreadBytes_ = 0;             ///< Of all.
+  bool held_ = false;                       ///< A client is not read until they are taken.
   std::atomic<bool> news_ = false;
   std::atomic<std::uint64_t> dropped_ = 0;
   std::thread thread_;

@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -21,9 +22,10 @@ struct WebSocketMessage {
 };
 
 /// A server of the WebSocket protocol (RFC 6455) on a thread of its own. Its functions are called
-/// by one thread and never wait for the network. Memory is bounded for each client: what one does
-/// not take in time is dropped for that one. On the loopback device programs of other users are
-/// turned away, and everywhere pages that a browser has loaded from elsewhere.
+/// by one thread and never wait for the network. Memory is bounded for each client, in both
+/// directions: what one does not take in time is dropped for that one, and one that sends more than
+/// is taken is not read. On the loopback device programs of other users are turned away, and
+/// everywhere pages that a browser has loaded from elsewhere.
 class WebSocketServer {
  public:
   struct Options {
@@ -35,6 +37,9 @@ class WebSocketServer {
     std::vector<std::string> origins{};
     std::size_t mostClients = 16;
     std::size_t mostWaiting = 4 << 20;  ///< Bytes for a client before messages are dropped.
+    /// Connections that have not asked for anything yet; the oldest one leaves for the next.
+    std::size_t mostStrangers = 64;
+    std::chrono::milliseconds introduction{3000};  ///< Until a connection must have asked.
   };
   enum class EventKind { connected, text, binary, closed };
   struct Event {

@@ -11,6 +11,9 @@
 namespace gt {
 namespace {
 
+/// Bytes; longer ones lose their end, and are no messages then.
+constexpr std::size_t longestDatagram = 2048;
+
 sockaddr* general(sockaddr_in& address) {
   return reinterpret_cast<sockaddr*>(&address);
 }
@@ -42,7 +45,7 @@ GameControllerLink::~GameControllerLink() {
 }
 
 std::optional<std::vector<std::byte>> GameControllerLink::receive() {
-  std::array<std::byte, 2048> buffer;
+  std::array<std::byte, longestDatagram> buffer;
   socklen_t size = sizeof sender_;
   const auto count = ::recvfrom(socket_, buffer.data(), buffer.size(), 0, general(sender_), &size);
   if (count < 0) return std::nullopt;

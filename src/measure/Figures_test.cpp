@@ -64,7 +64,7 @@ TEST(Figures, TheFileHoldsNamesUnitsRunsAndAims) {
   const Json json = *parseJson(*readFile(path), path);
   ASSERT_EQ(json.size(), 2u);
   EXPECT_EQ(json[0]["name"], "group.a");
-  EXPECT_EQ(json[0]["runs"], Json::parse("[1.0, 2.0]"));
+  EXPECT_EQ(json[0]["runs"], Json::array({1.0, 2.0}));
   EXPECT_EQ(json[0]["aim"], 1);
   EXPECT_EQ(json[0]["met"], false);
   EXPECT_FALSE(json[1].contains("met"));

@@ -5,6 +5,8 @@
 #include <zmq.h>
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "streams/Config.h"
@@ -16,14 +18,18 @@ namespace {
 /// A key as text of 40 characters (Z85), and the end.
 using KeyText = std::array<char, 41>;
 
+/// Leaves no file behind if it cannot be written: it would be in the way of the next try.
 Result<void> writeSecret(const std::string& file, const Keys& keys) {
   const int handle = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (handle < 0) return Error{.file = file, .what = "cannot be created, or is there already"};
   const std::string text = writeConfig(keys);
+  errno = ENOSPC;  // what a write of only a part does not set
   const bool written = write(handle, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const std::string why = std::strerror(errno);
   close(handle);
-  if (!written) return Error{.file = file, .what = "cannot be written"};
-  return {};
+  if (written) return {};
+  unlink(file.c_str());
+  return Error{.file = file, .what = "cannot be written: " + why};
 }
 
 bool isKey(const std::string& text) {
@@ -35,7 +41,8 @@ bool isKey(const std::string& text) {
 
 Result<void> makeKeys(const std::string& folder) {
   std::error_code ignored;  // then creating the files reports what is wrong
-  std::filesystem::create_directories(folder, ignored);
+  if (std::filesystem::create_directories(folder, ignored))
+    std::filesystem::permissions(folder, std::filesystem::perms::owner_all, ignored);
   KeyText serverPublic, serverSecret, clientPublic, clientSecret;
   if (zmq_curve_keypair(serverPublic.data(), serverSecret.data()) != 0 ||
       zmq_curve_keypair(clientPublic.data(), clientSecret.data()) != 0)
@@ -44,7 +51,9 @@ Result<void> makeKeys(const std::string& folder) {
   const Keys robot{serverPublic.data(), serverSecret.data(), clientPublic.data(), ""};
   if (auto done = writeSecret((path / "robot.key").string(), robot); !done) return done;
   const Keys tool{serverPublic.data(), "", clientPublic.data(), clientSecret.data()};
-  return writeSecret((path / "tool.key").string(), tool);
+  auto done = writeSecret((path / "tool.key").string(), tool);
+  if (!done) unlink((path / "robot.key").c_str());
+  return done;
 }
 
 Result<Keys> loadKeys(const std::string& file) {

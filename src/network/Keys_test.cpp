@@ -1,6 +1,10 @@
 #include "network/Keys.h"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
+
+#include <csignal>
+#include <filesystem>
 
 #include "streams/File.h"
 #include "support/TestWire.h"
@@ -28,6 +32,40 @@ TEST(Keys, ArePairsInFilesForTheUserAlone) {
     EXPECT_EQ(status.st_mode & 0777, 0600u);
     EXPECT_FALSE(makeKeys(folder.file("keys"))) << "would replace keys that are in use";
   }
+}
+
+TEST(Keys, LieInAFolderForTheUserAlone) {
+  const TestFolder folder;
+  const mode_t before = umask(0);
+  ASSERT_TRUE(makeKeys(folder.file("made")));
+  umask(before);
+  struct stat status {};
+  ASSERT_EQ(stat(folder.file("made").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0700u);
+}
+
+/// As on a disk that is full.
+TEST(Keys, ThatCannotBeWrittenLeaveNothingBehind) {
+  const TestFolder folder;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  for (const rlim_t room : {0, 50}) {
+    const rlimit few{room, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &few), 0);
+    const auto done = makeKeys(folder.file("keys"));
+    setrlimit(RLIMIT_FSIZE, &before);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().what.substr(0, 19), "cannot be written: ");
+    EXPECT_TRUE(std::filesystem::is_empty(folder.file("keys")));
+  }
+  std::signal(SIGXFSZ, handler);
+  std::filesystem::create_directory(folder.file("keys/tool.key"));
+  EXPECT_FALSE(makeKeys(folder.file("keys")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("keys/robot.key")))
+      << "nor one without the other";
+  std::filesystem::remove(folder.file("keys/tool.key"));
+  EXPECT_TRUE(makeKeys(folder.file("keys")));
 }
 
 TEST(Keys, WrongFilesAreTold) {

@@ -24,6 +24,8 @@ constexpr std::size_t inlineSize = 4096;
 constexpr std::size_t mostSlots = 32;
 /// Where nobody listens one tries again, in ms.
 constexpr std::int64_t retryAfter = 20;
+/// Without descriptors, until the next connection is accepted, in ms.
+constexpr std::int64_t acceptAfter = 100;
 
 /// Before each frame: of a package in shared memory the number by which it is read, and its size.
 struct Notice {
@@ -308,13 +310,24 @@ void LocalSocket::add(FileDescriptor socket) {
 void LocalSocket::accept() {
   // Not each time that somebody looks for frames.
   const std::int64_t now = network_.elapsed();
-  if (now == std::exchange(tried_, now)) return;
+  if (now == std::exchange(tried_, now) || (failed_ >= 0 && now - failed_ < acceptAfter)) return;
+  if (std::exchange(failed_, -1) >= 0) watchListening(true);
   while (true) {
     FileDescriptor socket{
         accept4(listening_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
-    if (!socket) return;
+    if (!socket) break;
     if (isTrusted(socket) && hasRoom()) add(std::move(socket));
   }
+  if (errno != EMFILE && errno != ENFILE && errno != ENOBUFS && errno != ENOMEM) return;
+  // Whoever waits would wake the program again and again.
+  failed_ = now;
+  watchListening(false);
+}
+
+/// Whether somebody who connects wakes the program.
+void LocalSocket::watchListening(bool on) {
+  epoll_event event{on ? EPOLLIN : 0u, {}};
+  epoll_ctl(events_.number(), EPOLL_CTL_MOD, listening_.number(), &event);
 }
 
 /// Who has not told a name yet leaves for who comes later.

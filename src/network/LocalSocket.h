@@ -91,6 +91,7 @@ class LocalSocket : public Socket {
   LocalSocket(const Network& network, std::string path, const SocketLimits& limits);
   Result<void> bind();
   void accept();
+  void watchListening(bool on);
   void connectAgain();
   bool hasRoom();
   void add(FileDescriptor socket);
@@ -104,7 +105,8 @@ class LocalSocket : public Socket {
   std::vector<std::unique_ptr<LocalConnection>> connections_;
   std::size_t turn_ = 0;  ///< Whose is next, so that nobody keeps others from being heard.
   std::uint64_t strangers_ = 0;
-  std::int64_t tried_ = -1;  ///< When it looked for who is there.
+  std::int64_t tried_ = -1;   ///< When it looked for who is there.
+  std::int64_t failed_ = -1;  ///< When it could not let in who is there; -1 if it could.
 };
 
 }  // namespace gt

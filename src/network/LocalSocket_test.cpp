@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 
@@ -280,6 +281,29 @@ TEST_F(LocalSocketTest, AFloodOfGarbageHarmsNobody) {
   }
   EXPECT_TRUE(eventually([&] { return openFiles() <= files; }, [&] { atServer.take(); }))
       << openFiles() << " of " << files;
+}
+
+TEST_F(LocalSocketTest, WhoWaitsWhileThereAreNoDescriptorsDoesNotKeepTheProgramAwake) {
+  FileDescriptor waiting{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK, 0)};
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const FileDescriptor next{dup(0)};  // all with lower numbers are in use
+  const rlimit few{static_cast<rlim_t>(next.number()), before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strcpy(address.sun_path, folder.file("socket").c_str());
+  EXPECT_EQ(connect(waiting.number(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  int awake = 0;
+  for (const std::int64_t begin = network.elapsed(); network.elapsed() - begin < 500; ++awake) {
+    network.wait(20);
+    atServer.take();
+  }
+  EXPECT_LE(awake, 50);
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+  const std::size_t files = openFiles();
+  EXPECT_TRUE(eventually([&] { return openFiles() > files; }, [&] { atServer.take(); }))
+      << "it is let in when there are some";
 }
 
 TEST_F(LocalSocketTest, OnlySoManyAreLetIn) {

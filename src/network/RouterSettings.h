@@ -21,6 +21,7 @@ struct RouterSettings {
   std::string keys;
   std::string connectKeys;
   std::string foxglove;
+  std::vector<std::string> foxgloveOrigins;
 
   static constexpr auto fields() {
     return Fields{
@@ -36,7 +37,9 @@ struct RouterSettings {
         field("join", &RouterSettings::join, "", "endpoints of other routers"),
         field("keys", &RouterSettings::keys, "", "key file for listening"),
         field("connectKeys", &RouterSettings::connectKeys, "", "key file for connecting"),
-        field("foxglove", &RouterSettings::foxglove, "", "where viewers connect; empty: nowhere")};
+        field("foxglove", &RouterSettings::foxglove, "", "where viewers connect; empty: nowhere"),
+        field("foxgloveOrigins", &RouterSettings::foxgloveOrigins, "",
+              "of viewers in browsers, beside this machine")};
   }
 
   RobotList::Places places() const { return {listen, port, sockets}; }

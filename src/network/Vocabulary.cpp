@@ -5,6 +5,16 @@
 #include "streams/RecordedMessage.h"
 
 namespace gt {
+namespace {
+
+/// A program that describes its types again and again is not reported without end.
+constexpr std::size_t mostUnreportedNews = 100;
+
+void addNews(std::vector<std::string>& news, std::string line) {
+  if (news.size() < mostUnreportedNews) news.push_back(std::move(line));
+}
+
+}  // namespace
 
 TypeDescription TypeDescription::of(const RepresentationType& type) {
   Schema schema = type.schema();
@@ -36,11 +46,12 @@ void Interpreter::learn(TypeDescriptions theirs) {
   if (!own_) return;
   for (const TypeDescription& description : theirs_.types) {
     const RepresentationType* type = own_->find(description.type);
-    if (!type || type->schema().id() == Schema{description.name, description.schema}.id()) continue;
+    if (!type || foreign_.contains(description.type)) continue;
+    if (type->schema().id() == Schema{description.name, description.schema}.id()) continue;
     auto definition = MessageDefinition::parse(description.name, description.schema);
-    news_.push_back(
-        "the program was built from another version: its " + std::string{type->name} +
-        (definition ? " is read field by field" : " cannot be read: " + definition.error().text()));
+    addNews(news_, "the program was built from another version: its " + std::string{type->name} +
+                       (definition ? " is read field by field"
+                                   : " cannot be read: " + definition.error().text()));
     Foreign& foreign = foreign_[description.type] = {type, {}};
     if (definition) foreign.definition = std::move(*definition);
   }
@@ -64,8 +75,8 @@ void Interpreter::translate(const Message& message, Foreign& foreign, MessageQue
   if (done) {
     foreign.type->write(value.get(), message.time, to);
   } else if (!std::exchange(foreign.failed, true)) {
-    news_.push_back("the program sends a " + std::string{foreign.type->name} +
-                    " that cannot be read: " + done.error().text());
+    addNews(news_, "the program sends a " + std::string{foreign.type->name} +
+                       " that cannot be read: " + done.error().text());
   }
 }
 

@@ -50,6 +50,19 @@ TEST(Vocabulary, IsThatOfItsTypesWhateverTheirOrder) {
   EXPECT_EQ(robots().find(1), nullptr);
 }
 
+/// Who describes a type again and again neither takes time for it nor fills the memory.
+TEST(Interpreter, TakesOneDescriptionOfATypeAndLimitsWhatItReports) {
+  Interpreter interpreter{&tools()};
+  TypeDescriptions many{7, {}};
+  for (int i = 0; i < 10'000; ++i)
+    many.types.push_back({messageId<NumberPackage>(), "a/msg/B", "no schema at all"});
+  interpreter.learn(many);
+  EXPECT_EQ(interpreter.takeNews().size(), 1u);
+  many.types.resize(1);
+  for (int i = 0; i < 1000; ++i) interpreter.learn(many);
+  EXPECT_EQ(interpreter.takeNews().size(), 100u);
+}
+
 TEST(Interpreter, RefusesWhatItCannotRead) {
   Interpreter interpreter{&tools()};
   EXPECT_TRUE(interpreter.knows(0));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/Number.h"
+#include "base/ParseJson.h"
 
 namespace gt {
 namespace {
@@ -119,20 +120,7 @@ Result<void> detail::fromJson(const Json& json, Value value) {
 }
 
 Result<Json> parseJson(std::string_view text, const std::string& sourceName) {
-  // Depth is limited before parsing: the values of deeply nested text would be destroyed
-  // recursively.
-  int depth = 0;
-  for (const char c : text) {
-    depth += (c == '[' || c == '{') ? 1 : (c == ']' || c == '}') ? -1 : 0;
-    if (depth > 1000) return Error{.file = sourceName, .what = "is nested too deeply"};
-  }
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& e) {
-    return Error{.file = sourceName, .field = std::to_string(e.byte), .what = "is no JSON"};
-  } catch (const Json::out_of_range&) {
-    return Error{.file = sourceName, .what = "holds a number that is too large"};
-  }
+  return parseJsonAs<Json>(text, sourceName);
 }
 
 }  // namespace gt

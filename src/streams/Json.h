@@ -30,7 +30,8 @@ Result<void> fromJson(const Json& json, T& value) {
   return result;
 }
 
-/// Parses text as JSON; an error's field is the offset in the text.
+/// Parses text as JSON, within the bounds of base/ParseJson.h; an error's field is the offset in
+/// the text.
 Result<Json> parseJson(std::string_view text, const std::string& sourceName);
 
 }  // namespace gt

@@ -70,7 +70,43 @@ TEST(Json, TellsWhereItIsWrong) {
   EXPECT_EQ(errorOf(R"([])"), "expected an object");
   EXPECT_EQ(errorOf("{\"x\": 1e999}"), "test.json: holds a number that is too large");
   EXPECT_EQ(errorOf("{"), "test.json: 2: is no JSON");
-  EXPECT_EQ(errorOf(std::string(100000, '[').c_str()), "test.json: is nested too deeply");
+  EXPECT_EQ(errorOf(std::string(100000, '[').c_str()),
+            "test.json: is nested too deeply, at most 100 levels");
+}
+
+std::string repeated(const std::string& text, std::size_t times) {
+  std::string result;
+  for (std::size_t i = 0; i < times; ++i) result += text;
+  return result;
+}
+
+/// Brackets in strings neither open nor close a level.
+TEST(Json, RefusesWhatIsNestedTooDeeply) {
+  for (const std::string name : {"", "]", "}", "[", "{", "\\\"]", "\\\\"}) {
+    const auto nested = [&](std::size_t levels) {
+      const std::string half = repeated("[\"" + name + "\",{\"" + name + "\":", levels / 2);
+      return parseJson(half + "1" + repeated("}]", levels / 2), "");
+    };
+    EXPECT_TRUE(nested(100)) << name;
+    ASSERT_FALSE(nested(102)) << name;
+    EXPECT_EQ(nested(102).error().what, "is nested too deeply, at most 100 levels") << name;
+    EXPECT_FALSE(nested(200'000)) << name;
+    EXPECT_TRUE(parseJson("[" + repeated("[\"" + name + "\"],", 1000) + "1]", ""))
+        << "beside each other";
+  }
+}
+
+/// A key is looked for among all before it, so many of them would take long.
+TEST(Json, RefusesObjectsOfTooManyMembers) {
+  const auto object = [](std::size_t members) {
+    std::string text = "{";
+    for (std::size_t i = 0; i < members; ++i) text += '"' + std::to_string(i) + "\":1,";
+    text.back() = '}';
+    return parseJson(text, "");
+  };
+  EXPECT_EQ(object(1000)->size(), 1000u);
+  ASSERT_FALSE(object(1001));
+  EXPECT_EQ(object(1001).error().what, "has an object of more than 1000 members");
 }
 
 }  // namespace

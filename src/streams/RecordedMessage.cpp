@@ -90,9 +90,9 @@ Json scalarJson(const RecordedField& field, const Scalar& scalar) {
     if (!std::isfinite(*real)) return nullptr;
     // By its shortest text, so that 0.1f is 0.1 and not 0.10000000149.
     if (field.number == Number::float32)
-      return Json::parse(
+      return *parseJson(
           scalarText(valueOf(std::as_const(static_cast<const float&>(static_cast<float>(*real))))),
-          nullptr, false);
+          "");
     return *real;
   }
   if (const auto* number = std::get_if<std::int64_t>(&scalar)) return *number;

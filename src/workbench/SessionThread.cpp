@@ -81,12 +81,12 @@ SessionThread::SessionThread(DataRoot root)
     : root_{std::move(root)}, screen_{std::make_unique<ThreadScreen>(*this)} {}
 
 Result<std::unique_ptr<SessionThread>> SessionThread::make(const MatchOptions& options,
-                                                           const std::string& foxglove) {
+                                                           const FoxgloveAccess& foxglove) {
   std::unique_ptr<SessionThread> made{new SessionThread{options.root}};
   auto session = Session::make(options, *made->screen_);
   if (!session) return session.error();
   made->session_ = std::move(*session);
-  if (!foxglove.empty())
+  if (!foxglove.endpoint.empty())
     if (const auto done = made->session_->serveFoxglove(foxglove); !done) return done.error();
   made->console_ = std::make_unique<Console>(*made->session_);
   made->updateStatus();

@@ -68,9 +68,9 @@ class SessionThread {
  public:
   using Done = std::function<void(const Result<void>&)>;
 
-  /// `foxglove` is where viewers connect (Session::serveFoxglove); empty: nowhere.
+  /// `foxglove` is where viewers connect (Session::serveFoxglove).
   static Result<std::unique_ptr<SessionThread>> make(const MatchOptions& options,
-                                                     const std::string& foxglove = {});
+                                                     const FoxgloveAccess& foxglove = {});
   ~SessionThread();  ///< Interrupts what is executed.
   SessionThread(const SessionThread&) = delete;
   SessionThread& operator=(const SessionThread&) = delete;

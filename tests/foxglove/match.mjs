@@ -42,6 +42,16 @@ async function connect(url) {
   throw new Error(`nobody listens at ${url}`);
 }
 
+/// The status with which the program answers a page from elsewhere.
+function answerTo(url, origin) {
+  return new Promise((done) => {
+    const ws = new WebSocket(url, [FoxgloveClient.SUPPORTED_SUBPROTOCOL], { origin });
+    ws.on("open", () => (ws.terminate(), done(101)));
+    ws.on("unexpected-response", (request, response) => (request.destroy(), done(response.statusCode)));
+    ws.on("error", () => done(0));
+  });
+}
+
 /// Subscribes to the channels that are wanted, decodes what comes.
 class Viewer {
   constructor(client, wanted) {
@@ -121,10 +131,15 @@ const some = new Set(["/blue4/BallModel", "/red2/drawings/SelfLocator/pose", "/b
 
 async function checkMatch(simgt) {
   const port = await freePort();
-  const program = spawn(simgt, ["console", "scenes/match.scene", "--seed", "7", "--foxglove", `${port}`, "-c", "st on 1",
-    "-c", "run 60 s"], { stdio: "ignore" });
+  const program = spawn(simgt, ["console", "scenes/match.scene", "--seed", "7", "--foxglove", `${port}`, "--foxglove-origin",
+    "https://app.foxglove.dev", "-c", "st on 1", "-c", "run 60 s"], { stdio: "ignore" });
   try {
     const client = await connect(`ws://127.0.0.1:${port}`);
+    for (const [origin, status] of [["https://app.foxglove.dev", 101], ["http://localhost:8080", 101],
+      ["https://elsewhere.example", 403], ["file://", 403]]) {
+      const answer = await answerTo(`ws://127.0.0.1:${port}`, origin);
+      check(answer === status, `a page of ${origin} gets ${answer} instead of ${status}`);
+    }
     const viewer = new Viewer(client, (topic) => topic.startsWith("/red1/") ? !topic.includes("/distances/") : some.has(topic));
     await viewer.until(() => viewer.info && viewer.time, "the time");
     for (const robot of ["red1", "blue4"])

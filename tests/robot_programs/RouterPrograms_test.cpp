@@ -130,7 +130,9 @@ TEST_F(RouterProgramsTest, TheRobotsOfTwoRoutersPlayAsATeam) {
 
 TEST_F(RouterProgramsTest, ViewersSeeRobotsElsewhere) {
   const int port = freePort();
-  ChildProgram router{command({"127.0.0", "11", "--foxglove", std::to_string(port)}, firstPort)};
+  ChildProgram router{command({"127.0.0", "11", "--foxglove", std::to_string(port),
+                               "--foxglove-origin", "https://viewer.example"},
+                              firstPort)};
   std::optional<testing::TestViewer> viewer;
   const auto work = [&] {
     answer(0);
@@ -145,6 +147,11 @@ TEST_F(RouterProgramsTest, ViewersSeeRobotsElsewhere) {
   RobotPose pose;
   ASSERT_TRUE(decode(std::as_bytes(std::span{viewer->data.front().bytes}), pose));
   EXPECT_EQ(pose.pose.translation, Vector2d(100, 200));
+  const auto answerTo = [&](const std::string& origin) {
+    return testing::TestViewer::answerTo(static_cast<std::uint16_t>(port), origin);
+  };
+  EXPECT_EQ(answerTo("https://viewer.example"), 101u);
+  EXPECT_EQ(answerTo("https://elsewhere.example"), 403u);
 }
 
 }  // namespace

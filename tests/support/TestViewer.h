@@ -23,19 +23,14 @@ class TestViewer {
     std::string bytes;
   };
 
-  /// Empty if the server turns it away. A browser names the origin of its page.
+  /// Empty if the server turns it away.
   static std::optional<TestViewer> connect(std::uint16_t port,
-                                           const std::string& subprotocol = "foxglove.sdk.v1",
-                                           const std::string& origin = "") {
+                                           const std::string& subprotocol = "foxglove.sdk.v1") {
     TestViewer viewer;
     boost::beast::error_code failed;
-    viewer.socket().open(boost::asio::ip::tcp::v4(), failed);
-    constexpr int fewBytes = 65536;  // that come without being read
-    viewer.socket().set_option(boost::asio::socket_base::receive_buffer_size{fewBytes}, failed);
-    viewer.socket().connect({boost::asio::ip::make_address("127.0.0.1"), port}, failed);
+    viewer.connectTo(port, failed);
     viewer.stream_->set_option(boost::beast::websocket::stream_base::decorator{[&](auto& request) {
       request.set(boost::beast::http::field::sec_websocket_protocol, subprotocol);
-      if (!origin.empty()) request.set(boost::beast::http::field::origin, origin);
     }});
     viewer.stream_->read_message_max(64 << 20);
     boost::beast::websocket::response_type response;
@@ -44,11 +39,32 @@ class TestViewer {
     viewer.subprotocol = std::string{response[boost::beast::http::field::sec_websocket_protocol]};
     return viewer;
   }
+  /// The status with which the server answers a browser that has loaded its page from an origin; 0
+  /// if it does not answer.
+  static unsigned answerTo(std::uint16_t port, const std::string& origin) {
+    namespace http = boost::beast::http;
+    TestViewer viewer;
+    boost::beast::error_code failed;
+    viewer.connectTo(port, failed);
+    http::request<http::empty_body> request{http::verb::get, "/", 11};
+    request.set(http::field::host, "localhost");
+    request.set(http::field::connection, "upgrade");
+    request.set(http::field::upgrade, "websocket");
+    request.set(http::field::sec_websocket_version, "13");
+    request.set(http::field::sec_websocket_key, "dGhlIHNhbXBsZSBub25jZQ==");
+    request.set(http::field::sec_websocket_protocol, "foxglove.sdk.v1");
+    if (!origin.empty()) request.set(http::field::origin, origin);
+    http::response_parser<http::string_body> response;
+    boost::beast::flat_buffer buffer;
+    if (!failed) http::write(viewer.socket(), request, failed);
+    if (!failed) http::read_header(viewer.socket(), buffer, response, failed);
+    return failed ? 0 : response.get().result_int();
+  }
 
   void send(const std::string& text) {
     boost::beast::error_code failed;
     stream_->write(boost::asio::buffer(text), failed);
-    open = open && !failed;
+    isOpen = isOpen && !failed;
   }
   void subscribe(std::uint32_t id, const std::string& topic) {
     send(Json{{"op", "subscribe"},
@@ -59,18 +75,18 @@ class TestViewer {
   /// Takes what has come, without waiting.
   void read() {
     boost::beast::error_code failed;
-    while (open && socket().available(failed) > 0) {
+    while (isOpen && socket().available(failed) > 0) {
       boost::beast::flat_buffer buffer;
       stream_->read(buffer, failed);
       if (failed)
-        open = false;
+        isOpen = false;
       else
         take(boost::beast::buffers_to_string(buffer.data()), stream_->got_text());
     }
   }
   boost::asio::ip::tcp::socket& socket() { return stream_->next_layer(); }
 
-  bool open = true;
+  bool isOpen = true;
   std::string subprotocol;
   std::vector<Json> texts;
   std::map<std::string, Json> channels;  ///< By topics.
@@ -82,6 +98,13 @@ class TestViewer {
       : context_{std::make_unique<boost::asio::io_context>()},
         stream_{std::make_unique<boost::beast::websocket::stream<boost::asio::ip::tcp::socket>>(
             *context_)} {}
+
+  void connectTo(std::uint16_t port, boost::beast::error_code& failed) {
+    socket().open(boost::asio::ip::tcp::v4(), failed);
+    constexpr int fewBytes = 65536;  // that come without being read
+    socket().set_option(boost::asio::socket_base::receive_buffer_size{fewBytes}, failed);
+    socket().connect({boost::asio::ip::make_address("127.0.0.1"), port}, failed);
+  }
 
   template <typename N>
   static N number(const std::string& bytes, std::size_t at) {
@@ -99,7 +122,7 @@ class TestViewer {
                         message.substr(13)});
       return;
     }
-    texts.push_back(Json::parse(message));
+    texts.push_back(*parseJson(message, "server"));
     const Json& json = texts.back();
     if (json["op"] == "advertise")
       for (const Json& channel : json["channels"]) channels[channel["topic"]] = channel;

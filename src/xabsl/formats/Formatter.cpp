@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "xabsl/language/Lexer.h"
+#include "xabsl/language/Parser.h"
 
 namespace xabsl {
 
@@ -23,12 +24,39 @@ Piece pieceOf(const Token& token) {
   return {{token.text.data() - before, length}, false};
 }
 
+/// Reports brackets that are nested more deeply than the parser would follow: each level moves all
+/// lines in it, so that the text grows with the square of their number.
+class NestingLimit {
+ public:
+  explicit NestingLimit(Reporter& reporter) : reporter_(reporter) {}
+
+  /// Returns false if there are too many open brackets.
+  bool add(const Token& token) {
+    if (token.is("{") || token.is("(")) ++open_;
+    if ((token.is("}") || token.is(")")) && open_ > 0) --open_;
+    if (open_ <= most) return true;
+    reporter_.error(token.location,
+                    "nested too deeply, at most " + std::to_string(most) + " levels");
+    return false;
+  }
+
+ private:
+  /// The parser's, and the brackets of option, state and the like around what it counts.
+  static constexpr int most = Parser::maximalNesting + 10;
+
+  Reporter& reporter_;
+  int open_ = 0;
+};
+
 std::vector<Piece> piecesOf(int file, std::string_view text, Reporter& reporter) {
   std::vector<syntax::Comment> comments;
   std::vector<Piece> pieces;
   Lexer lexer(file, text, reporter, &comments);
-  for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
+  NestingLimit nesting(reporter);
+  for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next()) {
+    if (!nesting.add(token)) break;
     pieces.push_back(pieceOf(token));
+  }
   for (const syntax::Comment& comment : comments) pieces.push_back({comment.text, true});
   std::sort(pieces.begin(), pieces.end(),
             [](const Piece& a, const Piece& b) { return a.text.data() < b.text.data(); });
@@ -46,8 +74,11 @@ std::size_t widthOf(std::string_view leading, std::size_t width = 0) {
 }
 
 /// The lines of a block comment, moved as far as its first one was. `before` is what stands before
-/// the comment on its line in the source, `column` where the comment begins now.
-std::string moved(std::string_view comment, std::string_view before, std::size_t column) {
+/// the comment on its line in the source, `out` what stands before it now.
+std::string moved(std::string_view comment, std::string_view before, std::string_view out) {
+  if (comment.find('\n') == comment.npos)
+    return std::string(comment.substr(0, comment.find_last_not_of('\r') + 1));
+  const std::size_t column = out.size() - (out.rfind('\n') + 1);
   const std::size_t oldColumn = widthOf(before);
   const bool first = before.find_first_not_of(blanks) == std::string_view::npos;
   std::string result;
@@ -70,13 +101,6 @@ std::string moved(std::string_view comment, std::string_view before, std::size_t
     result += line.substr(leading.size());
   }
   return result;
-}
-
-/// What stands before a piece on its line in the source.
-std::string_view lineBefore(std::string_view text, const Piece& piece) {
-  const std::string_view all =
-      text.substr(0, static_cast<std::size_t>(piece.text.data() - text.data()));
-  return all.substr(all.find_last_of("\r\n") + 1);
 }
 
 /// Whether more lines end with CR LF than with LF alone.
@@ -108,7 +132,7 @@ class PieceWriter {
     }
     if (closes && !open_.empty()) open_.pop_back();
     if (piece.comment && before)
-      out_ += moved(piece.text, *before, out_.size() - (out_.rfind('\n') + 1));
+      out_ += moved(piece.text, *before, out_);
     else
       out_ += piece.text;
     if (piece.comment) return;
@@ -155,10 +179,17 @@ std::optional<std::string> format(int file, std::string_view text, Reporter& rep
   if (reporter.failed()) return std::nullopt;
   PieceWriter writer;
   const char* end = text.data();
+  const char* line = end;  // where the piece's line begins
+  const auto lookForLine = [&line](std::string_view passed) {
+    const std::size_t last = passed.find_last_of("\r\n");
+    if (last != passed.npos) line = passed.data() + last + 1;
+  };
   for (const Piece& piece : pieces) {
-    const std::string_view before = lineBefore(text, piece);
-    writer.add(piece, {end, static_cast<std::size_t>(piece.text.data() - end)},
-               commentLines == CommentLines::move ? &before : nullptr);
+    const std::string_view gap(end, static_cast<std::size_t>(piece.text.data() - end));
+    lookForLine(gap);
+    const std::string_view before(line, static_cast<std::size_t>(piece.text.data() - line));
+    writer.add(piece, gap, commentLines == CommentLines::move ? &before : nullptr);
+    lookForLine(piece.text);
     end = piece.text.data() + piece.text.size();
   }
   const std::string formatted = writer.take();

@@ -29,6 +29,38 @@ TEST(Formatter, IndentsAndKeepsCommentsAndGroups) {
   EXPECT_EQ(formatted(expected), expected);
 }
 
+TEST(Formatter, RefusesBracketsThatAreNestedTooDeeply) {
+  for (const std::string bracket : {"(", "(\n", "{", "{\n"}) {
+    std::string text;
+    for (int i = 0; i < 210; ++i) text += bracket;
+    EXPECT_NE(formatted(text), "nothing");
+    text += bracket;
+    EXPECT_EQ(formatted(text), "nothing");
+  }
+  Reporter reporter;
+  const std::string text(211, '(');
+  format(reporter.addFile("a.xabsl", text), text, reporter);
+  const std::vector<Diagnostic> diagnostics = reporter.take();
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(diagnostics[0].message, "nested too deeply, at most 210 levels");
+  EXPECT_EQ(diagnostics[0].column, 211);
+}
+
+TEST(Formatter, CountsNoBracketsInStringsAndComments) {
+  std::string text;
+  for (int i = 0; i < 300; ++i) text += "\"(\" /* { */ ";
+  text.pop_back();
+  EXPECT_EQ(formatted(text), text + '\n');
+}
+
+/// What takes a time that grows with the square of a line's length would not end.
+TEST(Formatter, LongLinesTakeNoLonger) {
+  std::string text;
+  while (text.size() < 1'000'000) text += "a /**/ ";
+  text.pop_back();
+  EXPECT_EQ(formatted(text), text + '\n');
+}
+
 TEST(Formatter, KeepsStringsRangesAndParameters) {
   const std::string text = "float input a [0 ..  1] \"m  m\";\nx = @a;\n";
   EXPECT_EQ(formatted(text), text);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/ParseJson.h"
 #include "xabsl/formats/XmlReader.h"
 #include "xabsl/language/Text.h"
 #include "xabsl/language/Utf8.h"
@@ -54,12 +55,11 @@ void Server::send(const Json& message) {
 }
 
 void Server::handle(std::string_view text) {
-  const Json message = Json::parse(text, nullptr, false);
-  if (message.is_object()) return dispatch(message);
-  const int code = message.is_discarded() ? parseError : invalidRequest;
-  send({{"jsonrpc", "2.0"},
-        {"id", nullptr},
-        {"error", {{"code", code}, {"message", "no message of JSON-RPC"}}}});
+  const auto message = gt::parseJsonAs<Json>(text, "");
+  if (message && message->is_object()) return dispatch(*message);
+  const int code = message ? invalidRequest : parseError;
+  const std::string why = message ? "no message of JSON-RPC" : "the text " + message.error().what;
+  send({{"jsonrpc", "2.0"}, {"id", nullptr}, {"error", {{"code", code}, {"message", why}}}});
 }
 
 void Server::dispatch(const Json& message) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
+#include "base/ParseJson.h"
 
 namespace xabsl::server {
 namespace {
@@ -14,7 +14,7 @@ TEST(Server, AnswersWhateverComes) {
   Server server(
       {[](const std::string&, std::string&) { return std::optional<std::string>("none"); },
        [](const std::string&) { return std::vector<std::string>(); }},
-      [&](const std::string& text) { answers.push_back(Json::parse(text)); });
+      [&](const std::string& text) { answers.push_back(*gt::parseJsonAs<Json>(text, "")); });
   const auto code = [&](const std::string& message) {
     answers.clear();
     server.handle(message);
@@ -33,6 +33,22 @@ TEST(Server, AnswersWhateverComes) {
   EXPECT_EQ(server.status(), 0);
 }
 
+TEST(Server, RefusesMessagesThatAreNestedTooDeeply) {
+  Json answer;
+  Server server(
+      {[](const std::string&, std::string&) { return std::optional<std::string>("none"); },
+       [](const std::string&) { return std::vector<std::string>(); }},
+      [&](const std::string& text) { answer = *gt::parseJsonAs<Json>(text, ""); });
+  constexpr std::size_t levels = 100'000;
+  std::string lists;
+  for (std::size_t i = 0; i < levels; ++i)
+    lists += R"(["]",)";  // a bracket in a string closes none
+  server.handle(R"({"id":1,"method":"initialize","params":)" + lists + "1" +
+                std::string(levels, ']') + "}");
+  EXPECT_EQ(answer["error"]["code"], -32700);
+  EXPECT_EQ(answer["error"]["message"], "the text is nested too deeply, at most 100 levels");
+}
+
 /// A server with one file, open in the editor.
 class ServerWithFile {
  public:
@@ -40,7 +56,7 @@ class ServerWithFile {
       : server_(
             {[](const std::string&, std::string&) { return std::optional<std::string>("none"); },
              [](const std::string&) { return std::vector<std::string>(); }},
-            [this](const std::string& message) { answer_ = Json::parse(message); }) {
+            [this](const std::string& message) { answer_ = *gt::parseJsonAs<Json>(message, ""); }) {
     ask("initialize", Json::object());
     send({{"method", "textDocument/didOpen"},
           {"params", {{"textDocument", {{"uri", uri_}, {"text", text}}}}}});
