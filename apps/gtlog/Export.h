@@ -6,8 +6,8 @@
 namespace gt {
 
 /// Prints messages as JSON, one on each line: {"topic":…,"time":…,"message":…}, the time in
-/// nanoseconds. At most `limit` of them, if that is not 0. The file's name is for errors. Returns an
-/// error, behind all that is whole, if the log is damaged.
+/// nanoseconds. At most `limit` of them, if that is not 0. The file's name is for errors. Returns
+/// an error, behind all that is whole, if the log is damaged.
 Result<void> exportJson(const std::string& log, const Selection& selection, std::FILE* to,
                         const std::string& name, std::uint64_t limit = 0);
 
