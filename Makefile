@@ -46,6 +46,7 @@ help:
 	@echo 'make robots        builds the programs of robots, with their source lines beside them for crashlog'
 	@echo 'make play-remote   plays a minute against a team whose robots consist of three programs each'
 	@echo 'make bench         measures speed, also against other libraries: out/bench.json; one part with ONLY=camera, python, python.log or workbench'
+	@echo 'make bench AGAINST=COMMIT compares what a match costs with another commit, in turns'
 	@echo 'make growth        measures how cost grows with players, pixels, particles, matches and logs: out/growth.json; one of them with ONLY=pixels'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html; a group with ONLY=vision'
 	@echo 'make mutants       breaks the modules as tests/mutants/ lists and checks that their tests fail; MUTANTS=N breaks N places by chance, with SEED'
@@ -141,6 +142,11 @@ robots: packages
 play-remote: build
 	@scripts/play-remote $(BUILD) 1 red1 red2 red3 red4
 
+ifdef AGAINST
+bench: TARGETS = --target simgt
+bench: build
+	@python3 -B python/benchmarks/against.py $(AGAINST) --build $(BUILD) --json out/bench.json
+else
 bench: TARGETS = --target $(if $(filter workbench,$(ONLY)),bench_workbench,bench layout-cmd simgt gt2003_python_package)
 bench: ENVIRONMENT = $(if $(filter workbench,$(ONLY)),,build/python)
 bench: PACKAGES += $(BENCH)
@@ -152,6 +158,7 @@ bench: build
 	@$(if $(filter-out python%,$(ONLY)),,scripts/python-environment build/python-bench $(PYTHON) python/benchmarks/requirements.txt)
 	@$(if $(filter-out python%,$(ONLY)),,PYTHONPATH=$(BUILD)/python build/python-bench/bin/python python/benchmarks/bench.py \
 	  --build $(BUILD) $(patsubst python.%,--only %,$(filter python.%,$(ONLY))) --json out/bench.json)
+endif
 
 experiments: TARGETS = --target experiment
 experiments: build

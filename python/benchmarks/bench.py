@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -18,36 +17,15 @@ from pathlib import Path
 import gt2003
 import gt2003.envs
 import gymnasium
+from figures import Figure, add, figure
 from gt2003.representations import BallModel, BallPercept, FrameInfo
 from mcap_ros2.reader import read_ros2_messages
 from peers import random_steps, rate
 
-Figure = dict[str, object]
 THREADS = 2
 WORLDS = 32
 ROUNDS = 3
 IMAGES_A_SECOND = 25  # of each camera
-
-
-def figure(name: str, unit: str, runs: list[float], aim: tuple[str, float] | None = None) -> Figure:
-    """A figure as `bench` writes it: the mean over its runs, and how these spread."""
-    ordered = sorted(runs)
-    value = statistics.fmean(runs)
-    made: Figure = {
-        "name": name,
-        "value": value,
-        "unit": unit,
-        "n": len(runs),
-        "low": ordered[0],
-        "high": ordered[-1],
-        "median": statistics.median(runs),
-        "p95": ordered[min(len(ordered) - 1, int(0.95 * len(ordered)))],
-    }
-    if aim:
-        kind, limit = aim
-        made["aim"] = limit
-        made["met"] = value >= limit if kind == "at least" else value <= limit
-    return made | {"runs": runs}
 
 
 def timed(work: Callable[[], object]) -> float:
@@ -246,17 +224,6 @@ PIECES: dict[str, Callable[[Path, Path], list[Figure]]] = {
     "walk": measure_walk,
     "images": measure_images,
 }
-
-
-def add(measured: list[Figure], file: Path) -> None:
-    """Prints figures, and has them replace those of the same names in a file."""
-    for made in measured:
-        met = {True: "met", False: "not met"}.get(made.get("met"), "")  # type: ignore[call-overload]
-        print(f"{made['name']:40} {made['value']:12.4g} {made['unit']:4} {met}", flush=True)
-    known = json.loads(file.read_text()) if file.exists() else []
-    names = {made["name"] for made in measured}
-    kept = [made for made in known if made["name"] not in names]
-    file.write_text(json.dumps(kept + measured, indent=1) + "\n")
 
 
 def main() -> None:

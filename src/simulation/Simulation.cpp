@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "base/Hash.h"
 #include "simulation/Oracle.h"
@@ -61,6 +63,7 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
                        {},
                        {},
                        random.fork("delays " + name)});
+    order_.push_back(i);
   }
 }
 
@@ -162,8 +165,9 @@ void Simulation::step() {
     lookFromTheCeiling();
   }
   const bool imageDue = takeImages_ && tick_ % ticksPerImage == 0;
-  pool_.forEach(robots_.size(), [&](std::size_t robot, std::size_t worker) {
-    run(robot, imageDue ? &renderers_[worker] : nullptr);
+  if (imageDue) orderByWork();
+  pool_.forEach(robots_.size(), [&](std::size_t i, std::size_t worker) {
+    run(order_[i], imageDue ? &renderers_[worker] : nullptr);
   });
   for (Hardware& r : robots_)
     if (r.controller && r.failure.empty()) r.controller->finish(r.output);
@@ -171,8 +175,16 @@ void Simulation::step() {
   ++tick_;
 }
 
+void Simulation::orderByWork() {
+  if (pool_.threads() > 1)
+    std::ranges::sort(order_, std::greater{},
+                      [this](std::size_t robot) { return robots_[robot].imageTime.lastMs; });
+}
+
 void Simulation::run(std::size_t robot, CameraRenderer* renderer) {
   Hardware& r = robots_[robot];
+  std::optional<Stopwatch::Lap> lap;
+  if (renderer) lap.emplace(r.imageTime);
   r.input.image = nullptr;
   r.output.message.reset();
   r.output.camera.reset();

@@ -177,6 +177,7 @@ class Simulation {
     std::array<RobotCommand, mostDue> due{};
     std::size_t commands = 0;
     Stopwatch sensorTime{"sensors"}, cameraTime{"camera"};
+    Stopwatch imageTime{"image"};  ///< All that it does in a tick with an image.
     std::string failure{};
     std::unique_ptr<ImageTruth> truth{};  ///< Of the last image, if it is kept.
   };
@@ -185,6 +186,9 @@ class Simulation {
              std::size_t threads, const FieldDimensions& field);
 
   void prepareCameras();
+  /// Has those robots begin whose last images took longest, so that no thread is left alone with
+  /// one of them at the end.
+  void orderByWork();
   /// Runs a robot for one tick. `renderer` is null if no image is due.
   void run(std::size_t robot, CameraRenderer* renderer);
   void sense(std::size_t robot);
@@ -210,6 +214,7 @@ class Simulation {
   std::unique_ptr<CameraScene> cameraScene_;
   std::vector<CameraRenderer> renderers_;  ///< One for each thread.
   std::vector<Hardware> robots_;
+  std::vector<std::size_t> order_;  ///< In which robots run; it changes nothing of what they do.
   std::vector<RobotCommand> commands_;
   std::int64_t tick_ = 0;
   bool takeImages_ = true;

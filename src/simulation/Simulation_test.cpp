@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <thread>
 
 #include "base/Hash.h"
@@ -99,6 +101,43 @@ TEST(Simulation, SameSeedSameBitsWithAnyNumberOfThreads) {
     EXPECT_EQ(one, play(seed, 5, 250));
     EXPECT_NE(one, play(seed + 1, 1, 250));
   }
+}
+
+/// Takes long for its images, and notes its place among those that have begun.
+class Slow : public RobotController {
+ public:
+  Slow(std::atomic<int>& begun, std::chrono::milliseconds takes) : begun_{begun}, takes_{takes} {}
+
+  void cycle(const RobotInput& input, RobotOutput&) override {
+    if (!input.image) return;
+    place = begun_++;
+    std::this_thread::sleep_for(takes_);
+  }
+  int place = -1;
+
+ private:
+  std::atomic<int>& begun_;
+  std::chrono::milliseconds takes_;
+};
+
+TEST(Simulation, RobotsWhoseImagesTookLongestBeginFirst) {
+  using namespace std::chrono_literals;
+  SceneDescription scene = matchScene();
+  auto match = simulation(scene, 1, 2);
+  std::atomic<int> begun = 0;
+  std::vector<Slow*> robots;
+  const std::size_t last = scene.robots.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    auto robot = std::make_unique<Slow>(begun, i == last ? 200ms : 0ms);
+    robots.push_back(robot.get());
+    match->attach(i, std::move(robot));
+  }
+  match->step();
+  EXPECT_GT(robots[last]->place, 1) << "the first time nobody knows";
+  begun = 0;
+  for (int tick = 0; tick < 5; ++tick) match->step();
+  EXPECT_EQ(begun, static_cast<int>(robots.size()));
+  EXPECT_LT(robots[last]->place, 2) << "it or the other thread's first one begins";
 }
 
 TEST(Simulation, ImagesComeEveryFortyMilliseconds) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -79,20 +80,17 @@ double outward(int i, int count) {
 
 /// Mixes values with their neighbors on both sides; the neighbors' weight is in eighths. Built
 /// from averages of two, which processors have instructions for.
+template <int weight>
 struct Mix {
   const std::uint8_t *before, *middle, *after;
-  int weight;
 
   [[gnu::always_inline]] inline void operator()(std::uint8_t* __restrict out,
                                                 std::size_t count) const {
-    const auto mask = [&](int bit) { return static_cast<std::uint8_t>(weight & bit ? 255 : 0); };
-    const std::uint8_t one = mask(1), two = mask(2), four = mask(4);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::uint8_t own = middle[i];
-      const auto change = static_cast<std::uint8_t>(own ^ average(before[i], after[i]));
-      std::uint8_t mixed = average(own, static_cast<std::uint8_t>(own ^ (change & one)));
-      mixed = average(mixed, static_cast<std::uint8_t>(own ^ (change & two)));
-      out[i] = average(mixed, static_cast<std::uint8_t>(own ^ (change & four)));
+      const std::uint8_t own = middle[i], sides = average(before[i], after[i]);
+      const std::uint8_t one = average(own, weight & 1 ? sides : own);
+      const std::uint8_t two = average(one, weight & 2 ? sides : own);
+      out[i] = average(two, weight & 4 ? sides : own);
     }
   }
   static std::uint8_t average(std::uint8_t a, std::uint8_t b) {
@@ -100,9 +98,50 @@ struct Mix {
   }
 };
 
-/// The light of each pixel of a row: its column's, without what the row loses, times the light of
-/// the place.
+struct CopyRow {
+  const std::uint8_t* in;
+
+  [[gnu::always_inline]] inline void operator()(std::uint8_t* __restrict out,
+                                                std::size_t count) const {
+    for (std::size_t i = 0; i < count; i += Plane::step) std::memcpy(out + i, in + i, Plane::step);
+  }
+};
+
+/// Of the neighbors in a pass, in eighths: no more than a half, so that all passes together have
+/// one peak.
+constexpr int mostWeight = 4;
+
+/// Calls work<weight>(): the weight is known when the program is compiled.
+template <typename Work>
+[[gnu::always_inline]] inline void withWeight(int weight, const Work& work) {
+  switch (weight) {
+    case 0:
+      return work.template operator()<0>();
+    case 1:
+      return work.template operator()<1>();
+    case 2:
+      return work.template operator()<2>();
+    case 3:
+      return work.template operator()<3>();
+    default:
+      assert(weight == mostWeight);
+      return work.template operator()<mostWeight>();
+  }
+}
+
+/// The light of each pixel of a row: its column's, without what the row loses.
 struct Illuminate {
+  const std::int16_t* gain;
+  std::int16_t rowLoss;
+
+  [[gnu::always_inline]] inline void operator()(std::int16_t* __restrict out,
+                                                std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<std::int16_t>(gain[i] - rowLoss);
+  }
+};
+
+/// The same, times the light of the place.
+struct IlluminateUnevenly {
   const std::int16_t *gain, *uneven;
   int rowLoss;
 
@@ -179,12 +218,13 @@ void ImageEffects::setNoise(double correlation) {
 }
 
 /// A blur of some variance (square pixels): passes with the kernel w/2, 1 - w, w/2, whose variance
-/// is w. No w is above a half, so that all passes together have one peak.
+/// is w.
 struct ImageEffects::Spread {
   int eighths, passes;
 
   explicit Spread(double variance)
-      : eighths{static_cast<int>(std::lround(weightOne * variance))}, passes{(eighths + 3) / 4} {}
+      : eighths{static_cast<int>(std::lround(weightOne * variance))},
+        passes{(eighths + mostWeight - 1) / mostWeight} {}
   /// Of the neighbors in a pass, in eighths.
   int weight(int pass) const { return eighths * (pass + 1) / passes - eighths * pass / passes; }
 };
@@ -194,9 +234,12 @@ struct ImageEffects::Spread {
                                                                     Plane& out) {
   const Plane* from = &plane;
   for (int pass = 0; pass < spread.passes; ++pass) {
-    for (int y = 0; y < plane.height(); ++y)
-      Mix{from->nearestRow(y - 1), from->row(y), from->nearestRow(y + 1), spread.weight(pass)}(
-          mixed_.row(y), plane.paddedWidth());
+    withWeight(
+        spread.weight(pass), [&]<int weight>() __attribute__((always_inline)) {
+          for (int y = 0; y < plane.height(); ++y)
+            Mix<weight>{from->nearestRow(y - 1), from->row(y), from->nearestRow(y + 1)}(
+                mixed_.row(y), plane.paddedWidth());
+        });
     std::swap(mixed_, out);
     from = &out;
   }
@@ -209,10 +252,13 @@ struct ImageEffects::Spread {
   const auto width = static_cast<std::size_t>(width_);
   std::uint8_t* const middle = mixedRow_.row(0);
   for (int pass = 0; pass < spread.passes; ++pass) {
-    std::memcpy(middle, row, width);
+    CopyRow{row}(middle, mixedRow_.paddedWidth());
     middle[-1] = middle[0];
     middle[width] = middle[width - 1];
-    Mix{middle - 1, middle, middle + 1, spread.weight(pass)}(out, mixedRow_.paddedWidth());
+    withWeight(
+        spread.weight(pass), [&]<int weight>() __attribute__((always_inline)) {
+          Mix<weight>{middle - 1, middle, middle + 1}(out, mixedRow_.paddedWidth());
+        });
     row = out;
   }
   return row;
@@ -236,9 +282,13 @@ struct ImageEffects::Spread {
   constexpr double strengthOne = fractionOne * 65536 / noiseOne;
   for (int y = 0; y < height; ++y) {
     const double out = outward(y, height);
-    if (effects.unevenLight > 0 && y % rowsOfLight == 0) unevenLight_.row(y, uneven_.data());
-    const int rowLoss = fixed(effects.brightness * lightOne * effects.vignetting * out);
-    Illuminate{gain_.data(), uneven_.data(), rowLoss}(light_.data(), padded);
+    const std::int16_t rowLoss = fixed(effects.brightness * lightOne * effects.vignetting * out);
+    if (effects.unevenLight > 0) {
+      if (y % rowsOfLight == 0) unevenLight_.row(y, uneven_.data());
+      IlluminateUnevenly{gain_.data(), uneven_.data(), rowLoss}(light_.data(), padded);
+    } else {
+      Illuminate{gain_.data(), rowLoss}(light_.data(), padded);
+    }
     const std::size_t place = NoiseTable::place(seed, y, width);
     const std::uint8_t* bright = nullptr;
     for (std::size_t c = 0; c < channelCount; ++c) {
@@ -275,10 +325,7 @@ void ImageEffects::apply(const ImagePlanes& picture, const CameraView& view,
   mixedRow_.resize(width, 1);
   mixed_.resize(width, height);
   for (Plane& plane : spread_) plane.resize(width, height);
-  if (effects.unevenLight > 0)
-    unevenLight_.set(view, effects.unevenLight);
-  else
-    std::fill(uneven_.begin(), uneven_.end(), std::int16_t{1 << lightBits});
+  if (effects.unevenLight > 0) unevenLight_.set(view, effects.unevenLight);
   withWideInstructions([&]() __attribute__((always_inline)) {
     applyWide(picture, effects, seed, image);
   });

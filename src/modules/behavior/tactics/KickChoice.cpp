@@ -18,15 +18,26 @@ double cross(const Vector2d& a, const Vector2d& b) {
 }
 
 double nearest(const std::vector<Vector2d>& players, const Vector2d& place, double otherwise) {
-  for (const Vector2d& player : players) otherwise = std::min(otherwise, (player - place).norm());
-  return otherwise;
+  double square = otherwise * otherwise;
+  for (const Vector2d& player : players) square = std::min(square, (player - place).squaredNorm());
+  return std::sqrt(square);
 }
 
 }  // namespace
 
+KickChoice::KickChoice(const Parameters& parameters) : p_{parameters} {
+  for (int i = 0; i < directions; ++i) {
+    Facing& facing = facings_[static_cast<std::size_t>(i)];
+    facing.angle = normalize(i * step);
+    facing.along = direction(i * step);
+  }
+}
+
 void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles,
                         const Vector2d& ball, std::int64_t unseen, bool plays) {
   world_ = &world;
+  ball_ = ball;
+  ballOnField_ = world.self.pose * ball;
   const MotionRequest& executed = world.motion.executed;
   if (executed.type == MotionType::specialAction) {
     const int running = world.motions.find(executed.specialAction);
@@ -34,14 +45,28 @@ void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles
         running > 0 && world.motions.motions[static_cast<std::size_t>(running)].isKick();
     now_ = kicks ? running : 0;
     if (kicks) lastKick_ = world.frame.time;
-    decided_ = never();
+    decided_ = planned_ = never();
   } else if (plays) {
-    look(obstacles, ball);
-    choosePlan();
+    if (needsPlan()) {
+      look(obstacles);
+      choosePlan();
+      planned_ = world.frame.time;
+      plannedBall_ = ballOnField_;
+    }
     decide(unseen);
   } else {
     now_ = 0;
+    planned_ = never();
   }
+}
+
+/// Who is far from the ball changes its path but little by another plan.
+bool KickChoice::needsPlan() const {
+  const double distance = ball_.norm();
+  const double lasts = 1000 * p_.lasts * (distance - p_.nearBall) / p_.walkSpeed;  // ms
+  return distance < p_.nearBall || planned_ == never() ||
+         (ballOnField_ - plannedBall_).norm() > p_.lasts * distance ||
+         static_cast<double>(world_->frame.time - planned_) >= lasts;
 }
 
 void KickChoice::decide(std::int64_t unseen) {
@@ -71,25 +96,37 @@ void KickChoice::decide(std::int64_t unseen) {
   if (!stopping) decided_ = time;
 }
 
-void KickChoice::look(const ObstaclesModel& obstacles, const Vector2d& ball) {
+void KickChoice::look(const ObstaclesModel& obstacles) {
   const WorldState& world = *world_;
-  ball_ = ball;
-  ballOnField_ = world.self.pose * ball;
   own_ = {world.self.pose.translation};
   for (const LocatedPlayer& player : world.players.ownTeam) own_.push_back(player.position);
   opponents_.clear();
   for (const LocatedPlayer& player : world.players.opponents) opponents_.push_back(player.position);
   opponentArrives_ = opponentArrival(obstacles);
-  const bool obstaclesCount = ball.norm() < p_.handled;
+  const double widest = std::min(p_.widestGoal, pi);
+  widest_ = {std::sin(widest), std::cos(widest)};
+  stays_ = worthOf(ballOnField_) - p_.blocked;
+  const bool obstaclesCount = ball_.norm() < p_.handled;
+  const double rotation = world.self.pose.rotation;
+  const double sine = std::sin(rotation), cosine = std::cos(rotation);
   for (int i = 0; i < directions; ++i) {
     Facing& facing = facings_[static_cast<std::size_t>(i)];
-    facing.along = direction(i * step);
-    facing.turn = normalize(i * step - world.self.pose.rotation);
-    facing.turned = direction(facing.turn);
-    const double free = obstaclesCount ? corridor(obstacles, facing.turn, p_.ballCorridor, ball)
-                                       : ObstaclesModel::farAway;
-    judgeWays(facing.along, free, ways_[static_cast<std::size_t>(i)]);
+    const Vector2d& along = facing.along;
+    facing.turn = normalize(i * step - rotation);
+    facing.turned = {cosine * along.x() + sine * along.y(), cosine * along.y() - sine * along.x()};
+    facing.hasRoom = hasRoom(facing);
+    judgePaths(i, obstaclesCount ? corridor(obstacles, facing.turn, p_.ballCorridor, ball_)
+                                 : ObstaclesModel::farAway);
   }
+}
+
+/// How wide a goal is seen from a place: at most as wide as counts.
+KickChoice::GoalAngle KickChoice::angleOfGoal(double x, const Vector2d& end) const {
+  const double yGoal = world_->field.yGoal;
+  const Vector2d left = Vector2d{x, yGoal} - end, right = Vector2d{x, -yGoal} - end;
+  const GoalAngle angle{std::abs(cross(left, right)), left.dot(right)};
+  const bool isWider = angle.sine * widest_.cosine > angle.cosine * widest_.sine;
+  return isWider ? widest_ : angle;
 }
 
 double KickChoice::worthOf(const Vector2d& end) const {
@@ -98,20 +135,19 @@ double KickChoice::worthOf(const Vector2d& end) const {
       nearest(opponents_, end, p_.opponentFar) - nearest(own_, end, 2 * p_.opponentFar);
   if (!world_->values.empty())
     return world_->values.worth(end, contest, {field.xGroundline, field.ySideline});
-  const auto angleOfGoal = [&](double x) {
-    const Vector2d left = Vector2d{x, field.yGoal} - end, right = Vector2d{x, -field.yGoal} - end;
-    return std::min(p_.widestGoal, std::abs(std::atan2(cross(left, right), left.dot(right))));
-  };
+  const GoalAngle theirs = angleOfGoal(field.xGroundline, end),
+                  ours = angleOfGoal(-field.xGroundline, end);
+  const double wider = std::atan2(theirs.sine * ours.cosine - theirs.cosine * ours.sine,
+                                  theirs.cosine * ours.cosine + theirs.sine * ours.sine);
   const double ahead = end.x() / field.xGroundline;
-  return p_.ahead * ahead +
-         p_.shot * (angleOfGoal(field.xGroundline) - angleOfGoal(-field.xGroundline)) +
-         p_.possession * std::clamp(contest / 1000, -1., 1.);
+  return p_.ahead * ahead + p_.shot * wider + p_.possession * std::clamp(contest / 1000, -1., 1.);
 }
 
 /// A ball that rolls in a direction, farther and farther: into a goal, against a wall, to somebody,
 /// or to its end.
-void KickChoice::judgeWays(const Vector2d& along, double free, Ways& ways) const {
+void KickChoice::judgePaths(int direction, double free) {
   const FieldDimensions& field = world_->field;
+  const Vector2d& along = facings_[static_cast<std::size_t>(direction)].along;
   const double toLine =
       std::abs(along.x()) < 1e-6
           ? 1e9
@@ -122,7 +158,7 @@ void KickChoice::judgeWays(const Vector2d& along, double free, Ways& ways) const
   const bool hitsGoal = std::abs(ballOnField_.y() + along.y() * toLine) < field.yGoal - clearance;
   for (int i = 0; i < lengths; ++i) {
     const double length = i * lengthStep;
-    double& worth = ways[static_cast<std::size_t>(i)];
+    double worth = 0;
     const bool stopped = isBlocked && free < length;
     if (!stopped && length > toLine && hitsGoal) {
       worth = along.x() > 0 ? 1 : -1;
@@ -132,32 +168,35 @@ void KickChoice::judgeWays(const Vector2d& along, double free, Ways& ways) const
       end.y() = std::clamp(end.y(), -field.ySideline, field.ySideline);
       worth = worthOf(end) - (stopped ? p_.blocked : 0);
     }
+    Paths& paths = paths_[static_cast<std::size_t>(i)];
+    paths[static_cast<std::size_t>(direction)] = worth;
+    paths[static_cast<std::size_t>(direction + directions)] = worth;
   }
 }
 
-KickChoice::Imagined KickChoice::imagine(const KickDescription& kick, const Vector2d& place,
-                                         double facing, double spread) const {
+void KickChoice::imagine(const KickDescription& kick, const Vector2d& place, double facing,
+                         double spread) {
   const std::array<Vector2d, 5> offs{
       {{0, 0}, {p_.misplaced, 0}, {-p_.misplaced, 0}, {0, p_.misplaced}, {0, -p_.misplaced}}};
   std::array<double, directions * lengths> shares{};
-  Imagined imagined;
   // Between what was computed the worth is linear.
   const auto enter = [&](double direction, double length, double share) {
     const double turns = std::floor(direction / step),
                  far = std::clamp(length / lengthStep, 0., lengths - 1.001);
     const auto k = static_cast<int>(far);
-    for (const int nextWay : {0, 1})
+    for (const int nextPath : {0, 1})
       for (const int nextLength : {0, 1}) {
         const double across = direction / step - turns, along = far - k;
-        const int i = ((static_cast<int>(turns) + nextWay) % directions + directions) % directions;
+        const int i = ((static_cast<int>(turns) + nextPath) % directions + directions) % directions;
         shares[static_cast<std::size_t>(i * lengths + k + nextLength)] +=
-            share * (nextWay ? across : 1 - across) * (nextLength ? along : 1 - along);
+            share * (nextPath ? across : 1 - across) * (nextLength ? along : 1 - along);
       }
   };
+  imagined_.missed = 0;
   for (const Vector2d& off : offs) {
     const auto at = kick.at(place + off);
     const double hits = at ? at->hits : 0;
-    imagined.missed += (1 - hits) / offs.size();
+    imagined_.missed += (1 - hits) / offs.size();
     if (!at) continue;
     const double sigma = fromDegrees(std::hypot(at->spread, spread));
     for (const auto& [astray, share] : outcomes)
@@ -165,20 +204,27 @@ KickChoice::Imagined KickChoice::imagine(const KickDescription& kick, const Vect
         enter(facing + fromDegrees(at->direction) + astray * sigma,
               at->length + side * at->lengthDeviation, hits / offs.size() * share / 2);
   }
+  imagined_.paths.clear();
   for (int i = 0; i < directions * lengths; ++i)
     if (const double share = shares[static_cast<std::size_t>(i)]; share > 0)
-      imagined.ways.push_back({i / lengths, i % lengths, share});
-  return imagined;
+      imagined_.paths.push_back({i / lengths, i % lengths, share});
 }
 
-double KickChoice::worthOf(const Imagined& imagined, int turned, double seconds) const {
-  const double stays = worthOf(ballOnField_) - p_.blocked;
-  double worth = imagined.missed * stays;
-  for (const Imagined::Way& way : imagined.ways)
-    worth += way.share * ways_[static_cast<std::size_t>((way.direction + turned) % directions)]
-                              [static_cast<std::size_t>(way.length)];
+template <std::size_t count>
+std::array<double, count> KickChoice::worthTurned() const {
+  std::array<double, count> worth;
+  worth.fill(imagined_.missed * stays_);
+  for (const Imagined::Path& path : imagined_.paths) {
+    const double* const turned =
+        &paths_[static_cast<std::size_t>(path.length)][static_cast<std::size_t>(path.direction)];
+    for (std::size_t i = 0; i < count; ++i) worth[i] += path.share * turned[i];
+  }
+  return worth;
+}
+
+double KickChoice::worthIn(double seconds, double worth) const {
   const double share = disturbed(seconds);
-  return (1 - share) * worth + share * stays;
+  return (1 - share) * worth + share * stays_;
 }
 
 /// When the first opponent is at the ball, in s from now: one that is known, or an obstacle that is
@@ -209,13 +255,15 @@ bool KickChoice::isUsed(const KickDescription& kick) const {
   return kick.falls <= p_.mostFalls && kick.seconds <= p_.longest;
 }
 
-/// How long it takes to stand where the ball lies well for a kick, in s.
-double KickChoice::timeTo(const KickDescription& kick, const Facing& facing) const {
+/// How long it takes to stand where the ball lies well for a kick, in s. For a robot that faces it
+/// the place lies in the direction `kickAngle`.
+double KickChoice::timeTo(const KickDescription& kick, double kickAngle,
+                          const Facing& facing) const {
   const Vector2d& turned = facing.turned;
   const Vector2d place = ball_ - Vector2d{turned.x() * kick.x - turned.y() * kick.y,
                                           turned.y() * kick.x + turned.x() * kick.y};
-  const Vector2d behind = place - ball_;
-  const double around = std::abs(std::atan2(cross(behind, -ball_), behind.dot(-ball_)));
+  const double off = std::abs(facing.turn + kickAngle);
+  const double around = off > pi ? 2 * pi - off : off;
   constexpr double direct = fromDegrees(25);
   return std::max(place.norm() / p_.walkSpeed, std::abs(facing.turn) / fromDegrees(p_.turnSpeed)) +
          std::max(0., around - direct) / fromDegrees(p_.aroundSpeed);
@@ -245,28 +293,27 @@ void KickChoice::choosePlan() {
   const auto isSame = [before = plan_](int motion, double facing) {
     return motion == before.motion && std::abs(normalize(facing - before.facing)) < step / 2;
   };
+  const bool needsRoom = std::ranges::any_of(facings_, &Facing::hasRoom);
+  const double ballAngle = angleOf(ball_);
   plan_ = {};
   plan_.worth = -1e9;
-  for (const bool withRoom : {true, false}) {
-    for (int motion = 1; motion < static_cast<int>(world_->motions.motions.size()); ++motion) {
-      const MotionNet::Motion& described =
-          world_->motions.motions[static_cast<std::size_t>(motion)];
-      const KickDescription& kick = described.kick;
-      if (!described.isKick() || !isUsed(kick)) continue;
-      const Imagined imagined = imagine(kick, {kick.x, kick.y}, 0, std::hypot(p_.aim, p_.sees));
-      for (int turned = 0; turned < directions; ++turned) {
-        const Facing& there = facings_[static_cast<std::size_t>(turned)];
-        if (withRoom && !hasRoom(there)) continue;
-        const double facing = normalize(turned * step);
-        const double way = timeTo(kick, there);
-        const double worth = worthOf(imagined, turned, way + kick.strike) -
-                             p_.second * (way + kick.seconds) +
-                             (isSame(motion, facing) ? p_.otherPlan : 0);
-        if (worth > plan_.worth)
-          plan_ = {motion, normalize(facing + fromDegrees(kick.direction)), facing, worth};
-      }
+  for (int motion = 1; motion < static_cast<int>(world_->motions.motions.size()); ++motion) {
+    const MotionNet::Motion& described = world_->motions.motions[static_cast<std::size_t>(motion)];
+    const KickDescription& kick = described.kick;
+    if (!described.isKick() || !isUsed(kick)) continue;
+    imagine(kick, {kick.x, kick.y}, 0, std::hypot(p_.aim, p_.sees));
+    const auto imagined = worthTurned<directions>();
+    const double kickAngle = normalize(angleOf({kick.x, kick.y}) - ballAngle);
+    for (std::size_t turned = 0; turned < directions; ++turned) {
+      const Facing& there = facings_[turned];
+      if (needsRoom && !there.hasRoom) continue;
+      const double way = timeTo(kick, kickAngle, there);
+      const double worth = worthIn(way + kick.strike, imagined[turned]) -
+                           p_.second * (way + kick.seconds) +
+                           (isSame(motion, there.angle) ? p_.otherPlan : 0);
+      if (worth > plan_.worth)
+        plan_ = {motion, normalize(there.angle + fromDegrees(kick.direction)), there.angle, worth};
     }
-    if (plan_.motion != 0) break;
   }
   if (isSame(plan_.motion, plan_.facing)) plan_.worth -= p_.otherPlan;
 }
@@ -274,7 +321,7 @@ void KickChoice::choosePlan() {
 /// The best kick from where the robot stands. Where the ball lies now it must be hit, too: who has
 /// only begun to walk stops at once. A kick that is about to begin is not given up for the noise of
 /// the ball's place.
-KickChoice::Plan KickChoice::worthNow(int begun) const {
+KickChoice::Plan KickChoice::worthNow(int begun) {
   const Pose2D& walk = world_->motion.executed.walk;
   const bool walks = world_->motion.executed.type == MotionType::walk;
   const Pose2D stops =
@@ -289,8 +336,8 @@ KickChoice::Plan KickChoice::worthNow(int begun) const {
     if (!described.isKick() || !isUsed(kick)) continue;
     const double demand = i == begun ? p_.holds : 1;
     if (!isSure(kick, ball, demand) || !isSure(kick, ball_, demand)) continue;
-    const Imagined imagined = imagine(kick, ball, facing, std::hypot(p_.aim, p_.sees));
-    const double worth = worthOf(imagined, 0, kick.strike) - p_.second * kick.seconds;
+    imagine(kick, ball, facing, std::hypot(p_.aim, p_.sees));
+    const double worth = worthIn(kick.strike, worthTurned<1>().front()) - p_.second * kick.seconds;
     if (worth > best.worth)
       best = {i, normalize(facing + fromDegrees(kick.at(ball)->direction)), facing, worth};
   }

@@ -11,6 +11,8 @@ namespace gt {
 /// direction, are imagined, from where the ball ends and who is nearer there, which part of the
 /// goal is free, and how long it takes the robot to get behind the ball. The best of them is the
 /// plan. As soon as some kick from where the robot stands is about as good, it is to be performed.
+/// A robot beside the ball plans in each cycle; the farther away the ball is, the longer a plan
+/// lasts.
 class KickChoice {
  public:
   struct Parameters {
@@ -50,6 +52,7 @@ class KickChoice {
     // Memory.
     double otherPlan = 0.08;
     double begins = 1200;
+    double lasts = 0.1;
     // The ball's way.
     double ballCorridor = 200;
     double handled = 800;
@@ -118,6 +121,10 @@ class KickChoice {
           field("otherPlan", &P::otherPlan, "", "by how much another plan has to be better",
                 {0, 1}),
           field("begins", &P::begins, "ms", "so long a robot tries to begin a kick", {0, 5000}),
+          field("lasts", &P::lasts, "",
+                "how long a plan lasts, as a share of the time that the robot needs until it is "
+                "near the ball; and how far the ball moves meanwhile, as a share of its distance",
+                {0, 1}),
           field("ballCorridor", &P::ballCorridor, "mm",
                 "width of the corridor that a ball needs between obstacles", {0, 1000}),
           field("handled", &P::handled, "mm",
@@ -143,7 +150,7 @@ class KickChoice {
   };
 
   /// The parameters must outlive this.
-  explicit KickChoice(const Parameters& parameters) : p_{parameters} {}
+  explicit KickChoice(const Parameters& parameters);
 
   /// Chooses for a ball at a place relative to the robot (mm) that was last seen some ms ago, with
   /// obstacles relative to the robot. One that does not play the ball now only sees what it
@@ -164,53 +171,67 @@ class KickChoice {
   static constexpr int lengths = 9;
   static constexpr double lengthStep = 500;  // mm
 
-  /// A direction on the field: a unit vector on the field and relative to the robot, and the angle
-  /// by which the robot has to turn.
+  /// A direction on the field: an angle and a unit vector; relative to the robot, the angle by
+  /// which it has to turn and a unit vector; whether walls leave room behind the ball.
   struct Facing {
+    double angle = 0, turn = 0;
     Vector2d along = Vector2d::Zero(), turned = Vector2d::Zero();
-    double turn = 0;
+    bool hasRoom = false;
   };
-  /// The worth of the ball's ways in a direction, of each length.
-  using Ways = std::array<double, lengths>;
-
-  double worthOf(const Vector2d& end) const;
-  void judgeWays(const Vector2d& along, double free, Ways& ways) const;
+  /// The worth of the ball's paths of a length, in each direction. Directions come twice, so that
+  /// none is the last of those that follow another one.
+  using Paths = std::array<double, 2 * directions>;
+  /// The angle at which a goal is seen: its sine and cosine, both times the same.
+  struct GoalAngle {
+    double sine = 0, cosine = 0;
+  };
   /// Where a ball goes that lies about at a place before a robot that faces a direction.
   struct Imagined {
-    struct Way {
-      int direction, length;  ///< indices of ways_
+    struct Path {
+      int direction, length;  ///< indices
       double share;
     };
-    std::vector<Way> ways;
+    std::vector<Path> paths;
     double missed = 0;
   };
-  Imagined imagine(const KickDescription& kick, const Vector2d& place, double facing,
-                   double spread) const;
-  /// The same for a robot that is turned by so many steps, and kicks the ball in so many seconds.
-  double worthOf(const Imagined& imagined, int turned, double seconds) const;
+
+  double worthOf(const Vector2d& end) const;
+  GoalAngle angleOfGoal(double x, const Vector2d& end) const;
+  void judgePaths(int direction, double free);
+  void imagine(const KickDescription& kick, const Vector2d& place, double facing, double spread);
+  /// The worth of what is imagined for a robot that is turned by 0, 1, ... steps.
+  template <std::size_t count>
+  std::array<double, count> worthTurned() const;
+  /// What it is worth if it takes so many seconds.
+  double worthIn(double seconds, double worth) const;
   bool isUsed(const KickDescription& kick) const;
   bool isSure(const KickDescription& kick, const Vector2d& place, double demand) const;
-  double timeTo(const KickDescription& kick, const Facing& facing) const;
+  double timeTo(const KickDescription& kick, double kickAngle, const Facing& facing) const;
   double disturbed(double seconds) const;
   double opponentArrival(const ObstaclesModel& obstacles) const;
+  bool needsPlan() const;
   void choosePlan();
   void decide(std::int64_t unseen);
-  Plan worthNow(int begun) const;
+  Plan worthNow(int begun);
   bool hasRoom(const Facing& facing) const;
-  void look(const ObstaclesModel& obstacles, const Vector2d& ball);
+  void look(const ObstaclesModel& obstacles);
 
   const Parameters& p_;
   const WorldState* world_ = nullptr;
   Vector2d ball_ = Vector2d::Zero();         ///< relative to the robot
   Vector2d ballOnField_ = Vector2d::Zero();  ///< mm
   std::array<Facing, directions> facings_;
-  std::array<Ways, directions> ways_{};
+  GoalAngle widest_;
+  std::array<Paths, lengths> paths_{};
+  double stays_ = 0;  ///< worth of a ball that stays where it is
+  Imagined imagined_;
   std::vector<Vector2d> own_, opponents_;  ///< on the field
   double opponentArrives_ = 0;             ///< s, from now
   Plan plan_;
+  Vector2d plannedBall_ = Vector2d::Zero();  ///< where it was on the field for the plan
   int now_ = 0;
   Vector2d target_ = Vector2d::Zero();
-  Time decided_ = never(), atBallSince_ = never(), lastKick_ = never();
+  Time planned_ = never(), decided_ = never(), atBallSince_ = never(), lastKick_ = never();
 };
 static_assert(complete<KickChoice::Parameters>);
 

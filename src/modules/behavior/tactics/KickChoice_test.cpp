@@ -46,6 +46,12 @@ class KickChoiceTest : public ::testing::Test {
     choice->update(state, world.obstacles, relative(world.self.pose, ball), unseen);
     return *choice;
   }
+  /// A strange team: the ball is worth more in its own half.
+  void valueTheOwnHalf() {
+    world.values.columns = world.values.rows = 2;
+    world.values.ours = world.values.theirs = {1, 1, -1, -1};
+    world.values.ahead = world.values.behind = std::vector<Vector2d>(4, Vector2d::Zero());
+  }
   /// Where a ball that is played as planned crosses the opponent's ground line.
   double crossing() {
     const Vector2d way = direction(choose().plan().direction);
@@ -70,9 +76,7 @@ TEST_F(KickChoiceTest, PlaysTheBallToWhereItsTeamHasLearnedThatItIsWorthMore) {
   world.self.pose = {0, -300, 0};
   EXPECT_LT(std::abs(choose().plan().direction), pi / 2);
   choice.emplace(parameters);
-  world.values.columns = world.values.rows = 2;
-  world.values.ours = world.values.theirs = {1, 1, -1, -1};
-  world.values.ahead = world.values.behind = std::vector<Vector2d>(4, Vector2d::Zero());
+  valueTheOwnHalf();
   EXPECT_GT(std::abs(choose().plan().direction), pi / 2) << "back, says this strange team";
 }
 
@@ -255,6 +259,75 @@ TEST_F(KickChoiceTest, DoesNotChangeItsMindForNoise) {
     direction = plan.direction;
   }
   EXPECT_LT(changes, 3);
+}
+
+// A goal that looks wider than 1 rad counts like one of 1 rad, wherever that is set.
+TEST_F(KickChoiceTest, CountsAWideGoalAsOneOfTheWidth) {
+  for (const double widest : {0.3, 1., 2., 3.2}) {
+    parameters.widestGoal = widest;
+    parameters.ahead = parameters.possession = parameters.second = 0;
+    parameters.shot = 0.1;
+    for (const double x : {500., 1500., 1900.})
+      for (const double y : {0., 400., 900.}) {
+        ball = {x, y};
+        // A kick that never hits leaves the ball where it is.
+        world.motions.motions.resize(2);
+        for (auto& place : world.motions.motions[ahead].kick.places) place[2] = 0;
+        choice.emplace(parameters);
+        const auto seen = [&](double line) {
+          const Vector2d left = Vector2d{line, 300} - ball, right = Vector2d{line, -300} - ball;
+          return std::min(widest, std::acos(left.normalized().dot(right.normalized())));
+        };
+        EXPECT_NEAR(choose().plan().worth, 0.1 * (seen(2100) - seen(-2100)) - parameters.blocked,
+                    1e-9)
+            << widest << ' ' << x << ' ' << y;
+      }
+  }
+}
+
+TEST_F(KickChoiceTest, KeepsAPlanTheLongerTheFartherTheBallIs) {
+  const auto lasts = [this](double distance) {
+    choice.emplace(parameters);
+    world.values = {};
+    world.self.pose = {0, -2000, 0};
+    ball = {-2000 + distance, 0};
+    const double before = choose().plan().worth;
+    valueTheOwnHalf();
+    const Time start = world.frame.time;
+    while (choose().plan().worth == before && world.frame.time - start < 5000)
+      world.frame.time = world.frame.time + 40;
+    return world.frame.time - start;
+  };
+  EXPECT_EQ(lasts(340), 0);
+  const double perMs = parameters.walkSpeed / 1000;
+  for (const double distance : {800., 1600., 3200.})
+    EXPECT_NEAR(static_cast<double>(lasts(distance)), 0.1 * (distance - 350) / perMs, 40)
+        << distance;
+}
+
+TEST_F(KickChoiceTest, PlansAnewWhenTheBallHasMovedFar) {
+  world.self.pose = {0, -2000, 0};
+  ball = {0, 0};
+  const double before = choose().plan().worth;
+  valueTheOwnHalf();
+  ball = {150, 0};
+  EXPECT_EQ(choose().plan().worth, before) << "a tenth of its distance is not far";
+  ball = {250, 0};
+  EXPECT_NE(choose().plan().worth, before);
+}
+
+TEST_F(KickChoiceTest, PlansAnewWhenItBeginsToPlayAgain) {
+  const auto plans = [this](bool plays) {
+    const WorldState state = world.state();
+    choice->update(state, world.obstacles, relative(world.self.pose, ball), unseen, plays);
+    return std::abs(choice->plan().direction) < pi / 2 ? "ahead" : "back";
+  };
+  world.self.pose = {0, -2000, 0};
+  ball = {0, 0};
+  EXPECT_STREQ(plans(true), "ahead");
+  valueTheOwnHalf();
+  EXPECT_STREQ(plans(false), "ahead");
+  EXPECT_STREQ(plans(true), "back");
 }
 
 TEST_F(KickChoiceTest, AKickThatHasBegunGoesOn) {

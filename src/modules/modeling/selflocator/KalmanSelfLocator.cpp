@@ -267,7 +267,7 @@ void KalmanSelfLocator::addFromView(const FieldDimensions& field, Random& random
     if (!pose || std::abs(pose->translation.x()) > field.xGroundline ||
         std::abs(pose->translation.y()) > field.ySideline)
       continue;
-    const double fits = view_.score(*pose, edges_.tables());
+    const double fits = view_.score(*pose, edges_.tables(), most);
     if (fits <= most) continue;
     most = fits;
     best = pose;

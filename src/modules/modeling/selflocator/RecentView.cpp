@@ -11,6 +11,22 @@ namespace {
 constexpr std::size_t pointsOfImage = 12;
 constexpr int oldest = 15;  // images
 
+/// Turns vectors by an angle whose sine and cosine are computed once.
+class Rotation {
+ public:
+  explicit Rotation(double angle) : cosine_{std::cos(angle)}, sine_{std::sin(angle)} {}
+  Vector2d operator*(const Vector2d& v) const {
+    return {cosine_ * v.x() - sine_ * v.y(), sine_ * v.x() + cosine_ * v.y()};
+  }
+
+ private:
+  double cosine_, sine_;
+};
+
+double toleranceOf(const Vector2d& point) {
+  return 50 + 0.15 * point.norm();
+}
+
 /// 1 for what fits exactly, 1/2 for what is off by the tolerance.
 double fit(double error, double tolerance) {
   const double ratio = error / tolerance;
@@ -20,12 +36,17 @@ double fit(double error, double tolerance) {
 }  // namespace
 
 void RecentView::move(const Pose2D& odometry) {
-  for (std::size_t i = 0; i < numberOfPoints_; ++i)
-    points_[i].point = relative(odometry, points_[i].point);
+  const Rotation back{-odometry.rotation};
+  for (std::size_t i = 0; i < numberOfPoints_; ++i) {
+    SeenPoint& seen = points_[i];
+    seen.point = back * (seen.point - odometry.translation);
+    seen.tolerance = toleranceOf(seen.point);
+  }
   for (std::size_t i = 0; i < numberOfBearings_; ++i) {
     SeenBearing& b = bearings_[i];
-    b.camera = relative(odometry, b.camera);
-    b.direction = rotated(b.direction, -odometry.rotation);
+    b.camera = back * (b.camera - odometry.translation);
+    b.direction = back * b.direction;
+    b.angle = angleOf(b.direction);
   }
 }
 
@@ -34,7 +55,8 @@ void RecentView::add(const std::vector<ChosenPoint>& points, Random& random) {
   const std::size_t count = std::min(pointsOfImage, points.size());
   const std::size_t start = points.empty() ? 0 : random.index(points.size());
   for (std::size_t i = 0; i < count; ++i) {
-    points_[nextPoint_] = points[(start + i * points.size() / count) % points.size()];
+    const auto& [type, point] = points[(start + i * points.size() / count) % points.size()];
+    points_[nextPoint_] = {type, point, toleranceOf(point)};
     nextPoint_ = (nextPoint_ + 1) % points_.size();
     numberOfPoints_ = std::min(numberOfPoints_ + 1, points_.size());
   }
@@ -52,30 +74,39 @@ void RecentView::add(const Bearings& bearings, const Vector2d& cameraOffset) {
       nextBearing_ = (nextBearing_ + 1) % bearings_.size();
       numberOfBearings_ = std::min(numberOfBearings_ + 1, bearings_.size());
     }
-    *place = {bearing.landmark, cameraOffset, bearing.direction, 0};
+    *place = {bearing.landmark, cameraOffset, bearing.direction, angleOf(bearing.direction), 0};
   }
 }
 
-double RecentView::score(const Pose2D& pose, const EdgeTables& tables) const {
-  double sum = 0, most = 0;
+double RecentView::score(const Pose2D& pose, const EdgeTables& tables, double least) const {
+  constexpr double bearingWeight = 4;
+  double most = static_cast<double>(numberOfPoints_);
+  for (std::size_t i = 0; i < numberOfBearings_; ++i)
+    if (bearings_[i].age <= oldest) most += bearingWeight;
+  if (most == 0) return 0;
+  // What a pose may lose; rounding must not decide.
+  double left = most * (1 + 1e-9 - least);
+  double sum = 0;
+  const auto add = [&](double weight, double fits) {
+    sum += weight * fits;
+    left -= weight * (1 - fits);
+    return left >= 0;
+  };
+  const Rotation turn{pose.rotation};
   for (std::size_t i = 0; i < numberOfPoints_; ++i) {
-    const auto& [type, point] = points_[i];
-    const Vector2d place = pose * point;
+    const auto& [type, point, tolerance] = points_[i];
+    const Vector2d place = pose.translation + turn * point;
     const EdgeTables::Point edge =
         tables.closest(type, static_cast<float>(place.x()), static_cast<float>(place.y()));
-    sum += fit((Vector2d{edge.x, edge.y} - place).norm(), 50 + 0.15 * point.norm());
-    ++most;
+    if (!add(1, fit((Vector2d{edge.x, edge.y} - place).norm(), tolerance))) return 0;
   }
-  constexpr double bearingWeight = 4;
   for (std::size_t i = 0; i < numberOfBearings_; ++i) {
     const SeenBearing& b = bearings_[i];
     if (b.age > oldest) continue;
-    const Vector2d way = b.landmark - pose * b.camera;
-    const double angle = normalize(angleOf(way) - pose.rotation - angleOf(b.direction));
-    sum += bearingWeight * fit(angle, 0.1);
-    most += bearingWeight;
+    const Vector2d way = b.landmark - (pose.translation + turn * b.camera);
+    if (!add(bearingWeight, fit(normalize(angleOf(way) - pose.rotation - b.angle), 0.1))) return 0;
   }
-  return most > 0 ? sum / most : 0;
+  return sum / most;
 }
 
 std::optional<Pose2D> RecentView::drawPose(const EdgeTables& tables, const FieldDimensions& field,
@@ -83,7 +114,7 @@ std::optional<Pose2D> RecentView::drawPose(const EdgeTables& tables, const Field
   if (numberOfBearings_ > 0 && (numberOfPoints_ == 0 || random.chance(0.5)))
     return drawFromBearings(field, random);
   if (numberOfPoints_ == 0) return std::nullopt;
-  const auto& [type, point] = points_[random.index(numberOfPoints_)];
+  const auto& [type, point, tolerance] = points_[random.index(numberOfPoints_)];
   if (tables.posesCount(type, point) == 0) return std::nullopt;
   return tables.drawPose(type, point, random);
 }

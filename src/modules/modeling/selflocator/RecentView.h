@@ -23,8 +23,9 @@ class RecentView {
   /// Forgets all: the robot was put somewhere else.
   void clear() { numberOfPoints_ = numberOfBearings_ = 0; }
 
-  /// The score of a pose: how well it explains what was seen, in [0, 1].
-  double score(const Pose2D& pose, const EdgeTables& tables) const;
+  /// The score of a pose: how well it explains what was seen, in [0, 1]; 0 as soon as it is known
+  /// to be less than `least`.
+  double score(const Pose2D& pose, const EdgeTables& tables, double least = 0) const;
   /// A pose from which one of the things seen would be seen where it was; empty if nothing was
   /// seen.
   std::optional<Pose2D> drawPose(const EdgeTables& tables, const FieldDimensions& field,
@@ -36,10 +37,18 @@ class RecentView {
   struct SeenBearing {
     Vector2d landmark;
     Vector2d camera, direction;  ///< From where and whereto, in the robot's system now.
+    double angle;                ///< Of the direction.
     int age;                     ///< In images.
   };
 
-  std::array<ChosenPoint, 64> points_;
+  /// A point in the robot's system, and how far off it still fits half.
+  struct SeenPoint {
+    EdgeType type;
+    Vector2d point;
+    double tolerance;
+  };
+
+  std::array<SeenPoint, 64> points_;
   std::size_t numberOfPoints_ = 0, nextPoint_ = 0;
   std::array<SeenBearing, 8> bearings_;
   std::size_t numberOfBearings_ = 0, nextBearing_ = 0;

@@ -31,9 +31,17 @@ TEST(RecentView, TellsPosesApart) {
   }
   ASSERT_TRUE(goalSeen);
   double most = 0;
+  int given = 0;
   for (int i = 0; i < 2000; ++i)
-    if (const auto pose = view.drawPose(edges.tables(), robot.field, random))
-      most = std::max(most, view.score(*pose, edges.tables()));
+    if (const auto pose = view.drawPose(edges.tables(), robot.field, random)) {
+      const double score = view.score(*pose, edges.tables());
+      most = std::max(most, score);
+      for (const double least : {score, 0.9 * score})
+        EXPECT_EQ(view.score(*pose, edges.tables(), least), score);
+      EXPECT_EQ(view.score(*pose, edges.tables(), score + 1e-6), 0);
+      ++given;
+    }
+  EXPECT_GT(given, 1000);
   EXPECT_GT(most, 0.6);
   view.clear();
   EXPECT_EQ(view.score(robot.pose, edges.tables()), 0);
