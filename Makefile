@@ -231,7 +231,7 @@ sanitize-python: packages
 	@scripts/python-environment build/python $(PYTHON)
 	@cmake --preset asan >/dev/null
 	@cmake --build --preset asan --parallel $(JOBS) --target gt2003_python_package
-	@$(CTEST) --test-dir build/asan --tests-regex '^python$$'
+	@$(CTEST) --test-dir build/asan --tests-regex '^python_'
 
 # What is found stays in out/fuzz as a file that reproduces it.
 fuzz: TARGETS = --target gt2003_python_package

@@ -318,12 +318,20 @@ def test_it_cannot_join_a_match_that_runs() -> None:
     robot = match.robots["red1"]
     started = []
 
+    def runs() -> bool:
+        try:
+            robot.get("RobotPose")
+        except gt2003.Error as error:
+            return "another thread" in str(error)
+        return False
+
     class Starts(LastSeen):
         def __init__(self) -> None:
             super().__init__()
-            started.append(threading.Thread(target=match.run, args=(5,)))
+            started.append(threading.Thread(target=match.run, args=(20,)))
             started[0].start()
-            time.sleep(0.05)
+            while started[0].is_alive() and not runs():
+                time.sleep(0.001)
 
     with pytest.raises(gt2003.Error, match="runs in another thread"):
         robot.solve("BallLocator", Starts)

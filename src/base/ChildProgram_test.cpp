@@ -23,7 +23,7 @@ TEST(ChildProgram, RunsUntilItIsKilled) {
 
 TEST(ChildProgram, ReportsHowItEnded) {
   ChildProgram child{{"/bin/sh", "-c", "exit 3"}};
-  for (int i = 0; i < 1000 && child.runs(); ++i)
+  for (int i = 0; i < 6000 && child.runs(); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds{10});
   ASSERT_FALSE(child.runs());
   EXPECT_EQ(WEXITSTATUS(child.status()), 3);

@@ -29,7 +29,7 @@ TEST(SdlSpeaker, PlaysAWaveFile) {
     EXPECT_FALSE(speaker.plays());
     const auto done = speaker.play("sounds/bing.wav");
     ASSERT_TRUE(done) << done.error().text();
-    for (int i = 0; i < 500 && speaker.plays(); ++i)
+    for (int i = 0; i < 6000 && speaker.plays(); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds{10});
     EXPECT_FALSE(speaker.plays());
   }

@@ -31,7 +31,8 @@ class GameManager {
   }
   std::string receive() const {
     pollfd waiting{socket_, POLLIN, 0};
-    ::poll(&waiting, 1, 5000);
+    constexpr int patience = 60'000;  // ms
+    ::poll(&waiting, 1, patience);
     char buffer[100];
     const auto size = ::recv(socket_, buffer, sizeof buffer, MSG_DONTWAIT);
     return {buffer, size > 0 ? static_cast<std::size_t>(size) : 0};

@@ -11,15 +11,16 @@
 namespace gt {
 namespace {
 
-constexpr std::chrono::milliseconds patience{100};
+constexpr std::chrono::minutes patience{1};
+constexpr std::chrono::milliseconds impatience{100};  // for answers that never come
 
 /// A robot's program that the test writes: what it sends first, and how it answers.
 class LockstepRobotTest : public ::testing::Test {
  protected:
-  LockstepRobotTest() {
+  explicit LockstepRobotTest(std::chrono::milliseconds waiting = patience) {
     int ends[2];
     EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends), 0);
-    robot = std::make_unique<LockstepRobot>("red1", FileDescriptor{ends[0]}, patience);
+    robot = std::make_unique<LockstepRobot>("red1", FileDescriptor{ends[0]}, waiting);
     program.emplace(FileDescriptor{ends[1]}, lockstepVocabulary(), lockstepQueueSize, patience);
     joints.angles[Joint::headPan] = 0.5;
   }
@@ -97,12 +98,14 @@ TEST_F(LockstepRobotTest, SendsATeamMessageWithEachThirdImage) {
   greet();
   Image image;
   image.allocate();
+  MessageQueue asked{lockstepQueueSize};
   std::vector<bool> sent;
   for (int i = 0; i < 7; ++i) {
     input.image = i == 4 ? nullptr : &image;
     ASSERT_TRUE(program->send(queueOf(joints, TeamMessage{})));
     output.message.reset();
     cycle();
+    ASSERT_TRUE(program->receive(asked));
     sent.push_back(output.message.has_value());
   }
   EXPECT_EQ(failure(), "");
@@ -120,7 +123,12 @@ TEST_F(LockstepRobotTest, StandsAsItStoodOnceItsProgramHasEnded) {
   EXPECT_EQ(output.joints.angles[Joint::headPan], 0.5);
 }
 
-TEST_F(LockstepRobotTest, DoesNotWaitForeverForAnAnswer) {
+class ImpatientLockstepRobotTest : public LockstepRobotTest {
+ protected:
+  ImpatientLockstepRobotTest() : LockstepRobotTest{impatience} {}
+};
+
+TEST_F(ImpatientLockstepRobotTest, DoesNotWaitForeverForAnAnswer) {
   greet();
   cycle();
   EXPECT_EQ(failure(), "red1: its program has not answered for 100 ms");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -20,11 +22,14 @@ TEST(InParallel, ResultsStandInTheOrderOfTheWork) {
 
 TEST(InParallel, UsesAsManyThreadsAsItIsTold) {
   std::mutex mutex;
+  std::condition_variable more;
   std::set<std::thread::id> used;
   inParallel(200, 3, [&](std::size_t) {
-    std::this_thread::sleep_for(std::chrono::milliseconds{1});
-    const std::lock_guard lock{mutex};
+    std::unique_lock lock{mutex};
     used.insert(std::this_thread::get_id());
+    more.notify_all();
+    // None does it all before the others have begun.
+    more.wait_for(lock, std::chrono::minutes{1}, [&] { return used.size() >= 3; });
     return Result<void>{};
   });
   EXPECT_EQ(used.size(), 3u);

@@ -12,10 +12,11 @@ namespace gt {
 namespace {
 
 using testing::NumberPackage;
+using testing::patience;
 namespace newer = testing::newer;
 
 constexpr std::size_t capacity = 1 << 20;
-constexpr std::chrono::milliseconds patience{50};
+constexpr std::chrono::milliseconds impatience{50};  // for answers that never come
 
 class QueueStreamTest : public ::testing::Test {
  protected:
@@ -25,7 +26,9 @@ class QueueStreamTest : public ::testing::Test {
     here = FileDescriptor{ends[0]};
     there = FileDescriptor{ends[1]};
   }
-  QueueStream stream() { return {std::move(here), known, capacity, patience}; }
+  QueueStream stream(std::chrono::milliseconds waiting = patience) {
+    return {std::move(here), known, capacity, waiting};
+  }
   void sendRaw(const std::string& bytes) const {
     EXPECT_EQ(::send(there.number(), bytes.data(), bytes.size(), 0),
               static_cast<ssize_t>(bytes.size()));
@@ -106,7 +109,7 @@ TEST_F(QueueStreamTest, NoticesTheEndOfTheOtherProgram) {
 }
 
 TEST_F(QueueStreamTest, DoesNotWaitForeverForAnAnswer) {
-  QueueStream own = stream();
+  QueueStream own = stream(impatience);
   const auto came = own.receive(messages);
   ASSERT_FALSE(came);
   EXPECT_EQ(came.error().what, "has not answered for 50 ms");

@@ -54,8 +54,7 @@ class RouterProgramsTest : public ::testing::Test {
         [&] {
           network.wait(0);  // answers who may connect
           for (std::size_t i = 0; i < robots.size(); ++i) exchange(i);
-        },
-        10'000);
+        });
   }
   /// Lets tools come to a robot and go.
   void look(std::size_t robot) {
@@ -140,10 +139,10 @@ TEST_F(RouterProgramsTest, ViewersSeeRobotsElsewhere) {
     if (viewer) viewer->read();
   };
   const std::string topic = "/127.0.0.11/RobotPose";
-  ASSERT_TRUE(eventually([&] { return viewer && viewer->channels.contains(topic); }, work, 10'000));
+  ASSERT_TRUE(eventually([&] { return viewer && viewer->channels.contains(topic); }, work));
   EXPECT_FALSE(watched) << "nobody has subscribed";
   viewer->subscribe(5, topic);
-  ASSERT_TRUE(eventually([&] { return !viewer->data.empty(); }, work, 10'000));
+  ASSERT_TRUE(eventually([&] { return !viewer->data.empty(); }, work));
   RobotPose pose;
   ASSERT_TRUE(decode(std::as_bytes(std::span{viewer->data.front().bytes}), pose));
   EXPECT_EQ(pose.pose.translation, Vector2d(100, 200));

@@ -36,7 +36,7 @@ class SteppedRobot {
   }
   /// Runs until something holds; false if it does not in time.
   template <typename Condition>
-  bool runUntil(Condition condition, std::int64_t ms = 20'000) {
+  bool runUntil(Condition condition, std::int64_t ms = 100'000) {
     for (const Time end = input_.now + ms; input_.now < end; runFor(8))
       if (condition()) return true;
     return condition();

@@ -1,7 +1,9 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include "framework/Process.h"
 #include "network/Wire.h"
@@ -61,15 +63,19 @@ struct Custom : Process {
   int pause = -1;
 };
 
+/// For what is meant to succeed, on whatever a machine has to do besides.
+constexpr std::chrono::seconds patience{60};
+
 /// Lets something happen again and again until a condition holds; false if it does not in time.
 template <typename Condition, typename Action>
-bool eventually(Condition condition, Action action, int ms = 5000) {
-  for (int i = 0; i < ms; ++i) {
+bool eventually(Condition condition, Action action, std::chrono::milliseconds time = patience) {
+  for (const auto end = std::chrono::steady_clock::now() + time;
+       std::chrono::steady_clock::now() < end;) {
     if (condition()) return true;
     action();
-    usleep(1000);
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
   }
-  return false;
+  return condition();
 }
 
 }  // namespace gt::testing
