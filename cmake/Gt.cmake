@@ -176,6 +176,14 @@ function(gt_unite_sources target filesUnited)
   endwhile()
   set_target_properties(${target} PROPERTIES SOURCES "${single}")
 endfunction()
+# gt_list_united(): writes united.txt, a line for each target: its name and the files that are compiled as one. To be called behind
+# all folders.
+function(gt_list_united)
+  if(GT_UNITE)
+    get_property(united GLOBAL PROPERTY GT_UNITED)
+    file(WRITE ${CMAKE_BINARY_DIR}/united.txt "${united}")
+  endif()
+endfunction()
 
 # gt_library(name [COLD] [APART] SOURCES a.cpp ... TESTS a_test.cpp ... DEPS gt_base ... [TEST_DEPS ...] [HOT b.cpp ... | HOT_TESTS])
 # One folder is one library. Without sources it is a library of headers. Its tests become the program <name>_test, which links

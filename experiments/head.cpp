@@ -166,7 +166,7 @@ class Scans {
 constexpr std::int64_t knownFor = 1000;  // ms
 
 /// Compares what the robot sees and knows after an image with the truth.
-void compare(LookingRobot& robot, const std::string& name, Tally& tally) {
+void compareWithTruth(LookingRobot& robot, const std::string& name, Tally& tally) {
   const bool inImage = robot.ballInImage();
   tally.count(name + ".inImage", inImage);
   if (inImage) tally.count(name + ".seen", robot.sees());
@@ -187,7 +187,7 @@ Measurement measurementOf(const Tally& tally) {
 }
 
 /// A robot stands, and the ball lies somewhere before it.
-Result<Measurement> search(const Job& job, const DataRoot& root) {
+Result<Measurement> searchForBall(const Job& job, const DataRoot& root) {
   auto made = LookingRobot::make(job, root, 0);
   if (!made) return made.error();
   LookingRobot& robot = **made;
@@ -213,7 +213,7 @@ Result<Measurement> search(const Job& job, const DataRoot& root) {
       // The search may overshoot the ball; what comes after it was watched is a scan.
       watched |= found && robot.program().ball()->consecutiveTimeSeen >= watchedFor;
       if (watched) scans.look(robot);
-      if (found && image) compare(robot, name, tally);
+      if (found && image) compareWithTruth(robot, name, tally);
     }
     tally.count(name + ".foundShare", found);
   }
@@ -239,13 +239,13 @@ Result<Measurement> approach(const Job& job, const DataRoot& root) {
     robot.placeBall(800, 2000, fromDegrees(60));
     robot.execute("stand", "search_auto");
     robot.run(3);
-    if (robot.unseen() > knownFor) continue;  // that is what search measures
+    if (robot.unseen() > knownFor) continue;  // that is what searchForBall measures
     robot.execute("handle_ball");
     constexpr double longest = 15, arrived = 300, near = 600;  // s, mm
     double time = 0;
     for (; time < longest && robot.ballDistance() > arrived; time += tickSeconds) {
       if (!robot.step()) continue;
-      compare(robot, name, tally);
+      compareWithTruth(robot, name, tally);
       if (robot.ballDistance() < near) tally.count(name + ".near.inImage", robot.ballInImage());
       comparePlayers(*robot.program().robot().provided<PlayersCollection>(),
                      robot.program().robot().setup().player.teamColor, robot.truth(), tally);
@@ -279,7 +279,7 @@ Experiments headExperiments() {
         solution,
         valuesParameter(),
         {"balls", "one after another, 12 s each", Parameter::Kind::number, {"5"}}},
-       withValues<search>},
+       withValues<searchForBall>},
       {"motion.head.approach",
        "What a robot sees and knows while it walks to the ball among opponents that stand still",
        {profileParameter(),

@@ -53,14 +53,15 @@ const std::map<std::string, Aim> aims{
     {"montecarlo.lost.longest", Aim::atMost(15)}};
 
 /// Adds a figure by its name behind the group's.
-void add(Measurement& measured, const std::string& name, const char* unit, double value) {
+void addFigure(Measurement& measured, const std::string& name, const char* unit, double value) {
   const auto aim = aims.find(name);
   measured.add("localization." + name, unit, value, aim == aims.end() ? Aim{} : aim->second);
 }
 
 void addSummary(Measurement& measured, const std::string& name, const char* unit,
                 const std::vector<double>& errors) {
-  for (const auto& [of, value] : summaryOf(errors)) add(measured, name + '.' + of, unit, value);
+  for (const auto& [of, value] : summaryOf(errors))
+    addFigure(measured, name + '.' + of, unit, value);
 }
 
 /// Where the robot would be if the field were turned by half a circle: without goals and beacons
@@ -109,10 +110,10 @@ struct Follower {
     const auto below =
         std::count_if(errors.begin(), errors.end(), [&](double e) { return e < average; });
     addSummary(run, name + ".error", "mm", errors);
-    add(run, name + ".error.belowMean", "%",
-        100 * static_cast<double>(below) / static_cast<double>(errors.size()));
-    add(run, name + ".lost.longest", "s", longestLost);
-    add(run, name + ".mirrored.longest", "s", mirror.longest());
+    addFigure(run, name + ".error.belowMean", "%",
+              100 * static_cast<double>(below) / static_cast<double>(errors.size()));
+    addFigure(run, name + ".lost.longest", "s", longestLost);
+    addFigure(run, name + ".mirrored.longest", "s", mirror.longest());
   }
 };
 
@@ -153,7 +154,7 @@ Result<Measurement> experiment1(const Job& job, const DataRoot& root) {
   }
   Measurement run;
   for (const Follower& follower : all) follower.report(run);
-  if (beacons) add(run, "odometry.experiment1.minute", "mm", mean(drift));
+  if (beacons) addFigure(run, "odometry.experiment1.minute", "mm", mean(drift));
   return run;
 }
 
@@ -262,7 +263,7 @@ Result<Measurement> relocalizing(const Job& job, const DataRoot& root) {
   for (const auto& [name, pictures] : nothing) {
     addSummary(run, name + ".fromNothing", "pictures", pictures);
     addSummary(run, name + ".kidnapped", "pictures", kidnapped[name]);
-    add(run, name + ".search.mirrored.longest", "s", mirrored[name]);
+    addFigure(run, name + ".search.mirrored.longest", "s", mirrored[name]);
   }
   return run;
 }

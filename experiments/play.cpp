@@ -11,8 +11,8 @@
 namespace gt {
 namespace {
 
-Result<std::unique_ptr<Match>> makeMatch(const Job& job, const DataRoot& root, const char* scene,
-                                         std::optional<double> minutes = {}) {
+Result<std::unique_ptr<Match>> matchOnScene(const Job& job, const DataRoot& root, const char* scene,
+                                            std::optional<double> minutes = {}) {
   auto options = matchOptions(job, root);
   if (!options) return options.error();
   options->scene = root.path(scene);
@@ -78,7 +78,7 @@ void measureTeam(const MatchSummary& summary, TeamColor team, double minutes, co
 }
 
 Result<Measurement> playBoth(const Job& job, const DataRoot& root) {
-  auto match = makeMatch(job, root, "scenes/match.scene", job.number("minutes"));
+  auto match = matchOnScene(job, root, "scenes/match.scene", job.number("minutes"));
   if (!match) return match.error();
   const SceneDescription& scene = (*match)->simulation().scene();
   PlayWatch play{*(*match)->configuration().field, scene.physics.deceleration};
@@ -95,7 +95,7 @@ Result<Measurement> playBoth(const Job& job, const DataRoot& root) {
 
 /// A team without opponents.
 Result<Measurement> playAlone(const Job& job, const DataRoot& root) {
-  auto match = makeMatch(job, root, "scenes/no-opponents.scene");
+  auto match = matchOnScene(job, root, "scenes/no-opponents.scene");
   if (!match) return match.error();
   while (!(*match)->finished()) (*match)->step();
   Measurement measured;
@@ -105,7 +105,7 @@ Result<Measurement> playAlone(const Job& job, const DataRoot& root) {
 
 /// A striker alone with a ball, both anywhere, until it has scored.
 Result<Measurement> playStriker(const Job& job, const DataRoot& root) {
-  auto match = makeMatch(job, root, "scenes/one-robot.scene");
+  auto match = matchOnScene(job, root, "scenes/one-robot.scene");
   if (!match) return match.error();
   Simulation& simulation = (*match)->simulation();
   const FieldDimensions& field = *(*match)->configuration().field;
@@ -129,7 +129,7 @@ Result<Measurement> playStriker(const Job& job, const DataRoot& root) {
 
 /// Penalty shots, in turns.
 Result<Measurement> playShootOut(const Job& job, const DataRoot& root) {
-  auto match = makeMatch(job, root, "scenes/penalty-shoot-out.scene");
+  auto match = matchOnScene(job, root, "scenes/penalty-shoot-out.scene");
   if (!match) return match.error();
   while (!(*match)->finished()) (*match)->step();
   int goals = 0, shots = 0;

@@ -248,8 +248,9 @@ TslColors learnTsl(const ColorStatistics& statistics) {
 }
 
 /// Percepts of a condition compared with the truth.
-Result<Tally> look(const Condition& condition, const DataRoot& root, const SceneDescription& scene,
-                   const KnownColors& colors, const Job& job) {
+Result<Tally> comparePercepts(const Condition& condition, const DataRoot& root,
+                              const SceneDescription& scene, const KnownColors& colors,
+                              const Job& job) {
   auto views = GameViews::make(root, scene, job.seed);
   if (!views) return views.error();
   VisionTruth truth{views->world(), views->scene()};
@@ -336,7 +337,7 @@ Result<Measurement> measureVision(const Job& job, const DataRoot& root) {
   for (const Condition& condition : allConditions()) {
     if (parameterOf(condition) != job.parameter("condition")) continue;
     condition.change(*scene);
-    const auto tally = look(condition, root, *scene, *colors, job);
+    const auto tally = comparePercepts(condition, root, *scene, *colors, job);
     if (!tally) return tally.error();
     return figuresOf(condition, *tally);
   }

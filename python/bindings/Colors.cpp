@@ -19,7 +19,7 @@ using namespace nb::literals;
 
 using Bytes = nb::ndarray<const std::uint8_t, nb::c_contig, nb::device::cpu>;
 
-ColorClass classOf(int number) {
+ColorClass colorClassOf(int number) {
   if (number < 0 || number >= static_cast<int>(enumCount<ColorClass>))
     refuse("color class", "there is none of this number: " + std::to_string(number));
   return static_cast<ColorClass>(number);
@@ -27,7 +27,7 @@ ColorClass classOf(int number) {
 
 std::optional<ColorClass> selectedClass(std::optional<int> number) {
   if (!number) return std::nullopt;
-  return classOf(*number);
+  return colorClassOf(*number);
 }
 
 nb::object toArray(const ColorTable64& table) {
@@ -43,7 +43,8 @@ ColorTable64 toTable(const Bytes& classes) {
       classes.shape(2) != 64)
     refuse("table", "expected an array of shape (64, 64, 64)");
   ColorTable64 table;
-  std::transform(classes.data(), classes.data() + classes.size(), table.classes.begin(), &classOf);
+  std::transform(classes.data(), classes.data() + classes.size(), table.classes.begin(),
+                 &colorClassOf);
   return table;
 }
 
@@ -78,7 +79,7 @@ void addImage(ColorStatistics& statistics, const Bytes& image, const Bytes& clas
     pixel.cr = *channel++;
   }
   std::vector<ColorClass> labels(classes.size());
-  std::transform(classes.data(), classes.data() + classes.size(), labels.begin(), &classOf);
+  std::transform(classes.data(), classes.data() + classes.size(), labels.begin(), &colorClassOf);
   statistics.add(whole, labels);
 }
 
@@ -155,10 +156,11 @@ void bindColors(nb::module_& module) {
       .def(
           "set",
           [](ColorTableEditor& self, std::uint8_t y, std::uint8_t cb, std::uint8_t cr,
-             int colorClass) { self.set({.y = y, .cb = cb, .cr = cr}, classOf(colorClass)); },
+             int colorClass) { self.set({.y = y, .cb = cb, .cr = cr}, colorClassOf(colorClass)); },
           "y"_a, "cb"_a, "cr"_a, "color_class"_a, "Assigns a class to a color.")
       .def(
-          "clear", [](ColorTableEditor& self, int colorClass) { self.clear(classOf(colorClass)); },
+          "clear",
+          [](ColorTableEditor& self, int colorClass) { self.clear(colorClassOf(colorClass)); },
           "color_class"_a, "Takes all its colors from a class.")
       .def("reset", &ColorTableEditor::reset, "Takes all colors from all classes.")
       .def(

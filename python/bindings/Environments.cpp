@@ -119,7 +119,7 @@ nb::object observationsOf(const nb::object& self) {
   return viewOf<std::uint8_t>(self, worlds.all().observations(), shape);
 }
 
-nb::list listOf(const Space& space) {
+nb::list componentsOf(const Space& space) {
   nb::list list;
   for (const Component& c : space.components)
     list.append(nb::make_tuple(c.name, c.unit, c.low, c.high, c.what));
@@ -187,11 +187,12 @@ void bindEnvironments(nb::module_& module) {
           nb::sig("def terms(self) -> list[tuple[str, str]]"),
           "What rewards are the sum of: names and what they are.")
       .def_prop_ro(
-          "action_components", [](Worlds& w) { return listOf(w.first().actionSpace()); },
+          "action_components", [](Worlds& w) { return componentsOf(w.first().actionSpace()); },
           nb::sig("def action_components(self) -> list[tuple[str, str, float, float, str]]"),
           "Name, unit, lowest and highest value, and a sentence.")
       .def_prop_ro(
-          "observation_components", [](Worlds& w) { return listOf(w.first().observationSpace()); },
+          "observation_components",
+          [](Worlds& w) { return componentsOf(w.first().observationSpace()); },
           nb::sig("def observation_components(self) -> list[tuple[str, str, float, float, str]]"))
       .def_prop_ro("observations", &observationsOf,
                    nb::sig("def observations(self) -> numpy.typing.NDArray[typing.Any]"),

@@ -29,7 +29,7 @@ using Topics = std::vector<std::string>;
 
 /// An array that has taken a vector over.
 template <typename N, typename T>
-nb::object arrayOf(std::vector<T> numbers) {
+nb::object ownedArray(std::vector<T> numbers) {
   auto* const data = new std::vector<T>{std::move(numbers)};
   const nb::capsule owner{data, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); }};
   const std::size_t shape[] = {data->size() * sizeof(T) / sizeof(N)};
@@ -113,10 +113,10 @@ class LogFile {
       auto [rows, pools] = std::move(*table.rows).release();
       nb::list asArrays;
       for (RecordedTable::Pool& pool : pools)
-        asArrays.append(arrayOf<std::uint8_t>(std::move(pool)));
+        asArrays.append(ownedArray<std::uint8_t>(std::move(pool)));
       const nb::str name = named([&] { return nb::str{entry.first.c_str()}; });
-      all[name] = nb::make_tuple(row, arrayOf<std::uint8_t>(std::move(rows)), asArrays,
-                                 arrayOf<std::int64_t>(std::move(table.times)));
+      all[name] = nb::make_tuple(row, ownedArray<std::uint8_t>(std::move(rows)), asArrays,
+                                 ownedArray<std::int64_t>(std::move(table.times)));
     }
     return all;
   }
@@ -243,7 +243,7 @@ class LogFile {
 nb::object decodedJpeg(
     const nb::ndarray<const std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>& bytes) {
   RawImage image = orThrow(decodeJpeg({bytes.data(), bytes.size()}));
-  const nb::object flat = arrayOf<std::uint8_t>(std::move(image.data));
+  const nb::object flat = ownedArray<std::uint8_t>(std::move(image.data));
   return flat.attr("reshape")(image.height, image.width, image.components);
 }
 

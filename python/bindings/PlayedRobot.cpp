@@ -19,7 +19,7 @@ static_assert(sizeof(Pixel) == 4 && sizeof(ColorClass) == 1 && sizeof(int) == 4)
 
 /// A view of a plane of numbers that belong to `owner`.
 template <typename N>
-nb::object viewOf(const void* data, const CameraInfo& info, const nb::object& owner) {
+nb::object planeOf(const void* data, const CameraInfo& info, const nb::object& owner) {
   const std::size_t shape[] = {static_cast<std::size_t>(info.height),
                                static_cast<std::size_t>(info.width)};
   return nb::ndarray<nb::numpy, const N>(data, 2, shape, owner).cast();
@@ -142,8 +142,8 @@ nb::object PlayedRobot::labels() const {
   const ImageTruth* truth = simulation.truth(inSimulation());
   if (!truth) return nb::none();
   const CameraInfo& info = simulation.image(inSimulation()).info;
-  return nb::make_tuple(viewOf<std::uint8_t>(truth->classes.data(), info, owner_),
-                        viewOf<std::int32_t>(truth->geoms.data(), info, owner_));
+  return nb::make_tuple(planeOf<std::uint8_t>(truth->classes.data(), info, owner_),
+                        planeOf<std::int32_t>(truth->geoms.data(), info, owner_));
 }
 
 nb::object PlayedRobot::truePose() const {

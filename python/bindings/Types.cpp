@@ -109,7 +109,7 @@ std::string kindName(const Type& type) {
   return names[static_cast<std::size_t>(type.kind)];
 }
 
-std::vector<std::string> textsOf(std::span<const std::string_view> names) {
+std::vector<std::string> stringsOf(std::span<const std::string_view> names) {
   return {names.begin(), names.end()};
 }
 
@@ -124,14 +124,14 @@ nb::dict describePart(const Part& part) {
   return about;
 }
 
-nb::dict describe(const Type& type) {
+nb::dict describeType(const Type& type) {
   nb::dict about;
   about["name"] = std::string{type.name};
   about["kind"] = kindName(type);
   about["number"] = isScalar(type) ? dtypeOf(type) : "";
   about["vector"] = isVector(type);
-  about["names"] = textsOf(type.names);
-  about["index_names"] = textsOf(type.indexNames);
+  about["names"] = stringsOf(type.names);
+  about["index_names"] = stringsOf(type.indexNames);
   about["element"] =
       type.element ? nb::object{nb::int_(indexOf(type.element()))} : nb::object{nb::none()};
   nb::list parts;
@@ -152,7 +152,7 @@ nb::dict describe(const Type& type) {
 /// For each type what the package makes its class of.
 nb::list describeTypes() {
   nb::list all;
-  for (const Type* type : knownTypes()) all.append(describe(*type));
+  for (const Type* type : knownTypes()) all.append(describeType(*type));
   return all;
 }
 

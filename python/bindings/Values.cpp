@@ -368,7 +368,8 @@ std::string scalarFromPythonAsText(nb::handle object, const Type& type, const Pl
 }
 
 /// An element of a sequence by its name or number; none if it has none.
-std::optional<std::size_t> indexOf(const Type& sequence, std::size_t size, std::string_view name) {
+std::optional<std::size_t> elementIndex(const Type& sequence, std::size_t size,
+                                        std::string_view name) {
   const auto named = std::ranges::find(sequence.indexNames, name);
   if (named != sequence.indexNames.end())
     return static_cast<std::size_t>(named - sequence.indexNames.begin());
@@ -462,7 +463,7 @@ ConstValue at(ConstValue root, std::string_view path, const std::string& whole) 
         fail({nullptr, whole}, std::string{type.name} + " has no field " + std::string{name});
       root = root.part(*part);
     } else if (type.kind == Kind::array || type.kind == Kind::list) {
-      const auto index = indexOf(type, root.size(), name);
+      const auto index = elementIndex(type, root.size(), name);
       if (!index) fail({nullptr, whole}, "there is no element " + std::string{name});
       root = root.element(*index);
     } else {

@@ -30,7 +30,7 @@ nb::list diagnosticsOf(const std::vector<xabsl::Diagnostic>& diagnostics) {
 }
 
 template <typename List>
-std::vector<std::string> namesOf(const List& list) {
+std::vector<std::string> declaredNames(const List& list) {
   std::vector<std::string> names;
   for (const auto& element : list) names.push_back(element.name);
   return names;
@@ -277,10 +277,12 @@ nb::tuple compile(const std::string& path,
 void bindXabsl(nb::module_& module) {
   module.def("_compile_xabsl", &compile, "path"_a, "files"_a.none());
   nb::class_<xabsl::Behavior>(module, "Behavior", "A compiled behavior, which never changes.")
-      .def_prop_ro("agents", [](const xabsl::Behavior& b) { return namesOf(b.model().agents); })
-      .def_prop_ro("options", [](const xabsl::Behavior& b) { return namesOf(b.model().options); })
+      .def_prop_ro("agents",
+                   [](const xabsl::Behavior& b) { return declaredNames(b.model().agents); })
+      .def_prop_ro("options",
+                   [](const xabsl::Behavior& b) { return declaredNames(b.model().options); })
       .def_prop_ro("basic_behaviors",
-                   [](const xabsl::Behavior& b) { return namesOf(b.model().behaviors); })
+                   [](const xabsl::Behavior& b) { return declaredNames(b.model().behaviors); })
       .def_prop_ro("inputs",
                    [](const xabsl::Behavior& b) { return symbolsOf(b, xabsl::SymbolKind::input); })
       .def_prop_ro("outputs",
@@ -288,7 +290,7 @@ void bindXabsl(nb::module_& module) {
       .def_prop_ro("enumerations", [](const xabsl::Behavior& b) {
         nb::dict all;
         for (const xabsl::Enumeration& enumeration : b.model().enumerations)
-          all[enumeration.name.c_str()] = namesOf(enumeration.elements);
+          all[enumeration.name.c_str()] = declaredNames(enumeration.elements);
         return all;
       });
   nb::class_<PythonEngine>(

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "console/JoystickRange.h"
+
 namespace gt {
 namespace {
 
-constexpr double fastestAhead = 200, fastestSideways = 150;  // mm/s
-constexpr double fastestTurn = 1.6;                          // rad/s
-constexpr double hatSpeed = 0.5;                             // rad/s
-constexpr double widestPan = 1.5, widestTilt = 0.7, widestRoll = 0.5;
+constexpr double hatSpeed = 0.5;  // rad/s
 
 }  // namespace
 

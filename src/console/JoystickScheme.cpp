@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/JoystickRange.h"
+
 namespace gt {
 namespace {
 
-constexpr double fastestAhead = 200, fastestSideways = 150;            // mm/s
-constexpr double fastestTurn = 1.6;                                    // rad/s
-constexpr double widestPan = 1.5, widestTilt = 0.7, widestRoll = 0.5;  // rad
 constexpr double deadZone = 0.05;  // in which a stick that nobody holds may stand
 
 double outsideDeadZone(double value) {

@@ -36,7 +36,7 @@ std::string fileOf(const std::string& word, const std::string& folder) {
   return word;
 }
 
-Result<void> execute(Console& console, const Words& words, bool loop) {
+Result<void> executeMof(Console& console, const Words& words, bool loop) {
   const std::string& folder = console.session().options().motions;
   std::string text = words.rest.substr(words[1].size()), file;
   if (words.size() == 3) {
@@ -69,7 +69,7 @@ std::string lineOf(const JointAngles& joints) {
 
 Result<void> mof(Console& console, const Words& words) {
   if (words[1] == "stop") return sendSequence(console, {});
-  if (words[1] != "read") return execute(console, words, words[1] == "loop");
+  if (words[1] != "read") return executeMof(console, words, words[1] == "loop");
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
     const auto sensors = robot.observed().value<SensorDataBuffer>();
     if (!sensors) return sensors.error();

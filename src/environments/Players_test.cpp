@@ -11,8 +11,9 @@
 namespace gt {
 namespace {
 
-std::unique_ptr<Environments> made(const char* name, const char* actions,
-                                   const char* observations = "state", const char* agents = "") {
+std::unique_ptr<Environments> environmentsOf(const char* name, const char* actions,
+                                             const char* observations = "state",
+                                             const char* agents = "") {
   EnvironmentOptions options;
   options.agents = agents;
   options.environment = name;
@@ -44,8 +45,8 @@ std::vector<float> choosing(const Environments& all, const std::string& skill) {
 }
 
 /// The sums of the terms of an episode in which the agent decides.
-std::map<std::string, double> episode(Environments& all, std::uint64_t seed,
-                                      const std::function<std::vector<float>()>& decide) {
+std::map<std::string, double> sumsOfEpisode(Environments& all, std::uint64_t seed,
+                                            const std::function<std::vector<float>()>& decide) {
   EXPECT_TRUE(all.reset(0, seed));
   std::map<std::string, double> sums;
   while (!all.terminated()[0] && !all.truncated()[0]) {
@@ -58,9 +59,9 @@ std::map<std::string, double> episode(Environments& all, std::uint64_t seed,
 }
 
 TEST(Approach, IsDoneByTheSkillOfTheRobots) {
-  const auto all = made("Approach", "skills");
+  const auto all = environmentsOf("Approach", "skills");
   for (const std::uint64_t seed : {1, 2}) {
-    const auto sums = episode(*all, seed, [&] {
+    const auto sums = sumsOfEpisode(*all, seed, [&] {
       const double facing =
           seen(*all, "heading") + std::atan2(seen(*all, "goal.left") - seen(*all, "ball.left"),
                                              seen(*all, "goal.ahead") - seen(*all, "ball.ahead"));
@@ -79,15 +80,15 @@ TEST(Approach, IsDoneByTheSkillOfTheRobots) {
 }
 
 TEST(Approach, RewardsNothingWhoStands) {
-  const auto all = made("Approach", "motion");
-  const auto sums = episode(*all, 1, [&] { return std::vector<float>(3); });
+  const auto all = environmentsOf("Approach", "motion");
+  const auto sums = sumsOfEpisode(*all, 1, [&] { return std::vector<float>(3); });
   EXPECT_EQ(sums.at("done"), 0);
   EXPECT_NEAR(sums.at("closer"), 0, 0.05);
   EXPECT_NEAR(sums.at("time"), -2, 1e-6);
 }
 
 TEST(Approach, MovesTheRobotAsItIsTold) {
-  const auto all = made("Approach", "motion");
+  const auto all = environmentsOf("Approach", "motion");
   ASSERT_TRUE(all->reset(0, 4));
   const double heading = seen(*all, "heading");
   for (int i = 0; i < 25; ++i) ASSERT_TRUE(all->step(std::vector<float>{0, 0, 0.5F}, false));
@@ -100,7 +101,7 @@ TEST(Approach, MovesTheRobotAsItIsTold) {
 }
 
 TEST(Approach, TurnsByItsJointsInTheDynamicFidelity) {
-  const auto all = made("Approach", "joints");
+  const auto all = environmentsOf("Approach", "joints");
   EXPECT_EQ(all->first().options().fidelity, "dynamic");
   ASSERT_TRUE(all->reset(0, 4));
   const auto& components = all->first().actionSpace().components;
@@ -112,7 +113,8 @@ TEST(Approach, TurnsByItsJointsInTheDynamicFidelity) {
 }
 
 TEST(Approach, ObservesBeliefsThatAreNotTheTruthButNearIt) {
-  const auto believes = made("Approach", "skills", "beliefs"), knows = made("Approach", "skills");
+  const auto believes = environmentsOf("Approach", "skills", "beliefs"),
+             knows = environmentsOf("Approach", "skills");
   ASSERT_TRUE(believes->reset(0, 6));
   for (int i = 0; i < 200; ++i)
     ASSERT_TRUE(believes->step(choosing(*believes, "search_ball"), false));
@@ -125,10 +127,10 @@ TEST(Approach, ObservesBeliefsThatAreNotTheTruthButNearIt) {
 }
 
 TEST(Penalty, IsScoredByTheSkillOfTheRobots) {
-  const auto all = made("Penalty", "skills");
+  const auto all = environmentsOf("Penalty", "skills");
   double goals = 0, ball = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const auto sums = episode(*all, seed, [&] { return choosing(*all, "handle_ball"); });
+    const auto sums = sumsOfEpisode(*all, seed, [&] { return choosing(*all, "handle_ball"); });
     EXPECT_EQ(all->terminated()[0], sums.at("goal") != 0);
     goals += sums.at("goal") / 5;
     ball += sums.at("ball");
@@ -138,7 +140,7 @@ TEST(Penalty, IsScoredByTheSkillOfTheRobots) {
 }
 
 TEST(Penalty, KicksIfToldTo) {
-  const auto all = made("Penalty", "motion");
+  const auto all = environmentsOf("Penalty", "motion");
   ASSERT_TRUE(all->reset(0, 1));
   const auto& components = all->first().actionSpace().components;
   std::vector<float> kick(components.size());
@@ -158,34 +160,38 @@ TEST(Penalty, KicksIfToldTo) {
 }
 
 TEST(Goalie, LosesWhoStandsAndSavesWhoGuards) {
-  const auto all = made("Goalie", "skills");
+  const auto all = environmentsOf("Goalie", "skills");
   double standing = 0, guarding = 0;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {
-    standing += episode(*all, seed, [&] { return choosing(*all, "stand"); }).at("goal");
+    standing += sumsOfEpisode(*all, seed, [&] { return choosing(*all, "stand"); }).at("goal");
     EXPECT_EQ(all->truncated()[0], !all->terminated()[0]);
-    guarding += episode(*all, seed, [&] { return choosing(*all, "goalie_playing"); }).at("goal");
+    guarding +=
+        sumsOfEpisode(*all, seed, [&] { return choosing(*all, "goalie_playing"); }).at("goal");
   }
   EXPECT_LE(standing, -8);
   EXPECT_GT(guarding, standing);
 }
 
 TEST(Localize, KnowsMoreWhoLooksForLandmarksThanWhoLooksAtTheGround) {
-  const auto looking = made("Localize", "skills"), blind = made("Localize", "joints");
+  const auto looking = environmentsOf("Localize", "skills"),
+             blind = environmentsOf("Localize", "joints");
   double saw = 0, guessed = 0;
   for (const std::uint64_t seed : {1, 2}) {
-    const auto sums = episode(*looking, seed, [] { return std::vector<float>{1, 0, 0, 0, 0}; });
+    const auto sums = sumsOfEpisode(*looking, seed, [] {
+      return std::vector<float>{1, 0, 0, 0, 0};
+    });
     EXPECT_EQ(sums.at("steps"), 750);
     EXPECT_LT(std::abs(seen(*looking, "believed.x") - seen(*looking, "pose.x")), 0.3);
     EXPECT_LT(std::abs(seen(*looking, "believed.y") - seen(*looking, "pose.y")), 0.3);
     saw += sums.at("place");
-    guessed += episode(*blind, seed, [] { return std::vector<float>{-1, 0, 0}; }).at("place");
+    guessed += sumsOfEpisode(*blind, seed, [] { return std::vector<float>{-1, 0, 0}; }).at("place");
   }
   EXPECT_LT(guessed, 2 * saw);
   EXPECT_LT(saw, 0);
 }
 
 TEST(Soccer, IsPlayedByTheRobotsThemselvesIfToldTo) {
-  const auto all = made("Soccer", "skills", "state", "all");
+  const auto all = environmentsOf("Soccer", "skills", "state", "all");
   ASSERT_EQ(all->agents(), 8);
   const std::size_t numbers = all->first().actionSpace().count();
   std::vector<float> play(8 * numbers);
@@ -205,7 +211,7 @@ TEST(Soccer, IsPlayedByTheRobotsThemselvesIfToldTo) {
 }
 
 TEST(Soccer, ShowsBothTeamsTheFieldFromTheirOwnSide) {
-  const auto all = made("Soccer", "motion", "state", "all");
+  const auto all = environmentsOf("Soccer", "motion", "state", "all");
   ASSERT_TRUE(all->reset(0, 3));
   const Space& space = all->first().observationSpace();
   const auto* numbers = reinterpret_cast<const float*>(all->observations().data());

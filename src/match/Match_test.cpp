@@ -11,15 +11,15 @@ namespace gt {
 namespace {
 
 TEST_F(MatchTest, SameSeedSameBytesWithAnyNumberOfThreads) {
+  const auto play = [&](const char* name, std::uint64_t seed, std::size_t threads) {
+    return this->play(name, seed, threads, 0.2);
+  };
   const auto first = play("first", 3, 1);
   EXPECT_EQ(first.size(), 9u) << "eight logs and the summary";
-  for (const auto& [name, bytes] : first)
-    EXPECT_GT(bytes.size(), wholeMatches ? 10'000u : 1'000u) << name;
-  const auto again = play("again", 3, 1), threads = play("threads", 3, 2),
-             other = play("other", 4, 2);
+  for (const auto& [name, bytes] : first) EXPECT_GT(bytes.size(), 1'000u) << name;
+  const auto threads = play("threads", 3, 2), other = play("other", 4, 2);
   for (const auto& [name, bytes] : first) {
     // Comparisons without the bytes in the message.
-    EXPECT_TRUE(bytes == again.at(name)) << name;
     EXPECT_TRUE(bytes == threads.at(name)) << name;
     EXPECT_FALSE(bytes == other.at(name)) << name << " of another seed";
   }
@@ -30,7 +30,7 @@ TEST_F(MatchTest, SameSeedSameBytesInEveryProfile) {
   for (const std::string_view name : enumNames<Profile>) {
     const std::string profile{name};
     const auto play = [&](std::size_t threads) {
-      return this->play(profile + std::to_string(threads), 5, threads, 0.04, "scenes/match.scene",
+      return this->play(profile + std::to_string(threads), 5, threads, 0.05, "scenes/match.scene",
                         profile);
     };
     const auto one = play(1), two = play(2);
@@ -46,25 +46,27 @@ TEST_F(MatchTest, EveryLayoutPlaysTheSameMatch) {
   std::string first;
   for (const char* layout : {"cmd", "single", "pmbm"}) {
     MatchOptions options;
-    options.minutes = 0.2;
+    options.minutes = 0.1;
     options.layout = "layouts/" + std::string{layout} + ".layout";
     const auto match = Match::make(options);
     ASSERT_TRUE(match) << match.error().text();
+    ASSERT_TRUE(whistle(**match, ""));
     while (!isOver(**match)) (*match)->step();
     const std::string summary = toJson((*match)->summary()).dump();
     if (first.empty()) first = summary;
     EXPECT_TRUE(summary == first) << layout;
   }
-  EXPECT_GT(first.size(), wholeMatches ? 10'000u : 1'000u);
+  EXPECT_GT(first.size(), 1'000u);
 }
 
 /// Layouts change under a running match without a trace: modules keep what they remember.
 TEST_F(MatchTest, LayoutsChangeWhileTheMatchGoesOn) {
   const auto play = [&](bool change) {
     MatchOptions options;
-    options.minutes = 0.2;
+    options.minutes = 0.1;
     const auto match = Match::make(options);
     EXPECT_TRUE(match) << match.error().text();
+    EXPECT_TRUE(whistle(**match, ""));
     int ticks = 0;
     while (!isOver(**match)) {
       if (change && ++ticks % 50 == 0) {
@@ -82,22 +84,33 @@ TEST_F(MatchTest, LayoutsChangeWhileTheMatchGoesOn) {
 }
 
 TEST_F(MatchTest, TheDynamicFidelityIsAsRepeatable) {
-  const auto first = play("first", 3, 1, 0.1, "scenes/dynamic.scene");
-  const auto threads = play("threads", 3, 2, 0.1, "scenes/dynamic.scene");
+  const auto play = [&](const char* name, std::size_t threads) {
+    return this->play(name, 3, threads, 0.1, "scenes/dynamic.scene");
+  };
+  const auto first = play("first", 1), threads = play("threads", 2);
   EXPECT_EQ(first.size(), 9u);
   for (const auto& [name, bytes] : first) EXPECT_TRUE(bytes == threads.at(name)) << name;
 }
 
-TEST_F(MatchTest, LogsHoldWhatIsConfigured) {
+TEST_F(MatchTest, RobotsPlayAndLogsHoldWhatIsConfigured) {
   if (!wholeMatches) GTEST_SKIP() << "needs a whole match";
-  const auto match = make("log", 5, 2, 0.5);
+  const auto match = make("log", 6, 2, 0.5);
   while (!match->finished()) match->step();
   ASSERT_TRUE(match->close());
-  const double seconds = static_cast<double>(match->time().ms) / 1000;
-  std::size_t balls = 0;
-  for (const RobotSummary& robot : match->summary().robots)
-    balls += static_cast<std::size_t>(robot.ballError.count);
-  EXPECT_GT(balls, 25 * seconds) << "at least one robot in the mean sees the ball";
+  const MatchSummary summary = match->summary();
+  const double seconds = static_cast<double>(summary.duration.ms) / 1000;
+  ASSERT_EQ(summary.robots.size(), 8u);
+  double walked = 0, seen = 0;
+  for (const RobotSummary& robot : summary.robots) {
+    walked += robot.distanceWalked;
+    seen += static_cast<double>(robot.ballError.count);
+    EXPECT_GT(robot.localizationError.count, 500);
+    EXPECT_NEAR(static_cast<double>(robot.samples.size()), seconds, 1);
+  }
+  EXPECT_GT(walked, 8000);
+  EXPECT_GT(seen, 25 * seconds) << "at least one robot in the mean sees the ball";
+  EXPECT_FALSE(match->images().empty());
+  EXPECT_EQ(summary.events.back().kind, "gameOver");
   const auto log = McapReader::open((folder / "log/red1.mcap").string());
   ASSERT_TRUE(log) << log.error().text();
   std::map<std::string, double> counts;
@@ -106,26 +119,6 @@ TEST_F(MatchTest, LogsHoldWhatIsConfigured) {
   EXPECT_NEAR(counts["/RobotPose"], 25 * seconds, 1) << "25 a second";
   EXPECT_NEAR(counts["/BallPercept"], 25 * seconds, 1);
   EXPECT_NEAR(counts["/camera"], seconds / 2, 1) << "one in two seconds";
-}
-
-TEST_F(MatchTest, RobotsPlay) {
-  if (!wholeMatches) GTEST_SKIP() << "needs a whole match";
-  const auto match = make("play", 6, 2, 1);
-  while (!match->finished()) match->step();
-  const MatchSummary summary = match->summary();
-  ASSERT_EQ(summary.robots.size(), 8u);
-  double walked = 0, seen = 0;
-  for (const RobotSummary& robot : summary.robots) {
-    walked += robot.distanceWalked;
-    seen += static_cast<double>(robot.ballError.count);
-    EXPECT_GT(robot.localizationError.count, 500);
-    EXPECT_NEAR(static_cast<double>(robot.samples.size()),
-                static_cast<double>(summary.duration.ms) / 1000, 1);
-  }
-  EXPECT_GT(walked, 8000);
-  EXPECT_GT(seen, 1000);
-  EXPECT_FALSE(match->images().empty());
-  EXPECT_EQ(summary.events.back().kind, "gameOver");
 }
 
 TEST_F(MatchTest, TheSceneSaysHowLongAGameLasts) {
@@ -184,6 +177,8 @@ TEST_F(MatchTest, TeamsPlayWithFilesOfTheirOwn) {
     options.blue = blue.empty() ? "" : (folder / blue).string();
     auto match = Match::make(options);
     EXPECT_TRUE(match) << match.error().text();
+    EXPECT_TRUE(whistle(**match, ""));
+    (*match)->note(InterventionKind::console, "");
     while (!isOver(**match)) (*match)->step();
     return std::move(*match);
   };
@@ -202,7 +197,7 @@ TEST_F(MatchTest, TeamsPlayWithFilesOfTheirOwn) {
     EXPECT_GT(walked(*match, red ? TeamColor::blue : TeamColor::red), wholeMatches ? 500 : -1);
     const std::string file = (folder / "match.state").string();
     ASSERT_TRUE(match->save(file));
-    const auto loaded = Match::load(file, {}, putBall);
+    const auto loaded = Match::load(file, {}, whistle);
     ASSERT_TRUE(loaded) << loaded.error().text();
     EXPECT_TRUE(toJson((*loaded)->summary()) == toJson(match->summary()));
   }

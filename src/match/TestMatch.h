@@ -28,6 +28,12 @@ inline bool isOver(const Match& match) {
   return match.finished() || match.time() >= Time{longestMatch};
 }
 
+/// What a person does to a match in the tests: has play begin where the robots stand.
+inline Result<void> whistle(Match& match, const std::string&) {
+  match.simulation().referee().order(GameState::playing, match.simulation().world());
+  return {};
+}
+
 /// Plays matches into a folder of its own.
 class MatchTest : public ::testing::Test {
  protected:
@@ -55,12 +61,13 @@ class MatchTest : public ::testing::Test {
     EXPECT_TRUE(match) << match.error().text();
     return std::move(*match);
   }
-  /// Everything that a match leaves, as bytes by name.
+  /// Everything that a match leaves which begins at once, as bytes by name.
   std::map<std::string, std::string> play(const std::string& name, std::uint64_t seed,
-                                          std::size_t threads, double minutes = 0.5,
+                                          std::size_t threads, double minutes,
                                           const std::string& scene = "scenes/match.scene",
                                           const std::string& profile = "") {
     const auto match = make(name, seed, threads, minutes, scene, profile);
+    EXPECT_TRUE(whistle(*match, ""));
     while (!isOver(*match)) match->step();
     EXPECT_TRUE(match->close());
     std::map<std::string, std::string> files;
@@ -73,7 +80,7 @@ class MatchTest : public ::testing::Test {
   std::filesystem::path folder;
 };
 
-/// What a person does to a match in the tests: puts the ball.
+/// Puts the ball.
 inline Result<void> putBall(Match& match, const std::string& line) {
   match.simulation().world().placeBall(0, {std::stod(line), 100}, {300, 0});
   return {};

@@ -90,7 +90,7 @@ std::vector<std::byte> recorded(const T& value) {
   return bytes;
 }
 
-then::Report sample() {
+then::Report sampleReport() {
   then::Report report;
   report.mood = then::Mood::wild;
   report.bigNumber = 1'000'000'000'000;
@@ -107,7 +107,7 @@ then::Report sample() {
 TEST(RecordedMessage, FillsAChangedTypeByName) {
   now::Report report;
   const auto done =
-      readRecorded(definitionOf(schemaOf<then::Report>()), recorded(sample()), report);
+      readRecorded(definitionOf(schemaOf<then::Report>()), recorded(sampleReport()), report);
   ASSERT_TRUE(done) << done.error().text();
   EXPECT_EQ(report.added, "kept");
   EXPECT_EQ(report.mood, now::Mood::wild);
@@ -155,7 +155,7 @@ TEST(RecordedMessage, ConvertsNumbersThatDoNotFit) {
 }
 
 TEST(RecordedMessage, BecomesJson) {
-  const auto json = recordedJson(definitionOf(schemaOf<then::Report>()), recorded(sample()));
+  const auto json = recordedJson(definitionOf(schemaOf<then::Report>()), recorded(sampleReport()));
   ASSERT_TRUE(json) << json.error().text();
   EXPECT_EQ(json->dump(),
             R"({"mood":"WILD","big_number":1000000000000,"wide":-2.6,"sure":true,)"
@@ -216,7 +216,7 @@ TEST(RecordedMessage, TellsWhatIsWrongWithASchema) {
 }
 
 TEST(RecordedMessage, TellsWhichFieldEndsTooEarly) {
-  auto bytes = recorded(sample());
+  auto bytes = recorded(sampleReport());
   bytes.resize(bytes.size() - 25);
   now::Report report;
   const auto done = readRecorded(definitionOf(schemaOf<then::Report>()), bytes, report);

@@ -15,7 +15,7 @@ namespace {
 using samples::Everything;
 using testing::HasSubstr;
 
-std::vector<std::byte> encoded(const Everything& value) {
+std::vector<std::byte> encodedBytes(const Everything& value) {
   std::vector<std::byte> bytes;
   encode(value, bytes);
   return bytes;
@@ -122,12 +122,12 @@ TEST(Streams, BinaryIsTheFormatOfEncode) {
     samples::randomize(valueOf(value), random);
     OutBinaryMemory out;
     out << value;
-    ASSERT_EQ(out.bytes(), encoded(value));
+    ASSERT_EQ(out.bytes(), encodedBytes(value));
     InBinaryMemory in{out.bytes()};
     in >> read;
     ASSERT_TRUE(in) << in.error()->text();
     ASSERT_TRUE(in.eof());
-    ASSERT_EQ(encoded(read), encoded(value));
+    ASSERT_EQ(encodedBytes(read), encodedBytes(value));
   }
 }
 
@@ -142,7 +142,7 @@ TEST(Streams, TextKeepsEveryBit) {
     in >> read >> read;
     ASSERT_TRUE(in) << in.error()->text();
     ASSERT_TRUE(in.eof());
-    ASSERT_EQ(encoded(read), encoded(value));
+    ASSERT_EQ(encodedBytes(read), encodedBytes(value));
   }
 }
 
@@ -211,7 +211,7 @@ TEST(Streams, SurviveMutatedData) {
       *in >> read;
       failures += *in ? 0 : 1;
     }
-    encoded(read);
+    encodedBytes(read);
   }
   EXPECT_GT(failures, 6000);
 }

@@ -69,10 +69,9 @@ TEST_F(ColorDialogTest, HsiColorsAreMadeBySlidersAndByClicksOnTheZoomedImage) {
   choose("hsi", "class", "pink");
   clickPixel(*small, ball());
   auto* zoom = widget<SheetWidget>("hsi", "zoom");
-  EXPECT_TRUE(until([&] { return zoom->sheet() != nullptr; }));
+  EXPECT_TRUE(until([&] { return zoom->sheet() && !zoom->waitsForPainting(); }));
   const Pixel orange = image_.at(ball().x(), ball().y());
   EXPECT_NE(classOf(orange), ColorClass::pink);
-  QTest::qWait(50);
   for (const int x : {-4, 0, 4})
     for (const int y : {-4, 0, 4}) clickPixel(*zoom, ball() + QPoint{x, y});
   const auto slider = [&](const char* name) { return widget<QSlider>("hsi", name)->value(); };
@@ -119,8 +118,7 @@ TEST_F(ColorDialogTest, HsiColorsAreMadeBySlidersAndByClicksOnTheZoomedImage) {
 TEST_F(ColorDialogTest, TslColorsFollowFromARectangle) {
   window->open("tsl");
   auto* raw = widget<SheetWidget>("tsl", "raw");
-  EXPECT_TRUE(until([&] { return raw->sheet() != nullptr; }));
-  QTest::qWait(50);
+  EXPECT_TRUE(until([&] { return raw->sheet() && !raw->waitsForPainting(); }));
   choose("tsl", "color", "pink");
   const QPoint at = ball();
   clickPixel(*raw, at - QPoint{2, 2});

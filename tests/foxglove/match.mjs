@@ -29,7 +29,7 @@ async function freePort() {
 
 /// Connects as soon as the program listens.
 async function connect(url) {
-  for (let i = 0; i < 300; ++i) {
+  for (let i = 0; i < 600; ++i) {
     const ws = new WebSocket(url, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
     const client = new FoxgloveClient({ ws });
     const open = await new Promise((done) => {

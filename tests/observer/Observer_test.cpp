@@ -55,7 +55,7 @@ class ConsoleAt {
   }
   /// Waits at the prompt until something holds.
   bool waitFor(const std::function<bool()>& holds) {
-    return session_->waitFor(holds, std::chrono::seconds{10});
+    return session_->waitFor(holds, std::chrono::minutes{1});
   }
   ObservedRobot& robot(const std::string& name) { return session_->find(name)->observed(); }
   Session& session() { return *session_; }

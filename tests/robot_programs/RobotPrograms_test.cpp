@@ -178,13 +178,20 @@ TEST_F(RobotProgramsTest, MotionHoldsASafeStandWithoutCognition) {
   ASSERT_TRUE(playUntil([&] { return joined(); }));
   ASSERT_TRUE(playUntil([&] { return robot().motion()->executed.type == MotionType::walk; }));
   processes[0]->kill();
-  play(1500);  // requests grow old, and a step that was begun comes to its end
-  EXPECT_EQ(robot().motion()->executed.type, MotionType::stand);
+  const auto walked = [&] { return match->simulation().world().robot(2).walked; };
+  // Requests grow old, and a step that was begun comes to its end.
+  double stood = 0;
+  ASSERT_TRUE(playUntil(
+      [&] {
+        const double before = std::exchange(stood, walked());
+        return robot().motion()->executed.type == MotionType::stand && stood - before < 1;
+      },
+      400));
   const RemoteStatistics before = robot().statistics();
-  const double walked = match->simulation().world().robot(2).walked;
   play(800);
-  EXPECT_LT(robot().statistics().missedFrames - before.missedFrames, 50) << "it is still there";
-  EXPECT_LT(match->simulation().world().robot(2).walked - walked, 30) << "and stands";
+  const RemoteStatistics& now = robot().statistics();
+  EXPECT_LT(now.missedFrames - before.missedFrames, now.frames - before.frames) << "it is there";
+  EXPECT_LT(walked() - stood, 30) << "and stands";
   processes[0]->start();
   EXPECT_TRUE(playUntil([&] { return joined(); }));
 }
@@ -204,7 +211,7 @@ TEST_F(RobotProgramsTest, ABrokenBehaviorStopsCognitionOnly) {
   EXPECT_TRUE(processes[1]->runs());
 }
 
-/// What a program prints until something is in it, or for some seconds.
+/// What a program prints until something is in it, or for a minute.
 std::string printed(const std::vector<std::string>& words, const std::string& wanted) {
   const TemporaryFolder place;
   const std::string file = (place.path() / "printed").string();
@@ -212,7 +219,7 @@ std::string printed(const std::vector<std::string>& words, const std::string& wa
   for (const std::string& word : words) line += " " + word;
   ChildProgram program{{"/bin/sh", "-c", line + " 2>" + file}};
   std::string text;
-  for (int i = 0; i < 100 && text.find(wanted) == text.npos; ++i) {
+  for (int i = 0; i < 600 && text.find(wanted) == text.npos; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds{100});
     if (const auto read = readFile(file)) text = *read;
   }
@@ -233,11 +240,11 @@ TEST(RobotPrograms, SayWhatIsWrongInALine) {
               ::testing::HasSubstr("network.cfg: tools: network: 5: expected an endpoint"));
 }
 
-/// How many messages of a channel a log holds.
+/// How many messages of a channel a log holds, up to what was written last.
 std::size_t countIn(const fs::path& path, const std::string& topic) {
   auto log = McapReader::open(path.string());
-  EXPECT_TRUE(log) << log.error().text();
   std::size_t count = 0;
+  if (!log) return count;
   for (auto message = log->next(); message && *message; message = log->next())
     count += log->channel((*message)->channel)->topic == topic;
   return count;
@@ -245,10 +252,10 @@ std::size_t countIn(const fs::path& path, const std::string& topic) {
 
 TEST_F(RobotProgramsTest, ItsLogHoldsImagesAndWhatThePlatformTold) {
   ASSERT_TRUE(playUntil([&] { return joined(); }));
-  play(2500);  // an image every two seconds
+  ASSERT_TRUE(playUntil([&] { return !logs().empty(); }));
+  const fs::path log = logs().front();
+  ASSERT_TRUE(playUntil([&] { return countIn(log, "/camera") >= 2; }, 500));
   processes[2]->kill(SIGTERM);
-  const fs::path log = logs().at(0);
-  EXPECT_GE(countIn(log, "/camera"), 2u);
   EXPECT_LE(countIn(log, "/camera"),
             static_cast<std::size_t>(match->simulation().time().ms / 2000 + 1));
   EXPECT_GT(countIn(log, "/input/GameControlData"), 20u);
@@ -324,11 +331,12 @@ TEST_F(OtherMachineTest, ARobotOnAnotherMachinePlaysInTheTeamIfItHoldsTheKey) {
   start("ours");
   ASSERT_TRUE(playUntil([&] { return joined(); }));
   ASSERT_TRUE(playUntil([&] { return match->simulation().world().robot(2).walked > 100; }));
-  play(2500);
-  processes[2]->kill(SIGTERM);
-  std::size_t pictures = 0;
-  for (const fs::path& log : logs()) pictures += countIn(log, "/camera");
-  EXPECT_GE(pictures, 2u);
+  const auto pictures = [&] {
+    std::size_t count = 0;
+    for (const fs::path& log : logs()) count += countIn(log, "/camera");
+    return count;
+  };
+  EXPECT_TRUE(playUntil([&] { return pictures() >= 2; }, 500));
 }
 
 /// All of the robot, its body too, on another machine: a tool of this one reaches it with a key

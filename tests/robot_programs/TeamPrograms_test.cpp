@@ -100,7 +100,7 @@ TEST_F(TeamProgramsTest, AMatchEndsWithTheProgramOfARobot) {
 TEST_F(TeamProgramsTest, AMatchEndsIfAProgramDoesNotAnswer) {
   MatchOptions options;
   options.red = ourProgram;
-  options.patience = std::chrono::seconds{3};
+  options.patience = std::chrono::seconds{10};
   const auto match = Match::make(options);
   ASSERT_TRUE(match) << match.error().text();
   (*match)->step();
@@ -110,7 +110,7 @@ TEST_F(TeamProgramsTest, AMatchEndsIfAProgramDoesNotAnswer) {
   while (!isOver(**match)) (*match)->step();
   ASSERT_FALSE((*match)->teamFailure());
   EXPECT_EQ((*match)->teamFailure().error().text(),
-            "red3: its program has not answered for 3000 ms");
+            "red3: its program has not answered for 10000 ms");
 }
 
 /// With files alone as with a program.

@@ -30,7 +30,7 @@ class Elsewhere {
   Outcome run(const std::string& command) const {
     const std::string log = (folder_.path() / "printed").string();
     const std::string line = "cd " + path().string() + " && env -u GT2003_ROOT " + variables +
-                             " timeout 120 " + programs_ + "/" + command + " >" + log + " 2>&1";
+                             " timeout 300 " + programs_ + "/" + command + " >" + log + " 2>&1";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, *readFile(log)};
   }

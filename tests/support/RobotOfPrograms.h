@@ -47,14 +47,16 @@ class RobotOfPrograms {
       std::this_thread::sleep_until(begin + std::chrono::milliseconds{t});
     }
   }
-  /// Plays until something holds; false if it does not in some seconds.
+  /// Plays until something holds, at which it looks from time to time; false if it does not in a
+  /// minute.
   template <typename Condition>
-  bool playUntil(Condition condition) {
-    for (int i = 0; i < 200; ++i) {
+  bool playUntil(Condition condition, std::int64_t ms = 48) {
+    constexpr std::int64_t patience = 60'000;
+    for (std::int64_t time = 0; time < patience; time += ms) {
       if (condition()) return true;
-      play(48);
+      play(ms);
     }
-    return false;
+    return condition();
   }
   /// The robot answers in time, as far as a busy machine lets it.
   bool joined() {

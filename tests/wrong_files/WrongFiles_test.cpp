@@ -66,7 +66,7 @@ class Workplace {
         "cd " + root_.string() + " && GT2003_ROOT=. XDG_STATE_HOME=" + root_.string() + "/state";
     const std::string program = "sh -c '" + before + "exec " GT_PROGRAMS "/" + arguments + "'";
     const int raw =
-        std::system((place + " timeout 60 " + program + " >/dev/null 2>" + log).c_str());
+        std::system((place + " timeout 300 " + program + " >/dev/null 2>" + log).c_str());
     return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, *readFile(log)};
   }
 

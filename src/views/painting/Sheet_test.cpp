@@ -13,7 +13,7 @@ namespace {
 
 using Rgb = std::array<int, 3>;
 
-Rgb at(const RgbImage& picture, int x, int y) {
+Rgb pixelAt(const RgbImage& picture, int x, int y) {
   const auto i = static_cast<std::size_t>(3 * (y * picture.width + x));
   return {picture.pixels[i], picture.pixels[i + 1], picture.pixels[i + 2]};
 }
@@ -26,13 +26,13 @@ TEST(Sheet, PaintsInTheOrderOfItsStrokes) {
   sheet.box({20, 20}, {20, 10}, colors::black);
   const RgbImage page = sheet.pixels();
   ASSERT_EQ(page.pixels.size(), 3u * 60 * 40);
-  EXPECT_EQ(at(page, 5, 5), paper);
-  EXPECT_EQ(at(page, 15, 15), (Rgb{colors::red.r, colors::red.g, colors::red.b}));
-  EXPECT_EQ(at(page, 25, 25), (Rgb{0, 0, 0}));
-  EXPECT_EQ(at(page, 45, 25), paper);
+  EXPECT_EQ(pixelAt(page, 5, 5), paper);
+  EXPECT_EQ(pixelAt(page, 15, 15), (Rgb{colors::red.r, colors::red.g, colors::red.b}));
+  EXPECT_EQ(pixelAt(page, 25, 25), (Rgb{0, 0, 0}));
+  EXPECT_EQ(pixelAt(page, 45, 25), paper);
   // It can be painted on afterwards.
   sheet.box({0, 0}, {60, 40}, colors::white);
-  EXPECT_EQ(at(sheet.pixels(), 25, 25), paper);
+  EXPECT_EQ(pixelAt(sheet.pixels(), 25, 25), paper);
 }
 
 TEST(Sheet, EnlargesImagesToSquares) {
@@ -40,11 +40,11 @@ TEST(Sheet, EnlargesImagesToSquares) {
   sheet.paint(RgbImage{2, 1, {10, 20, 30, 40, 50, 60}}, {4, 6}, 5);
   sheet.paint(RgbImage{}, {0, 0});
   const RgbImage page = sheet.pixels();
-  EXPECT_EQ(at(page, 4, 6), (Rgb{10, 20, 30}));
-  EXPECT_EQ(at(page, 8, 10), (Rgb{10, 20, 30}));
-  EXPECT_EQ(at(page, 9, 6), (Rgb{40, 50, 60}));
-  EXPECT_EQ(at(page, 14, 6), paper);
-  EXPECT_EQ(at(page, 4, 11), paper);
+  EXPECT_EQ(pixelAt(page, 4, 6), (Rgb{10, 20, 30}));
+  EXPECT_EQ(pixelAt(page, 8, 10), (Rgb{10, 20, 30}));
+  EXPECT_EQ(pixelAt(page, 9, 6), (Rgb{40, 50, 60}));
+  EXPECT_EQ(pixelAt(page, 14, 6), paper);
+  EXPECT_EQ(pixelAt(page, 4, 11), paper);
 }
 
 TEST(Sheet, WritesPngAndSvgAndNothingElse) {

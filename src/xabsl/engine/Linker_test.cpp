@@ -192,15 +192,16 @@ TEST(Linker, TellsWrongParametersOfClasses) {
             "needed by option main (main.xabsl:13)\n");
 }
 
-enum class Gait { fast = 5, slow = 2 };
+enum class NumberedGait { fast = 5, slow = 2 };
 
 TEST(Linker, TakesEnumerationsWhoseValuesHaveGaps) {
   Symbols symbols;
-  Gait gait{};
-  symbols.enumerationValues<Gait>("gait", {{Gait::fast, "fast"}, {Gait::slow, "slow"}});
+  NumberedGait gait{};
+  symbols.enumerationValues<NumberedGait>(
+      "gait", {{NumberedGait::fast, "fast"}, {NumberedGait::slow, "slow"}});
   symbols.output("gait", &gait);
-  for (const auto& [element, value] :
-       std::vector<std::pair<std::string, Gait>>{{"slow", Gait::slow}, {"fast", Gait::fast}}) {
+  for (const auto& [element, value] : std::vector<std::pair<std::string, NumberedGait>>{
+           {"slow", NumberedGait::slow}, {"fast", NumberedGait::fast}}) {
     auto creation = Engine::create(
         test::compiled(
             "namespace s(\"S\") { enum gait output { slow, fast }; enum gait output gait; }"

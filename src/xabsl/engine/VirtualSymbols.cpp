@@ -7,7 +7,7 @@ namespace xabsl {
 
 namespace {
 
-RegisteredType typeOf(const Model& model, Type type) {
+RegisteredType registeredType(const Model& model, Type type) {
   RegisteredType registered;
   registered.kind = type.kind;
   if (type.kind != ValueKind::enumeration) return registered;
@@ -16,11 +16,11 @@ RegisteredType typeOf(const Model& model, Type type) {
   return registered;
 }
 
-std::vector<RegisteredParameter> parametersOf(const Model& model,
-                                              const std::vector<Parameter>& parameters) {
+std::vector<RegisteredParameter> registeredParameters(const Model& model,
+                                                      const std::vector<Parameter>& parameters) {
   std::vector<RegisteredParameter> registered;
   for (const Parameter& parameter : parameters)
-    registered.push_back({parameter.name, typeOf(model, parameter.type)});
+    registered.push_back({parameter.name, registeredType(model, parameter.type)});
   return registered;
 }
 
@@ -43,8 +43,8 @@ VirtualSymbols::VirtualSymbols(const Model& model, Call call) : call_(std::move(
     const Symbol& symbol = model.symbols[i];
     if (symbol.kind == SymbolKind::internal) continue;
     RegisteredFunction function = registered(entries_[i], symbol);
-    function.type = typeOf(model, symbol.type);
-    function.parameters = parametersOf(model, symbol.parameters);
+    function.type = registeredType(model, symbol.type);
+    function.parameters = registeredParameters(model, symbol.parameters);
     if (symbol.kind == SymbolKind::input)
       symbols_.addInput(symbol.name, std::move(function));
     else
@@ -53,7 +53,7 @@ VirtualSymbols::VirtualSymbols(const Model& model, Call call) : call_(std::move(
   for (const BasicBehavior& behavior : model.behaviors) {
     RegisteredFunction function;
     function.function.call = [](void*, const double*) { return 0.0; };
-    function.parameters = parametersOf(model, behavior.parameters);
+    function.parameters = registeredParameters(model, behavior.parameters);
     symbols_.addBehavior(behavior.name, std::move(function));
   }
 }

@@ -94,7 +94,7 @@ TEST(Formatter, AlignsWhatStandsInParentheses) {
   EXPECT_EQ(formatted(text), text);
 }
 
-std::vector<std::string> tokensOf(const std::string& text) {
+std::vector<std::string> tokensAndComments(const std::string& text) {
   Reporter reporter;
   std::vector<syntax::Comment> comments;
   std::vector<std::string> tokens;
@@ -119,7 +119,7 @@ TEST(Formatter, NeverChangesWhatTextMeansAndIsDoneAtOnce) {
     for (int n = 0; n < 60; ++n)
       text += words[random() % words.size()] + gaps[random() % gaps.size()];
     const std::string once = formatted(text);
-    ASSERT_EQ(tokensOf(once), tokensOf(text)) << text;
+    ASSERT_EQ(tokensAndComments(once), tokensAndComments(text)) << text;
     ASSERT_EQ(formatted(once), once) << text;
   }
 }

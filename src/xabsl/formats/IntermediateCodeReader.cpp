@@ -3,14 +3,13 @@
 #include <charconv>
 
 #include "xabsl/engine/Symbols.h"
+#include "xabsl/language/Lexer.h"
 #include "xabsl/language/Text.h"
 
 /// The part of the reader for what is declared, and for options, states and actions.
 namespace xabsl {
 
 namespace {
-
-constexpr std::size_t longestName = 500;
 
 bool separates(char c) {
   return isBlank(c) || c == '\v';
@@ -82,7 +81,8 @@ void IntermediateCodeReader::skipBlanks() {
 
 std::string IntermediateCodeReader::name(const std::string& what) {
   if (token_.text.empty()) failExpected(what);
-  if (token_.text.size() > longestName) fail(token_, "name is longer than 500 characters");
+  if (token_.text.size() > Lexer::longestName)
+    fail(token_, "name is longer than " + std::to_string(Lexer::longestName) + " characters");
   return std::string(take().text);
 }
 

@@ -19,8 +19,6 @@ constexpr std::array<std::string_view, 28> keywords = {
 constexpr std::array<std::string_view, 3> keywordsSince31 = {"capacity", "conflict",
                                                              "synchronized"};
 
-constexpr std::size_t longestName = 500;
-
 constexpr std::array<std::string_view, 6> longPunctuation = {"==", "!=", "<=", ">=", "&&", "||"};
 constexpr std::string_view shortPunctuation = "{}();,=!-+*/%<>?:";
 

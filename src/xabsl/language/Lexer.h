@@ -41,6 +41,8 @@ std::string describe(const Token& token);
 /// reported and skipped.
 class Lexer {
  public:
+  static constexpr std::size_t longestName = 500;  ///< Letters; longer ones are errors.
+
   /// Comments are appended to `comments`, if that is given. In XABSL 3.0 the words of cooperation
   /// are names.
   Lexer(int file, std::string_view text, Reporter& reporter,

@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<std::string> words(const std::string& text, Reporter& reporter) {
+std::vector<std::string> describedTokens(const std::string& text, Reporter& reporter) {
   Lexer lexer(reporter.addFile("f"), text, reporter);
   std::vector<std::string> words;
   for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
@@ -23,13 +23,13 @@ std::vector<std::string> words(const std::string& text, Reporter& reporter) {
 
 std::string lexicalErrors(const std::string& text) {
   Reporter reporter;
-  words(text, reporter);
+  describedTokens(text, reporter);
   return test::errors(reporter.take());
 }
 
 TEST(Lexer, SplitsTextIntoTokens) {
   Reporter reporter;
-  EXPECT_THAT(words("if(ball.x>=12.5&&!@near)goto a_1;", reporter),
+  EXPECT_THAT(describedTokens("if(ball.x>=12.5&&!@near)goto a_1;", reporter),
               ElementsAre("'if'", "'('", "'ball.x'", "'>='", "'12.5'", "'&&'", "'!'", "'@near'",
                           "')'", "'goto'", "'a_1'", "';'"));
   EXPECT_FALSE(reporter.failed());
@@ -37,7 +37,7 @@ TEST(Lexer, SplitsTextIntoTokens) {
 
 TEST(Lexer, SkipsAllKindsOfComments) {
   Reporter reporter;
-  EXPECT_THAT(words("a // b\n/* c\n * d */ e /** f */ /*** g ***/ h /**/ i", reporter),
+  EXPECT_THAT(describedTokens("a // b\n/* c\n * d */ e /** f */ /*** g ***/ h /**/ i", reporter),
               ElementsAre("'a'", "'e'", "'h'", "'i'"));
 }
 

@@ -20,7 +20,7 @@ namespace {
 using testing::HasSubstr;
 
 /// A behavior that uses every construct of the language.
-const std::string everything = R"(/*** Title: Test */
+const std::string wholeBehavior = R"(/*** Title: Test */
 include "main.xabsl";
 namespace main("Symbols") {
   enum mode { fast, slow };
@@ -152,30 +152,30 @@ std::vector<std::string> tokensOf(const std::string& text) {
 }
 
 TEST(Robustness, TheUnchangedBehaviorRuns) {
-  EXPECT_TRUE(survives(everything, surroundings()));
+  EXPECT_TRUE(survives(wholeBehavior, surroundings()));
   std::string joined;
-  for (const std::string& token : tokensOf(everything)) joined += token + " ";
+  for (const std::string& token : tokensOf(wholeBehavior)) joined += token + " ";
   EXPECT_TRUE(survives(joined, surroundings()));
 }
 
 TEST(Robustness, SurvivesTruncationAnywhere) {
   const Symbols symbols = surroundings();
-  for (std::size_t length = 0; length < everything.size(); ++length)
-    survives(everything.substr(0, length), symbols);
+  for (std::size_t length = 0; length < wholeBehavior.size(); ++length)
+    survives(wholeBehavior.substr(0, length), symbols);
 }
 
 TEST(Robustness, SurvivesThousandsOfChangedCharacters) {
   const Symbols symbols = surroundings();
   std::mt19937 random(1);
   int ran = 0;
-  for (int i = 0; i < 5000; ++i) ran += survives(mutateCharacters(everything, random), symbols);
+  for (int i = 0; i < 5000; ++i) ran += survives(mutateCharacters(wholeBehavior, random), symbols);
   EXPECT_GT(ran, 0);     // a change in a comment or a unit harms nothing
   EXPECT_LT(ran, 2500);  // most others do
 }
 
 TEST(Robustness, SurvivesThousandsOfChangedTokens) {
   const Symbols symbols = surroundings();
-  const std::vector<std::string> tokens = tokensOf(everything);
+  const std::vector<std::string> tokens = tokensOf(wholeBehavior);
   std::mt19937 random(2);
   int ran = 0;
   for (int i = 0; i < 5000; ++i) ran += survives(mutateTokens(tokens, random), symbols);
@@ -245,7 +245,7 @@ TEST(Robustness, RefusesTooManyElementsAndParameters) {
 }
 
 TEST(Robustness, SurvivesClocksThatJump) {
-  Engine engine = std::move(*Engine::create(test::compiled(everything), surroundings()).engine);
+  Engine engine = std::move(*Engine::create(test::compiled(wholeBehavior), surroundings()).engine);
   for (const std::int64_t now :
        {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
         std::int64_t{0}, std::int64_t{-5}})

@@ -10,7 +10,7 @@
 namespace gt {
 namespace {
 
-const FieldDimensions dimensions;
+const FieldDimensions soccerField;
 
 Pose2D anyPose(Random& random) {
   const double x = 1900 * random.symmetric(), y = 1200 * random.symmetric();
@@ -18,7 +18,7 @@ Pose2D anyPose(Random& random) {
 }
 
 Vector2d flagPosition(std::uint64_t i) {
-  return positionOf(static_cast<FlagType>(i), TeamColor::red, dimensions);
+  return positionOf(static_cast<FlagType>(i), TeamColor::red, soccerField);
 }
 
 double distanceBetween(const Pose2D& a, const Pose2D& b) {
@@ -122,13 +122,13 @@ TEST(PoseTemplates, MemorizedFlagsMoveWithTheRobot) {
        {FlagType::pinkAboveSkyblue, FlagType::greenAbovePink, FlagType::yellowAbovePink}) {
     pose = pose * walk;
     templates.move(walk);
-    const Vector2d seen = relative(pose, positionOf(type, TeamColor::red, dimensions));
+    const Vector2d seen = relative(pose, positionOf(type, TeamColor::red, soccerField));
     LandmarksPercept percept;
     percept.numberOfFlags = 1;
     percept.flags[0].type = type;
     percept.flags[0].angle = angleOf(seen);
     percept.flags[0].distance = seen.norm();
-    templates.update(percept, TeamColor::red, dimensions);
+    templates.update(percept, TeamColor::red, soccerField);
   }
   Random random{1};
   ASSERT_EQ(templates.size(), 1);

@@ -8,7 +8,7 @@ namespace gt {
 namespace {
 
 /// A locator on the test bench, or with percepts made by hand.
-struct Bench {
+struct LandmarkBench {
   RobotPose operator()(const SyntheticRobot& robot) {
     locator.update(robot.percept, robot.odometry, robot.field, robot.player, estimate, debug);
     return estimate;
@@ -49,7 +49,7 @@ constexpr FlagType rightFlag = FlagType::pinkAboveSkyblue;
 TEST(SingleLandmarkSelfLocator, ApproachesALandmarkOnlyAlongTheStraightLineToIt) {
   // Report, figure 3.6a: from the middle of the field, the flag at its left edge is straight to the
   // left. Wherever the robot really stands, the estimate stays on that line.
-  Bench bench;
+  LandmarkBench bench;
   const Pose2D truth{0.5, -600, 700};
   const Vector2d flag = positionOf(leftFlag, TeamColor::red, bench.field);
   for (int i = 0; i < 500; ++i) bench.see(truth, {leftFlag});
@@ -60,7 +60,7 @@ TEST(SingleLandmarkSelfLocator, ApproachesALandmarkOnlyAlongTheStraightLineToIt)
 }
 
 TEST(SingleLandmarkSelfLocator, SettlesDownWhereDifferentLandmarksAgree) {
-  Bench bench;
+  LandmarkBench bench;
   const Pose2D truth{0.5, -600, 700};
   for (int i = 0; i < 500; ++i) bench.see(truth, {i % 20 < 10 ? leftFlag : rightFlag});
   EXPECT_LT((bench.estimate.pose.translation - truth.translation).norm(), 100);
@@ -69,7 +69,7 @@ TEST(SingleLandmarkSelfLocator, SettlesDownWhereDifferentLandmarksAgree) {
 }
 
 TEST(SingleLandmarkSelfLocator, StallsWithoutProgressiveness) {
-  Bench bench;
+  LandmarkBench bench;
   bench.locator.parameters.progressiveness = 0;
   for (int i = 0; i < 100; ++i) bench.see({0.5, -600, 700}, {leftFlag, rightFlag}, true);
   EXPECT_EQ(bench.estimate.pose.translation, Vector2d::Zero());
@@ -78,7 +78,7 @@ TEST(SingleLandmarkSelfLocator, StallsWithoutProgressiveness) {
 
 TEST(SingleLandmarkSelfLocator, TheGoalOverrulesTheOrientationOfFlags) {
   // The flags' bearings are wrong by half a radian.
-  Bench bench;
+  LandmarkBench bench;
   const Pose2D truth{0, 0, 0}, turned{-0.5, 0, 0};
   const auto orientation = [&](bool goal) {
     for (int i = 0; i < 300; ++i) {
@@ -93,7 +93,7 @@ TEST(SingleLandmarkSelfLocator, TheGoalOverrulesTheOrientationOfFlags) {
 
 TEST(SingleLandmarkSelfLocator, IsLessReliableTheFartherItWalksAndWhereMeasurementsDisagree) {
   const auto walked = [](double mm, int pictures) {
-    Bench bench;
+    LandmarkBench bench;
     for (int i = 0; i < 200; ++i) bench.see({}, {leftFlag, rightFlag}, true);
     const double before = bench.estimate.validity;
     for (int i = 0; i < pictures; ++i) {
@@ -106,7 +106,7 @@ TEST(SingleLandmarkSelfLocator, IsLessReliableTheFartherItWalksAndWhereMeasureme
   EXPECT_LT(walked(1000, 25), 0.9 * walked(500, 25));
   EXPECT_LT(walked(0, 250), 0.9 * walked(0, 25));  // and by time alone
 
-  Bench bench;
+  LandmarkBench bench;
   for (int i = 0; i < 200; ++i) bench.see({}, {leftFlag, rightFlag}, true);
   const double agreed = bench.estimate.validity;
   bench.see({2, 1500, -900}, {leftFlag, rightFlag}, true);
@@ -117,7 +117,7 @@ TEST(SingleLandmarkSelfLocator, IsLessReliableTheFartherItWalksAndWhereMeasureme
 }
 
 TEST(SingleLandmarkSelfLocator, OdometryMovesThePoseWhileNothingIsSeen) {
-  Bench bench;
+  LandmarkBench bench;
   for (int i = 0; i < 200; ++i) bench.see({0.3, 100, -200}, {leftFlag, rightFlag}, true);
   const Pose2D before = bench.estimate.pose, step{0.4, 300, 50};
   bench.odometry.pose = bench.odometry.pose * step;
@@ -130,7 +130,7 @@ TEST(SingleLandmarkSelfLocator, FollowsAWalkingRobotAndFindsOneThatWasPutElsewhe
   std::vector<double> errors, again;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     SyntheticRobot robot{seed};
-    Bench bench;
+    LandmarkBench bench;
     follow(robot, 250, bench);
     const LocalizationTrial trial = follow(robot, 3000, bench);
     errors.insert(errors.end(), trial.errors.begin(), trial.errors.end());
@@ -144,7 +144,7 @@ TEST(SingleLandmarkSelfLocator, FollowsAWalkingRobotAndFindsOneThatWasPutElsewhe
 
 // Report 3.3.1.1: what comes last has the last word.
 TEST(SingleLandmarkSelfLocator, AGoalComesAfterAFlagOfTheSameImage) {
-  Bench bench;
+  LandmarkBench bench;
   bench.locator.parameters.flagAngleQuality = bench.locator.parameters.goalAngleQuality;
   constexpr double wrong = 0.5;
   bench.see({-wrong, 0, 0}, {leftFlag}, true);

@@ -25,7 +25,7 @@ std::string list(const Model& model, const std::vector<Parameter>& parameters) {
   return text;
 }
 
-const std::vector<Parameter>* parametersOf(const Model& model, const Entity& entity) {
+const std::vector<Parameter>* ownersParameters(const Model& model, const Entity& entity) {
   if (entity.kind == Kind::symbolParameter)
     if (const auto* owner = find(model.symbols, entity.index)) return &owner->parameters;
   if (entity.kind == Kind::behaviorParameter)
@@ -57,7 +57,7 @@ About aboutEnumeration(const Enumeration& enumeration) {
 }
 
 About aboutParameter(const Model& model, const Entity& entity) {
-  const auto* parameters = parametersOf(model, entity);
+  const auto* parameters = ownersParameters(model, entity);
   const auto* parameter = parameters ? find(*parameters, entity.part) : nullptr;
   if (!parameter) return {};
   const std::string sign = entity.kind == Kind::optionParameter ? " @" : " ";

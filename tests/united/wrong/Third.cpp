@@ -1,0 +1,9 @@
+#include <gtest/gtest.h>
+
+namespace gt {
+
+struct Words {};
+
+TEST(Second, Name) {}
+
+}  // namespace gt
