@@ -23,19 +23,19 @@ struct Head {
 };
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 /// So that the packages do not share a line of the cache with the numbers.
-constexpr std::size_t headSize = 64;
-static_assert(sizeof(Head) <= headSize);
+constexpr std::size_t slotHeadSize = 64;
+static_assert(sizeof(Head) <= slotHeadSize);
 
 std::atomic<std::uint64_t>& numberAt(const MappedMemory& memory, std::uint64_t number) {
   return reinterpret_cast<Head*>(memory.data())->numbers[number % places];
 }
 
 std::size_t capacityOf(const MappedMemory& memory) {
-  return (memory.size() - headSize) / places;
+  return (memory.size() - slotHeadSize) / places;
 }
 
-std::byte* placeOf(const MappedMemory& memory, std::uint64_t number) {
-  return memory.data() + headSize + number % places * capacityOf(memory);
+std::byte* slotAt(const MappedMemory& memory, std::uint64_t number) {
+  return memory.data() + slotHeadSize + number % places * capacityOf(memory);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ MappedMemory::~MappedMemory() {
 }
 
 std::optional<SlotWriter> SlotWriter::make(std::size_t size) {
-  const std::size_t whole = headSize + places * std::bit_ceil(std::max(size, smallest));
+  const std::size_t whole = slotHeadSize + places * std::bit_ceil(std::max(size, smallest));
   FileDescriptor memory{memfd_create("gt2003-slot", MFD_CLOEXEC | MFD_ALLOW_SEALING)};
   if (!memory || ftruncate(memory.number(), static_cast<off_t>(whole)) != 0) return {};
   // A reader relies on that: beyond the end of a file that shrank it would be killed.
@@ -81,7 +81,7 @@ std::byte* SlotWriter::begin() {
   ++number_;
   numberAt(mapped_, number_).store(0, std::memory_order_relaxed);
   std::atomic_thread_fence(std::memory_order_release);  // before any byte of the package
-  return placeOf(mapped_, number_);
+  return slotAt(mapped_, number_);
 }
 
 std::uint64_t SlotWriter::publish() {
@@ -90,7 +90,7 @@ std::uint64_t SlotWriter::publish() {
 }
 
 std::optional<SlotReader> SlotReader::open(const FileDescriptor& memory, std::size_t largest) {
-  const std::size_t most = headSize + places * std::bit_ceil(std::max(largest, smallest));
+  const std::size_t most = slotHeadSize + places * std::bit_ceil(std::max(largest, smallest));
   struct stat status {};
   struct statfs system {};
   const int seals = fcntl(memory.number(), F_GET_SEALS);
@@ -98,7 +98,7 @@ std::optional<SlotReader> SlotReader::open(const FileDescriptor& memory, std::si
       fstatfs(memory.number(), &system) != 0 || system.f_type != TMPFS_MAGIC)
     return {};
   const auto size = static_cast<std::size_t>(status.st_size);
-  if (size <= headSize || size > most) return {};
+  if (size <= slotHeadSize || size > most) return {};
   MappedMemory mapped{memory, size, false};
   if (!mapped.data()) return {};
   return SlotReader{std::move(mapped)};
@@ -108,7 +108,7 @@ bool SlotReader::read(std::uint64_t number, std::span<std::byte> package) const 
   if (number == 0 || package.size() > capacityOf(mapped_)) return false;
   const std::atomic<std::uint64_t>& present = numberAt(mapped_, number);
   if (present.load(std::memory_order_acquire) != number) return false;
-  std::memcpy(package.data(), placeOf(mapped_, number), package.size());
+  std::memcpy(package.data(), slotAt(mapped_, number), package.size());
   std::atomic_thread_fence(std::memory_order_acquire);  // after all bytes of the package
   return present.load(std::memory_order_relaxed) == number;
 }

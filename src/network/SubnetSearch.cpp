@@ -8,7 +8,7 @@ namespace gt {
 namespace {
 
 /// All addresses are tried again after so long, in ms.
-constexpr std::int64_t period = 5000;
+constexpr std::int64_t searchPeriod = 5000;
 /// Who has not answered after so long is not there, in ms.
 constexpr std::int64_t patience = 2000;
 
@@ -38,7 +38,7 @@ void SubnetSearch::begin() {
 }
 
 std::vector<int> SubnetSearch::find(std::int64_t now) {
-  if (begun_ < 0 || now - begun_ >= period) {
+  if (begun_ < 0 || now - begun_ >= searchPeriod) {
     attempts_.clear();
     begin();
     begun_ = now;

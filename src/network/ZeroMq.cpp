@@ -19,7 +19,7 @@ std::string binaryKey(const std::string& text) {
   return bytes;
 }
 
-Error wrong(const std::string& endpoint, const std::string& what) {
+Error endpointError(const std::string& endpoint, const std::string& what) {
   return {.file = "network", .field = endpoint, .what = what};
 }
 
@@ -168,7 +168,7 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::listen(const Network& network, Zer
   try {
     socket->socket_.bind(endpoint);
   } catch (const zmq::error_t& error) {
-    return wrong(endpoint, error.what());
+    return endpointError(endpoint, error.what());
   }
   return std::unique_ptr<Socket>{std::move(socket)};
 }
@@ -198,7 +198,7 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::connect(const Network& network, Ze
   try {
     raw.connect(endpoint);
   } catch (const zmq::error_t& error) {
-    return wrong(endpoint, error.what());
+    return endpointError(endpoint, error.what());
   }
   return std::unique_ptr<Socket>{std::move(socket)};
 }

@@ -84,7 +84,7 @@ class FieldReader {
 
 // --- To JSON
 
-Json scalarJson(const RecordedField& field, const Scalar& scalar) {
+Json recordedScalarJson(const RecordedField& field, const Scalar& scalar) {
   if (const auto* text = std::get_if<std::string>(&scalar)) return *text;
   if (const auto* real = std::get_if<double>(&scalar)) {
     if (!std::isfinite(*real)) return nullptr;
@@ -139,7 +139,7 @@ class JsonMaker : private FieldReader {
     }
     Scalar scalar;
     if (!takeScalar(field, scalar)) return false;
-    json = scalarJson(field, scalar);
+    json = recordedScalarJson(field, scalar);
     return true;
   }
 };
@@ -181,7 +181,7 @@ N numberOf(const Scalar& scalar) {
 }
 
 /// By name where the schema has names; a value that is not there any more changes nothing.
-void setEnumeration(const RecordedField& field, const Scalar& scalar, Value value) {
+void setRecordedEnumeration(const RecordedField& field, const Scalar& scalar, Value value) {
   auto number = numberOf<std::int64_t>(scalar);
   const auto& names = value.type->names;
   if (!field.names.empty()) {
@@ -193,7 +193,7 @@ void setEnumeration(const RecordedField& field, const Scalar& scalar, Value valu
   if (number >= 0 && std::cmp_less(number, names.size())) setOrdinal(value, number);
 }
 
-void setScalar(const RecordedField& field, const Scalar& scalar, Value value) {
+void setRecordedScalar(const RecordedField& field, const Scalar& scalar, Value value) {
   const auto* text = std::get_if<std::string>(&scalar);
   const Kind kind = value.type->kind;
   if (text && kind == Kind::text) *static_cast<std::string*>(value.data) = *text;
@@ -206,7 +206,7 @@ void setScalar(const RecordedField& field, const Scalar& scalar, Value value) {
   else if (kind == Kind::boolean)
     setOrdinal(value, numberOf<double>(scalar) != 0);
   else if (kind == Kind::enumeration)
-    setEnumeration(field, scalar, value);
+    setRecordedEnumeration(field, scalar, value);
 }
 
 /// Reads by a definition into values; a value without a type takes nothing in.
@@ -283,7 +283,7 @@ class ValueFiller : private FieldReader {
     }
     Scalar scalar;
     if (!takeScalar(field, scalar)) return false;
-    if (value.type) setScalar(field, scalar, value);
+    if (value.type) setRecordedScalar(field, scalar, value);
     return true;
   }
 };

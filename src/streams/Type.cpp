@@ -81,7 +81,7 @@ double asDouble(ConstValue number) {
   });
 }
 
-Error in(std::string_view name, Error error) {
+Error inPart(std::string_view name, Error error) {
   error.field = std::string(name) + (error.field.empty() ? "" : "." + error.field);
   return error;
 }
@@ -89,7 +89,8 @@ Error in(std::string_view name, Error error) {
 Result<void> checkElements(ConstValue sequence) {
   if (!isConditional(sequence.type().element())) return {};
   for (std::size_t i = 0; i < sequence.size(); ++i)
-    if (auto done = checked(sequence.element(i)); !done) return in(std::to_string(i), done.error());
+    if (auto done = checked(sequence.element(i)); !done)
+      return inPart(std::to_string(i), done.error());
   return {};
 }
 
@@ -106,7 +107,7 @@ Result<void> checked(ConstValue value) {
         return Error{.field = std::string(p.name),
                      .what = rangeText(p.range) + " instead of " + scalarText(part)};
     }
-    if (auto done = checked(part); !done) return in(p.name, done.error());
+    if (auto done = checked(part); !done) return inPart(p.name, done.error());
   }
   const std::string_view validationError =
       type.validationError ? type.validationError(value.data()) : std::string_view{};

@@ -12,21 +12,17 @@
 namespace gt {
 namespace {
 
-enum Column { nameColumn, differentColumn, firstColumn, largestColumn, stripColumn };
-
-QString text(const std::string& from) {
-  return QString::fromStdString(from);
-}
+enum DifferenceColumn { pathColumn, differentColumn, firstColumn, largestColumn, stripColumn };
 
 QString shortText(const std::string& value) {
   constexpr int most = 10;
   bool isNumber = false;
-  const double number = text(value).toDouble(&isNumber);
-  return isNumber ? QString::number(number, 'g', 4) : text(value).left(most);
+  const double number = QString::fromStdString(value).toDouble(&isNumber);
+  return isNumber ? QString::number(number, 'g', 4) : QString::fromStdString(value).left(most);
 }
 
 void describe(QTreeWidgetItem& row, const ComparedTopic& topic) {
-  row.setText(nameColumn, (topic.input ? "input " : "") + text(topic.name));
+  row.setText(pathColumn, (topic.input ? "input " : "") + QString::fromStdString(topic.name));
   QString often = QString{"%1 of %2"}.arg(topic.different).arg(topic.compared);
   row.setText(differentColumn, topic.same() ? "same" : often);
   if (topic.onlyA + topic.onlyB > 0) {
@@ -39,17 +35,18 @@ void describe(QTreeWidgetItem& row, const ComparedTopic& topic) {
 
 QTreeWidgetItem* itemOf(const DifferentValue& value, std::size_t topic, std::size_t place) {
   auto* item = new QTreeWidgetItem;
-  item->setText(nameColumn, text(value.path.substr(value.path.find('.') + 1)));
+  item->setText(pathColumn, QString::fromStdString(value.path.substr(value.path.find('.') + 1)));
   item->setText(differentColumn, QString::number(value.different));
   item->setText(firstColumn,
                 QString{"%1 s: %2 | %3"}.arg(QString::number(inSeconds(value.first), 'f', 3),
                                              shortText(value.firstA), shortText(value.firstB)));
-  item->setToolTip(firstColumn, text(value.firstA) + "\n" + text(value.firstB));
+  item->setToolTip(firstColumn, QString::fromStdString(value.firstA) + "\n" +
+                                    QString::fromStdString(value.firstB));
   if (value.largest > 0)
     item->setText(largestColumn,
                   QString{"%1 at %2 s"}.arg(QString::number(value.largest, 'g', 3),
                                             QString::number(inSeconds(value.largestAt), 'f', 2)));
-  item->setData(nameColumn, Qt::UserRole,
+  item->setData(pathColumn, Qt::UserRole,
                 QVariantList{static_cast<int>(topic), static_cast<int>(place)});
   return item;
 }
@@ -96,9 +93,9 @@ class StripDelegate : public QStyledItemDelegate {
 
 DifferenceTree::DifferenceTree() {
   setHeaderLabels({"Value", "Differs", "First", "Largest", "When"});
-  header()->setSectionResizeMode(nameColumn, QHeaderView::Interactive);
+  header()->setSectionResizeMode(pathColumn, QHeaderView::Interactive);
   header()->setStretchLastSection(true);
-  setColumnWidth(nameColumn, 240);
+  setColumnWidth(pathColumn, 240);
   setColumnWidth(differentColumn, 90);
   setColumnWidth(firstColumn, 150);
   setColumnWidth(largestColumn, 110);
@@ -129,12 +126,13 @@ void DifferenceTree::filter(const QString& letters, bool onlyDifferent) {
     if (onlyDifferent && topic.same()) continue;
     auto row = std::make_unique<QTreeWidgetItem>();
     for (std::size_t j = 0; j < topic.values.size(); ++j)
-      if (text(topic.values[j].path).contains(letters, Qt::CaseInsensitive))
+      if (QString::fromStdString(topic.values[j].path).contains(letters, Qt::CaseInsensitive))
         row->addChild(itemOf(topic.values[j], i, j));
-    if (row->childCount() == 0 && !text(topic.name).contains(letters, Qt::CaseInsensitive))
+    if (row->childCount() == 0 &&
+        !QString::fromStdString(topic.name).contains(letters, Qt::CaseInsensitive))
       continue;
     describe(*row, topic);
-    row->setData(nameColumn, Qt::UserRole, QVariantList{static_cast<int>(i), -1});
+    row->setData(pathColumn, Qt::UserRole, QVariantList{static_cast<int>(i), -1});
     addTopLevelItem(row.release());
   }
   if (!letters.isEmpty()) expandAll();
@@ -143,7 +141,7 @@ void DifferenceTree::filter(const QString& letters, bool onlyDifferent) {
 
 const DifferentValue* DifferenceTree::chosenValue() const {
   const QTreeWidgetItem* item = currentItem();
-  return item ? valueOf(item->data(nameColumn, Qt::UserRole).toList()) : nullptr;
+  return item ? valueOf(item->data(pathColumn, Qt::UserRole).toList()) : nullptr;
 }
 
 Time DifferenceTree::markedTime() const {
@@ -174,7 +172,7 @@ const DifferentValue* DifferenceTree::valueOf(const QVariantList& place) const {
 
 /// The times of a row's differences, for its strip.
 const std::vector<Time>* DifferenceTree::timesOf(const QModelIndex& index) {
-  const auto place = index.siblingAtColumn(nameColumn).data(Qt::UserRole).toList();
+  const auto place = index.siblingAtColumn(pathColumn).data(Qt::UserRole).toList();
   if (const DifferentValue* value = valueOf(place)) {
     rowTimes_.clear();
     for (const DifferentValue::Point& point : value->points) rowTimes_.push_back(point.time);

@@ -20,7 +20,7 @@
 namespace gt {
 namespace {
 
-constexpr double mostZoom = 40;
+constexpr double mostSheetZoom = 40;
 constexpr double copyScale = 2;  // of copied images
 constexpr double leastPageScale = 0.75, mostPageScale = 1.5;
 constexpr double pageStep = 48;  // pixels that a step of the wheel moves a page
@@ -104,7 +104,7 @@ void SheetWidget::wheelEvent(QWheelEvent* event) {
     return update();
   }
   const QPointF place = toSheet(event->position());
-  zoom_ = std::clamp(zoom_ * std::pow(1.2, steps), 1.0, mostZoom);
+  zoom_ = std::clamp(zoom_ * std::pow(1.2, steps), 1.0, mostSheetZoom);
   if (zoom_ == 1) moved_ = {};
   moved_ += event->position() - (place * scale() + corner());
   if (zoom_ == 1) moved_ = {};

@@ -13,7 +13,7 @@
 namespace gt {
 namespace {
 
-constexpr double farthest = 1e5;  // mm: nothing is put further away
+constexpr double farthestPlace = 1e5;  // mm: nothing is put further away
 
 std::string textOf(std::span<const double> numbers) {
   std::string text;
@@ -37,9 +37,9 @@ Result<std::vector<double>> numbersOf(const std::string& text) {
   std::istringstream words{blanks};
   for (std::string word; words >> word;) {
     double number = 0;
-    if (!setScalar(valueOf(number), word, {-farthest, farthest}))
-      return Error{.what =
-                       "expected numbers up to " + textOf({farthest}) + ", found \"" + text + "\""};
+    if (!setScalar(valueOf(number), word, {-farthestPlace, farthestPlace}))
+      return Error{.what = "expected numbers up to " + textOf({farthestPlace}) + ", found \"" +
+                           text + "\""};
     numbers.push_back(number);
   }
   return numbers;

@@ -6,7 +6,7 @@ namespace {
 /// The part of a robot that hides a ball: seen from above, the ball is below it.
 constexpr double bodyLength = 150, bodyWidth = 70;  // mm, from the middle
 
-bool isBelow(const Vector2d& ball, const Pose2D& robot) {
+bool isUnderRobot(const Vector2d& ball, const Pose2D& robot) {
   const Vector2d p = relative(robot, ball);
   return std::abs(p.x()) < bodyLength && std::abs(p.y()) < bodyWidth;
 }
@@ -37,7 +37,7 @@ bool CeilingCamera::look(const World& world, CeilingCameraPercept& percept) {
   }
   percept.ballSeen = world.ballCount() > 0 && sees(world.ball(0).position);
   for (std::size_t i = 0; i < world.robotCount() && percept.ballSeen; ++i)
-    percept.ballSeen = !isBelow(world.ball(0).position, world.robot(i).pose);
+    percept.ballSeen = !isUnderRobot(world.ball(0).position, world.robot(i).pose);
   if (percept.ballSeen) percept.ball = measured(world.ball(0).position);
   return true;
 }

@@ -30,7 +30,7 @@ std::string place(const char* x, const char* y, const Vector2d& at) {
 }
 
 /// A color as an attribute, with its opacity if it is not opaque.
-std::string paint(const char* name, const Color& color) {
+std::string paintAttribute(const char* name, const Color& color) {
   char text[8];
   std::snprintf(text, sizeof text, "#%02x%02x%02x", color.r, color.g, color.b);
   return attribute(name, text) +
@@ -40,7 +40,7 @@ std::string paint(const char* name, const Color& color) {
 }
 
 std::string stroke(const SheetPainter::Pen& pen) {
-  std::string text = " fill=\"none\"" + paint("stroke", pen.color);
+  std::string text = " fill=\"none\"" + paintAttribute("stroke", pen.color);
   if (pen.width != 1) text += attribute("stroke-width", number(pen.width));
   if (pen.style != PenStyle::solid)
     text += attribute("stroke-dasharray", number(pen.style == PenStyle::dash ? 4 * pen.width : 0) +
@@ -83,7 +83,7 @@ void SvgPainter::line(std::span<const Vector2d> points, bool closed, const Pen& 
 }
 
 void SvgPainter::area(std::span<const Vector2d> corners, Color color) {
-  svg_ += "<polygon" + listOf(corners) + paint("fill", color) + "/>\n";
+  svg_ += "<polygon" + listOf(corners) + paintAttribute("fill", color) + "/>\n";
 }
 
 void SvgPainter::circle(const Vector2d& center, double radius, const Pen& pen) {
@@ -93,7 +93,7 @@ void SvgPainter::circle(const Vector2d& center, double radius, const Pen& pen) {
 
 void SvgPainter::disk(const Vector2d& center, double radius, Color color) {
   svg_ += "<circle" + place("cx", "cy", center) + attribute("r", number(radius)) +
-          paint("fill", color) + "/>\n";
+          paintAttribute("fill", color) + "/>\n";
 }
 
 void SvgPainter::sector(const Vector2d& center, double radius, double from, double to,
@@ -106,16 +106,16 @@ void SvgPainter::sector(const Vector2d& center, double radius, double from, doub
           attribute("d", "M" + text(center) + "L" + text(center + radius * direction(from)) + "A" +
                              r + " " + r + " 0 " + (angle > pi ? "1" : "0") + " 1 " +
                              text(center + radius * direction(to)) + "Z") +
-          paint("fill", color) + "/>\n";
+          paintAttribute("fill", color) + "/>\n";
 }
 
 void SvgPainter::text(const Vector2d& at, std::string_view text, const Font& font) {
   const Color& c = font.color;
   const Color seam = c.r + c.g + c.b > 380 ? colors::black : colors::white;
   svg_ += "<text" + place("x", "y", at) + attribute("font-size", number(font.height)) +
-          (font.bold ? attribute("font-weight", "bold") : "") + paint("fill", c) +
-          (font.seam ? paint("stroke",
-                             {seam.r, seam.g, seam.b, static_cast<std::uint8_t>(c.a * 7 / 10)}) +
+          (font.bold ? attribute("font-weight", "bold") : "") + paintAttribute("fill", c) +
+          (font.seam ? paintAttribute("stroke", {seam.r, seam.g, seam.b,
+                                                 static_cast<std::uint8_t>(c.a * 7 / 10)}) +
                            attribute("stroke-width", number(std::max(2.0, font.height / 6))) +
                            attribute("paint-order", "stroke")
                      : "") +

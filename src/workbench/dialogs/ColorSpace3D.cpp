@@ -14,7 +14,7 @@ constexpr double cell = edge / cells;
 constexpr int columnStep = 4;  // pixels of the image that a column of the height map stands for
 
 enum class ColorSpaceKind { image, table, heightsY, heightsU, heightsV };
-constexpr std::pair<ColorSpaceKind, const char*> kinds[] = {
+constexpr std::pair<ColorSpaceKind, const char*> spaceKinds[] = {
     {ColorSpaceKind::image, "Colors of the image"},
     {ColorSpaceKind::table, "Color table"},
     {ColorSpaceKind::heightsY, "Y over the image"},
@@ -22,7 +22,7 @@ constexpr std::pair<ColorSpaceKind, const char*> kinds[] = {
     {ColorSpaceKind::heightsV, "V over the image"}};
 
 /// Where a color lies in the cube: U to the right, V back, Y up.
-Vector3d placeOf(int y, int u, int v) {
+Vector3d placeOfColor(int y, int u, int v) {
   return {u - edge / 2, v - edge / 2, static_cast<double>(y)};
 }
 
@@ -37,7 +37,7 @@ Color rgbOf(const Pixel& pixel) {
 void addCube(GlScene& scene) {
   const Color gray{120, 120, 125};
   const auto corner = [](int i) {
-    return placeOf(i & 4 ? 256 : 0, i & 1 ? 256 : 0, i & 2 ? 256 : 0);
+    return placeOfColor(i & 4 ? 256 : 0, i & 1 ? 256 : 0, i & 2 ? 256 : 0);
   };
   for (int i = 0; i < 8; ++i)
     for (const int axis : {1, 2, 4})
@@ -50,7 +50,7 @@ void addImage(const Image& image, GlScene& scene) {
   for (const Pixel& p : image.pixels) found.emplace(std::array{p.y / 8, p.cb / 8, p.cr / 8}, p);
   for (const auto& [place, pixel] : found)
     scene.add(mjGEOM_BOX, Vector3d::Constant(cell / 2),
-              placeOf(place[0] * 8 + 4, place[1] * 8 + 4, place[2] * 8 + 4), rgbOf(pixel));
+              placeOfColor(place[0] * 8 + 4, place[1] * 8 + 4, place[2] * 8 + 4), rgbOf(pixel));
 }
 
 /// A box for each cell that is not inside its class.
@@ -69,7 +69,7 @@ void addTable(const ColorTable64& table, GlScene& scene) {
             at(y, u + 1, v) == own && at(y, u, v - 1) == own && at(y, u, v + 1) == own)
           continue;
         scene.add(mjGEOM_BOX, Vector3d::Constant(cell / 2),
-                  placeOf(y * 8 + 4, u * 8 + 4, v * 8 + 4), displayColor(own));
+                  placeOfColor(y * 8 + 4, u * 8 + 4, v * 8 + 4), displayColor(own));
       }
 }
 
@@ -136,7 +136,7 @@ class ColorSpace3D : public SpaceDialog {
     };
   }
   void addActions(QMenu& menu, const QPointF&) override {
-    for (const auto& [kind, text] : kinds) {
+    for (const auto& [kind, text] : spaceKinds) {
       QAction* action = menu.addAction(text, this, [this, chosen = kind] {
         kind_ = chosen;
         drawAgain();

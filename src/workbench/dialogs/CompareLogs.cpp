@@ -31,10 +31,6 @@ constexpr const char* replayedAsIs = "replayed";
 /// Points farther apart are not joined, in s.
 constexpr double joined = 0.5;
 
-QString text(const std::string& from) {
-  return QString::fromStdString(from);
-}
-
 /// Two logs, or what two solutions make of one, side by side: where they differ, value by value.
 class CompareLogs : public Dialog {
  public:
@@ -131,7 +127,7 @@ class CompareLogs : public Dialog {
         "As it was recorded, or replayed: with the solutions that it was "
         "recorded with, but for one of this task");
     side.task->addItems({asRecorded, replayedAsIs});
-    for (const auto& [task, solutions] : tasks_) side.task->addItem(text(task));
+    for (const auto& [task, solutions] : tasks_) side.task->addItem(QString::fromStdString(task));
     grid.addWidget(side.task, i, 3);
     side.solution = new QComboBox;
     side.solution->setObjectName("solution" + letter);
@@ -148,7 +144,8 @@ class CompareLogs : public Dialog {
                        const auto known = tasks_.find(task.toStdString());
                        solution->setEnabled(known != tasks_.end());
                        if (known == tasks_.end()) return;
-                       for (const std::string& each : known->second) solution->addItem(text(each));
+                       for (const std::string& each : known->second)
+                         solution->addItem(QString::fromStdString(each));
                      });
     grid.addWidget(side.solution, i, 4);
   }
@@ -246,7 +243,7 @@ class CompareLogs : public Dialog {
 
   void show(Result<LogComparison>& comparison) {
     showRunning();
-    if (!comparison) return state_->setText(text(comparison.error().text()));
+    if (!comparison) return state_->setText(QString::fromStdString(comparison.error().text()));
     tree_->take(std::move(*comparison));
     const LogComparison& known = tree_->comparison();
     const auto same = std::ranges::count_if(known.topics, &ComparedTopic::same);
@@ -284,7 +281,7 @@ class CompareLogs : public Dialog {
         }
       plot_->graph(i)->setData(times, values, true);
     }
-    plot_->yAxis->setLabel(value ? text(value->path) : QString{});
+    plot_->yAxis->setLabel(value ? QString::fromStdString(value->path) : QString{});
     plot_->yAxis->rescale();
     plot_->yAxis->scaleRange(1.1);
     if (value && tree_->markedTime() == never()) tree_->mark(value->first);
@@ -329,8 +326,8 @@ class CompareLogs : public Dialog {
   }
   /// A robot's name that no other one has.
   static std::string nameFor(const ComparedRun& run, const std::set<std::string>& names) {
-    QString begin = QFileInfo{text(run.log)}.completeBaseName().replace(' ', '_');
-    if (!run.solution.empty()) begin += "-" + text(run.solution);
+    QString begin = QFileInfo{QString::fromStdString(run.log)}.completeBaseName().replace(' ', '_');
+    if (!run.solution.empty()) begin += "-" + QString::fromStdString(run.solution);
     QString name = begin;
     for (int i = 2; names.contains(name.toStdString()); ++i)
       name = QString{"%1-%2"}.arg(begin).arg(i);

@@ -14,7 +14,7 @@
 namespace gt {
 namespace {
 
-constexpr int mostLines = 5000;
+constexpr int mostShownLines = 5000;
 constexpr qsizetype mostRemembered = 200;
 
 /// A word as it must be typed.
@@ -37,7 +37,7 @@ class ConsoleDialog : public Dialog {
     output_ = new QPlainTextEdit;
     output_->setObjectName("output");
     output_->setReadOnly(true);
-    output_->setMaximumBlockCount(mostLines);
+    output_->setMaximumBlockCount(mostShownLines);
     QFont font{"DejaVu Sans Mono"};
     font.setStyleHint(QFont::Monospace);
     output_->setFont(font);

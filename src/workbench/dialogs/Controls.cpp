@@ -23,14 +23,14 @@ namespace gt {
 namespace {
 
 constexpr int sliderSteps = 200;
-constexpr const char* place = "%1";  ///< Of a slider's value in its line.
+constexpr const char* sliderPlace = "%1";  ///< Of a slider's value in its line.
 
 /// A button or slider that executes a line of the console; with %1 in the line it is a slider.
 struct Control {
   QString text, line, key;
   double low = 0, high = 1, value = 0;
 
-  bool slides() const { return line.contains(place); }
+  bool slides() const { return line.contains(sliderPlace); }
   QJsonObject json() const {
     return {{"text", text}, {"line", line}, {"key", key},
             {"low", low},   {"high", high}, {"value", value}};
@@ -170,7 +170,7 @@ class Controls : public Dialog {
       moved.value = moved.low + (moved.high - moved.low) * step / sliderSteps;
       number->setText(QString::number(moved.value));
       QString line = moved.line;
-      line.replace(place, QString::number(moved.value));
+      line.replace(sliderPlace, QString::number(moved.value));
       // The newest value counts: what waits is not executed.
       wanted_ = line.toStdString();
       if (!std::exchange(sending_, true)) send();

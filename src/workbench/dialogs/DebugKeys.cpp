@@ -40,7 +40,7 @@ constexpr Fill fills[] = {{"at once", "queue"},
                           {"to the stick for n s", "save %1"},
                           {"never", "reject"}};
 
-constexpr const char* kinds[] = {"Simulated", "Physical"};
+constexpr const char* robotKinds[] = {"Simulated", "Physical"};
 
 /// Report J.2.1: debug keys of physical and of simulated robots. Nothing is sent before the button
 /// Send is pressed.
@@ -53,8 +53,8 @@ class DebugKeys : public Dialog {
     group_ = new QButtonGroup{this};
     for (int kind = 0; kind < 2; ++kind) {
       auto* button = new QToolButton;
-      button->setText(kinds[kind]);
-      button->setObjectName(QString{kinds[kind]}.toLower());
+      button->setText(robotKinds[kind]);
+      button->setObjectName(QString{robotKinds[kind]}.toLower());
       button->setCheckable(true);
       button->setChecked(kind == 0);
       button->setToolTip("Edits the table of these robots");
@@ -154,14 +154,14 @@ class DebugKeys : public Dialog {
       QJsonArray rows;
       for (const auto& [key, entry] : tables_[kind])
         if (entry.mode > 0) rows.append(QJsonArray{key, entry.mode, entry.n});
-      tables[kinds[kind]] = rows;
+      tables[robotKinds[kind]] = rows;
     }
     return {{"tables", tables}, {"all", all_->isChecked()}};
   }
   void restore(const QJsonObject& settings) override {
     for (int kind = 0; kind < 2; ++kind) {
       tables_[kind].clear();
-      for (const QJsonValue row : settings["tables"][kinds[kind]].toArray()) {
+      for (const QJsonValue row : settings["tables"][robotKinds[kind]].toArray()) {
         const int mode = row[1].toInt();
         if (mode > 0 && mode < static_cast<int>(std::size(modes)))
           tables_[kind][row[0].toString()] = {mode, std::max(1, row[2].toInt()), false};

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-constexpr int columns = 4;
+constexpr int imageColumns = 4;
 constexpr std::size_t fieldCount = 8;
 
 /// Report J.3.1: eight small images beside each other. Each is an image viewer of its own: its
@@ -25,7 +25,8 @@ class EightImages : public Dialog {
       fields_[i] = image.make(session);
       fields_[i]->setObjectName(QString{"field%1"}.arg(i + 1));
       if (i % 2) fields_[i]->restore({{"image", "colorClassImage"}});
-      grid->addWidget(fields_[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+      grid->addWidget(fields_[i], static_cast<int>(i) / imageColumns,
+                      static_cast<int>(i) % imageColumns);
     }
   }
 

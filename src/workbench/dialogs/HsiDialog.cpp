@@ -26,8 +26,8 @@ namespace {
 
 constexpr std::size_t imageCount = 4;
 constexpr int zoom = 4;
-constexpr std::array channels{"Hue", "Saturation", "Intensity"};
-constexpr std::array highest{360, 100, 100};
+constexpr std::array hsiChannels{"Hue", "Saturation", "Intensity"};
+constexpr std::array hsiHighest{360, 100, 100};
 
 void showImage(SheetWidget& sheet, const Image& image, int scale) {
   sheet.showSheet(std::make_shared<const Sheet>(imageSheet(image, scale)));
@@ -113,9 +113,9 @@ class HsiDialog : public Dialog {
     grid->addWidget(class_, 0, 0);
     for (std::size_t i = 0; i < sliders_.size(); ++i) {
       auto* slider = sliders_[i] = new QSlider{Qt::Horizontal};
-      const QString channel = channels[i / 2];
+      const QString channel = hsiChannels[i / 2];
       slider->setObjectName((i % 2 ? "max" : "min") + channel);
-      slider->setRange(0, highest[i / 2]);
+      slider->setRange(0, hsiHighest[i / 2]);
       slider->setToolTip((i % 2 ? "Largest " : "Smallest ") + channel.toLower());
       QObject::connect(slider, &QSlider::valueChanged, this, [this] { takeSliders(); });
       const int row = static_cast<int>(i / 2), column = static_cast<int>(i % 2);

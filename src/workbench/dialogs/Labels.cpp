@@ -33,12 +33,8 @@
 namespace gt {
 namespace {
 
-QString text(const std::string& from) {
-  return QString::fromStdString(from);
-}
-
 /// The connected robot's image, and what its vision found in it.
-struct Seen {
+struct SeenLabel {
   std::string log{}, played{};  ///< As it was named, and in our format.
   std::string robot{};
   Time position;  ///< Of the log player.
@@ -52,10 +48,10 @@ void copyValue(ObservedRobot& robot, T& value) {
   if (const auto known = robot.value<T>()) value = **known;
 }
 
-std::optional<Seen> seenBy(Console& console) {
+std::optional<SeenLabel> seenBy(Console& console) {
   for (ConsoleRobot* robot : console.selected()) {
     if (!robot->onLog()) continue;
-    Seen seen;
+    SeenLabel seen;
     const LogPlayer& player = robot->onLog()->player();
     seen.log = robot->onLog()->file();
     seen.played = player.path();
@@ -132,7 +128,7 @@ class Labels : public Dialog {
     if (asked_ || version == version_) return;
     version_ = version;
     asked_ = true;
-    session().ask(this, seenBy, [this](std::optional<Seen>& seen) {
+    session().ask(this, seenBy, [this](std::optional<SeenLabel>& seen) {
       asked_ = false;
       take(seen);
     });
@@ -160,7 +156,7 @@ class Labels : public Dialog {
     tool_->setToolTip(
         "What is marked: a ball from its middle to its rim, lines point by point, "
         "flags, goals and players from corner to corner, down to the ground");
-    for (const LabelTool& tool : tools_) tool_->addItem(text(tool.name));
+    for (const LabelTool& tool : tools_) tool_->addItem(QString::fromStdString(tool.name));
     tool_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     tool_->setMinimumContentsLength(6);
     QObject::connect(tool_, &QComboBox::currentIndexChanged, this, [this] { editor_.endLine(); });
@@ -219,7 +215,8 @@ class Labels : public Dialog {
     solution_->addItem("as recorded");
     const auto solutions = allSolutions();
     if (const auto known = solutions.find("ImageProcessor"); known != solutions.end())
-      for (const std::string& name : known->second) solution_->addItem(text(name));
+      for (const std::string& name : known->second)
+        solution_->addItem(QString::fromStdString(name));
     row->addWidget(solution_);
     axis_ = new QComboBox;
     axis_->setObjectName("axis");
@@ -246,7 +243,7 @@ class Labels : public Dialog {
 
   // The image.
 
-  void take(std::optional<Seen>& seen) {
+  void take(std::optional<SeenLabel>& seen) {
     seen_ = std::move(seen);
     picture_ = -1;
     if (!seen_) return sheet_->showText("Let a robot run on a log, and connect it.");
@@ -272,7 +269,7 @@ class Labels : public Dialog {
           return imagesOf(log, progress);
         },
         [this](Result<std::vector<LoggedImage>>& images) {
-          if (!images) return state_->setText(text(images.error().text()));
+          if (!images) return state_->setText(QString::fromStdString(images.error().text()));
           images_ = std::move(*images);
           const QSignalBlocker quiet{number_};
           number_->setMaximum(static_cast<int>(images_.size()) - 1);
@@ -347,7 +344,7 @@ class Labels : public Dialog {
 
   void showList() {
     QStringList names;
-    for (const std::string& name : editor_.names(picture_)) names << text(name);
+    for (const std::string& name : editor_.names(picture_)) names << QString::fromStdString(name);
     QStringList shown;
     for (int i = 0; i < list_->count(); ++i) shown << list_->item(i)->text();
     if (names == shown) return;
@@ -372,7 +369,7 @@ class Labels : public Dialog {
   }
   void load(const QString& base) {
     auto labels = readImageLabels(base.toStdString());
-    if (!labels) return state_->setText(text(labels.error().text()));
+    if (!labels) return state_->setText(QString::fromStdString(labels.error().text()));
     editor_.load(std::move(*labels));
     file_ = base;
     showState();
@@ -393,7 +390,7 @@ class Labels : public Dialog {
   bool saveTo(const QString& base) {
     QDir{}.mkpath(QFileInfo{base}.absolutePath());
     if (const auto done = writeImageLabels(base.toStdString(), editor_.labels()); !done) {
-      QMessageBox::warning(this, "Save labels", text(done.error().text()));
+      QMessageBox::warning(this, "Save labels", QString::fromStdString(done.error().text()));
       return false;
     }
     file_ = base;
@@ -412,10 +409,11 @@ class Labels : public Dialog {
     QDir{}.mkpath(QFileInfo{file}.absolutePath());
     const auto done = writeFile(
         file.toStdString(),
-        scriptOfLabels(editor_.labels(), picture_,
-                       QFileInfo{text(seen_->log)}.absoluteFilePath().toStdString(),
-                       images_[static_cast<std::size_t>(picture_)].played, tolerance_->value()));
-    state_->setText(done ? file + " is written" : text(done.error().text()));
+        scriptOfLabels(
+            editor_.labels(), picture_,
+            QFileInfo{QString::fromStdString(seen_->log)}.absoluteFilePath().toStdString(),
+            images_[static_cast<std::size_t>(picture_)].played, tolerance_->value()));
+    state_->setText(done ? file + " is written" : QString::fromStdString(done.error().text()));
   }
   // The errors.
 
@@ -437,7 +435,8 @@ class Labels : public Dialog {
                 return compareWithLabels(run, labels, options, progress);
               },
               [this](Result<std::vector<LabelError>>& errors) {
-                if (!errors) return summary_->setText(text(errors.error().text()));
+                if (!errors)
+                  return summary_->setText(QString::fromStdString(errors.error().text()));
                 showErrors(std::move(*errors));
               });
         });
@@ -453,7 +452,7 @@ class Labels : public Dialog {
         QFileDialog::getSaveFileName(this, "Export", "out/labels/errors.csv", "Tables (*.csv)");
     if (file.isEmpty()) return;
     if (const auto done = plot_->exportTo(file.toStdString()); !done)
-      summary_->setText(text(done.error().text()));
+      summary_->setText(QString::fromStdString(done.error().text()));
   }
 
   const std::vector<LabelTool> tools_ = labelTools();
@@ -471,7 +470,7 @@ class Labels : public Dialog {
   LabelErrorPlot* plot_;
   LabelEditor editor_;
   QString file_;  ///< Without what both files' names end with; empty: none.
-  std::optional<Seen> seen_;
+  std::optional<SeenLabel> seen_;
   std::vector<LoggedImage> images_;
   std::string indexed_;  ///< The log that they are of.
   int picture_ = -1;     ///< That is shown.

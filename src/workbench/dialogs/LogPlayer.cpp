@@ -14,7 +14,7 @@
 namespace gt {
 namespace {
 
-constexpr int sliderSteps = 1000;
+constexpr int timeSteps = 1000;
 
 /// Report J.2.4: plays the log that the connected robot runs on, and records what robots send.
 class LogPlayerToolbar : public Dialog {
@@ -36,7 +36,7 @@ class LogPlayerToolbar : public Dialog {
         })};
     slider_ = new QSlider{Qt::Horizontal};
     slider_->setObjectName("position");
-    slider_->setRange(0, sliderSteps);
+    slider_->setRange(0, timeSteps);
     slider_->setMinimumWidth(160);
     slider_->setToolTip("Where in the log it is");
     QObject::connect(slider_, &QSlider::sliderMoved, this, [this](int at) { wanted_ = at; });
@@ -101,11 +101,11 @@ class LogPlayerToolbar : public Dialog {
     if (wanted_) {
       // One at a time: a hand moves faster than a log is read.
       if (session().busy()) return;
-      play("time " + std::to_string(log->begin + length * *wanted_ / sliderSteps));
+      play("time " + std::to_string(log->begin + length * *wanted_ / timeSteps));
       wanted_.reset();
     } else if (!slider_->isSliderDown() && !session().busy()) {
       slider_->setValue(
-          static_cast<int>(std::lround(sliderSteps * (log->now - log->begin) / length)));
+          static_cast<int>(std::lround(timeSteps * (log->now - log->begin) / length)));
     }
   }
 

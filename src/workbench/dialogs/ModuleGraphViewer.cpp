@@ -19,10 +19,10 @@
 namespace gt {
 namespace {
 
-constexpr int rowHeight = 22, taskWidth = 190, solutionWidth = 180, timeWidth = 70;
+constexpr int taskHeight = 22, taskWidth = 190, solutionWidth = 180, timeWidth = 70;
 constexpr int arcsAt = taskWidth + solutionWidth + timeWidth;
-constexpr int interval = 1000;  // ms
-constexpr double slowMs = 2;    ///< A module that takes so long is shown in full color.
+constexpr int graphInterval = 1000;  // ms
+constexpr double slowMs = 2;         ///< A module that takes so long is shown in full color.
 
 /// A task of a process, with what its solution reads and provides.
 struct TaskNode {
@@ -95,7 +95,7 @@ class GraphWidget : public QWidget {
   void show(Graph graph) {
     graph_ = std::move(graph);
     if (marked_ && *marked_ >= graph_.tasks.size()) marked_.reset();
-    setMinimumSize(arcsAt + 160, y(graph_.tasks.size()) + rowHeight);
+    setMinimumSize(arcsAt + 160, y(graph_.tasks.size()) + taskHeight);
     update();
   }
   const Graph& graph() const { return graph_; }
@@ -157,11 +157,11 @@ class GraphWidget : public QWidget {
     int headings = 0;
     for (std::size_t i = 0; i <= row && i < graph_.tasks.size(); ++i)
       headings += i == 0 || graph_.tasks[i].process != graph_.tasks[i - 1].process;
-    return (static_cast<int>(row) + headings) * rowHeight;
+    return (static_cast<int>(row) + headings) * taskHeight;
   }
   std::optional<std::size_t> rowAt(const QPoint& at) const {
     for (std::size_t i = 0; i < graph_.tasks.size() && at.x() < arcsAt; ++i)
-      if (at.y() >= y(i) && at.y() < y(i) + rowHeight) return i;
+      if (at.y() >= y(i) && at.y() < y(i) + taskHeight) return i;
     return std::nullopt;
   }
   void paintProcess(QPainter& painter, std::size_t row) const {
@@ -169,18 +169,18 @@ class GraphWidget : public QWidget {
     bold.setBold(true);
     painter.setFont(bold);
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRect{4, y(row) - rowHeight, arcsAt, rowHeight}, Qt::AlignVCenter,
+    painter.drawText(QRect{4, y(row) - taskHeight, arcsAt, taskHeight}, Qt::AlignVCenter,
                      QString::fromStdString(graph_.tasks[row].process));
     painter.setFont(font());
   }
   void paintTask(QPainter& painter, std::size_t row) const {
     const TaskNode& task = graph_.tasks[row];
-    const QRect place{0, y(row), arcsAt, rowHeight};
+    const QRect place{0, y(row), arcsAt, taskHeight};
     const bool off = task.active.empty() || task.active == SolutionTable::disabled;
     QColor time{0xe0, 0x50, 0x30};
     time.setAlphaF(static_cast<float>(off ? 0 : std::clamp(task.ms / slowMs, 0.0, 1.0)));
     painter.fillRect(place.adjusted(2, 1, -2, -1), palette().color(QPalette::Base));
-    painter.fillRect(QRect{arcsAt - timeWidth, place.y() + 1, timeWidth - 2, rowHeight - 2}, time);
+    painter.fillRect(QRect{arcsAt - timeWidth, place.y() + 1, timeWidth - 2, taskHeight - 2}, time);
     if (marked_ == row) {
       painter.setPen(palette().color(QPalette::Highlight));
       painter.drawRect(place.adjusted(2, 1, -2, -1));
@@ -188,7 +188,7 @@ class GraphWidget : public QWidget {
     painter.setPen(
         palette().color(off ? QPalette::Disabled : QPalette::Active, QPalette::WindowText));
     const auto write = [&](int x, int width, const QString& text, int align) {
-      painter.drawText(QRect{x + 6, place.y(), width - 12, rowHeight}, align | Qt::AlignVCenter,
+      painter.drawText(QRect{x + 6, place.y(), width - 12, taskHeight}, align | Qt::AlignVCenter,
                        fontMetrics().elidedText(text, Qt::ElideRight, width - 12));
     };
     write(0, taskWidth, QString::fromStdString(task.name), Qt::AlignLeft);
@@ -199,7 +199,7 @@ class GraphWidget : public QWidget {
   }
   /// The farther, the wider.
   void paintArc(QPainter& painter, const Edge& edge, const QColor& color, double width) const {
-    const double from = y(edge.from) + rowHeight / 2.0 + 3, to = y(edge.to) + rowHeight / 2.0 - 3;
+    const double from = y(edge.from) + taskHeight / 2.0 + 3, to = y(edge.to) + taskHeight / 2.0 - 3;
     const double wide = std::min(16 + 0.35 * std::abs(to - from), 0.9 * (this->width() - arcsAt));
     QPainterPath path{{arcsAt + 1.0, from}};
     path.cubicTo(arcsAt + 1.3 * wide, from, arcsAt + 1.3 * wide, to, arcsAt + 6.0, to);
@@ -238,7 +238,7 @@ class ModuleGraphViewer : public Dialog {
     setRobot(settings["robot"].toString().toStdString());
   }
   void refresh() override {
-    if (asked_ || (clock_.isValid() && clock_.elapsed() < interval)) return;
+    if (asked_ || (clock_.isValid() && clock_.elapsed() < graphInterval)) return;
     clock_.start();
     asked_ = true;
     session().ask(

@@ -24,7 +24,7 @@
 namespace gt {
 namespace {
 
-constexpr int shortest = 1, longest = 120;  // s
+constexpr int shortest = 1, longestHistory = 120;  // s
 
 /// Report J.3.5: values over time. Any number of any representation, of the game and of the bodies,
 /// and what modules plot.
@@ -58,7 +58,7 @@ class PlotViewer : public Dialog {
     top->addWidget(follow_);
     seconds_ = new QSlider{Qt::Horizontal};
     seconds_->setObjectName("seconds");
-    seconds_->setRange(shortest, longest);
+    seconds_->setRange(shortest, longestHistory);
     seconds_->setValue(20);
     seconds_->setFixedWidth(120);
     seconds_->setToolTip("How many seconds are shown");

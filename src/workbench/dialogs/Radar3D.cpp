@@ -22,7 +22,7 @@ Vector3d around(double angle, double distance, double height) {
 }
 
 /// The camera's image as a plane before the camera.
-void addImage(const Image& image, const CameraMatrix& camera, GlScene& scene) {
+void addCameraImage(const Image& image, const CameraMatrix& camera, GlScene& scene) {
   const RgbImage rgb = rgbOf(image);
   const double half = pixelStep * imageDistance / (2 * camera.info.focalX);
   for (int row = 0; row + pixelStep <= image.info.height; row += pixelStep)
@@ -124,7 +124,7 @@ class Radar3D : public SpaceDialog {
       if (!(*camera)->valid) return robot.name() + ": the camera matrix is not valid";
       scene.addLine({60, 0, 120}, (*camera)->pose.translation, 30, {150, 150, 155});
       const auto image = robot.value<Image>();
-      if (image && !(*image)->pixels.empty()) addImage(**image, **camera, scene);
+      if (image && !(*image)->pixels.empty()) addCameraImage(**image, **camera, scene);
       addIfKnown<BallPercept>(robot,
                               [&](const BallPercept& ball) { addBall(ball, **camera, scene); });
       return robot.name();

@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-constexpr double nearest = 300, farthest = 10000;  // mm
+constexpr double nearestRadar = 300, farthestRadar = 10000;  // mm
 
 /// Report J.3.2: what lies around the robot. The wheel changes how far it looks.
 class RadarViewer : public ViewDialog {
@@ -44,7 +44,7 @@ class RadarViewer : public ViewDialog {
 
  private:
   void look(double range) {
-    range_ = std::clamp(range, nearest, farthest);
+    range_ = std::clamp(range, nearestRadar, farthestRadar);
     setNumbers({range_});
   }
 

@@ -99,7 +99,7 @@ TeamState stateOfTeam(Console& console, const View& field) {
   return state;
 }
 
-QString seconds(std::int64_t ms) {
+QString secondsText(std::int64_t ms) {
   return QString{"%1 s"}.arg(static_cast<double>(ms) / 1000, 0, 'f', 1);
 }
 
@@ -159,18 +159,18 @@ class TeamViewer : public Dialog {
     item.setText(1, QString::fromStdString(std::string{enumName(behavior.role)}));
     constexpr double notAtAll = 1e5;  // ms
     item.setText(2, behavior.estimatedTimeToReachBall < notAtAll
-                        ? seconds(static_cast<std::int64_t>(behavior.estimatedTimeToReachBall))
+                        ? secondsText(static_cast<std::int64_t>(behavior.estimatedTimeToReachBall))
                         : "–");
     item.setText(3, QString::number(member.pose.validity, 'f', 2));
     const bool seen = member.ball.lastSeen != never();
-    item.setText(4, seen ? seconds(member.now - member.ball.lastSeen) : "never");
+    item.setText(4, seen ? secondsText(member.now - member.ball.lastSeen) : "never");
     item.setText(5, seen ? QString{"%1 mm"}.arg(member.ball.standardDeviation, 0, 'f', 0) : "–");
     for (std::size_t i = 0; i < member.received.byPlayer.size(); ++i) {
       const Time at = member.received.byPlayer[i].timeReceived;
       const bool self = static_cast<int>(i) + 1 == member.number;
       item.setText(6 + static_cast<int>(i), self            ? ""
                                             : at == never() ? "never"
-                                                            : seconds(member.now - at));
+                                                            : secondsText(member.now - at));
     }
   }
 

@@ -22,9 +22,9 @@
 namespace gt {
 namespace {
 
-constexpr int interval = 400;  // ms
+constexpr int timesInterval = 400;  // ms
 constexpr std::size_t mostSnapshots = 10000;
-enum Column { module, process, mean, longest, rate, bar };
+enum TimeColumn { module, process, mean, longest, rate, bar };
 constexpr int shareRole = Qt::UserRole;
 
 /// The stopwatches of a robot's modules at a time.
@@ -127,7 +127,8 @@ class TimeDiagram : public Dialog {
 
   void refresh() override {
     const std::uint64_t version = session().version();
-    if (asked_ || version == version_ || (clock_.isValid() && clock_.elapsed() < interval)) return;
+    if (asked_ || version == version_ || (clock_.isValid() && clock_.elapsed() < timesInterval))
+      return;
     version_ = version;
     clock_.start();
     asked_ = true;

@@ -26,7 +26,7 @@
 namespace gt {
 namespace {
 
-constexpr int enlarged = 2;
+constexpr int tslEnlarged = 2;
 constexpr int mostNoise = 60;  // standard deviation of each channel's value
 constexpr std::array channels{"T'", "S'", "L'"};
 
@@ -161,7 +161,8 @@ class TslDialog : public Dialog {
 
   void click(const QPointF& at) {
     if (!image_) return;
-    const QPoint place{static_cast<int>(at.x()) / enlarged, static_cast<int>(at.y()) / enlarged};
+    const QPoint place{static_cast<int>(at.x()) / tslEnlarged,
+                       static_cast<int>(at.y()) / tslEnlarged};
     if (!corner_) {
       corner_ = place;
       return;
@@ -231,14 +232,14 @@ class TslDialog : public Dialog {
   void showImages() {
     if (!image_) return;
     const Image shown = noise_ > 0 ? withNoise(*image_, noise_, random_) : *image_;
-    raw_->showSheet(std::make_shared<const Sheet>(imageSheet(shown, enlarged)));
+    raw_->showSheet(std::make_shared<const Sheet>(imageSheet(shown, tslEnlarged)));
     RgbImage classes{shown.info.width, shown.info.height, {}};
     for (const Pixel& pixel : shown.pixels) {
       const Color color = displayColor(colors_[pixel]);
       classes.pixels.insert(classes.pixels.end(), {color.r, color.g, color.b});
     }
     classified_->showSheet(
-        std::make_shared<const Sheet>(pictureSheet(std::move(classes), enlarged)));
+        std::make_shared<const Sheet>(pictureSheet(std::move(classes), tslEnlarged)));
   }
 
   void load() {

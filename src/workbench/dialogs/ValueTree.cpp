@@ -18,7 +18,7 @@
 namespace gt {
 namespace {
 
-constexpr int interval = 200;             // ms
+constexpr int valuesInterval = 200;       // ms
 constexpr std::size_t mostFields = 2000;  // of a representation
 enum Role { pathRole = Qt::UserRole, groupRole };
 
@@ -157,7 +157,7 @@ class ValueTree : public Dialog {
 
   void refresh() override {
     const std::uint64_t version = session().version();
-    if (asked_ || (clock_.isValid() && (version == version_ || clock_.elapsed() < interval)))
+    if (asked_ || (clock_.isValid() && (version == version_ || clock_.elapsed() < valuesInterval)))
       return;
     // Who edits a value is not disturbed.
     if (const QWidget* focus = QApplication::focusWidget();

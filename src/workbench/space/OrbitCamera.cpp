@@ -6,9 +6,9 @@
 namespace gt {
 namespace {
 
-constexpr double degreesPerPixel = 0.4;
-constexpr double lowest = -89, highest = 89;   // degrees
-constexpr double narrowest = 5, widest = 110;  // degrees
+constexpr double orbitPerPixel = 0.4;
+constexpr double lowestPitch = -89, highestPitch = 89;  // degrees
+constexpr double narrowest = 5, widest = 110;           // degrees
 
 }  // namespace
 
@@ -36,8 +36,8 @@ Ray OrbitCamera::ray(double x, double y, double aspect) const {
 }
 
 void OrbitCamera::turn(double x, double y) {
-  azimuth = std::remainder(azimuth - x * degreesPerPixel, 360);
-  elevation = std::clamp(elevation + y * degreesPerPixel, lowest, highest);
+  azimuth = std::remainder(azimuth - x * orbitPerPixel, 360);
+  elevation = std::clamp(elevation + y * orbitPerPixel, lowestPitch, highestPitch);
 }
 
 void OrbitCamera::move(double x, double y, double height) {
@@ -65,7 +65,7 @@ void OrbitCamera::restore(const QJsonObject& settings) {
   at = {settings["x"].toDouble(at.x()), settings["y"].toDouble(at.y()),
         settings["z"].toDouble(at.z())};
   azimuth = settings["azimuth"].toDouble(azimuth);
-  elevation = std::clamp(settings["elevation"].toDouble(elevation), lowest, highest);
+  elevation = std::clamp(settings["elevation"].toDouble(elevation), lowestPitch, highestPitch);
   distance = std::clamp(settings["distance"].toDouble(distance), nearest, farthest);
   openingAngle = std::clamp(settings["openingAngle"].toDouble(openingAngle), narrowest, widest);
 }

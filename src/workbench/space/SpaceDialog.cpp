@@ -10,7 +10,7 @@ namespace gt {
 namespace {
 
 /// A scene that is drawn slowly rests this many times as long, so that the window stays responsive.
-constexpr double restFactor = 3;
+constexpr double spaceRestFactor = 3;
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void SpaceDialog::refresh() {
   const std::uint64_t version = session().version();
   if (asked_ || version == shown_) return;
   if (answered_.isValid() &&
-      static_cast<double>(answered_.elapsed()) < restFactor * view_->drawTime())
+      static_cast<double>(answered_.elapsed()) < spaceRestFactor * view_->drawTime())
     return;
   asked_ = true;
   shown_ = version;
