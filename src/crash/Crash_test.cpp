@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "crash/Symbolizer.h"
+#include "support/ProgramFolder.h"
 
 namespace gt {
 namespace {
@@ -21,6 +22,11 @@ std::string contentOf(const std::string& path) {
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
+}
+
+/// The program that dies on purpose.
+std::string crashChild() {
+  return programFolder() + "/crash_child";
 }
 
 /// The line of the child's source that ends in a mark.
@@ -94,7 +100,7 @@ void expectPlace(const SourcePlace& place, const std::string& function, const st
 }
 
 TEST_F(Crash, TellsWhereAnAccessFailed) {
-  const CrashReport report = crash(CRASH_CHILD, "segv", SIGSEGV);
+  const CrashReport report = crash(crashChild(), "segv", SIGSEGV);
   EXPECT_EQ(report.signal, "SIGSEGV");
   EXPECT_EQ(report.address, 0u);
   expectPlace(placeOf(report, "writeNowhere"), "crashes::writeNowhere(int volatile*)", "segv");
@@ -114,14 +120,14 @@ TEST_F(Crash, TellsWhereAnAccessFailed) {
 }
 
 TEST_F(Crash, TellsWhoSentTheSignal) {
-  const CrashReport report = crash(CRASH_CHILD, "killed", SIGSEGV);
+  const CrashReport report = crash(crashChild(), "killed", SIGSEGV);
   EXPECT_EQ(report.sender, report.process);
   EXPECT_EQ(report.address, 0u);
-  EXPECT_EQ(crash(CRASH_CHILD, "segv", SIGSEGV).sender, 0);
+  EXPECT_EQ(crash(crashChild(), "segv", SIGSEGV).sender, 0);
 }
 
 TEST_F(Crash, TellsWhoGaveUp) {
-  expectPlace(placeOf(crash(CRASH_CHILD, "abort", SIGABRT), "giveUp"), "crashes::giveUp()",
+  expectPlace(placeOf(crash(crashChild(), "abort", SIGABRT), "giveUp"), "crashes::giveUp()",
               "abort");
 }
 
@@ -129,25 +135,25 @@ TEST_F(Crash, TellsOfADivisionByZero) {
 #if defined(__aarch64__)
   GTEST_SKIP() << "this processor divides by zero";
 #endif
-  expectPlace(placeOf(crash(CRASH_CHILD, "divide", SIGFPE), "divideBy"), "crashes::divideBy(int)",
+  expectPlace(placeOf(crash(crashChild(), "divide", SIGFPE), "divideBy"), "crashes::divideBy(int)",
               "divide");
 }
 
 TEST_F(Crash, TellsOfAStackOverflow) {
   for (const char* how : {"overflow", "thread-overflow"})
-    EXPECT_THAT(placeOf(crash(CRASH_CHILD, how, SIGSEGV), "recurse").function,
+    EXPECT_THAT(placeOf(crash(crashChild(), how, SIGSEGV), "recurse").function,
                 HasSubstr("crashes::recurse(int)"))
         << how;
 }
 
 TEST_F(Crash, TellsOfAThread) {
-  const CrashReport report = crash(CRASH_CHILD, "thread", SIGSEGV);
+  const CrashReport report = crash(crashChild(), "thread", SIGSEGV);
   EXPECT_NE(report.thread, report.process);
   expectPlace(placeOf(report, "writeNowhere"), "crashes::writeNowhere(int volatile*)", "segv");
 }
 
 TEST_F(Crash, FindsTheSymbolsOfAStrippedProgramByItsBuildId) {
-  const std::string apart = CRASH_CHILD_APART;
+  const std::string apart = programFolder() + "/../crash_child_stripped";
   const CrashReport report = crash(apart + "/crash_child", "segv", SIGSEGV);
   EXPECT_EQ(placeOf(report, "writeNowhere").file, "");
   expectPlace(placeOf(report, "writeNowhere", {apart + "/symbols"}),
@@ -160,7 +166,7 @@ TEST_F(Crash, FindsTheSymbolsOfAStrippedProgramByItsBuildId) {
 }
 
 TEST_F(Crash, DoesNotTakeAnotherProgramForTheOneThatCrashed) {
-  CrashReport report = crash(CRASH_CHILD, "segv", SIGSEGV);
+  CrashReport report = crash(crashChild(), "segv", SIGSEGV);
   for (CrashModule& module : report.modules) module.buildId = "00ff00ff";
   Symbolizer symbolizer{report, {}};
   EXPECT_EQ(symbolizer.places(report.programCounter()).front().function, "?");
@@ -169,7 +175,7 @@ TEST_F(Crash, DoesNotTakeAnotherProgramForTheOneThatCrashed) {
 }
 
 TEST_F(Crash, ReadsReportsThatAreCutOffOrBroken) {
-  const CrashReport whole = crash(CRASH_CHILD, "segv", SIGSEGV);
+  const CrashReport whole = crash(crashChild(), "segv", SIGSEGV);
   ASSERT_GT(whole.frames.size(), 2u);
   // Without the last line break nothing is missing.
   for (std::size_t size = 0; size + 1 < text().size(); size += 13) {

@@ -21,6 +21,7 @@
 #include "framework/Requests.h"
 #include "network/ToolPort.h"
 #include "streams/Mcap.h"
+#include "support/ProgramFolder.h"
 #include "support/RobotOfPrograms.h"
 #include "support/TestViewer.h"
 #include "support/TestWire.h"
@@ -120,7 +121,7 @@ class ChaosTest : public ::testing::Test, protected testing::RobotOfPrograms {
     processes.push_back(std::make_unique<ChildProgram>(words));
   }
   void startRouter(const std::string& debug, const std::vector<std::string>& more) {
-    const std::string program = GT_PROGRAMS "/router";
+    const std::string program = programFolder() + "/router";
     // Tools of a robot with a name connect to the router's port + 301.
     std::vector<std::string> words{program,      "red3=" + debug,
                                    "--port",     std::to_string(routerPort - 301),

@@ -16,13 +16,15 @@
 #include <string>
 
 #include "streams/TemporaryFolder.h"
+#include "support/ProgramFolder.h"
 
 namespace gt {
 namespace {
 
 using ::testing::HasSubstr;
 
-constexpr const char *program = GT_PROGRAMS "/simgt", *scene = "scenes/one-robot.scene";
+const std::string simgt = programFolder() + "/simgt";
+constexpr const char* scene = "scenes/one-robot.scene";
 constexpr const char *upKey = "\033[A", *clearKey = "\025", *interruptKey = "\003",
                      *prompt = "simgt> ";
 /// How long the program may take for anything; under a sanitizer it takes long.
@@ -37,7 +39,8 @@ class Terminal {
     if (pid_ != 0) return;
     setenv("TERM", "xterm", 1);
     unsetenv("INPUTRC");
-    execl(program, program, "console", scene, joystick ? "--joystick" : nullptr, joystick, nullptr);
+    execl(simgt.c_str(), simgt.c_str(), "console", scene, joystick ? "--joystick" : nullptr,
+          joystick, nullptr);
     _exit(127);
   }
   ~Terminal() {
@@ -262,7 +265,7 @@ TEST(Terminal, AJoystickThatIsNotThereIsAnError) {
 
 /// What the program prints if lines are piped in, and its exit status.
 std::pair<std::string, int> piped(const std::string& lines) {
-  const std::string command = "printf '" + lines + "' | " + program + " console " + scene + " 2>&1";
+  const std::string command = "printf '" + lines + "' | " + simgt + " console " + scene + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   std::string text;
   std::array<char, 512> bytes;
@@ -283,8 +286,7 @@ TEST(Terminal, APipeIsPlain) {
 }
 
 TEST(Terminal, ACommandOfTheCommandLineThatFailsIsNamed) {
-  const std::string command =
-      std::string{program} + " console " + scene + " -c 'echo one' -c 'run 3x' 2>&1";
+  const std::string command = simgt + " console " + scene + " -c 'echo one' -c 'run 3x' 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   std::array<char, 512> bytes{};
   std::string text;

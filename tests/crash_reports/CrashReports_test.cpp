@@ -10,6 +10,7 @@
 #include "crash/CrashReport.h"
 #include "streams/File.h"
 #include "streams/TemporaryFolder.h"
+#include "support/ProgramFolder.h"
 
 namespace gt {
 namespace {
@@ -26,8 +27,8 @@ class CrashReports : public testing::Test {
   CrashReport crash(const std::string& name, const std::string& arguments,
                     const std::string& sign) {
     ChildProgram program{{"/bin/sh", "-c",
-                          "cd " + folder.path().string() + " && exec " GT_PROGRAMS "/" + name +
-                              " " + arguments + " >printed 2>&1"}};
+                          "cd " + folder.path().string() + " && exec " + programFolder() + "/" +
+                              name + " " + arguments + " >printed 2>&1"}};
     const auto end = std::chrono::steady_clock::now() + patience;
     while (program.runs() && printed().find(sign) == std::string::npos &&
            std::chrono::steady_clock::now() < end)

@@ -10,6 +10,7 @@
 #include "representations/infrastructure/SensorData.h"
 #include "representations/perception/LinesPercept.h"
 #include "streams/File.h"
+#include "support/ProgramFolder.h"
 #include "support/RobotElsewhere.h"
 
 namespace gt {
@@ -123,7 +124,7 @@ dk send_selfLocator_drawing on
 dk send_selfLocatorField_drawing on)";
 
 TEST(RobotElsewhere, IsKnownAndChangedAtThePrompt) {
-  const testing::RobotElsewhere elsewhere{GT_PROGRAMS};
+  const testing::RobotElsewhere elsewhere{programFolder()};
   ASSERT_TRUE(elsewhere.made());
   ConsoleAt console{"scenes/empty.scene", keyOf(elsewhere)};
   console.expectFine("sc " + elsewhere.address());
@@ -155,7 +156,7 @@ TEST(RobotElsewhere, IsKnownAndChangedAtThePrompt) {
 
 /// Report I.6.1 and I.6.2, as printed.
 TEST(RobotElsewhere, IsRecordedAndItsLogReplayed) {
-  const testing::RobotElsewhere elsewhere{GT_PROGRAMS};
+  const testing::RobotElsewhere elsewhere{programFolder()};
   ASSERT_TRUE(elsewhere.made());
   const TemporaryFolder folder;
   const std::string log = (folder.path() / "myLogFile.mcap").string();
@@ -250,7 +251,7 @@ TEST(ThreeRobots, GiveTheSameAnswers) {
     console.expectFine("run 0.5");
     logged = answersOf(console, "LOG1");
   }
-  const testing::RobotElsewhere elsewhere{GT_PROGRAMS};
+  const testing::RobotElsewhere elsewhere{programFolder()};
   ASSERT_TRUE(elsewhere.made());
   ConsoleAt console{"scenes/empty.scene", keyOf(elsewhere)};
   console.expectFine("sc " + elsewhere.address());

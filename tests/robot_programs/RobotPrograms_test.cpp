@@ -22,6 +22,7 @@
 #include "streams/Mcap.h"
 #include "streams/TemporaryFolder.h"
 #include "support/OtherMachine.h"
+#include "support/ProgramFolder.h"
 #include "support/RobotElsewhere.h"
 #include "support/RobotOfPrograms.h"
 #include "support/TestWire.h"
@@ -204,7 +205,7 @@ TEST_F(RobotProgramsTest, ABrokenBehaviorStopsCognitionOnly) {
   processes[1] = std::make_unique<ChildProgram>(words);
   ASSERT_TRUE(playUntil([&] { return robot().statistics().frames > 50; }));
   EXPECT_TRUE(processes[1]->runs());
-  words[0] = GT_PROGRAMS "/gtrobot-cognition";
+  words[0] = programFolder() + "/gtrobot-cognition";
   processes[0] = std::make_unique<ChildProgram>(words);
   EXPECT_TRUE(playUntil([&] { return !processes[0]->runs(); }));
   EXPECT_EQ(WEXITSTATUS(processes[0]->status()), 2);
@@ -230,7 +231,8 @@ TEST(RobotPrograms, SayWhatIsWrongInALine) {
   const TemporaryFolder place;
   const std::string folder = place.path().string(), config = folder + "/config";
   const std::string waiting = "'Platform' does not answer at ipc://" + folder + "/robot.Platform";
-  const std::string motion = GT_PROGRAMS "/gtrobot-motion", debug = GT_PROGRAMS "/gtrobot-debug";
+  const std::string motion = programFolder() + "/gtrobot-motion",
+                    debug = programFolder() + "/gtrobot-debug";
   EXPECT_THAT(printed({motion, "--sockets", folder, "--crashes", folder}, waiting),
               ::testing::HasSubstr("gtrobot Motion: " + waiting + "\n"));
 
@@ -342,7 +344,7 @@ TEST_F(OtherMachineTest, ARobotOnAnotherMachinePlaysInTheTeamIfItHoldsTheKey) {
 /// All of the robot, its body too, on another machine: a tool of this one reaches it with a key
 /// only.
 TEST(RobotElsewhere, AnswersAToolOfThisMachineThatHoldsTheKey) {
-  const testing::RobotElsewhere robot{GT_PROGRAMS};
+  const testing::RobotElsewhere robot{programFolder()};
   ASSERT_TRUE(robot.made());
   Network network;
   const auto tool = *ToolConnection::open(network, robot.endpoint(), *loadKeys(robot.key()));
@@ -380,7 +382,7 @@ TEST_F(RobotProgramsTest, BadToolsAtTheRouterHarmNoRobot) {
   const int port = freePort();
   // Tools of a robot with a name connect to the router's port + 301.
   ChildProgram router{
-      {GT_PROGRAMS "/router", "red3=" + tools, "--port", std::to_string(port - 301)}};
+      {programFolder() + "/router", "red3=" + tools, "--port", std::to_string(port - 301)}};
   expectNoHarm("tcp://127.0.0.1:" + std::to_string(port), {processes[2].get(), &router});
   EXPECT_TRUE(router.runs());
 }

@@ -9,6 +9,7 @@
 #include "framework/Requests.h"
 #include "network/RobotList.h"
 #include "representations/modeling/RobotPose.h"
+#include "support/ProgramFolder.h"
 #include "support/TestViewer.h"
 #include "support/TestWire.h"
 
@@ -34,7 +35,7 @@ class RouterProgramsTest : public ::testing::Test {
     }
   }
   std::vector<std::string> command(std::vector<std::string> words, int port) const {
-    words.insert(words.begin(), GT_PROGRAMS "/router");
+    words.insert(words.begin(), programFolder() + "/router");
     words.insert(words.end(),
                  {"--port", std::to_string(port), "--team", "red", "--keys",
                   folder.file("keys/robot.key"), "--connect-keys", folder.file("keys/tool.key")});
@@ -120,7 +121,7 @@ TEST_F(RouterProgramsTest, TheRobotsOfTwoRoutersPlayAsATeam) {
   second.kill(SIGTERM);
   EXPECT_TRUE(WIFEXITED(second.status()) && WEXITSTATUS(second.status()) == 0);
   ASSERT_TRUE(eventually([&] { return robots[2]->tools() == 0; }, [&] { look(2); }));
-  ChildProgram again{{GT_PROGRAMS "/router"}};
+  ChildProgram again{{programFolder() + "/router"}};
   EXPECT_TRUE(playAsATeam());
   first.kill();
   first.start();

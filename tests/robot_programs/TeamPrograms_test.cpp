@@ -9,6 +9,7 @@
 #include "base/Program.h"
 #include "match/TestMatch.h"
 #include "streams/TemporaryFolder.h"
+#include "support/ProgramFolder.h"
 
 namespace gt {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-constexpr const char* ourProgram = "program:" GT_PROGRAMS "/gtrobot-robot";
+const std::string ourProgram = "program:" + programFolder() + "/gtrobot-robot";
 
 class TeamProgramsTest : public ::testing::Test {
  protected:
@@ -121,8 +122,8 @@ TEST_F(TeamProgramsTest, ThatAskForTheTruthAreRefused) {
   const std::string team = folder.path().string();
   for (const std::string& red : {team, ourProgram + (":" + team)}) {
     const TemporaryFolder out;
-    const auto done = runProgram({GT_PROGRAMS "/simgt", "play", "--no-logs", "--minutes", "0.01",
-                                  "--out", out.path(), "--red", red});
+    const auto done = runProgram({programFolder() + "/simgt", "play", "--no-logs", "--minutes",
+                                  "0.01", "--out", out.path(), "--red", red});
     ASSERT_TRUE(done);
     EXPECT_EQ(done->status, 2);
     EXPECT_EQ(done->errors, "simgt: " + file +
@@ -132,7 +133,7 @@ TEST_F(TeamProgramsTest, ThatAskForTheTruthAreRefused) {
 }
 
 TEST_F(TeamProgramsTest, SimgtFailsInOneLine) {
-  const std::string simgt = GT_PROGRAMS "/simgt";
+  const std::string simgt = programFolder() + "/simgt";
   const auto done =
       runProgram({simgt, "play", "--no-logs", "--out", folder.path(), "--blue", script("exit 3")});
   ASSERT_TRUE(done);

@@ -7,6 +7,7 @@
 
 #include "streams/File.h"
 #include "streams/TemporaryFolder.h"
+#include "support/ProgramFolder.h"
 #include "support/TestLog.h"
 
 namespace gt {
@@ -75,13 +76,14 @@ void workFromAnywhere(const Elsewhere& place, const std::string& root) {
 }
 
 TEST(Root, ProgramsOfTheBuildTreeWorkFromAnywhere) {
-  const Elsewhere place{GT_BUILD "/bin"};
-  workFromAnywhere(place, GT_SOURCES);
+  const Elsewhere place{programFolder()};
+  workFromAnywhere(place, fs::current_path().string());
 }
 
 TEST(Root, ProgramsOfAnInstalledTreeWorkFromAnywhere) {
   const TemporaryFolder prefix;
-  const std::string install = GT_CMAKE " --install " GT_BUILD " --prefix " +
+  const std::string install = "cmake --install " +
+                              fs::path{programFolder()}.parent_path().string() + " --prefix " +
                               prefix.path().string() + " >" + (prefix.path() / "log").string();
   ASSERT_EQ(std::system(install.c_str()), 0);
   const fs::path root = prefix.path() / "share/gt2003";
@@ -99,7 +101,7 @@ TEST(Root, OptionAndVariableNameAnotherRoot) {
   const TemporaryFolder other;
   for (const char* folder : {"behavior", "config", "layouts", "models", "motions", "scenes"})
     fs::create_directories(other.path() / folder);
-  Elsewhere place{GT_BUILD "/bin"};
+  Elsewhere place{programFolder()};
   const std::string line = "simgt: " + other.path().string() + "/scenes/match.scene";
   for (const std::string command : {"simgt play --root ", "simgt --root ", "simgt play --root="}) {
     std::string arguments = command + other.path().string();
@@ -108,7 +110,7 @@ TEST(Root, OptionAndVariableNameAnotherRoot) {
   }
   place.variables = "GT2003_ROOT=" + other.path().string();
   EXPECT_THAT(place.run("simgt play").output, StartsWith(line));
-  place.succeeds("simgt play --minutes 0.02 --root " GT_SOURCES);
+  place.succeeds("simgt play --minutes 0.02 --root " + fs::current_path().string());
   place.variables = "GT2003_ROOT=nowhere";
   const Outcome outcome = place.run("simgt play");
   EXPECT_EQ(outcome.status, 2);

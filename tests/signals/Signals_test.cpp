@@ -17,6 +17,7 @@
 #include "streams/Json.h"
 #include "streams/Mcap.h"
 #include "streams/TemporaryFolder.h"
+#include "support/ProgramFolder.h"
 
 namespace gt {
 namespace {
@@ -32,7 +33,7 @@ class RunningProgram {
  public:
   RunningProgram(const fs::path& folder, std::vector<std::string> command,
                  Place place = Place::pipe) {
-    command.front() = std::string{GT_PROGRAMS} + "/" + command.front();
+    command.front() = programFolder() + "/" + command.front();
     std::vector<char*> arguments;
     for (std::string& word : command) arguments.push_back(word.data());
     arguments.push_back(nullptr);

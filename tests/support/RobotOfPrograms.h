@@ -12,10 +12,11 @@
 #include "base/ChildProgram.h"
 #include "match/Match.h"
 #include "streams/TemporaryFolder.h"
+#include "support/ProgramFolder.h"
 
 namespace gt::testing {
 
-/// A match in real time in which red3 consists of programs. Needs GT_PROGRAMS, the folder of these.
+/// A match in real time in which red3 consists of programs.
 class RobotOfPrograms {
  public:
   /// The match listens for the programs in `folder`, or at an endpoint with keys.
@@ -35,8 +36,14 @@ class RobotOfPrograms {
 
   std::vector<std::string> command(const std::string& process, const std::string& sockets) const {
     const std::string who = "--robot=red3", team = "--team=red", role = "--role=striker1";
-    return {
-        GT_PROGRAMS "/gtrobot-" + process, who, team, role, "--sockets", sockets, "--logs", folder};
+    return {programFolder() + "/gtrobot-" + process,
+            who,
+            team,
+            role,
+            "--sockets",
+            sockets,
+            "--logs",
+            folder};
   }
   const RemoteRobot& robot() const { return *match->remoteRobots().front(); }
   /// Plays on for some ms.

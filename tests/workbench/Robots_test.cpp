@@ -6,6 +6,7 @@
 
 #include "observer/LogPlayer.h"
 #include "representations/infrastructure/CameraSettings.h"
+#include "support/ProgramFolder.h"
 #include "support/RobotElsewhere.h"
 #include "workbench/CustomPlot.h"
 #include "workbench/TestWindow.h"
@@ -19,7 +20,7 @@ enum class Kind { simulated, onLog, elsewhere };
 /// The programs of a robot elsewhere, if the test is about one; before there is a window.
 struct Programs {
   explicit Programs(Kind kind) {
-    if (kind == Kind::elsewhere) robot = std::make_unique<testing::RobotElsewhere>(GT_PROGRAMS);
+    if (kind == Kind::elsewhere) robot = std::make_unique<testing::RobotElsewhere>(programFolder());
   }
   std::optional<Keys> keys() const {
     if (!robot) return std::nullopt;

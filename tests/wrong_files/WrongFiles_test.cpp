@@ -14,6 +14,7 @@
 #include "base/Random.h"
 #include "network/Network.h"
 #include "streams/File.h"
+#include "support/ProgramFolder.h"
 #include "support/TestLog.h"
 
 namespace gt {
@@ -64,7 +65,8 @@ class Workplace {
     const std::string log = (root_ / "errors").string();
     const std::string place =
         "cd " + root_.string() + " && GT2003_ROOT=. XDG_STATE_HOME=" + root_.string() + "/state";
-    const std::string program = "sh -c '" + before + "exec " GT_PROGRAMS "/" + arguments + "'";
+    const std::string program =
+        "sh -c '" + before + "exec " + programFolder() + "/" + arguments + "'";
     const int raw =
         std::system((place + " timeout 300 " + program + " >/dev/null 2>" + log).c_str());
     return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, *readFile(log)};
