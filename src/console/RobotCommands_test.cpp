@@ -141,12 +141,12 @@ TEST_F(RobotCommands, ChangesLayouts) {
 TEST_F(RobotCommands, TakesWhatIsDisabledFromTheOracle) {
   expectFine("ci off");
   const char* refused = "'Oracled' reads OracledWorldState, which this robot does not get";
-  expectError("sr SelfLocator Oracled", "SelfLocator", refused);
+  expectError("sr SelfLocator Oracled", "sr", refused);
   expectFine("robot red4");
   expectFine("so on");
   expectFine("sr BallLocator Oracled");
   expectFine("robot red1");
-  expectError("sr BallLocator Oracled", "BallLocator", refused);
+  expectError("sr BallLocator Oracled", "sr", refused);
   expectFine("robot red4");
   expectFine("sr SelfLocator disabled");
   expectFine("run 1");

@@ -51,7 +51,7 @@ TEST_F(MatchTest, EveryLayoutPlaysTheSameMatch) {
     const auto match = Match::make(options);
     ASSERT_TRUE(match) << match.error().text();
     ASSERT_TRUE(whistle(**match, ""));
-    while (!isOver(**match)) (*match)->step();
+    while (!isPlayed(**match)) (*match)->step();
     const std::string summary = toJson((*match)->summary()).dump();
     if (first.empty()) first = summary;
     EXPECT_TRUE(summary == first) << layout;
@@ -68,7 +68,7 @@ TEST_F(MatchTest, LayoutsChangeWhileTheMatchGoesOn) {
     EXPECT_TRUE(match) << match.error().text();
     EXPECT_TRUE(whistle(**match, ""));
     int ticks = 0;
-    while (!isOver(**match)) {
+    while (!isPlayed(**match)) {
       if (change && ++ticks % 50 == 0) {
         const char* name = ticks % 150 == 0   ? "layouts/cmd.layout"
                            : ticks % 100 == 0 ? "layouts/single.layout"
@@ -179,7 +179,7 @@ TEST_F(MatchTest, TeamsPlayWithFilesOfTheirOwn) {
     EXPECT_TRUE(match) << match.error().text();
     EXPECT_TRUE(whistle(**match, ""));
     (*match)->note(InterventionKind::console, "");
-    while (!isOver(**match)) (*match)->step();
+    while (!isPlayed(**match)) (*match)->step();
     return std::move(*match);
   };
   const auto walked = [](const Match& match, TeamColor team) {
