@@ -11,8 +11,8 @@ namespace gt {
 /// direction, are imagined, from where the ball ends and who is nearer there, which part of the
 /// goal is free, and how long it takes the robot to get behind the ball. The best of them is the
 /// plan. As soon as some kick from where the robot stands is about as good, it is to be performed.
-/// A robot beside the ball plans in each cycle; the farther away the ball is, the longer a plan
-/// lasts.
+/// It plans in each cycle; if plans last (`lasts`), a robot beside the ball still does, and the
+/// farther away the ball is, the longer a plan lasts.
 class KickChoice {
  public:
   struct Parameters {
@@ -52,7 +52,7 @@ class KickChoice {
     // Memory.
     double otherPlan = 0.08;
     double begins = 1200;
-    double lasts = 0.1;
+    double lasts = 0;
     // The ball's way.
     double ballCorridor = 200;
     double handled = 800;

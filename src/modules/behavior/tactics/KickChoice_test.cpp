@@ -286,6 +286,7 @@ TEST_F(KickChoiceTest, CountsAWideGoalAsOneOfTheWidth) {
 }
 
 TEST_F(KickChoiceTest, KeepsAPlanTheLongerTheFartherTheBallIs) {
+  parameters.lasts = 0.1;
   const auto lasts = [this](double distance) {
     choice.emplace(parameters);
     world.values = {};
@@ -306,6 +307,8 @@ TEST_F(KickChoiceTest, KeepsAPlanTheLongerTheFartherTheBallIs) {
 }
 
 TEST_F(KickChoiceTest, PlansAnewWhenTheBallHasMovedFar) {
+  parameters.lasts = 0.1;
+  choice.emplace(parameters);
   world.self.pose = {0, -2000, 0};
   ball = {0, 0};
   const double before = choose().plan().worth;
@@ -322,6 +325,8 @@ TEST_F(KickChoiceTest, PlansAnewWhenItBeginsToPlayAgain) {
     choice->update(state, world.obstacles, relative(world.self.pose, ball), unseen, plays);
     return std::abs(choice->plan().direction) < pi / 2 ? "ahead" : "back";
   };
+  parameters.lasts = 0.1;
+  choice.emplace(parameters);
   world.self.pose = {0, -2000, 0};
   ball = {0, 0};
   EXPECT_STREQ(plans(true), "ahead");
