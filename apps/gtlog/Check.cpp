@@ -1,5 +1,7 @@
 #include "gtlog/Check.h"
 
+#include <nlohmann/json.hpp>
+
 #include "observer/LogSelection.h"
 #include "streams/RecordedMessage.h"
 

@@ -1,10 +1,12 @@
 #include <QApplication>
+#include <QSocketNotifier>
 #include <QStandardPaths>
 #include <QTimer>
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "base/EndSignals.h"
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
 #include "observer/LogPlayer.h"
@@ -47,6 +49,7 @@ gt::Result<void> openLog(Options& options) {
 }
 
 gt::Result<int> run(int argc, char** argv, Options options) {
+  const gt::EndSignals signals;
   QApplication application{argc, argv};
   QApplication::setApplicationName("robotcontrol");
   QApplication::setDesktopFileName("robotcontrol");
@@ -71,6 +74,10 @@ gt::Result<int> run(int argc, char** argv, Options options) {
     if (!window.open(QString::fromStdString(dialog)))
       return gt::Error{.field = dialog, .what = "there is no such dialog"};
   if (!options.picture.empty()) takePicture(**session, window, options.picture);
+  // Then nobody is asked what shall be saved.
+  QSocketNotifier ended{signals.event(), QSocketNotifier::Read};
+  QObject::connect(&ended, &QSocketNotifier::activated,
+                   [&] { QApplication::exit(signals.status()); });
   return QApplication::exec();
 }
 

@@ -5,6 +5,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <new>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "Failure.h"

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "Values.h"
+#include "framework/RepresentationDefinition.h"
 #include "match/MatchSummary.h"
 #include "observer/RobotLog.h"
 #include "robot/Solutions.h"

@@ -214,7 +214,7 @@ Result<void> rewindTo(Console& console, const Words& words) {
   state->time = Time{*time / tickMs * tickMs};
   state->fingerprint = 0;  // nobody knows it
   std::erase_if(state->history, [&](const Intervention& done) { return done.time > state->time; });
-  if (auto done = writeFile(file, toJson(*state).dump()); !done) return done;
+  if (auto done = writeFile(file, jsonText(*state)); !done) return done;
   const bool passes = console.session().started();
   console.session().stop();
   auto done = loadFile(console, file);

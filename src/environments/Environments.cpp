@@ -127,16 +127,13 @@ Result<void> Environments::firstError() {
 
 std::string Environments::save(std::size_t world) const {
   const World& w = worlds_[world];
-  return toJson(EnvironmentState{w.environment->options(), w.seed, w.episodes,
-                                 w.environment->history(), w.environment->fingerprint()})
-      .dump();
+  return jsonText(EnvironmentState{w.environment->options(), w.seed, w.episodes,
+                                   w.environment->history(), w.environment->fingerprint()});
 }
 
 Result<void> Environments::load(std::size_t world, const std::string& text) {
-  const auto json = parseJson(text, "state");
-  if (!json) return json.error();
   EnvironmentState state;
-  if (const auto done = fromJson(*json, state); !done) return done.error();
+  if (const auto done = readJson(text, "state", state); !done) return done.error();
   World& w = worlds_[world];
   if (state.options != w.environment->options())
     return Error{.field = "options", .what = "are those of another environment"};

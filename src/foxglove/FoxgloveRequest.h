@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -8,6 +9,12 @@
 #include "streams/Json.h"
 
 namespace gt {
+
+/// A channel that a client of the Foxglove WebSocket protocol wants, and the number by which it
+/// knows what comes.
+struct FoxgloveSubscription {
+  std::uint32_t id = 0, channel = 0;
+};
 
 /// What a client of the Foxglove WebSocket protocol sends as text.
 struct FoxgloveRequest {
@@ -19,19 +26,16 @@ struct FoxgloveRequest {
     subscribeParameters,
     unsubscribeParameters
   };
-  struct Subscription {
-    std::uint32_t id = 0, channel = 0;
-  };
   struct Parameter {
     std::string name;
     Json value;
   };
 
   Kind kind = Kind::subscribe;
-  std::vector<Subscription> subscriptions{};  ///< Of subscribe.
-  std::vector<std::uint32_t> ids{};           ///< Of unsubscribe.
-  std::vector<std::string> names{};           ///< Of parameters.
-  std::vector<Parameter> parameters{};        ///< Of setParameters.
+  std::vector<FoxgloveSubscription> subscriptions{};  ///< Of subscribe.
+  std::vector<std::uint32_t> ids{};                   ///< Of unsubscribe.
+  std::vector<std::string> names{};                   ///< Of parameters.
+  std::vector<Parameter> parameters{};                ///< Of setParameters.
   std::string id{};  ///< By which the client recognizes the answer; may be empty.
 };
 

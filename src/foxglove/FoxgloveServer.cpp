@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/Number.h"
+#include "foxglove/FoxgloveRequest.h"
 #include "observer/MessageTypes.h"
 #include "observer/RobotLog.h"
 #include "representations/infrastructure/Image.h"
@@ -180,7 +181,7 @@ void FoxgloveServer::perform(ClientId id, Client& client, const FoxgloveRequest&
 }
 
 void FoxgloveServer::subscribe(ClientId id, Client& client,
-                               const std::vector<FoxgloveRequest::Subscription>& wanted) {
+                               const std::vector<FoxgloveSubscription>& wanted) {
   std::vector<Error> faults;
   for (const auto& subscription : wanted)
     if (const auto done = subscribe(id, client, subscription); !done)
@@ -189,7 +190,7 @@ void FoxgloveServer::subscribe(ClientId id, Client& client,
 }
 
 Result<void> FoxgloveServer::subscribe(ClientId id, Client& client,
-                                       const FoxgloveRequest::Subscription& wanted) {
+                                       const FoxgloveSubscription& wanted) {
   const auto found = channels_.find(wanted.channel);
   if (found == channels_.end())
     return Error{.what = "there is no channel " + std::to_string(wanted.channel)};

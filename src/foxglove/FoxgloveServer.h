@@ -10,11 +10,14 @@
 #include <vector>
 
 #include "foxglove/FoxgloveMessages.h"
-#include "foxglove/FoxgloveRequest.h"
 #include "foxglove/WebSocketServer.h"
 #include "observer/ObservedRobot.h"
+#include "streams/Json.h"
 
 namespace gt {
+
+struct FoxgloveRequest;
+struct FoxgloveSubscription;
 
 /// Where viewers connect, and which pages of a browser may.
 struct FoxgloveAccess {
@@ -113,9 +116,8 @@ class FoxgloveServer {
   void take(const WebSocketServer::Event& event, const FoxgloveSubject& subject);
   void perform(ClientId id, Client& client, const FoxgloveRequest& request,
                const FoxgloveSubject& subject);
-  void subscribe(ClientId id, Client& client,
-                 const std::vector<FoxgloveRequest::Subscription>& wanted);
-  Result<void> subscribe(ClientId id, Client& client, const FoxgloveRequest::Subscription& wanted);
+  void subscribe(ClientId id, Client& client, const std::vector<FoxgloveSubscription>& wanted);
+  Result<void> subscribe(ClientId id, Client& client, const FoxgloveSubscription& wanted);
   void unsubscribe(ClientId id, Client& client, std::uint32_t subscription);
   void feed(Channel& channel);
 

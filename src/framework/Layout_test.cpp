@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/LayoutCheck.h"
+#include "framework/RepresentationDefinition.h"
 #include "support/TestModules.h"
 
 namespace gt {

@@ -6,6 +6,7 @@
 
 #include "base/CrashNotes.h"
 #include "framework/DebugProcess.h"
+#include "framework/RepresentationDefinition.h"
 #include "support/TestModules.h"
 
 namespace gt {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "framework/RepresentationDefinition.h"
+
 namespace gt {
 namespace {
 

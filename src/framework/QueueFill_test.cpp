@@ -4,6 +4,7 @@
 
 #include "debug/Drawing.h"
 #include "framework/DebugProcess.h"
+#include "framework/RepresentationDefinition.h"
 #include "framework/Requests.h"
 
 namespace gt {

@@ -362,7 +362,7 @@ Result<void> Match::save(const std::string& path) const {
                          .time = time(),
                          .history = history_,
                          .fingerprint = fingerprint()};
-  return writeFile(path, toJson(state).dump(1) + "\n");
+  return writeFile(path, jsonText(state, 1) + "\n");
 }
 
 Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions options,

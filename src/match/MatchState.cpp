@@ -14,11 +14,8 @@ constexpr std::string_view digits = "0123456789abcdef";
 Result<MatchState> readMatchState(const std::string& path) {
   const auto text = readFile(path);
   if (!text) return text.error();
-  const auto json = parseJson(*text, path);
-  if (!json) return json.error();
   MatchState state;
-  if (const auto done = fromJson(*json, state); !done)
-    return Error{.file = path, .field = done.error().field, .what = done.error().what};
+  if (const auto done = readJson(*text, path, state); !done) return done.error();
   if (state.time.ms < 0 || state.time.ms % tickMs != 0)
     return Error{.file = path, .field = "time", .what = "no tick ends then"};
   Time last;

@@ -37,7 +37,7 @@ TEST_F(MatchStateTest, ASavedMatchGoesOnWithTheSameBits) {
     EXPECT_EQ((*loaded)->time(), Time{savedAt});
     run(**loaded, end);
     EXPECT_EQ((*loaded)->simulation().fingerprint(), whole->simulation().fingerprint());
-    EXPECT_TRUE(toJson((*loaded)->summary()) == toJson(whole->summary()));
+    EXPECT_TRUE(jsonText((*loaded)->summary()) == jsonText(whole->summary()));
     // The state of the loaded match is as good as the first one's.
     ASSERT_TRUE((*loaded)->save(file));
     EXPECT_TRUE(Match::load(file, options, putBall));

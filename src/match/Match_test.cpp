@@ -52,7 +52,7 @@ TEST_F(MatchTest, EveryLayoutPlaysTheSameMatch) {
     ASSERT_TRUE(match) << match.error().text();
     ASSERT_TRUE(whistle(**match, ""));
     while (!isPlayed(**match)) (*match)->step();
-    const std::string summary = toJson((*match)->summary()).dump();
+    const std::string summary = jsonText((*match)->summary());
     if (first.empty()) first = summary;
     EXPECT_TRUE(summary == first) << layout;
   }
@@ -78,7 +78,7 @@ TEST_F(MatchTest, LayoutsChangeWhileTheMatchGoesOn) {
       }
       (*match)->step();
     }
-    return toJson((*match)->summary()).dump();
+    return jsonText((*match)->summary());
   };
   EXPECT_TRUE(play(false) == play(true));
 }
@@ -189,7 +189,7 @@ TEST_F(MatchTest, TeamsPlayWithFilesOfTheirOwn) {
     return sum;
   };
   const auto own = play("", ""), same = play("same", "same");
-  EXPECT_TRUE(toJson(own->summary()) == toJson(same->summary()));
+  EXPECT_TRUE(jsonText(own->summary()) == jsonText(same->summary()));
   for (const TeamColor color : {TeamColor::red, TeamColor::blue}) {
     const bool red = color == TeamColor::red;
     const auto match = play(red ? "still" : "", red ? "" : "still");
@@ -199,7 +199,7 @@ TEST_F(MatchTest, TeamsPlayWithFilesOfTheirOwn) {
     ASSERT_TRUE(match->save(file));
     const auto loaded = Match::load(file, {}, whistle);
     ASSERT_TRUE(loaded) << loaded.error().text();
-    EXPECT_TRUE(toJson((*loaded)->summary()) == toJson(match->summary()));
+    EXPECT_TRUE(jsonText((*loaded)->summary()) == jsonText(match->summary()));
   }
 }
 
@@ -284,7 +284,7 @@ TEST_F(MatchTest, TeamsThatAskForTheTruthAreRefused) {
   ASSERT_TRUE((*match)->save(file));
   const auto loaded = Match::load(file, {}, putBall);
   ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_TRUE(toJson((*loaded)->summary()) == toJson(summary));
+  EXPECT_TRUE(jsonText((*loaded)->summary()) == jsonText(summary));
 }
 
 /// Who is told the truth and does not ask for it plays as before: nothing else hangs on it.
@@ -303,7 +303,7 @@ TEST_F(MatchTest, TheTruthChangesNothingWhereNobodyAsksForIt) {
     MatchSummary summary = (*match)->summary();
     EXPECT_EQ(summary.truth.size(), give ? 8u : 0u);
     summary.truth.clear();
-    return toJson(summary).dump();
+    return jsonText(summary);
   };
   EXPECT_TRUE(play(false) == play(true));
 }

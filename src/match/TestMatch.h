@@ -78,7 +78,7 @@ class MatchTest : public ::testing::Test {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator{folder / name})
       files[entry.path().filename()] = *readFile(entry.path().string());
-    files["match.json"] = toJson(match->summary()).dump();
+    files["match.json"] = jsonText(match->summary());
     return files;
   }
 

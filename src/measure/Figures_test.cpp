@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "streams/File.h"
 #include "streams/Json.h"
 #include "streams/TemporaryFolder.h"

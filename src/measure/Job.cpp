@@ -71,14 +71,12 @@ Result<std::vector<Job>> parseJobs(std::string_view text, const std::string& sou
 }
 
 std::string JobResult::text() const {
-  return toJson(ResultLine{job.text(), measurement.values}).dump();
+  return jsonText(ResultLine{job.text(), measurement.values});
 }
 
 Result<JobResult> parseJobResult(std::string_view line) {
-  const auto json = parseJson(line, "");
-  if (!json) return json.error();
   ResultLine read;
-  if (const auto done = fromJson(*json, read); !done) return done.error();
+  if (const auto done = readJson(line, "", read); !done) return done.error();
   auto job = parseJob(read.job);
   if (!job) return job.error();
   return JobResult{*std::move(job), {std::move(read.values)}};

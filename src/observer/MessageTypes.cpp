@@ -8,25 +8,20 @@
 #include "framework/Description.h"
 #include "framework/Requests.h"
 #include "observer/RecordedSetup.h"
-#include "representations/All.h"
+#include "representations/RepresentationTypes.h"
 
 namespace gt {
-namespace {
-
-template <typename... T>
-struct TypeList {
-  static std::vector<const RepresentationType*> all() { return {&representation<T>()...}; }
-};
-
-}  // namespace
 
 const std::vector<const RepresentationType*>& messageTypes() {
   static const std::vector<const RepresentationType*> list = [] {
-    auto types = AllRepresentations<TypeList>::all();
-    for (const auto* type :
-         TypeList<HsiColors, TslColors, Text, Drawing, Plot, StopwatchTime, DroppedMessages,
-                  ProcessDescription, RequestAnswer, ModuleTimes, RecordedSetup>::all())
-      types.push_back(type);
+    const auto representations = representationTypes();
+    std::vector<const RepresentationType*> types{representations.begin(), representations.end()};
+    types.insert(types.end(),
+                 {&representation<HsiColors>(), &representation<TslColors>(),
+                  &representation<Text>(), &representation<Drawing>(), &representation<Plot>(),
+                  &representation<StopwatchTime>(), &representation<DroppedMessages>(),
+                  &representation<ProcessDescription>(), &representation<RequestAnswer>(),
+                  &representation<ModuleTimes>(), &representation<RecordedSetup>()});
     return types;
   }();
   return list;

@@ -1,6 +1,7 @@
 #include "streams/Json.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "base/Number.h"
 #include "base/ParseJson.h"
@@ -117,6 +118,20 @@ Json detail::toJson(ConstValue value) {
 Result<void> detail::fromJson(const Json& json, Value value) {
   if (auto error = JsonReader{}.read(json, value, {}, "")) return *error;
   return {};
+}
+
+std::string detail::jsonText(ConstValue value, int indent) {
+  return toJson(value).dump(indent);
+}
+
+Result<void> detail::readJson(std::string_view text, const std::string& sourceName, Value value) {
+  const auto json = parseJson(text, sourceName);
+  if (!json) return json.error();
+  auto done = fromJson(*json, value);
+  if (done) return done;
+  Error error = done.error();
+  error.file = sourceName;
+  return error;
 }
 
 Result<Json> parseJson(std::string_view text, const std::string& sourceName) {

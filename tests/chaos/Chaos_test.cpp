@@ -18,6 +18,7 @@
 
 #include "chaos/Cable.h"
 #include "chaos/ChaosReport.h"
+#include "framework/RepresentationDefinition.h"
 #include "framework/Requests.h"
 #include "network/ToolPort.h"
 #include "streams/Mcap.h"

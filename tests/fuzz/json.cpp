@@ -1,5 +1,7 @@
 #include "streams/Json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "Fuzz.h"
 #include "representations/perception/LandmarksPercept.h"
 

@@ -13,6 +13,7 @@
 
 #include "Fuzz.h"
 #include "framework/Representation.h"
+#include "framework/RepresentationDefinition.h"
 #include "network/Network.h"
 #include "streams/TemporaryFolder.h"
 

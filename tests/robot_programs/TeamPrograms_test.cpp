@@ -40,7 +40,7 @@ class TeamProgramsTest : public ::testing::Test {
     while (!isOver(*match)) match->step();
     const auto done = match->teamFailure();
     EXPECT_TRUE(done) << done.error().text();
-    return toJson(match->summary()).dump() + std::to_string(match->simulation().fingerprint());
+    return jsonText(match->summary()) + std::to_string(match->simulation().fingerprint());
   }
   /// The programs that this one has started.
   static std::vector<pid_t> children() {

@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -75,6 +77,13 @@ class RunningProgram {
     while (printed_.find(text) == printed_.npos)
       if (!read()) FAIL() << "ended without '" << text << "':\n" << printed_;
   }
+  /// Waits until it has written something to a file.
+  void awaitFile(const fs::path& file) const {
+    std::error_code missing;
+    for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds{10}))
+      if (const auto size = fs::file_size(file, missing); !missing && size > 0) return;
+    FAIL() << file << " is not written";
+  }
   void type(const std::string& line) const {
     ASSERT_EQ(write(input_, line.data(), line.size()), static_cast<ssize_t>(line.size()));
   }
@@ -140,8 +149,7 @@ class SignalsTest : public testing::Test {
   }
   MatchSummary summary() const {
     MatchSummary match;
-    const auto json = parseJson(contentOf(path("out/match.json")), "match.json");
-    EXPECT_TRUE(json && fromJson(*json, match));
+    EXPECT_TRUE(readJson(contentOf(path("out/match.json")), "match.json", match));
     return match;
   }
   void expectInterruptedMatch() const {
@@ -190,6 +198,18 @@ TEST_P(Signal, EndsAConsoleThatWaitsForALine) {
   waiting.awaitText("ready\n");
   waiting.send(GetParam());
   EXPECT_EQ(waiting.end(), 128 + GetParam()) << waiting.printed();
+}
+
+TEST_P(Signal, EndsTheWorkbenchWithItsRecordingAndItsFilm) {
+  if (!fs::exists(programFolder() + "/robotcontrol")) GTEST_SKIP() << "there is no robotcontrol";
+  setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  RunningProgram workbench{
+      folder.path(),
+      {"robotcontrol", scene, "--settings", path("settings"), "--script", path("record.con")}};
+  workbench.awaitFile(path("out/film.mp4"));
+  workbench.send(GetParam());
+  EXPECT_EQ(workbench.end(), 128 + GetParam()) << workbench.printed();
+  expectWholeRecording();
 }
 
 TEST_P(Signal, EndsExperimentsWithTheFiguresOfTheJobsThatAreDone) {

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "framework/Process.h"
+#include "framework/RepresentationDefinition.h"
 #include "network/Wire.h"
 #include "streams/TemporaryFolder.h"
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "match/report/PageFiles.h"
 #include "match/report/SampleMatch.h"

@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-#include "representations/All.h"
+#include "representations/RepresentationTypes.h"
 #include "streams/Json.h"
 #include "workbench/Dialog.h"
 #include "workbench/PushButton.h"
@@ -16,19 +16,14 @@ namespace {
 
 using Types = std::map<QString, const RepresentationType*>;
 
-template <typename... T>
-struct StreamedTypes {
-  static Types byName() {
-    Types found;
-    for (const RepresentationType* type : {&representation<T>()...})
-      if (type->type()) found[QString::fromStdString(std::string{type->name})] = type;
-    return found;
-  }
-};
-
 /// What may be sent, by name.
 const Types& messageTypes() {
-  static const Types types = AllRepresentations<StreamedTypes>::byName();
+  static const Types types = [] {
+    Types found;
+    for (const RepresentationType* type : representationTypes())
+      if (type->type()) found[QString::fromStdString(std::string{type->name})] = type;
+    return found;
+  }();
   return types;
 }
 
@@ -88,8 +83,7 @@ class MessageGenerator : public Dialog {
     const QString text =
         known != texts_.end()
             ? known->second
-            : QString::fromStdString(
-                  detail::toJson(ConstValue{*chosen().type(), made.get()}).dump(2));
+            : QString::fromStdString(detail::jsonText(ConstValue{*chosen().type(), made.get()}, 2));
     const QSignalBlocker quiet{text_};
     text_->setPlainText(text);
   }
@@ -101,7 +95,7 @@ class MessageGenerator : public Dialog {
           if (!robot) return robot.error();
           const auto value = (*robot)->observed().value(name);
           if (!value) return value.error();
-          return detail::toJson(*value).dump(2);
+          return detail::jsonText(*value, 2);
         },
         [this](const Result<std::string>& text) {
           fault_->setText(text ? "" : QString::fromStdString(text.error().text()));
@@ -109,13 +103,9 @@ class MessageGenerator : public Dialog {
         });
   }
   void send() {
-    const auto json = parseJson(text_->toPlainText().toStdString(), "message");
     std::shared_ptr<void> message = chosen().make();
-    Result<void> done;
-    if (!json)
-      done = json.error();
-    else
-      done = detail::fromJson(*json, Value{chosen().type(), message.get()});
+    const auto done = detail::readJson(text_->toPlainText().toStdString(), "message",
+                                       Value{chosen().type(), message.get()});
     fault_->setText(done ? "" : QString::fromStdString(done.error().text()));
     if (!done) return;
     session().change([message, type = &chosen()](Console& console) {
