@@ -28,8 +28,8 @@ TESTS    = xvfb xauth desktop-file-utils shared-mime-info $(PACKING)
 PACKING  = dpkg-dev file
 PYTHONS  = python3-dev python3-venv
 ALL_PACKAGES = $(TOOLS) $(QT) $(BENCH) $(REALISM) $(CHECKS) $(TESTS) $(PYTHONS) nodejs npm debootstrap
-# A test that hangs fails.
-CTEST    = ctest --output-on-failure --parallel $(JOBS) --timeout 900
+# One more than there are processors, since many tests wait for programs. A test that hangs fails.
+CTEST    = ctest --output-on-failure --parallel $(shell expr $(JOBS) + 1) --timeout 900
 
 .PHONY: help install play film control pictures random-input play-remote robots chaos growth test python replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 

@@ -78,7 +78,11 @@ gt::Result<int> run(int argc, char** argv, Options options) {
   QSocketNotifier ended{signals.event(), QSocketNotifier::Read};
   QObject::connect(&ended, &QSocketNotifier::activated,
                    [&] { QApplication::exit(signals.status()); });
-  return QApplication::exec();
+  const int status = QApplication::exec();
+  if (signals.received() != 0)
+    for (const auto& kept : (*session)->end())
+      std::fprintf(stderr, "%s\n", (kept ? *kept : kept.error().text()).c_str());
+  return status;
 }
 
 }  // namespace

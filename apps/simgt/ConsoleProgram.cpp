@@ -136,17 +136,12 @@ class ConsoleProgram {
 
   /// Ends the film, and after a signal saves recordings that nobody can save any more.
   void close() {
-    console_.recorder().clear(console_);
-    if (statusOfSignal() == 0) return;
-    for (const auto& robot : console_.session().robots()) {
-      if (robot->recorder.unsaved() == 0) continue;
-      const std::string file = freeLogFile("out/logs/" + robot->name() + ".interrupted");
-      if (const auto done = robot->recorder.save(file); !done)
-        screen_.printError(done.error().text());
+    if (statusOfSignal() == 0) return console_.recorder().clear(console_);
+    for (const auto& kept : console_.keepRecordings())
+      if (kept)
+        screen_.print(*kept);
       else
-        screen_.print(robot->name() + ": " + std::to_string(robot->recorder.messages()) +
-                      " messages in " + file);
-    }
+        screen_.printError(kept.error().text());
   }
 
  private:

@@ -9,6 +9,7 @@
 #include "modules/behavior/control/Behavior.h"
 #include "modules/behavior/control/BehaviorRequest.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
+#include "observer/RobotLog.h"
 #include "robot/Configuration.h"
 #include "streams/File.h"
 
@@ -290,6 +291,21 @@ Result<const xabsl::Model*> Console::behavior() {
     behavior_ = std::move(*loaded->compiled);
   }
   return &behavior_->model();
+}
+
+std::vector<Result<std::string>> Console::keepRecordings() {
+  recorder_->clear(*this);
+  std::vector<Result<std::string>> kept;
+  for (const auto& robot : session_.robots()) {
+    if (robot->recorder.unsaved() == 0) continue;
+    const std::string file = freeLogFile("out/logs/" + robot->name() + ".interrupted");
+    if (const auto done = robot->recorder.save(file); !done)
+      kept.emplace_back(done.error());
+    else
+      kept.emplace_back(robot->name() + ": " + std::to_string(robot->recorder.messages()) +
+                        " messages in " + file);
+  }
+  return kept;
 }
 
 }  // namespace gt

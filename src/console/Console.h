@@ -75,6 +75,9 @@ class Console {
   /// Ends the scripts that run and the program.
   void end() { ended_ = true; }
   bool ended() const { return ended_; }
+  /// For a program that a signal ends: ends the film, and saves recordings that nobody can save any
+  /// more to `out/logs/ROBOT.interrupted.mcap`. Returns a line, or an error, for each of them.
+  std::vector<Result<std::string>> keepRecordings();
   /// The session was restarted: forgets what was selected, plotted and loaded, and ends the film.
   void forget();
 

@@ -95,10 +95,19 @@ Result<std::unique_ptr<SessionThread>> SessionThread::make(const MatchOptions& o
 }
 
 SessionThread::~SessionThread() {
+  join();
+}
+
+void SessionThread::join() {
   ending_ = true;
   if (session_) interrupt();
   wake_.notify_all();
   if (thread_.joinable()) thread_.join();
+}
+
+std::vector<Result<std::string>> SessionThread::end() {
+  join();
+  return console_->keepRecordings();
 }
 
 void SessionThread::run() {

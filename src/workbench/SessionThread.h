@@ -72,6 +72,8 @@ class SessionThread {
   static Result<std::unique_ptr<SessionThread>> make(const MatchOptions& options,
                                                      const FoxgloveAccess& foxglove = {});
   ~SessionThread();  ///< Interrupts what is executed.
+  /// For a program that a signal ends: ends the thread, too, and calls Console::keepRecordings().
+  std::vector<Result<std::string>> end();
   SessionThread(const SessionThread&) = delete;
   SessionThread& operator=(const SessionThread&) = delete;
 
@@ -180,6 +182,7 @@ class SessionThread {
   void stepped();
   void select();
   void updateStatus();
+  void join();
   void print(std::string_view line);
   static void inWindow(std::function<void()> work);
   static Done reportTo(QObject* receiver, Done done);
