@@ -4,11 +4,15 @@
 #include <array>
 
 #include "simulation/camera/CameraView.h"
+#include "simulation/camera/Lanes.h"
 
 namespace gt {
 
 /// A point of the image.
 struct ScreenPoint {
+  /// As many more points an array has room for, so that four are computed at once.
+  static constexpr int spare = 4;
+
   float x = 0, y = 0;
 };
 
@@ -18,10 +22,11 @@ struct ScreenPlane {
   float first0 = 0, first1 = 0, first2 = 0, column0 = 0, column1 = 0, distance0 = 1, distance1 = 0;
   bool clockwise = true;  ///< How the polygon's points go round in the image.
 
-  float firstColumnAt(float y) const { return first0 + y * (first1 + y * first2); }
-  float perColumnAt(float y) const { return column0 + y * column1; }
+  /// Of several rows at once.
+  Floats firstColumnAt(Floats y) const { return first0 + y * (first1 + y * first2); }
+  Floats perColumnAt(Floats y) const { return column0 + y * column1; }
   /// By which both have to be divided.
-  float distanceAt(float y) const { return distance0 + y * distance1; }
+  Floats distanceAt(Floats y) const { return distance0 + y * distance1; }
 };
 
 /// Maps points in space to the image, for a camera that moves while its rows are exposed one
@@ -47,9 +52,10 @@ class Projection {
   /// How much can be seen of a sphere, its center in the camera's system.
   Visibility visibility(const Eigen::Vector3f& center, float radius) const;
 
-  /// Where a point in the camera's system, ahead of it, appears: the moment is sought at which the
-  /// row is exposed in which the point lies at that moment.
-  ScreenPoint project(const Eigen::Vector3f& point) const;
+  /// Where points in the camera's system, ahead of it, appear: for each, the moment is sought at
+  /// which the row is exposed in which the point lies at that moment. `seen` has room for
+  /// `ScreenPoint::spare` more.
+  void project(const Eigen::Vector3f* points, int count, ScreenPoint* seen) const;
 
   /// The plane through the points of a convex polygon in the camera's system; false if the camera
   /// lies in it, so that nothing of it is seen.
@@ -78,27 +84,6 @@ class Projection {
   std::array<Eigen::Vector3f, planeCount> normals_;
   std::array<float, planeCount> offsets_{};
 };
-
-inline ScreenPoint Projection::project(const Eigen::Vector3f& point) const {
-  // A point moves by -s * motion in the camera's system, s = -0.5 at row 0 and 0.5 at the last row.
-  // It is exposed when s * (rows - 1) = row(s) - middle; times x this is a square equation in s,
-  // nearly a linear one: one step of refinement is exact to a thousandth of a pixel.
-  Eigen::Vector3f p = point;
-  if (moves_) {
-    const Eigen::Vector3f change = -(turning_.cross(point) + moving_);
-    const float linear = p.x() + rowShare_ * (rowOffset_ * change.x() + focalY_ * change.z());
-    const float constant = rowShare_ * (rowOffset_ * p.x() + focalY_ * p.z());
-    float s = -constant / linear;
-    s = -constant / (linear + change.x() * s);
-    p += std::min(0.75f, std::max(-0.75f, s)) * change;
-  }
-  if (distorts_) return projectByLens(point, p);
-  constexpr float limit = 1e5f;
-  const float inverseDepth = 1 / std::max(p.x(), nearest / 4);
-  const auto bounded = [=](float v) { return std::min(limit, std::max(-limit, v)); };
-  return {bounded(centerX_ - focalX_ * p.y() * inverseDepth),
-          bounded(centerY_ - focalY_ * p.z() * inverseDepth)};
-}
 
 inline Projection::Visibility Projection::visibility(const Eigen::Vector3f& center,
                                                      float radius) const {

@@ -1,42 +1,30 @@
 #include "simulation/camera/Rasterizer.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <limits>
+
+#include "simulation/camera/Lanes.h"
+#include "simulation/camera/WideInstructions.h"
 
 namespace gt {
 namespace {
 
-constexpr int lanes = 4;
-using Floats = float __attribute__((vector_size(16)));
-using Ints = std::int32_t __attribute__((vector_size(16)));
-
-template <typename V, typename T>
-V load(const T* from) {
-  V v;
-  std::memcpy(&v, from, sizeof v);
-  return v;
-}
-template <typename V, typename T>
-void store(T* to, V v) {
-  std::memcpy(to, &v, sizeof v);
-}
-/// In each lane a where the mask is set, otherwise b.
-template <typename V>
-V choose(Ints mask, V a, V b) {
-  return std::bit_cast<V>((mask & std::bit_cast<Ints>(a)) | (~mask & std::bit_cast<Ints>(b)));
-}
-
-int ceiling(float v) {
-  const int i = static_cast<int>(v);
-  return i + (v > static_cast<float>(i));
-}
 /// The first pixel (row) whose center does not lie before a place.
-int pixelFrom(float v) {
-  return ceiling(v - 0.5f);
+[[gnu::always_inline]] inline Ints pixelFrom(Floats places) {
+  const Floats v = places - 0.5f;
+  const auto i = __builtin_convertvector(v, Ints);
+  return i - (v > __builtin_convertvector(i, Floats));  // minus what is -1 where it holds
 }
+
+/// The coordinates of four points.
+struct Points {
+  Floats x, y;
+
+  [[gnu::always_inline]] explicit Points(const ScreenPoint* points) {
+    const auto two = load<Floats>(points), more = load<Floats>(points + 2);
+    x = Floats{two[0], two[2], more[0], more[2]};
+    y = Floats{two[1], two[3], more[1], more[3]};
+  }
+};
 
 }  // namespace
 
@@ -49,102 +37,105 @@ void Rasterizer::begin(int width, int height, PackedColor background, bool withG
   colors_.assign(size, background);
   inverseDepth_.assign(size, 0.0f);
   if (withGeoms) geoms_.assign(size, -1);
-  for (auto* values : {&left_, &right_, &rowInverseDepth_, &perPixel_})
-    values->resize(static_cast<std::size_t>(height));
-  for (auto* pixels : {&from_, &to_}) pixels->resize(static_cast<std::size_t>(height));
+  for (auto* side : {&left_, &right_}) side->resize(static_cast<std::size_t>(height + lanes));
 }
 
-void Rasterizer::fill(const ScreenPoint* points, int count, const ScreenPlane& plane,
-                      PackedColor color) {
-  float top = points[0].y, bottom = top, leftmost = points[0].x, rightmost = leftmost;
-  for (int i = 1; i < count; ++i) {
-    top = std::min(top, points[i].y);
-    bottom = std::max(bottom, points[i].y);
-    leftmost = std::min(leftmost, points[i].x);
-    rightmost = std::max(rightmost, points[i].x);
+void Rasterizer::fill(ScreenPoint* points, int count, const ScreenPlane& plane, PackedColor color) {
+  // The first point again: it ends the last edge and fills the lanes behind it.
+  for (int i = 0; i < ScreenPoint::spare; ++i) points[count + i] = points[0];
+  auto low = load<Floats>(points), high = low;  // x, y, x, y
+  for (int i = 2; i < count; i += 2) {
+    const auto two = load<Floats>(points + i);
+    low = least(low, two);
+    high = most(high, two);
   }
-  const int first = std::max(0, pixelFrom(top)), end = std::min(height_, pixelFrom(bottom));
-  if (first >= end || pixelFrom(leftmost) >= std::min(width_, pixelFrom(rightmost)) ||
-      rightmost < 0)
-    return;
-  for (int i = 0, j = count - 1; i < count; j = i++)
-    addEdge(points[j], points[i], plane.clockwise, first, end);
-  measureRows(first, end, plane);
-  if (hasDepth_)
-    withGeoms_ ? fillRows<true, true>(first, end, color) : fillRows<true, false>(first, end, color);
-  else
-    withGeoms_ ? fillRows<false, true>(first, end, color)
-               : fillRows<false, false>(first, end, color);
+  const float rightmost = std::max(high[0], high[2]);
+  const Ints ends = pixelFrom(Floats{std::min(low[0], low[2]), std::min(low[1], low[3]), rightmost,
+                                     std::max(high[1], high[3])});
+  const int first = std::max(0, ends[1]), end = std::min(height_, ends[3]);
+  if (first >= end || ends[0] >= std::min(width_, ends[2]) || rightmost < 0) return;
+  withWideInstructions([&]() __attribute__((always_inline)) {
+    addEdges(points, count, plane.clockwise);
+    if (hasDepth_)
+      withGeoms_ ? fillRows<true, true>(first, end, plane, color)
+                 : fillRows<true, false>(first, end, plane, color);
+    else
+      withGeoms_ ? fillRows<false, true>(first, end, plane, color)
+                 : fillRows<false, false>(first, end, plane, color);
+  });
 }
 
-void Rasterizer::addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first,
-                         int end) {
-  const bool down = a.y < b.y;
-  // Always from above, so that neighbors agree on the points of their common edge.
-  const ScreenPoint& upper = down ? a : b;
-  const ScreenPoint& lower = down ? b : a;
-  const int from = std::max(first, pixelFrom(upper.y)), to = std::min(end, pixelFrom(lower.y));
-  if (from >= to) return;
-  const float slope = (lower.x - upper.x) / (lower.y - upper.y);
-  float* const side = down == clockwise ? right_.data() : left_.data();
-  float row = static_cast<float>(from) + 0.5f - upper.y;
-  for (int y = from; y < to; ++y, ++row) side[y] = upper.x + row * slope;
-}
-
-// For all rows at once, so that the processor works on several of them at a time.
-void Rasterizer::measureRows(int first, int end, const ScreenPlane& plane) {
-  const float limit = static_cast<float>(width_);
-  const auto bounded = [limit](float v) { return std::max(0.0f, std::min(v, limit)); };
-  const auto n = static_cast<std::size_t>(end - first), skipped = static_cast<std::size_t>(first);
-  const float *left = left_.data() + skipped, *right = right_.data() + skipped;
-  int* __restrict from = from_.data();
-  int* __restrict to = to_.data();
-  float* __restrict inverseDepth = rowInverseDepth_.data();
-  float* __restrict perPixel = perPixel_.data();
-  for (std::size_t i = 0; i < n; ++i) {
-    from[i] = pixelFrom(bounded(left[i]));
-    to[i] = pixelFrom(bounded(right[i]));
-    const float center = static_cast<float>(first + static_cast<int>(i)) + 0.5f;
-    const float scale = 1 / plane.distanceAt(center);
-    const int start = from[i] & ~(lanes - 1);
-    perPixel[i] = plane.perColumnAt(center) * scale;
-    inverseDepth[i] =
-        plane.firstColumnAt(center) * scale + perPixel[i] * (static_cast<float>(start) + 0.5f);
+[[gnu::always_inline]] inline void Rasterizer::addEdges(const ScreenPoint* points, int count,
+                                                        bool clockwise) {
+  float *const left = left_.data(), *const right = right_.data();
+  for (int i = 0; i < count; i += lanes) {
+    const Points a{points + i}, b{points + i + 1};
+    // Always from above, so that neighbors agree on the points of their common edge.
+    const Ints down = a.y < b.y;
+    const Floats x = down ? a.x : b.x, y = down ? a.y : b.y;
+    const Floats lowerX = down ? b.x : a.x, lowerY = down ? b.y : a.y;
+    const Floats slopes = (lowerX - x) / (lowerY - y);
+    const Ints upperRows = pixelFrom(y), from = upperRows > 0 ? upperRows : Ints{};
+    const Ints to = pixelFrom(lowerY);
+    const Floats rows = __builtin_convertvector(from, Floats) + 0.5f - y;
+    for (int k = 0; k < std::min(lanes, count - i); ++k) {
+      float* const side = (down[k] != 0) == clockwise ? right : left;
+      const float upper = x[k], slope = slopes[k];
+      float row = rows[k];
+      for (int at = from[k]; at < std::min(height_, to[k]); ++at, ++row)
+        side[at] = upper + row * slope;
+    }
   }
 }
 
 template <bool hasDepth, bool withGeoms>
-void Rasterizer::fillRows(int first, int end, PackedColor color) {
+[[gnu::always_inline]] inline void Rasterizer::fillRows(int first, int end,
+                                                        const ScreenPlane& plane,
+                                                        PackedColor color) {
   const auto value = static_cast<std::int32_t>(color);
   const Ints lane = {0, 1, 2, 3}, colors = {value, value, value, value};
   const Ints everywhere = {-1, -1, -1, -1};
   const Ints geoms = {geom_, geom_, geom_, geom_};
-  for (int y = first; y < end; ++y) {
-    const auto row = static_cast<std::size_t>(y - first);
-    const int from = from_[row], to = to_[row];
-    if (from >= to) continue;
-    const float z = rowInverseDepth_[row], perX = perPixel_[row];
-    Floats inverseDepth = {z, z + perX, z + 2 * perX, z + 3 * perX};
-    const float step = lanes * perX;
-    PackedColor* const colorRow = colors_.data() + offset(y);
-    float* const inverseDepthRow = inverseDepth_.data() + offset(y);
-    std::int32_t* const geomRow = withGeoms ? geoms_.data() + offset(y) : nullptr;
-    const auto fillLanes = [&](int x, Ints mask) {
-      if constexpr (hasDepth) {
-        const auto old = load<Floats>(inverseDepthRow + x);
-        mask &= inverseDepth > old;
-        store(inverseDepthRow + x, choose(mask, inverseDepth, old));
-      }
-      store(colorRow + x, choose(mask, colors, load<Ints>(colorRow + x)));
-      if constexpr (withGeoms) store(geomRow + x, choose(mask, geoms, load<Ints>(geomRow + x)));
-      inverseDepth += step;
-    };
-    // Only the first and the last group of pixels may reach beyond the ends.
-    int x = from & ~(lanes - 1);
-    const Ints column = lane + x;
-    fillLanes(x, (column >= from) & (column < to));
-    for (x += lanes; x + lanes <= to; x += lanes) fillLanes(x, everywhere);
-    if (x < to) fillLanes(x, lane + x < to);
+  const auto columnFrom = [limit = all(static_cast<float>(width_))](const float* side) {
+    return pixelFrom(most(Floats{}, least(load<Floats>(side), limit)));
+  };
+  const float *const left = left_.data(), *const right = right_.data();
+  PackedColor* colorRow = colors_.data() + offset(first);
+  float* inverseDepthRow = inverseDepth_.data() + offset(first);
+  std::int32_t* geomRow = withGeoms ? geoms_.data() + offset(first) : nullptr;
+  const int stride = stride_;
+  for (int y = first; y < end; y += lanes) {
+    // Of each row: its first pixel and the one behind its last, the inverse depth at its first
+    // group of pixels and how it changes.
+    const Ints from = columnFrom(left + y), to = columnFrom(right + y);
+    const Floats center = __builtin_convertvector(lane + y, Floats) + 0.5f;
+    const Floats scale = 1 / plane.distanceAt(center), perPixel = plane.perColumnAt(center) * scale;
+    const Floats start = __builtin_convertvector(from & ~(lanes - 1), Floats) + 0.5f;
+    const Floats depths = plane.firstColumnAt(center) * scale + perPixel * start;
+    for (int k = 0; k < std::min(lanes, end - y);
+         ++k, colorRow += stride, inverseDepthRow += stride, geomRow += withGeoms ? stride : 0) {
+      const int begin = from[k], behind = to[k];
+      if (begin >= behind) continue;
+      const float z = depths[k], perX = perPixel[k];
+      Floats inverseDepth = {z, z + perX, z + 2 * perX, z + 3 * perX};
+      const float step = lanes * perX;
+      const auto fillLanes = [&](int x, Ints mask) {
+        if constexpr (hasDepth) {
+          const auto old = load<Floats>(inverseDepthRow + x);
+          mask &= inverseDepth > old;
+          store(inverseDepthRow + x, mask ? inverseDepth : old);
+        }
+        store(colorRow + x, mask ? colors : load<Ints>(colorRow + x));
+        if constexpr (withGeoms) store(geomRow + x, mask ? geoms : load<Ints>(geomRow + x));
+        inverseDepth += step;
+      };
+      // Only the first and the last group of pixels may reach beyond the ends.
+      int x = begin & ~(lanes - 1);
+      const Ints column = lane + x;
+      fillLanes(x, (column >= begin) & (column < behind));
+      for (x += lanes; x + lanes <= behind; x += lanes) fillLanes(x, everywhere);
+      if (x < behind) fillLanes(x, lane + x < behind);
+    }
   }
 }
 

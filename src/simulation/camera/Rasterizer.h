@@ -20,7 +20,8 @@ class Rasterizer {
     geom_ = geom;
     hasDepth_ = hasDepth;
   }
-  void fill(const ScreenPoint* points, int count, const ScreenPlane& plane, PackedColor color);
+  /// Fills a polygon; `points` has room for `ScreenPoint::spare` more.
+  void fill(ScreenPoint* points, int count, const ScreenPlane& plane, PackedColor color);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -30,12 +31,9 @@ class Rasterizer {
   const std::int32_t* geomRow(int y) const { return &geoms_[offset(y)]; }
 
  private:
-  void addEdge(const ScreenPoint& a, const ScreenPoint& b, bool clockwise, int first, int end);
-  /// Of each row of a polygon: its first pixel and the one behind its last, the
-  /// inverse depth at its first group of pixels and how it changes.
-  void measureRows(int first, int end, const ScreenPlane& plane);
+  void addEdges(const ScreenPoint* points, int count, bool clockwise);
   template <bool hasDepth, bool withGeoms>
-  void fillRows(int first, int end, PackedColor color);
+  void fillRows(int first, int end, const ScreenPlane& plane, PackedColor color);
   std::size_t offset(int y) const { return static_cast<std::size_t>(y * stride_); }
 
   int width_ = 0, height_ = 0, stride_ = 0;
@@ -45,8 +43,6 @@ class Rasterizer {
   std::vector<float> inverseDepth_;
   std::vector<std::int32_t> geoms_;
   std::vector<float> left_, right_;  ///< The outline, by row of the image.
-  std::vector<int> from_, to_;       ///< By row of the polygon, as what follows.
-  std::vector<float> rowInverseDepth_, perPixel_;
 };
 
 }  // namespace gt

@@ -214,10 +214,8 @@ void ShapeDrawer::polygon(int count, PackedColor color) {
   if (!projection_.planeOf(points_, count, plane)) return;
   if (clipped_) count = projection_.clip(points_, count);
   if (count == 0) return;
-  if (bent_)
-    count = bend(count);
-  else
-    for (int i = 0; i < count; ++i) screen_[i] = projection_.project(points_[i]);
+  projection_.project(points_, count, screen_);
+  if (bent_) count = bend(count);
   rasterizer_.fill(screen_, count, plane, color);
 }
 
@@ -225,23 +223,22 @@ int ShapeDrawer::bend(int count) {
   // While the camera turns, straight edges are seen curved: long ones get points between.
   constexpr float longest = 24;
   int made = 0;
-  ScreenPoint from = projection_.project(points_[0]);
   for (int i = 0; i < count; ++i) {
-    const Vector& a = points_[i];
-    const Vector& b = points_[i + 1 == count ? 0 : i + 1];
-    const ScreenPoint to = projection_.project(b);
+    const int next = i + 1 == count ? 0 : i + 1;
+    const Vector &a = points_[i], &b = points_[next];
+    const ScreenPoint &from = screen_[i], &to = screen_[next];
     const float length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
     const int parts = std::clamp(static_cast<int>(length / longest), 1, 16);
     if (made + parts + count - i > maxScreenPoints) break;
-    screen_[made++] = from;
+    bentPoints_[made++] = a;
     for (int k = 1; k < parts; ++k) {
       // Halfway in the image is not halfway in space.
       const float u = static_cast<float>(k) / static_cast<float>(parts);
       const float t = u * a.x() / (u * a.x() + (1 - u) * b.x());
-      screen_[made++] = projection_.project(a + t * (b - a));
+      bentPoints_[made++] = a + t * (b - a);
     }
-    from = to;
   }
+  if (made > count) projection_.project(bentPoints_, made, screen_);
   return made;
 }
 

@@ -52,7 +52,8 @@ class ShapeDrawer {
   Eigen::Matrix3f axes_;     ///< From the shape's system to the camera's.
   Vector eye_, light_, up_;  ///< In the shape's system.
   Vector points_[maxPoints];
-  ScreenPoint screen_[maxScreenPoints];
+  Vector bentPoints_[maxScreenPoints];
+  ScreenPoint screen_[maxScreenPoints + ScreenPoint::spare];
 };
 
 }  // namespace gt
