@@ -37,26 +37,26 @@ def number(value: float) -> str:
     return f"{value:.4g}"
 
 
-def interval(low: float, high: float) -> str:
-    """Return the interval of a change."""
-    return f"{low:+.3g} … {high:+.3g}"
+def interval(low: float | None, high: float | None) -> str:
+    """Return the interval of a change; it is unknown of a single seed."""
+    return "unknown" if low is None or high is None else f"{low:+.3g} … {high:+.3g}"
 
 
-def verdict(low: float, high: float, aim: str) -> str:
-    """Return the class of a change with this interval: good, bad or, if it holds 0, none."""
-    if low <= 0 <= high or aim not in ("high", "low"):
+def verdict(low: float | None, high: float | None, aim: str) -> str:
+    """Return the class of a change with this interval: good, bad or, if it is unknown or holds 0, none."""
+    if low is None or high is None or low <= 0 <= high or aim not in ("high", "low"):
         return ""
     return "good" if (low > 0) == (aim == "high") else "bad"
 
 
 @dataclass(frozen=True)
 class Dot:
-    """A value with its interval."""
+    """A value with its interval, if that is known."""
 
     label: str
     value: float
-    low: float
-    high: float
+    low: float | None
+    high: float | None
     color: str = BLUE
 
 
@@ -70,7 +70,7 @@ def _ticks(low: float, high: float) -> list[float]:
 def dots(rows: Sequence[Dot], zero: float | None = 0.0, caption: str = "") -> str:
     """Draw values with their intervals below each other; `zero` is where there is a line."""
     left, width, line = 30 + 7 * max(len(r.label) for r in rows), 560, 24
-    values = [v for r in rows for v in (r.low, r.high, r.value)] + ([] if zero is None else [zero])
+    values = [v for r in rows for v in (r.low, r.high, r.value) if v is not None] + ([] if zero is None else [zero])
     low, high = min(values), max(values)
     span = (high - low) or 1.0
 
@@ -88,9 +88,10 @@ def dots(rows: Sequence[Dot], zero: float | None = 0.0, caption: str = "") -> st
         parts.append(f'<line x1="{x(zero):.1f}" x2="{x(zero):.1f}" y1="0" y2="{height}" stroke="#888"/>')
     for i, r in enumerate(rows):
         y = line * i + line / 2
+        low_, high_ = r.value if r.low is None else r.low, r.value if r.high is None else r.high
         parts.append(
             f'<text x="{left - 8}" y="{y + 4:.0f}" text-anchor="end">{escape(r.label)}</text>'
-            f'<line x1="{x(r.low):.1f}" x2="{x(r.high):.1f}" y1="{y:.0f}" y2="{y:.0f}" stroke="{r.color}" stroke-width="3" '
+            f'<line x1="{x(low_):.1f}" x2="{x(high_):.1f}" y1="{y:.0f}" y2="{y:.0f}" stroke="{r.color}" stroke-width="3" '
             f'stroke-linecap="round" opacity="0.45"/><circle cx="{x(r.value):.1f}" cy="{y:.0f}" r="5" fill="{r.color}"/>'
             f'<text x="{left + width + 8}" y="{y + 4:.0f}">{r.value:.4g}</text>'
         )

@@ -6,9 +6,8 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from . import _json
+from ._intervals import ENOUGH, mean_interval, too_few
 from ._page import BLUE, GREEN, number, page, table
 
 
@@ -34,13 +33,9 @@ def _strip(figure: dict[str, Any]) -> str:
 
 
 def _interval(runs: list[float]) -> str:
-    """Return the 95 % interval of the mean over seeds, by the bootstrap."""
-    if len(runs) < 2:
-        return ""
-    values = np.asarray(runs)
-    drawn = np.random.default_rng(1).integers(len(values), size=(2000, len(values)))
-    low, high = np.quantile(values[drawn].mean(axis=1), [0.025, 0.975])
-    return f"{low:.4g} … {high:.4g}"
+    """Return the 95 % interval of the mean over seeds."""
+    found = mean_interval(runs)
+    return f"{found[0]:.4g} … {found[1]:.4g}" if found else ""
 
 
 def _row(figure: dict[str, Any]) -> list[str]:
@@ -56,10 +51,13 @@ def _row(figure: dict[str, Any]) -> list[str]:
 def write_page(figures: Path, path: Path, note: str = "") -> None:
     """Write the page of a file of figures, which opens offline, with a note at its top."""
     groups: dict[str, list[dict[str, Any]]] = {}
+    fewest = ENOUGH
     for figure in _json.parse(figures.read_text(), str(figures)):
         groups.setdefault(figure["name"].partition(".")[0], []).append(figure)
+        fewest = min(fewest, figure["n"])
     parts = [
-        "<p>Means over the seeds with their 95 % intervals (bootstrap). Dots: each seed; black: the mean; green, dashed: the aim.</p>"
+        "<p>Means over the seeds with their 95 % intervals (Student's t). Dots: each seed; black: the mean; green, dashed: the aim. "
+        f"{too_few(fewest)}</p>"
     ]
     head = ["figure", "mean", "unit", "interval", "seeds", "each seed", "lowest, highest", "aim"]
     for group, members in groups.items():

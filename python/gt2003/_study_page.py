@@ -7,6 +7,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from ._intervals import too_few
 from ._page import BLUE, GRAY, GREEN, RED, Dot, dots, interval, number, page, table, verdict
 
 COLORS = {"good": GREEN, "bad": RED, "": GRAY}
@@ -81,10 +82,14 @@ def _range(parameter: Any, old: float, new: float) -> str:
     )
 
 
+def _share(change: float | None, of: float) -> float | None:
+    return None if change is None else 100 * change / abs(of)
+
+
 def _changes(comparisons: Sequence[Any], aims: dict[str, str], test: str) -> list[str]:
     """Draw the changes of the figures to improve, in percent of the old values."""
     rows = [
-        Dot(c.name, 100 * (c.new - c.old) / abs(c.old), 100 * c.low / abs(c.old), 100 * c.high / abs(c.old),
+        Dot(c.name, 100 * (c.new - c.old) / abs(c.old), _share(c.low, c.old), _share(c.high, c.old),
             COLORS[verdict(c.low, c.high, aims[c.name])])
         for c in comparisons
         if c.test == test and c.name in aims and c.old != 0
@@ -93,9 +98,9 @@ def _changes(comparisons: Sequence[Any], aims: dict[str, str], test: str) -> lis
 
 
 def write_page(
-    study: Any, path: Path, jobs: int, history: Sequence[Any], comparisons: Sequence[Any], importance: Sequence[Any]
+    study: Any, path: Path, jobs: int, history: Sequence[Any], comparisons: Sequence[Any], importance: Sequence[Any], seeds: int
 ) -> None:
-    """Write the page, which opens offline."""
+    """Write the page, which opens offline. `seeds` is how many the changes are measured on."""
     aims = {f.name: f.aim for f in study.figure}
     ranges = {p.path: p for p in study.parameter}
     goals = ", ".join(f"<code>{escape(f.name)}</code> ({f.aim})" for f in study.figure)
@@ -103,7 +108,8 @@ def write_page(
         f"<p>{len(study.parameter)} parameters, {len(history)} generations of {study.population} candidates, {jobs} jobs "
         f"<code>{escape(study.job)}</code>. Figures to improve: {goals}.</p>",
         "<h2>Old and new parameters on unseen seeds</h2>"
-        f"<p>Seeds {study.test_seeds}; means, and the change with its 95 % interval (paired bootstrap).</p>",
+        f"<p>Seeds {study.test_seeds}; means, and the change with its 95 % interval (Student's t, of the differences on each seed). "
+        f"{too_few(seeds)}</p>",
     ]
     for test in study.test:
         settings = f" <small><code>{escape(' '.join(test.settings))}</code></small>" if test.settings else ""
@@ -118,7 +124,7 @@ def write_page(
         parts.append(table(["figure", "old", "new", "unit", "change", "interval"], rows))
     parts += [
         "<h2>Importance of each parameter</h2><p>By how much the cost grows if this parameter alone has its old value again.</p>",
-        dots([Dot(i.path.partition(".")[2], i.change, i.low, i.high, BLUE if i.low > 0 else GRAY) for i in importance]),
+        dots([Dot(i.path.partition(".")[2], i.change, i.low, i.high, BLUE if (i.low or 0) > 0 else GRAY) for i in importance]),
         table(
             ["parameter", "old", "new", "range", "old ○, new ●", "importance", "interval"],
             [[escape(i.path), number(i.old), number(i.new), f"{ranges[i.path].low:g} … {ranges[i.path].high:g}",

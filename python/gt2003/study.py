@@ -24,6 +24,7 @@ import numpy as np
 from . import _core, _json, jobs, modules
 from ._error import Error
 from ._run import Results, do
+from ._intervals import mean_interval
 from ._study_page import write_page
 from ._workers import Processes, Ray
 
@@ -273,15 +274,16 @@ class Generation:
 
 @dataclass
 class Comparison:
-    """A figure with the old and the new parameters on unseen seeds, with a 95 % interval of the change."""
+    """A figure with the old and the new parameters on unseen seeds, with a 95 % interval of the change,
+    if there is more than one seed."""
 
     test: str
     name: str
     unit: str
     old: float
     new: float
-    low: float
-    high: float
+    low: float | None
+    high: float | None
 
 
 @dataclass
@@ -292,17 +294,13 @@ class Importance:
     old: float
     new: float
     change: float
-    low: float
-    high: float
+    low: float | None
+    high: float | None
 
 
-def interval(differences: Sequence[float]) -> tuple[float, float]:
-    """Return the 95 % interval of a mean of paired differences, by the bootstrap."""
-    values = np.asarray(differences, dtype=float)
-    chance = np.random.default_rng(1)
-    means = values[chance.integers(len(values), size=(10_000, len(values)))].mean(axis=1)
-    low, high = np.quantile(means, [0.025, 0.975])
-    return float(low), float(high)
+def interval(differences: Sequence[float]) -> tuple[float | None, float | None]:
+    """Return the 95 % interval of a mean of paired differences by Student's t; None of a single one."""
+    return mean_interval(list(differences)) or (None, None)
 
 
 def _values(study: Study, place: Sequence[float]) -> dict[str, float]:
@@ -407,5 +405,5 @@ def _run(study: Study, out: Path, who: Processes | Ray) -> list[Comparison]:
         "importance": [vars(i) for i in importance],
     }
     (out / "study.json").write_text(json.dumps(told, indent=1) + "\n")
-    write_page(study, out / "study.html", laboratory.jobs, history, comparisons, importance)
+    write_page(study, out / "study.html", laboratory.jobs, history, comparisons, importance, len(_seeds(study.test_seeds)))
     return comparisons

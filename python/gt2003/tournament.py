@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 
 from . import _core, _json
 from ._error import Error
+from ._intervals import around, mean_interval, seeds_for, too_few
 from ._page import Dot, dots, interval, page, table
 
 __all__ = ["Game", "Standing", "elo", "games", "jobs", "merge", "standings", "write"]
 
-RESAMPLES = 2000
 Array = NDArray[np.float64]
 
 
@@ -39,7 +39,7 @@ class Game:
 
 @dataclass(frozen=True)
 class Standing:
-    """What a team has reached. Intervals are of 95 %, by the bootstrap over seeds.
+    """What a team has reached. Intervals are of 95 %, over seeds; a single seed has none.
 
     points: 3 for a victory, 1 for a draw; difference: goals less those against it, in a match.
     """
@@ -52,11 +52,11 @@ class Standing:
     against: int
     points: int
     difference: float
-    difference_low: float
-    difference_high: float
+    difference_low: float | None
+    difference_high: float | None
     elo: float
-    elo_low: float
-    elo_high: float
+    elo_low: float | None
+    elo_high: float | None
 
 
 def jobs(teams: Iterable[str], seeds: str = "1..10", settings: Iterable[str] = ()) -> list[str]:
@@ -130,30 +130,29 @@ def _by_seed(played: Sequence[Game], teams: Sequence[str]) -> tuple[Array, Array
     return scores, counts, differences
 
 
-def _resampled(values: Array) -> Array:
-    """Return sums over seeds drawn with replacement, the same for all values: (RESAMPLES, ...)."""
-    chance = np.random.default_rng(1)
-    drawn = chance.multinomial(len(values), np.full(len(values), 1 / len(values)), size=RESAMPLES)
-    return np.tensordot(drawn.astype(float), values, axes=1)
-
-
-def _bounds(values: Array) -> tuple[Array, Array]:
-    low, high = np.quantile(values, [0.025, 0.975], axis=0)
-    return low, high
+def _of_seeds(differences: Array, counts: Array, team: int) -> Array:
+    """Return a team's mean goal difference on each seed."""
+    matches = counts[:, team].sum(axis=1)
+    goals: Array = differences[:, team].sum(axis=1)[matches > 0] / matches[matches > 0]
+    return goals
 
 
 def standings(played: Sequence[Game]) -> list[Standing]:
-    """Return the teams, the one with the best rating first."""
+    """Return the teams, the one with the best rating first.
+
+    The interval of the goal difference is Student's, of the seeds' means; that of Elo, too, of the
+    jackknife's pseudo-values: how much the rating changes without one of the seeds.
+    """
     if not played:
         raise Error("there are no matches", field="tournament")
     teams = sorted({name for game in played for name in (game.red, game.blue)})
     scores, counts, differences = _by_seed(played, teams)
     rating = elo(scores.sum(axis=0), counts.sum(axis=0))
-    rating_low, rating_high = _bounds(elo(_resampled(scores), _resampled(counts)))
+    seeds = len(scores)
+    without = elo(scores.sum(axis=0) - scores, counts.sum(axis=0) - counts)
+    pseudo = seeds * rating - (seeds - 1) * without
     matches = counts.sum(axis=(0, 2))
     mean = differences.sum(axis=(0, 2)) / matches
-    all_counts = np.maximum(_resampled(counts).sum(axis=2), 1)
-    low, high = _bounds(_resampled(differences).sum(axis=2) / all_counts)
     table = []
     for i, team in enumerate(teams):
         results = [(g.red_goals, g.blue_goals) for g in played if g.red == team]
@@ -161,14 +160,36 @@ def standings(played: Sequence[Game]) -> list[Standing]:
         won, lost = sum(a > b for a, b in results), sum(a < b for a, b in results)
         drawn = len(results) - won - lost
         goals, against = sum(a for a, _ in results), sum(b for _, b in results)
+        low, high = mean_interval(list(_of_seeds(differences, counts, i))) or (None, None)
         table.append(
             Standing(
                 team, won, drawn, lost, goals, against, 3 * won + drawn,
-                float(mean[i]), float(low[i]), float(high[i]),
-                float(rating[i]), float(rating_low[i]), float(rating_high[i]),
+                float(mean[i]), low, high,
+                float(rating[i]), *(around(float(rating[i]), pseudo[:, i]) or (None, None)),
             )
         )
     return sorted(table, key=lambda s: (-s.elo, s.team))
+
+
+def _how_many_seeds(played: Sequence[Game], teams: Sequence[str]) -> str:
+    """Return how many seeds it takes for narrow intervals of the goal difference, as far as these seeds show it."""
+    _, counts, differences = _by_seed(played, teams)
+    seeds = len(counts)
+    if seeds < 2:
+        return too_few(seeds)
+    matches = len(played) / seeds
+    deviation = max(float(_of_seeds(differences, counts, i).std(ddof=1)) for i in range(len(teams)))
+    takes = [
+        f"±{half:g} takes {wanted} seeds ({round(wanted * matches)} matches)"
+        for half in (0.5, 0.25)
+        if (wanted := seeds_for(deviation, half)) is not None
+    ]
+    spread = f"A team's goal difference in a match has a standard deviation of up to {deviation:.2f} over the seeds: "
+    return f"{too_few(seeds)} {spread}{', '.join(takes)}.".strip() if takes else too_few(seeds)
+
+
+def _bracket(low: float | None, high: float | None, mark: str) -> str:
+    return "unknown" if low is None or high is None else f"{low:.0f} {mark} {high:.0f}"
 
 
 def _short(team: str) -> str:
@@ -217,7 +238,7 @@ def _page(played: Sequence[Game], ranked: Sequence[Standing], settings: str, not
     rows = [
         [f"{i}. {escape(_short(s.team))}", str(s.won + s.drawn + s.lost), str(s.won), str(s.drawn), str(s.lost),
          f"{s.goals} : {s.against}", f"{s.difference:+.2f}", interval(s.difference_low, s.difference_high),
-         f"<b>{s.points}</b>", f"<b>{s.elo:.0f}</b>", f"{s.elo_low:.0f} … {s.elo_high:.0f}"]
+         f"<b>{s.points}</b>", f"<b>{s.elo:.0f}</b>", _bracket(s.elo_low, s.elo_high, "…")]
         for i, s in enumerate(ranked, 1)
     ]
     head = ["team", "matches", "won", "drawn", "lost", "goals", "a match", "interval", "points", "Elo", "interval"]
@@ -230,7 +251,8 @@ def _page(played: Sequence[Game], ranked: Sequence[Standing], settings: str, not
             f"<p>{len(teams)} teams, {len(played)} matches on {seeds} seeds, each pair in both colors on the same seeds: "
             f"<code>{escape(settings)}</code>. Red scored {red:.2f} goals in a match, blue {blue:.2f}.</p>",
             table(head, rows),
-            "<p>Points: 3 for a victory, 1 for a draw. Intervals: 95 %, by the bootstrap over seeds.</p>",
+            "<p>Points: 3 for a victory, 1 for a draw. Intervals: 95 %, Student's t over seeds; of Elo by the jackknife. "
+            f"{escape(_how_many_seeds(played, teams))}</p>",
             "<h2>Elo</h2>",
             dots(ratings, 1500, "Bradley-Terry, most likely ratings; 1500 is the mean, a lead of 100 wins 64 % of the matches"),
             "<h2>Goal difference in a match</h2>",
@@ -256,8 +278,10 @@ def merge(results: Path, listed: Sequence[str], note: str = "") -> list[str]:
     for place, s in enumerate(write(results, results.parent, note), 1):
         print(
             f"{place}. {_short(s.team):<30} {s.won} won, {s.drawn} drawn, {s.lost} lost, {s.goals}:{s.against} goals, "
-            f"{s.points} points, Elo {s.elo:.0f} ({s.elo_low:.0f} to {s.elo_high:.0f})"
+            f"{s.points} points, Elo {s.elo:.0f} ({_bracket(s.elo_low, s.elo_high, 'to')})"
         )
+    played = games(results)
+    print(_how_many_seeds(played, sorted({name for game in played for name in (game.red, game.blue)})))
     return missing
 
 

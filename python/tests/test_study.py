@@ -153,5 +153,7 @@ def test_results_of_another_program_are_refused(tmp_path: Path) -> None:
 def test_intervals_hold_the_mean() -> None:
     differences = np.random.default_rng(3).normal(5, 2, 40)
     low, high = study.interval(differences)
+    assert low is not None and high is not None
     assert low < differences.mean() < high
     assert high - low == pytest.approx(2 * 1.96 * differences.std() / 40**0.5, rel=0.1)
+    assert study.interval([1.0]) == (None, None)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import gt2003
-from gt2003 import tournament
+from gt2003 import _intervals, tournament
 from gt2003.tournament import Game
 
 BUILD = Path(os.environ["GT_BUILD"])
@@ -69,6 +69,7 @@ def test_ratings_are_those_that_the_games_were_drawn_from() -> None:
     ranked = tournament.standings(random_games(strengths, 300))
     assert [s.team for s in ranked] == ["strong", "middle", "weak"]
     for standing, true in zip(ranked, (1700, 1500, 1300), strict=True):
+        assert standing.elo_low is not None and standing.elo_high is not None
         assert standing.elo_low < true < standing.elo_high
         assert standing.elo_high - standing.elo_low < 60
     assert sum(s.elo for s in ranked) == pytest.approx(4500)
@@ -95,6 +96,50 @@ def test_standings_count_goals_and_points() -> None:
     assert a.elo > b.elo and a.elo - 1500 == pytest.approx(1500 - b.elo)
     never_lost = tournament.standings([Game(1, "a", "b", 5, 0)])
     assert np.isfinite(never_lost[0].elo)
+    assert never_lost[0].difference_low is None and never_lost[0].elo_low is None  # one seed tells nothing of others
+
+
+def test_few_seeds_have_wide_intervals(tmp_path: Path) -> None:
+    """Differences of 0.5, 0.5 and 1: the bootstrap would have said 0.5 to 1, and better for sure."""
+    goals = {1: (1, 0, 0, 0), 2: (1, 0, 0, 0), 3: (1, 0, 0, 1)}
+    games = [game for seed, (a, b, c, d) in goals.items() for game in (Game(seed, "a", "b", a, b), Game(seed, "b", "a", c, d))]
+    better, worse = tournament.standings(games)
+    assert better.difference == pytest.approx(2 / 3)
+    assert (better.difference_low, better.difference_high) == pytest.approx((2 / 3 - 0.717, 2 / 3 + 0.717), abs=1e-3)
+    assert better.elo_low is not None and better.elo_low < 1500 < better.elo
+    assert worse.elo_high is not None and worse.elo_high > 1500
+    lines = [
+        {"job": f"match blue={g.blue} red={g.red} seed={g.seed}", "values": [
+            {"name": "match.goals.red", "value": g.red_goals}, {"name": "match.goals.blue", "value": g.blue_goals}]}
+        for g in games
+    ]
+    (tmp_path / "results.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
+    tournament.write(tmp_path / "results.jsonl", tmp_path)
+    page = (tmp_path / "tournament.html").read_text()
+    assert "Too few seeds to tell: 3, where 10 are the least." in page
+    assert "standard deviation of up to 0.29 over the seeds: ±0.5 takes 4 seeds (8 matches), ±0.25 takes 8 seeds (16 matches)." in page
+
+
+@pytest.mark.parametrize(("degrees", "quantile"), [(1, 12.706), (2, 4.303), (3, 3.182), (9, 2.262), (30, 2.042), (5000, 1.9604)])
+def test_quantiles_are_those_of_the_table(degrees: int, quantile: float) -> None:
+    assert _intervals.student(degrees) == pytest.approx(quantile, abs=1e-3)
+
+
+def test_intervals_hold_the_true_mean_in_95_of_100_cases() -> None:
+    chance = np.random.default_rng(7)
+    for count in (3, 9):
+        found = (_intervals.mean_interval(chance.normal(1, 2, count)) for _ in range(4000))
+        held = np.mean([pair is not None and pair[0] <= 1 <= pair[1] for pair in found])
+        assert 0.94 < held < 0.96
+
+
+def test_how_many_seeds_it_takes() -> None:
+    for deviation, half in ((0.83, 0.5), (0.83, 0.25), (2, 0.1)):
+        wanted = _intervals.seeds_for(deviation, half)
+        assert wanted is not None
+        for seeds, narrow in ((wanted, True), (wanted - 1, False)):
+            assert (_intervals.student(seeds - 1) * deviation / seeds**0.5 <= half) == narrow
+    assert _intervals.seeds_for(1, 0) is None and _intervals.seeds_for(1e6, 0.1) is None
 
 
 def test_the_page_names_commits(tmp_path: Path) -> None:

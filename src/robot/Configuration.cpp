@@ -8,6 +8,7 @@
 #include "network/RobotAddresses.h"
 #include "robot/Processes.h"
 #include "robot/Solutions.h"
+#include "robot/TeamSolutions.h"
 #include "streams/Config.h"
 #include "streams/File.h"
 
@@ -88,6 +89,15 @@ void readSolutions(const SolutionTable& table, const std::string& path,
               choices.push_back({task, solution, path, line});
               return {};
             });
+}
+
+/// The lines of modules.cfg, or of a team, whose own stand for those of their tasks.
+void readAllSolutions(const SolutionTable& table, const ConfigFolder& files,
+                      std::vector<Configuration::SolutionChoice>& choices, Findings& findings) {
+  readSolutions(table, files.path("modules.cfg"), choices, findings);
+  std::vector<Configuration::SolutionChoice> team;
+  readSolutions(table, files.path(teamSolutions), team, findings);
+  layOver(choices, team);
 }
 
 /// Whether a robot can have a representation of that name: where modules are not linked into this
@@ -196,7 +206,7 @@ std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const Robot
     c.parts.push_back(&part);
   }
   const ConfigFolder& files = c.files.folder;
-  readSolutions(modules.solutions, files.path("modules.cfg"), c.solutions, findings);
+  readAllSolutions(modules.solutions, files, c.solutions, findings);
   readLog(modules, files.path("log.cfg"), c.log, findings);
   readParameters(modules.solutions, files, c.parameters, findings);
   return configuration;

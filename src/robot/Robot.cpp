@@ -7,6 +7,7 @@
 #include "network/RobotAddresses.h"
 #include "network/Wire.h"
 #include "robot/Solutions.h"
+#include "robot/TeamSolutions.h"
 
 namespace gt {
 namespace {
@@ -160,9 +161,9 @@ Result<void> Robot::add(const std::string& task, Solution solution) {
 
 Result<void> Robot::configure(const Configuration& configuration) {
   for (const Configuration::SolutionChoice& choice : configuration.solutions)
-    if (here_.empty() && std::ranges::none_of(processes_, [&](const auto& process) {
-          return process->solves(choice.task);
-        }))
+    if (here_.empty() && !isInherited(choice, configuration.solutions) &&
+        std::ranges::none_of(processes_,
+                             [&](const auto& process) { return process->solves(choice.task); }))
       return Error{.file = choice.file,
                    .line = choice.line,
                    .field = choice.task,

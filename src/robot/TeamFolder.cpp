@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iomanip>
-#include <sstream>
 #include <vector>
 
-#include "base/Hash.h"
+#include "robot/ProjectVersion.h"
 #include "robot/TeamProgram.h"
-#include "streams/File.h"
+#include "robot/TeamSolutions.h"
 #include "streams/LinkFiles.h"
 
 namespace gt {
@@ -37,24 +35,16 @@ Result<void> checkTeam(const std::string& folder) {
   return {};
 }
 
-/// All files of a team's folder, with their names in it.
-Result<std::uint64_t> fingerprintOf(const std::string& folder) {
+/// Has a team's modules.cfg lie beside the project's instead of on it, since a team changes only
+/// the tasks that it names.
+Result<void> keepSolutions(const fs::path& base, const fs::path& own, const fs::path& links) {
+  constexpr const char* solutions = "modules.cfg";
+  if (!fs::exists(own / solutions) || !fs::exists(base / solutions)) return {};
   std::error_code failed;
-  std::vector<fs::path> files;
-  for (fs::recursive_directory_iterator at{folder, failed}, end; !failed && at != end;
-       at.increment(failed))
-    if (at->is_regular_file()) files.push_back(at->path());
-  if (failed) return Error{.file = folder, .what = failed.message()};
-  std::ranges::sort(files);
-  Fingerprint sum;
-  for (const fs::path& file : files) {
-    const auto text = readFile(file.string());
-    if (!text) return text.error();
-    sum.add(file.lexically_relative(folder).generic_string());
-    sum.add(" " + std::to_string(text->size()) + " ");
-    sum.add(*text);
-  }
-  return sum.value();
+  fs::rename(links / solutions, links / teamSolutions, failed);
+  if (!failed) fs::create_symlink(base / solutions, links / solutions, failed);
+  if (failed) return Error{.file = (links / solutions).string(), .what = failed.message()};
+  return {};
 }
 
 /// A commit is its own fingerprint; other files could change.
@@ -85,6 +75,8 @@ Result<std::unique_ptr<TeamFolder>> TeamFolder::open(const std::string& folder,
     const fs::path own = fs::absolute(folder).lexically_normal() / name;
     if (!fs::is_directory(own)) continue;
     if (auto done = linkFiles(own, links / name); !done) return done.error();
+    if (name != std::string_view{"config"}) continue;
+    if (auto done = keepSolutions(from, own, links / name); !done) return done.error();
   }
   team->paths_ = base;
   team->paths_.behavior = (links / "behavior" / behavior.filename()).string();
@@ -118,8 +110,8 @@ Result<std::string> teamVersion(const std::string& team, const DataRoot& root) {
   const std::string folder = teamFolder(team, root);
   if (folder.empty()) return std::string{TeamFolder::ownTeam};
   if (auto done = checkTeam(folder); !done) return done.error();
-  const auto sum = fingerprintOf(folder);
-  if (!sum) return sum.error();
+  Fingerprint sum;
+  if (auto done = addFiles(folder, sum); !done) return done.error();
   std::error_code failed;
   const fs::path path = fs::canonical(folder, failed);
   if (failed) return Error{.file = folder, .what = failed.message()};
@@ -127,9 +119,7 @@ Result<std::string> teamVersion(const std::string& team, const DataRoot& root) {
   const std::string name = ofRoot ? path.filename().string() : path.string();
   if (name.find_first_of(" \t\n\r@") != name.npos)
     return Error{.file = name, .what = "a team's path may have neither spaces nor @"};
-  std::ostringstream version;
-  version << name << '@' << std::hex << std::setfill('0') << std::setw(16) << *sum;
-  return version.str();
+  return name + '@' + digitsOf(sum);
 }
 
 Result<std::string> teamOfVersion(const std::string& version, const DataRoot& root) {

@@ -6,6 +6,9 @@
 #include <map>
 
 #include "representations/motion/MotionNet.h"
+#include "robot/ProjectVersion.h"
+#include "robot/Robot.h"
+#include "robot/SetupFiles.h"
 #include "robot/Solutions.h"
 #include "streams/File.h"
 
@@ -64,6 +67,42 @@ TEST_F(TeamFolderTest, LiesOverTheProjectsFiles) {
       << "the project's are as before";
 }
 
+/// One line changes one task; the others stay as the project has chosen them.
+TEST_F(TeamFolderTest, ChangesOnlyTheTasksThatItNames) {
+  write("config/modules.cfg", "BallLocator BallChallenge\n");
+  const auto opened = TeamFolder::open(team(), {});
+  ASSERT_TRUE(opened) << opened.error().text();
+  const auto chosen = [](const std::shared_ptr<const Configuration>& configuration) {
+    std::map<std::string, std::string> solutions;
+    for (const auto& choice : configuration->solutions) solutions[choice.task] = choice.solution;
+    return solutions;
+  };
+  auto expected = chosen(*loadConfiguration({}));
+  EXPECT_EQ(expected.at("SelfLocator"), "Kalman");
+  expected["BallLocator"] = "BallChallenge";
+  const auto configuration = loadConfiguration((*opened)->paths());
+  ASSERT_TRUE(configuration) << configuration.error().text();
+  EXPECT_EQ(chosen(*configuration), expected);
+  EXPECT_EQ((*configuration)->solutions.size(), expected.size()) << "each task once";
+}
+
+/// A layout without most of the project's tasks: those that the team does not name need not be
+/// there, its own must.
+TEST_F(TeamFolderTest, PlaysALayoutWithOtherTasks) {
+  const auto makes = [&](const std::string& folder) {
+    const auto opened = TeamFolder::open(folder, {});
+    EXPECT_TRUE(opened) << opened.error().text();
+    RobotSetup setup;
+    setup.configuration = *loadConfiguration((*opened)->paths());
+    setup.layout = *loadLayout("layouts/sensor-behavior.layout");
+    const auto robot = Robot::make(setup);
+    return robot ? "" : robot.error().text();
+  };
+  EXPECT_EQ(makes("teams/sensor-behavior"), "");
+  write("config/modules.cfg", "SelfLocator GT2003\n");
+  EXPECT_THAT(makes(team()), ::testing::HasSubstr("no process solves this task"));
+}
+
 TEST_F(TeamFolderTest, HasErrorsInItsOwnFiles) {
   write("config/modules.cfg", "SelfLocator Best\n");
   EXPECT_THAT(configurationError(), ::testing::StartsWith("TEAM/config/modules.cfg:1: "));
@@ -101,6 +140,25 @@ TEST_F(TeamFolderTest, VersionsNameWhatTheFilesAre) {
   EXPECT_EQ(*teamVersion(team(), {}), *first);
   write("config/log.cfg", "");
   EXPECT_NE(*teamVersion(team(), {}), *first) << "an empty file counts";
+}
+
+/// Whoever edits the project's own files makes other jobs of them.
+TEST_F(TeamFolderTest, TheVersionOfTheProjectNamesItsFiles) {
+  for (const char* folder : {"behavior", "config", "layouts", "models", "motions", "scenes"})
+    write(std::string{folder} + "/a.txt", "as it was");
+  const DataRoot root{team()};
+  const auto first = projectVersion(root);
+  ASSERT_TRUE(first) << first.error().text();
+  EXPECT_THAT(*first, ::testing::StartsWith(commit() + "+"));
+  for (const char* folder : {"behavior", "config", "layouts", "models", "motions", "scenes"}) {
+    const std::string file = std::string{folder} + "/a.txt";
+    write(file, "edited");
+    EXPECT_NE(*projectVersion(root), *first) << file;
+    write(file, "as it was");
+    EXPECT_EQ(*projectVersion(root), *first) << file;
+  }
+  write("out/match.json", "what programs write");
+  EXPECT_EQ(*projectVersion(root), *first);
 }
 
 TEST_F(TeamFolderTest, TeamsOfTheRootHaveShortNames) {
