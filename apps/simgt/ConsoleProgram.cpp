@@ -10,6 +10,7 @@
 #include "LineEditor.h"
 #include "TerminalScreen.h"
 #include "base/EndSignals.h"
+#include "base/Lines.h"
 #include "views/ViewText.h"
 
 namespace gt {
@@ -39,9 +40,9 @@ class InputLines {
 
  private:
   std::optional<std::string> take(std::size_t length, std::size_t withEnd) {
-    std::string line = text_.substr(0, length);
+    const std::string line = text_.substr(0, length);
     text_.erase(0, withEnd);
-    return line;
+    return std::string{LineReader{line}.next().value_or("")};
   }
 
   std::string text_;

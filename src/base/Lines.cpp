@@ -15,6 +15,21 @@ bool isBlank(char c) {
 
 }  // namespace
 
+LineReader::LineReader(std::string_view text) : text_{text} {
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text_.starts_with(byteOrderMark)) text_.remove_prefix(byteOrderMark.size());
+}
+
+std::optional<std::string_view> LineReader::next() {
+  if (text_.empty()) return std::nullopt;
+  const auto end = std::min(text_.find('\n'), text_.size());
+  std::string_view line = text_.substr(0, end);
+  text_.remove_prefix(std::min(end + 1, text_.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  ++number_;
+  return line;
+}
+
 std::string_view trimmed(std::string_view s) {
   const auto begin = s.find_first_not_of(blanks);
   if (begin == s.npos) return {};
@@ -37,12 +52,10 @@ std::string_view withoutComment(std::string_view line) {
 
 std::vector<Line> linesOf(std::string_view text) {
   std::vector<Line> lines;
-  for (int number = 1; !text.empty(); ++number) {
-    const auto end = std::min(text.find('\n'), text.size());
-    if (const auto line = withoutComment(text.substr(0, end)); !line.empty())
-      lines.push_back({number, line});
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  LineReader reader{text};
+  while (const auto whole = reader.next())
+    if (const auto line = withoutComment(*whole); !line.empty())
+      lines.push_back({reader.number(), line});
   return lines;
 }
 

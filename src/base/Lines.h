@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,22 @@ struct Word {
 struct Line {
   int number = 0;         ///< From 1.
   std::string_view text;  ///< Without comment, and without blanks around it.
+};
+
+/// Takes the lines of a text one after another, as any machine writes them: they end with LF or
+/// CRLF, the last one also with nothing, and a byte-order mark may precede the first one.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text);
+
+  /// The next line without its end; nothing behind the last one.
+  std::optional<std::string_view> next();
+  /// Of the line that was taken last, from 1.
+  int number() const { return number_; }
+
+ private:
+  std::string_view text_;
+  int number_ = 0;
 };
 
 /// A text without blanks around it.

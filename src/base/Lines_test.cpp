@@ -17,6 +17,22 @@ TEST(Lines, LeaveOutCommentsAndBlanks) {
   EXPECT_TRUE(linesOf("").empty());
 }
 
+TEST(Lines, EndAsOnAnyMachine) {
+  for (const char* text : {"a\n\nb c\n", "a\r\n\r\nb c\r\n",
+                           "\xEF\xBB\xBF"
+                           "a\n\nb c"}) {
+    LineReader reader{text};
+    EXPECT_EQ(reader.next(), "a");
+    EXPECT_EQ(reader.next(), "");
+    EXPECT_EQ(reader.next(), "b c");
+    EXPECT_EQ(reader.number(), 3);
+    EXPECT_FALSE(reader.next());
+  }
+  EXPECT_FALSE(LineReader{""}.next());
+  EXPECT_FALSE(LineReader{"\xEF\xBB\xBF"}.next());
+  EXPECT_EQ(linesOf("\xEF\xBB\xBF# all\r\n\tword\t# one").at(0).text, "word");
+}
+
 TEST(Lines, ConsistOfWords) {
   const auto words = wordsOf("  one \"two three\" \"\" \"a\\n\\\"b\" ");
   ASSERT_TRUE(words);

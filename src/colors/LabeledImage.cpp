@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/Lines.h"
 #include "base/Number.h"
 #include "streams/File.h"
 
@@ -56,14 +57,12 @@ Result<LabeledRegion> parseRow(std::string_view row, const std::string& file, in
 
 Result<std::vector<LabeledRegion>> parseRegions(std::string_view text, const std::string& file) {
   std::vector<LabeledRegion> regions;
-  for (int line = 1; !text.empty(); ++line) {
-    const auto end = std::min(text.find('\n'), text.size());
-    std::string_view row = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (row.ends_with('\r')) row.remove_suffix(1);
-    if (line == 1 && row != heading) break;
-    if (line == 1 || row.empty()) continue;
-    auto region = parseRow(row, file, line);
+  LineReader reader{text};
+  while (const auto row = reader.next()) {
+    const int line = reader.number();
+    if (line == 1 && *row != heading) break;
+    if (line == 1 || row->empty()) continue;
+    auto region = parseRow(*row, file, line);
     if (!region) return region.error();
     regions.push_back(*std::move(region));
   }

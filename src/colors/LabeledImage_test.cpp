@@ -16,6 +16,7 @@ TEST(ImageRegions, AreReadFromATable) {
   EXPECT_EQ((*regions)[0].picture, "12");
   EXPECT_EQ((*regions)[0].region.bottom, 6);
   EXPECT_EQ((*regions)[1].colorClass, ColorClass::white);
+  EXPECT_EQ(parseRegions("\xEF\xBB\xBF" + heading + "12,orange,3,4,5,6", "t")->size(), 1u);
   const auto errorOf = [&](const std::string& row) {
     const auto read = parseRegions(heading + row, "t.csv");
     EXPECT_FALSE(read) << row;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 
+#include "base/Lines.h"
 #include "console/Commands.h"
 #include "console/Usage.h"
 #include "modules/behavior/control/Behavior.h"
@@ -193,17 +194,16 @@ Result<void> Console::call(const std::string& path) {
   if (!text) return text.error();
   ++depth_;
   Result<void> done;
-  int number = 0;
-  for (std::size_t at = 0; at < text->size() && done && !ended_; ++number) {
-    const std::size_t end = std::min(text->find('\n', at), text->size());
-    done = execute(std::string_view{*text}.substr(at, end - at));
-    at = end + 1;
-  }
+  LineReader lines{*text};
+  for (auto line = lines.next(); line && done && !ended_; line = done ? lines.next() : line)
+    done = execute(*line);
   --depth_;
   // The error of a script that was called names its own place.
   if (!done && done.error().file.empty())
-    return Error{
-        .file = path, .line = number, .field = done.error().field, .what = done.error().what};
+    return Error{.file = path,
+                 .line = lines.number(),
+                 .field = done.error().field,
+                 .what = done.error().what};
   return done;
 }
 

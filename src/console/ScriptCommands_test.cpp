@@ -10,7 +10,9 @@ using ScriptCommands = SessionTest;
 TEST_F(ScriptCommands, ErrorsNameFileAndLine) {
   const std::string inner = file("inner.con"), outer = file("outer.con");
   std::ofstream{inner} << "# inner\necho in\nsr BallLocator nonsense\necho never\n";
-  std::ofstream{outer} << "echo out\n\ncall " << inner << "\n";
+  std::ofstream{outer} << "\xEF\xBB\xBF"
+                          "echo out\r\n\r\ncall "
+                       << inner;
   const auto done = console->call(outer);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().file, inner);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/Enum.h"
+#include "base/Lines.h"
 #include "base/Number.h"
 #include "streams/File.h"
 
@@ -24,10 +25,11 @@ bool number(const std::string& text, double& value) {
 }  // namespace
 
 Result<std::vector<BallLabel>> parseLabels(std::string_view content, const std::string& file) {
-  std::istringstream stream{std::string{content}};
+  LineReader reader{content};
   std::vector<BallLabel> labels;
-  std::string text;
-  for (int line = 1; std::getline(stream, text); ++line) {
+  while (const auto next = reader.next()) {
+    const int line = reader.number();
+    const std::string text{*next};
     if (line == 1 && text != ballHeading)
       return Error{.file = file, .line = line, .what = std::string{ballHeading} + " was expected"};
     if (line == 1 || text.empty()) continue;

@@ -15,6 +15,14 @@ TEST(Labels, CoverTheWholeLog) {
   EXPECT_EQ(labels->size(), 96u);
 }
 
+TEST(Labels, AreReadFromFilesOfOtherMachines) {
+  const auto labels = parseLabels(
+      "\xEF\xBB\xBFpicture,time,class,x,y,r\r\n0,1,none,0,0,0\r\n1,2,whole,3,4,5", "l.csv");
+  ASSERT_TRUE(labels) << labels.error().text();
+  ASSERT_EQ(labels->size(), 2u);
+  EXPECT_EQ((*labels)[1].radius, 5);
+}
+
 TEST(Labels, NameTheLineThatIsWrong) {
   const std::string file = testing::TempDir() + "labels.csv";
   const auto errorOf = [&](const std::string& row) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/Enum.h"
+#include "base/Lines.h"
 #include "base/Number.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/perception/LandmarksPercept.h"
@@ -138,10 +139,10 @@ std::optional<BoxName> BoxName::parse(std::string_view text) {
 
 Result<std::map<int, FieldLabel>> parseFieldLabels(std::string_view text, const std::string& file) {
   Reading reading;
-  for (int line = 1; !text.empty(); ++line) {
-    const auto end = std::min(text.find('\n'), text.size());
-    std::string_view rest = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+  LineReader reader{text};
+  while (const auto row = reader.next()) {
+    const int line = reader.number();
+    std::string_view rest = *row;
     if (line == 1) {
       if (rest == fieldHeading) continue;
       return Error{.file = file, .line = line, .what = std::string{fieldHeading} + " was expected"};

@@ -227,12 +227,19 @@ std::vector<Source> readFolder(const std::string& folder, std::vector<Diagnostic
     std::ifstream stream{file, std::ios::binary};
     std::stringstream text;
     const auto size = fs::file_size(file, failure);
-    if (failure || size > maxFileSize || !(text << stream.rdbuf())) {
-      errors.push_back(
-          {.file = file, .message = "cannot be read, is empty, or is longer than 4 MB"});
-      continue;
-    }
-    sources.push_back({file, text.str()});
+    std::string problem;
+    if (failure || !stream)
+      problem = "cannot be read" + (failure ? ": " + failure.message() : "");
+    else if (size == 0)
+      problem = "is empty";
+    else if (size > maxFileSize)
+      problem = "is longer than 4 MB";
+    else if (!(text << stream.rdbuf()))
+      problem = "cannot be read";
+    if (problem.empty())
+      sources.push_back({file, text.str()});
+    else
+      errors.push_back({.file = file, .message = problem});
   }
   if (errors.empty() && sources.empty())
     errors.push_back({.file = folder, .message = "holds no .mof file"});

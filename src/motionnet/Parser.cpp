@@ -62,6 +62,8 @@ class Parser {
 
   Motion parse(std::string_view text) {
     const auto errorsBefore = errors_.size();
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
     while (!text.empty() && motion_.statements.size() < maxStatements) {
       if (errors_.size() > errorsBefore + maxErrors) return std::move(motion_);
       const auto end = text.find('\n');

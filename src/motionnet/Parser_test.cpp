@@ -54,6 +54,14 @@ TEST(Parser, ReadsAllKindsOfLines) {
   EXPECT_EQ(motion.groups.at("others").members.size(), 2u);
 }
 
+TEST(Parser, ReadsFilesOfOtherMachines) {
+  const auto [motion, errors] =
+      parsed("\xEF\xBB\xBFmotion_id = kick\r\n\tlabel\tstart\r\n~ 500 1 25");
+  EXPECT_TRUE(errors.empty()) << errors.front().text();
+  EXPECT_EQ(motion.name, "kick");
+  EXPECT_EQ(motion.statements.size(), 1u);
+}
+
 TEST(Parser, TellsWhereWhatIsWrong) {
   EXPECT_EQ(
       errorOf("~ 10 0").text(),

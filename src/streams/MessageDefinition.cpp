@@ -60,17 +60,14 @@ class MessageDefinitionParser {
 
  public:
   MessageDefinitionParser(const std::string& name, std::string_view text)
-      : name_{name}, text_{text} {
+      : name_{name}, lines_{text} {
     begin(shortName(name));
   }
 
   Result<MessageDefinition> parse() {
-    while (!text_.empty()) {
-      const auto end = std::min(text_.find('\n'), text_.size());
-      const auto row = text_.substr(0, end);
-      text_.remove_prefix(std::min(end + 1, text_.size()));
-      ++line_;
-      if (const auto done = readLine(trimmed(row)); !done) return error(done.error().what);
+    while (const auto row = lines_.next()) {
+      line_ = lines_.number();
+      if (const auto done = readLine(trimmed(*row)); !done) return error(done.error().what);
     }
     for (std::size_t i = 0; i < names_.size(); ++i)
       if (const auto done = resolve(i); !done) return done.error();
@@ -227,7 +224,7 @@ class MessageDefinitionParser {
   }
 
   std::string name_;
-  std::string_view text_;
+  LineReader lines_;
   int line_ = 0;
   MessageDefinition definition_;
   std::map<std::string, std::size_t> recordOf_;

@@ -231,6 +231,20 @@ void Parser::option() {
   static_cast<Declaration&>(option) = begin();
   take();
   option.name = expectName("the name of an option");
+  try {
+    optionBody(option);
+  } catch (const SyntaxError&) {
+    // What is whole in it is of use for who types it.
+    option.extent.end = end_;
+    program_.options.push_back(std::move(option));
+    throw;
+  }
+  option.extent.end = end_;
+  accept(";");
+  program_.options.push_back(std::move(option));
+}
+
+void Parser::optionBody(Option& option) {
   warnFileName("option", option.name);
   expect("{");
   while (token_.kind == TokenKind::parameter || token_.is("float") || token_.is("bool") ||
@@ -255,17 +269,22 @@ void Parser::option() {
   }
   states(option);
   expect("}");
-  option.extent.end = end_;
-  accept(";");
-  program_.options.push_back(std::move(option));
 }
 
 void Parser::states(Option& option) {
   if (!atState()) failExpected("a parameter, 'common' or a state");
   while (atState() && !reporter_.full()) {
+    State read;
     try {
-      option.states.push_back(state());
+      state(read);
+      option.states.push_back(std::move(read));
     } catch (const SyntaxError&) {
+      State named;
+      static_cast<Declaration&>(named) = read;
+      named.initial = read.initial;
+      named.target = read.target;
+      named.extent.end = end_;
+      if (!named.name.text.empty()) option.states.push_back(std::move(named));
       skipToState();
     }
   }
@@ -277,8 +296,7 @@ bool Parser::atState() const {
   return token_.is("state") || token_.is("initial") || token_.is("target");
 }
 
-State Parser::state() {
-  State state;
+void Parser::state(State& state) {
   static_cast<Declaration&>(state) = begin();
   for (;;) {
     if (!state.initial && accept("initial"))
@@ -295,7 +313,6 @@ State Parser::state() {
   stateBody(state);
   expect("}");
   state.extent.end = end_;
-  return state;
 }
 
 Cooperation Parser::cooperation() {

@@ -69,7 +69,8 @@ class Parser {
   void option();
   void states(syntax::Option& option);
   bool atState() const;
-  syntax::State state();
+  void state(syntax::State& state);
+  void optionBody(syntax::Option& option);
   Cooperation cooperation();
   void stateBody(syntax::State& state);
   std::vector<syntax::Action> actions();

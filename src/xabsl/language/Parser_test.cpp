@@ -20,7 +20,7 @@ using test::errorsInValue;
 /// Reads files from memory, beginning with `main.xabsl`, which must be sound.
 class Parsed {
  public:
-  explicit Parsed(const std::map<std::string, std::string>& files) {
+  explicit Parsed(const std::map<std::string, std::string>& files, bool sound = true) {
     const FileReader read = [&](const std::string& path,
                                 std::string& text) -> std::optional<std::string> {
       const auto found = files.find(path);
@@ -30,7 +30,7 @@ class Parsed {
     };
     Reporter reporter;
     readSources("main.xabsl", read, program, reporter);
-    EXPECT_EQ(test::errors(reporter.take()), "");
+    EXPECT_EQ(reporter.failed(), !sound) << test::errors(reporter.take());
   }
   explicit Parsed(const std::string& text)
       : Parsed(std::map<std::string, std::string>{{"main.xabsl", text}}) {}
@@ -128,6 +128,26 @@ TEST(Parser, KeepsFilesWithIncludesAndComments) {
   EXPECT_EQ(main.comments[1].text, "/* two */");
   EXPECT_EQ(text(main.comments[1].extent), "2:20-2:29");
   EXPECT_EQ(parsed.program.files[2].comments.front().kind, syntax::Comment::Kind::documentation);
+}
+
+/// While one types, what is whole is known, and of what is open the name.
+TEST(Parser, KeepsWhatIsOpen) {
+  const auto namesOf = [](const std::string& text) {
+    const Parsed parsed{{{"main.xabsl", text}}, false};
+    std::string names;
+    for (const syntax::Option& option : parsed.program.options) {
+      names += std::string{option.name.text} + ":";
+      for (const syntax::State& state : option.states) names += " " + std::string{state.name.text};
+      names += "\n";
+    }
+    return names;
+  };
+  const std::string whole = "{ decision { stay; } action { } }\n";
+  EXPECT_EQ(namesOf("option open {\n initial state wait " + whole), "open: wait\n");
+  EXPECT_EQ(namesOf("option hold {\n initial state wait " + whole +
+                    "state go { decision { if (\n } action { } }\nstate after " + whole + "}\n"),
+            "hold: wait go after\n");
+  EXPECT_EQ(namesOf("option typed {"), "typed:\n");
 }
 
 TEST(Parser, TakesWhatOtherCompilersTook) {
