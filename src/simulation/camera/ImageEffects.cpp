@@ -98,6 +98,13 @@ struct Mix {
   }
 };
 
+/// Mixes a row of a plane with those above and below.
+template <int weight>
+[[gnu::always_inline]] inline void mixRows(const Plane& plane, int y, std::uint8_t* out) {
+  Mix<weight>{plane.nearestRow(y - 1), plane.row(y), plane.nearestRow(y + 1)}(out,
+                                                                              plane.paddedWidth());
+}
+
 struct CopyRow {
   const std::uint8_t* in;
 
@@ -233,12 +240,10 @@ struct ImageEffects::Spread {
                                                                     const Spread& spread,
                                                                     Plane& out) {
   const Plane* from = &plane;
-  for (int pass = 0; pass < spread.passes; ++pass) {
+  for (int pass = 0; pass + 1 < spread.passes; ++pass) {
     withWeight(
         spread.weight(pass), [&]<int weight>() __attribute__((always_inline)) {
-          for (int y = 0; y < plane.height(); ++y)
-            Mix<weight>{from->nearestRow(y - 1), from->row(y), from->nearestRow(y + 1)}(
-                mixed_.row(y), plane.paddedWidth());
+          for (int y = 0; y < plane.height(); ++y) mixRows<weight>(*from, y, mixed_.row(y));
         });
     std::swap(mixed_, out);
     from = &out;
@@ -246,17 +251,26 @@ struct ImageEffects::Spread {
   return *from;
 }
 
-[[gnu::always_inline]] inline const std::uint8_t* ImageEffects::spreadRow(const std::uint8_t* row,
-                                                                          const Spread& spread,
+[[gnu::always_inline]] inline const std::uint8_t* ImageEffects::spreadRow(const Plane& plane, int y,
+                                                                          const Spread& across,
+                                                                          const Spread& along,
                                                                           std::uint8_t* out) {
   const auto width = static_cast<std::size_t>(width_);
   std::uint8_t* const middle = mixedRow_.row(0);
-  for (int pass = 0; pass < spread.passes; ++pass) {
-    CopyRow{row}(middle, mixedRow_.paddedWidth());
+  const std::uint8_t* row = plane.row(y);
+  if (across.passes > 0) {
+    withWeight(
+        across.weight(across.passes - 1), [&]<int weight>() __attribute__((always_inline)) {
+          mixRows<weight>(plane, y, middle);
+        });
+    row = middle;
+  }
+  for (int pass = 0; pass < along.passes; ++pass) {
+    if (row != middle) CopyRow{row}(middle, mixedRow_.paddedWidth());
     middle[-1] = middle[0];
     middle[width] = middle[width - 1];
     withWeight(
-        spread.weight(pass), [&]<int weight>() __attribute__((always_inline)) {
+        along.weight(pass), [&]<int weight>() __attribute__((always_inline)) {
           Mix<weight>{middle - 1, middle, middle + 1}(out, mixedRow_.paddedWidth());
         });
     row = out;
@@ -269,17 +283,25 @@ struct ImageEffects::Spread {
                                                            std::uint64_t seed, Image& image) {
   const int width = image.info.width, height = image.info.height;
   const std::size_t padded = picture[0].paddedWidth();
-  const double lens = effects.blur * effects.blur;
+  const double lens = effects.blur * effects.blur,
+               bleeding = effects.chromaBlur * effects.chromaBlur;
   const Spread along{lens};
+  const std::array<Spread, channelCount> across{along, Spread{lens + bleeding},
+                                                Spread{lens + bleeding}};
   std::array<const Plane*, channelCount> spread{};
-  for (std::size_t c = 0; c < channelCount; ++c) {
-    const double bleeding = c > 0 ? effects.chromaBlur * effects.chromaBlur : 0;
-    spread[c] = &spreadRows(picture[c], Spread{lens + bleeding}, spread_[c]);
-  }
+  for (std::size_t c = 0; c < channelCount; ++c)
+    spread[c] = &spreadRows(picture[c], across[c], spread_[c]);
   constexpr std::array<std::int16_t, channelCount> neutral{0, 128, 128};
   const std::array<double, channelCount> rim{0, effects.rimCb, effects.rimCr};
   const std::array<double, channelCount> noise{effects.noiseY, effects.noiseCb, effects.noiseCr};
   constexpr double strengthOne = fractionOne * 65536 / noiseOne;
+  std::array<std::int16_t, channelCount> deviation{}, growth{};
+  for (std::size_t c = 0; c < channelCount; ++c) {
+    deviation[c] = fixed(noise[c] * strengthOne);
+    growth[c] = std::min(
+        fixed(effects.noiseGrowth * noise[c] * strengthOne),
+        static_cast<std::int16_t>(std::numeric_limits<std::int16_t>::max() - deviation[c]));
+  }
   for (int y = 0; y < height; ++y) {
     const double out = outward(y, height);
     const std::int16_t rowLoss = fixed(effects.brightness * lightOne * effects.vignetting * out);
@@ -292,22 +314,18 @@ struct ImageEffects::Spread {
     const std::size_t place = NoiseTable::place(seed, y, width);
     const std::uint8_t* bright = nullptr;
     for (std::size_t c = 0; c < channelCount; ++c) {
-      const std::uint8_t* in = spreadRow(spread[c]->row(y), along, blurred_[c].data());
+      const std::uint8_t* in = spreadRow(*spread[c], y, across[c], along, blurred_[c].data());
       if (c == 0) bright = in;
-      const std::int16_t deviation = fixed(noise[c] * strengthOne);
-      const std::int16_t growth =
-          std::min(fixed(effects.noiseGrowth * noise[c] * strengthOne),
-                   static_cast<std::int16_t>(std::numeric_limits<std::int16_t>::max() - deviation));
       const ShadedRow row{in,
                           bright,
                           neutral[c],
                           light_.data(),
                           &noise_[c][place],
-                          deviation,
-                          growth,
+                          deviation[c],
+                          growth[c],
                           cast_[c].data(),
                           fixed(rim[c] * out * fractionOne)};
-      if (growth > 0)
+      if (growth[c] > 0)
         Shade<true>{row}(shaded_[c].data(), padded);
       else
         Shade<false>{row}(shaded_[c].data(), padded);

@@ -30,11 +30,13 @@ class ImageEffects {
   void applyWide(const ImagePlanes& picture, const CameraEffects& effects, std::uint64_t seed,
                  Image& image);
   struct Spread;
-  /// Mixes the rows of a plane with those above and below. The result is in `out` unless nothing
-  /// changes.
+  /// Mixes the rows of a plane with those above and below, in all passes but the last. The result
+  /// is in `out` unless nothing changes.
   const Plane& spreadRows(const Plane& plane, const Spread& spread, Plane& out);
-  /// Mixes the pixels of a row with those beside them, likewise.
-  const std::uint8_t* spreadRow(const std::uint8_t* row, const Spread& spread, std::uint8_t* out);
+  /// Mixes a row with those above and below, in the last pass, then its pixels with those beside
+  /// them. The result is in `out`, in `mixedRow_`, or in the plane if nothing changes.
+  const std::uint8_t* spreadRow(const Plane& plane, int y, const Spread& across,
+                                const Spread& along, std::uint8_t* out);
 
   ImagePlanes spread_;
   Plane mixed_, mixedRow_;  ///< Between two passes; a whole image and one row.

@@ -7,13 +7,19 @@
 namespace gt {
 namespace {
 
-struct TakeChannel {
+/// Takes a row apart.
+struct TakeRow {
   const PackedColor* in;
-  int firstBit;
 
-  [[gnu::always_inline]] inline void operator()(std::uint8_t* __restrict out,
+  [[gnu::always_inline]] inline void operator()(std::uint8_t* __restrict y,
+                                                std::uint8_t* __restrict cb,
+                                                std::uint8_t* __restrict cr,
                                                 std::size_t count) const {
-    for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<std::uint8_t>(in[i] >> firstBit);
+    for (std::size_t i = 0; i < count; ++i) {
+      y[i] = static_cast<std::uint8_t>(in[i]);
+      cb[i] = static_cast<std::uint8_t>(in[i] >> 8);
+      cr[i] = static_cast<std::uint8_t>(in[i] >> 16);
+    }
   }
 };
 
@@ -37,9 +43,8 @@ void takePlanes(const Rasterizer& picture, ImagePlanes& planes) {
   for (Plane& plane : planes) plane.resize(picture.width(), picture.height());
   withWideInstructions([&]() __attribute__((always_inline)) {
     for (int y = 0; y < picture.height(); ++y)
-      for (std::size_t c = 0; c < channelCount; ++c)
-        TakeChannel{picture.row(y), 8 * static_cast<int>(c)}(
-            planes[c].row(y), static_cast<std::size_t>(picture.width()));
+      TakeRow{picture.row(y)}(planes[0].row(y), planes[1].row(y), planes[2].row(y),
+                              static_cast<std::size_t>(picture.width()));
   });
 }
 
