@@ -4,14 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <map>
 
 #include "match/Match.h"
+#include "observer/LogSelection.h"
+#include "observer/LogTransfer.h"
 #include "observer/ObservedRobot.h"
 #include "observer/RobotLog.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "representations/modeling/RobotPose.h"
+#include "representations/motion/OdometryData.h"
 #include "robot/logs/LogRobot.h"
 #include "streams/File.h"
 
@@ -50,15 +53,40 @@ class ReplayLog : public testing::Test {
   }
 };
 
-void expectTheSame(const std::string& log, const std::string& copy) {
-  const auto topics = replayLog({log}, copy);
-  ASSERT_TRUE(topics) << topics.error().text();
-  EXPECT_GE(topics->size(), 14u);
-  for (const ReplayedTopic& topic : *topics) {
+void expectTheSame(const ReplayOptions& options, const std::string& copy) {
+  const auto report = replayLog(options, copy);
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_GE(report->topics.size(), 13u);
+  for (const ReplayedTopic& topic : report->topics) {
     EXPECT_GT(topic.recorded, 50u) << topic.topic;
-    EXPECT_EQ(topic.recorded, topic.replayed) << log << topic.topic;
-    EXPECT_EQ(topic.different, 0u) << log << topic.topic;
+    EXPECT_EQ(topic.recorded, topic.replayed) << options.log << topic.topic;
+    EXPECT_EQ(topic.different, 0u) << options.log << topic.topic;
   }
+  EXPECT_TRUE(report->within());
+  EXPECT_THAT(report->caveats, testing::IsEmpty());
+}
+
+void expectTheSame(const std::string& log, const std::string& copy) {
+  expectTheSame(ReplayOptions{log}, copy);
+}
+
+/// Whether a topic differs in a replay.
+bool differs(const ReplayReport& report, const std::string& name) {
+  const auto topic = std::ranges::find(report.topics, name, &ReplayedTopic::topic);
+  EXPECT_NE(topic, report.topics.end()) << name;
+  return topic != report.topics.end() && topic->different > 0;
+}
+
+std::uint64_t messagesOf(const std::string& log, const std::string& topic) {
+  std::uint64_t count = 0;
+  Selection selection;
+  selection.topics = {topic};
+  const auto done = selection.forEach(log, [&](const auto&, const McapMessage&) {
+    ++count;
+    return Result<void>{};
+  });
+  EXPECT_TRUE(done) << done.error().text();
+  return count;
 }
 
 TEST_F(ReplayLog, EveryLogOfAMatchComputesTheSameBitForBit) {
@@ -94,10 +122,8 @@ TEST_F(ReplayLog, ComputesTheSameFromTheTruth) {
   const auto given = replayLog(
       {path("play/red3.mcap"), {}, {}, {{"SelfLocator", "Oracled", "", 0}}}, path("other.mcap"));
   ASSERT_TRUE(given) << given.error().text();
-  std::map<std::string, bool> differs;
-  for (const ReplayedTopic& topic : *given) differs[topic.topic] = topic.different > 0;
-  EXPECT_TRUE(differs.at("/RobotPose"));
-  EXPECT_FALSE(differs.at("/OracledWorldState"));
+  EXPECT_TRUE(differs(*given, "/RobotPose"));
+  EXPECT_FALSE(differs(*given, "/OracledWorldState"));
 }
 
 TEST_F(ReplayLog, ComputesTheSameFromImagesAndFromReplays) {
@@ -105,14 +131,117 @@ TEST_F(ReplayLog, ComputesTheSameFromImagesAndFromReplays) {
   expectTheSame(path("replayed.mcap"), path("twice.mcap"));
 }
 
+/// Twice the same command: no byte differs, nor is anything twice in the replay of a replay.
+TEST_F(ReplayLog, WritesTheSameBytesWheneverItIsDone) {
+  const std::string log = path("play/red2.mcap");
+  expectTheSame(log, path("first.mcap"));
+  expectTheSame(log, path("second.mcap"));
+  EXPECT_TRUE(*readFile(path("first.mcap")) == *readFile(path("second.mcap")));
+  expectTheSame(path("first.mcap"), path("twice.mcap"));
+  for (const char* topic : {"/input/GameControlData", "/input/SensorData", "/GameControlData"}) {
+    EXPECT_GT(messagesOf(log, topic), 50u);
+    EXPECT_EQ(messagesOf(path("first.mcap"), topic), messagesOf(log, topic)) << topic;
+    EXPECT_EQ(messagesOf(path("twice.mcap"), topic), messagesOf(log, topic)) << topic;
+  }
+}
+
+/// What its modules remembered when it began is not in it: that is reported.
+TEST_F(ReplayLog, ReportsThatALogBeginsInMidRun) {
+  const std::string cut = path("cut.mcap");
+  Selection selection;
+  selection.from = 1.2;
+  ASSERT_TRUE(cutLog(path("play/red2.mcap"), selection, cut));
+  const auto report = replayLog({cut}, path("first.mcap"));
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(report->caveats, testing::ElementsAre(HasSubstr("begins in mid-run")));
+  EXPECT_THAT(report->text(), testing::StartsWith("note: the log begins in mid-run"));
+  ASSERT_TRUE(replayLog({cut}, path("second.mcap")));
+  EXPECT_TRUE(*readFile(path("first.mcap")) == *readFile(path("second.mcap")));
+}
+
+/// The recorded body walked as the recorded solution had it walk: odometry and decisions are those.
+TEST_F(ReplayLog, RunsAnotherSolutionOnWhatWasRecorded) {
+  ReplayOptions options{path("play/red2.mcap")};
+  options.solutions = {{"SelfLocator", "MonteCarlo", "", 0}};
+  const auto other = replayLog(options, path("other.mcap"));
+  ASSERT_TRUE(other) << other.error().text();
+  EXPECT_FALSE(other->within());
+  EXPECT_TRUE(differs(*other, "/RobotPose"));
+  for (const char* topic : {"/OdometryData", "/MotionRequest", "/HeadControlMode", "/CameraMatrix",
+                            "/RobotState", "/Speaker", "/TeamMessage", "/LinesPercept"})
+    EXPECT_FALSE(differs(*other, topic)) << topic;
+  options.wholeRobot = true;
+  const auto whole = replayLog(options, path("other.mcap"));
+  ASSERT_TRUE(whole) << whole.error().text();
+  EXPECT_TRUE(differs(*whole, "/OdometryData"));
+  EXPECT_TRUE(differs(*whole, "/MotionRequest"));
+}
+
+/// The solution that the log's robot had, chosen again, computes all that it computed.
+TEST_F(ReplayLog, ComputesTheSameWithTheSolutionThatWasRecorded) {
+  for (const char* task :
+       {"SelfLocator=Kalman", "BallLocator=PIDSmoothed", "PlayersLocator=Tracks"}) {
+    ReplayOptions options{path("play/blue4.mcap")};
+    const std::string choice = task;
+    const auto at = choice.find('=');
+    options.solutions = {{choice.substr(0, at), choice.substr(at + 1), "", 0}};
+    expectTheSame(options, path("replayed.mcap"));
+  }
+}
+
+TEST_F(ReplayLog, ReportsSolutionsThatMoveTheRobot) {
+  ReplayOptions options{path("play/red2.mcap")};
+  options.solutions = {{"MotionControl", "Debug", "", 0}};
+  const auto report = replayLog(options, path("other.mcap"));
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(report->caveats, testing::ElementsAre(HasSubstr("MotionControl moves the robot")));
+}
+
+TEST_F(ReplayLog, AllowsWhatMayDiffer) {
+  ReplayOptions options{path("play/red2.mcap")};
+  options.solutions = {{"BallLocator", "BallChallenge", "", 0}};
+  const auto isWithin = [&](const std::vector<Tolerance>& tolerances) {
+    const auto report = replayLog(options, path("other.mcap"), tolerances);
+    EXPECT_TRUE(report) << report.error().text();
+    return report && report->within();
+  };
+  const auto report = replayLog(options, path("other.mcap"));
+  ASSERT_TRUE(report) << report.error().text();
+  std::vector<Tolerance> anything;
+  double most = 0;
+  for (const ReplayedTopic& topic : report->topics) {
+    if (topic.same()) continue;
+    anything.push_back({topic.topic.substr(1), HUGE_VAL});
+    if (topic.topic == "/BallModel")
+      for (const DifferentValue& value : topic.values) most = std::max(most, value.largest);
+  }
+  ASSERT_GT(most, 0);
+  EXPECT_FALSE(isWithin({}));
+  EXPECT_TRUE(isWithin(anything));
+  auto ball = std::ranges::find(anything, "BallModel", &Tolerance::path);
+  ASSERT_NE(ball, anything.end());
+  ball->most = most;
+  EXPECT_TRUE(isWithin(anything));
+  ball->most = most / 2;
+  EXPECT_FALSE(isWithin(anything));
+}
+
+TEST_F(ReplayLog, ReadsTolerances) {
+  const auto read = parseTolerance("RobotPose.pose=2.5");
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->path, "RobotPose.pose");
+  EXPECT_EQ(read->most, 2.5);
+  EXPECT_EQ(parseTolerance("RobotPose=inf")->most, HUGE_VAL);
+  for (const char* wrong : {"RobotPose", "RobotPoze=1", "=1", "RobotPose=", "RobotPose=-1",
+                            "RobotPose=nan", "RobotPose=1mm"})
+    EXPECT_FALSE(parseTolerance(wrong)) << wrong;
+}
+
 TEST_F(ReplayLog, SwitchesSolutions) {
-  const auto differs = [&](const ReplayOptions& options, const std::string& name) {
-    const auto topics = replayLog(options, path("other.mcap"));
-    EXPECT_TRUE(topics) << topics.error().text();
-    for (const ReplayedTopic& topic : *topics)
-      if (topic.topic == name) return topic.different > 0;
-    ADD_FAILURE() << name;
-    return false;
+  const auto differs = [&](const ReplayOptions& chosen, const std::string& name) {
+    const auto report = replayLog(chosen, path("other.mcap"));
+    EXPECT_TRUE(report) << report.error().text();
+    return report && gt::differs(*report, name);
   };
   ReplayOptions options{path("images/red1.mcap")};
   options.solutions = {{"ImageProcessor", "GridImageProcessor2", "", 0}};
@@ -138,6 +267,42 @@ TEST_F(ReplayLog, RefusesWhatIsNoLogToReplay) {
               HasSubstr("does not hold what its robot sensed"));
   EXPECT_THAT(replayLog({path("play/red1.mcap")}, path("play/red1.mcap")).error().text(),
               HasSubstr("is the log that is read"));
+}
+
+/// A log of another version, whose files this program does not read: one line names the file in the
+/// log, and with files of this program the log is replayed.
+TEST_F(ReplayLog, ReplaysOlderLogsWithOtherFiles) {
+  const std::string log = path("play/red1.mcap"), older = path("older.mcap");
+  auto setup = recordedSetup(*McapReader::open(log), log);
+  ASSERT_TRUE(setup) << setup.error().text();
+  const std::string_view walk = "footMode 1\n";
+  const auto file =
+      std::ranges::find(setup->files, "config/modules/WalkingEngine.InvKin.cfg", &SetupFile::name);
+  ASSERT_NE(file, setup->files.end());
+  file->content = {walk.begin(), walk.end()};
+  setup->commit = "c1d31b9";
+  auto writer = RobotLog::open(older, {});
+  ASSERT_TRUE(writer) << writer.error().text();
+  attach(*setup, writer->file());
+  SensorDataBuffer sensors;
+  for (int i = 1; i <= 100; ++i) {
+    for (SensorData& frame : sensors.frames) frame.time = Time{8 * i};
+    writer->writeInput(Time{8 * i}, sensors);
+  }
+  ASSERT_TRUE(writer->close());
+  const auto refused = replayLog({older}, path("other.mcap"));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(
+      refused.error().text(),
+      testing::StartsWith(older + ": config/modules/WalkingEngine.InvKin.cfg:1: footMode: "));
+  EXPECT_THAT(refused.error().text(), HasSubstr("commit c1d31b9"));
+  EXPECT_THAT(refused.error().text(), testing::Not(HasSubstr("\n")));
+  ReplayOptions options{older};
+  options.configuration = *loadConfiguration({});
+  options.layout = "layouts/cmd.layout";
+  const auto replayed = replayLog(options, path("other.mcap"));
+  ASSERT_TRUE(replayed) << replayed.error().text();
+  EXPECT_EQ(messagesOf(path("other.mcap"), "/OdometryData"), 100u);
 }
 
 /// What a robot on a log believes, at the moment that was played last.
@@ -194,6 +359,24 @@ TEST_F(ReplayLog, RobotsOnALogShowWhatWasRecorded) {
   ASSERT_NE(observed.newest<BehaviorTrace>(), nullptr);
   ASSERT_TRUE(observed.request(DebugRequest{traceKey, DebugKeyMode::always, 0}));
   EXPECT_NEAR(second(), 25, 2) << "not both";
+}
+
+/// A solution that is switched on while the log is played runs on what was recorded, too.
+TEST_F(ReplayLog, RobotsOnALogRunAnotherSolutionOnWhatWasRecorded) {
+  auto opened = LogRobot::open(path("play/red2.mcap"), {});
+  ASSERT_TRUE(opened) << opened.error().text();
+  ObservedRobot observed{"LOG1", (*opened)->link()};
+  const auto take = [&](const MessageQueue& messages) { observed.take(messages); };
+  ASSERT_TRUE(observed.request(SolutionRequest{"SelfLocator", "MonteCarlo"}));
+  ASSERT_TRUE((*opened)->pass(2400, take));
+  const auto last = [](LogRobot& robot) {
+    return robot.robot().provided<OdometryData>()->pose.translation;
+  };
+  const auto recorded = LogRobot::open(path("play/red2.mcap"), {});
+  ASSERT_TRUE((*recorded)->pass(2400, [](const MessageQueue&) {}));
+  EXPECT_GT(last(**recorded).norm(), 50);
+  EXPECT_EQ(last(**opened), last(**recorded));
+  EXPECT_NE(poseOf(**opened).pose.translation, poseOf(**recorded).pose.translation);
 }
 
 TEST_F(ReplayLog, RobotsOnALogRefuseWhatItDoesNotHold) {

@@ -1,10 +1,14 @@
 #include <fmt/core.h>
 
+#include <sstream>
+#include <utility>
+
 #include "commandline/CommandLine.h"
 #include "gtlog/Check.h"
 #include "gtlog/Export.h"
 #include "gtlog/LogList.h"
 #include "gtlog/ReplayLog.h"
+#include "gtlog/SolutionErrors.h"
 #include "observer/LogTransfer.h"
 #include "robot/logs/ImportNaoLog.h"
 
@@ -20,7 +24,9 @@ struct Arguments {
   std::uint64_t limit = 0;
   std::string layout, config, colors;
   bool naoColors = false;
-  std::vector<std::string> solutions;
+  std::vector<std::string> solutions, tolerances;
+  std::string compared;
+  bool wholeRobot = false;
 };
 
 void addSelection(CLI::App& command, Selection& selection) {
@@ -74,8 +80,18 @@ Result<int> exportTo(const Arguments& arguments) {
   return 0;
 }
 
+/// Splits TASK=SOLUTION.
+Result<std::pair<std::string, std::string>> taskAndSolution(const std::string& text,
+                                                            const char* expected) {
+  const auto at = text.find('=');
+  if (at == text.npos || at == 0 || at + 1 == text.size())
+    return Error{.field = text, .what = std::string{"expected "} + expected};
+  return std::pair{text.substr(0, at), text.substr(at + 1)};
+}
+
 Result<ReplayOptions> replayOptions(const Arguments& arguments) {
   ReplayOptions options{arguments.log};
+  options.wholeRobot = arguments.wholeRobot;
   options.layout = arguments.layout;
   if (!arguments.config.empty()) {
     const auto root = DataRoot::find(DataRoot::places(""));
@@ -89,33 +105,63 @@ Result<ReplayOptions> replayOptions(const Arguments& arguments) {
     options.configuration = std::move(*configuration);
   }
   for (const std::string& text : arguments.solutions) {
-    const auto at = text.find('=');
-    if (at == text.npos) return Error{.field = text, .what = "expected TASK=SOLUTION"};
-    options.solutions.push_back({text.substr(0, at), text.substr(at + 1), "", 0});
+    const auto choice = taskAndSolution(text, "TASK=SOLUTION");
+    if (!choice) return choice.error();
+    options.solutions.push_back({choice->first, choice->second, "", 0});
   }
   return options;
 }
 
+/// Prints how wrong the robot is with each of some solutions.
+Result<int> compare(const Arguments& arguments, const ReplayOptions& options) {
+  const auto choice = taskAndSolution(arguments.compared, "TASK=SOLUTION,SOLUTION,...");
+  if (!choice) return choice.error();
+  std::vector<std::string> names;
+  std::istringstream list{choice->second};
+  for (std::string name; std::getline(list, name, ',');) names.push_back(name);
+  const auto errors = compareSolutions(options, choice->first, names);
+  if (!errors) return errors.error();
+  fmt::print("{}", tableOf(choice->first, *errors));
+  return 0;
+}
+
+/// 1 if something differs that may not.
 Result<int> replay(const Arguments& arguments) {
   const auto options = replayOptions(arguments);
   if (!options) return options.error();
-  const auto topics = replayLog(*options, arguments.out);
-  if (!topics) return topics.error();
-  for (const ReplayedTopic& topic : *topics) {
-    fmt::print("{:24} recorded {:7}, replayed {:7}, ", topic.topic, topic.recorded, topic.replayed);
-    if (topic.different == 0)
-      fmt::print("{}\n", topic.same() ? "the same" : "the same at the same times");
-    else
-      fmt::print("{} differ, the first at {:.3f} s\n", topic.different, seconds(*topic.first));
+  if (!arguments.compared.empty()) return compare(arguments, *options);
+  if (arguments.out.empty())
+    return Error{.field = "out", .what = "expected a name for the log of what the robot computes"};
+  std::vector<Tolerance> tolerances;
+  for (const std::string& text : arguments.tolerances) {
+    auto tolerance = parseTolerance(text);
+    if (!tolerance) return tolerance.error();
+    tolerances.push_back(std::move(*tolerance));
   }
-  return 0;
+  const auto report = replayLog(*options, arguments.out, tolerances);
+  if (!report) return report.error();
+  fmt::print("{}", report->text());
+  return report->within() ? 0 : 1;
 }
 
 void addReplay(CLI::App& command, Arguments& a) {
   command.add_option("log", a.log)->required();
-  command.add_option("out", a.out, "The log of what the robot computes now")->required();
+  auto* out = command.add_option("out", a.out, "The log of what the robot computes now");
   command.add_option("--solution", a.solutions,
-                     "Another solution of a task: ImageProcessor=GT2003");
+                     "Another solution of a task, on what was recorded: ImageProcessor=GT2003");
+  command.add_flag("--whole-robot", a.wholeRobot,
+                   "With another solution the robot decides anew, too, and its odometry is that of "
+                   "another walk");
+  auto* within = command.add_option(
+      "--within", a.tolerances,
+      "How much numbers may differ, or inf for anything: RobotPose.pose.translation=5. Exit status "
+      "1 if more does");
+  command
+      .add_option("--solutions", a.compared,
+                  "Prints how far off the recorded truth the robot is with each of these: "
+                  "SelfLocator=Kalman,MonteCarlo")
+      ->excludes(out)
+      ->excludes(within);
   command.add_option("--layout", a.layout, "Another process layout than the log's");
   auto* config =
       command.add_option("--config", a.config, "Another configuration folder than the log's");

@@ -372,7 +372,10 @@ std::vector<Command> robotCommands() {
        "simulator.",
        so, nullptr, true},
       {kind, "sr", "? | TASK (? | SOLUTION)",
-       "Has a task solved by another solution, or by none: disabled.", sr, taskNames, true}};
+       "Has a task solved by another solution, or by none: disabled. On a log it runs on what was "
+       "recorded: what the robot decided comes from the log then, unless BehaviorControl is "
+       "switched on again.",
+       sr, taskNames, true}};
 }
 
 }  // namespace gt

@@ -52,6 +52,28 @@ Result<void> unpack(const RecordedSetup& setup, const fs::path& folder) {
   return {};
 }
 
+/// The name that an unpacked file has in the log; the same of any other file.
+std::string nameInLog(const std::string& file, const fs::path& folder) {
+  const fs::path within = fs::path{file}.lexically_relative(folder);
+  return within.empty() || *within.begin() == ".." ? file : within.generic_string();
+}
+
+Error named(Error error, const fs::path& folder) {
+  error.file = nameInLog(error.file, folder);
+  return error;
+}
+
+/// What is wrong with a configuration may be found when a robot is made of it.
+std::shared_ptr<const Configuration> named(const Configuration& unpacked, const fs::path& folder) {
+  auto configuration = std::make_shared<Configuration>(unpacked);
+  for (Configuration::SolutionChoice& choice : configuration->solutions)
+    choice.file = nameInLog(choice.file, folder);
+  for (Configuration::ParameterFile& file : configuration->parameters)
+    file.path = nameInLog(file.path, folder);
+  configuration->log.file = nameInLog(configuration->log.file, folder);
+  return configuration;
+}
+
 }  // namespace
 
 Result<RecordedSetup> recordSetup(const SetupFiles& files) {
@@ -79,11 +101,11 @@ Result<RobotSetup> readSetup(const RecordedSetup& recorded, const RobotModules& 
   paths.motions = (folder.path() / "motions").string();
   paths.behavior = (folder.path() / "behavior" / recorded.behavior).string();
   auto configuration = loadConfiguration(paths, modules);
-  if (!configuration) return configuration.error();
+  if (!configuration) return named(configuration.error(), folder.path());
   auto layout = loadLayout((folder.path() / "robot.layout").string());
-  if (!layout) return layout.error();
+  if (!layout) return named(layout.error(), folder.path());
   RobotSetup setup;
-  setup.configuration = std::move(*configuration);
+  setup.configuration = named(**configuration, folder.path());
   setup.layout = std::move(*layout);
   setup.player = recorded.player;
   setup.seed = recorded.seed;

@@ -7,14 +7,18 @@
 #include "framework/Requests.h"
 #include "network/Wire.h"
 #include "robot/SetupFiles.h"
+#include "robot/logs/ReplayPlatform.h"
 
 namespace gt {
 namespace {
 
 /// Begins a log that is not there yet; none is left behind if it cannot be written.
-Result<RobotLog> beginLog(const RobotProgramOptions& options, const RecordedSetup& setup) {
+Result<RobotLog> beginLog(const RobotProgramOptions& options, const RecordedSetup& setup,
+                          bool withProgram) {
   const std::string file = freeLogFile(options.logs + "/" + options.addresses.robot);
-  auto log = RobotLog::open(file, {{"robot", options.addresses.robot}});
+  McapWriter::Metadata about{{"robot", options.addresses.robot}};
+  if (withProgram) about.emplace(beginsWithProgram, "the robot's program");
+  auto log = RobotLog::open(file, about);
   if (!log) return log.error();
   attach(setup, log->file());
   if (const auto done = log->flush(); !done) {
@@ -36,7 +40,7 @@ Result<std::unique_ptr<ProgramRecorder>> ProgramRecorder::open(const RobotProgra
   const auto setup = recordSetup(
       {options.paths, options.layout, options.player, options.seed, options.hardwareAddress});
   if (!setup) return setup.error();
-  auto log = beginLog(options, *setup);
+  auto log = beginLog(options, *setup, true);
   if (!log) return log.error();
   std::unique_ptr<ProgramRecorder> recorder{
       new ProgramRecorder{std::move(*log), options, *setup, layout}};
@@ -90,7 +94,7 @@ void ProgramRecorder::write(const Wire& wire, const MessageQueue& messages, std:
 
 void ProgramRecorder::beginAnew(const Error& reason) {
   if (!std::exchange(broken_, true)) news_.push_back(reason.text());
-  auto log = beginLog(options_, setup_);
+  auto log = beginLog(options_, setup_, false);
   if (!log) return;
   log_ = std::move(*log);
   broken_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "debug/Drawing.h"
 #include "robot/logs/ImportNaoLog.h"
 
 namespace gt {
@@ -83,19 +84,26 @@ class LogRobot::Link : public RobotLink {
   MessageQueue& toRobot() override { return robot_.toRobot_; }
   void exchange(const Taker& take) override {
     MessageQueue answers{1 << 16};
+    std::vector<SolutionRequest> solutions;
     robot_.toRobot_.handleAllMessages([&](const Message& message) {
       if (robot_.refuses(message, answers)) return;
+      SolutionRequest request;
+      if (message.is<SolutionRequest>() && message.read(request)) solutions.push_back(request);
       robot_.robot().fromTools().append(message);
       if (!asksOnce(message)) robot_.requests_.append(message);
     });
     robot_.toRobot_.clear();
     robot_.robot().answer();
+    for (const SolutionRequest& request : solutions) robot_.runsAnother(request);
+    for (; caveats_ < robot_.platform_.caveats().size(); ++caveats_)
+      answers.write({}, Text{robot_.platform_.caveats()[caveats_], Severity::warning});
     take(answers);
     robot_.handOver(take);
   }
 
  private:
   LogRobot& robot_;
+  std::size_t caveats_ = 0;  ///< That were reported.
 };
 
 LogRobot::LogRobot(OpenedLog log)
@@ -128,6 +136,18 @@ bool LogRobot::refuses(const Message& message, MessageQueue& answers) const {
   if (missing.empty() || request.solution == SolutionTable::disabled) return false;
   answers.write({}, answerTo(message, "log", Error{.field = request.task, .what = missing}));
   return true;
+}
+
+/// A task's other solution runs on what was recorded, if the robot has taken it.
+void LogRobot::runsAnother(const SolutionRequest& request) {
+  const auto& own = robot().setup().configuration->solutions;
+  const bool isRecorded = std::ranges::any_of(own, [&](const auto& choice) {
+    return choice.task == request.task && choice.solution == request.solution;
+  });
+  if (isRecorded || request.solution == SolutionTable::disabled) return;
+  for (const auto& process : robot().processes())
+    if (process->activeSolution(request.task) == request.solution)
+      platform_.runsAnother(request.task);
 }
 
 void LogRobot::handOver(const RobotLink::Taker& take) {

@@ -64,6 +64,7 @@ class LogRobot {
   Result<void> goTo(std::size_t moment, const RobotLink::Taker& take);
   void handOver(const RobotLink::Taker& take);
   bool refuses(const Message& message, MessageQueue& answers) const;
+  void runsAnother(const SolutionRequest& request);
 
   std::string file_;
   std::unique_ptr<TemporaryFolder> converted_;

@@ -1,13 +1,17 @@
 #include "robot/logs/ReplayPlatform.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <utility>
 
 #include "debug/Drawing.h"
 #include "observer/MessageTypes.h"
 #include "observer/RobotLog.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
+#include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/OracledWorldState.h"
+#include "representations/motion/OdometryData.h"
 #include "robot/SetupFiles.h"
 #include "robot/Solutions.h"
 #include "robot/logs/LogPlatform.h"
@@ -31,6 +35,23 @@ bool contains(const std::vector<const RepresentationType*>& types, std::string_v
   return std::ranges::find(types, name, &RepresentationType::name) != types.end();
 }
 
+/// Whether a solution reads one of these types.
+bool reads(const Solution* solution, const std::vector<const RepresentationType*>& types) {
+  return solution && std::ranges::any_of(solution->ports, [&](const Port& port) {
+           return port.kind != PortKind::output && contains(types, port.type->name);
+         });
+}
+
+/// An error about one of the files that a log holds says so: another version reads them.
+Error aboutFiles(const Error& error, const RecordedSetup& recorded, const std::string& log) {
+  if (std::ranges::find(recorded.files, error.file, &SetupFile::name) == recorded.files.end())
+    return error;
+  return {.file = log,
+          .what = error.text() + "; this program does not read the files that commit " +
+                  recorded.commit +
+                  " has recorded: give it other ones (gtlog replay --config FOLDER --layout FILE)"};
+}
+
 }  // namespace
 
 Result<ReplayPlatform> ReplayPlatform::make(const ReplayOptions& options) {
@@ -41,6 +62,7 @@ Result<ReplayPlatform> ReplayPlatform::make(const ReplayOptions& options) {
   if (auto done = platform.chooseSetup(options); !done) return done.error();
   platform.dropStandingProcesses();
   platform.disableUnrecorded();
+  if (auto done = platform.lookForMemory(); !done) return done.error();
   if (auto done = platform.makeRobot(); !done) return done.error();
   if (platform.robot().processes().empty())
     return platform.damaged(inputTopic, "nothing in the log begins a cycle of a process");
@@ -98,7 +120,7 @@ Result<void> ReplayPlatform::chooseSetup(const ReplayOptions& options) {
   if (!another) {
     if (recorded_.files.empty()) return damaged("", "the log does not hold its robot's files");
     auto made = readSetup(recorded_, allModules());
-    if (!made) return made.error();
+    if (!made) return aboutFiles(made.error(), recorded_, player_.path());
     setup_ = std::move(*made);
   }
   setup_.player = recorded_.player;
@@ -111,6 +133,9 @@ Result<void> ReplayPlatform::chooseSetup(const ReplayOptions& options) {
     setup_.layout = std::move(*layout);
   }
   solutions_ = options.solutions;
+  wholeRobot_ = options.wholeRobot;
+  for (const Configuration::SolutionChoice& choice : options.solutions)
+    if (choice.solution != SolutionTable::disabled) chosen_.insert(choice.task);
   // What another layout asks for and was not recorded stays as it is at a robot's start.
   for (const RepresentationType* type : LogPlatform::representations())
     if ((isRecorded(type->name, true) || !options.layout.empty()) &&
@@ -177,8 +202,38 @@ void ReplayPlatform::disableUnrecorded() {
       }
 }
 
+/// Modules remember what came before the log's begin, unless their robot began with the log: then
+/// its first frames of sensor data have no past. A robot's program that records itself reports so.
+Result<void> ReplayPlatform::lookForMemory() {
+  if (!isRecorded("SensorData", true) && !isRecorded("SensorDataBuffer", true)) return {};
+  const auto& all = player_.log().metadata();
+  const bool withProgram = std::ranges::any_of(all, [](const McapReader::Metadata& metadata) {
+    return metadata.entries.contains(beginsWithProgram);
+  });
+  for (bool found = false; !found && !player_.atEnd();) {
+    const auto more = player_.next([&](const McapChannel& recorded, const McapMessage& message) {
+      auto& channel = channels_[recorded.id];
+      if (found || !channel || !channel->input) return Result<void>{};
+      const bool whole = channel->type == &representation<SensorDataBuffer>();
+      if (!whole && channel->type != &representation<SensorData>()) return Result<void>{};
+      found = true;
+      if (auto done = decode(*channel, message); !done) return done;
+      const auto* buffer = static_cast<const SensorDataBuffer*>(channel->value.get());
+      if (!whole || (!withProgram && buffer->frames.front().time != buffer->newest().time))
+        caveats_.push_back(
+            "the log begins in mid-run, and does not hold what the modules remembered then");
+      return Result<void>{};
+    });
+    if (!more) return more.error();
+  }
+  player_.seek(0);
+  return {};
+}
+
 Result<void> ReplayPlatform::makeRobot() {
   auto robot = Robot::make(setup_);
+  const bool ofLog = !std::filesystem::exists(setup_.configuration->files.paths.config);
+  if (!robot && ofLog) return aboutFiles(robot.error(), recorded_, player_.path());
   if (!robot) return robot.error();
   robot_ = std::move(*robot);
   if (!recorded_.files.empty())
@@ -186,8 +241,10 @@ Result<void> ReplayPlatform::makeRobot() {
   for (auto& channel : channels_)
     if (channel) {
       channel->provided = provides(robot_->plan(), *channel->type);
+      // What was recorded both as the platform sent it and as the robot had it is sent once.
       channel->sent =
-          channel->input || (!channel->provided && contains(setup_.platform, channel->type->name));
+          channel->input || (!channel->provided && !isRecorded(channel->type->name, true) &&
+                             contains(setup_.platform, channel->type->name));
     }
   for (const Configuration::SolutionChoice& choice : solutions_) {
     if (const std::string missing = missingFor(choice.task);
@@ -196,7 +253,66 @@ Result<void> ReplayPlatform::makeRobot() {
     if (auto done = robot_->request(SolutionRequest{choice.task, choice.solution}); !done)
       return done;
   }
+  takeDecisions();
   return {};
+}
+
+void ReplayPlatform::runsAnother(const std::string& task) {
+  chosen_.insert(task);
+  takeDecisions();
+}
+
+/// Disables a task that was not chosen, so that the log stands for it; `gaps` gets those of its
+/// outputs that the log does not hold. Returns false if it was disabled already.
+bool ReplayPlatform::disableFor(const Task& task, std::vector<const RepresentationType*>& gaps) {
+  if (chosen_.contains(task.name) || robot_->isDisabled(*task.outputs.front())) return false;
+  static_cast<void>(
+      robot_->request(SolutionRequest{task.name, std::string{SolutionTable::disabled}}));
+  for (const RepresentationType* output : task.outputs)
+    if (!isRecorded(output->name, false)) gaps.push_back(output);
+  return true;
+}
+
+/// Has the log stand for what the robot decided, and for what was made of decisions that were not
+/// recorded, as far as that was.
+void ReplayPlatform::takeDecisions() {
+  if (chosen_.empty() || wholeRobot_) return;
+  std::vector<const Task*> tasks;
+  for (const Plan::Process& process : robot_->plan().processes)
+    for (const Plan::Step& step : process.order) tasks.push_back(step.task);
+  const auto caveat = [this](std::string text) {
+    if (std::ranges::find(caveats_, text) == caveats_.end()) caveats_.push_back(std::move(text));
+  };
+  const auto active = [this](const Task& task) -> const Solution* {
+    for (const auto& process : robot_->processes())
+      if (process->solves(task.name)) return task.find(process->activeSolution(task.name));
+    return nullptr;
+  };
+  const auto provider = [&](std::string_view type) {
+    const auto task = std::ranges::find_if(
+        tasks, [&](const Task* other) { return contains(other->outputs, type); });
+    return task == tasks.end() ? nullptr : *task;
+  };
+  const Task* motion = provider(representation<OdometryData>().name);
+  for (const Task* task : tasks)
+    if (motion && chosen_.contains(task->name) &&
+        (task == motion || reads(active(*motion), task->outputs)))
+      caveat(task->name + " moves the robot, but its recorded body did not move so");
+  std::vector<const RepresentationType*> gaps;
+  const std::string_view decision = representation<MotionRequest>().name;
+  if (const Task* decides = provider(decision); decides && isRecorded(decision, false))
+    disableFor(*decides, gaps);
+  else if (decides && motion)
+    caveat("the log does not hold what its robot decided, " + std::string{decision} +
+           ": OdometryData is computed anew, and may differ from what its body did");
+  const auto standsFor = [this](const Task& task) {
+    return std::ranges::any_of(task.outputs, [this](const RepresentationType* output) {
+      return isRecorded(output->name, false);
+    });
+  };
+  for (bool more = true; std::exchange(more, false);)
+    for (const Task* task : tasks)
+      if (standsFor(*task) && reads(active(*task), gaps)) more |= disableFor(*task, gaps);
 }
 
 void ReplayPlatform::watchAll() {

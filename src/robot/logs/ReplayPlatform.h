@@ -15,14 +15,22 @@
 
 namespace gt {
 
+/// Names, in a log's metadata, that a robot's program recorded itself from its begin on: then its
+/// modules remembered nothing, whenever the platform had begun.
+constexpr const char* beginsWithProgram = "begins with";
+
 /// How a log is replayed; by default as it was recorded.
 struct ReplayOptions {
   std::string log;
   /// Another configuration than the log's own, where it has one.
   std::shared_ptr<const Configuration> configuration{};
   std::string layout{};  ///< Another layout; needed where the log has none.
-  /// Other solutions of tasks.
+  /// Other solutions of tasks. They run on what was recorded: what the robot decided comes from the
+  /// log, since its body did that.
   std::vector<Configuration::SolutionChoice> solutions{};
+  /// With other solutions, the robot decides anew, too. Its odometry is then that of a walk which
+  /// the recorded sensors never saw.
+  bool wholeRobot = false;
 };
 
 /// The platform of a robot that runs on a log: sends what the log's robot got from its platform
@@ -50,6 +58,12 @@ class ReplayPlatform {
   void onInput(InputHandler handle) { input_ = std::move(handle); }
   /// What makes the robot: as recorded, with what is wanted instead.
   const RecordedSetup& recorded() const { return recorded_; }
+  /// Why what the robot computes may differ from what it computed when the log was recorded,
+  /// although its modules are the same; one sentence each.
+  const std::vector<std::string>& caveats() const { return caveats_; }
+  /// Has the robot run another solution of a task from now on, on what was recorded; see
+  /// ReplayOptions.
+  void runsAnother(const std::string& task);
 
   LogPlayer& player() { return player_; }
   Time now() const { return now_; }
@@ -78,7 +92,10 @@ class ReplayPlatform {
   Result<void> chooseSetup(const ReplayOptions& options);
   void dropStandingProcesses();
   void disableUnrecorded();
+  Result<void> lookForMemory();
   Result<void> makeRobot();
+  void takeDecisions();
+  bool disableFor(const Task& task, std::vector<const RepresentationType*>& gaps);
   bool isRecorded(std::string_view name, bool input) const;
   Result<void> take(const McapChannel& channel, const McapMessage& message);
   Result<void> decode(Channel& channel, const McapMessage& message) const;
@@ -94,6 +111,9 @@ class ReplayPlatform {
   std::unique_ptr<Robot> robot_;
   std::vector<std::optional<Channel>> channels_;  ///< By the channels' ids.
   std::vector<Configuration::SolutionChoice> solutions_;
+  std::set<std::string> chosen_;  ///< Tasks with another solution than the log's.
+  bool wholeRobot_ = false;
+  std::vector<std::string> caveats_;
   std::vector<const RepresentationType*> watched_;
   std::function<void(Robot&)> newRobot_;
   InputHandler input_;

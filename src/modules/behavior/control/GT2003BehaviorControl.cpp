@@ -1,5 +1,7 @@
 #include "modules/behavior/control/GT2003BehaviorControl.h"
 
+#include <filesystem>
+
 #include "motionnet/Listing.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
@@ -51,6 +53,17 @@ BehaviorState stateOf(const xabsl::Engine& engine, const std::vector<std::string
         .push_back({name, value->text, model.symbols[index].unit});
   }
   return state;
+}
+
+/// Names files as the attachments of a log do, behavior/ and the path from the agents file's folder
+/// on: a trace is the same wherever the files lie.
+void nameAsInLogs(std::vector<std::string>& files) {
+  if (files.empty()) return;
+  const std::filesystem::path folder = std::filesystem::path{files.front()}.parent_path();
+  for (std::string& file : files)
+    file = (std::filesystem::path{"behavior"} /
+            std::filesystem::path{file}.lexically_proximate(folder))
+               .generic_string();
 }
 
 }  // namespace
@@ -118,7 +131,11 @@ void GT2003BehaviorControl::execute(Time now, const BehaviorControlRequest& cont
   for (const auto& [symbol, value] : control.outputs) engine_->setOutput(symbol, value);
   if (record) {
     std::string text;
-    if (!recording_) text = toText(xabsl::TraceSubject::of(*engine_));
+    if (!recording_) {
+      xabsl::TraceSubject subject = xabsl::TraceSubject::of(*engine_);
+      nameAsInLogs(subject.model.files);
+      text = toText(subject);
+    }
     text += toText(recorder_.events());
     recorder_.clear();
     debug.out().write(now, BehaviorTrace{std::move(text)});

@@ -154,6 +154,36 @@ TEST_F(GT2003BehaviorControlTest, TellsWhatItDecidedWhileTheKeyIsActive) {
   EXPECT_THAT(text, ::testing::HasSubstr("yes: body.fallen  (behavior/options/play_soccer.xabsl:"));
 }
 
+/// A replay reads the behavior from a temporary folder, and a team's files lie in another one.
+TEST_F(GT2003BehaviorControlTest, NamesTheFilesOfATraceWhereverTheyLie) {
+  debug.keys().set(*DebugKey::find("BehaviorControl/trace"), {DebugKeyMode::always, 0});
+  const auto traceIn = [&](const std::string& folder) {
+    const xabsl::Compilation compilation = xabsl::compile(
+        folder + "a.xabsl", {{folder + "a.xabsl",
+                              "namespace skills(\"Skills\") { behavior getup { } }\n"
+                              "include \"options/play.xabsl\";\n"
+                              "agent player(\"Player\", play);"},
+                             {folder + "options/play.xabsl",
+                              "option play { initial state up { action { getup(); } } }"}});
+    EXPECT_TRUE(compilation.behavior);
+    if (!compilation.behavior) return std::string{};
+    GT2003BehaviorControl fresh;
+    debug.out().clear();
+    fresh.update(world.state(), Behavior{compilation.behavior}, {}, motionRequest, headControlMode,
+                 ledRequest, soundRequest, message, debug);
+    BehaviorTrace trace;
+    debug.out().handleAllMessages([&](const Message& sent) {
+      if (sent.is<BehaviorTrace>()) EXPECT_TRUE(sent.read(trace));
+    });
+    return trace.text;
+  };
+  const std::string trace = traceIn("/tmp/gt2003-I1Bzj0/behavior/");
+  EXPECT_THAT(trace, ::testing::HasSubstr("\nfile behavior/a.xabsl\n"));
+  EXPECT_THAT(trace, ::testing::HasSubstr("\nfile behavior/options/play.xabsl\n"));
+  EXPECT_EQ(trace, traceIn("behavior/"));
+  EXPECT_EQ(trace, traceIn(""));
+}
+
 TEST_F(GT2003BehaviorControlTest, StandsUntilTheGameBegins) {
   for (const GameState state : {GameState::initial, GameState::set, GameState::penalized}) {
     world.game.state = state;
