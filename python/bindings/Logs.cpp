@@ -73,7 +73,7 @@ class LogFile {
   }
 
   /// A line for each thing that is damaged; reads all of the log once to find it.
-  std::optional<std::string> damage() {
+  nb::object damage() {
     if (!looked_) {
       const nb::gil_scoped_release released;
       reader_.seek(0);
@@ -82,10 +82,15 @@ class LogFile {
       looked_ = true;
     }
     std::string text;
-    for (const Error& error : reader_.damage()) text += (text.empty() ? "" : "\n") + error.text();
-    for (const Error& error : lost_.errors(path_))
+    const auto addLine = [&](const Error& error) {
       text += (text.empty() ? "" : "\n") + error.text();
-    return text.empty() ? std::nullopt : std::optional{text};
+    };
+    std::ranges::for_each(reader_.damage(), addLine);
+    std::ranges::for_each(lost_.errors(path_), addLine);
+    // Names in a broken log may be no UTF-8.
+    if (text.empty()) return nb::none();
+    return nb::steal<nb::str>(
+        PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
   }
 
   /// For each channel its topic, the name of its schema, and why its messages cannot be read; empty
