@@ -59,7 +59,7 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
-Result<std::string> describeLog(const std::string& path) {
+Result<std::string> describeLog(const std::string& path, std::vector<Error>& damage) {
   auto log = McapReader::open(path);
   if (!log) return log.error();
   std::map<std::uint16_t, Count> counts;
@@ -73,7 +73,7 @@ Result<std::string> describeLog(const std::string& path) {
                                  std::filesystem::file_size(path, failure), all.messages);
   if (all.messages > 0) text += ", " + timeText(all.first) + " to " + timeText(all.last);
   text += log->indexed() ? "\n" : ", without an index\n";
-  for (const Error& error : log->damage()) text += "  damaged: " + error.text() + "\n";
+  damage.insert(damage.end(), log->damage().begin(), log->damage().end());
   text += channelTable(log->channels(), counts);
   for (const auto& m : log->metadata()) {
     text += fmt::format("  metadata {}\n", m.name);

@@ -33,6 +33,13 @@ void addSelection(CLI::App& command, Selection& selection) {
   command.add_option("--to", selection.to, "Up to this second of the log");
 }
 
+/// A line for each thing that was left out; the status of a program that left something out.
+int reportLeft(const std::vector<Error>& left) {
+  std::fflush(stdout);
+  for (const Error& error : left) fmt::print(stderr, "gtlog: {}\n", error.text());
+  return left.empty() ? 0 : 2;
+}
+
 /// A log of 2009 is no log of ours yet.
 Result<int> orHint(Result<int> done) {
   if (done || !isNaoLog(done.error().file)) return done;
@@ -42,19 +49,15 @@ Result<int> orHint(Result<int> done) {
 }
 
 Result<int> list(const Arguments& arguments) {
+  int status = 0;
   for (const std::string& path : arguments.logs) {
-    const auto text = describeLog(path);
+    std::vector<Error> damage;
+    const auto text = describeLog(path, damage);
     if (!text) return text.error();
     fmt::print("{}", *text);
+    status = std::max(status, reportLeft(damage));
   }
-  return 0;
-}
-
-/// A line for each thing that was left out; the status of a program that left something out.
-int reportLeft(const std::vector<Error>& left) {
-  std::fflush(stdout);
-  for (const Error& error : left) fmt::print(stderr, "gtlog: {}\n", error.text());
-  return left.empty() ? 0 : 2;
+  return status;
 }
 
 Result<int> show(const Arguments& arguments) {
