@@ -16,12 +16,13 @@ constexpr double megabyte = 1e6;
 
 struct Recorded {
   std::uint16_t channel;
-  std::int64_t time;
+  std::uint64_t time;
   std::vector<std::byte> bytes;
 };
 
 /// A log in memory.
 struct Messages {
+  std::vector<McapSchema> schemas;
   std::vector<McapChannel> channels;
   std::vector<Recorded> all;
   std::size_t size = 0;
@@ -47,21 +48,21 @@ Result<Messages> load(const std::string& path) {
   auto log = McapReader::open(path);
   if (!log) return log.error();
   Messages messages;
+  messages.schemas = log->schemas();
   messages.channels = log->channels();
-  for (;;) {
-    const auto next = log->next();
-    if (!next) return next.error();
-    if (!*next) return messages;
-    const McapMessage& m = **next;
-    messages.all.push_back({m.channel, m.time, {m.data.begin(), m.data.end()}});
-    messages.size += m.data.size();
+  while (const auto m = log->next()) {
+    messages.all.push_back({m->channel, m->time, {m->data.begin(), m->data.end()}});
+    messages.size += m->data.size();
   }
+  if (!log->damage().empty()) return log->damage().front();
+  return messages;
 }
 
 Result<void> write(const Messages& messages, const std::string& path, bool compress) {
   auto log = McapWriter::open(path, {compress});
   if (!log) return log.error();
   std::vector<McapWriter::ChannelId> ids(1u << 16);
+  for (const McapSchema& schema : messages.schemas) log->addSchema(schema);
   for (const McapChannel& channel : messages.channels) ids[channel.id] = log->addChannel(channel);
   for (const Recorded& m : messages.all) log->write(ids[m.channel], m.time, m.bytes);
   return log->close();
@@ -70,11 +71,10 @@ Result<void> write(const Messages& messages, const std::string& path, bool compr
 Result<void> read(const std::string& path) {
   auto log = McapReader::open(path);
   if (!log) return log.error();
-  for (;;) {
-    const auto next = log->next();
-    if (!next) return next.error();
-    if (!*next) return {};
+  while (log->next()) {
   }
+  if (!log->damage().empty()) return log->damage().front();
+  return {};
 }
 
 /// zstd alone, in pieces as large as a log's chunks.
@@ -101,7 +101,7 @@ class Zstd {
   }
 
  private:
-  static constexpr std::size_t piece = McapOptions{}.chunkSize;
+  static inline const std::size_t piece = McapOptions{}.chunkSize;
   std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> context_{ZSTD_createCCtx(),
                                                                    &ZSTD_freeCCtx};
   std::vector<std::byte> plain_, packed_, unpacked_;

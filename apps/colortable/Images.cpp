@@ -88,20 +88,19 @@ Result<void> showMcap(const std::string& path, const Show& show) {
   auto log = McapReader::open(path);
   if (!log) return log.error();
   int number = 0;
-  for (;;) {
-    const auto message = log->next();
-    if (!message) return message.error();
-    if (!*message) break;
-    const McapChannel& channel = *log->channel((*message)->channel);
-    if (channel.topic != "/camera") continue;
+  while (const auto message = log->next()) {
+    // Images are named by their numbers, so none may be missing.
+    if (!log->damage().empty()) return log->damage().front();
+    if (log->channel(message->channel)->topic != "/camera") continue;
     const std::string name = std::to_string(number++);
     CompressedImage packed;
-    if (auto done = gt::decode((*message)->data, packed); !done)
+    if (auto done = gt::decode(message->data, packed); !done)
       return Error{.file = path, .field = "/camera " + name, .what = done.error().text()};
     const auto image = decode(packed.data, path);
     if (!image) return Error{.file = path, .field = "/camera " + name, .what = image.error().what};
     if (!show(name, *image)) return {};
   }
+  if (!log->damage().empty()) return log->damage().front();
   if (number == 0)
     return Error{.file = path, .field = "/camera", .what = "there are no images in it"};
   return {};
@@ -116,6 +115,7 @@ Result<void> showNaoLog(const std::string& path, const Show& show) {
     if (auto done = log->decode(picture, image); !done) return done;
     if (!show(std::to_string(picture.number), image)) return {};
   }
+  if (!log->damage.empty()) return log->damage.front();
   return {};
 }
 

@@ -12,7 +12,7 @@ namespace {
 /// What is to be counted of a channel.
 struct Count {
   std::uint64_t messages = 0, bytes = 0;
-  std::int64_t first = std::numeric_limits<std::int64_t>::max(), last = 0;
+  std::uint64_t first = std::numeric_limits<std::uint64_t>::max(), last = 0;
 
   void add(const McapMessage& message) {
     ++messages;
@@ -41,9 +41,12 @@ std::string channelTable(const std::vector<McapChannel>& channels,
     const Count& n = counts[c.id];
     text += fmt::format("  {:<{}}  {:<{}}  {:>9}  {:>8.2f}  {:>10}", c.topic, width, c.schemaName,
                         typeWidth, n.messages, n.rate(), n.bytes);
-    text += n.messages > 0
-                ? fmt::format("  {:>9.3f}  {:>9.3f}\n", seconds(n.first), seconds(n.last))
-                : "\n";
+    const auto inSeconds = [](std::uint64_t time) {
+      const std::string text = timeText(time);
+      return text.substr(0, text.find(' '));
+    };
+    text += n.messages > 0 ? fmt::format("  {:>9}  {:>9}\n", inSeconds(n.first), inSeconds(n.last))
+                           : "\n";
   }
   return text;
 }
@@ -56,30 +59,21 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
-Result<std::string> describeLog(const std::string& path) {
+Result<std::string> describeLog(const std::string& path, std::vector<Error>& damage) {
   auto log = McapReader::open(path);
   if (!log) return log.error();
   std::map<std::uint16_t, Count> counts;
   Count all;
-  std::vector<Error> damage;
-  if (log->damage()) damage.push_back(*log->damage());
-  for (;;) {
-    const auto message = log->next();
-    if (!message) {
-      damage.push_back(message.error());
-      continue;
-    }
-    if (!*message) break;
-    counts[(*message)->channel].add(**message);
-    all.add(**message);
+  while (const auto message = log->next()) {
+    counts[message->channel].add(*message);
+    all.add(*message);
   }
   std::error_code failure;
   std::string text = fmt::format("{}: {} bytes, {} messages", path,
                                  std::filesystem::file_size(path, failure), all.messages);
-  if (all.messages > 0)
-    text += fmt::format(", {:.3f} s to {:.3f} s", seconds(all.first), seconds(all.last));
-  text += log->complete() ? "\n" : ", without an index\n";
-  for (const Error& error : damage) text += "  damaged: " + error.text() + "\n";
+  if (all.messages > 0) text += ", " + timeText(all.first) + " to " + timeText(all.last);
+  text += log->indexed() ? "\n" : ", without an index\n";
+  damage.insert(damage.end(), log->damage().begin(), log->damage().end());
   text += channelTable(log->channels(), counts);
   for (const auto& m : log->metadata()) {
     text += fmt::format("  metadata {}\n", m.name);

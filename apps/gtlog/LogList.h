@@ -4,6 +4,7 @@
 namespace gt {
 
 /// What is in a log, for a person: times, channels with counts and rates, metadata, attachments.
-Result<std::string> describeLog(const std::string& path);
+/// Appends what is damaged.
+Result<std::string> describeLog(const std::string& path, std::vector<Error>& damage);
 
 }  // namespace gt

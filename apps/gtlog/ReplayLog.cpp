@@ -20,14 +20,16 @@ namespace gt {
 namespace {
 
 /// The messages of one topic, by their times and what is left of their bytes to distinguish them.
-using Trace = std::vector<std::pair<std::int64_t, std::size_t>>;
+using Trace = std::vector<std::pair<std::uint64_t, std::size_t>>;
 
 Result<std::map<std::string, Trace>> tracesOf(const std::string& log,
                                               const std::vector<std::string>& topics) {
   std::map<std::string, Trace> traces;
   for (const std::string& topic : topics) traces[topic];
-  const auto done =
-      Selection{}.forEach(log, [&](const McapChannel& channel, const McapMessage& message) {
+  std::vector<Error> damage;
+  const auto done = Selection{}.forEach(
+      log,
+      [&](const McapChannel& channel, const McapMessage& message) {
         const auto trace = traces.find(channel.topic);
         if (trace != traces.end())
           trace->second.emplace_back(
@@ -35,7 +37,8 @@ Result<std::map<std::string, Trace>> tracesOf(const std::string& log,
               std::hash<std::string_view>{}(
                   {reinterpret_cast<const char*>(message.data.data()), message.data.size()}));
         return Result<void>{};
-      });
+      },
+      damage);
   if (!done) return done.error();
   return traces;
 }
@@ -158,6 +161,8 @@ Result<std::vector<std::string>> record(const ReplayOptions& options, const std:
     log->write(platform->robot().toTools());
     platform->robot().toTools().clear();
   }
+  while (const auto warning = platform->takeWarning())
+    if (options.warn) options.warn(*warning);
   if (auto done = log->close(); !done) return done.error();
   caveats = platform->caveats();
   return topics;

@@ -23,7 +23,7 @@ struct ReplayedTopic {
   std::string topic;
   std::uint64_t recorded = 0, replayed = 0;  ///< Messages.
   std::uint64_t different = 0;               ///< Of those at the same time.
-  std::optional<std::int64_t> first;         ///< When they differ for the first time, ns.
+  std::optional<std::uint64_t> first;        ///< When they differ for the first time, ns.
   std::vector<DifferentValue> values;        ///< In which they differ.
   bool within = true;                        ///< Whether it differs only as it may.
 

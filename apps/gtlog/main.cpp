@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "gtlog/SolutionErrors.h"
 #include "observer/LogTransfer.h"
 #include "robot/logs/ImportNaoLog.h"
+#include "robot/logs/NaoLog.h"
 
 namespace {
 
@@ -36,21 +38,38 @@ void addSelection(CLI::App& command, Selection& selection) {
   command.add_option("--to", selection.to, "Up to this second of the log");
 }
 
+/// A line for each thing that was left out; the status of a program that left something out.
+int reportLeft(const std::vector<Error>& left) {
+  std::fflush(stdout);
+  for (const Error& error : left) fmt::print(stderr, "gtlog: {}\n", error.text());
+  return left.empty() ? 0 : 2;
+}
+
+/// A log of 2009 is no log of ours yet.
+Result<int> orHint(Result<int> done) {
+  if (done || !isNaoLog(done.error().file)) return done;
+  Error error = done.error();
+  error.what += "; it is a real robot's log of 2009, which gtlog import converts";
+  return error;
+}
+
 Result<int> list(const Arguments& arguments) {
+  int status = 0;
   for (const std::string& path : arguments.logs) {
-    const auto text = describeLog(path);
+    std::vector<Error> damage;
+    const auto text = describeLog(path, damage);
     if (!text) return text.error();
     fmt::print("{}", *text);
+    status = std::max(status, reportLeft(damage));
   }
-  return 0;
+  return status;
 }
 
 Result<int> show(const Arguments& arguments) {
-  if (auto done = exportJson(arguments.log, arguments.selection, stdout, "standard output",
-                             arguments.limit);
-      !done)
-    return done.error();
-  return 0;
+  const auto left =
+      exportJson(arguments.log, arguments.selection, stdout, "standard output", arguments.limit);
+  if (!left) return left.error();
+  return reportLeft(*left);
 }
 
 Result<int> check(const Arguments& arguments) {
@@ -58,26 +77,25 @@ Result<int> check(const Arguments& arguments) {
   for (const std::string& path : arguments.logs) {
     const auto found = checkLog(path);
     if (!found) return found.error();
-    for (const Error& problem : found->problems) fmt::print(stderr, "gtlog: {}\n", problem.text());
+    for (const Error& channel : found->unchecked)
+      fmt::print("{}, so its messages are not checked\n", channel.text());
     if (found->problems.empty())
       fmt::print("{}: {} messages, all checks passed\n", path, found->messages);
-    if (!found->problems.empty()) status = 2;
+    status = std::max(status, reportLeft(found->problems));
   }
   return status;
 }
 
 Result<int> report(const Result<Transferred>& done, const std::string& to) {
   if (!done) return done.error();
-  for (const Error& lost : done->lost) fmt::print(stderr, "gtlog: {}\n", lost.text());
   fmt::print("{}: {} messages\n", to, done->messages);
-  return 0;
+  return reportLeft(done->lost);
 }
 
 Result<int> exportTo(const Arguments& arguments) {
   const auto left = exportLog(arguments.log, arguments.selection, arguments.out);
   if (!left) return left.error();
-  for (const Error& topic : *left) fmt::print(stderr, "gtlog: {}\n", topic.text());
-  return 0;
+  return reportLeft(*left);
 }
 
 /// Splits TASK=SOLUTION.
@@ -127,7 +145,7 @@ Result<int> compare(const Arguments& arguments, const ReplayOptions& options) {
 
 /// 1 if something differs that may not.
 Result<int> replay(const Arguments& arguments) {
-  const auto options = replayOptions(arguments);
+  auto options = replayOptions(arguments);
   if (!options) return options.error();
   if (!arguments.compared.empty()) return compare(arguments, *options);
   if (arguments.out.empty())
@@ -138,10 +156,19 @@ Result<int> replay(const Arguments& arguments) {
     if (!tolerance) return tolerance.error();
     tolerances.push_back(std::move(*tolerance));
   }
+  std::vector<Error> left;
+  options->warn = [&](const Error& error) { left.push_back(error); };
   const auto report = replayLog(*options, arguments.out, tolerances);
   if (!report) return report.error();
   fmt::print("{}", report->text());
-  return report->within() ? 0 : 1;
+  const int status = reportLeft(left);
+  return status != 0 || report->within() ? status : 1;
+}
+
+Result<int> importTo(const Arguments& arguments) {
+  const auto left = importNaoLog(arguments.log, arguments.out);
+  if (!left) return left.error();
+  return reportLeft(*left);
 }
 
 void addReplay(CLI::App& command, Arguments& a) {
@@ -180,16 +207,16 @@ CLI::App& fromTo(CLI::App& command, Arguments& a) {
 
 void addReading(CommandLine& line, Arguments& a) {
   line.command("list", "Reports what is in logs: channels, counts, rates, times, metadata",
-               [&a] { return list(a); })
+               [&a] { return orHint(list(a)); })
       .add_option("logs", a.logs)
       ->required();
   CLI::App& showing =
-      line.command("show", "Prints messages, one on each line", [&a] { return show(a); });
+      line.command("show", "Prints messages, one on each line", [&a] { return orHint(show(a)); });
   showing.add_option("log", a.log)->required();
   showing.add_option("--limit", a.limit, "Not more than so many");
   addSelection(showing, a.selection);
   line.command("check", "Reads all of logs: index, checksums, and every message by its schema",
-               [&a] { return check(a); })
+               [&a] { return orHint(check(a)); })
       .add_option("logs", a.logs)
       ->required();
   addSelection(
@@ -198,31 +225,32 @@ void addReading(CommandLine& line, Arguments& a) {
               "export",
               "Writes messages as JSON lines (OUT.json), CSV (OUT.csv, one topic), a trace of the "
               "behavior (OUT.trace, for xabsl trace), or into a folder of CSV files",
-              [&a] { return exportTo(a); }),
+              [&a] { return orHint(exportTo(a)); }),
           a),
       a.selection);
 }
 
 void addWriting(CommandLine& line, Arguments& a) {
   addSelection(
-      fromTo(line.command("cut", "Writes some of a log's messages into a new one",
-                          [&a] { return report(cutLog(a.log, a.selection, a.out), a.out); }),
-             a),
+      fromTo(
+          line.command("cut", "Writes some of a log's messages into a new one",
+                       [&a] { return orHint(report(cutLog(a.log, a.selection, a.out), a.out)); }),
+          a),
       a.selection);
   CLI::App& joining = line.command("join", "Joins logs into one, in the order of time",
-                                   [&a] { return report(joinLogs(a.logs, a.out), a.out); });
+                                   [&a] { return orHint(report(joinLogs(a.logs, a.out), a.out)); });
   joining.add_option("out", a.out, "The new log")->required();
   joining.add_option("logs", a.logs)->required();
   fromTo(line.command("repair", "Writes what is whole in a damaged log into a new one",
-                      [&a] { return report(repairLog(a.log, a.out), a.out); }),
+                      [&a] { return orHint(report(repairLog(a.log, a.out), a.out)); }),
          a);
   addReplay(line.command("replay",
                          "Has a robot live on what a log's robot sensed, and compares what it "
                          "computes",
-                         [&a] { return replay(a); }),
+                         [&a] { return orHint(replay(a)); }),
             a);
   fromTo(line.command("import", "Writes a real robot's log of 2009 as a log of ours",
-                      [&a] { return importNaoLog(a.log, a.out); }),
+                      [&a] { return importTo(a); }),
          a);
 }
 

@@ -56,6 +56,7 @@ Result<void> replay(const ReplayFiles& files, const ReplayVisitor& look) {
     if (auto done = platform->step(); !done) return done;
     if (auto done = look(*platform, ball, find(labels, platform->picture())); !done) return done;
   }
+  if (!log->damage.empty()) return log->damage.front();
   return {};
 }
 

@@ -9,11 +9,14 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
+#include <tuple>
 #include <type_traits>
 
 #include "Failure.h"
 #include "Types.h"
 #include "Values.h"
+#include "observer/LogSelection.h"
 #include "streams/Jpeg.h"
 #include "streams/Mcap.h"
 #include "streams/RecordedMessage.h"
@@ -65,21 +68,39 @@ class LogFile {
   /// If it is strict, a log that is damaged anywhere is an error.
   LogFile(std::string path, bool strict)
       : path_{std::move(path)}, strict_{strict}, reader_{orThrow(McapReader::open(path_))} {
-    if (strict_ && reader_.damage()) throw Failure{*reader_.damage()};
+    if (strict_ && !reader_.damage().empty()) throw Failure{reader_.damage().front()};
+    findUnreadable();
   }
 
-  std::optional<std::string> damage() const {
-    if (!reader_.damage()) return std::nullopt;
-    return reader_.damage()->text();
+  /// A line for each thing that is damaged; reads all of the log once to find it.
+  nb::object damage() {
+    if (!looked_) {
+      const nb::gil_scoped_release released;
+      reader_.seek(0);
+      while (reader_.next()) {
+      }
+      looked_ = true;
+    }
+    std::string text;
+    const auto addLine = [&](const Error& error) {
+      text += (text.empty() ? "" : "\n") + error.text();
+    };
+    std::ranges::for_each(reader_.damage(), addLine);
+    std::ranges::for_each(lost_.errors(path_), addLine);
+    // Names in a broken log may be no UTF-8.
+    if (text.empty()) return nb::none();
+    return nb::steal<nb::str>(
+        PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
   }
 
-  /// For each channel its topic, the name of its schema, and how many messages it has, if the log
-  /// tells.
+  /// For each channel its topic, the name of its schema, and why its messages cannot be read; empty
+  /// if they can.
   nb::list channels() const {
     nb::list all;
     for (const McapChannel& channel : reader_.channels())
-      all.append(named(
-          [&] { return nb::make_tuple(channel.topic, channel.schemaName, channel.messageCount); }));
+      all.append(named([&] {
+        return nb::make_tuple(channel.topic, channel.schemaName, whyUnreadable(channel));
+      }));
     return all;
   }
 
@@ -116,7 +137,7 @@ class LogFile {
         asArrays.append(ownedArray<std::uint8_t>(std::move(pool)));
       const nb::str name = named([&] { return nb::str{entry.first.c_str()}; });
       all[name] = nb::make_tuple(row, ownedArray<std::uint8_t>(std::move(rows)), asArrays,
-                                 ownedArray<std::int64_t>(std::move(table.times)));
+                                 ownedArray<std::uint64_t>(std::move(table.times)));
     }
     return all;
   }
@@ -134,7 +155,7 @@ class LogFile {
       const auto value = type->make();
       if (const auto done = readRecorded(definition, message.data, {type->type(), value.get()});
           !done)
-        return fail(*channel, done.error());
+        return lose(*channel, message, done.error());
       all.append(
           nb::make_tuple(message.time, channel->topic, toPython({*type->type(), value.get()})));
     });
@@ -156,7 +177,7 @@ class LogFile {
   struct Table {
     const McapChannel* first = nullptr;
     std::unique_ptr<RecordedTable> rows;
-    std::vector<std::int64_t> times;
+    std::vector<std::uint64_t> times;
   };
   struct Recorded {
     const McapChannel* channel;
@@ -169,24 +190,54 @@ class LogFile {
     throw Failure{Error{.file = path_, .field = channel.topic + field, .what = error.what}};
   }
 
+  /// A message that cannot be read loses itself, if the log need not be whole.
+  void lose(const McapChannel& channel, const McapMessage& message, const Error& error) {
+    if (strict_) fail(channel, error);
+    if (counted_.insert({channel.id, message.time, message.sequence}).second)
+      lost_.add(channel, message.time, error.text());
+  }
+
+  void findUnreadable() {
+    Definitions definitions{path_};
+    std::map<std::string, const McapChannel*> first;
+    for (const McapChannel& channel : reader_.channels()) {
+      const auto definition = definitions.of(channel);
+      if (const auto made = definition ? RecordedTable::make(**definition)
+                                       : Result<RecordedTable>{definition.error()};
+          !made) {
+        unreadable_[channel.id] = made.error().what;
+        continue;
+      }
+      const auto [known, isNew] = first.emplace(channel.topic, &channel);
+      if (!isNew && known->second->schemaText != channel.schemaText)
+        unreadable_[channel.id] = "has another schema than the topic's first channel";
+    }
+  }
+  std::string whyUnreadable(const McapChannel& channel) const {
+    const auto found = unreadable_.find(channel.id);
+    return found == unreadable_.end() ? "" : found->second;
+  }
+
+  /// The channels of topics that can be read; an error if none of a topic can.
   std::vector<const McapChannel*> channelsOf(const Topics& topics) const {
     std::vector<const McapChannel*> found;
     for (const std::string& topic : topics) {
       const std::size_t before = found.size();
-      for (const McapChannel& channel : reader_.channels())
-        if (channel.topic == topic) found.push_back(&channel);
-      if (found.size() == before)
-        throw Failure{Error{.file = path_, .field = topic, .what = "the log has no such topic"}};
+      std::string why = "the log has no such topic";
+      for (const McapChannel& channel : reader_.channels()) {
+        if (channel.topic != topic) continue;
+        if (unreadable_.contains(channel.id))
+          why = whyUnreadable(channel);
+        else
+          found.push_back(&channel);
+      }
+      if (found.size() == before) throw Failure{Error{.file = path_, .field = topic, .what = why}};
     }
     return found;
   }
 
   MessageDefinition definitionOf(const McapChannel& channel) const {
-    if (channel.messageEncoding != "cdr" || channel.schemaEncoding != "ros2msg")
-      fail(channel, Error{.what = "its messages are no CDR with a schema of ros2msg"});
-    auto definition = MessageDefinition::parse(channel.schemaName, channel.schemaText);
-    if (!definition) fail(channel, definition.error());
-    return *definition;
+    return orThrow(MessageDefinition::parse(channel.schemaName, channel.schemaText));
   }
 
   const RepresentationType* typeOf(const McapChannel& channel) const {
@@ -201,15 +252,11 @@ class LogFile {
   template <typename Take>
   void forEachMessage(Take&& take) {
     reader_.seek(0);
-    while (true) {
-      const auto message = reader_.next();
-      if (message) {
-        if (!*message) return;
-        take(**message);
-      } else if (strict_) {
-        throw Failure{message.error()};
-      }
+    while (const auto message = reader_.next()) {
+      if (strict_ && !reader_.damage().empty()) break;
+      take(*message);
     }
+    if (strict_ && !reader_.damage().empty()) throw Failure{reader_.damage().front()};
   }
 
   void readTables(const Topics& topics, std::map<std::string, Table>& tables) {
@@ -221,8 +268,6 @@ class LogFile {
         if (!rows) fail(*channel, rows.error());
         table.first = channel;
         table.rows = std::make_unique<RecordedTable>(std::move(*rows));
-      } else if (table.first->schemaText != channel->schemaText) {
-        fail(*channel, Error{.what = "has messages of two schemas"});
       }
       byChannel[channel->id] = &table;
     }
@@ -230,7 +275,8 @@ class LogFile {
       const auto found = byChannel.find(message.channel);
       if (found == byChannel.end()) return;
       Table& table = *found->second;
-      if (const auto done = table.rows->add(message.data); !done) fail(*table.first, done.error());
+      if (const auto done = table.rows->add(message.data); !done)
+        return lose(*table.first, message, done.error());
       table.times.push_back(message.time);
     });
   }
@@ -238,6 +284,10 @@ class LogFile {
   std::string path_;
   bool strict_;
   McapReader reader_;
+  bool looked_ = false;
+  std::map<std::uint16_t, std::string> unreadable_;  ///< Channels, and why.
+  LostMessages lost_;
+  std::set<std::tuple<std::uint16_t, std::uint64_t, std::uint32_t>> counted_;  ///< Those in it.
 };
 
 nb::object decodedJpeg(

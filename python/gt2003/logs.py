@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterator
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -31,7 +32,8 @@ class Log:
     lists, whose lengths vary, are arrays as objects, texts `str` as objects, enumerations uint8.
 
     A log that is damaged or cut off raises an `Error`. With `strict=False` what is whole is read,
-    and `damage` tells what is wrong.
+    and `damage` tells what is wrong. Topics of other encodings are in `unreadable`; `read()` leaves
+    them out with a warning.
     """
 
     def __init__(self, path: str | os.PathLike[str], *, strict: bool = True) -> None:
@@ -39,16 +41,25 @@ class Log:
         self._file = _core.LogFile(self.path, strict)
         self._arrays: dict[str, np.ndarray] = {}
         self._rows: dict[str, dict[str, Any]] = {}
+        self._warned: set[str] = set()
 
     @property
     def damage(self) -> str | None:
-        """What is wrong with the file, if anything is."""
+        """What is wrong with the file, if anything is: a line for each damage, with its time.
+
+        To find that all of the file is read once.
+        """
         return self._file.damage
 
     @property
     def topics(self) -> dict[str, str]:
         """The topics, and the names of their schemas."""
         return {topic: schema for topic, schema, _ in sorted(self._file.channels())}
+
+    @property
+    def unreadable(self) -> dict[str, str]:
+        """The topics of which a channel cannot be read, and why."""
+        return {topic: why for topic, _, why in self._file.channels() if why}
 
     @property
     def metadata(self) -> dict[str, dict[str, str]]:
@@ -62,7 +73,12 @@ class Log:
 
     def read(self, *topics: str) -> dict[str, np.ndarray]:
         """Return the arrays of some topics (or of all) by name, read together."""
-        wanted = [_topic(topic) for topic in topics] or list(self.topics)
+        readable = {topic for topic, _, why in self._file.channels() if not why}
+        wanted = [_topic(topic) for topic in topics] or sorted(readable)
+        for topic, why in self.unreadable.items():
+            if (topic in wanted or not topics) and topic not in self._warned:
+                self._warned.add(topic)
+                warnings.warn(f"{self.path}: {topic}: is left out: {why}", stacklevel=2)
         unread = [topic for topic in dict.fromkeys(wanted) if topic not in self._arrays]
         for topic, (row, rows, pools, times) in self._file.read(unread).items():
             self._rows[topic] = row

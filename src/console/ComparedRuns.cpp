@@ -31,6 +31,7 @@ Result<LogComparison> compareRuns(const ComparedRun& a, const ComparedRun& b,
 
 std::vector<std::string> linesOf(const LogComparison& comparison) {
   std::vector<std::string> lines;
+  for (const Error& lost : comparison.lost) lines.push_back(lost.text());
   std::size_t same = 0;
   for (const ComparedTopic& topic : comparison.topics) {
     if (topic.same()) {

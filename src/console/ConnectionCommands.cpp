@@ -118,7 +118,8 @@ std::vector<Command> connectionCommands() {
       {initialization, "sl", "NAME LOG [COLORTABLE]",
        "Creates a robot of that name whose inputs come from a log, in out/logs/ and with .mcap if "
        "the file has no folder and extension; logs of real robots of 2009 may name a color table. "
-       "With st on, which is the default, no image is lost.",
+       "With st on, which is the default, no image is lost. What of the log is damaged is printed. "
+       "Logs that have not been played yet begin in step: the later one waits.",
        sl}};
 }
 

@@ -33,6 +33,7 @@ class RobotOnLog : public ConsoleRobot {
     const bool before = robot_->player().atEnd();
     if (auto done = robot_->pass(passed, [this](const auto& queue) { take(queue); }); !done)
       return done;
+    if (const auto warning = robot_->takeWarning()) return *warning;
     if (before || !robot_->player().atEnd() || robot_->player().loop()) return {};
     return Error{.field = name(), .what = "its log has ended"};
   }

@@ -35,7 +35,8 @@ Result<std::vector<LoggedImage>> imagesOf(const std::string& log,
       if (!definition) return definition.error();
       if (auto done = readRecorded(*definition, message.data, image); !done) return done;
     }
-    images.push_back({Time{message.time / 1'000'000}, image.time, player->position() - 1});
+    images.push_back({Time{static_cast<std::int64_t>(message.time / 1'000'000)}, image.time,
+                      player->position() - 1});
     return {};
   };
   const auto length = static_cast<double>(std::max<std::size_t>(1, player->moments().size()));

@@ -42,8 +42,10 @@ void printPlace(Console& console, ConsoleRobot& robot) {
   console.print(robot.name() + ": at " + seconds(player.now()) + " of " + seconds(player.begin()) +
                 " to " + seconds(player.end()) + " s, moment " + std::to_string(player.position()) +
                 " of " + std::to_string(player.moments().size()) + ", " +
-                (player.playing() ? "plays" : "is paused") + ", speed " + decimal(player.speed()) +
-                (player.loop() ? ", loops" : ""));
+                (!player.playing()                ? "is paused"
+                 : player.time() < player.begin() ? "waits for its begin"
+                                                  : "plays") +
+                ", speed " + decimal(player.speed()) + (player.loop() ? ", loops" : ""));
 }
 
 /// lp cut FILE FROM TO, and lp join FILE LOG {LOG}: of the log that a robot runs on.
@@ -66,6 +68,7 @@ Result<void> transfer(Console& console, ConsoleRobot& robot, const Words& words)
     done = joinLogs(logs, out);
   }
   if (!done) return done.error();
+  for (const Error& lost : done->lost) console.print(lost.text());
   console.print(out + ": " + std::to_string(done->messages) + " messages");
   return {};
 }
@@ -91,7 +94,9 @@ Result<void> playLog(Console& console, ConsoleRobot& robot, const Words& words) 
   if (!number) return number.error();
   Result<void> done = wrongArguments(words);
   if (step) done = log.step(static_cast<int>(what == "back" ? -*number : *number), take);
-  if (what == "time") done = log.goToTime(Time{std::llround(1000 * *number)}, take);
+  if (what == "time")
+    done = done = log.goToTime(
+        console.session().timeOnLog(log.player(), Time{std::llround(1000 * *number)}), take);
   if (what == "message") done = log.goToMessage(static_cast<std::uint64_t>(*number), take);
   if (what == "speed" && *number > 0) {
     log.player().setSpeed(*number);

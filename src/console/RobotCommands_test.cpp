@@ -1,14 +1,19 @@
+#include <algorithm>
 #include <filesystem>
 
 #include "console/TestSession.h"
+#include "observer/LogTransfer.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/modeling/RobotPose.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
+using ::testing::HasSubstr;
 
 class RobotCommands : public SessionTest {
  protected:
@@ -94,6 +99,62 @@ TEST_F(RobotCommands, AcceptsTheReportsDebugKeys) {
   EXPECT_EQ((*picture)->info.width, 176);
   expectError("sl LOG1 " + file("seen.mcap"), "LOG1", "already");
   EXPECT_FALSE(console->execute("sl LOG2 " + file("nothing")));
+}
+
+/// Two logs of one match, the second of which begins later: they run in step.
+TEST_F(RobotCommands, PlaysSeveralLogsInStep) {
+  expectFine("log start");
+  expectFine("run 1");
+  expectFine("robot red1");
+  expectFine("log save " + file("whole"));
+  expectFine("log stop");
+  Selection late;
+  late.from = 0.6;
+  ASSERT_TRUE(cutLog(file("whole.mcap"), late, file("late.mcap")));
+  // The later one first, too.
+  expectFine("sl LATE " + file("late.mcap"));
+  expectFine("sl WHOLE " + file("whole.mcap"));
+  const LogPlayer& whole = session->find("WHOLE")->onLog()->player();
+  const LogPlayer& waiting = session->find("LATE")->onLog()->player();
+  const std::int64_t wait = waiting.begin() - whole.begin();
+  ASSERT_GT(wait, 400);
+  expectFine("run 0.4");
+  EXPECT_EQ(waiting.position(), 0u);
+  expectFine("run 0.4");
+  EXPECT_NEAR(static_cast<double>(waiting.now() - whole.now()), 0, 16);
+  EXPECT_NEAR(static_cast<double>(waiting.time() - whole.time()), 0, 16);
+  // Also from a time on at which the later one does not run yet.
+  expectFine("robot WHOLE LATE");
+  expectFine("lp time 0.2");
+  EXPECT_NEAR(static_cast<double>(waiting.time() - whole.time()), 0, 16);
+  expectFine("run 0.6");
+  EXPECT_NEAR(static_cast<double>(waiting.now() - whole.now()), 0, 16);
+}
+
+/// What another program makes of a log while a robot runs on it.
+TEST_F(RobotCommands, NoticesThatALogIsDamagedOrChanged) {
+  expectFine("log start");
+  expectFine("run 1");
+  expectFine("robot red1");
+  expectFine("log save " + file("whole"));
+  expectFine("log stop");
+  const std::string bytes = *readFile(file("whole.mcap"));
+  ASSERT_TRUE(writeFile(file("cut.mcap"), std::string_view{bytes}.substr(0, bytes.size() - 100)));
+  expectFine("sl CUT " + file("cut.mcap"));
+  EXPECT_THAT(screen.printed,
+              Contains(AllOf(HasSubstr(file("cut.mcap") + ": after "),
+                             HasSubstr(" s: the index is cut off; the messages are whole"))));
+  expectFine("sl WHOLE " + file("whole.mcap"));
+  std::filesystem::resize_file(file("whole.mcap"), bytes.size() / 2);
+  screen.printed.clear();
+  expectFine("run 1");
+  const auto told = HasSubstr("the log was changed by another program");
+  EXPECT_THAT(screen.printed, Contains(told));
+  EXPECT_EQ(std::ranges::count_if(
+                screen.printed,
+                [](const std::string& line) { return line.find("changed by") != line.npos; }),
+            1);
+  EXPECT_TRUE(session->find("WHOLE")->onLog()->player().atEnd());
 }
 
 TEST_F(RobotCommands, FillsTheQueueToTheToolsAsAskedFor) {

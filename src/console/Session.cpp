@@ -242,7 +242,38 @@ Result<void> Session::replay(const std::string& name, const std::string& file,
   if (!robot) return robot.error();
   match().markIrreproducible("a robot runs on a log");
   state_.robots.push_back(std::move(*robot));
+  while (const auto warning = state_.robots.back()->onLog()->takeWarning())
+    screen_.print(warning->text());
+  alignLogs();
   return {};
+}
+
+/// Logs that have not been played yet begin in step with those that run when they begin: the later
+/// ones wait.
+void Session::alignLogs() {
+  std::vector<LogPlayer*> logs;
+  for (const auto& robot : state_.robots)
+    if (robot->onLog()) logs.push_back(&robot->onLog()->player());
+  std::ranges::sort(logs, {}, &LogPlayer::begin);
+  for (LogPlayer* log : logs) {
+    if (log->position() > 0) continue;
+    Time start = log->begin();
+    for (const LogPlayer* other : logs)
+      if (other != log && other->begin() <= log->begin() && log->begin() <= other->end())
+        start = std::min(start, other->time());
+    log->waitFrom(start);
+  }
+}
+
+Time Session::timeOnLog(const LogPlayer& log, Time time) const {
+  Time start = log.begin();
+  for (const auto& robot : state_.robots) {
+    if (!robot->onLog()) continue;
+    const LogPlayer& other = robot->onLog()->player();
+    if (other.begin() <= log.begin() && log.begin() <= other.end())
+      start = std::min(start, other.begin());
+  }
+  return std::max(start, time);
 }
 
 Result<void> Session::connect(const std::vector<std::string>& robots, bool gameManager) {

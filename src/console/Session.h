@@ -84,10 +84,14 @@ class Session {
   const std::vector<std::unique_ptr<ConsoleRobot>>& robots() const { return state_.robots; }
   ConsoleRobot* find(std::string_view robot) const;
 
-  /// Report I.5.1: sl. A name that is in use is an error.
+  /// Report I.5.1: sl. A name that is in use is an error. Prints what of the log is damaged. Logs
+  /// that have not been played yet begin in step with those that run when they begin.
   /// `colorTable` is for logs of real robots; see LogRobotOptions.
   Result<void> replay(const std::string& name, const std::string& file,
                       const std::string& colorTable = {});
+  /// A time to go to on a log, in step with the other logs: not before all those begin that run
+  /// when this one begins.
+  Time timeOnLog(const LogPlayer& log, Time time) const;
   /// What logs have from this session that hold no setup of their own.
   LogRobotOptions logOptions(const std::string& colorTable = {}) const {
     return {options_.root, state_.match->sharedConfiguration(), colorTable};
@@ -111,6 +115,8 @@ class Session {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  void alignLogs();
 
   /// What belongs to one match.
   struct State {

@@ -242,12 +242,12 @@ TEST_F(MatchTest, LogsHoldTheTruthThatTheirRobotsWereNotGiven) {
   ASSERT_TRUE(match->close());
   auto log = McapReader::open((folder / "truth/red1.mcap").string());
   ASSERT_TRUE(log) << log.error().text();
-  for (auto message = log->next(); message && *message; message = log->next()) {
-    const std::string& topic = log->channel((*message)->channel)->topic;
+  while (const auto message = log->next()) {
+    const std::string& topic = log->channel(message->channel)->topic;
     EXPECT_NE(topic, "/input/OracledWorldState");
     if (topic != "/OracledWorldState") continue;
     OracledWorldState state;
-    ASSERT_TRUE(decode((*message)->data, state));
+    ASSERT_TRUE(decode(message->data, state));
     logged.push_back(state.robotPose.translation.x());
   }
   EXPECT_GT(logged.size(), 10u);

@@ -14,6 +14,7 @@
 #include "framework/Description.h"
 #include "framework/Requests.h"
 #include "observer/LogPlayer.h"
+#include "observer/LogSelection.h"
 #include "observer/MessageTypes.h"
 #include "observer/RecordedSetup.h"
 #include "observer/RobotLog.h"
@@ -43,42 +44,53 @@ class RecordedSide : public ComparedSide {
       const RepresentationType* type = messageType(topic.substr(std::min(slash, topic.size())));
       if (!type || !isCompared(*type)) continue;
       Channel& channel = channels_[recorded.id];
-      channel = {type, input, std::nullopt, type->make()};
+      channel = {type, input, std::nullopt, type->make(), {}};
       if (recorded.schemaText == type->schema().text) continue;
       auto definition = MessageDefinition::parse(recorded.schemaName, recorded.schemaText);
-      if (!definition)
-        return Error{
-            .file = player_.path(), .field = recorded.topic, .what = definition.error().text()};
-      channel.definition = std::move(*definition);
+      if (definition)
+        channel.definition = std::move(*definition);
+      else
+        channel.unreadable = definition.error().text();
     }
     if (channels_.empty()) return Error{.file = player_.path(), .what = "holds no representations"};
     return {};
   }
 
   Result<bool> next(const Handler& handle) override {
-    return player_.next([&](const McapChannel& recorded,
-                            const McapMessage& message) -> Result<void> {
-      const auto channel = channels_.find(recorded.id);
-      if (channel == channels_.end()) return {};
-      const Channel& known = channel->second;
-      const Time time{message.time / 1'000'000};
-      if (!known.definition) {
-        handle(*known.type, known.input, time, message.data);
-        return {};
-      }
-      const auto done = readRecorded(*known.definition, message.data,
-                                     Value{known.type->type(), known.value.get()});
-      if (!done)
-        return Error{.file = player_.path(), .field = recorded.topic, .what = done.error().text()};
-      bytes_.resize(known.type->encodedSize(known.value.get()));
-      known.type->encodeTo(known.value.get(), bytes_.data());
-      handle(*known.type, known.input, time, bytes_);
-      return {};
-    });
+    return player_.next(
+        [&](const McapChannel& recorded, const McapMessage& message) -> Result<void> {
+          const auto channel = channels_.find(recorded.id);
+          if (channel == channels_.end()) return {};
+          const Channel& known = channel->second;
+          const Time time{static_cast<std::int64_t>(message.time / 1'000'000)};
+          if (!known.unreadable.empty()) {
+            lost_.add(recorded, message.time, known.unreadable);
+            return {};
+          }
+          if (!known.definition) {
+            handle(*known.type, known.input, time, message.data);
+            return {};
+          }
+          const auto done = readRecorded(*known.definition, message.data,
+                                         Value{known.type->type(), known.value.get()});
+          if (!done) {
+            lost_.add(recorded, message.time, done.error().text());
+            return {};
+          }
+          bytes_.resize(known.type->encodedSize(known.value.get()));
+          known.type->encodeTo(known.value.get(), bytes_.data());
+          handle(*known.type, known.input, time, bytes_);
+          return {};
+        });
   }
   Time now() const override { return player_.now(); }
   Time begin() const override { return player_.begin(); }
   Time end() const override { return player_.end(); }
+  std::vector<Error> lost() const override {
+    std::vector<Error> all = player_.log().damage();
+    for (Error& error : lost_.errors(player_.path())) all.push_back(std::move(error));
+    return all;
+  }
 
  private:
   struct Channel {
@@ -86,8 +98,10 @@ class RecordedSide : public ComparedSide {
     bool input = false;
     std::optional<MessageDefinition> definition{};  ///< If the recorded type is another one.
     std::shared_ptr<void> value{};
+    std::string unreadable{};  ///< Why its messages cannot be read; empty if they can.
   };
 
+  LostMessages lost_;
   LogPlayer player_;
   std::map<std::uint16_t, Channel> channels_;
   std::vector<std::byte> bytes_;
@@ -325,6 +339,8 @@ Result<LogComparison> compareSides(ComparedSide& a, ComparedSide& b,
     if (auto done = comparer.settle(Time{std::numeric_limits<std::int64_t>::max()}); !done)
       return done.error();
   comparison.topics = comparer.results();
+  comparison.lost = a.lost();
+  for (Error& error : b.lost()) comparison.lost.push_back(std::move(error));
   return comparison;
 }
 

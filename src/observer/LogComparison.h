@@ -27,6 +27,8 @@ class ComparedSide {
   virtual Time now() const = 0;
   virtual Time begin() const = 0;
   virtual Time end() const = 0;
+  /// What was left out so far, since it is damaged or cannot be read.
+  virtual std::vector<Error> lost() const { return {}; }
 };
 
 /// A log as it was recorded. Types that have changed since are read by the schemas in the log.
@@ -71,6 +73,7 @@ struct LogComparison {
   Time begin, end;
   std::vector<ComparedTopic> topics;  ///< By name; inputs only if both sides have them.
   bool stopped = false;               ///< Not all was compared.
+  std::vector<Error> lost{};          ///< What was left out, since it cannot be read.
 };
 
 /// Compares two sides bit by bit, at each time value by value. `progress` is called with the share

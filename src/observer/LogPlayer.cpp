@@ -6,7 +6,7 @@ namespace gt {
 namespace {
 
 Time timeOf(const McapMessage& message) {
-  return Time{message.time / 1'000'000};
+  return Time{static_cast<std::int64_t>(message.time / 1'000'000)};
 }
 
 }  // namespace
@@ -21,6 +21,7 @@ Result<LogPlayer> LogPlayer::open(const std::string& path) {
     if (player.moments_.empty() || time > player.moments_.back().time)
       player.moments_.push_back({time, player.messages_});
     ++player.messages_;
+    ++player.messagesOf_[player.message_.channel];
   }
   if (player.moments_.empty()) return Error{.file = path, .what = "the log holds no messages"};
   player.seek(0);
@@ -57,30 +58,40 @@ bool LogPlayer::due() {
   return !atEnd() && static_cast<double>(moments_[position_].time - begin()) <= passed_;
 }
 
-/// Reads on in the file; false at its end. Damaged parts are passed over.
+std::uint64_t LogPlayer::messagesOf(std::uint16_t channel) const {
+  const auto found = messagesOf_.find(channel);
+  return found == messagesOf_.end() ? 0 : found->second;
+}
+
+/// Reads on in the file; false at its end.
 bool LogPlayer::read() {
-  for (;;) {
-    const auto more = log_.next();
-    if (!more) continue;
-    hasMessage_ = more->has_value();
-    if (hasMessage_) message_ = **more;
-    return hasMessage_;
-  }
+  const auto message = log_.next();
+  hasMessage_ = message.has_value();
+  if (hasMessage_) message_ = *message;
+  return hasMessage_;
+}
+
+/// The log ends before the message that is played next, which was there when it was opened.
+Error LogPlayer::cutOff() {
+  position_ = moments_.size();
+  if (log_.damage().empty()) return {.file = path_, .what = "the log was cut off"};
+  return log_.damage().back();
 }
 
 Result<bool> LogPlayer::next(const Handler& handle) {
   if (atEnd()) return false;
-  const Moment& moment = moments_[position_++];
+  const Moment moment = moments_[position_++];
   const std::uint64_t behind = atEnd() ? messages_ : moments_[position_].first;
   if (!hasMessage_ || number_ != moment.first) {
     // No earlier message in the file is of its time or a later one.
     log_.seek(nanoseconds(moment.time));
     do {
-      if (!read()) return false;
+      if (!read()) return cutOff();
     } while (timeOf(message_) < moment.time);
     number_ = moment.first;
   }
-  for (; number_ < behind && hasMessage_; ++number_) {
+  for (; number_ < behind; ++number_) {
+    if (!hasMessage_) return cutOff();
     if (auto done = handle(*log_.channel(message_.channel), message_); !done) return done.error();
     read();
   }

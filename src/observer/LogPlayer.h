@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,14 @@ class LogPlayer {
   };
   using Handler = std::function<Result<void>(const McapChannel&, const McapMessage&)>;
 
-  /// Reads the log once, to find its moments. A damaged log is played as far as it is whole.
+  /// Reads the log once, to find its moments. A damaged log is played as far as it is whole; what
+  /// is lost stands in its reader's damage().
   static Result<LogPlayer> open(const std::string& path);
 
   const std::string& path() const { return path_; }
   const McapReader& log() const { return log_; }
+  /// How many messages a channel has.
+  std::uint64_t messagesOf(std::uint16_t channel) const;
   const std::vector<Moment>& moments() const { return moments_; }
   std::uint64_t messages() const { return messages_; }
   /// Of the first and the last moment.
@@ -52,22 +56,29 @@ class LogPlayer {
   void seek(std::size_t moment);
   void seekTime(Time time);
   void seekMessage(std::uint64_t message);
+  /// Lets the log's time be this one: later moments wait until it has passed.
+  void waitFrom(Time time) { passed_ = static_cast<double>(time - begin()); }
+  /// The log's time: all moments up to it are due.
+  Time time() const { return begin() + static_cast<std::int64_t>(passed_); }
 
   /// Lets some of the listener's time pass, in ms.
   void pass(double ms);
   /// Whether the next moment is due. At the end of a loop it is the first one.
   bool due();
-  /// Hands over the messages of the next moment in their order, in any case; false at the end.
+  /// Hands over the messages of the next moment in their order, in any case; false at the end. If
+  /// another program has changed the log, that is its end, and an error once.
   Result<bool> next(const Handler& handle);
 
  private:
   LogPlayer(std::string path, McapReader log) : path_{std::move(path)}, log_{std::move(log)} {}
   bool read();
+  Error cutOff();
 
   std::string path_;
   McapReader log_;
   std::vector<Moment> moments_;
   std::uint64_t messages_ = 0;
+  std::map<std::uint16_t, std::uint64_t> messagesOf_;
   std::size_t position_ = 0;
   bool playing_ = true;
   bool loop_ = false;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "debug/Drawing.h"
 #include "streams/TemporaryFolder.h"
 
@@ -94,6 +96,29 @@ TEST_F(LogPlayerTest, LetsTimePassAtItsSpeed) {
   EXPECT_TRUE(player->due());
   EXPECT_EQ(next().front(), "0");
   EXPECT_FALSE(player->due());
+}
+
+TEST_F(LogPlayerTest, WaitsForItsBegin) {
+  player->waitFrom(Time{990});
+  EXPECT_EQ(player->time(), Time{990});
+  player->pass(9);
+  EXPECT_FALSE(player->due());
+  player->pass(1);
+  EXPECT_TRUE(player->due());
+  EXPECT_EQ(player->time(), Time{1000});
+}
+
+TEST_F(LogPlayerTest, EndsWhereAnotherProgramHasChangedTheLog) {
+  EXPECT_THAT(next(), ElementsAre("0", "1", "2"));
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+  const auto ignore = [](const McapChannel&, const McapMessage&) { return Result<void>{}; };
+  std::vector<std::string> errors;
+  for (int i = 0; i < 30; ++i)
+    if (const auto more = player->next(ignore); !more) errors.push_back(more.error().text());
+  EXPECT_TRUE(player->atEnd());
+  EXPECT_THAT(errors,
+              ElementsAre(testing::HasSubstr(
+                  " s: the log was changed by another program; what followed is left out")));
 }
 
 TEST_F(LogPlayerTest, NeedsAWholeLog) {

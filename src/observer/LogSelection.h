@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "streams/Json.h"
 #include "streams/Mcap.h"
 #include "streams/MessageDefinition.h"
 
@@ -19,12 +20,40 @@ struct Selection {
   /// An error if the log has no such topics, or the times are no stretch of time.
   Result<void> check(const McapReader& log, const std::string& path) const;
   bool holds(const McapChannel& channel) const;
-  bool holds(std::int64_t time) const;
+  bool holds(std::uint64_t time) const;
+  /// Where a reader can begin: before the first such message.
+  std::uint64_t begin() const;
   /// Calls visit(channel, message) for each such message, in the order of the file, until it
-  /// returns an error. A topic that the log does not have is an error, and so is damage.
+  /// returns an error. A topic that the log does not have is an error. Appends what is damaged.
   using Visitor = std::function<Result<void>(const McapChannel&, const McapMessage&)>;
-  Result<void> forEach(const std::string& path, const Visitor& visit) const;
+  Result<void> forEach(const std::string& path, const Visitor& visit,
+                       std::vector<Error>& damage) const;
+  /// The same with messages as JSON. Channels and messages that cannot be read are left out, and
+  /// reported for each channel once, with the time that is lost.
+  using JsonVisitor =
+      std::function<Result<void>(const McapChannel&, std::uint64_t time, const Json& message)>;
+  Result<void> forEachJson(const std::string& path, const JsonVisitor& visit,
+                           std::vector<Error>& lost) const;
 };
+
+/// Collects messages that cannot be read, for one error a channel.
+class LostMessages {
+ public:
+  void add(const McapChannel& channel, std::uint64_t time, const std::string& why);
+  /// Of how many of a channel it is known so far.
+  std::uint64_t of(const McapChannel& channel) const;
+  std::vector<Error> errors(const std::string& file) const;
+
+ private:
+  struct Stretch {
+    std::string topic, why;  ///< Why the first one cannot be read.
+    std::uint64_t count = 0, first = 0, last = 0;
+  };
+  std::map<std::uint16_t, Stretch> channels_;
+};
+
+/// Whether a channel's messages are CDR with a schema of ROS 2, as all of ours.
+bool isRos2(const McapChannel& channel);
 
 /// The definitions of a log's channels, each parsed once.
 class Definitions {
@@ -39,7 +68,7 @@ class Definitions {
 };
 
 /// Seconds, as people read them; logs have nanoseconds.
-inline double seconds(std::int64_t time) {
+inline double seconds(std::uint64_t time) {
   return static_cast<double>(time) / 1e9;
 }
 

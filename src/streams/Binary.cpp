@@ -1,5 +1,7 @@
 #include "streams/Binary.h"
 
+#include <cstdio>
+
 namespace gt::cdr {
 
 bool Reader::fail(std::string_view what) {
@@ -42,8 +44,13 @@ bool getText(Reader& reader, std::string& text) {
 }
 
 Error headerError(std::span<const std::byte> bytes) {
-  return {.what = bytes.size() < headerSize ? "the data ends too early"
-                                            : "no little endian CDR (header 00 01 00 00)"};
+  if (bytes.size() < headerSize) return {.what = "the data ends too early"};
+  char begin[3 * headerSize];
+  std::snprintf(begin, sizeof begin, "%02x %02x %02x %02x", std::to_integer<unsigned>(bytes[0]),
+                std::to_integer<unsigned>(bytes[1]), std::to_integer<unsigned>(bytes[2]),
+                std::to_integer<unsigned>(bytes[3]));
+  return {.what = "begins with " + std::string{begin} +
+                  "; expected little endian CDR, which begins with 00 01 00 00"};
 }
 
 }  // namespace gt::cdr

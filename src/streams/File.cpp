@@ -9,6 +9,7 @@ namespace gt {
 namespace {
 
 constexpr std::uintmax_t largestFile = 1u << 30;
+constexpr std::string_view unfinished = ".part";
 
 Error fileError(const std::string& path, const std::string& what) {
   return {.file = path, .what = what};
@@ -33,20 +34,58 @@ Result<std::string> readFile(const std::string& path) {
   return content;
 }
 
-Result<void> writeFile(const std::string& path, std::string_view content) {
-  const std::string unfinished = path + ".part";
-  std::ofstream stream{unfinished, std::ios::binary};
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
+std::string unfinishedName(const std::string& path) {
   std::error_code failure;
-  if (!stream) {
-    const Error error = fileError(path, std::string("cannot be written: ") + std::strerror(errno));
-    std::filesystem::remove(unfinished, failure);
-    return error;
-  }
-  std::filesystem::rename(unfinished, path, failure);
+  const auto status = std::filesystem::status(path, failure);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return path;
+  const bool isLink = std::filesystem::is_symlink(path, failure);
+  const auto real = isLink ? std::filesystem::weakly_canonical(path, failure).string() : path;
+  return real + std::string{unfinished};
+}
+
+Result<void> finishFile(const std::string& path, const std::string& written) {
+  if (written == path) return {};
+  std::error_code failure;
+  std::filesystem::rename(written, written.substr(0, written.size() - unfinished.size()), failure);
   if (failure) return fileError(path, failure.message());
   return {};
+}
+
+Result<OutputFile> OutputFile::open(const std::string& path) {
+  OutputFile output{path, unfinishedName(path)};
+  output.file_.reset(std::fopen(output.written_.c_str(), "wb"));
+  if (!output.file_) return output.error();
+  return output;
+}
+
+OutputFile::~OutputFile() {
+  if (file_ && written_ != path_) std::remove(written_.c_str());
+}
+
+bool OutputFile::put(std::string_view text) {
+  return std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size();
+}
+
+Error OutputFile::error() const {
+  return fileError(path_, std::string("cannot be written: ") + std::strerror(errno));
+}
+
+Result<void> OutputFile::close() {
+  const bool good = std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0;
+  if (!good) return error();
+  if (std::fclose(file_.release()) != 0) {
+    const Error failed = error();
+    if (written_ != path_) std::remove(written_.c_str());
+    return failed;
+  }
+  return finishFile(path_, written_);
+}
+
+Result<void> writeFile(const std::string& path, std::string_view content) {
+  auto file = OutputFile::open(path);
+  if (!file) return file.error();
+  if (!file->put(content)) return file->error();
+  return file->close();
 }
 
 }  // namespace gt

@@ -19,16 +19,39 @@
 namespace gt {
 
 /// A point in time as it stands in logs, in nanoseconds since the robot's start; what was before
-/// the start is at the start.
-constexpr std::int64_t nanoseconds(Time time) {
-  return time.ms > 0 ? time.ms * 1'000'000 : 0;
+/// the start is at the start. Times of logs of other programs have all 64 bits.
+constexpr std::uint64_t nanoseconds(Time time) {
+  return time.ms > 0 ? static_cast<std::uint64_t>(time.ms) * 1'000'000 : 0;
 }
+
+/// A time of a log as people read it: 12.800 s.
+std::string timeText(std::uint64_t nanoseconds);
+
+using McapMap = std::map<std::string, std::string>;
+using McapBytes = std::vector<std::byte>;
+
+/// What a log states about itself.
+struct McapHeader {
+  std::string profile = "ros2", library = "gt2003";
+  McapBytes rest{};  ///< What follows the known fields.
+};
 
 /// How a log is written.
 struct McapOptions {
   bool compress = true;
   int level = 1;                     ///< Of zstd: 1 fast to 19 small.
   std::size_t chunkSize = 1u << 20;  ///< Bytes after which a chunk is complete.
+  /// Written under the name PATH.part until it is closed. A log that is not closed is removed, and
+  /// one that was there before stays.
+  bool atOnce = false;
+  McapHeader header{};
+};
+
+/// A schema of a log.
+struct McapSchema {
+  std::uint16_t id = 0;
+  std::string name, encoding, text;
+  McapBytes rest{};  ///< What follows the known fields.
 };
 
 /// A channel of a log.
@@ -36,8 +59,48 @@ struct McapChannel {
   std::uint16_t id = 0;
   std::string topic;
   std::string messageEncoding;
-  std::string schemaName, schemaEncoding, schemaText;
-  std::uint64_t messageCount = 0;  ///< 0 if the log has no index.
+  std::string schemaName, schemaEncoding, schemaText;  ///< Empty if the log lacks the schema.
+  std::uint64_t messageCount = 0;                      ///< 0 if the log has no statistics.
+  std::uint16_t schema = 0;                            ///< Its id; 0 if the channel has none.
+  McapMap metadata{};
+  McapBytes rest{};  ///< What follows the known fields.
+};
+
+/// A message of a log; the data is valid until the next one is read.
+struct McapMessage {
+  std::uint16_t channel = 0;
+  std::uint32_t sequence = 0;
+  std::uint64_t time = 0;         ///< When it was recorded, in nanoseconds.
+  std::uint64_t publishTime = 0;  ///< When it was sent, in nanoseconds.
+  std::span<const std::byte> data;
+};
+
+struct McapMetadata {
+  std::string name;
+  McapMap entries;
+  McapBytes rest{};  ///< What follows the known fields.
+};
+
+struct McapAttachment {
+  std::string name, mediaType;
+  std::uint64_t time = 0, createTime = 0;  ///< In nanoseconds.
+  McapBytes data{};
+  McapBytes rest{};  ///< What follows the known fields.
+};
+
+/// A record of a kind that the format does not define (yet), as it stands in the file.
+struct McapUnknownRecord {
+  std::uint8_t opcode = 0;
+  McapBytes content{};
+};
+
+/// What a log states about its content.
+struct McapStatistics {
+  std::uint64_t messages = 0;
+  std::uint16_t schemas = 0;
+  std::uint32_t channels = 0, attachments = 0, metadata = 0, chunks = 0;
+  std::uint64_t begin = 0, end = 0;
+  std::map<std::uint16_t, std::uint64_t> messagesOf{};  ///< By channel; empty: not stated.
 };
 
 /// Writes a log, which is locked meanwhile (OutputLock). What was written in whole chunks is
@@ -47,24 +110,26 @@ struct McapChannel {
 class McapWriter {
  public:
   using ChannelId = std::uint16_t;
-  using Metadata = std::map<std::string, std::string>;
+  using Metadata = McapMap;
 
   static Result<McapWriter> open(const std::string& path, const McapOptions& options = {});
   McapWriter(McapWriter&&) noexcept;
   McapWriter& operator=(McapWriter&&) noexcept;
-  ~McapWriter();  ///< Closes the log.
+  ~McapWriter();  ///< Closes the log, or removes it if it is written at once.
 
   /// The channel of a topic; one that was added before with the same schema keeps its channel.
   ChannelId addChannel(const std::string& topic, const Schema& schema);
-  /// A channel as it stands in another log, in whatever encoding.
-  ChannelId addChannel(const McapChannel& channel);
   template <Streamable T>
   ChannelId addChannel(const std::string& topic) {
     return addChannel(topic, schemaOf<T>());
   }
+  /// A schema, or a channel with a schema of this log (or none), as it stood in another log; keeps
+  /// its id if that is free. Returns the id.
+  std::uint16_t addSchema(const McapSchema& schema);
+  ChannelId addChannel(const McapChannel& channel);
 
-  /// Appends a message in CDR with its header; the time in nanoseconds, not negative.
-  void write(ChannelId channel, std::int64_t time, std::span<const std::byte> message);
+  /// Appends a message in CDR with its header; the time in nanoseconds.
+  void write(ChannelId channel, std::uint64_t time, std::span<const std::byte> message);
   template <Streamable T>
   void write(ChannelId channel, Time time, const T& value) {
     encodeTo(value, beginMessage(channel, nanoseconds(time), encodedSize(value)));
@@ -74,10 +139,15 @@ class McapWriter {
   void write(const std::string& topic, Time time, const T& value) {
     write(addChannel<T>(topic), time, value);
   }
+  /// Appends a message of another log, into a channel of this one.
+  void write(ChannelId channel, const McapMessage& message);
 
-  void metadata(const std::string& name, const Metadata& entries);
+  void metadata(const McapMetadata& metadata);
+  void metadata(const std::string& name, const Metadata& entries) { metadata({name, entries}); }
+  void attachment(const McapAttachment& attachment);
   void attachment(const std::string& name, const std::string& mediaType, Time time,
                   std::span<const std::byte> data);
+  void unknown(const McapUnknownRecord& record);
 
   /// Ends the chunk, so that everything up to here is readable after a crash. Returns the first
   /// error since open().
@@ -91,54 +161,55 @@ class McapWriter {
   struct State;
   explicit McapWriter(std::unique_ptr<State> state);
   /// Appends a message's begin and returns where its bytes go.
-  std::byte* beginMessage(ChannelId channel, std::int64_t time, std::size_t size);
+  std::byte* beginMessage(ChannelId channel, std::uint64_t time, std::size_t size);
 
   std::unique_ptr<State> state_;
 };
 
-/// A message of a log; the data is valid until the next one is read.
-struct McapMessage {
-  std::uint16_t channel = 0;
-  std::uint32_t sequence = 0;
-  std::int64_t time = 0;  ///< In nanoseconds.
-  std::span<const std::byte> data;
-};
-
-/// Reads a log, by its index if it has one, else (after a crash, on a log cut off) by scanning it
-/// up to the last whole chunk. No input crashes it.
+/// Reads a log, whatever of it is whole: of what its index does not list the records are looked
+/// through, of a log without an index all of them. What is damaged loses itself only. No input
+/// crashes it.
 class McapReader {
  public:
-  struct Metadata {
-    std::string name;
-    std::map<std::string, std::string> entries;
-  };
-  struct Attachment {
-    std::string name, mediaType;
-    std::int64_t time = 0;
-    std::vector<std::byte> data;
-  };
+  using Metadata = McapMetadata;
+  using Attachment = McapAttachment;
 
   static Result<McapReader> open(const std::string& path);
   McapReader(McapReader&&) noexcept;
   McapReader& operator=(McapReader&&) noexcept;
   ~McapReader();
 
+  const McapHeader& header() const;
   /// In the order of their ids.
+  const std::vector<McapSchema>& schemas() const;
   const std::vector<McapChannel>& channels() const;
   const McapChannel* channel(std::uint16_t id) const;
   const std::vector<Metadata>& metadata() const;
   const std::vector<Attachment>& attachments() const;
+  /// Those in chunks once the chunks have been read.
+  const std::vector<McapUnknownRecord>& unknown() const;
+  /// How many records of unknown kinds the index holds; they are not read.
+  std::size_t unknownInIndex() const;
 
-  /// Whether the log was closed properly; if not, what follows the last whole record is lost.
+  /// Whether the log was closed; if not, what follows the last whole record is lost.
   bool complete() const;
-  /// What is damaged, if anything is; an error's field is the offset in the file.
-  const std::optional<Error>& damage() const;
+  /// Whether the log has an index that is whole.
+  bool indexed() const;
+  /// Reads the file once more; false if its data have not the checksum that the log states for all
+  /// of them.
+  bool hasDataChecksum();
+  /// What the log states about its content, if it does.
+  const std::optional<McapStatistics>& statistics() const;
+  std::size_t chunks() const;
+  /// What is damaged, each once, with the time that is lost: what was found when the log was opened
+  /// and since then by next().
+  const std::vector<Error>& damage() const;
 
-  /// The next message in the file's order; nothing at the end. After an error (a damaged chunk) the
-  /// next call goes on behind it.
-  Result<std::optional<McapMessage>> next();
+  /// The next message in the file's order; nothing at the end. What is damaged is passed over. A
+  /// log that another program changes ends there.
+  std::optional<McapMessage> next();
   /// Goes on with the first chunk that holds messages of this time (in nanoseconds) or later ones.
-  void seek(std::int64_t time);
+  void seek(std::uint64_t time);
 
  private:
   struct State;

@@ -6,8 +6,11 @@
 #include <cassert>
 #include <cerrno>
 #include <cstdio>
+#include <set>
+#include <utility>
 
 #include "base/OutputLock.h"
+#include "streams/File.h"
 #include "streams/Mcap.h"
 #include "streams/McapRecords.h"
 
@@ -25,8 +28,8 @@ struct CompressorDeleter {
 };
 
 struct WrittenChannel {
-  std::string topic;
-  std::uint32_t messageCount = 0;
+  std::uint16_t id = 0;
+  std::uint64_t messageCount = 0;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> index;  ///< Times and offsets in the chunk.
 };
 
@@ -47,6 +50,7 @@ struct Span {
 /// What a writer holds: the file, the chunk that is being filled, and what the index will contain.
 struct McapWriter::State {
   std::string path;
+  std::string written;  ///< The name under which it is written.
   McapOptions options;
   std::optional<OutputLock> lock;
   std::unique_ptr<std::FILE, FileCloser> file;
@@ -57,10 +61,12 @@ struct McapWriter::State {
   std::uint64_t flushed = 0;  ///< Of the file, as far as the operating system has it.
   std::uint32_t crc = 0;      ///< Of the data section.
 
-  /// Ids by topic and encoding, and by name, encoding and text.
-  std::map<std::tuple<std::string, std::string, std::uint16_t>, ChannelId> channelIds;
-  std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> schemaIds;
-  std::vector<WrittenChannel> channels;  ///< Id is index + 1.
+  /// Ids of what was added by topic and schema, and by name and text.
+  std::map<std::pair<std::string, std::uint16_t>, ChannelId> channelIds;
+  std::map<std::pair<std::string, std::string>, std::uint16_t> schemaIds;
+  std::set<std::uint16_t> schemas;       ///< Their ids.
+  std::vector<WrittenChannel> channels;  ///< In the order in which they were added.
+  std::vector<std::uint32_t> channelAt;  ///< By id, where in `channels` it is, from 1; 0: nowhere.
 
   Bytes chunk, record, compressed;
   Span chunkSpan, span;
@@ -97,7 +103,14 @@ struct McapWriter::State {
     return error.has_value();
   }
 
-  std::uint16_t addSchema(const McapChannel& channel);
+  std::uint16_t freeSchema(std::uint16_t wanted);
+  ChannelId freeChannel(ChannelId wanted);
+  WrittenChannel& channel(ChannelId id) {
+    assert(id < channelAt.size() && channelAt[id] != 0);
+    return channels[channelAt[id] - 1];
+  }
+  std::byte* beginMessage(const McapMessage& message, std::size_t length);
+  Result<void> close();
   void putChunk();
   void putMessageIndexes();
   void putSummary();
@@ -150,17 +163,16 @@ void McapWriter::State::putMessageIndexes() {
   std::uint32_t used = 0;
   for (const WrittenChannel& c : channels) used += c.index.empty() ? 0 : 1;
   append(chunkIndexes, used * std::uint32_t{2 + 8});
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    auto& index = channels[i].index;
-    if (index.empty()) continue;
-    append(chunkIndexes, static_cast<ChannelId>(i + 1));
+  for (WrittenChannel& c : channels) {
+    if (c.index.empty()) continue;
+    append(chunkIndexes, c.id);
     append(chunkIndexes, begin + record.size());
     const std::size_t at = beginRecord(record, Opcode::messageIndex);
-    append(record, static_cast<ChannelId>(i + 1));
-    append(record, static_cast<std::uint32_t>(16 * index.size()));
-    append(record, std::as_bytes(std::span{index}));
+    append(record, c.id);
+    append(record, static_cast<std::uint32_t>(16 * c.index.size()));
+    append(record, std::as_bytes(std::span{c.index}));
     endRecord(record, at);
-    index.clear();
+    c.index.clear();
   }
   put(record);
   append(chunkIndexes, std::uint64_t{record.size()});
@@ -178,7 +190,7 @@ void McapWriter::State::putSummary() {
   std::uint64_t messageCount = 0;
   for (const WrittenChannel& c : channels) messageCount += c.messageCount;
   append(statistics, messageCount);
-  append(statistics, static_cast<std::uint16_t>(schemaIds.size()));
+  append(statistics, static_cast<std::uint16_t>(schemas.size()));
   append(statistics, static_cast<std::uint32_t>(channels.size()));
   append(statistics, attachmentCount);
   append(statistics, metadataCount);
@@ -186,9 +198,9 @@ void McapWriter::State::putSummary() {
   append(statistics, span.start);
   append(statistics, span.end);
   append(statistics, static_cast<std::uint32_t>(channels.size() * (2 + 8)));
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    append(statistics, static_cast<ChannelId>(i + 1));
-    append(statistics, std::uint64_t{channels[i].messageCount});
+  for (const WrittenChannel& c : channels) {
+    append(statistics, c.id);
+    append(statistics, c.messageCount);
   }
   endRecord(statistics, at);
 
@@ -219,114 +231,164 @@ void McapWriter::State::putSummary() {
 McapWriter::McapWriter(std::unique_ptr<State> state) : state_{std::move(state)} {}
 McapWriter::McapWriter(McapWriter&&) noexcept = default;
 McapWriter& McapWriter::operator=(McapWriter&& other) noexcept {
-  if (state_) (void)close();
-  state_ = std::move(other.state_);
+  McapWriter closed{std::exchange(state_, std::move(other.state_))};
   return *this;
 }
 McapWriter::~McapWriter() {
-  if (state_) (void)close();
+  if (!state_) return;
+  if (!state_->file || state_->written == state_->path)
+    (void)close();
+  else
+    std::remove(state_->written.c_str());
 }
 
 Result<McapWriter> McapWriter::open(const std::string& path, const McapOptions& options) {
-  auto lock = OutputLock::ofFile(path);
-  if (!lock) return lock.error();
+  const std::string written = options.atOnce ? unfinishedName(path) : path;
+  auto lock = OutputLock::ofFile(written);
+  if (!lock) return Error{.file = path, .what = lock.error().what};
   auto state = std::make_unique<State>();
   state->lock = std::move(*lock);
   state->path = path;
+  state->written = written;
   state->options = options;
-  state->file.reset(std::fopen(path.c_str(), "wb"));
+  state->file.reset(std::fopen(written.c_str(), "wb"));
   if (!state->file)
     return Error{.file = path, .what = std::string("cannot be written: ") + strerror(errno)};
   Bytes& record = state->record;
   append(record, std::as_bytes(std::span{magic, magicSize}));
   const std::size_t at = beginRecord(record, Opcode::header);
-  append(record, std::string_view{"ros2"});
-  append(record, std::string_view{"gt2003"});
+  append(record, std::string_view{options.header.profile});
+  append(record, std::string_view{options.header.library});
+  append(record, options.header.rest);
   endRecord(record, at);
   state->put(record);
   return McapWriter{std::move(state)};
 }
 
-std::uint16_t McapWriter::State::addSchema(const McapChannel& channel) {
-  if (channel.schemaName.empty() && channel.schemaEncoding.empty()) return 0;
-  const auto [place, isNew] =
-      schemaIds.try_emplace({channel.schemaName, channel.schemaEncoding, channel.schemaText},
-                            static_cast<std::uint16_t>(schemaIds.size() + 1));
-  if (!isNew) return place->second;
+/// An id that no schema has yet: the wanted one, or else the first.
+std::uint16_t McapWriter::State::freeSchema(std::uint16_t wanted) {
+  if (wanted != 0 && schemas.insert(wanted).second) return wanted;
+  for (std::uint16_t id = 1; id != 0; ++id)
+    if (schemas.insert(id).second) return id;
+  fail("would have more than 65535 schemas");
+  return 1;
+}
+
+McapWriter::ChannelId McapWriter::State::freeChannel(ChannelId wanted) {
+  const auto isFree = [&](std::size_t id) { return id >= channelAt.size() || channelAt[id] == 0; };
+  constexpr std::size_t last = 0xffff;
+  // Ids are given in order, so the first free one seldom lies before the number of channels.
+  std::size_t id = isFree(wanted) ? wanted : channels.size() + 1;
+  for (std::size_t i = 0; i <= last && (id > last || !isFree(id)); ++i) id = i;
+  if (!isFree(id)) {
+    fail("would have more than 65535 channels");
+    return channels.front().id;
+  }
+  channels.push_back({static_cast<ChannelId>(id), 0, {}});
+  channelAt.resize(std::max(channelAt.size(), id + 1));
+  channelAt[id] = static_cast<std::uint32_t>(channels.size());
+  return static_cast<ChannelId>(id);
+}
+
+std::uint16_t McapWriter::addSchema(const McapSchema& schema) {
+  State& s = *state_;
+  const std::uint16_t id = s.freeSchema(schema.id);
+  Bytes& record = s.record;
   record.clear();
   const std::size_t at = beginRecord(record, Opcode::schema);
-  append(record, place->second);
-  append(record, std::string_view{channel.schemaName});
-  append(record, std::string_view{channel.schemaEncoding});
-  append(record, std::string_view{channel.schemaText});
+  append(record, id);
+  append(record, std::string_view{schema.name});
+  append(record, std::string_view{schema.encoding});
+  append(record, std::string_view{schema.text});
+  append(record, schema.rest);
   endRecord(record, at);
-  append(schemaRecords, record);
-  put(record);
-  return place->second;
+  append(s.schemaRecords, record);
+  s.put(record);
+  return id;
 }
 
 McapWriter::ChannelId McapWriter::addChannel(const std::string& topic, const Schema& schema) {
-  return addChannel(McapChannel{0, topic, "cdr", schema.name, "ros2msg", schema.text, 0});
+  State& s = *state_;
+  auto& schemaId = s.schemaIds[{schema.name, schema.text}];
+  if (schemaId == 0) schemaId = addSchema(McapSchema{0, schema.name, "ros2msg", schema.text});
+  const auto [place, isNew] = s.channelIds.try_emplace({topic, schemaId});
+  if (isNew) {
+    McapChannel channel;
+    channel.id = static_cast<ChannelId>(s.channels.size() + 1);
+    channel.topic = topic;
+    channel.messageEncoding = "cdr";
+    channel.schema = schemaId;
+    place->second = addChannel(channel);
+  }
+  return place->second;
 }
 
 McapWriter::ChannelId McapWriter::addChannel(const McapChannel& channel) {
   State& s = *state_;
-  const std::uint16_t schema = s.addSchema(channel);
-  const auto [place, isNew] =
-      s.channelIds.try_emplace({channel.topic, channel.messageEncoding, schema},
-                               static_cast<ChannelId>(s.channels.size() + 1));
-  if (!isNew) return place->second;
-  assert(s.channels.size() < 0xffff);
+  assert(channel.schema == 0 || s.schemas.contains(channel.schema));
+  const ChannelId id = s.freeChannel(channel.id);
   Bytes& record = s.record;
   record.clear();
   const std::size_t at = beginRecord(record, Opcode::channel);
-  append(record, place->second);
-  append(record, schema);
+  append(record, id);
+  append(record, channel.schema);
   append(record, std::string_view{channel.topic});
   append(record, std::string_view{channel.messageEncoding});
-  append(record, TextMap{});
+  append(record, channel.metadata);
+  append(record, channel.rest);
   endRecord(record, at);
   append(s.channelRecords, record);
   s.put(record);
-  s.channels.push_back({channel.topic, 0, {}});
-  return place->second;
+  return id;
 }
 
-std::byte* McapWriter::beginMessage(ChannelId channel, std::int64_t time, std::size_t size) {
+std::byte* McapWriter::State::beginMessage(const McapMessage& message, std::size_t length) {
+  if (chunk.size() >= options.chunkSize) putChunk();
+  WrittenChannel& c = channel(message.channel);
+  ++c.messageCount;
+  c.index.emplace_back(message.time, chunk.size());
+  chunkSpan.add(message.time);
+  span.add(message.time);
+  append(chunk, Opcode::message);
+  append(chunk, std::uint64_t{2 + 4 + 8 + 8 + length});
+  append(chunk, message.channel);
+  append(chunk, message.sequence);
+  append(chunk, message.time);
+  append(chunk, message.publishTime);
+  chunk.resize(chunk.size() + length);
+  return chunk.data() + chunk.size() - length;
+}
+
+std::byte* McapWriter::beginMessage(ChannelId channel, std::uint64_t time, std::size_t size) {
   State& s = *state_;
-  assert(channel >= 1 && channel <= s.channels.size() && time >= 0);
-  if (s.chunk.size() >= s.options.chunkSize) s.putChunk();
-  WrittenChannel& c = s.channels[channel - 1u];
-  const auto t = static_cast<std::uint64_t>(time);
-  c.index.emplace_back(t, s.chunk.size());
-  s.chunkSpan.add(t);
-  s.span.add(t);
-  append(s.chunk, Opcode::message);
-  append(s.chunk, std::uint64_t{2 + 4 + 8 + 8 + size});
-  append(s.chunk, channel);
-  append(s.chunk, c.messageCount++);
-  append(s.chunk, t);
-  append(s.chunk, t);
-  s.chunk.resize(s.chunk.size() + size);
-  return s.chunk.data() + s.chunk.size() - size;
+  const auto sequence = static_cast<std::uint32_t>(s.channel(channel).messageCount);
+  return s.beginMessage({channel, sequence, time, time, {}}, size);
 }
 
-void McapWriter::write(ChannelId channel, std::int64_t time, std::span<const std::byte> message) {
+void McapWriter::write(ChannelId channel, std::uint64_t time, std::span<const std::byte> message) {
   std::byte* to = beginMessage(channel, time, message.size());
   std::copy(message.begin(), message.end(), to);
 }
 
-void McapWriter::metadata(const std::string& name, const Metadata& entries) {
+void McapWriter::write(ChannelId channel, const McapMessage& message) {
+  McapMessage copy = message;
+  copy.channel = channel;
+  std::byte* to = state_->beginMessage(copy, message.data.size());
+  std::copy(message.data.begin(), message.data.end(), to);
+}
+
+void McapWriter::metadata(const McapMetadata& metadata) {
   State& s = *state_;
   Bytes record;
   std::size_t at = beginRecord(record, Opcode::metadata);
-  append(record, std::string_view{name});
-  append(record, entries);
+  append(record, std::string_view{metadata.name});
+  append(record, metadata.entries);
+  append(record, metadata.rest);
   endRecord(record, at);
   at = beginRecord(s.metadataIndexes, Opcode::metadataIndex);
   append(s.metadataIndexes, s.size);
   append(s.metadataIndexes, std::uint64_t{record.size()});
-  append(s.metadataIndexes, std::string_view{name});
+  append(s.metadataIndexes, std::string_view{metadata.name});
   endRecord(s.metadataIndexes, at);
   ++s.metadataCount;
   s.put(record);
@@ -334,29 +396,42 @@ void McapWriter::metadata(const std::string& name, const Metadata& entries) {
 
 void McapWriter::attachment(const std::string& name, const std::string& mediaType, Time time,
                             std::span<const std::byte> data) {
+  attachment({name, mediaType, nanoseconds(time), nanoseconds(time), {data.begin(), data.end()}});
+}
+
+void McapWriter::attachment(const McapAttachment& attachment) {
   State& s = *state_;
-  const auto t = static_cast<std::uint64_t>(nanoseconds(time));
   Bytes record;
   std::size_t at = beginRecord(record, Opcode::attachment);
-  append(record, t);
-  append(record, t);
-  append(record, std::string_view{name});
-  append(record, std::string_view{mediaType});
-  append(record, std::uint64_t{data.size()});
-  append(record, data);
+  append(record, attachment.time);
+  append(record, attachment.createTime);
+  append(record, std::string_view{attachment.name});
+  append(record, std::string_view{attachment.mediaType});
+  append(record, std::uint64_t{attachment.data.size()});
+  append(record, attachment.data);
   append(record, crcOf(std::span{record}.subspan(recordHeaderSize)));
+  append(record, attachment.rest);
   endRecord(record, at);
   at = beginRecord(s.attachmentIndexes, Opcode::attachmentIndex);
   append(s.attachmentIndexes, s.size);
   append(s.attachmentIndexes, std::uint64_t{record.size()});
-  append(s.attachmentIndexes, t);
-  append(s.attachmentIndexes, t);
-  append(s.attachmentIndexes, std::uint64_t{data.size()});
-  append(s.attachmentIndexes, std::string_view{name});
-  append(s.attachmentIndexes, std::string_view{mediaType});
+  append(s.attachmentIndexes, attachment.time);
+  append(s.attachmentIndexes, attachment.createTime);
+  append(s.attachmentIndexes, std::uint64_t{attachment.data.size()});
+  append(s.attachmentIndexes, std::string_view{attachment.name});
+  append(s.attachmentIndexes, std::string_view{attachment.mediaType});
   endRecord(s.attachmentIndexes, at);
   ++s.attachmentCount;
   s.put(record);
+}
+
+void McapWriter::unknown(const McapUnknownRecord& unknown) {
+  Bytes& record = state_->record;
+  record.clear();
+  const std::size_t at = beginRecord(record, static_cast<Opcode>(unknown.opcode));
+  append(record, unknown.content);
+  endRecord(record, at);
+  state_->put(record);
 }
 
 Result<void> McapWriter::flush() {
@@ -367,14 +442,19 @@ Result<void> McapWriter::flush() {
 }
 
 Result<void> McapWriter::close() {
-  State& s = *state_;
-  if (s.file) {
-    s.putChunk();
-    s.putSummary();
-    if (std::fclose(s.file.release()) != 0) s.failed();
-    s.lock.reset();
+  return state_->close();
+}
+
+Result<void> McapWriter::State::close() {
+  if (file) {
+    putChunk();
+    putSummary();
+    if (std::fclose(file.release()) != 0) failed();
+    if (written != path && error) std::remove(written.c_str());
+    if (auto done = error ? Result<void>{} : finishFile(path, written); !done) error = done.error();
+    lock.reset();
   }
-  if (s.error) return *s.error;
+  if (error) return *error;
   return {};
 }
 

@@ -22,10 +22,8 @@ std::string subjectIn(const std::string& log) {
   if (!reader) return {};
   BehaviorTrace trace;
   while (const auto message = reader->next()) {
-    if (!*message) break;
-    const McapChannel* channel = reader->channel((*message)->channel);
-    if (!channel || channel->topic != "/BehaviorTrace") continue;
-    if (decode((*message)->data, trace) && trace.text.starts_with(beginOfTrace)) return trace.text;
+    if (reader->channel(message->channel)->topic != "/BehaviorTrace") continue;
+    if (decode(message->data, trace) && trace.text.starts_with(beginOfTrace)) return trace.text;
     break;
   }
   return {};

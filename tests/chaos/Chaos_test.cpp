@@ -64,14 +64,14 @@ std::vector<double> readLog(const fs::path& path, ChaosOutcome& outcome) {
     return times;
   }
   ++outcome.logs;
-  while (true) {
-    const auto message = log->next();
-    EXPECT_TRUE(message) << message.error().text();
-    if (!message || !*message) return times;
+  const std::size_t damaged = log->damage().size();
+  while (const auto message = log->next()) {
     ++outcome.messages;
-    if (log->channel((*message)->channel)->topic.starts_with("/input/"))
-      times.push_back(static_cast<double>((*message)->time) / 1e9);
+    if (log->channel(message->channel)->topic.starts_with("/input/"))
+      times.push_back(static_cast<double>(message->time) / 1e9);
   }
+  EXPECT_EQ(log->damage().size(), damaged) << log->damage().back().text();
+  return times;
 }
 
 /// Connects to a port of this machine, or a local socket, again and again, and sends garbage over a

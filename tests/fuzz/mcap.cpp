@@ -9,9 +9,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (!reader) return 0;
   const auto readAll = [&] {
     // Each call moves on by at least one byte.
-    for (std::size_t i = 0; i <= 16 * size; ++i) {
-      const auto message = reader->next();
-      if (message && !*message) break;
+    for (std::size_t i = 0; i <= 16 * size && reader->next(); ++i) {
     }
   };
   readAll();

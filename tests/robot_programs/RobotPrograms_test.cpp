@@ -247,8 +247,7 @@ std::size_t countIn(const fs::path& path, const std::string& topic) {
   auto log = McapReader::open(path.string());
   std::size_t count = 0;
   if (!log) return count;
-  for (auto message = log->next(); message && *message; message = log->next())
-    count += log->channel((*message)->channel)->topic == topic;
+  while (const auto message = log->next()) count += log->channel(message->channel)->topic == topic;
   return count;
 }
 

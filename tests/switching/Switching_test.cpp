@@ -149,7 +149,7 @@ TEST_P(Switching, SavedMessagesBecomeALogThatCanBeRead) {
   ASSERT_TRUE(log) << log.error().text();
   EXPECT_TRUE(log->complete());
   int messages = 0;
-  for (auto message = log->next(); message && *message; message = log->next()) ++messages;
+  while (const auto message = log->next()) ++messages;
   EXPECT_GT(messages, 20);
   ask("qfr save 0.1", QueueFillRequest{QueueFillMode::save, 0.1});
   run(20);
@@ -199,15 +199,15 @@ class Editing : public Switching {
     Logged found;
     auto log = McapReader::open((folder_ / "red2.mcap").string());
     EXPECT_TRUE(log) << log.error().text();
-    for (auto message = log->next(); message && *message; message = log->next()) {
-      const std::string& topic = log->channel((*message)->channel)->topic;
+    while (const auto message = log->next()) {
+      const std::string& topic = log->channel(message->channel)->topic;
       BehaviorState state;
       Text text;
-      if (topic == "/BehaviorState" && decode((*message)->data, state))
-        found.states.emplace_back((*message)->time / 1'000'000, std::move(state));
-      if (topic == "/Text" && decode((*message)->data, text)) found.texts += text.text + "\n";
+      if (topic == "/BehaviorState" && decode(message->data, state))
+        found.states.emplace_back(message->time / 1'000'000, std::move(state));
+      if (topic == "/Text" && decode(message->data, text)) found.texts += text.text + "\n";
       RequestAnswer answer;
-      if (topic == "/RequestAnswer" && decode((*message)->data, answer))
+      if (topic == "/RequestAnswer" && decode(message->data, answer))
         found.texts += answer.what + "\n";
     }
     return found;

@@ -147,7 +147,7 @@ TEST_F(LogPlatformTest, GoesOnBehindAnImageThatCannotBeDecoded) {
   ASSERT_TRUE(platform);
   const auto done = platform->step();
   ASSERT_FALSE(done);
-  EXPECT_THAT(done.error().text(), testing::HasSubstr("built.log: byte "));
+  EXPECT_THAT(done.error().text(), testing::HasSubstr("built.log: image 0 at 1.000 s: "));
   ASSERT_TRUE(platform->step());
   EXPECT_TRUE(platform->robot().provided<BallPercept>()->seen);
 }

@@ -5,6 +5,7 @@
 
 #include "debug/Drawing.h"
 #include "robot/logs/ImportNaoLog.h"
+#include "robot/logs/NaoLog.h"
 
 namespace gt {
 namespace {
@@ -52,17 +53,18 @@ bool asksOnce(const Message& message) {
 
 Result<OpenedLog> openLog(const std::string& file, const LogRobotOptions& options,
                           const std::vector<Configuration::SolutionChoice>& solutions) {
-  if (!fs::is_regular_file(file)) return Error{.file = file, .what = "there is no such file"};
+  const auto recorded = McapReader::open(file);
+  if (!recorded && !isNaoLog(file)) return recorded.error();
   std::unique_ptr<TemporaryFolder> converted;
   const auto make = [&](const std::string& log, std::shared_ptr<const Configuration> configuration,
                         const std::string& layout) -> Result<OpenedLog> {
     auto platform = ReplayPlatform::make({log, std::move(configuration), layout, solutions});
     if (!platform) return platform.error();
-    return OpenedLog{file, std::move(converted), std::move(*platform)};
+    return OpenedLog{file, std::move(converted), std::move(*platform), {}};
   };
   const std::string replay = options.root.path("layouts/replay.layout");
-  if (const auto log = McapReader::open(file)) {
-    if (const auto setup = recordedSetup(*log, file); setup && !setup->files.empty())
+  if (recorded) {
+    if (const auto setup = recordedSetup(*recorded, file); setup && !setup->files.empty())
       return make(file, {}, {});
     // As far as what was recorded suffices.
     if (auto opened = make(file, options.configuration, options.root.path("layouts/cmd.layout")))
@@ -71,10 +73,13 @@ Result<OpenedLog> openLog(const std::string& file, const LogRobotOptions& option
   }
   converted = std::make_unique<TemporaryFolder>();
   const std::string copy = (converted->path() / "log.mcap").string();
-  if (auto done = importNaoLog(file, copy); !done) return done.error();
+  const auto left = importNaoLog(file, copy);
+  if (!left) return left.error();
   const auto configuration = naoConfiguration(file, options);
   if (!configuration) return configuration.error();
-  return make(copy, *configuration, replay);
+  auto opened = make(copy, *configuration, replay);
+  if (opened) opened->warnings = *left;
+  return opened;
 }
 
 /// Messages wait here until they are exchanged, so that those can be refused that make no sense.
@@ -109,7 +114,8 @@ class LogRobot::Link : public RobotLink {
 LogRobot::LogRobot(OpenedLog log)
     : file_{std::move(log.file)},
       converted_{std::move(log.converted)},
-      platform_{std::move(log.platform)} {
+      platform_{std::move(log.platform)},
+      warnings_{std::move(log.warnings)} {
   platform_.showRecorded();
   platform_.onNewRobot([this](Robot& robot) {
     requests_.copyAllMessages(robot.fromTools());
@@ -191,7 +197,16 @@ Result<void> LogRobot::step(int moments, const RobotLink::Taker& take) {
 
 Result<void> LogRobot::goToTime(Time time, const RobotLink::Taker& take) {
   player().seekTime(time);
-  return goTo(player().position(), take);
+  auto done = goTo(player().position(), take);
+  player().waitFrom(time);
+  return done;
+}
+
+std::optional<Error> LogRobot::takeWarning() {
+  if (warnings_.empty()) return platform_.takeWarning();
+  Error warning = std::move(warnings_.front());
+  warnings_.erase(warnings_.begin());
+  return warning;
 }
 
 Result<void> LogRobot::goToMessage(std::uint64_t message, const RobotLink::Taker& take) {

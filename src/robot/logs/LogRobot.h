@@ -23,6 +23,7 @@ struct OpenedLog {
   std::string file;                            ///< As it was named.
   std::unique_ptr<TemporaryFolder> converted;  ///< Holds a log of 2009 in our format.
   ReplayPlatform platform;
+  std::vector<Error> warnings{};  ///< What of a log of 2009 was left out.
 };
 /// Opens a log with its own setup, or else with the options', as far as what was recorded suffices;
 /// with other solutions of tasks.
@@ -45,7 +46,8 @@ class LogRobot {
   Result<void> pass(double ms, const RobotLink::Taker& take);
   /// Plays so many moments more; negative: those before the one that was played last.
   Result<void> step(int moments, const RobotLink::Taker& take);
-  /// Goes to the first moment that is not before a time, or to the one of a message.
+  /// Goes to the first moment that is not before a time, or to the one of a message. What follows
+  /// waits until the time from there on has passed.
   Result<void> goToTime(Time time, const RobotLink::Taker& take);
   Result<void> goToMessage(std::uint64_t message, const RobotLink::Taker& take);
 
@@ -53,6 +55,8 @@ class LogRobot {
   const std::string& file() const { return file_; }
   LogPlayer& player() { return platform_.player(); }
   Robot& robot() { return platform_.robot(); }
+  /// What of the log is damaged or cannot be read, each once; nothing if all has been taken.
+  std::optional<Error> takeWarning();
   /// Counts how often the robot began anew.
   int beginnings() const { return beginnings_; }
 
@@ -69,6 +73,7 @@ class LogRobot {
   std::string file_;
   std::unique_ptr<TemporaryFolder> converted_;
   ReplayPlatform platform_;
+  std::vector<Error> warnings_;
   MessageQueue toRobot_, requests_{4 << 20};
   int beginnings_ = 0;
 };

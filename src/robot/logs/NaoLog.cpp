@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <cstring>
+#include <fstream>
+#include <optional>
 
 #include "streams/File.h"
 #include "streams/Jpeg.h"
+#include "streams/Mcap.h"
 
 namespace gt {
 namespace {
@@ -17,6 +20,10 @@ enum class MessageId : std::uint8_t {
   cameraMatrix = 17,
   imageCoordinateSystem = 18
 };
+
+constexpr std::size_t headerSize = 8;
+/// Messages that cannot be read are reported one by one up to so many.
+constexpr std::size_t mostDamage = 100;
 
 // The optics of that robot's camera (facts, 3); its rows' exposure is not recorded.
 CameraInfo naoCamera(int width, int height) {
@@ -53,34 +60,47 @@ class Parser {
       : bytes_(bytes), file_(file), log_(log) {}
 
   Result<void> parse() {
-    if (bytes_.size() < 8) return wrong("the file ends within its header");
+    if (bytes_.size() < headerSize) return wrong("the file ends within its header");
     Body header{bytes_};
     const auto size = header.take<std::uint32_t>();
     const auto count = header.take<std::uint32_t>();
-    offset_ = 8;
-    if (size != bytes_.size() - offset_)
-      return wrong("the header promises " + std::to_string(size) + " bytes, " +
-                   std::to_string(bytes_.size() - offset_) + " follow");
-    for (std::uint32_t i = 0; i < count; ++i)
-      if (auto done = message(); !done) return done;
-    if (offset_ != bytes_.size()) return wrong("something follows the last message");
+    offset_ = headerSize;
+    std::uint32_t whole = 0;
+    bool cut = false;
+    for (; number_ < count && !cut; ++number_) {
+      const auto body = nextBody();
+      cut = !body;
+      const auto done = body ? dispatch(id_, *body) : body.error();
+      if (done)
+        ++whole;
+      else if (log_.damage.size() < mostDamage)
+        log_.damage.push_back(done.error());
+    }
+    if (whole == 0 && !log_.damage.empty()) return log_.damage.front();
+    if (!cut && offset_ != bytes_.size())
+      log_.damage.push_back(wrong("something follows the last message"));
+    else if (!cut && size != bytes_.size() - headerSize)
+      log_.damage.push_back(wrong("the header states another size than the log has"));
     return {};
   }
 
  private:
   Error wrong(std::string what) const {
-    return {file_, 0, "byte " + std::to_string(offset_), std::move(what)};
+    std::string place = number_ > 0 ? "message " + std::to_string(number_) : "";
+    if (time_) place += " after " + timeText(nanoseconds(*time_));
+    return {.file = file_, .field = std::move(place), .what = std::move(what)};
   }
 
-  Result<void> message() {
-    if (bytes_.size() - offset_ < 4) return wrong("the file ends within a message's header");
-    const auto head = Body{bytes_.substr(offset_)}.take<std::uint32_t>();
+  /// Takes the body of the next message; an error if the log is cut off before its end.
+  Result<std::string_view> nextBody() {
+    const std::size_t left = bytes_.size() - offset_;
+    const auto head = left < 4 ? 0 : Body{bytes_.substr(offset_)}.take<std::uint32_t>();
     const std::size_t size = head >> 8;
-    if (bytes_.size() - offset_ - 4 < size) return wrong("the file ends within a message");
+    if (left < 4 || left - 4 < size) return wrong("the log is cut off; what followed is lost");
     const std::string_view body = bytes_.substr(offset_ + 4, size);
-    if (auto done = dispatch(static_cast<MessageId>(head & 0xff), body); !done) return done;
+    id_ = static_cast<MessageId>(head & 0xff);
     offset_ += 4 + size;
-    return {};
+    return body;
   }
 
   Result<void> dispatch(MessageId id, std::string_view body) {
@@ -116,7 +136,8 @@ class Parser {
     picture.cameraMatrix.time = time;
     picture.cameraMatrix.info = naoCamera(static_cast<int>(width), static_cast<int>(height));
     picture.odometry = odometry_;
-    picture.jpegOffset = offset_ + 20;
+    picture.jpegOffset = offset_ - size;
+    time_ = time;
     picture.jpegSize = size;
     log_.pictures.push_back(picture);
     return {};
@@ -128,6 +149,7 @@ class Parser {
     Body in{body};
     for (double& angle : frame.joints) angle = in.take<double>();
     frame.time = {in.take<std::uint32_t>()};
+    time_ = frame.time;
     frame.odometry = odometry_;
     log_.motionFrames.push_back(frame);
     return {};
@@ -184,6 +206,9 @@ class Parser {
   const std::string& file_;
   NaoLog& log_;
   std::size_t offset_ = 0;
+  std::uint32_t number_ = 0;  ///< Of the message that is taken.
+  MessageId id_{};
+  std::optional<Time> time_;  ///< Of what was taken last.
   Pose2D odometry_;
 };
 
@@ -192,7 +217,8 @@ class Parser {
 Result<void> NaoLog::decode(const NaoImage& picture, Image& image) const {
   const auto wrong = [&](std::string what) {
     return Error{.file = file_,
-                 .field = "byte " + std::to_string(picture.jpegOffset),
+                 .field = "image " + std::to_string(picture.number) + " at " +
+                          timeText(nanoseconds(picture.cameraMatrix.time)),
                  .what = std::move(what)};
   };
   const std::string_view jpeg =
@@ -212,6 +238,18 @@ Result<void> NaoLog::decode(const NaoImage& picture, Image& image) const {
     image.pixels[i] = {p[2], p[1], p[3], 0};
   }
   return {};
+}
+
+bool isNaoLog(const std::string& file) {
+  std::ifstream stream{file, std::ios::binary};
+  std::array<char, headerSize + 4> begin{};
+  if (!stream.read(begin.data(), begin.size())) return false;
+  Body header{{begin.data(), begin.size()}};
+  const auto size = header.take<std::uint32_t>();
+  const auto count = header.take<std::uint32_t>();
+  const auto first = header.take<std::uint32_t>();
+  constexpr std::uint32_t mostIds = 32;  // a text's first letter is beyond
+  return count > 0 && count <= size / 4 && (first & 0xff) < mostIds && (first >> 8) <= size - 4;
 }
 
 Result<NaoLog> parseNaoLog(std::string bytes, const std::string& file) {

@@ -47,8 +47,9 @@ class NaoLog {
  public:
   std::vector<NaoImage> pictures;
   std::vector<NaoMotionFrame> motionFrames;
+  std::vector<Error> damage;  ///< Messages that cannot be read, and where the log is cut off.
 
-  /// Decodes an image. The error names the offset of the image in the file.
+  /// Decodes an image. The error names the image and its time.
   Result<void> decode(const NaoImage& picture, Image& image) const;
 
  private:
@@ -58,7 +59,10 @@ class NaoLog {
   std::string bytes_;
 };
 
-/// The log in the bytes of a file. Errors name the file and the byte.
+/// Whether a file begins as such a log does.
+bool isNaoLog(const std::string& file);
+
+/// The log in the bytes of a file, as far as it is whole. An error if no message of it is.
 Result<NaoLog> parseNaoLog(std::string bytes, const std::string& file);
 
 /// Reads a log file (facts, 3).

@@ -64,19 +64,54 @@ TEST(NaoLog, NamesTheImageThatCannotBeDecoded) {
   Image image;
   const auto done = log->decode(log->pictures[0], image);
   ASSERT_FALSE(done);
-  EXPECT_THAT(done.error().text(), HasSubstr("small.log: byte "));
+  EXPECT_THAT(done.error().text(), HasSubstr("small.log: image 0 at 5.010 s: "));
 }
 
-TEST(NaoLog, NamesTheByteThatIsWrong) {
+/// The text of the first thing that is damaged in a log of which other things are whole.
+std::string damageOf(const std::string& bytes) {
+  const auto log = parseNaoLog(bytes, "a.log");
+  EXPECT_TRUE(log) << log.error().text();
+  return log && !log->damage.empty() ? log->damage.front().text() : "";
+}
+
+TEST(NaoLog, ReadsWhatIsWhole) {
   const std::string good = smallLog();
-  EXPECT_THAT(parseNaoLog("", "a.log").error().text(), HasSubstr("a.log: byte 0: the file ends"));
-  EXPECT_THAT(parseNaoLog(good.substr(0, good.size() - 1), "a.log").error().text(),
-              HasSubstr("the header promises"));
-  EXPECT_THAT(parseNaoLog(good + "x", "a.log").error().text(), HasSubstr("the header promises"));
+  EXPECT_EQ(damageOf(good), "");
+  const std::size_t last = 4 + 160;  // of its messages, with its header
+  for (const std::size_t missing : {std::size_t{1}, last - 4, last - 1}) {
+    const auto log = parseNaoLog(good.substr(0, good.size() - missing), "a.log");
+    ASSERT_TRUE(log) << log.error().text();
+    EXPECT_EQ(log->motionFrames.size(), 1u);
+    ASSERT_EQ(log->pictures.size(), 1u);
+    EXPECT_DOUBLE_EQ(log->pictures[0].cameraMatrix.pose.translation.z(), 480);
+    ASSERT_EQ(log->damage.size(), 1u);
+    EXPECT_EQ(log->damage[0].text(),
+              "a.log: message 5 after 5.010 s: the log is cut off; what followed is lost");
+  }
+  EXPECT_THAT(damageOf(good + "x"), HasSubstr("after 5.010 s: something follows"));
+}
+
+TEST(NaoLog, TellsItsFilesFromOthers) {
+  const std::string path = testing::TempDir() + "NaoLog_test.log";
+  const auto is = [&](const std::string& content) {
+    std::ofstream{path, std::ios::binary} << content;
+    return isNaoLog(path);
+  };
+  EXPECT_TRUE(is(smallLog()));
+  EXPECT_TRUE(is(smallLog().substr(0, 100)));
+  EXPECT_FALSE(is(""));
+  EXPECT_FALSE(is("a text that somebody calls a log, longer than its header\n"));
+  EXPECT_FALSE(is("\x89MCAP0\r\n and what follows"));
+  EXPECT_FALSE(isNaoLog("no/such.log"));
+  std::filesystem::remove(path);
+}
+
+TEST(NaoLog, NamesTheMessageThatIsWrong) {
+  EXPECT_EQ(parseNaoLog("", "a.log").error().text(), "a.log: the file ends within its header");
   LogBuilder shortJoints;
   shortJoints.put(1.0).end(5);
   EXPECT_THAT(parseNaoLog(shortJoints.log(), "a.log").error().text(),
-              HasSubstr("byte 8: joint angles must have 180 bytes"));
+              HasSubstr("a.log: joint angles must have 180 bytes"));
   LogBuilder noPose;
   noPose.put(std::uint32_t{320})
       .put(std::uint32_t{240})
@@ -84,7 +119,8 @@ TEST(NaoLog, NamesTheByteThatIsWrong) {
       .put(std::uint32_t{0})
       .end(4);
   noPose.fill(100).end(17);
-  EXPECT_THAT(parseNaoLog(noPose.log(), "a.log").error().text(), HasSubstr("no pose"));
+  EXPECT_THAT(damageOf(noPose.log()),
+              HasSubstr("message 1 after 0.001 s: a camera matrix that is no pose"));
   EXPECT_THAT(readNaoLog("no/such.log").error().text(), HasSubstr("no/such.log"));
 }
 

@@ -58,6 +58,8 @@ Result<ReplayPlatform> ReplayPlatform::make(const ReplayOptions& options) {
   auto player = LogPlayer::open(options.log);
   if (!player) return player.error();
   ReplayPlatform platform{std::move(*player)};
+  const auto& damage = platform.player_.log().damage();
+  platform.warnings_.assign(damage.begin(), damage.end());
   if (auto done = platform.findChannels(); !done) return done.error();
   if (auto done = platform.chooseSetup(options); !done) return done.error();
   platform.dropStandingProcesses();
@@ -84,15 +86,20 @@ Result<void> ReplayPlatform::findChannels() {
         topic.substr(input ? inputs.size() : std::min<std::size_t>(1, topic.size()));
     const RepresentationType* type =
         name == "ImageHeader" ? &representation<ImageHeader>() : messageType(name);
-    if (!type && input) return damaged(recorded.topic, "no platform sends this");
+    if (!type && input)
+      warnings_.push_back(damaged(recorded.topic, "is left out: no platform sends this"));
     if (!type) continue;
+    std::optional<MessageDefinition> definition;
+    if (recorded.schemaText != type->schema().text) {
+      auto parsed = MessageDefinition::parse(recorded.schemaName, recorded.schemaText);
+      if (!parsed) {
+        warnings_.push_back(damaged(recorded.topic, "is left out: " + parsed.error().text()));
+        continue;
+      }
+      definition = std::move(*parsed);
+    }
     any |= input;
-    Channel& channel =
-        channels_[recorded.id].emplace(Channel{type, std::nullopt, type->make(), input});
-    if (recorded.schemaText == type->schema().text) continue;
-    auto definition = MessageDefinition::parse(recorded.schemaName, recorded.schemaText);
-    if (!definition) return damaged(recorded.topic, definition.error().text());
-    channel.definition = std::move(*definition);
+    channels_[recorded.id].emplace(Channel{type, std::move(definition), type->make(), input});
   }
   pixels_ = isRecorded("Image", true);
   const bool headers = isRecorded("ImageHeader", true);
@@ -328,13 +335,24 @@ void ReplayPlatform::watchAll() {
       for (const RepresentationType* output : step.task->outputs) watch(std::string{output->name});
 }
 
-Result<void> ReplayPlatform::decode(Channel& channel, const McapMessage& message) const {
+std::optional<Error> ReplayPlatform::takeWarning() {
+  if (warnings_.empty()) return std::nullopt;
+  Error warning = std::move(warnings_.front());
+  warnings_.pop_front();
+  return warning;
+}
+
+/// False for a message that cannot be read; the first one of a channel is reported.
+bool ReplayPlatform::decode(Channel& channel, const McapMessage& message) {
   const auto done = channel.definition
                         ? readRecorded(*channel.definition, message.data,
                                        Value{channel.type->type(), channel.value.get()})
                         : channel.type->decode(message.data, channel.value.get());
-  if (done) return {};
-  return damaged(std::string{channel.type->name}, done.error().text());
+  if (!done && !std::exchange(channel.unreadable, true))
+    warnings_.push_back(damaged(std::string{channel.type->name},
+                                "messages are left out, the first at " + timeText(message.time) +
+                                    ": " + done.error().text()));
+  return static_cast<bool>(done);
 }
 
 void ReplayPlatform::send(const RepresentationType& type, const void* package) {
@@ -374,14 +392,14 @@ Result<void> ReplayPlatform::take(const McapChannel& recorded, const McapMessage
     sendImage();
   }
   if (channel->sent) {
-    if (auto done = decode(*channel, message); !done) return done;
+    if (!decode(*channel, message)) return {};
     send(*channel);
   } else if (!channel->provided) {
     if (!showsRecorded_) return {};
-    if (auto done = decode(*channel, message); !done) return done;
+    if (!decode(*channel, message)) return {};
     show(*channel);
   } else if (robot_->isDisabled(*channel->type)) {
-    if (auto done = decode(*channel, message); !done) return done;
+    if (!decode(*channel, message)) return {};
     robot_->layIfDisabled(*channel->type, channel->value.get());
   }
   return {};

@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,6 +32,8 @@ struct ReplayOptions {
   /// With other solutions, the robot decides anew, too. Its odometry is then that of a walk which
   /// the recorded sensors never saw.
   bool wholeRobot = false;
+  /// Called with what of the log is damaged or cannot be read.
+  std::function<void(const Error&)> warn{};
 };
 
 /// The platform of a robot that runs on a log: sends what the log's robot got from its platform
@@ -65,6 +68,9 @@ class ReplayPlatform {
   /// ReplayOptions.
   void runsAnother(const std::string& task);
 
+  /// What of the log is damaged or cannot be read, each once; nothing if all has been taken.
+  std::optional<Error> takeWarning();
+
   LogPlayer& player() { return player_; }
   Time now() const { return now_; }
   Robot& robot() { return *robot_; }
@@ -82,9 +88,10 @@ class ReplayPlatform {
     const RepresentationType* type;
     std::optional<MessageDefinition> definition;  ///< If the recorded type is another one.
     std::shared_ptr<void> value;
-    bool input = false;     ///< From the platform; otherwise what the robot sent.
-    bool provided = false;  ///< By a task of the robot that runs on the log.
-    bool sent = false;      ///< To that robot, as from its platform.
+    bool input = false;       ///< From the platform; otherwise what the robot sent.
+    bool provided = false;    ///< By a task of the robot that runs on the log.
+    bool sent = false;        ///< To that robot, as from its platform.
+    bool unreadable = false;  ///< A message was; it has been reported.
   };
 
   explicit ReplayPlatform(LogPlayer player) : player_{std::move(player)} {}
@@ -98,7 +105,7 @@ class ReplayPlatform {
   bool disableFor(const Task& task, std::vector<const RepresentationType*>& gaps);
   bool isRecorded(std::string_view name, bool input) const;
   Result<void> take(const McapChannel& channel, const McapMessage& message);
-  Result<void> decode(Channel& channel, const McapMessage& message) const;
+  bool decode(Channel& channel, const McapMessage& message);
   void send(const RepresentationType& type, const void* package);
   void send(const Channel& channel);
   void sendImage();
@@ -117,6 +124,7 @@ class ReplayPlatform {
   std::vector<const RepresentationType*> watched_;
   std::function<void(Robot&)> newRobot_;
   InputHandler input_;
+  std::deque<Error> warnings_;
   SensorDataBuffer sensors_;
   Image image_;  ///< Without what the robot saw: only its header was recorded.
   bool showsRecorded_ = false;

@@ -79,16 +79,16 @@ Result<std::vector<CeilingCameraPercept>> readCeilingLog(const std::string& path
   if (!definition)
     return Error{.file = path, .field = ceilingTopic, .what = "there is no such topic"};
   std::vector<CeilingCameraPercept> percepts;
-  for (;;) {
-    auto message = reader->next();
-    if (!message) return message.error();
-    if (!*message) return percepts;
-    if ((*message)->channel != channel) continue;
+  while (const auto message = reader->next()) {
+    if (message->channel != channel) continue;
     CeilingCameraPercept percept;
-    if (auto done = readRecorded(*definition, (*message)->data, percept); !done)
+    if (auto done = readRecorded(*definition, message->data, percept); !done)
       return Error{.file = path, .field = ceilingTopic, .what = done.error().what};
     percepts.push_back(std::move(percept));
   }
+  // It is the truth that others are measured against, so it must be whole.
+  if (!reader->damage().empty()) return reader->damage().front();
+  return percepts;
 }
 
 }  // namespace gt

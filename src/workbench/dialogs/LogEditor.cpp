@@ -35,7 +35,7 @@ Result<LogContent> contentOf(const std::string& file) {
   content.begin = static_cast<double>(player->begin().ms) / 1000;
   content.end = static_cast<double>(player->end().ms) / 1000;
   for (const McapChannel& channel : player->log().channels())
-    content.topics.push_back({channel.topic, channel.messageCount});
+    content.topics.push_back({channel.topic, player->messagesOf(channel.id)});
   return content;
 }
 
@@ -166,8 +166,7 @@ class LogEditor : public Dialog {
         [this, file](const Result<Transferred>& done) {
           if (!done) return state_->setText(QString::fromStdString(done.error().text()));
           QString text = QString{"%1: %2 messages"}.arg(file).arg(done->messages);
-          if (!done->lost.empty())
-            text += QString{", %1 places could not be read"}.arg(done->lost.size());
+          for (const Error& lost : done->lost) text += "\n" + QString::fromStdString(lost.text());
           state_->setText(text);
         });
   }
