@@ -15,6 +15,7 @@
 #include "representations/behavior/HeadControlMode.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
+#include "robot/TeamFolder.h"
 #include "robot/logs/LogPlatform.h"
 #include "simulation/scene/SceneModel.h"
 #include "streams/File.h"
@@ -38,6 +39,7 @@ class TreeCheck {
   /// Returns what was found, sorted by file and line.
   Findings check() {
     checkConfigurations();
+    checkTeams();
     checkLayouts();
     checkScenes();
     checkLogs();
@@ -96,6 +98,27 @@ class TreeCheck {
     std::shared_ptr<const Configuration> configuration;
     findings_.add(gt::checkConfiguration(paths, allModules(), &configuration));
     logs_.push_back(configuration->log);
+  }
+
+  /// What each team of the folder teams plays with. Errors of the project's own files are found
+  /// once.
+  void checkTeams() {
+    std::error_code failed;
+    for (const auto& entry : fs::directory_iterator{path("teams"), failed}) {
+      if (!entry.is_directory()) continue;
+      ++counts_["teams"];
+      ConfigurationPaths paths;
+      paths.config = path("config");
+      paths.motions = path("motions");
+      paths.behavior = path("behavior/GT2003.xabsl");
+      const auto team = TeamFolder::open(entry.path().string(), paths);
+      if (!team) {
+        findings_.add(team.error());
+        continue;
+      }
+      const Findings found = gt::checkConfiguration((*team)->paths(), allModules());
+      for (const Error& finding : found.list()) findings_.add((*team)->named(finding));
+    }
   }
 
   void checkLayouts() {

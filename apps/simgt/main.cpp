@@ -151,7 +151,8 @@ int main(int argc, char** argv) {
   });
   gt::CheckOptions check{root.path(".")};
   CLI::App& checking = line.command(
-      "check", "Loads every configuration, layout, scene, motion and behavior; reports errors",
+      "check",
+      "Loads every configuration, team, layout, scene, motion and behavior; reports errors",
       [&] { return gt::checkTree(check); });
   checking.add_option("root", check.root, "Folder of the tree")->capture_default_str();
   checking.add_flag("--strict", check.strict, "Fails because of warnings, too");

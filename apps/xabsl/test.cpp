@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "Commands.h"
+#include "Team.h"
 #include "xabsl/formats/Sources.h"
 #include "xabsl/tools/testing/TestFile.h"
 #include "xabsl/tools/testing/TestRunner.h"
@@ -19,6 +20,7 @@ namespace {
 struct TestOptions {
   std::vector<std::string> files;
   std::string only;
+  std::string team;
   std::string trace;
   bool coverage = false;
   bool strict = false;
@@ -35,7 +37,7 @@ struct Tested {
 /// Runs files of tests one after another.
 class Tests {
  public:
-  explicit Tests(const TestOptions& options) : options_(options) {}
+  Tests(const TestOptions& options, const Team& team) : options_(options), team_(team) {}
 
   void run(const std::string& path) {
     std::string text;
@@ -76,7 +78,7 @@ class Tests {
   Tested& load(const std::string& path) {
     const auto [place, isNew] = tested_.try_emplace(path);
     if (!isNew) return place->second;
-    Compilation compilation = compileFile(path);
+    Compilation compilation = team_.compile(path);
     if (fails(compilation.diagnostics, options_.strict))
       refuse(compilation.diagnostics);
     else
@@ -110,6 +112,7 @@ class Tests {
   }
 
   const TestOptions& options_;
+  const Team& team_;
   std::map<std::string, Tested> tested_;
   std::string traces_;
   int passed_ = 0;
@@ -124,6 +127,7 @@ void addTest(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("test", "Test what behaviors do");
   auto options = std::make_shared<TestOptions>();
   command->add_option("files", options->files, "Files of tests (.xtest)")->required();
+  addTeam(*command, options->team);
   command->add_option("--only", options->only, "Only tests with this in their names");
   command->add_option("--trace", options->trace, "A file for all that was done, for xabsl trace");
   command->add_flag("--coverage", options->coverage,
@@ -131,7 +135,12 @@ void addTest(CLI::App& program, int& status) {
   addStrict(*command, options->strict);
   command->add_flag("-v,--verbose", options->verbose, "List the tests that passed, too");
   command->callback([options, &status] {
-    Tests tests(*options);
+    const std::optional<Team> team = openTeam(options->team);
+    if (!team) {
+      status = wrong;
+      return;
+    }
+    Tests tests(*options, *team);
     for (const std::string& file : options->files) tests.run(file);
     status = tests.conclude();
   });

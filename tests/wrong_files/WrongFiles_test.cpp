@@ -55,6 +55,7 @@ class Workplace {
 
   std::string read(const std::string& file) const { return *readFile((root_ / file).string()); }
   void write(const std::string& file, std::string_view content) const {
+    fs::create_directories((root_ / file).parent_path());
     ASSERT_TRUE(writeFile((root_ / file).string(), content));
   }
   const fs::path& root() const { return root_; }
@@ -290,6 +291,51 @@ TEST(Programs, TellEveryErrorOfAMotion) {
   const Outcome outcome = workplace.run(checkMotions);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.errors, StartsWith("motionnet: motions/postures/stand.mof:1: "));
+}
+
+/// A team's files are wrong in the team's folder, and fail as they would in a match.
+TEST(Programs, CheckLooksIntoTeams) {
+  const Workplace workplace;
+  workplace.write("teams/mine/config/modules.cfg", "BallLocator Nonsense\n");
+  workplace.write("teams/mine/behavior/options/ball/search_ball.xabsl",
+                  "option search_ball { initial state a { action { sleeep(); } } }\n");
+  workplace.write("teams/none/readme/it.txt", "");
+  const std::string option = "teams/mine/behavior/options/ball/search_ball.xabsl:1: ";
+  const Outcome all = workplace.run("simgt check");
+  EXPECT_EQ(all.status, 2);
+  EXPECT_THAT(all.errors, HasSubstr("simgt: teams/mine/config/modules.cfg:1: BallLocator: "));
+  EXPECT_THAT(all.errors, HasSubstr("simgt: " + option));
+  EXPECT_THAT(all.errors, HasSubstr("simgt: teams/none: is no team: "));
+  for (const char* command : {"xabsl check --team mine", "xabsl check --team teams/mine",
+                              "xabsl check behavior/GT2003.xabsl --team mine"}) {
+    const Outcome behavior = workplace.run(command);
+    EXPECT_EQ(behavior.status, 2) << command;
+    EXPECT_THAT(behavior.errors, HasSubstr("teams/mine/behavior/options/ball/search_ball.xabsl:1:"))
+        << command;
+    EXPECT_THAT(behavior.errors, HasSubstr("sleeep")) << command;
+  }
+  EXPECT_EQ(workplace.run("xabsl check --team none").status, 2);
+}
+
+/// A team's tests lie in its folder, and test its files over the project's.
+TEST(Programs, TestTheBehaviorOfATeam) {
+  const Workplace workplace;
+  workplace.write("behavior/a.xabsl",
+                  "include \"options/b.xabsl\";\n"
+                  "namespace skills(\"Skills\") { behavior here { } behavior there { } }\n"
+                  "agent player(\"Player\", b);\n");
+  workplace.write("behavior/options/b.xabsl",
+                  "option b { initial state own { action { here(); } } }\n");
+  workplace.write("teams/mine/behavior/options/b.xabsl",
+                  "option b { initial state other { action { there(); } } }\n");
+  const std::string test = "test \"t\" { run; expect b == other; }\n";
+  workplace.write("teams/mine/behavior/tests/b.xtest", "behavior \"../a.xabsl\";\n" + test);
+  workplace.write("behavior/tests/b.xtest", "behavior \"../a.xabsl\";\n" + test);
+  for (const char* file : {"teams/mine/behavior/tests/b.xtest", "behavior/tests/b.xtest"}) {
+    const Outcome team = workplace.run(std::string{"xabsl test --team mine "} + file);
+    EXPECT_EQ(team.status, 0) << file << team.errors;
+    EXPECT_NE(workplace.run(std::string{"xabsl test "} + file).status, 0) << file;
+  }
 }
 
 TEST(Programs, CheckTellsAllErrorsOfATree) {

@@ -172,9 +172,8 @@ TEST_F(GT2003BehaviorControlTest, NamesTheFilesOfATraceWhereverTheyLie) {
     fresh.update(world.state(), Behavior{compilation.behavior}, {}, motionRequest, headControlMode,
                  ledRequest, soundRequest, message, debug);
     BehaviorTrace trace;
-    debug.out().handleAllMessages([&](const Message& sent) {
-      if (sent.is<BehaviorTrace>()) EXPECT_TRUE(sent.read(trace));
-    });
+    debug.out().handleAllMessages(
+        [&](const Message& sent) { EXPECT_TRUE(!sent.is<BehaviorTrace>() || sent.read(trace)); });
     return trace.text;
   };
   const std::string trace = traceIn("/tmp/gt2003-I1Bzj0/behavior/");
