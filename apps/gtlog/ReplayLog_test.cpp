@@ -81,11 +81,16 @@ std::uint64_t messagesOf(const std::string& log, const std::string& topic) {
   std::uint64_t count = 0;
   Selection selection;
   selection.topics = {topic};
-  const auto done = selection.forEach(log, [&](const auto&, const McapMessage&) {
-    ++count;
-    return Result<void>{};
-  });
+  std::vector<Error> damage;
+  const auto done = selection.forEach(
+      log,
+      [&](const auto&, const McapMessage&) {
+        ++count;
+        return Result<void>{};
+      },
+      damage);
   EXPECT_TRUE(done) << done.error().text();
+  EXPECT_TRUE(damage.empty());
   return count;
 }
 

@@ -224,7 +224,7 @@ Result<void> ReplayPlatform::lookForMemory() {
       const bool whole = channel->type == &representation<SensorDataBuffer>();
       if (!whole && channel->type != &representation<SensorData>()) return Result<void>{};
       found = true;
-      if (auto done = decode(*channel, message); !done) return done;
+      if (!decode(*channel, message)) return Result<void>{};
       const auto* buffer = static_cast<const SensorDataBuffer*>(channel->value.get());
       if (!whole || (!withProgram && buffer->frames.front().time != buffer->newest().time))
         caveats_.push_back(
