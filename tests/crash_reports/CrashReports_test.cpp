@@ -27,8 +27,10 @@ class CrashReports : public testing::Test {
   CrashReport crash(const std::string& name, const std::string& arguments,
                     const std::string& sign) {
     ChildProgram program{{"/bin/sh", "-c",
-                          "cd " + folder.path().string() + " && exec " + programFolder() + "/" +
-                              name + " " + arguments + " >printed 2>&1"}};
+    fs::create_directories(folder.path() / "here");
+                          "cd " + folder.path().string() + "/here && XDG_STATE_HOME=" +
+                              folder.path().string() + "/state exec " + programFolder() + "/" +
+                              name + " " + arguments + " >../printed 2>&1"}};
     const auto end = std::chrono::steady_clock::now() + patience;
     while (program.runs() && printed().find(sign) == std::string::npos &&
            std::chrono::steady_clock::now() < end)
@@ -38,7 +40,7 @@ class CrashReports : public testing::Test {
     EXPECT_TRUE(WIFSIGNALED(program.status()));
     EXPECT_EQ(WTERMSIG(program.status()), SIGSEGV);
     std::error_code failed;
-    const fs::directory_iterator reports{folder.path() / "out/crashes", failed};
+    const fs::directory_iterator reports{folder.path() / "state/gt2003/crashes", failed};
     EXPECT_FALSE(failed) << printed();
     if (failed) return {};
     const std::string path = reports->path().string();
@@ -51,6 +53,7 @@ class CrashReports : public testing::Test {
     if (!report) return {};
     EXPECT_TRUE(report->complete);
     EXPECT_THAT(report->program, testing::StrCaseEq(name));
+    EXPECT_FALSE(fs::exists(folder.path() / "here/out/crashes")) << "nobody asked for it there";
     EXPECT_EQ(report->signal, "SIGSEGV");
     EXPECT_FALSE(report->frames.empty());
     return *report;
