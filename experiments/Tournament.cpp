@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "Experiments.h"
-#include "robot/SetupFiles.h"
+#include "robot/ProjectVersion.h"
 #include "robot/TeamFolder.h"
 
 namespace gt {
@@ -27,7 +27,9 @@ Result<std::vector<Job>> listTournament(const std::vector<std::string>& teams,
       return Error{.field = setting, .what = "no team of a tournament is given the truth"};
   const auto isProfile = [](const std::string& setting) { return setting.starts_with("profile="); };
   if (std::ranges::none_of(settings, isProfile)) settings.emplace_back("profile=padova");
-  const auto matches = listJobs(experiments(), {seeds, {"match"}, settings}, commit());
+  const auto version = projectVersion(root);
+  if (!version) return version.error();
+  const auto matches = listJobs(experiments(), {seeds, {"match"}, settings}, *version);
   if (!matches) return matches;
   std::vector<Job> jobs;
   for (Job job : *matches)

@@ -19,7 +19,7 @@
 #include "crash/CrashHandler.h"
 #include "measure/InParallel.h"
 #include "measure/RunJobs.h"
-#include "robot/SetupFiles.h"
+#include "robot/ProjectVersion.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -36,15 +36,17 @@ struct Arguments {
   std::string out, jobs;
 };
 
-Result<std::vector<Job>> selectedJobs(Arguments arguments) {
+Result<std::vector<Job>> selectedJobs(Arguments arguments, const DataRoot& root) {
   auto seeds = parseSeeds(arguments.seeds);
   if (!seeds) return seeds.error();
   arguments.selection.seeds = *std::move(seeds);
-  return listJobs(experiments(), arguments.selection, commit());
+  const auto version = projectVersion(root);
+  if (!version) return version.error();
+  return listJobs(experiments(), arguments.selection, *version);
 }
 
-Result<void> list(const Arguments& arguments) {
-  const auto jobs = selectedJobs(arguments);
+Result<void> list(const Arguments& arguments, const DataRoot& root) {
+  const auto jobs = selectedJobs(arguments, root);
   if (!jobs) return jobs.error();
   for (const Job& job : *jobs) fmt::print("{}\n", job.text());
   return {};
@@ -72,6 +74,11 @@ Result<int> runAll(const std::vector<Job>& jobs, const std::string& out, const D
   const EndSignals signals;
   RunOptions options;
   options.threads = threads;
+  options.ready = [&](const Job& job) -> Result<void> {
+    const auto version = projectVersion(root);
+    if (!version) return version.error();
+    return checkCommit(job, *version);
+  };
   options.report = [&](const Job& job, const Result<void>& result) {
     if (signals.received()) return;
     fmt::print(stderr, "{}/{} {}{}\n", ++done, jobs.size(), job.text(),
@@ -106,7 +113,7 @@ Result<std::string> readList(const std::string& path) {
 
 /// The jobs of lists and of the command line, each once.
 Result<std::vector<Job>> readJobs(const std::vector<std::string>& lists,
-                                  const std::vector<std::string>& lines) {
+                                  const std::vector<std::string>& lines, const DataRoot& root) {
   std::vector<Job> jobs;
   for (const std::string& path : lists) {
     const auto text = readList(path);
@@ -120,10 +127,12 @@ Result<std::vector<Job>> readJobs(const std::vector<std::string>& lists,
     if (!job) return job.error();
     jobs.push_back(*job);
   }
+  const auto version = projectVersion(root);
+  if (!version) return version.error();
   std::set<Job> known;
   std::vector<Job> each;
   for (const Job& job : jobs) {
-    const auto whole = completed(job, experiments(), commit());
+    const auto whole = completed(job, experiments(), *version);
     if (!whole) return whole.error();
     if (known.insert(*whole).second) each.push_back(*whole);
   }
@@ -136,7 +145,7 @@ void warn(const std::vector<Error>& warnings) {
 }
 
 Result<int> run(const Arguments& arguments, const DataRoot& root) {
-  auto jobs = readJobs(arguments.lists, arguments.lines);
+  auto jobs = readJobs(arguments.lists, arguments.lines, root);
   if (!jobs) return jobs.error();
   if (!arguments.out.empty() && std::filesystem::exists(arguments.out)) {
     JobResults before;
@@ -165,10 +174,10 @@ Result<void> mergeAll(const std::vector<std::string>& files, const std::vector<J
   return {};
 }
 
-Result<void> mergeResults(const Arguments& arguments) {
+Result<void> mergeResults(const Arguments& arguments, const DataRoot& root) {
   std::vector<Job> jobs;
   if (!arguments.jobs.empty()) {
-    auto read = readJobs({arguments.jobs}, {});
+    auto read = readJobs({arguments.jobs}, {}, root);
     if (!read) return read.error();
     jobs = *std::move(read);
   }
@@ -177,7 +186,7 @@ Result<void> mergeResults(const Arguments& arguments) {
 
 /// Lists, runs and merges; merges what there is also if jobs failed or a signal came.
 Result<int> measure(const Arguments& arguments, const DataRoot& root) {
-  const auto jobs = selectedJobs(arguments);
+  const auto jobs = selectedJobs(arguments, root);
   if (!jobs) return jobs.error();
   const std::filesystem::path results =
       std::filesystem::path{arguments.json}.replace_extension(".jsonl");
@@ -238,7 +247,7 @@ void addSelection(CLI::App& app, Arguments& a) {
 }
 
 void addCommands(CommandLine& line, Arguments& a, const DataRoot& root) {
-  line.command("list", "Prints the jobs, one a line", [&] { return list(a); });
+  line.command("list", "Prints the jobs, one a line", [&] { return list(a, root); });
   CLI::App& playing =
       line.command("tournament", "Prints the jobs of a tournament: all teams against all",
                    [&] { return tournament(a, root); });
@@ -251,7 +260,7 @@ void addCommands(CommandLine& line, Arguments& a, const DataRoot& root) {
                      "File for the results, to which they are appended; jobs that are done there "
                      "are not done again; by default the standard output");
   CLI::App& merging = line.command("merge", "Makes figures of the results of jobs",
-                                   [&] { return mergeResults(a); });
+                                   [&] { return mergeResults(a, root); });
   merging.add_option("results", a.results, "Files with results")->required();
   merging.add_option("--jobs", a.jobs, "A list of jobs, to report those that have no result");
   line.command("calibrate-collisions",

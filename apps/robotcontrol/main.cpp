@@ -1,12 +1,12 @@
 #include <QApplication>
 #include <QSocketNotifier>
-#include <QStandardPaths>
 #include <QTimer>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include "base/EndSignals.h"
+#include "base/UserFolder.h"
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
 #include "observer/LogPlayer.h"
@@ -48,6 +48,13 @@ gt::Result<void> openLog(Options& options) {
   return {};
 }
 
+/// The folder of layouts and settings.
+std::string settingsFolder(const Options& options) {
+  if (!options.settings.empty()) return options.settings;
+  const std::string own = gt::userFolder(gt::UserFolder::config);
+  return (own.empty() ? "/tmp/gt2003" : own) + "/robotcontrol";
+}
+
 gt::Result<int> run(int argc, char** argv, Options options) {
   const gt::EndSignals signals;
   QApplication application{argc, argv};
@@ -62,10 +69,7 @@ gt::Result<int> run(int argc, char** argv, Options options) {
   for (const std::string& script : options.scripts) (*session)->execute("call \"" + script + "\"");
   for (const std::string& command : options.commands) (*session)->execute(command);
   if (options.start) (*session)->execute("start");
-  const QString folder = options.settings.empty()
-                             ? QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation)
-                             : QString::fromStdString(options.settings);
-  gt::MainWindow window{**session, folder};
+  gt::MainWindow window{**session, QString::fromStdString(settingsFolder(options))};
   window.resize(options.width, options.height);
   if (!options.theme.empty())
     gt::setTheme(options.theme == "dark" ? gt::Theme::dark : gt::Theme::light);

@@ -11,10 +11,11 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/UserFolder.h"
+
 namespace gt {
 namespace {
 
-constexpr const char* historyFile = "out/console_history";
 constexpr int historyLines = 1000;
 
 // Readline calls plain functions, so what they work on lies here while an editor exists.
@@ -50,6 +51,12 @@ bool keyPressed(int milliseconds) {
   return poll(&input, 1, milliseconds) > 0;
 }
 
+/// Where lines are kept from one console to the next; empty if the user has no folder for that.
+std::string historyFile() {
+  const std::string folder = userFolder(UserFolder::state);
+  return folder.empty() ? "" : folder + "/console_history";
+}
+
 /// Reads a key without waiting for it: Ctrl-C empties the terminal's queue, and with it what
 /// keyPressed found. The key 0 (set-mark) changes nothing.
 int readKey(FILE*) {
@@ -73,13 +80,15 @@ LineEditor::LineEditor(Console& of) {
   rl_getc_function = readKey;
   using_history();
   stifle_history(historyLines);
-  read_history(historyFile);
+  if (const std::string file = historyFile(); !file.empty()) read_history(file.c_str());
 }
 
 LineEditor::~LineEditor() {
-  std::error_code ignored;
-  std::filesystem::create_directories("out", ignored);
-  write_history(historyFile);
+  if (const std::string file = historyFile(); !file.empty()) {
+    std::error_code ignored;
+    std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
+    write_history(file.c_str());
+  }
   console = nullptr;
 }
 

@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// Reads lines from a terminal with editing, history (kept in out/console_history; with the
+/// Reads lines from a terminal with editing, history (kept in the user's folder for state; with the
 /// commands that scripts echo) and completion, by readline. What happens meanwhile may print above
 /// the line that is being typed, and change its prompt. One at a time.
 class LineEditor {

@@ -2,6 +2,7 @@
 
 #include "Check.h"
 #include "ConsoleProgram.h"
+#include "FaultReport.h"
 #include "Layout.h"
 #include "Picture.h"
 #include "Play.h"
@@ -115,6 +116,16 @@ void addLayout(CLI::App& command, gt::LayoutOptions& layout) {
   command.add_option("--svg", layout.svg, "Draws into an SVG file, too");
 }
 
+void addFaultReport(CLI::App& command, gt::FaultReportOptions& report) {
+  command.add_option("results", report.results,
+                     "Files and folders that show the fault: results of a match (out/match), logs, "
+                     "states");
+  command.add_option("--out", report.out, "The file, .tar.gz")->capture_default_str();
+  command.add_option("--crash", report.crashes,
+                     "Crash reports, instead of the newest one in the user's folder for state");
+  command.add_option("--note", report.note, "What went wrong, in a sentence");
+}
+
 }  // namespace
 
 /// SimGT2003: plays scenes of simulated robots.
@@ -149,6 +160,12 @@ int main(int argc, char** argv) {
     std::fputs(gt::consoleManual().c_str(), stdout);
     return 0;
   });
+  gt::FaultReportOptions report;
+  report.root = root;
+  addFaultReport(line.command("fault-report",
+                              "Packs what it takes to look into a fault elsewhere into one file",
+                              [&] { return gt::packFaultReport(report); }),
+                 report);
   gt::CheckOptions check{root.path(".")};
   CLI::App& checking = line.command(
       "check",

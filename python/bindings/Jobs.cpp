@@ -16,7 +16,7 @@
 #include "experiments/Experiments.h"
 #include "experiments/Tournament.h"
 #include "measure/RunJobs.h"
-#include "robot/SetupFiles.h"
+#include "robot/ProjectVersion.h"
 #include "streams/File.h"
 #include "streams/Json.h"
 
@@ -38,8 +38,12 @@ nb::list describeExperiments() {
   return all;
 }
 
-Job jobOf(const std::string& line) {
-  return orThrow(completed(orThrow(parseJob(line)), experiments(), commit()));
+std::string versionOf(const std::string& root = "") {
+  return orThrow(projectVersion(findRoot(root)));
+}
+
+Job jobOf(const std::string& line, const std::string& version) {
+  return orThrow(completed(orThrow(parseJob(line)), experiments(), version));
 }
 
 std::vector<std::string> textsOf(const std::vector<Job>& jobs) {
@@ -51,7 +55,7 @@ std::vector<std::string> textsOf(const std::vector<Job>& jobs) {
 std::vector<std::string> list(const std::string& seeds, const std::vector<std::string>& only,
                               const std::vector<std::string>& settings) {
   const JobSelection selection{orThrow(parseSeeds(seeds)), only, settings};
-  return textsOf(orThrow(listJobs(experiments(), selection, commit())));
+  return textsOf(orThrow(listJobs(experiments(), selection, versionOf())));
 }
 
 std::vector<std::string> tournament(const std::vector<std::string>& teams, const std::string& seeds,
@@ -61,7 +65,7 @@ std::vector<std::string> tournament(const std::vector<std::string>& teams, const
 }
 
 std::string measure(const std::string& line, const std::string& root) {
-  const Job job = jobOf(line);
+  const Job job = jobOf(line, versionOf(root));
   const DataRoot data = findRoot(root);
   const nb::gil_scoped_release release;
   return orThrow(measureJob(job, experiments(), data)).text();
@@ -86,7 +90,8 @@ std::vector<std::string> mergeResults(const std::vector<std::string>& files,
                                       const std::vector<std::string>& lines,
                                       const std::string& json, const std::string& note) {
   std::vector<Job> jobs;
-  for (const std::string& line : lines) jobs.push_back(jobOf(line));
+  const std::string version = versionOf();
+  for (const std::string& line : lines) jobs.push_back(jobOf(line, version));
   std::vector<Error> warnings;
   orThrow(mergeFiles(files, jobs, json, warnings, note));
   return texts(warnings);
@@ -107,7 +112,8 @@ void bindJobs(nb::module_& module) {
   module.def("_experiments", &describeExperiments);
   module.def("_list_jobs", &list, "seeds"_a, "only"_a, "settings"_a);
   module.def("_list_tournament", &tournament, "teams"_a, "seeds"_a, "settings"_a);
-  module.def("_complete_job", [](const std::string& line) { return jobOf(line).text(); });
+  module.def("_complete_job",
+             [](const std::string& line) { return jobOf(line, versionOf()).text(); });
   module.def("_measure_job", &measure, "job"_a, "root"_a);
   module.def("_read_results", &readResults, "file"_a);
   module.def("_result_line",

@@ -122,6 +122,17 @@ def _merge(results: Path, listed: list[str], note: str) -> list[str]:
     return warnings
 
 
+def _what_differs(others: Sequence[str], listed: Sequence[str]) -> str:
+    """Return why results are not those of these jobs; they may differ in nothing but what measured them."""
+
+    def job(line: str) -> str:
+        return line.partition(" commit=")[0]
+
+    if {job(line) for line in others} <= {job(line) for line in listed}:
+        return "holds results of these jobs by another program, or of other files of the project (commit=)"
+    return "holds results of other jobs"
+
+
 def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | None = None, parquet: bool = False) -> int:
     """Do jobs, and write results, figures and pages into a folder. Return how many failed.
 
@@ -138,7 +149,7 @@ def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | Non
         results = Results(out / "results.jsonl")
         others = sorted(results.done.difference(listed))
         if others:
-            raise Error("holds results of other jobs; choose another folder", str(results.path), field=others[0])
+            raise Error(f"{_what_differs(others, listed)}; choose another folder", str(results.path), field=others[0])
         (out / "jobs").write_text("".join(job + "\n" for job in listed))
         failed = 0
         stopped: Interrupted | Error | None = None

@@ -345,6 +345,9 @@ def test_what_is_wrong_is_told_in_one_line(expected: Path, tmp_path: Path) -> No
     (others / "results.jsonl").write_bytes((expected / "results.jsonl").read_bytes())
     file.write_text(some("1")[0])
     assert "holds results of other jobs" in wrong(file, "--out", others)
+    other = some("1")[0].partition(" commit=")[0] + " commit=0123456789ab"
+    (others / "results.jsonl").write_text(json.dumps({"job": other, "values": []}) + "\n")
+    assert "results of these jobs by another program, or of other files of the project" in wrong(file, "--out", others)
     assert "1.2.3.4:x: there is no Ray cluster" in wrong(file, "--out", tmp_path / "a", "--address", "1.2.3.4:x")
 
 

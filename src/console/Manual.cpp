@@ -10,7 +10,7 @@ constexpr const char* introduction = R"(# The console
 
 Made by `simgt commands` from the table of commands; a test holds both together.
 
-`simgt console SCENE` runs a scene with a console: commands are typed (with history, and completion by the tab key), piped in, or
+`simgt console SCENE` runs a scene with a console: commands are typed (with a history, kept in `$XDG_STATE_HOME/gt2003`, and completion by the tab key), piped in, or
 stand in scripts (`--script FILE`, `-c COMMAND`), one a line; `#` begins a comment. A scene names the script that it begins with; if
 it does not, `console.con` beside it is executed where there is one. After an error a script ends, and so does the program, with exit
 status 2, or 1 if a condition did not hold that was expected to (a script is a test). Ctrl-C, SIGTERM and a closed terminal end scripts

@@ -197,6 +197,8 @@ Result<std::vector<std::string>> solutionsOf(ConsoleRobot& robot, const std::str
       std::vector<std::string> lines;
       for (const SolutionDescription& solution : task.solutions) lines.push_back(solution.name);
       lines.emplace_back(SolutionTable::disabled);
+      for (std::string& line : lines)
+        if (line == task.active) line += " (runs)";
       return lines;
     }
   return Error{.field = name, .what = "no process solves this task; try sr ?"};

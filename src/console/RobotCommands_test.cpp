@@ -42,6 +42,7 @@ TEST_F(RobotCommands, SwitchesSolutionsOfSelectedRobots) {
   screen.printed.clear();
   expectFine("sr SelfLocator ?");
   EXPECT_THAT(screen.printed, Contains("MonteCarlo"));
+  EXPECT_THAT(screen.printed, Contains("Kalman (runs)"));
   EXPECT_THAT(screen.printed, Contains("disabled"));
 }
 

@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "base/CrashNotes.h"
+#include "base/UserFolder.h"
 #include "crash/BuildId.h"
 
 namespace gt {
@@ -321,6 +322,11 @@ CrashStack::~CrashStack() {
   none.ss_flags = SS_DISABLE;
   sigaltstack(&none, nullptr);
   munmap(memory_, handlerStackSize);
+}
+
+std::string crashFolder() {
+  const std::string folder = userFolder(UserFolder::state);
+  return (folder.empty() ? "/tmp/gt2003-" + std::to_string(getuid()) : folder) + "/crashes";
 }
 
 void installCrashHandler(const CrashSettings& settings) {

@@ -3,11 +3,15 @@
 
 namespace gt {
 
+/// The folder for crash reports, crashes in the user's folder for state (UserFolder.h); in /tmp if
+/// the user has none.
+std::string crashFolder();
+
 /// Where crash reports of a program go.
 struct CrashSettings {
   std::string program;  ///< Its name.
   /// Made when a report is written. The report is crash-PROGRAM-PID.txt.
-  std::string folder = "out/crashes";
+  std::string folder = crashFolder();
 };
 
 /// From now on this process writes a crash report when a signal ends it (report 5.5: the robot's

@@ -69,6 +69,26 @@ TEST_F(MatchStateTest, StatesThatDoNotFitAreRefused) {
   EXPECT_FALSE(match->save(file));
 }
 
+/// A state of an earlier version lacks what a match could not have then; one of a later version may
+/// have what this one does not understand.
+TEST_F(MatchStateTest, StatesOfEarlierVersionsAreRead) {
+  const std::string file = (folder / "old.state").string();
+  const std::string old =
+      R"({"scene": "scenes/match.scene", "layout": "", "behavior": "behavior/GT2003.xabsl",
+          "motions": "motions", "minutes": 4.0, "seed": 7, "time": 16, "history": [],
+          "fingerprint": 3)";
+  ASSERT_TRUE(writeFile(file, old + "}"));
+  const auto state = readMatchState(file);
+  ASSERT_TRUE(state) << state.error().text();
+  EXPECT_EQ(state->seed, 7u);
+  EXPECT_EQ(state->profile, "");
+  EXPECT_TRUE(state->truth.empty());
+  ASSERT_TRUE(writeFile(file, old + R"(, "weather": "rain"})"));
+  const auto later = readMatchState(file);
+  ASSERT_FALSE(later);
+  EXPECT_EQ(later.error().text(), file + ": weather: unknown name");
+}
+
 TEST(MatchState, MessagesBecomeDigitsAndBack) {
   const std::vector<std::byte> bytes{std::byte{0}, std::byte{0x7f}, std::byte{0xa0}};
   EXPECT_EQ(hexOf(bytes), "007fa0");

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/Number.h"
+#include "measure/RunJobs.h"
 
 namespace gt {
 namespace {
@@ -113,8 +114,7 @@ const Experiment* findExperiment(const Experiments& experiments, const std::stri
 Result<Job> completed(Job job, const Experiments& experiments, const std::string& commit) {
   const Experiment* experiment = findExperiment(experiments, job.experiment);
   if (!experiment) return Error{.field = job.experiment, .what = "there is no such experiment"};
-  if (!job.commit.empty() && job.commit != commit)
-    return Error{.field = job.commit, .what = "is another commit than this program's, " + commit};
+  if (auto done = checkCommit(job, commit); !done) return done.error();
   job.commit = commit;
   for (const auto& [name, value] : job.parameters) {
     const auto parameter = std::ranges::find(experiment->parameters, name, &Parameter::name);

@@ -45,7 +45,8 @@ class Runner {
 
   void run(const std::vector<Job>& jobs, unsigned threads) {
     inParallel(jobs.size(), threads, [&](std::size_t i) {
-      finish(jobs[i], measureJob(jobs[i], experiments_, root_));
+      const auto ready = options_.ready ? options_.ready(jobs[i]) : Result<void>{};
+      finish(jobs[i], ready ? measureJob(jobs[i], experiments_, root_) : ready.error());
       return Result<void>{};
     });
   }
@@ -79,6 +80,15 @@ class Runner {
 };
 
 }  // namespace
+
+Result<void> checkCommit(const Job& job, const std::string& commit) {
+  const std::string program = commit.substr(0, commit.find('+'));
+  if (job.commit.empty() || job.commit == commit || job.commit == program) return {};
+  return Error{.field = job.commit,
+               .what = job.commit.starts_with(program + "+")
+                           ? "is of other files of the project than there are now, " + commit
+                           : "is another commit than this program's, " + commit};
+}
 
 Result<JobResult> measureJob(const Job& job, const Experiments& experiments, const DataRoot& root) {
   auto measured = guarded([&] { return measure(job, experimentOf(job, experiments), root); });

@@ -97,6 +97,10 @@ TEST(Completed, FillsInWhatAJobDoesNotName) {
             "nothing: there is no such experiment");
   EXPECT_EQ(completed(*parseJob("wrong commit=d"), experiments, "c").error().text(),
             "d: is another commit than this program's, c");
+  EXPECT_EQ(completed(*parseJob("wrong commit=c+1"), experiments, "c+2").error().text(),
+            "c+1: is of other files of the project than there are now, c+2");
+  EXPECT_EQ(completed(*parseJob("wrong commit=c"), experiments, "c+2")->commit, "c+2");
+  EXPECT_EQ(completed(*parseJob("wrong commit=c+2"), experiments, "c+2")->commit, "c+2");
   EXPECT_EQ(completed(*parseJob("wrong x=1"), experiments, "c").error().text(),
             "x: is not a parameter of wrong");
 }

@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 
+#include "base/UserFolder.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -46,9 +46,8 @@ std::string machineAddress() {
 }
 
 std::string defaultSocketFolder() {
-  const char* runtime = std::getenv("XDG_RUNTIME_DIR");
-  return runtime && *runtime ? std::string{runtime} + "/gt2003"
-                             : "/tmp/gt2003-" + std::to_string(getuid());
+  const std::string runtime = userFolder(UserFolder::runtime);
+  return runtime.empty() ? "/tmp/gt2003-" + std::to_string(getuid()) : runtime;
 }
 
 Result<void> makePrivateFolder(const std::string& folder) {

@@ -1,8 +1,8 @@
 #include "network/RouterSettings.h"
 
-#include <cstdlib>
 #include <filesystem>
 
+#include "base/UserFolder.h"
 #include "streams/Config.h"
 #include "streams/File.h"
 
@@ -45,14 +45,8 @@ Result<RouterOptions> routerOptions(const RouterSettings& settings) {
 }
 
 std::string lastSettingsFile() {
-  const char* state = std::getenv("XDG_STATE_HOME");
-  const char* home = std::getenv("HOME");
-  fs::path folder;
-  if (state && *state == '/')  // others do not count, by the specification
-    folder = state;
-  else if (home && *home == '/')
-    folder = fs::path{home} / ".local/state";
-  return folder.empty() ? "" : (folder / "gt2003/router.cfg").string();
+  const std::string folder = userFolder(UserFolder::state);
+  return folder.empty() ? "" : folder + "/router.cfg";
 }
 
 Result<void> keepSettings(const RouterSettings& settings, const std::string& file) {

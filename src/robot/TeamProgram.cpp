@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -15,6 +14,7 @@
 
 #include "base/FileDescriptor.h"
 #include "base/Program.h"
+#include "base/UserFolder.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -62,10 +62,8 @@ bool isWholeHash(const std::string& text) {
 
 /// The folder of a commit in the cache.
 Result<fs::path> cacheOf(const std::string& commit) {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  const char* home = std::getenv("HOME");
-  if (cache && fs::path{cache}.is_absolute()) return fs::path{cache} / "gt2003/teams" / commit;
-  if (home && *home) return fs::path{home} / ".cache/gt2003/teams" / commit;
+  const std::string cache = userFolder(UserFolder::cache);
+  if (!cache.empty()) return fs::path{cache} / "teams" / commit;
   return Error{.what = "there is no folder for the programs of commits: set XDG_CACHE_HOME"};
 }
 

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "streams/TemporaryFolder.h"
@@ -30,6 +31,9 @@ constexpr const char *upKey = "\033[A", *clearKey = "\025", *interruptKey = "\00
 /// How long the program may take for anything; under a sanitizer it takes long.
 constexpr std::chrono::minutes patience{2};
 
+/// Where the console keeps what was typed.
+const TemporaryFolder stateFolder;
+
 /// The program with its console in a terminal of 24 lines.
 class Terminal {
  public:
@@ -39,6 +43,7 @@ class Terminal {
     if (pid_ != 0) return;
     setenv("TERM", "xterm", 1);
     unsetenv("INPUTRC");
+    setenv("XDG_STATE_HOME", stateFolder.path().c_str(), 1);
     execl(simgt.c_str(), simgt.c_str(), "console", scene, joystick ? "--joystick" : nullptr,
           joystick, nullptr);
     _exit(127);
@@ -134,6 +139,7 @@ TEST(Terminal, RemembersWhatWasTyped) {
     EXPECT_THAT(terminal.until(prompt), HasSubstr("\rfirst"));
     EXPECT_EQ(terminal.exit(), 0);
   }
+  EXPECT_TRUE(std::filesystem::exists(stateFolder.path() / "gt2003/console_history"));
   Terminal terminal;  // the next time, too: exit was the last, before it echo first
   terminal.until(prompt);
   terminal.type(std::string{upKey} + upKey);
