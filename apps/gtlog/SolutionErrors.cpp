@@ -58,7 +58,7 @@ Result<SolutionErrors> errorsOf(const ReplayOptions& options, const std::string&
                .what = "the log does not hold the truth, which a simulator records"};
 }
 
-std::string cell(const std::vector<double>& errors, double unit) {
+std::string meanAndMedian(const std::vector<double>& errors, double unit) {
   if (errors.empty()) return "-";
   return fmt::format("{:.1f} / {:.1f}", mean(errors) / unit, quantile(errors, 0.5) / unit);
 }
@@ -85,8 +85,9 @@ std::string tableOf(const std::string& task, const std::vector<SolutionErrors>& 
   text += fmt::format(line, task, "images", "position, mm", "rotation, deg", "ball in sight, mm",
                       "images");
   for (const SolutionErrors& e : errors)
-    text += fmt::format(line, e.solution, e.position.size(), cell(e.position, 1),
-                        cell(e.rotation, fromDegrees(1)), cell(e.ball, 1), e.ball.size());
+    text += fmt::format(line, e.solution, e.position.size(), meanAndMedian(e.position, 1),
+                        meanAndMedian(e.rotation, fromDegrees(1)), meanAndMedian(e.ball, 1),
+                        e.ball.size());
   return text;
 }
 

@@ -90,7 +90,7 @@ TEST_F(CrashReports, OfAJob) {
 }
 
 TEST_F(CrashReports, OfARobotsProcess) {
-  crash("gtrobot-debug", "--sockets .", "does not answer");
+  crash("gtrobot-debug", "--sockets ..", "does not answer");
 }
 
 /// One file has what it takes to look into a fault elsewhere.
