@@ -45,7 +45,7 @@ class Runner {
 
   void run(const std::vector<Job>& jobs, unsigned threads) {
     inParallel(jobs.size(), threads, [&](std::size_t i) {
-      const auto ready = options_.ready ? options_.ready(jobs[i]) : Result<void>{};
+      const auto ready = isReady(jobs[i]);
       finish(jobs[i], ready ? measureJob(jobs[i], experiments_, root_) : ready.error());
       return Result<void>{};
     });
@@ -57,6 +57,13 @@ class Runner {
   }
 
  private:
+  /// A program that crashes meanwhile was at this job, too.
+  Result<void> isReady(const Job& job) const {
+    if (!options_.ready) return {};
+    const std::string text = job.text();
+    const CrashContext context{text.c_str()};
+    return options_.ready(job);
+  }
   void finish(const Job& job, const Result<JobResult>& measured) {
     const std::lock_guard lock{mutex_};
     Result<void> done;
