@@ -13,12 +13,7 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  # Paths below the sources are hashed relative to them, and the build folder is not hashed: a clone in another folder is served, too.
-  # It must not look at the times of precompiled headers, would read all their megabytes for each file without a cache of what
-  # it has hashed, and must hash sources with their comments: gcc compares the files that a precompiled header was made from.
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-    CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=true
-    CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_INODECACHE=true CCACHE_DEPEND=true ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${PROJECT_SOURCE_DIR}/cmake/compile)
 endif()
 set(GT_SANITIZE "" CACHE STRING "Sanitizers to build with, as for -fsanitize=: address,undefined or thread")
 find_program(MOLD mold)
