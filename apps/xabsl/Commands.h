@@ -38,7 +38,7 @@ Compilation compileFile(const std::string& path, Dialect dialect = Dialect::xabs
 /// The same, and prints the messages. Empty after an error.
 std::optional<Behavior> load(const std::string& path, const Reading& reading = {});
 
-/// Writes a file. Prints an error and returns false if that is not possible.
+/// Writes a file, whole or not at all. Prints an error and returns false if that is not possible.
 bool writeFile(const std::string& path, const std::string& text);
 
 void addCheck(CLI::App& program, int& status);

@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 
 #include "Commands.h"
+#include "streams/File.h"
 #include "xabsl/formats/Compile.h"
 #include "xabsl/formats/IntermediateCode.h"
 
@@ -60,11 +60,9 @@ std::optional<Behavior> load(const std::string& path, const Reading& reading) {
 }
 
 bool writeFile(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) printError(path, "cannot write the file");
-  return !file.fail();
+  const auto done = gt::writeFile(path, text);
+  if (!done) printError(path, done.error().what);
+  return static_cast<bool>(done);
 }
 
 }  // namespace xabsl::app

@@ -3,10 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lz4frame.h>
-#include <sys/resource.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +12,7 @@
 #include "streams/File.h"
 #include "streams/Jpeg.h"
 #include "streams/McapRecords.h"
+#include "support/FileSizeLimit.h"
 #include "support/McapVariants.h"
 #include "support/Samples.h"
 
@@ -274,25 +273,6 @@ TEST(Mcap, TellsThatItWasRemovedWhileItWasWritten) {
   EXPECT_EQ(taken->text(), file.path + ": was removed while it was written");
   EXPECT_FALSE(writer->close());
 }
-
-/// A limit of the size of files, as a medium that is full has it.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-    handler_ = std::signal(SIGXFSZ, SIG_IGN);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int) = SIG_DFL;
-};
 
 TEST(Mcap, IsReadableUpToTheLastChunkWhenTheMediumIsFull) {
   const TemporaryFile file{"Mcap_test_full.mcap"};
