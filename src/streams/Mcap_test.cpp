@@ -436,6 +436,22 @@ TEST(McapVariants, HoldTheSame) {
   }
 }
 
+TEST(McapVariants, OfTheConformanceTestsHoldWhatTheirNamesSay) {
+  const TemporaryFile file{"Mcap_test_conformance.mcap"};
+  const auto logs = variants::conformanceLogs();
+  EXPECT_EQ(logs.size(), 416u);
+  for (const variants::ConformanceLog& log : logs) {
+    std::filesystem::remove(file.path);
+    ASSERT_TRUE(writeFile(file.path, log.bytes));
+    auto reader = McapReader::open(file.path);
+    ASSERT_TRUE(reader) << log.name << ": " << reader.error().text();
+    ASSERT_EQ(variants::textOf(variants::readContent(*reader)), variants::textOf(log.content))
+        << log.name;
+    ASSERT_EQ(damageOf(*reader), "") << log.name;
+    ASSERT_TRUE(reader->complete() && reader->hasDataChecksum()) << log.name;
+  }
+}
+
 /// Where an opcode begins a record of a log, from the given one on.
 std::size_t recordAt(const std::string& log, mcap::Opcode opcode, int number) {
   std::size_t at = mcap::magicSize;
