@@ -13,6 +13,7 @@
 #include "workbench/MainWindow.h"
 
 namespace {
+#include "workbench/SaveImage.h"
 
 struct Options {
   gt::MatchOptions match;
@@ -31,8 +32,8 @@ void takePicture(gt::SessionThread& session, gt::MainWindow& window, const std::
   constexpr int settling = 1200;  // ms
   session.execute("# all is done", &window, [&window, file](const gt::Result<void>&) {
     QTimer::singleShot(settling, &window, [&window, file] {
-      const bool saved = window.grab().save(QString::fromStdString(file));
-      if (!saved) std::fprintf(stderr, "robotcontrol: %s: cannot be written\n", file.c_str());
+      const auto saved = gt::saveImage(window.grab().toImage(), QString::fromStdString(file));
+      if (!saved) std::fprintf(stderr, "robotcontrol: %s\n", saved.error().text().c_str());
       QApplication::exit(saved ? 0 : 2);
     });
   });
