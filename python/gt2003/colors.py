@@ -29,7 +29,8 @@ def read(
 ) -> Table:
     """Read a table (.c64), HSI ranges (.hsi) or TSL thresholds (.tsl) as a table.
 
-    `order` says what the class numbers of a .c64 file mean: the report's, or those of 2009.
+    `order` says what the class numbers of a .c64 file mean: the report's, or those of 2009. A
+    UserWarning if the table then has no green, white and gray.
     """
     return _core._read_colors(os.fspath(path), order)
 

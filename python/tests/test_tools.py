@@ -6,6 +6,7 @@ import gc
 import subprocess
 import os
 import resource
+import warnings
 import weakref
 from pathlib import Path
 
@@ -223,6 +224,16 @@ def test_files_are_written_whole_or_not_at_all(tmp_path: Path) -> None:
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
     assert file.read_text() == "what was there" and list(tmp_path.iterdir()) == [file]
+
+
+def test_the_order_of_a_color_table_is_doubted_without_colors_of_a_field(tmp_path: Path) -> None:
+    nao = tmp_path / "nao.c64"
+    nao.write_bytes(b"\1\0\0\0\4" + (64**3 - 1).to_bytes(4, "little") + bytes(5))
+    with pytest.warns(UserWarning, match="nao.c64: has no green, white and gray, so its order is probably nao2009"):
+        assert colors.read(nao)[0, 0, 0] == ColorClass.pink
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert colors.read(nao, "nao2009")[0, 0, 0] == ColorClass.white
 
 
 def test_colors_are_learnt_from_labels(tmp_path: Path) -> None:
