@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "colors/ColorConfusion.h"
+#include "colors/ColorOrder.h"
 #include "colors/ColorTableEditor.h"
 #include "colortable/ColorFiles.h"
 #include "colortable/Images.h"
@@ -23,8 +24,16 @@ struct Arguments {
   MedianRule rule{0, 1, false};
   std::string colorClass, picture;
 
-  ColorClassOrder order() const {
-    return nao2009 ? ColorClassOrder{nao2009ColorOrder} : ColorClassOrder{gt2003ColorOrder};
+  /// Reads a table, and warns if that was probably in the wrong order.
+  Result<ColorTable64> read(const std::string& file) const {
+    const auto table = readColors(
+        file, nao2009 ? ColorClassOrder{nao2009ColorOrder} : ColorClassOrder{gt2003ColorOrder});
+    if (table && seemsOfOtherOrder(*table))
+      fmt::print(stderr,
+                 "colortable: warning: {}: has no green, white and gray, so its classes are "
+                 "probably those of {}\n",
+                 file, nao2009 ? "the report: without --nao2009" : "a robot of 2009: --nao2009");
+    return table;
   }
 };
 
@@ -58,7 +67,7 @@ Result<void> learn(const Arguments& a) {
 
 Result<void> confusion(const Arguments& a) {
   if (auto done = checkLabels(a.source); !done) return done;
-  const auto table = readColors(a.table, a.order());
+  const auto table = a.read(a.table);
   if (!table) return table.error();
   ColorConfusion confusion;
   const auto done = forEachImage(a.source, [&](const std::string&, const LabeledImage& p) {
@@ -70,22 +79,22 @@ Result<void> confusion(const Arguments& a) {
 }
 
 Result<void> compare(const Arguments& a) {
-  const auto first = readColors(a.table, a.order());
+  const auto first = a.read(a.table);
   if (!first) return first.error();
-  const auto second = readColors(a.other, a.order());
+  const auto second = a.read(a.other);
   if (!second) return second.error();
   fmt::print("{}", compareTables(*first, *second).text("first", "second"));
   return {};
 }
 
 Result<void> convert(const Arguments& a) {
-  const auto table = readColors(a.table, a.order());
+  const auto table = a.read(a.table);
   if (!table) return table.error();
   return writeColors(a.out, *table);
 }
 
 Result<void> filter(const Arguments& a) {
-  const auto table = readColors(a.table, a.order());
+  const auto table = a.read(a.table);
   if (!table) return table.error();
   std::optional<ColorClass> selected;
   if (!a.colorClass.empty()) {
@@ -102,14 +111,14 @@ Result<void> filter(const Arguments& a) {
 }
 
 Result<void> show(const Arguments& a) {
-  const auto table = readColors(a.table, a.order());
+  const auto table = a.read(a.table);
   if (!table) return table.error();
   return tableSheet(*table).write(a.out);
 }
 
 /// An image beside its classes.
 Result<void> segment(const Arguments& a) {
-  const auto table = readColors(a.table, a.order());
+  const auto table = a.read(a.table);
   if (!table) return table.error();
   Result<void> written = Error{.field = "--picture", .what = "there is no image " + a.picture};
   const auto done = forEachImage(a.source, [&](const std::string& name, const LabeledImage& p) {

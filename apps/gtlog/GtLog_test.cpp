@@ -285,6 +285,32 @@ TEST_F(GtLog, KeepsAllThatALogHolds) {
   }
 }
 
+TEST_F(GtLog, KeepsAllThatTheLogsOfTheConformanceTestsHold) {
+  const std::string log = path("conformance.mcap"), copy = path("copy.mcap");
+  for (const variants::ConformanceLog& one : variants::conformanceLogs()) {
+    std::filesystem::remove(log);
+    ASSERT_TRUE(writeFile(log, one.bytes));
+    for (int way = 0; way < 3; ++way) {
+      std::filesystem::remove(copy);
+      const auto done = way == 0   ? cutLog(log, {}, copy)
+                        : way == 1 ? joinLogs({log}, copy)
+                                   : repairLog(log, copy);
+      ASSERT_TRUE(done) << one.name << done.error().text();
+      ASSERT_THAT(done->lost, testing::IsEmpty()) << one.name << done->lost.front().text();
+      ASSERT_EQ(contentOf(copy), variants::textOf(one.content)) << one.name;
+    }
+    for (const std::string& file : {log, copy}) {
+      const auto check = checkLog(file);
+      ASSERT_TRUE(check) << one.name;
+      ASSERT_THAT(check->problems, testing::IsEmpty())
+          << one.name << check->problems.front().text();
+    }
+    std::vector<Error> damage;
+    ASSERT_TRUE(describeLog(log, damage)) << one.name;
+    ASSERT_THAT(damage, testing::IsEmpty()) << one.name;
+  }
+}
+
 TEST_F(GtLog, ShowsAndExportsWhatCanBeReadOfEachLog) {
   const std::string log = path("variant.mcap");
   std::string shown;

@@ -15,6 +15,7 @@
 #include "observer/RobotLog.h"
 #include "representations/behavior/MotionRequest.h"
 #include "robot/SetupFiles.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -132,13 +133,34 @@ McapWriter::Metadata aboutReplay(const ReplayOptions& options, const McapReader&
   return about;
 }
 
+/// Removes what is written of a file under another name if it does not become whole.
+class Unfinished {
+ public:
+  explicit Unfinished(const std::string& path) : path_{path}, written_{unfinishedName(path)} {}
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+  ~Unfinished() {
+    std::error_code ignored;
+    if (!finished_ && written_ != path_) std::filesystem::remove(written_, ignored);
+  }
+  Result<void> finish() {
+    finished_ = true;
+    return finishFile(path_, written_);
+  }
+
+ private:
+  std::string path_, written_;
+  bool finished_ = false;
+};
+
 /// Returns the topics that the robot computes.
 Result<std::vector<std::string>> record(const ReplayOptions& options, const std::string& to,
                                         std::vector<std::string>& caveats) {
   auto platform = ReplayPlatform::make(options);
   if (!platform) return platform.error();
-  auto log = RobotLog::open(to, aboutReplay(options, platform->player().log()));
+  auto log = RobotLog::open(unfinishedName(to), aboutReplay(options, platform->player().log()));
   if (!log) return log.error();
+  Unfinished unfinished{to};
   platform->watchAll();
   static_cast<void>(platform->robot().request(DebugRequest{traceKey, DebugKeyMode::always, 0}));
   std::vector<std::string> topics;
@@ -164,6 +186,7 @@ Result<std::vector<std::string>> record(const ReplayOptions& options, const std:
   while (const auto warning = platform->takeWarning())
     if (options.warn) options.warn(*warning);
   if (auto done = log->close(); !done) return done.error();
+  if (auto done = unfinished.finish(); !done) return done.error();
   caveats = platform->caveats();
   return topics;
 }

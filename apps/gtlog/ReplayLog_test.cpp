@@ -17,6 +17,7 @@
 #include "representations/motion/OdometryData.h"
 #include "robot/logs/LogRobot.h"
 #include "streams/File.h"
+#include "support/FileSizeLimit.h"
 
 namespace gt {
 namespace {
@@ -272,6 +273,21 @@ TEST_F(ReplayLog, RefusesWhatIsNoLogToReplay) {
               HasSubstr("does not hold what its robot sensed"));
   EXPECT_THAT(replayLog({path("play/red1.mcap")}, path("play/red1.mcap")).error().text(),
               HasSubstr("is the log that is read"));
+}
+
+TEST_F(ReplayLog, ReplacesAFileOnceItIsWhole) {
+  const std::string copy = path("replaced.mcap");
+  ASSERT_TRUE(writeFile(copy, "what was there"));
+  {
+    const FileSizeLimit limit{100'000};
+    const auto full = replayLog({path("play/red1.mcap")}, copy);
+    ASSERT_FALSE(full);
+    EXPECT_THAT(full.error().text(), HasSubstr("cannot be written: File too large"));
+  }
+  EXPECT_EQ(*readFile(copy), "what was there");
+  EXPECT_FALSE(std::filesystem::exists(copy + ".part"));
+  expectTheSame(path("play/red1.mcap"), copy);
+  EXPECT_FALSE(std::filesystem::exists(copy + ".part"));
 }
 
 /// A log of another version, whose files this program does not read: one line names the file in the

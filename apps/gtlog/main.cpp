@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "colors/ColorOrder.h"
 #include "commandline/CommandLine.h"
 #include "gtlog/Check.h"
 #include "gtlog/Export.h"
@@ -120,6 +121,14 @@ Result<ReplayOptions> replayOptions(const Arguments& arguments) {
     if (arguments.naoColors) paths.colorOrder = nao2009ColorOrder;
     auto configuration = loadConfiguration(paths);
     if (!configuration) return configuration.error();
+    const auto& colors = (*configuration)->colorTable;
+    if (!paths.colorTable.empty() && colors && seemsOfOtherOrder(*colors))
+      fmt::print(stderr,
+                 "gtlog: warning: {}: has no green, white and gray, so its classes are probably "
+                 "those of {}\n",
+                 paths.colorTable,
+                 arguments.naoColors ? "the report: without --nao2009-colors"
+                                     : "a robot of 2009: --nao2009-colors");
     options.configuration = std::move(*configuration);
   }
   for (const std::string& text : arguments.solutions) {

@@ -2,6 +2,7 @@
 #include <QSocketNotifier>
 #include <QTimer>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,9 @@
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
 #include "observer/LogPlayer.h"
+#include "streams/TemporaryFolder.h"
 #include "workbench/MainWindow.h"
+#include "workbench/SaveImage.h"
 
 namespace {
 
@@ -31,8 +34,8 @@ void takePicture(gt::SessionThread& session, gt::MainWindow& window, const std::
   constexpr int settling = 1200;  // ms
   session.execute("# all is done", &window, [&window, file](const gt::Result<void>&) {
     QTimer::singleShot(settling, &window, [&window, file] {
-      const bool saved = window.grab().save(QString::fromStdString(file));
-      if (!saved) std::fprintf(stderr, "robotcontrol: %s: cannot be written\n", file.c_str());
+      const auto saved = gt::saveImage(window.grab().toImage(), QString::fromStdString(file));
+      if (!saved) std::fprintf(stderr, "robotcontrol: %s\n", saved.error().text().c_str());
       QApplication::exit(saved ? 0 : 2);
     });
   });
@@ -48,12 +51,20 @@ gt::Result<void> openLog(Options& options) {
   return {};
 }
 
-/// The folder of layouts and settings.
-std::string settingsFolder(const Options& options) {
-  if (!options.settings.empty()) return options.settings;
-  const std::string own = gt::userFolder(gt::UserFolder::config);
-  return (own.empty() ? "/tmp/gt2003" : own) + "/robotcontrol";
-}
+/// The folder of layouts and settings. Of a user who has none they last as long as the program.
+class SettingsFolder {
+ public:
+  explicit SettingsFolder(const Options& options) : path_{options.settings} {
+    if (!path_.empty()) return;
+    const std::string own = gt::userFolder(gt::UserFolder::config);
+    path_ = own.empty() ? passing_.emplace().path().string() : own + "/robotcontrol";
+  }
+  QString path() const { return QString::fromStdString(path_); }
+
+ private:
+  std::string path_;
+  std::optional<gt::TemporaryFolder> passing_;
+};
 
 gt::Result<int> run(int argc, char** argv, Options options) {
   const gt::EndSignals signals;
@@ -69,7 +80,8 @@ gt::Result<int> run(int argc, char** argv, Options options) {
   for (const std::string& script : options.scripts) (*session)->execute("call \"" + script + "\"");
   for (const std::string& command : options.commands) (*session)->execute(command);
   if (options.start) (*session)->execute("start");
-  gt::MainWindow window{**session, QString::fromStdString(settingsFolder(options))};
+  const SettingsFolder settings{options};
+  gt::MainWindow window{**session, settings.path()};
   window.resize(options.width, options.height);
   if (!options.theme.empty())
     gt::setTheme(options.theme == "dark" ? gt::Theme::dark : gt::Theme::light);

@@ -61,10 +61,12 @@ class Package {
   Result<void> pack(const std::string& file) const {
     std::error_code ignored;  // then tar reports what is wrong
     fs::create_directories(fs::absolute(file).parent_path(), ignored);
-    const auto packed = runProgram({"tar", "-czf", file, "--sort=name", "--owner=0", "--group=0",
+    const std::string written = unfinishedName(file);
+    const auto packed = runProgram({"tar", "-czf", written, "--sort=name", "--owner=0", "--group=0",
                                     "-C", folder_.path().string(), "."});
+    if (packed && packed->status == 0) return finishFile(file, written);
+    if (written != file) fs::remove(written, ignored);
     if (!packed) return packed.error();
-    if (packed->status == 0) return {};
     return Error{.file = file, .what = packed->errors.substr(0, packed->errors.find('\n'))};
   }
   const std::vector<std::string>& names() const { return names_; }

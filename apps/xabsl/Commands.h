@@ -32,13 +32,16 @@ bool print(const std::vector<Diagnostic>& diagnostics, bool strict = false);
 /// Prints an error about a file, or about the command line.
 void printError(const std::string& about, const std::string& message);
 
+/// Instead of a file's errors, if it is but a part of a behavior, has one that names the behavior.
+void explainPart(const std::string& path, Compilation& compilation);
+
 /// Compiles the file with the agents, or reads intermediate code from a file `.dat` or `.ic`.
 Compilation compileFile(const std::string& path, Dialect dialect = Dialect::xabsl31);
 
 /// The same, and prints the messages. Empty after an error.
 std::optional<Behavior> load(const std::string& path, const Reading& reading = {});
 
-/// Writes a file. Prints an error and returns false if that is not possible.
+/// Writes a file, whole or not at all. Prints an error and returns false if that is not possible.
 bool writeFile(const std::string& path, const std::string& text);
 
 void addCheck(CLI::App& program, int& status);

@@ -49,6 +49,7 @@ Compilation Team::compile(const std::string& agents, Dialect dialect) const {
       [&](const std::string& file, std::string& text) { return readFile(placeOf(file), text); },
       dialect);
   for (Diagnostic& diagnostic : compilation.diagnostics) diagnostic.file = placeOf(diagnostic.file);
+  explainPart(agents, compilation);
   return compilation;
 }
 

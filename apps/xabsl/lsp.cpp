@@ -1,9 +1,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <iostream>
 #include <string>
 
@@ -15,17 +13,6 @@ namespace xabsl::app {
 
 namespace {
 
-std::vector<std::string> sourcesIn(const std::string& folder) {
-  std::vector<std::string> paths;
-  std::error_code error;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    if (entry->path().extension() == ".xabsl" || entry->path().extension() == ".xml")
-      paths.push_back(entry->path().lexically_normal().generic_string());
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 /// True if no input waits: then there is time for diagnostics.
 bool idle() {
   pollfd input{STDIN_FILENO, POLLIN, 0};
@@ -36,7 +23,7 @@ bool idle() {
 /// status.
 int serve() {
   server::MessageReader reader;
-  server::Server server({diskReader(), sourcesIn}, [](const std::string& message) {
+  server::Server server({diskReader(), diskLister()}, [](const std::string& message) {
     std::cout << "Content-Length: " << message.size() << "\r\n\r\n" << message << std::flush;
   });
   std::array<char, 65536> bytes;

@@ -1,12 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 
 #include "Commands.h"
+#include "streams/File.h"
 #include "xabsl/formats/Compile.h"
 #include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/formats/Root.h"
+#include "xabsl/formats/Sources.h"
 
 int main(int argc, char** argv) {
   CLI::App program("Works on behaviors written in XABSL");
@@ -47,10 +49,49 @@ void printError(const std::string& about, const std::string& message) {
   print({{Diagnostic::Severity::error, about, 0, 0, message}});
 }
 
+namespace {
+
+/// Whether a file and those that it includes declare no agent.
+bool isPart(const std::string& path) {
+  Reporter reporter;
+  syntax::Program program;
+  readSources(path, diskReader(), program, reporter);
+  return !reporter.failed() && program.agents.empty();
+}
+
+/// The command that checks the behavior to which a file belongs; empty if it belongs to none.
+std::string checkOfWhole(const std::string& path) {
+  namespace fs = std::filesystem;
+  const fs::path file = fs::absolute(path).lexically_normal();
+  const std::string root = rootOf(file.generic_string(), diskLister(), diskReader());
+  if (!root.empty())
+    return "xabsl check " + fs::path(root).lexically_proximate(fs::current_path()).generic_string();
+  // A team's folder holds what differs from the project's behavior.
+  for (fs::path folder = file.parent_path(); folder.has_relative_path();
+       folder = folder.parent_path()) {
+    const fs::path team = folder.parent_path();
+    if (folder.filename() == "behavior" && team.parent_path().filename() == "teams")
+      return "xabsl check --team " + team.filename().string();
+  }
+  return {};
+}
+
+}  // namespace
+
+void explainPart(const std::string& path, Compilation& compilation) {
+  if (compilation.behavior || !isPart(path)) return;
+  if (const std::string command = checkOfWhole(path); !command.empty())
+    compilation.diagnostics = {
+        {Diagnostic::Severity::error, path, 0, 0,
+         "has no agent, since it is a part of a behavior; to check that: " + command}};
+}
+
 Compilation compileFile(const std::string& path, Dialect dialect) {
   const std::string extension = std::filesystem::path(path).extension().string();
-  return extension == ".dat" || extension == ".ic" ? loadIntermediateCode(path)
-                                                   : compile(path, dialect);
+  if (extension == ".dat" || extension == ".ic") return loadIntermediateCode(path);
+  Compilation compilation = compile(path, dialect);
+  explainPart(path, compilation);
+  return compilation;
 }
 
 std::optional<Behavior> load(const std::string& path, const Reading& reading) {
@@ -60,11 +101,9 @@ std::optional<Behavior> load(const std::string& path, const Reading& reading) {
 }
 
 bool writeFile(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) printError(path, "cannot write the file");
-  return !file.fail();
+  const auto done = gt::writeFile(path, text);
+  if (!done) printError(path, done.error().what);
+  return static_cast<bool>(done);
 }
 
 }  // namespace xabsl::app

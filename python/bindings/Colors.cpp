@@ -7,6 +7,7 @@
 
 #include "Failure.h"
 #include "Tools.h"
+#include "colors/ColorOrder.h"
 #include "colors/ColorStatistics.h"
 #include "colors/ColorTableEditor.h"
 #include "colors/ColorTableFile.h"
@@ -55,8 +56,14 @@ ColorTable64 read(const std::string& file, const std::string& order) {
   if (!file.ends_with(".c64"))
     throw Failure{Error{.file = file, .what = "expected a name that ends with .c64, .hsi or .tsl"}};
   if (order != "gt2003" && order != "nao2009") refuse("order", "must be gt2003 or nao2009");
-  return orThrow(order == "gt2003" ? readColorTable(file)
-                                   : readColorTable(file, nao2009ColorOrder));
+  const ColorTable64 table =
+      orThrow(order == "gt2003" ? readColorTable(file) : readColorTable(file, nao2009ColorOrder));
+  const std::string other = order == "gt2003" ? "nao2009" : "gt2003";
+  const std::string doubt =
+      file + ": has no green, white and gray, so its order is probably " + other;
+  if (seemsOfOtherOrder(table) && PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 1) != 0)
+    throw nb::python_error{};
+  return table;
 }
 
 void addImage(ColorStatistics& statistics, const Bytes& image, const Bytes& classes) {

@@ -10,6 +10,7 @@
 #include "Root.h"
 #include "Tools.h"
 #include "Types.h"
+#include "streams/File.h"
 
 namespace gt::python {
 namespace {
@@ -49,6 +50,9 @@ NB_MODULE(_core, module) {
   gt::python::bindTypes(module);
   module.def("_data_path",
              [](const std::string& path) { return gt::python::findRoot("").path(path); });
+  module.def("_write_file", [](const std::string& path, const nanobind::bytes& content) {
+    gt::python::orThrow(gt::writeFile(path, {content.c_str(), content.size()}));
+  });
   gt::python::bindColors(module);
   gt::python::bindLogs(module);
   gt::python::bindMatch(module);

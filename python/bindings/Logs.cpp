@@ -104,18 +104,21 @@ class LogFile {
     return all;
   }
 
-  nb::dict metadata() const {
-    nb::dict all;
+  /// Names and entries.
+  nb::list metadata() const {
+    nb::list all;
     for (const McapReader::Metadata& metadata : reader_.metadata())
-      named([&] { all[metadata.name.c_str()] = metadata.entries; });
+      named([&] { all.append(nb::make_tuple(metadata.name, metadata.entries)); });
     return all;
   }
 
-  nb::dict attachments() const {
-    nb::dict all;
+  /// Names and bytes.
+  nb::list attachments() const {
+    nb::list all;
     for (const McapReader::Attachment& attachment : reader_.attachments())
       named([&] {
-        all[attachment.name.c_str()] = nb::bytes(attachment.data.data(), attachment.data.size());
+        all.append(nb::make_tuple(attachment.name,
+                                  nb::bytes(attachment.data.data(), attachment.data.size())));
       });
     return all;
   }

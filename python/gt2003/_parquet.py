@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from . import _core, _json
+from . import _core, _files, _json
 from ._error import Error
 
 COLUMNS = ("job", "experiment", "parameters", "seed", "commit", "name", "unit", "value", "aim", "aim_value")
@@ -42,12 +43,9 @@ def write(lines: Iterable[str], file: str | os.PathLike[str]) -> None:
         rows += [_row(result["job"], value) for value in result["values"] or [{}]]
     columns = list(zip(*rows)) or [()] * len(COLUMNS)
     table = pa.table([pa.array(c, t) for c, t in zip(columns, types, strict=True)], names=list(COLUMNS))
-    part = Path(f"{file}.part")
-    try:
-        pa.parquet.write_table(table, part)
-        part.replace(file)
-    except OSError as error:
-        raise Error(error.strerror or "cannot be written", str(file)) from None
+    bytes_of_table = io.BytesIO()
+    pa.parquet.write_table(table, bytes_of_table)
+    _files.write(file, bytes_of_table.getvalue())
 
 
 def read(file: str | os.PathLike[str]) -> list[str]:

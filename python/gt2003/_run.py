@@ -10,7 +10,7 @@ from contextlib import closing, suppress
 from pathlib import Path
 from typing import TextIO
 
-from . import _core, jobs
+from . import _core, _files, jobs
 from ._error import Error
 from ._run_page import write_page
 from ._signals import Interrupted
@@ -150,7 +150,7 @@ def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | Non
         others = sorted(results.done.difference(listed))
         if others:
             raise Error(f"{_what_differs(others, listed)}; choose another folder", str(results.path), field=others[0])
-        (out / "jobs").write_text("".join(job + "\n" for job in listed))
+        _files.write(out / "jobs", "".join(job + "\n" for job in listed))
         failed = 0
         stopped: Interrupted | Error | None = None
         try:

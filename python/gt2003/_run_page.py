@@ -6,7 +6,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from . import _json
+from . import _files, _json
 from ._intervals import ENOUGH, mean_interval, too_few
 from ._page import BLUE, GREEN, number, page, table
 
@@ -62,4 +62,4 @@ def write_page(figures: Path, path: Path, note: str = "") -> None:
     head = ["figure", "mean", "unit", "interval", "seeds", "each seed", "lowest, highest", "aim"]
     for group, members in groups.items():
         parts += [f"<h2>{escape(group)}</h2>", table(head, [_row(figure) for figure in members])]
-    path.write_text(page("Run: " + ", ".join(groups), parts, note))
+    _files.write(path, page("Run: " + ", ".join(groups), parts, note))

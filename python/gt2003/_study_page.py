@@ -7,6 +7,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from . import _files
 from ._intervals import too_few
 from ._page import BLUE, GRAY, GREEN, RED, Dot, dots, interval, number, page, table, verdict
 
@@ -133,4 +134,4 @@ def write_page(
         "<h2>Convergence</h2>",
         _chart(history),
     ]
-    path.write_text(page(study.title, parts))
+    _files.write(path, page(study.title, parts))

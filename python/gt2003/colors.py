@@ -10,13 +10,12 @@ bits of Y, Cb and Cr.
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
+from . import _core, _files
 from ._core import ColorStatistics, ColorTableEditor
 from ._error import Error
 
@@ -30,17 +29,15 @@ def read(
 ) -> Table:
     """Read a table (.c64), HSI ranges (.hsi) or TSL thresholds (.tsl) as a table.
 
-    `order` says what the class numbers of a .c64 file mean: the report's, or those of 2009.
+    `order` says what the class numbers of a .c64 file mean: the report's, or those of 2009. A
+    UserWarning if the table then has no green, white and gray.
     """
     return _core._read_colors(os.fspath(path), order)
 
 
 def write(path: str | os.PathLike[str], table: Table) -> None:
     """Write a table as a .c64 file."""
-    try:
-        Path(path).write_bytes(_core._color_bytes(np.ascontiguousarray(table)))
-    except OSError as error:
-        raise Error(error.strerror or str(error), os.fspath(path)) from None
+    _files.write(path, _core._color_bytes(np.ascontiguousarray(table)))
 
 
 def classify(table: Table, image: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:

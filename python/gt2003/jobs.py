@@ -16,7 +16,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import _core, _parquet
+from . import _core, _files, _parquet
 from ._error import Error
 
 __all__ = [
@@ -145,4 +145,4 @@ def convert(file: str | os.PathLike[str], to: str | os.PathLike[str]) -> None:
     if os.fspath(to).endswith(".parquet"):
         _parquet.write(lines, to)
     else:
-        Path(to).write_text("".join(line + "\n" for line in lines))
+        _files.write(to, "".join(line + "\n" for line in lines))

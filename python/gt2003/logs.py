@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -17,10 +17,36 @@ from ._error import Error
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Log"]
+__all__ = ["Log", "Records"]
+
+T = TypeVar("T")
 
 _SPAN = np.dtype(("i8", 2))
 _MOST_COLUMNS = 64  # of an array in a frame
+
+
+class Records(Mapping[str, T]):
+    """Records of a log by name. Of several with one name this mapping has the first; `all` returns each of them."""
+
+    def __init__(self, pairs: Iterable[tuple[str, T]]) -> None:
+        self._pairs = list(pairs)
+        self._first = dict(reversed(self._pairs))
+
+    def all(self, name: str | None = None) -> list[tuple[str, T]]:
+        """Return all records, or those of a name, in the log's order: pairs of name and content."""
+        return [pair for pair in self._pairs if name in (None, pair[0])]
+
+    def __getitem__(self, name: str) -> T:
+        return self._first[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(dict.fromkeys(name for name, _ in self._pairs))
+
+    def __len__(self) -> int:
+        return len(self._first)
+
+    def __repr__(self) -> str:
+        return f"Records({self._pairs})"
 
 
 class Log:
@@ -62,14 +88,14 @@ class Log:
         return {topic: why for topic, _, why in self._file.channels() if why}
 
     @property
-    def metadata(self) -> dict[str, dict[str, str]]:
+    def metadata(self) -> Records[dict[str, str]]:
         """The metadata by name: of a match's log, under "gt2003", scene, seed and robot."""
-        return self._file.metadata()
+        return Records(self._file.metadata())
 
     @property
-    def attachments(self) -> dict[str, bytes]:
-        """The files in the log: of a match's log, the robot's configuration."""
-        return self._file.attachments()
+    def attachments(self) -> Records[bytes]:
+        """The files in the log by name: of a match's log, the robot's configuration."""
+        return Records(self._file.attachments())
 
     def read(self, *topics: str) -> dict[str, np.ndarray]:
         """Return the arrays of some topics (or of all) by name, read together."""

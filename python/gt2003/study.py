@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _core, _json, jobs, modules
+from . import _core, _files, _json, jobs, modules
 from ._error import Error
 from ._run import Results, do
 from ._intervals import mean_interval
@@ -395,7 +395,7 @@ def _run(study: Study, out: Path, who: Processes | Ray) -> list[Comparison]:
     for name, content in _core._changed_files(text):
         file = out / name
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(content)
+        _files.write(file, content)
     told = {
         "title": study.title,
         "jobs": laboratory.jobs,
@@ -404,6 +404,6 @@ def _run(study: Study, out: Path, who: Processes | Ray) -> list[Comparison]:
         "comparisons": [vars(c) for c in comparisons],
         "importance": [vars(i) for i in importance],
     }
-    (out / "study.json").write_text(json.dumps(told, indent=1) + "\n")
+    _files.write(out / "study.json", json.dumps(told, indent=1) + "\n")
     write_page(study, out / "study.html", laboratory.jobs, history, comparisons, importance, len(_seeds(study.test_seeds)))
     return comparisons

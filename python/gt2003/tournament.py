@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core, _json
+from . import _core, _files, _json
 from ._error import Error
 from ._intervals import around, mean_interval, seeds_for, too_few
 from ._page import Dot, dots, interval, page, table
@@ -293,8 +293,8 @@ def write(results: str | os.PathLike[str], out: Path, note: str = "") -> list[St
     played = games(results)
     ranked = standings(played)
     told = {"note": note, "standings": [asdict(s) for s in ranked], "games": [asdict(g) for g in played]}
-    (out / "tournament.json").write_text(json.dumps(told, indent=1) + "\n")
-    (out / "tournament.html").write_text(_page(played, ranked, _settings(results), note))
+    _files.write(out / "tournament.json", json.dumps(told, indent=1) + "\n")
+    _files.write(out / "tournament.html", _page(played, ranked, _settings(results), note))
     return ranked
 
 

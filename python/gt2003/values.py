@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _json
+from . import _files, _json
 from ._error import Error
 
 Array = NDArray[np.float64]
@@ -229,4 +229,4 @@ def learn(summaries: Iterable[Path], out: Path) -> None:
     if not any(play.goal for play in plays):
         raise Error("nobody scored in these matches", file=str(out))
     out.parent.mkdir(parents=True, exist_ok=True)
-    out.write_text(text_of(of_both_teams(plays)))
+    _files.write(out, text_of(of_both_teams(plays)))

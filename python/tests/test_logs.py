@@ -291,6 +291,27 @@ def test_logs_in_all_forms_hold_the_same(tmp_path: Path) -> None:
                     log["/json"]
 
 
+def test_records_of_one_name_are_all_there(tmp_path: Path) -> None:
+    whole = ForeignLog(frozenset({"index"})).write()
+    writer = ForeignLog(frozenset())
+    entries = writer.text("k") + writer.text("second")
+    twice = writer.record(12, writer.text("about") + struct.pack("<I", len(entries)) + entries)
+    attachment = struct.pack("<QQ", 1, 2) + writer.text("note") + writer.text("text")
+    attachment += struct.pack("<Q", 3) + b"you"
+    twice += writer.record(9, attachment + struct.pack("<I", zlib.crc32(attachment)))
+    at = whole.index(writer.record(15, struct.pack("<I", 0)))
+    file = tmp_path / "twice.mcap"
+    file.write_bytes(whole[:at] + twice + whole[at:])
+    log = gt2003.Log(file)
+    assert list(log.metadata) == ["about"] and log.metadata["about"] == {"k": "v"}
+    assert log.metadata.all() == [("about", {"k": "v"}), ("about", {"k": "second"})]
+    assert log.metadata.all("about") == log.metadata.all() and log.metadata.all("other") == []
+    assert list(log.attachments) == ["note"] and log.attachments["note"] == b"hi"
+    assert log.attachments.all("note") == [("note", b"hi"), ("note", b"you")]
+    with pytest.raises(KeyError):
+        log.metadata["other"]
+
+
 def test_damage_loses_itself_only(tmp_path: Path) -> None:
     """It is told with the lost time, before and after reading."""
     features = frozenset({"chunks", "index", "statistics", "schemas", "channels"})

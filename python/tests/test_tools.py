@@ -5,6 +5,8 @@ from __future__ import annotations
 import gc
 import subprocess
 import os
+import resource
+import warnings
 import weakref
 from pathlib import Path
 
@@ -210,6 +212,30 @@ def test_color_tables_there_and_back(tmp_path: Path) -> None:
     np.testing.assert_array_equal(match.robots["red1"].get("ColorTable64.classes"), table.ravel())
 
 
+def test_files_are_written_whole_or_not_at_all(tmp_path: Path) -> None:
+    table = colors.read(ROOT / "config/coltable.c64")
+    file = tmp_path / "a.c64"
+    file.write_text("what was there")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100, before[1]))
+    try:
+        with pytest.raises(gt2003.Error, match="a.c64: cannot be written: File too large"):
+            colors.write(file, table)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert file.read_text() == "what was there" and list(tmp_path.iterdir()) == [file]
+
+
+def test_the_order_of_a_color_table_is_doubted_without_colors_of_a_field(tmp_path: Path) -> None:
+    nao = tmp_path / "nao.c64"
+    nao.write_bytes(b"\1\0\0\0\4" + (64**3 - 1).to_bytes(4, "little") + bytes(5))
+    with pytest.warns(UserWarning, match="nao.c64: has no green, white and gray, so its order is probably nao2009"):
+        assert colors.read(nao)[0, 0, 0] == ColorClass.pink
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert colors.read(nao, "nao2009")[0, 0, 0] == ColorClass.white
+
+
 def test_colors_are_learnt_from_labels(tmp_path: Path) -> None:
     match = gt2003.Match(labels=True, profile="perfect")
     statistics = colors.ColorStatistics()
@@ -259,7 +285,7 @@ def test_wrong_colors_are_told(tmp_path: Path) -> None:
     with pytest.raises(gt2003.Error, match="order: must be"):
         colors.read(broken, "nao2010")  # type: ignore[arg-type]
     table = np.zeros((64, 64, 64), np.uint8)
-    with pytest.raises(gt2003.Error, match="/nowhere/a.c64: No such file"):
+    with pytest.raises(gt2003.Error, match="/nowhere/a.c64: cannot be written: No such file"):
         colors.write("/nowhere/a.c64", table)
     with pytest.raises(gt2003.Error, match="none of this number: 11"):
         colors.write(broken, table + np.uint8(11))

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "observer/MessageTypes.h"
+#include "streams/File.h"
 #include "streams/Jpeg.h"
 
 namespace gt {
@@ -91,11 +92,15 @@ void RobotLog::writeInput(Time now, const RepresentationType& type, const void* 
 }
 
 Result<std::string> saveQueue(const MessageQueue& queue, const std::string& base) {
-  const std::string file = freeLogFile(base + ".saved");
-  auto log = RobotLog::open(file, {{"robot", std::filesystem::path{base}.filename().string()}});
+  const std::string file = freeLogFile(base + ".saved"), written = unfinishedName(file);
+  auto log = RobotLog::open(written, {{"robot", std::filesystem::path{base}.filename().string()}});
   if (!log) return log.error();
   log->write(queue);
-  if (const auto done = log->close(); !done) return done.error();
+  if (const auto done = log->close(); !done) {
+    std::filesystem::remove(written);
+    return done.error();
+  }
+  if (const auto done = finishFile(file, written); !done) return done.error();
   return file;
 }
 

@@ -46,7 +46,10 @@ std::string unfinishedName(const std::string& path) {
 Result<void> finishFile(const std::string& path, const std::string& written) {
   if (written == path) return {};
   std::error_code failure;
-  std::filesystem::rename(written, written.substr(0, written.size() - unfinished.size()), failure);
+  const std::string real = written.substr(0, written.size() - unfinished.size());
+  if (const auto before = std::filesystem::status(real, failure); exists(before))
+    std::filesystem::permissions(written, before.permissions(), failure);
+  std::filesystem::rename(written, real, failure);
   if (failure) return fileError(path, failure.message());
   return {};
 }

@@ -3,10 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lz4frame.h>
-#include <sys/resource.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +12,7 @@
 #include "streams/File.h"
 #include "streams/Jpeg.h"
 #include "streams/McapRecords.h"
+#include "support/FileSizeLimit.h"
 #include "support/McapVariants.h"
 #include "support/Samples.h"
 
@@ -275,25 +274,6 @@ TEST(Mcap, TellsThatItWasRemovedWhileItWasWritten) {
   EXPECT_FALSE(writer->close());
 }
 
-/// A limit of the size of files, as a medium that is full has it.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-    handler_ = std::signal(SIGXFSZ, SIG_IGN);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int) = SIG_DFL;
-};
-
 TEST(Mcap, IsReadableUpToTheLastChunkWhenTheMediumIsFull) {
   const TemporaryFile file{"Mcap_test_full.mcap"};
   {
@@ -453,6 +433,22 @@ TEST(McapVariants, HoldTheSame) {
     ASSERT_TRUE(later) << features;
     reader->seek(~std::uint64_t{0} - 1);
     ASSERT_TRUE(reader->next()) << features << ": times of all 64 bits";
+  }
+}
+
+TEST(McapVariants, OfTheConformanceTestsHoldWhatTheirNamesSay) {
+  const TemporaryFile file{"Mcap_test_conformance.mcap"};
+  const auto logs = variants::conformanceLogs();
+  EXPECT_EQ(logs.size(), 416u);
+  for (const variants::ConformanceLog& log : logs) {
+    std::filesystem::remove(file.path);
+    ASSERT_TRUE(writeFile(file.path, log.bytes));
+    auto reader = McapReader::open(file.path);
+    ASSERT_TRUE(reader) << log.name << ": " << reader.error().text();
+    ASSERT_EQ(variants::textOf(variants::readContent(*reader)), variants::textOf(log.content))
+        << log.name;
+    ASSERT_EQ(damageOf(*reader), "") << log.name;
+    ASSERT_TRUE(reader->complete() && reader->hasDataChecksum()) << log.name;
   }
 }
 

@@ -8,7 +8,7 @@
 namespace gt {
 
 /// Writes images of one size as a film (MP4 with H.264, or MPEG-4 where that is
-/// missing, by FFmpeg's libraries).
+/// missing, by FFmpeg's libraries): whole, or not at all.
 class FilmWriter {
  public:
   static constexpr int imagesPerSecond = 25;

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTreeWidget>
+#include <filesystem>
 
 #include "labels/LabelErrors.h"
 #include "observer/LogPlayer.h"
@@ -326,10 +327,12 @@ TEST_F(BehaviorGraphTest, ASituationIsTriedAndSavedAsATest) {
   widget<QLineEdit>("situation", "condition")->setText("ball.x > 200");
   widget<QSpinBox>("situation", "runs")->setValue(2);
   widget<QDoubleSpinBox>("situation", "seconds")->setValue(1);
+  std::filesystem::remove("out/tests/situation.csv");
   click("situation", "try");
   auto* state = widget<QLabel>("situation", "state");
   EXPECT_TRUE(until([&] { return state->text() == "It happened in 2 of 2 runs"; }))
       << state->text().toStdString();
+  EXPECT_FALSE(std::filesystem::exists("out/tests/situation.csv")) << "nobody asked for it here";
   EXPECT_EQ(widget<QTreeWidget>("situation", "results")->topLevelItem(1)->text(2), "ball.x > 200");
   // The script puts it up again, wherever the ball is meanwhile.
   ASSERT_TRUE(execute("place red3 -1000 400 90"));

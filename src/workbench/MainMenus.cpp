@@ -10,6 +10,7 @@
 
 #include "workbench/CommandPalette.h"
 #include "workbench/MainWindow.h"
+#include "workbench/SaveImage.h"
 
 namespace gt {
 
@@ -56,7 +57,7 @@ void MainMenus::addFileMenu() {
   file->addAction("Save &picture of the window…", &window_, [this] {
     const QString picture =
         QFileDialog::getSaveFileName(&window_, "Save a picture", "window.png", "Images (*.png)");
-    if (!picture.isEmpty()) window_.grab().save(picture);
+    if (!picture.isEmpty()) window_.report(saveImage(window_.grab().toImage(), picture));
   });
   file->addAction("&Quit", QKeySequence::Quit, &window_, [this] { window_.close(); })
       ->setObjectName("quit");

@@ -23,6 +23,7 @@ class WindowTest : public ::testing::Test {
  protected:
   explicit WindowTest(const std::string& scene = "scenes/match.scene",
                       const std::optional<Keys>& keys = {}) {
+    qputenv("XDG_STATE_HOME", folder.path().c_str());
     const auto root = DataRoot::find(DataRoot::places(""));
     MatchOptions options{root ? *root : DataRoot{}};
     options.scene = options.root.path(scene);

@@ -9,8 +9,10 @@
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTreeWidget>
+#include <filesystem>
 
 #include "representations/behavior/BehaviorState.h"
+#include "streams/File.h"
 #include "workbench/CustomPlot.h"
 #include "workbench/TestWindow.h"
 
@@ -84,8 +86,11 @@ TEST_F(TesterTest, LinesOfMotionsAreExecutedAndRead) {
   QStringList turned = before;
   turned[1] = "500";  // the pan of the head, in mrad
   lines->setPlainText(turned.join(' '));
+  std::filesystem::remove("out/motions/tried.mof");
   click("mof", "execute");
   finish();
+  EXPECT_FALSE(std::filesystem::exists("out/motions/tried.mof")) << "nobody asked for it here";
+  EXPECT_EQ(*readFile(folder.path() / "gt2003/tried.mof"), turned.join(' ').toStdString() + "\n");
   ASSERT_TRUE(execute("run 1s"));
   EXPECT_NEAR(std::stod(value("robots.red3.joints.headPan")), 28.6, 3);
   click("mof", "stop");

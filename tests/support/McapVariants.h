@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,15 +23,16 @@ enum Feature : unsigned {
   outside = 2,           ///< Some of them are not.
   chunkIndex = 4,        ///< The index lists the chunks.
   messageIndex = 8,      ///< Messages are listed behind their chunk.
-  otherIndexes = 16,     ///< The index lists attachments and metadata.
+  attachmentIndex = 16,  ///< The index lists the attachments.
   statistics = 32,       ///< The index holds statistics.
   repeatSchemas = 64,    ///< The index repeats the schemas.
   repeatChannels = 128,  ///< The index repeats the channels.
   offsets = 256,         ///< The index has offsets of its parts.
   checksums = 512,
-  pads = 1024,      ///< Bytes follow the known fields of records.
-  endMagic = 2048,  ///< The last bytes are there.
-  allFeatures = 4095
+  pads = 1024,           ///< Bytes follow the known fields of records.
+  endMagic = 2048,       ///< The last bytes are there.
+  metadataIndex = 4096,  ///< The index lists the metadata.
+  allFeatures = 8191
 };
 
 struct Message {
@@ -55,6 +58,16 @@ inline McapBytes bytesOf(std::string_view text) {
   return {bytes.begin(), bytes.end()};
 }
 
+/// Has bytes follow the known fields of all that keeps them.
+inline void addRests(Content& content) {
+  const McapBytes rest = bytesOf("pad");
+  content.header.rest = rest;
+  for (McapSchema& s : content.schemas) s.rest = rest;
+  for (McapChannel& c : content.channels) c.rest = rest;
+  for (McapMetadata& m : content.metadata) m.rest = rest;
+  for (McapAttachment& a : content.attachments) a.rest = rest;
+}
+
 /// Bytes as CDR of the definition "int32 data".
 inline std::string number(std::int32_t value) {
   std::string data{"\0\1\0\0", 4};
@@ -62,12 +75,11 @@ inline std::string number(std::int32_t value) {
 }
 
 inline Content contentOf(unsigned features) {
-  const McapBytes rest = (features & pads) != 0 ? bytesOf("pad") : McapBytes{};
   const std::string qos = "- history: 3\n  depth: 0\n";
   Content content;
-  content.header = {"a profile", "a library 1.0", rest};
-  content.schemas = {{3, "own_msgs/msg/Number", "ros2msg", "int32 data\n", rest},
-                     {7, "Thing", "jsonschema", "{}", rest}};
+  content.header = {"a profile", "a library 1.0", {}};
+  content.schemas = {{3, "own_msgs/msg/Number", "ros2msg", "int32 data\n", {}},
+                     {7, "Thing", "jsonschema", "{}", {}}};
   const auto channel = [&](std::uint16_t id, const char* topic, const char* encoding,
                            std::uint16_t schema, McapMap metadata) {
     McapChannel made;
@@ -76,7 +88,6 @@ inline Content contentOf(unsigned features) {
     made.messageEncoding = encoding;
     made.schema = schema;
     made.metadata = std::move(metadata);
-    made.rest = rest;
     content.channels.push_back(made);
   };
   channel(0, "/a", "cdr", 3, {{"offered_qos_profiles", qos}});
@@ -91,11 +102,12 @@ inline Content contentOf(unsigned features) {
     content.messages.push_back({5, i, time, time, "{\"a\": 1}"});
     content.messages.push_back({9, 0, time, time, "text"});
   }
-  content.metadata = {{"first", {{"a", "1"}, {"b", ""}}, rest}, {"second", {}, rest}};
+  content.metadata = {{"first", {{"a", "1"}, {"b", ""}}, {}}, {"second", {}, {}}};
   content.attachments = {
-      {"note.txt", "text/plain", 1'234'567'891, 2'234'567'892, bytesOf("a note"), rest},
-      {"empty", "", 0, 0, {}, rest}};
+      {"note.txt", "text/plain", 1'234'567'891, 2'234'567'892, bytesOf("a note"), {}},
+      {"empty", "", 0, 0, {}, {}}};
   content.unknown = {{0x80, bytesOf("private")}};
+  if ((features & pads) != 0) addRests(content);
   return content;
 }
 
@@ -157,7 +169,9 @@ inline Content readContent(McapReader& reader) {
 /// Writes the logs.
 class VariantWriter {
  public:
-  explicit VariantWriter(unsigned features) : features_{features}, content_{contentOf(features)} {}
+  /// Chunks have so many messages; the second of them are outside of chunks, if some are.
+  VariantWriter(unsigned features, Content content, std::size_t chunkSize)
+      : features_{features}, content_{std::move(content)}, chunkSize_{chunkSize} {}
 
   std::string write() {
     using namespace mcap;
@@ -167,11 +181,12 @@ class VariantWriter {
       append(to, std::string_view{content_.header.library});
     });
     if (!has(chunks)) putDescriptions(out_, true, true);
-    putMetadata(0);
+    const std::size_t before = (content_.metadata.size() + 1) / 2;
+    for (std::size_t i = 0; i < before; ++i) putMetadata(i);
     putMessages();
     putUnknown();
     putAttachments();
-    putMetadata(1);
+    for (std::size_t i = before; i < content_.metadata.size(); ++i) putMetadata(i);
     const std::uint32_t data = checksum(out_);
     record(out_, Opcode::dataEnd, [&](Bytes& to) { append(to, data); });
     putIndex();
@@ -285,14 +300,14 @@ class VariantWriter {
     });
   }
 
-  /// Four chunks of four messages; the second four are outside of chunks, if some are.
   void putMessages() {
     const std::span messages{content_.messages};
-    for (std::size_t i = 0; i < messages.size(); i += 4) {
-      if (has(chunks) && !(has(outside) && i == 4))
-        putChunk(messages.subspan(i, 4), i == 0);
+    for (std::size_t i = 0; i < messages.size(); i += chunkSize_) {
+      const auto some = messages.subspan(i, std::min(chunkSize_, messages.size() - i));
+      if (has(chunks) && !(has(outside) && i == chunkSize_))
+        putChunk(some, i == 0);
       else
-        for (const Message& m : messages.subspan(i, 4)) putMessage(out_, m);
+        for (const Message& m : some) putMessage(out_, m);
     }
   }
 
@@ -301,9 +316,10 @@ class VariantWriter {
     Bytes records, indexes;
     if (first) putDescriptions(records, true, true);
     Chunk chunk{messages.front().time, messages.back().time, out_.size(), 0, 0, {}, 0};
-    std::vector<std::uint64_t> at;
+    std::map<std::uint16_t, Bytes> entries;  // times and places of a channel's messages
     for (const Message& m : messages) {
-      at.push_back(records.size());
+      append(entries[m.channel], m.time);
+      append(entries[m.channel], std::uint64_t{records.size()});
       putMessage(records, m);
     }
     chunk.size = records.size();
@@ -317,13 +333,13 @@ class VariantWriter {
       append(to, records);
     });
     chunk.length = out_.size() - chunk.begin;
-    for (std::size_t i = 0; i < messages.size() && has(messageIndex); ++i) {
-      chunk.indexes.emplace_back(messages[i].channel, out_.size() + indexes.size());
-      record(indexes, Opcode::messageIndex, [&](Bytes& to) {
-        append(to, messages[i].channel);
-        append(to, std::uint32_t{16});
-        append(to, messages[i].time);
-        append(to, at[i]);
+    for (const auto& [channel, listed] : entries) {
+      if (!has(messageIndex)) break;
+      chunk.indexes.emplace_back(channel, out_.size() + indexes.size());
+      record(indexes, Opcode::messageIndex, [&, channel = channel, &listed = listed](Bytes& to) {
+        append(to, channel);
+        append(to, static_cast<std::uint32_t>(listed.size()));
+        append(to, listed);
       });
     }
     chunk.indexLength = indexes.size();
@@ -340,12 +356,14 @@ class VariantWriter {
       append(b, static_cast<std::uint32_t>(content_.attachments.size()));
       append(b, static_cast<std::uint32_t>(content_.metadata.size()));
       append(b, static_cast<std::uint32_t>(chunks_.size()));
-      append(b, content_.messages.front().time);
-      append(b, content_.messages.back().time);
+      const bool any = !content_.messages.empty();
+      append(b, any ? content_.messages.front().time : 0);
+      append(b, any ? content_.messages.back().time : 0);
       append(b, static_cast<std::uint32_t>(10 * content_.channels.size()));
       for (const McapChannel& c : content_.channels) {
         append(b, c.id);
-        append(b, std::uint64_t{4});
+        append(b, static_cast<std::uint64_t>(
+                      std::ranges::count(content_.messages, c.id, &Message::channel)));
       }
     });
   }
@@ -377,8 +395,8 @@ class VariantWriter {
     putDescriptions(groups[1], false, has(repeatChannels));
     if (has(statistics)) putStatistics(groups[2]);
     if (has(chunkIndex)) putChunkIndexes(groups[3]);
-    if (has(otherIndexes)) groups[4] = attachmentIndexes_;
-    if (has(otherIndexes)) groups[5] = metadataIndexes_;
+    if (has(attachmentIndex)) groups[4] = attachmentIndexes_;
+    if (has(metadataIndex)) groups[5] = metadataIndexes_;
     const std::uint64_t begin = out_.size();
     Bytes summary, places;
     for (const Bytes& group : groups) {
@@ -403,20 +421,90 @@ class VariantWriter {
 
   unsigned features_;
   Content content_;
+  std::size_t chunkSize_;
   Bytes out_, attachmentIndexes_, metadataIndexes_;
   std::vector<Chunk> chunks_;
 };
 
 inline std::string logWith(unsigned features) {
-  return VariantWriter{features}.write();
+  return VariantWriter{features, contentOf(features), 4}.write();
 }
 
-/// Each set of features that makes a difference.
+/// Each set of features that makes a difference. The index lists attachments and metadata, or
+/// neither.
 inline std::vector<unsigned> allVariants() {
   std::vector<unsigned> all;
-  for (unsigned features = 0; features <= allFeatures; ++features)
+  for (unsigned features = 0; features < metadataIndex; ++features)
     if ((features & chunks) != 0 || (features & (outside | chunkIndex | messageIndex)) == 0)
-      all.push_back(features);
+      all.push_back((features & attachmentIndex) != 0 ? features | metadataIndex : features);
+  return all;
+}
+
+/// A log as MCAP's tests of conformance have it (https://github.com/foxglove/mcap,
+/// tests/conformance): its name, what is in it, and its bytes.
+struct ConformanceLog {
+  std::string name;
+  Content content;
+  std::string bytes;
+};
+
+/// What is in the logs of those tests, by the begin of their names.
+inline std::vector<std::pair<std::string, Content>> conformanceContents() {
+  const std::string data = "\1\2\3";
+  McapChannel channel;
+  channel.id = 1;
+  channel.topic = "example";
+  channel.messageEncoding = "a";
+  channel.metadata = {{"foo", "bar"}};
+  Content none, message, ten, schemaless, attachment, metadata;
+  none.header = {"", "", {}};
+  attachment = metadata = schemaless = none;
+  attachment.attachments = {{"myFile", "application/octet-stream", 2, 1, bytesOf(data), {}}};
+  metadata.metadata = {{"myMetadata", {{"foo", "bar"}}, {}}};
+  schemaless.channels = {channel};
+  schemaless.messages = {{1, 10, 2, 1, data}};
+  message = schemaless;
+  message.schemas = {{1, "Example", "c", "\4\5\6", {}}};
+  message.channels.front().schema = 1;
+  ten = message;
+  ten.messages.clear();
+  for (unsigned i = 0; i < 10; ++i) ten.messages.push_back({1, i, i, i, data});
+  return {{"NoData", none},          {"OneAttachment", attachment},        {"OneMessage", message},
+          {"OneMetadata", metadata}, {"OneSchemalessMessage", schemaless}, {"TenMessages", ten}};
+}
+
+/// All 416 of them: each content in each set of features that makes a difference.
+inline std::vector<ConformanceLog> conformanceLogs() {
+  constexpr std::pair<Feature, const char*> names[] = {
+      {attachmentIndex, "-ax"}, {chunks, "-ch"},  {chunkIndex, "-chx"},     {metadataIndex, "-mdx"},
+      {messageIndex, "-mx"},    {pads, "-pad"},   {repeatChannels, "-rch"}, {repeatSchemas, "-rsh"},
+      {statistics, "-st"},      {offsets, "-sum"}};
+  constexpr unsigned inIndex =
+      attachmentIndex | chunkIndex | metadataIndex | repeatChannels | repeatSchemas | statistics;
+  std::vector<ConformanceLog> all;
+  for (const auto& [begin, content] : conformanceContents()) {
+    const auto makesADifference = [&content = content](unsigned features) {
+      const auto has = [&](unsigned feature) { return (features & feature) != 0; };
+      return !(has(chunks | repeatChannels) && content.channels.empty()) &&
+             !(has(chunkIndex | messageIndex) && !has(chunks)) &&
+             !(has(repeatSchemas) && content.schemas.empty()) &&
+             !(has(attachmentIndex) && content.attachments.empty()) &&
+             !(has(metadataIndex) && content.metadata.empty()) && !(has(offsets) && !has(inIndex));
+    };
+    for (unsigned set = 0; set < 1u << std::size(names); ++set) {
+      ConformanceLog log{begin, content, {}};
+      unsigned features = endMagic | checksums;
+      for (std::size_t i = 0; i < std::size(names); ++i) {
+        if ((set >> i & 1u) == 0) continue;
+        features |= names[i].first;
+        log.name += names[i].second;
+      }
+      if (!makesADifference(features)) continue;
+      if ((features & pads) != 0) addRests(log.content);
+      log.bytes = VariantWriter{features, log.content, 10}.write();
+      all.push_back(std::move(log));
+    }
+  }
   return all;
 }
 

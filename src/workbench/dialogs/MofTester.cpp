@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <filesystem>
 
+#include "base/UserFolder.h"
 #include "streams/File.h"
 #include "workbench/Dialog.h"
 
@@ -14,7 +15,12 @@ namespace gt {
 namespace {
 
 /// Where the lines stand that are executed: a saved state executes them again.
-const std::string triedFile = "out/motions/tried.mof";
+Result<std::string> fileOfTriedLines() {
+  const std::string folder = userFolder(UserFolder::state);
+  if (folder.empty())
+    return Error{.what = "there is no folder for lines that are tried: set XDG_STATE_HOME"};
+  return folder + "/tried.mof";
+}
 
 /// Report J.5.4: executes lines of joint data, and reads them from the robot.
 class MofTester : public Dialog {
@@ -77,14 +83,23 @@ class MofTester : public Dialog {
   std::string text() const { return lines_->toPlainText().toStdString() + "\n"; }
 
   void execute() {
-    std::error_code ignored;  // then writing reports what is wrong
-    std::filesystem::create_directories(std::filesystem::path{triedFile}.parent_path(), ignored);
-    if (const auto done = writeFile(triedFile, text()); !done) {
-      QMessageBox::warning(this, "Execute", QString::fromStdString(done.error().text()));
+    const auto file = writeLines();
+    if (!file) {
+      QMessageBox::warning(this, "Execute", QString::fromStdString(file.error().text()));
       return;
     }
-    session().execute(std::string{"mof "} + (loop_->isChecked() ? "loop " : "execute ") +
-                      triedFile);
+    session().execute(std::string{"mof "} + (loop_->isChecked() ? "loop " : "execute ") + "\"" +
+                      *file + "\"");
+  }
+
+  /// Returns the file.
+  Result<std::string> writeLines() const {
+    const auto file = fileOfTriedLines();
+    if (!file) return file.error();
+    std::error_code ignored;  // then writing reports what is wrong
+    std::filesystem::create_directories(std::filesystem::path{*file}.parent_path(), ignored);
+    if (const auto done = writeFile(*file, text()); !done) return done.error();
+    return file;
   }
 
   void read() {

@@ -20,6 +20,7 @@
 #include "workbench/PlotColors.h"
 #include "workbench/PlotCursors.h"
 #include "workbench/PlottedValues.h"
+#include "workbench/SaveImage.h"
 
 namespace gt {
 namespace {
@@ -261,10 +262,11 @@ class PlotViewer : public Dialog {
     menu.addAction("Save as picture…", this, [this] {
       const QString file =
           QFileDialog::getSaveFileName(this, "Save", "plot.png", "Images (*.png);;PDF (*.pdf)");
-      if (file.endsWith(".pdf"))
-        plot_->savePdf(file);
-      else if (!file.isEmpty())
-        plot_->savePng(file, 0, 0, 2);
+      if (file.isEmpty()) return;
+      const auto done = saveWhole(file, [&](const QString& written) {
+        return file.endsWith(".pdf") ? plot_->savePdf(written) : plot_->savePng(written, 0, 0, 2);
+      });
+      if (!done) QMessageBox::warning(this, "Save", QString::fromStdString(done.error().text()));
     });
     menu.exec(plot_->mapToGlobal(at));
   }

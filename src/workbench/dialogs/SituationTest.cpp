@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "streams/File.h"
+#include "streams/TemporaryFolder.h"
 #include "workbench/Dialog.h"
 #include "workbench/PushButton.h"
 
@@ -79,8 +80,8 @@ class SituationTest : public Dialog {
   QString condition() const { return "\"" + condition_->text().simplified() + "\""; }
 
   void tryIt() {
-    const QString table = "out/tests/situation.csv";
-    const QString line = QString{"test situation %1 %2 %3 %4"}
+    const QString table = QString::fromStdString((folder_.path() / "situation.csv").string());
+    const QString line = QString{"test situation %1 %2 %3 \"%4\""}
                              .arg(runs_->value())
                              .arg(seconds_->value())
                              .arg(condition(), table);
@@ -130,6 +131,7 @@ class SituationTest : public Dialog {
   QSpinBox* runs_;
   QLabel* state_;
   QTreeWidget* results_;
+  TemporaryFolder folder_;  ///< Of the table that the console writes.
 };
 
 const RegisterDialog<SituationTest> registeredSituationTest{

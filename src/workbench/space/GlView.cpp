@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMouseEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -14,6 +15,8 @@
 #include <cmath>
 #include <span>
 #include <utility>
+
+#include "workbench/SaveImage.h"
 
 namespace gt {
 namespace {
@@ -227,7 +230,9 @@ void GlView::showMenu(const QPointF& at) {
   menu.addAction("Save as…", this, [this] {
     const QString file =
         QFileDialog::getSaveFileName(this, "Save the view", "view.png", "Images (*.png)");
-    if (!file.isEmpty()) grabFramebuffer().save(file);
+    if (file.isEmpty()) return;
+    if (const auto done = saveImage(grabFramebuffer(), file); !done)
+      QMessageBox::warning(this, "Save", QString::fromStdString(done.error().text()));
   });
   menu.exec(mapToGlobal(at.toPoint()));
 }

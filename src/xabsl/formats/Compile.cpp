@@ -13,6 +13,7 @@ Compilation compile(const std::string& path, const FileReader& read, Dialect tex
   syntax::Program program;
   program.dialect = text;
   readSources(path, read, program, reporter);
+  requireAgents(program, reporter);
   Compilation compilation;
   if (!reporter.failed()) {
     auto model = std::make_shared<Model>(Analyzer(program, reporter).analyze());

@@ -15,6 +15,7 @@ Conversion convert(const std::string& path, const FileReader& read, Form form,
   Reporter reporter;
   syntax::Program program;
   readSources(path, read, program, reporter);
+  requireAgents(program, reporter);
   // Only what is sound is converted: a writer need not ask what names stand for.
   Model model;
   if (!reporter.failed()) model = Analyzer(program, reporter).analyze();

@@ -130,4 +130,9 @@ void readSources(const std::string& path, const FileReader& read, syntax::Progra
   if (!reporter.failed()) xml::Parser(files, reporter, program).parse();
 }
 
+void requireAgents(const syntax::Program& program, Reporter& reporter) {
+  if (!reporter.failed() && program.agents.empty())
+    reporter.error({}, "there is no agent, expected 'agent name(\"title\", root_option);'");
+}
+
 }  // namespace xabsl

@@ -51,4 +51,8 @@ class SourceFiles {
 void readSources(const std::string& path, const FileReader& read, syntax::Program& program,
                  Reporter& reporter);
 
+/// Reports that a sound program has no agent: a part of a behavior does not know the rest, and all
+/// other errors would follow from that.
+void requireAgents(const syntax::Program& program, Reporter& reporter);
+
 }  // namespace xabsl

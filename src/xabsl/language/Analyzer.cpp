@@ -182,26 +182,25 @@ void Analyzer::declareAgents() {
     model_.agents.push_back({std::string(source.name.text), root, source.name.location,
                              std::string(source.title), std::string(source.doc)});
   }
-  if (program_.agents.empty())
-    reporter_.error({}, "there is no agent, expected 'agent name(\"title\", root_option);'");
 }
 
 void Analyzer::refer(const Entity& entity, const syntax::Name& name) {
   if (references_) references_->add(entity, name.text, name.location);
 }
 
-bool Analyzer::resolve(const syntax::TypeName& source, Type& type) {
+void Analyzer::resolve(const syntax::TypeName& source, Type& type) {
   type.kind = source.kind;
-  if (source.kind != ValueKind::enumeration) return true;
+  if (source.kind != ValueKind::enumeration) return;
   type.enumeration = Names::find(names_.enumerations, source.enumeration.text);
   if (type.enumeration >= 0) {
     refer({Entity::Kind::enumeration, type.enumeration}, source.enumeration);
-    return true;
+    return;
   }
   unknown(names_.enumerations, source.enumeration, "enumeration");
-  // What is declared with it goes on as a number, so that it is still known by its name.
-  type.kind = ValueKind::number;
-  return false;
+  // One that has any element stands for it, so that no use of what is declared with it is an error.
+  type.enumeration = static_cast<int>(model_.enumerations.size());
+  model_.enumerations.push_back(
+      {std::string(source.enumeration.text), {}, source.enumeration.location});
 }
 
 std::vector<Parameter> Analyzer::resolve(const std::vector<syntax::Parameter>& sources) {

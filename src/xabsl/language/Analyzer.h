@@ -35,7 +35,7 @@ class Analyzer {
   void declareAgents();
   void declare(Names::Table& table, const syntax::Name& name, int index, const std::string& what);
   void refer(const Entity& entity, const syntax::Name& name);
-  bool resolve(const syntax::TypeName& source, Type& type);
+  void resolve(const syntax::TypeName& source, Type& type);
   std::vector<Parameter> resolve(const std::vector<syntax::Parameter>& sources);
   void unknown(const Names::Table& table, const syntax::Name& name, const std::string& what);
 

@@ -108,7 +108,7 @@ TEST(Analyzer, TellsUnknownNamesAndWhatWasMeant) {
             "name in option main; did you mean 'slow'?\n");
   EXPECT_THAT(errorsIn("agent a(\"A\", nothing);"),
               HasSubstr("main.xabsl:1:14: unknown option 'nothing'\n"));
-  EXPECT_THAT(errorsIn("namespace main(\"M\") { enum nothing input x; }"),
+  EXPECT_THAT(errorsIn("namespace main(\"M\") { enum nothing input x; } agent a(\"A\", main);"),
               HasSubstr("main.xabsl:1:28: unknown enumeration 'nothing'\n"));
 }
 
@@ -161,20 +161,24 @@ TEST(Analyzer, TellsWhatCannotBeDone) {
 
 TEST(Analyzer, TellsWhatIsDeclaredTwice) {
   EXPECT_THAT(errorsIn("namespace main(\"M\") { float input x; bool input x; const y = 1;\n"
-                       "bool output z; bool internal z; const y = 2; }"),
+                       "bool output z; bool internal z; const y = 2; } agent a(\"A\", main);"),
               HasSubstr("main.xabsl:1:49: input symbol 'x' is declared twice\n"
                         "main.xabsl:2:30: internal symbol 'z' is declared twice\n"
                         "main.xabsl:2:39: constant 'y' is declared twice\n"));
-  EXPECT_THAT(errorsIn("namespace main(\"M\") { enum e { a, e.a }; enum e { b }; }"),
-              HasSubstr("main.xabsl:1:35: element 'a' is declared twice\n"
-                        "main.xabsl:1:47: enumeration 'e' is declared twice\n"));
-  EXPECT_THAT(errorsIn("namespace main(\"M\") { behavior b { x; x; } behavior b { } }"),
-              HasSubstr("main.xabsl:1:39: parameter 'x' is declared twice\n"
-                        "main.xabsl:1:53: basic behavior 'b' is declared twice\n"));
+  EXPECT_THAT(
+      errorsIn("namespace main(\"M\") { enum e { a, e.a }; enum e { b }; } agent a(\"A\", main);"),
+      HasSubstr("main.xabsl:1:35: element 'a' is declared twice\n"
+                "main.xabsl:1:47: enumeration 'e' is declared twice\n"));
+  EXPECT_THAT(
+      errorsIn(
+          "namespace main(\"M\") { behavior b { x; x; } behavior b { } } agent a(\"A\", main);"),
+      HasSubstr("main.xabsl:1:39: parameter 'x' is declared twice\n"
+                "main.xabsl:1:53: basic behavior 'b' is declared twice\n"));
   const std::string state = "initial state s { action { } } ";
-  EXPECT_THAT(errorsIn("option main { " + state + "}\noption main { " + state + "}"),
-              HasSubstr("main.xabsl:2:8: option 'main' is declared twice\n"));
-  EXPECT_THAT(errorsIn("option main { " + state + "state s { action { } } }"),
+  EXPECT_THAT(
+      errorsIn("option main { " + state + "}\noption main { " + state + "} agent a(\"A\", main);"),
+      HasSubstr("main.xabsl:2:8: option 'main' is declared twice\n"));
+  EXPECT_THAT(errorsIn("option main { " + state + "state s { action { } } } agent a(\"A\", main);"),
               HasSubstr("main.xabsl:1:52: state 's' is declared twice in option main\n"));
   EXPECT_THAT(errorsIn("agent a(\"A\", b); agent a(\"A\", b);"),
               HasSubstr("main.xabsl:1:24: agent 'a' is declared twice\n"));
@@ -221,9 +225,33 @@ TEST(Analyzer, WantsElseIfAndOnlyIfThereIsACommonDecision) {
 }
 
 TEST(Analyzer, WantsAnAgent) {
-  EXPECT_EQ(errorsIn("option main { initial state s { action { } } }"),
-            "main.xabsl:1:1: there is no agent, expected 'agent name(\"title\", "
-            "root_option);'\n");
+  // Nothing of what stands in the other files of the behavior is an error besides.
+  EXPECT_EQ(
+      errorsIn(
+          "option main { enum mode @m; initial state s { decision { if (x > 1) stay; else stay; } "
+          "action { y = z; walk(); } } }"),
+      "main.xabsl:1:1: there is no agent, expected 'agent name(\"title\", "
+      "root_option);'\n");
+}
+
+TEST(Analyzer, TellsAnUnknownEnumerationWithoutWhatFollowsFromIt) {
+  const auto errorsWith = [](const std::string& use) {
+    return errorsIn(
+        "namespace n(\"N\") { enum mode { fast, slow }; enum mode input how;\n"
+        "enum mod output head; float input f(enum mode m;); }\n"
+        "agent main(\"Main\", main); option main { initial state s {\n" +
+        use + " } }");
+  };
+  const std::string unknown = "main.xabsl:2:6: unknown enumeration 'mod'; did you mean 'mode'?\n";
+  for (const char* use :
+       {"action { head = slow; }", "action { head = mod.slow; }", "action { head = how; }",
+        "decision { if (head == slow) stay; else stay; } action { }",
+        "decision { if (how == head) stay; else stay; } action { }",
+        "action { head = f(m = head) > 1 ? slow : fast; }",
+        "action { head = f() > 1 ? head : how; }"})
+    EXPECT_EQ(errorsWith(use), unknown) << use;
+  EXPECT_EQ(errorsWith("action { head = slow; how = slow; }"),
+            unknown + "main.xabsl:4:23: input symbol 'how' cannot be set in option main\n");
 }
 
 TEST(Analyzer, TellsAtMostAHundredErrors) {

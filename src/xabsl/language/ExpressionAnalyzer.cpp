@@ -45,6 +45,12 @@ void ExpressionAnalyzer::refer(const Entity& entity, syntax::Expression& source)
   if (references_) references_->add(entity, source.name, source.location);
 }
 
+/// Not an enumeration that was reported as unknown, which stands for any.
+bool ExpressionAnalyzer::isDeclared(Type type) const {
+  return type.kind != ValueKind::enumeration || type.enumeration < 0 ||
+         !model_.enumerations[at(type.enumeration)].elements.empty();
+}
+
 void ExpressionAnalyzer::error(Location location, const std::string& message) {
   const std::string& option = model_.options[at(option_)].name;
   // A hint stays the end of the sentence.
@@ -56,6 +62,7 @@ int ExpressionAnalyzer::expression(syntax::Expression& source, Type wanted,
                                    const std::string& purpose) {
   const Typed typed = analyze(source, wanted.enumeration);
   if (typed.index < 0 || typed.type == wanted) return typed.index;
+  if (!isDeclared(typed.type) || !isDeclared(wanted)) return -1;
   error(source.location, purpose + " must be " + describe(model_, wanted) + ", found " +
                              describe(model_, typed.type));
   return -1;
@@ -90,7 +97,8 @@ int ExpressionAnalyzer::arguments(const std::vector<syntax::Argument>& sources,
                              "parameter " + inQuotes(source.name.text) + " of " + callee);
   }
   for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (!given[i]) operands[i] = Model::defaultExpression(parameters[i].type);
+    if (!given[i] && isDeclared(parameters[i].type))
+      operands[i] = Model::defaultExpression(parameters[i].type);
   return appendOperands(operands, order);
 }
 
@@ -151,6 +159,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::name(syntax::Expression& source, i
     const Typed found = element(source, named);
     if (found.index >= 0) return found;
   }
+  if (!isDeclared({ValueKind::enumeration, enumeration})) return {};
   unknownName(source, enumeration);
   return {};
 }
@@ -274,6 +283,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::equality(syntax::Expression& sourc
   // The left side fixes the enumeration, so that the right side may name its elements short.
   const Typed right = analyze(*source.operands[1], left.type.enumeration);
   if (left.index < 0 || right.index < 0) return {};
+  if (!isDeclared(left.type) || !isDeclared(right.type)) return {};
   if (left.type != right.type) {
     error(source.location, quoted(source.operation) + " compares " + describe(model_, left.type) +
                                " with " + describe(model_, right.type));
@@ -294,6 +304,7 @@ ExpressionAnalyzer::Typed ExpressionAnalyzer::conditional(syntax::Expression& so
   const Typed otherwise =
       analyze(*source.operands[2], enumeration >= 0 ? enumeration : then.type.enumeration);
   if (condition < 0 || then.index < 0 || otherwise.index < 0) return {};
+  if (!isDeclared(then.type) || !isDeclared(otherwise.type)) return {};
   if (then.type != otherwise.type) {
     error(source.location, "'?:' chooses between " + describe(model_, then.type) + " and " +
                                describe(model_, otherwise.type));

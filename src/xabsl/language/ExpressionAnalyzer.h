@@ -54,6 +54,7 @@ class ExpressionAnalyzer {
   Typed equality(syntax::Expression& source);
   Typed conditional(syntax::Expression& source, int enumeration);
   Typed uniform(syntax::Expression& source, Type operandType, Type resultType);
+  bool isDeclared(Type type) const;
   void refer(const Entity& entity, syntax::Expression& source);
   Typed add(syntax::Expression& source, const Expression& expression, Type type);
   int appendOperands(const std::vector<int>& operands, const std::vector<int>& order = {});

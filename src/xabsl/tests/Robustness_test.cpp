@@ -238,9 +238,11 @@ TEST(Robustness, RefusesTooManyElementsAndParameters) {
   std::string parameters;
   for (int i = 0; i < 1000; ++i) elements += ", e" + std::to_string(i);
   for (int i = 0; i < 101; ++i) parameters += "p" + std::to_string(i) + ";";
-  EXPECT_THAT(test::errorsIn("namespace main(\"M\") { enum e { " + elements + " }; }"),
+  EXPECT_THAT(test::errorsIn("namespace main(\"M\") { enum e { " + elements +
+                             " }; } agent a(\"A\", main);"),
               HasSubstr("enumeration 'e' has more than 1000 elements"));
-  EXPECT_THAT(test::errorsIn("namespace main(\"M\") { behavior b { " + parameters + " } }"),
+  EXPECT_THAT(test::errorsIn("namespace main(\"M\") { behavior b { " + parameters +
+                             " } } agent a(\"A\", main);"),
               HasSubstr("more than 100 parameters"));
 }
 

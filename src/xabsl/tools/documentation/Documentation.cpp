@@ -1,11 +1,11 @@
 #include "xabsl/tools/documentation/Documentation.h"
 
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "streams/File.h"
 #include "xabsl/tools/documentation/Charts.h"
 #include "xabsl/tools/documentation/Graphviz.h"
 #include "xabsl/tools/documentation/Html.h"
@@ -78,10 +78,8 @@ class Writer {
   void write(const std::string& name, const std::string& text) {
     if (failure_) return;
     const std::string path = folder_ + "/" + name;
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) failure_ = problem(path, "cannot write the file");
+    if (const auto done = gt::writeFile(path, text); !done)
+      failure_ = problem(path, done.error().what);
   }
 
   const Model& model_;

@@ -1,7 +1,5 @@
 #include "xabsl/tools/server/Server.h"
 
-#include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "base/ParseJson.h"
@@ -23,13 +21,6 @@ constexpr std::size_t mostDocuments = 1000;
 bool isForeign(const std::string& text) {
   return xml::isXml(text) && text.find(xml::namespace21) == std::string::npos &&
          text.find(xml::namespace31) == std::string::npos;
-}
-
-/// Whether a file may be that with the agents of another one.
-bool mayBeRootOf(const std::string& candidate, const std::string& text, const std::string& path) {
-  const std::filesystem::path extension = std::filesystem::path(candidate).extension();
-  return extension == std::filesystem::path(path).extension() &&
-         text.find(extension == ".xml" ? "<agent-collection" : "agent") != std::string::npos;
 }
 
 /// The end of the word at a place, for what is underlined.
@@ -187,31 +178,15 @@ FileReader Server::reader() const {
   };
 }
 
-/// The file with the agents that a file belongs to: beside it or in a folder above, within the
-/// workspace. A file that belongs to none stands for itself.
+/// The file with the agents that a file belongs to, within the workspace. A file that belongs to
+/// none stands for itself.
 std::string Server::rootOf(const std::string& path) {
-  const auto known = roots_.find(path);
-  if (known != roots_.end()) return known->second;
-  constexpr int farthest = 6, mostCandidates = 200;
-  std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  int candidates = 0;
-  for (int i = 0; i < farthest; ++i, folder = folder.parent_path()) {
-    for (const std::string& candidate : disk_.sources(folder.generic_string())) {
-      std::string text;
-      if (++candidates > mostCandidates || reader()(candidate, text)) continue;
-      if (!mayBeRootOf(candidate, text, path)) continue;
-      Reporter ignored;
-      syntax::Program program;
-      readSources(candidate, reader(), program, ignored);
-      const bool includes =
-          std::any_of(program.files.begin(), program.files.end(),
-                      [&](const syntax::File& file) { return file.path == path; });
-      const bool xml = xml::isXml(text);  // which has no agents as long as it is not valid
-      if (includes && (xml || !program.agents.empty())) return roots_[path] = candidate;
-    }
-    if (folder.generic_string() == workspace_ || folder == folder.parent_path()) break;
+  const auto [known, isNew] = roots_.try_emplace(path);
+  if (isNew) {
+    known->second = xabsl::rootOf(path, disk_.sources, reader(), workspace_);
+    if (known->second.empty()) known->second = path;
   }
-  return roots_[path] = path;
+  return known->second;
 }
 
 Project& Server::projectOf(const std::string& path) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "xabsl/formats/Root.h"
 #include "xabsl/tools/server/Project.h"
 
 namespace xabsl::server {
@@ -16,7 +17,7 @@ namespace xabsl::server {
 /// What a server sees of the disk.
 struct Disk {
   FileReader read;
-  std::function<std::vector<std::string>(const std::string& folder)> sources;  ///< .xabsl and .xml
+  FolderLister sources;
 };
 
 /// A language server for XABSL (LSP 3.17): takes the messages of an editor one after another, and

@@ -25,6 +25,25 @@ constexpr double latest = 1e15;                // ms
 constexpr std::size_t mostEvents = 5'000'000;  // of a test
 constexpr std::size_t mostEventsOfCycle = 1'000'000;
 
+/// What min, max and abs return, by the arguments; empty for other input symbols.
+std::optional<double> knownFunction(const Symbol& symbol, const double* arguments) {
+  const auto isNumber = [](Type type) { return type.kind == ValueKind::number; };
+  if (!isNumber(symbol.type) || !std::ranges::all_of(symbol.parameters, isNumber, &Parameter::type))
+    return std::nullopt;
+  const std::size_t count = symbol.parameters.size();
+  if (symbol.name == "abs" && count == 1) return std::abs(arguments[0]);
+  if (symbol.name == "min" && count == 2) return std::min(arguments[0], arguments[1]);
+  if (symbol.name == "max" && count == 2) return std::max(arguments[0], arguments[1]);
+  return std::nullopt;
+}
+
+/// The names of parameters, separated by commas.
+std::string listed(const std::vector<Parameter>& parameters) {
+  std::string text;
+  for (const Parameter& parameter : parameters) text += (text.empty() ? "" : ", ") + parameter.name;
+  return text;
+}
+
 /// Executes the statements of one test. First all are prepared, so that no error shows late.
 class TestRun {
  public:
@@ -127,9 +146,10 @@ class TestRun {
     if (index >= 0 && model_.symbols[at(index)].parameters.empty() != function) return index;
     const std::string symbol = "input symbol " + inQuotes(name.text);
     if (index >= 0) {
+      const std::string parameters = "(" + listed(model_.symbols[at(index)].parameters) + ")";
       error(name.location, symbol + (function ? " has no parameters" : " has parameters") +
                                ", expected '" + (function ? "" : "function ") +
-                               std::string(name.text) + (function ? " = ...;'" : "(...) = ...;'"));
+                               std::string(name.text) + (function ? "" : parameters) + " = ...;'");
     } else if (model_.findOutput(name.text) >= 0) {
       error(name.location,
             inQuotes(name.text) + " is set by the behavior, expected an input symbol");
@@ -160,8 +180,8 @@ class TestRun {
     for (const TestText& name : statement.arguments) {
       const int index = findParameter(parameters, name.text, statement.name.text);
       if (index < 0)
-        return error(name.location,
-                     inQuotes(statement.name.text) + " has no parameter " + inQuotes(name.text));
+        return error(name.location, inQuotes(statement.name.text) + " has no parameter " +
+                                        inQuotes(name.text) + ", expected " + listed(parameters));
       const auto place = static_cast<std::size_t>(index);
       variables.push_back(
           {std::string(name.text), parameters[place].type, prepared.arguments->data() + place});
@@ -296,19 +316,20 @@ class TestRun {
     moment_->set(symbol, value);
   }
 
-  /// An input symbol with parameters: as defined, else as recorded.
+  /// An input symbol with parameters: as defined, else as known, else as recorded.
   double call(int symbol, const double* arguments) {
     for (const Driver& driver : drivers_) {
       if (driver.symbol != symbol) continue;
       std::copy_n(arguments, driver.arguments->size(), driver.arguments->begin());
       return driver.question->answer().value_or(0);
     }
+    const Symbol& called = model_.symbols[at(symbol)];
+    if (const auto known = knownFunction(called, arguments)) return *known;
     if (recording_) return recording_->call(symbol, arguments);
-    const std::string& name = model_.symbols[at(symbol)].name;
     if (result_.errors.empty())
-      error(file_.behavior.location, "the behavior calls '" + name +
-                                         "', which needs a definition: function " + name +
-                                         "(...) = ...;");
+      error(file_.behavior.location, "the behavior calls '" + called.name +
+                                         "', which needs a definition: function " + called.name +
+                                         "(" + listed(called.parameters) + ") = ...;");
     return 0;
   }
 

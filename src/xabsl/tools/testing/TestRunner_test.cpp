@@ -87,7 +87,7 @@ TEST(TestRunner, TellsWrongFiles) {
   EXPECT_THAT(outcome("test \"t\" { function weightd(a) = 1; }"),
               HasSubstr("unknown input symbol 'weightd'; did you mean 'weighted'?"));
   EXPECT_THAT(outcome("test \"t\" { weighted = 1; }"),
-              HasSubstr("'weighted' has parameters, expected 'function weighted(...) = ...;'"));
+              HasSubstr("'weighted' has parameters, expected 'function weighted(a, b) = ...;'"));
   EXPECT_THAT(outcome("test \"t\" { function x(a) = 1; }"), HasSubstr("'x' has no parameters"));
   EXPECT_THAT(outcome("test \"t\" { result = 1; }"),
               HasSubstr("'result' is set by the behavior, expected an input symbol"));
@@ -98,10 +98,35 @@ TEST(TestRunner, TellsWrongFiles) {
   EXPECT_THAT(outcome("test \"t\" { option sub(goal = true); }"), HasSubstr("cannot be true"));
   EXPECT_THAT(outcome("test \"t\" { replay \"nowhere.trace\"; }"), HasSubstr("nowhere.trace"));
   EXPECT_THAT(outcome("test \"t\" { function weighted(c) = 1; }"),
-              HasSubstr("has no parameter 'c'"));
+              HasSubstr("'weighted' has no parameter 'c', expected a, b"));
   EXPECT_THAT(outcome("test \"t\" { seen = true; run; }", "behavior \"main.xabsl\";"),
-              HasSubstr("the behavior calls 'weighted', which needs a definition"));
+              HasSubstr("the behavior calls 'weighted', which needs a definition: function "
+                        "weighted(a, b) = ...;"));
   EXPECT_THAT(outcome("", ""), HasSubstr("expected 'behavior \"PATH\";'"));
+}
+
+TEST(TestRunner, KnowsMinMaxAndAbsOfNumbers) {
+  const auto outcomeWith = [](const std::string& value, const std::string& before = "") {
+    const std::string behavior =
+        "namespace n(\"N\") { float input min(float a; float b;); float input max(float a; float "
+        "b;); float input abs(float value;); float input x; float output result; }\n"
+        "agent main(\"M\", main); option main { initial state s { action { result = " +
+        value + "; } } }";
+    const std::string text =
+        "behavior \"main.xabsl\";\nx = -3;\n" + before + "test \"t\" { run; expect result == 3; }";
+    std::vector<Diagnostic> diagnostics;
+    const TestFile file = parseTests("a.xtest", text, diagnostics);
+    EXPECT_EQ(test::errors(diagnostics), "");
+    const TestResult result = runTest(test::compiled(behavior), file, file.tests.at(0));
+    return test::errors(result.errors) + (result.failure ? toString(*result.failure) : "");
+  };
+  EXPECT_EQ(outcomeWith("abs(value = x)"), "");
+  EXPECT_EQ(outcomeWith("min(a = 3, b = 4) + min(a = 1, b = 0)"), "");
+  EXPECT_EQ(outcomeWith("max(a = x, b = 3)"), "");
+  EXPECT_EQ(outcomeWith("max(a = 3, b = x)"), "");
+  // A definition goes before.
+  EXPECT_EQ(outcomeWith("abs(value = x)", "function abs(value) = 2 * value;\n"),
+            "a.xtest:4:24: does not hold: result == 3");
 }
 
 TEST(TestRunner, SelectsAgentsAndOptionsWithParameters) {
