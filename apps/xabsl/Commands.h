@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,12 @@ namespace xabsl::app {
 
 /// Exit statuses: `failed` if a test failed or a condition never held, `wrong` after an error.
 constexpr int succeeded = 0, failed = 1, wrong = 2;
+
+/// Adds a command to the program; the command sets the exit status.
+using AddCommand = void (*)(CLI::App& program, int& status);
+
+/// The program with these commands. Returns its exit status.
+int run(int argc, char** argv, std::initializer_list<AddCommand> commands);
 
 /// How a behavior is read.
 struct Reading {
