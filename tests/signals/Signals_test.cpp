@@ -208,7 +208,7 @@ TEST_P(Signal, EndsTheWorkbenchWithItsRecordingAndItsFilm) {
   RunningProgram workbench{
       folder.path(),
       {"robotcontrol", scene, "--settings", path("settings"), "--script", path("record.con")}};
-  workbench.awaitFile(path("out/film.mp4"));
+  workbench.awaitFile(path("out/film.mp4.part"));
   workbench.send(GetParam());
   EXPECT_EQ(workbench.end(), 128 + GetParam()) << workbench.printed();
   expectWholeRecording();

@@ -224,8 +224,11 @@ void Walk::read(const std::string& page) {
     QStringList answers;
     const Line& line = lines[i];
     const QString answer = "answer ";
-    for (; i + 1 < lines.size() && lines[i + 1].text.startsWith(answer); ++i)
+    for (; i + 1 < lines.size() && lines[i + 1].text.startsWith(answer); ++i) {
       answers << lines[i + 1].text.mid(answer.size());
+      // Who saves a file makes its folder in the dialog.
+      QDir{}.mkpath(QFileInfo{answers.back()}.path());
+    }
     std::printf("%d: %s\n", line.number, qPrintable(line.text));
     std::fflush(stdout);
     try {
