@@ -57,6 +57,22 @@ TEST_F(ImageEffectsTest, NothingChangesWithoutEffects) {
     }
 }
 
+// What is added is tabulated only if it is the same everywhere.
+TEST_F(ImageEffectsTest, SteadyNoiseIsTheLimitOfOtherNoise) {
+  for (const double noise : {2., 5.}) {  // The second one changes the table.
+    CameraEffects steady;
+    steady.noiseY = steady.noiseCb = noise;
+    steady.shiftCr = 4 * noise;
+    CameraEffects other = steady;
+    other.rimCb = 1e-9;
+    const Image expected = floor(other), actual = floor(steady);
+    EXPECT_EQ(std::memcmp(actual.pixels.data(), expected.pixels.data(),
+                          sizeof(Pixel) * actual.pixels.size()),
+              0)
+        << noise;
+  }
+}
+
 TEST_F(ImageEffectsTest, NoiseHasTheStandardDeviationAskedFor) {
   CameraEffects effects = CameraEffects::none();
   effects.noiseY = 5;
