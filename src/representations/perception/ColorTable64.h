@@ -28,8 +28,8 @@ struct ColorTable64 {
   std::array<ColorClass, 64 * 64 * 64> classes{};
 
   static constexpr std::size_t index(std::uint8_t y, std::uint8_t cb, std::uint8_t cr) {
-    return static_cast<std::size_t>(y >> 2) << 12 | static_cast<std::size_t>(cb >> 2) << 6 |
-           static_cast<std::size_t>(cr >> 2);
+    constexpr std::size_t used = 0xfc;
+    return (y & used) << 10 | (cb & used) << 4 | cr >> 2;
   }
   ColorClass operator[](const Pixel& p) const { return classes[index(p.y, p.cb, p.cr)]; }
 

@@ -160,36 +160,79 @@ struct IlluminateUnevenly {
   }
 };
 
-/// A row of one channel and what becomes of it.
-struct ShadedRow {
-  const std::uint8_t *in, *bright;  ///< `bright` is its y.
+/// A row of one channel in some light.
+struct LitRow {
+  const std::uint8_t* in;
   std::int16_t neutral;
-  const std::int16_t *light, *noise;
+  const std::int16_t* light;
+
+  [[gnu::always_inline]] inline int at(std::size_t i) const {
+    const auto value = static_cast<std::int16_t>((in[i] - neutral) << 7);
+    return static_cast<std::int16_t>((value * light[i]) >> 16);
+  }
+};
+
+[[gnu::always_inline]] inline std::uint8_t toByte(int sum) {
+  return static_cast<std::uint8_t>(std::clamp<std::int16_t>(
+      static_cast<std::int16_t>(static_cast<std::int16_t>(sum) >> fractionBits), 0, 255));
+}
+
+/// Adds noise and color casts that are the same whatever the image shows.
+struct AddSteadily {
+  LitRow row;
+  const std::int16_t* added;
+
+  [[gnu::always_inline]] inline void operator()(std::uint8_t* __restrict out,
+                                                std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i) out[i] = toByte(row.at(i) + added[i]);
+  }
+};
+
+/// Adds noise that grows with the brightness, and color casts that depend on the place.
+struct Add {
+  LitRow row;
+  const std::uint8_t* bright;  ///< The row's y.
+  const std::int16_t* noise;
   std::int16_t deviation, growth;  ///< Of the noise where y is 0, and more where it is 256.
   const std::int16_t* columnCast;
   std::int16_t rowCast;
-};
-
-/// Changes the light of a row and adds noise and color casts.
-template <bool noiseGrows>
-struct Shade {
-  ShadedRow row;
 
   [[gnu::always_inline]] inline void operator()(std::uint8_t* __restrict out,
                                                 std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) {
-      const auto value = static_cast<std::int16_t>((row.in[i] - row.neutral) << 7);
-      const auto changed = static_cast<std::int16_t>((value * row.light[i]) >> 16);
-      std::int16_t strength = row.deviation;
-      if constexpr (noiseGrows) {
-        const auto brightness = static_cast<std::int16_t>(row.bright[i] << 7);
-        const auto half = static_cast<std::int16_t>((brightness * row.growth) >> 16);
-        strength = static_cast<std::int16_t>(strength + 2 * half);
-      }
-      const auto added = static_cast<std::int16_t>((row.noise[i] * strength) >> 16);
-      const auto sum = static_cast<std::int16_t>(changed + added + row.columnCast[i] + row.rowCast);
-      out[i] = static_cast<std::uint8_t>(
-          std::clamp<std::int16_t>(static_cast<std::int16_t>(sum >> fractionBits), 0, 255));
+      const auto brightness = static_cast<std::int16_t>(bright[i] << 7);
+      const auto half = static_cast<std::int16_t>((brightness * growth) >> 16);
+      const auto strength = static_cast<std::int16_t>(deviation + 2 * half);
+      const auto added = static_cast<std::int16_t>((noise[i] * strength) >> 16);
+      out[i] = toByte(row.at(i) + added + columnCast[i] + rowCast);
+    }
+  }
+};
+
+constexpr std::array<std::int16_t, channelCount> neutral{0, 128, 128};
+
+/// The color casts in the middle of the image, and a half for rounding.
+std::array<double, channelCount> castOf(const CameraEffects& effects) {
+  return {0.5, 128.5 + effects.shiftCb, 128.5 + effects.shiftCr};
+}
+
+/// What is added to a pixel depends neither on its brightness nor on its place.
+bool isSteady(const CameraEffects& effects) {
+  return effects.noiseGrowth == 0 && effects.rimCb == 0 && effects.rimCr == 0;
+}
+
+/// Factors of the noise of each channel, where y is 0, and what comes to them where it is 256.
+struct NoiseStrength {
+  std::array<std::int16_t, channelCount> deviation{}, growth{};
+
+  explicit NoiseStrength(const CameraEffects& effects) {
+    constexpr double one = fractionOne * 65536 / noiseOne;
+    const std::array<double, channelCount> noise{effects.noiseY, effects.noiseCb, effects.noiseCr};
+    for (std::size_t c = 0; c < channelCount; ++c) {
+      deviation[c] = fixed(noise[c] * one);
+      growth[c] = std::min(
+          fixed(effects.noiseGrowth * noise[c] * one),
+          static_cast<std::int16_t>(std::numeric_limits<std::int16_t>::max() - deviation[c]));
     }
   }
 };
@@ -206,22 +249,37 @@ void ImageEffects::setColumns(const CameraEffects& effects, int width, std::size
   for (auto* row : {&gain_, &uneven_, &light_}) row->resize(padded);
   for (auto* rows : {&blurred_, &shaded_})
     for (auto& row : *rows) row.resize(padded);
-  const std::array<double, channelCount> base{0.5, 128.5 + effects.shiftCb,
-                                              128.5 + effects.shiftCr};
+  const std::array<double, channelCount> cast = castOf(effects);
   const std::array<double, channelCount> rim{0, effects.rimCb, effects.rimCr};
   for (auto& column : cast_) column.resize(padded);
   for (std::size_t x = 0; x < padded; ++x) {
     const double out = outward(static_cast<int>(x), width);
     gain_[x] = fixed(effects.brightness * lightOne * (1 - effects.vignetting * out));
     for (std::size_t c = 0; c < channelCount; ++c)
-      cast_[c][x] = fixed((base[c] + rim[c] * out) * fractionOne);
+      cast_[c][x] = fixed((cast[c] + rim[c] * out) * fractionOne);
   }
 }
 
-void ImageEffects::setNoise(double correlation) {
-  if (correlation == correlation_) return;
-  correlation_ = correlation;
-  for (std::size_t c = 0; c < channelCount; ++c) noise_[c] = noiseTable.channel(c, correlation);
+void ImageEffects::setNoise(const CameraEffects& effects) {
+  const auto needed = [](const CameraEffects& e) {
+    return std::tie(e.noiseY, e.noiseCb, e.noiseCr, e.shiftCb, e.shiftCr);
+  };
+  if (effects.noiseCorrelation != correlation_) {
+    correlation_ = effects.noiseCorrelation;
+    for (std::size_t c = 0; c < channelCount; ++c) noise_[c] = noiseTable.channel(c, correlation_);
+  } else if (!isSteady(effects) || needed(effects) == needed(steady_)) {
+    return;
+  }
+  steady_ = effects;
+  const std::array<double, channelCount> cast = castOf(effects);
+  const NoiseStrength strength{effects};
+  for (std::size_t c = 0; c < channelCount; ++c) {
+    const int own = fixed(cast[c] * fractionOne), factor = strength.deviation[c];
+    added_[c].resize(noise_[c].size());
+    std::ranges::transform(noise_[c], added_[c].begin(), [=](int noise) {
+      return static_cast<std::int16_t>(own + (noise * factor >> 16));
+    });
+  }
 }
 
 /// A blur of some variance (square pixels): passes with the kernel w/2, 1 - w, w/2, whose variance
@@ -251,31 +309,45 @@ struct ImageEffects::Spread {
   return *from;
 }
 
-[[gnu::always_inline]] inline const std::uint8_t* ImageEffects::spreadRow(const Plane& plane, int y,
-                                                                          const Spread& across,
-                                                                          const Spread& along,
-                                                                          std::uint8_t* out) {
+[[gnu::always_inline]] inline const std::uint8_t* ImageEffects::spreadAcross(const Plane& plane,
+                                                                             int y,
+                                                                             const Spread& across,
+                                                                             std::uint8_t* out) {
+  if (across.passes == 0) return plane.row(y);
+  withWeight(
+      across.weight(across.passes - 1), [&]<int weight>() __attribute__((always_inline)) {
+        mixRows<weight>(plane, y, out);
+      });
+  return out;
+}
+
+[[gnu::always_inline]] inline const std::uint8_t* ImageEffects::spreadAlong(const std::uint8_t* row,
+                                                                            const Spread& along,
+                                                                            std::uint8_t* middle,
+                                                                            std::uint8_t* out) {
   const auto width = static_cast<std::size_t>(width_);
-  std::uint8_t* const middle = mixedRow_.row(0);
-  const std::uint8_t* row = plane.row(y);
-  if (across.passes > 0) {
-    withWeight(
-        across.weight(across.passes - 1), [&]<int weight>() __attribute__((always_inline)) {
-          mixRows<weight>(plane, y, middle);
-        });
-    row = middle;
-  }
   for (int pass = 0; pass < along.passes; ++pass) {
-    if (row != middle) CopyRow{row}(middle, mixedRow_.paddedWidth());
+    if (row != middle) CopyRow{row}(middle, mixedRows_.paddedWidth());
     middle[-1] = middle[0];
     middle[width] = middle[width - 1];
     withWeight(
         along.weight(pass), [&]<int weight>() __attribute__((always_inline)) {
-          Mix<weight>{middle - 1, middle, middle + 1}(out, mixedRow_.paddedWidth());
+          Mix<weight>{middle - 1, middle, middle + 1}(out, mixedRows_.paddedWidth());
         });
     row = out;
   }
   return row;
+}
+
+[[gnu::always_inline]] inline void ImageEffects::lightRow(const CameraEffects& effects, int y,
+                                                          double out) {
+  const std::int16_t rowLoss = fixed(effects.brightness * lightOne * effects.vignetting * out);
+  if (effects.unevenLight > 0) {
+    if (y % rowsOfLight == 0) unevenLight_.row(y, uneven_.data());
+    IlluminateUnevenly{gain_.data(), uneven_.data(), rowLoss}(light_.data(), light_.size());
+  } else {
+    Illuminate{gain_.data(), rowLoss}(light_.data(), light_.size());
+  }
 }
 
 [[gnu::always_inline]] inline void ImageEffects::applyWide(const ImagePlanes& picture,
@@ -291,44 +363,32 @@ struct ImageEffects::Spread {
   std::array<const Plane*, channelCount> spread{};
   for (std::size_t c = 0; c < channelCount; ++c)
     spread[c] = &spreadRows(picture[c], across[c], spread_[c]);
-  constexpr std::array<std::int16_t, channelCount> neutral{0, 128, 128};
   const std::array<double, channelCount> rim{0, effects.rimCb, effects.rimCr};
-  const std::array<double, channelCount> noise{effects.noiseY, effects.noiseCb, effects.noiseCr};
-  constexpr double strengthOne = fractionOne * 65536 / noiseOne;
-  std::array<std::int16_t, channelCount> deviation{}, growth{};
-  for (std::size_t c = 0; c < channelCount; ++c) {
-    deviation[c] = fixed(noise[c] * strengthOne);
-    growth[c] = std::min(
-        fixed(effects.noiseGrowth * noise[c] * strengthOne),
-        static_cast<std::int16_t>(std::numeric_limits<std::int16_t>::max() - deviation[c]));
-  }
+  const NoiseStrength strength{effects};
+  const bool steady = isSteady(effects);
   for (int y = 0; y < height; ++y) {
     const double out = outward(y, height);
-    const std::int16_t rowLoss = fixed(effects.brightness * lightOne * effects.vignetting * out);
-    if (effects.unevenLight > 0) {
-      if (y % rowsOfLight == 0) unevenLight_.row(y, uneven_.data());
-      IlluminateUnevenly{gain_.data(), uneven_.data(), rowLoss}(light_.data(), padded);
-    } else {
-      Illuminate{gain_.data(), rowLoss}(light_.data(), padded);
-    }
+    lightRow(effects, y, out);
+    // Channel by channel: what was just written is not yet there to be read.
+    std::array<const std::uint8_t*, channelCount> in{};
+    const auto middle = [&](std::size_t c) { return mixedRows_.row(static_cast<int>(c)); };
+    for (std::size_t c = 0; c < channelCount; ++c)
+      in[c] = spreadAcross(*spread[c], y, across[c], middle(c));
+    for (std::size_t c = 0; c < channelCount; ++c)
+      in[c] = spreadAlong(in[c], along, middle(c), blurred_[c].data());
     const std::size_t place = NoiseTable::place(seed, y, width);
-    const std::uint8_t* bright = nullptr;
     for (std::size_t c = 0; c < channelCount; ++c) {
-      const std::uint8_t* in = spreadRow(*spread[c], y, across[c], along, blurred_[c].data());
-      if (c == 0) bright = in;
-      const ShadedRow row{in,
-                          bright,
-                          neutral[c],
-                          light_.data(),
-                          &noise_[c][place],
-                          deviation[c],
-                          growth[c],
-                          cast_[c].data(),
-                          fixed(rim[c] * out * fractionOne)};
-      if (growth[c] > 0)
-        Shade<true>{row}(shaded_[c].data(), padded);
+      const LitRow row{in[c], neutral[c], light_.data()};
+      if (steady)
+        AddSteadily{row, &added_[c][place]}(shaded_[c].data(), padded);
       else
-        Shade<false>{row}(shaded_[c].data(), padded);
+        Add{row,
+            in[0],
+            &noise_[c][place],
+            strength.deviation[c],
+            strength.growth[c],
+            cast_[c].data(),
+            fixed(rim[c] * out * fractionOne)}(shaded_[c].data(), padded);
     }
     joinRow({shaded_[0].data(), shaded_[1].data(), shaded_[2].data()},
             {&image.at(0, y), static_cast<std::size_t>(width)});
@@ -339,8 +399,8 @@ void ImageEffects::apply(const ImagePlanes& picture, const CameraView& view,
                          const CameraEffects& effects, std::uint64_t seed, Image& image) {
   const int width = view.info.width, height = view.info.height;
   setColumns(effects, width, picture[0].paddedWidth());
-  setNoise(effects.noiseCorrelation);
-  mixedRow_.resize(width, 1);
+  setNoise(effects);
+  mixedRows_.resize(width, channelCount);
   mixed_.resize(width, height);
   for (Plane& plane : spread_) plane.resize(width, height);
   if (effects.unevenLight > 0) unevenLight_.set(view, effects.unevenLight);

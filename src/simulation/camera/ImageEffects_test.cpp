@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "simulation/camera/TestWorld.h"
 
@@ -55,6 +56,33 @@ TEST_F(ImageEffectsTest, NothingChangesWithoutEffects) {
       ASSERT_EQ(p.cr, plain_.cr);
       ASSERT_EQ(p.unused, 0);
     }
+}
+
+// What is added is tabulated if it is the same everywhere: anew for other noise or another cast.
+TEST_F(ImageEffectsTest, SteadyNoiseIsTheLimitOfOtherNoise) {
+  const CameraView view = viewFrom({0, 0, 200}, 0, -pi / 2);
+  Rasterizer drawn;
+  drawn.begin(view.info.width, view.info.height, 0x00907050, false);
+  ImagePlanes planes;
+  takePlanes(drawn, planes);
+  ImageEffects tabulated, computed;
+  for (const auto& [noise, cast] : {std::pair{2, 0}, {5, 0}, {5, 9}}) {
+    CameraEffects effects;
+    effects.noiseY = effects.noiseCb = noise;
+    effects.shiftCr = cast;
+    Image actual, expected;
+    for (Image* image : {&actual, &expected}) {
+      image->info = view.info;
+      image->allocate();
+    }
+    tabulated.apply(planes, view, effects, 1, actual);
+    effects.rimCb = 1e-9;
+    computed.apply(planes, view, effects, 1, expected);
+    EXPECT_EQ(std::memcmp(actual.pixels.data(), expected.pixels.data(),
+                          sizeof(Pixel) * actual.pixels.size()),
+              0)
+        << noise << ", " << cast;
+  }
 }
 
 TEST_F(ImageEffectsTest, NoiseHasTheStandardDeviationAskedFor) {

@@ -1,12 +1,14 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <span>
 #include <vector>
 
 #include "representations/infrastructure/Image.h"
+#include "simulation/camera/Lanes.h"
 #include "simulation/camera/Rasterizer.h"
 
 namespace gt {
@@ -50,12 +52,24 @@ void takePlanes(const Rasterizer& picture, ImagePlanes& planes);
 /// Puts a row of each channel together.
 [[gnu::always_inline]] inline void joinRow(
     const std::array<const std::uint8_t*, channelCount>& channels, std::span<Pixel> row) {
-  auto* __restrict out = reinterpret_cast<std::uint8_t*>(row.data());
+  static_assert(std::endian::native == std::endian::little);
+  constexpr std::size_t step = sizeof(Bytes), stores = sizeof(PackedColor);
+  auto* out = reinterpret_cast<std::uint8_t*>(row.data());
   const auto [y, cb, cr] = channels;
-  for (std::size_t i = 0; i < row.size(); ++i) {
+  std::size_t i = 0;
+  for (; i + step <= row.size(); i += step, out += stores * step) {
+    const auto ys = load<Bytes>(y + i), cbs = load<Bytes>(cb + i), crs = load<Bytes>(cr + i);
+    const auto first = firstPairs(ys, cbs), last = lastPairs(ys, cbs);
+    const auto firstUnused = firstPairs(crs, Bytes{}), lastUnused = lastPairs(crs, Bytes{});
+    store(out, firstPairs(Shorts(first), Shorts(firstUnused)));
+    store(out + step, lastPairs(Shorts(first), Shorts(firstUnused)));
+    store(out + 2 * step, firstPairs(Shorts(last), Shorts(lastUnused)));
+    store(out + 3 * step, lastPairs(Shorts(last), Shorts(lastUnused)));
+  }
+  for (; i < row.size(); ++i, out += stores) {
     const PackedColor color =
         PackedColor{y[i]} | PackedColor{cb[i]} << 8 | PackedColor{cr[i]} << 16;
-    std::memcpy(out + sizeof color * i, &color, sizeof color);
+    std::memcpy(out, &color, sizeof color);
   }
 }
 /// Puts all rows together; the image has the planes' size.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <tuple>
 
 #include "modules/behavior/tactics/FreeSpace.h"
 
@@ -106,6 +107,8 @@ void KickChoice::look(const ObstaclesModel& obstacles) {
   const double widest = std::min(p_.widestGoal, pi);
   widest_ = {std::sin(widest), std::cos(widest)};
   stays_ = worthOf(ballOnField_) - p_.blocked;
+  const Vector2d begin = clampedToField(ballOnField_);
+  const End start{begin, worthOf(begin)};
   const bool obstaclesCount = ball_.norm() < p_.handled;
   const double rotation = world.self.pose.rotation;
   const double sine = std::sin(rotation), cosine = std::cos(rotation);
@@ -115,8 +118,9 @@ void KickChoice::look(const ObstaclesModel& obstacles) {
     facing.turn = normalize(i * step - rotation);
     facing.turned = {cosine * along.x() + sine * along.y(), cosine * along.y() - sine * along.x()};
     facing.hasRoom = hasRoom(facing);
-    judgePaths(i, obstaclesCount ? corridor(obstacles, facing.turn, p_.ballCorridor, ball_)
-                                 : ObstaclesModel::farAway);
+    judgePaths(i, start,
+               obstaclesCount ? corridor(obstacles, facing.turn, p_.ballCorridor, ball_)
+                              : ObstaclesModel::farAway);
   }
 }
 
@@ -143,9 +147,15 @@ double KickChoice::worthOf(const Vector2d& end) const {
   return p_.ahead * ahead + p_.shot * wider + p_.possession * std::clamp(contest / 1000, -1., 1.);
 }
 
+Vector2d KickChoice::clampedToField(const Vector2d& place) const {
+  const FieldDimensions& field = world_->field;
+  return {std::clamp(place.x(), -field.xGroundline, field.xGroundline),
+          std::clamp(place.y(), -field.ySideline, field.ySideline)};
+}
+
 /// A ball that rolls in a direction, farther and farther: into a goal, against a wall, to somebody,
-/// or to its end.
-void KickChoice::judgePaths(int direction, double free) {
+/// or to its end. Many paths end in the same place.
+void KickChoice::judgePaths(int direction, const End& start, double free) {
   const FieldDimensions& field = world_->field;
   const Vector2d& along = facings_[static_cast<std::size_t>(direction)].along;
   const double toLine =
@@ -156,6 +166,7 @@ void KickChoice::judgePaths(int direction, double free) {
   const bool isBlocked = free < ObstaclesModel::farAway && free < toLine - atLine;
   const double clearance = std::copysign(p_.postClearance, along.x());
   const bool hitsGoal = std::abs(ballOnField_.y() + along.y() * toLine) < field.yGoal - clearance;
+  End last = start;
   for (int i = 0; i < lengths; ++i) {
     const double length = i * lengthStep;
     double worth = 0;
@@ -163,10 +174,10 @@ void KickChoice::judgePaths(int direction, double free) {
     if (!stopped && length > toLine && hitsGoal) {
       worth = along.x() > 0 ? 1 : -1;
     } else {
-      Vector2d end = ballOnField_ + along * std::min(length, stopped ? free : length);
-      end.x() = std::clamp(end.x(), -field.xGroundline, field.xGroundline);
-      end.y() = std::clamp(end.y(), -field.ySideline, field.ySideline);
-      worth = worthOf(end) - (stopped ? p_.blocked : 0);
+      const Vector2d end =
+          clampedToField(ballOnField_ + along * std::min(length, stopped ? free : length));
+      if (end != last.place) last = {end, worthOf(end)};
+      worth = last.worth - (stopped ? p_.blocked : 0);
     }
     Paths& paths = paths_[static_cast<std::size_t>(i)];
     paths[static_cast<std::size_t>(direction)] = worth;
@@ -174,10 +185,25 @@ void KickChoice::judgePaths(int direction, double free) {
   }
 }
 
-void KickChoice::imagine(const KickDescription& kick, const Vector2d& place, double facing,
-                         double spread) {
+KickChoice::About KickChoice::about(const KickDescription& kick, const Vector2d& place) const {
   const std::array<Vector2d, 5> offs{
       {{0, 0}, {p_.misplaced, 0}, {-p_.misplaced, 0}, {0, p_.misplaced}, {0, -p_.misplaced}}};
+  About about;
+  about.spread = std::hypot(p_.aim, p_.sees);
+  std::ranges::transform(offs, about.places.begin(), [&](const Vector2d& off) {
+    return kick.at(place + off).value_or(KickedPlace{});
+  });
+  return about;
+}
+
+bool KickChoice::About::operator==(const About& other) const {
+  const auto effects = [](const KickedPlace& at) {
+    return std::tie(at.hits, at.direction, at.spread, at.length, at.lengthDeviation);
+  };
+  return spread == other.spread && std::ranges::equal(places, other.places, {}, effects, effects);
+}
+
+void KickChoice::imagine(const About& about, double facing, Imagined& imagined) {
   std::array<double, directions * lengths> shares{};
   // Between what was computed the worth is linear.
   const auto enter = [&](double direction, double length, double share) {
@@ -192,29 +218,40 @@ void KickChoice::imagine(const KickDescription& kick, const Vector2d& place, dou
             share * (nextPath ? across : 1 - across) * (nextLength ? along : 1 - along);
       }
   };
-  imagined_.missed = 0;
-  for (const Vector2d& off : offs) {
-    const auto at = kick.at(place + off);
-    const double hits = at ? at->hits : 0;
-    imagined_.missed += (1 - hits) / offs.size();
-    if (!at) continue;
-    const double sigma = fromDegrees(std::hypot(at->spread, spread));
+  imagined.missed = 0;
+  for (const KickedPlace& at : about.places) {
+    imagined.missed += (1 - at.hits) / static_cast<double>(about.places.size());
+    if (at.hits == 0) continue;
+    const double sigma = fromDegrees(std::hypot(at.spread, about.spread));
     for (const auto& [astray, share] : outcomes)
       for (const double side : {-1., 1.})
-        enter(facing + fromDegrees(at->direction) + astray * sigma,
-              at->length + side * at->lengthDeviation, hits / offs.size() * share / 2);
+        enter(facing + fromDegrees(at.direction) + astray * sigma,
+              at.length + side * at.lengthDeviation,
+              at.hits / static_cast<double>(about.places.size()) * share / 2);
   }
-  imagined_.paths.clear();
+  imagined.paths.clear();
   for (int i = 0; i < directions * lengths; ++i)
     if (const double share = shares[static_cast<std::size_t>(i)]; share > 0)
-      imagined_.paths.push_back({i / lengths, i % lengths, share});
+      imagined.paths.push_back({i / lengths, i % lengths, share});
+}
+
+const KickChoice::Imagined& KickChoice::fromBestPlace(int motion) {
+  const auto& motions = world_->motions.motions;
+  fromBestPlace_.resize(motions.size());
+  const KickDescription& kick = motions[static_cast<std::size_t>(motion)].kick;
+  auto& [known, imagined] = fromBestPlace_[static_cast<std::size_t>(motion)];
+  if (const About best = about(kick, {kick.x, kick.y}); known != best) {
+    known = best;
+    imagine(best, 0, imagined);
+  }
+  return imagined;
 }
 
 template <std::size_t count>
-std::array<double, count> KickChoice::worthTurned() const {
+std::array<double, count> KickChoice::worthTurned(const Imagined& imagined) const {
   std::array<double, count> worth;
-  worth.fill(imagined_.missed * stays_);
-  for (const Imagined::Path& path : imagined_.paths) {
+  worth.fill(imagined.missed * stays_);
+  for (const Imagined::Path& path : imagined.paths) {
     const double* const turned =
         &paths_[static_cast<std::size_t>(path.length)][static_cast<std::size_t>(path.direction)];
     for (std::size_t i = 0; i < count; ++i) worth[i] += path.share * turned[i];
@@ -301,8 +338,7 @@ void KickChoice::choosePlan() {
     const MotionNet::Motion& described = world_->motions.motions[static_cast<std::size_t>(motion)];
     const KickDescription& kick = described.kick;
     if (!described.isKick() || !isUsed(kick)) continue;
-    imagine(kick, {kick.x, kick.y}, 0, std::hypot(p_.aim, p_.sees));
-    const auto imagined = worthTurned<directions>();
+    const auto imagined = worthTurned<directions>(fromBestPlace(motion));
     const double kickAngle = normalize(angleOf({kick.x, kick.y}) - ballAngle);
     for (std::size_t turned = 0; turned < directions; ++turned) {
       const Facing& there = facings_[turned];
@@ -336,8 +372,9 @@ KickChoice::Plan KickChoice::worthNow(int begun) {
     if (!described.isKick() || !isUsed(kick)) continue;
     const double demand = i == begun ? p_.holds : 1;
     if (!isSure(kick, ball, demand) || !isSure(kick, ball_, demand)) continue;
-    imagine(kick, ball, facing, std::hypot(p_.aim, p_.sees));
-    const double worth = worthIn(kick.strike, worthTurned<1>().front()) - p_.second * kick.seconds;
+    imagine(about(kick, ball), facing, imagined_);
+    const double worth =
+        worthIn(kick.strike, worthTurned<1>(imagined_).front()) - p_.second * kick.seconds;
     if (worth > best.worth)
       best = {i, normalize(facing + fromDegrees(kick.at(ball)->direction)), facing, worth};
   }

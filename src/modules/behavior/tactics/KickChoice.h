@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "modules/behavior/tactics/WorldState.h"
 #include "streams/Reflection.h"
@@ -195,13 +197,31 @@ class KickChoice {
     double missed = 0;
   };
 
+  /// What a kick does with a ball that lies about at a place, and how far the robot faces elsewhere
+  /// and the ball lies elsewhere (degrees, standard deviation).
+  struct About {
+    std::array<KickedPlace, 5> places;
+    double spread = -1;
+
+    bool operator==(const About& other) const;
+  };
+  /// A place where the ball ends (mm, on the field), and its worth.
+  struct End {
+    Vector2d place;
+    double worth;
+  };
+
+  Vector2d clampedToField(const Vector2d& place) const;
   double worthOf(const Vector2d& end) const;
   GoalAngle angleOfGoal(double x, const Vector2d& end) const;
-  void judgePaths(int direction, double free);
-  void imagine(const KickDescription& kick, const Vector2d& place, double facing, double spread);
+  void judgePaths(int direction, const End& start, double free);
+  About about(const KickDescription& kick, const Vector2d& place) const;
+  static void imagine(const About& about, double facing, Imagined& imagined);
+  /// What is imagined of a kick from its best place, for a robot that faces 0.
+  const Imagined& fromBestPlace(int motion);
   /// The worth of what is imagined for a robot that is turned by 0, 1, ... steps.
   template <std::size_t count>
-  std::array<double, count> worthTurned() const;
+  std::array<double, count> worthTurned(const Imagined& imagined) const;
   /// What it is worth if it takes so many seconds.
   double worthIn(double seconds, double worth) const;
   bool isUsed(const KickDescription& kick) const;
@@ -225,8 +245,9 @@ class KickChoice {
   std::array<Paths, lengths> paths_{};
   double stays_ = 0;  ///< worth of a ball that stays where it is
   Imagined imagined_;
-  std::vector<Vector2d> own_, opponents_;  ///< on the field
-  double opponentArrives_ = 0;             ///< s, from now
+  std::vector<std::pair<About, Imagined>> fromBestPlace_;  ///< by motion; as long as it is so
+  std::vector<Vector2d> own_, opponents_;                  ///< on the field
+  double opponentArrives_ = 0;                             ///< s, from now
   Plan plan_;
   Vector2d plannedBall_ = Vector2d::Zero();  ///< where it was on the field for the plan
   int now_ = 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <utility>
 
 #include "base/Random.h"
 #include "modules/behavior/testing/ImaginedWorld.h"
@@ -98,6 +99,14 @@ TEST_F(KickChoiceTest, TakesTheKickThatNeedsTheLeastTurning) {
   world.self.pose = {pi, 1100, 150};
   EXPECT_EQ(choose().plan().motion, behind);
   EXPECT_EQ(choose().now(), behind);
+}
+
+// It remembers what a kick does from its best place.
+TEST_F(KickChoiceTest, NoticesThatKicksHaveChanged) {
+  EXPECT_EQ(choose().plan().motion, ahead);
+  auto& motions = world.motions.motions;
+  std::swap(motions[ahead].kick, motions[left].kick);
+  EXPECT_EQ(choose().plan().motion, left);
 }
 
 // Report 3.8.2: the kick depends on the obstacle model and on the free part of the goal.

@@ -38,11 +38,10 @@ class PixelWalk {
   }
 
  private:
-  static int fixed(double value) { return static_cast<int>(value * 65536); }
+  static std::ptrdiff_t fixed(double value) { return static_cast<std::ptrdiff_t>(value * 65536); }
 
   const Pixel* pixels_;
-  std::ptrdiff_t width_;
-  int x_, y_, stepX_, stepY_;
+  std::ptrdiff_t width_, x_, y_, stepX_, stepY_;
 };
 
 /// How the grid is spread over the image.
