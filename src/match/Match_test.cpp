@@ -12,7 +12,7 @@ namespace {
 
 TEST_F(MatchTest, SameSeedSameBytesWithAnyNumberOfThreads) {
   const auto play = [&](const char* name, std::uint64_t seed, std::size_t threads) {
-    return this->play(name, seed, threads, 0.2);
+    return this->play(name, seed, threads, 0.1);
   };
   const auto first = play("first", 3, 1);
   EXPECT_EQ(first.size(), 9u) << "eight logs and the summary";
