@@ -235,6 +235,19 @@ TEST(MotionNetLoader, ReadsLinesOfJointDataToTry) {
   EXPECT_FALSE(jointDataOf(data(1, 1, 1), "typed", "no/such/folder"));
 }
 
+TEST(MotionNetLoader, TakesLimitsToTheNearestMilliradian) {
+  // -11 degrees of the elevators are -191.99 milliradians, 147 degrees of the knees 2565.6.
+  const auto atLimits = [](int elevator, int knee) {
+    const std::string leg = std::to_string(elevator) + " " + std::to_string(knee);
+    return jointDataOf("0 0 0 ~ ~ ~ 0 " + leg + " 0 " + leg + " 0 0 0 0 0 0 1 25\n", "typed",
+                       "motions");
+  };
+  const auto there = atLimits(-192, 2566);
+  EXPECT_TRUE(there) << there.error().text();
+  EXPECT_FALSE(atLimits(-193, 2566));
+  EXPECT_FALSE(atLimits(-192, 2567));
+}
+
 TEST(MotionNetLoader, NamesMotionsAndTakesKicksFromTheTable) {
   const auto compile = [](const std::vector<std::string>& names) {
     std::vector<motionnet::Source> sources;

@@ -66,8 +66,8 @@ motionnet::Rules motionRules() {
     const auto joint = static_cast<Joint>(i);
     const auto limits = limitsOf(joint);
     rules.joints.push_back({std::string{enumName(joint)},
-                            static_cast<int>(std::ceil(limits.low * 1000)),
-                            static_cast<int>(std::floor(limits.high * 1000))});
+                            static_cast<int>(std::lround(limits.low * 1000)),
+                            static_cast<int>(std::lround(limits.high * 1000))});
   }
   return rules;
 }
