@@ -28,7 +28,7 @@ std::string describe(const GameEvent& event) {
       return "Goal for " + team +
              (event.ownGoal
                   ? ", an own goal by " + std::string{enumName(opponent(event.team))} + player
-                  : " by player" + player) +
+                  : (player.empty() ? "" : " by player" + player)) +
              ": " + score;
     case GameEventType::halfTime:
       return "Half time, " + score;

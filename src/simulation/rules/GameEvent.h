@@ -48,7 +48,7 @@ struct GameEvent {
         field("ownGoal", &GameEvent::ownGoal),
         field("penalty", &GameEvent::penalty, "", "of a robot that is taken off the field"),
         field("ballPosition", &GameEvent::ballPosition, "mm", "on the field"),
-        field("scoreRed", &GameEvent::scoreRed, "", "shots: of the shoot-out"),
+        field("scoreRed", &GameEvent::scoreRed, "", "shots and an end by them: of the shoot-out"),
         field("scoreBlue", &GameEvent::scoreBlue)};
   }
 };

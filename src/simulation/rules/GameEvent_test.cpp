@@ -12,6 +12,9 @@ TEST(GameEvent, IsDescribedInOneLine) {
   event.number = 3;
   event.scoreRed = 2;
   EXPECT_EQ(describe(event), "Goal for red by player 3: 2:0");
+  event.number = 0;
+  EXPECT_EQ(describe(event), "Goal for red: 2:0") << "nobody touched the ball";
+  event.number = 3;
   event.ownGoal = true;
   EXPECT_EQ(describe(event), "Goal for red, an own goal by blue 3: 2:0");
   event.type = GameEventType::penalty;

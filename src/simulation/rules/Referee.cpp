@@ -288,7 +288,8 @@ void Referee::endHalf(World& world) {
 }
 
 void Referee::finish(World& world) {
-  record(world, GameEventType::gameOver, TeamColor::red);
+  GameEvent& event = record(world, GameEventType::gameOver, TeamColor::red);
+  if (shootOut_) setShots(event);
   changeState(GameState::finished, world.time());
 }
 

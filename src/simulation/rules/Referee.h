@@ -85,6 +85,8 @@ class Referee {
   void updateShot(World& world);
   void beginShot(World& world);
   void endShot(World& world, bool goal);
+  /// An event of the shoot-out has its score.
+  void setShots(GameEvent& event) const;
   void penalizeFouls(World& world);
   void giveBackWhoseTimeIsOver(World& world);
   bool standing(const World& world);

@@ -115,10 +115,14 @@ void Referee::endShot(World& world, bool goal) {
   shootOut_->count(goal);
   GameEvent& event = record(world, goal ? GameEventType::shotGoal : GameEventType::shotMissed, team,
                             shooter_ == nobody ? 0 : players_[shooter_].number());
-  event.scoreRed = shootOut_->goals(TeamColor::red);
-  event.scoreBlue = shootOut_->goals(TeamColor::blue);
+  setShots(event);
   if (shootOut_->over()) return finish(world);
   beginShot(world);
+}
+
+void Referee::setShots(GameEvent& event) const {
+  event.scoreRed = shootOut_->goals(TeamColor::red);
+  event.scoreBlue = shootOut_->goals(TeamColor::blue);
 }
 
 void Referee::follow(const GameControllerMessage& message, World& world) {

@@ -402,6 +402,7 @@ TEST_F(RefereeMatch, ADrawIsDecidedByPenaltyShots) {
   EXPECT_EQ(referee_->state(), GameState::finished);
   EXPECT_EQ(count(GameEventType::shotGoal), 2);
   EXPECT_EQ(referee_->events()[referee_->events().size() - 2].scoreRed, 2);
+  EXPECT_EQ(describe(referee_->events().back()), "The game is over, 2:0");
   EXPECT_EQ(referee_->score(TeamColor::red), 0);
 }
 
