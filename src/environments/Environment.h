@@ -58,6 +58,8 @@ class Environment {
   /// The actions since the last reset, which are its state together with the seed.
   const std::vector<float>& history() const { return history_; }
   std::uint64_t fingerprint() const { return simulation_->fingerprint(); }
+  /// The truth, of an episode that has begun.
+  const World& world() const { return simulation_->world(); }
 
  protected:
   Environment(EnvironmentOptions options, SceneDescription scene);
@@ -90,7 +92,6 @@ class Environment {
   Simulation& simulation() { return *simulation_; }
   const Simulation& simulation() const { return *simulation_; }
   World& world() { return simulation_->world(); }
-  const World& world() const { return simulation_->world(); }
   void tick() { simulation_->step(); }
 
   SceneDescription scene_;

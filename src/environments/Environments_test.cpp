@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/Hash.h"
 
@@ -149,6 +150,29 @@ std::vector<std::string_view> names() {
 }
 INSTANTIATE_TEST_SUITE_P(All, EveryEnvironment, testing::ValuesIn(names()),
                          [](const auto& info) { return std::string{info.param}; });
+
+TEST(Environments, BeginWithRobotsThatStandUnlessTheyShallGetUp) {
+  for (const EnvironmentDescription& description : environments()) {
+    if (description.name == "GetUp") continue;
+    for (const ActionKind actions : description.actions)
+      for (const Fidelity fidelity : description.fidelities) {
+        if (actions == ActionKind::joints && fidelity == Fidelity::kinematic) continue;
+        Options options = optionsOf(description.name);
+        options.actions = enumName(actions);
+        options.fidelity = enumName(fidelity);
+        const auto environment = makeEnvironment(options, DataRoot{});
+        ASSERT_TRUE(environment) << environment.error().text();
+        for (const std::uint64_t seed : {1, 2, 3, 4}) {
+          ASSERT_TRUE((*environment)->reset(seed));
+          const World& world = std::as_const(**environment).world();
+          for (std::size_t i = 0; i < world.robotCount(); ++i)
+            EXPECT_EQ(world.robot(i).posture, Posture::standing)
+                << description.name << ' ' << options.actions << ' ' << options.fidelity
+                << " robot " << i << " seed " << seed;
+        }
+      }
+  }
+}
 
 TEST(Environments, ReportOptionsThatAreWrong) {
   EXPECT_NE(errorOf(optionsOf("Fly")), "");

@@ -256,16 +256,19 @@ void DynamicWorld::pullBalls() {
 }
 
 void DynamicWorld::holdRobots() {
-  // A robot that was switched on is put down once its legs have come to where they shall be, unless
-  // somebody has put it down already.
+  // A robot that was switched on is put down once its legs have come to where they shall be, also
+  // where somebody has put it meanwhile; one that was thrown lies.
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Motors& motors = motors_[i];
-    if (placed_[i] || time().ms >= heldMs) motors.rested = restTicks;
+    JointAngles& angles = robots_[i].joints;
+    if (robots_[i].posture != Posture::standing || time().ms >= heldMs) motors.rested = restTicks;
     if (motors.rested >= restTicks) continue;
     bool rests = true;
     for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
-      rests &= motors.servos[j].atTarget() || !isOfLeg(static_cast<Joint>(j));
-      robots_[i].joints.values[j] = motors.servos[j].turnFreely(tickSeconds);
+      Servo& servo = motors.servos[j];
+      if (placed_[i]) servo.rest(angles.values[j]);  // its joints may have been turned by hand, too
+      rests &= servo.atTarget() || !isOfLeg(static_cast<Joint>(j));
+      angles.values[j] = servo.turnFreely(tickSeconds);
     }
     motors.rested = rests ? motors.rested + 1 : 0;
     placed_[i] = true;
@@ -281,17 +284,26 @@ void DynamicWorld::putByHand() {
     }
   for (std::size_t i = 0; i < balls_.size(); ++i)
     if (placedBalls_[i]) {
-      writeBall(i);
-      mjtNum* speed = data_->qvel + model_->body_dofadr[ballParts_[i].body];
-      std::fill_n(speed, 6, 0);
-      const double radius = ballParts_[i].radius;
-      for (int k = 0; k < 2; ++k) speed[k] = balls_[i].speed[k] / 1000;
-      speed[3] = -balls_[i].speed.y() / radius;  // it rolls
-      speed[4] = balls_[i].speed.x() / radius;
+      putBall(i);
       placedBalls_[i] = false;
       any = true;
     }
-  if (any) updateKinematics();
+  if (!any) return;
+  updateKinematics();
+  goodPositions_.assign(data_->qpos, data_->qpos + model_->nq);
+}
+
+void DynamicWorld::putBall(std::size_t i) {
+  BallState& ball = balls_[i];
+  if (const double tooFast = ball.speed.norm() / ballParameters_.maxSpeed; tooFast > 1)
+    ball.speed /= tooFast;
+  writeBall(i);
+  // It rolls. The turn of a body that is free to move is along its own axes.
+  const Vector3d turn = Vector3d{-ball.speed.y(), ball.speed.x(), 0} / ballParts_[i].radius;
+  const int body = ballParts_[i].body;
+  mjtNum* speed = data_->qvel + model_->body_dofadr[body];
+  Eigen::Map<Vector3d>{speed} = Vector3d{ball.speed.x(), ball.speed.y(), 0} / 1000;
+  Eigen::Map<Vector3d>{speed + 3} = rotationFromMuJoCo(data_->xmat + 9 * body).transpose() * turn;
 }
 
 void DynamicWorld::putRobot(std::size_t i) {

@@ -48,6 +48,7 @@ class DynamicWorld : public World {
   void holdRobots();
   void putByHand();
   void putRobot(std::size_t i);
+  void putBall(std::size_t i);
   double lowestPoint(std::size_t i) const;
   void readRobot(std::size_t i);
   void readBall(std::size_t i);

@@ -72,6 +72,17 @@ TEST(DynamicWorld, IsPutDownOnceItsLegsAreWhereTheyShallBe) {
   EXPECT_LT((world->robot(0).pose.translation - Vector2d{-300, 200}).norm(), 40);
 }
 
+TEST(DynamicWorld, IsHeldUntilItsLegsRestWhereverItIsPut) {
+  for (const int tick : {0, 20, 40, 60, 200}) {
+    const auto world = worldOf(dynamicDuel({0.5, -300, 200}, {1000, 0}));
+    run(*world, firmStand(), tick);
+    world->placeRobot(0, {0, 300, -200});
+    run(*world, firmStand(), 500);
+    EXPECT_EQ(world->robot(0).posture, Posture::standing) << tick;
+    EXPECT_LT((world->robot(0).pose.translation - Vector2d{300, -200}).norm(), 40) << tick;
+  }
+}
+
 TEST(DynamicWorld, WhatARobotBelievesToWalkMovesNothing) {
   const auto world = worldOf(dynamicDuel({}, {1000, 0}));
   run(*world, firmStand(), 250);
@@ -150,6 +161,30 @@ TEST(DynamicWorld, ABallRollsOutAndBounces) {
   run(*world, firmStand(), 1000);
   EXPECT_LT(world->ball(0).speed.norm(), 20);
   EXPECT_LT(std::abs(world->ball(0).position.y()), 1310);
+}
+
+TEST(DynamicWorld, ABallRollsOnAsItIsPutHoweverItLay) {
+  const auto world = worldOf(dynamicDuel({0, -1500, -800}, {0, 0}));
+  for (const Vector2d& before : {Vector2d{0, 0}, Vector2d{700, 200}, Vector2d{-300, 900}}) {
+    world->placeBall(0, {0, 0}, before);
+    run(*world, firmStand(), 100);
+    world->placeBall(0, {-1000, 0}, {1000, 0});
+    run(*world, firmStand(), 125);
+    const Vector2d expected{-1000 + 1000 - matchScene().physics.deceleration / 2, 0};
+    EXPECT_LT((world->ball(0).position - expected).norm(), 30) << before.transpose();
+  }
+}
+
+TEST(DynamicWorld, ABallThatIsPutTooFastBeginsThereAsFastAsABallMayBe) {
+  const auto world = worldOf(dynamicDuel({0, -1500, -800}, {-500, 700}));
+  const double fastest = matchScene().physics.maxSpeed;
+  run(*world, firmStand(), 10);
+  for (const double speed : {1., 2., 10.}) {
+    world->placeBall(0, {0, -700}, {0, speed * fastest});
+    run(*world, firmStand(), 1);
+    EXPECT_NEAR(world->ball(0).speed.norm(), fastest, 0.02 * fastest) << speed;
+    EXPECT_LT((world->ball(0).position - Vector2d{0, -700 + fastest * tickSeconds}).norm(), 5);
+  }
 }
 
 TEST(DynamicWorld, LegsMoveTheBallAndAreRemembered) {
