@@ -28,10 +28,12 @@ TESTS    = xvfb xauth desktop-file-utils shared-mime-info $(PACKING)
 PACKING  = dpkg-dev file
 PYTHONS  = python3-dev python3-venv
 ALL_PACKAGES = $(TOOLS) $(QT) $(BENCH) $(REALISM) $(CHECKS) $(TESTS) $(PYTHONS) nodejs npm debootstrap
-# One more than there are processors, since many tests wait for programs. A test that hangs fails.
-CTEST    = ctest --output-on-failure --parallel $(shell expr $(JOBS) + 1) --timeout 900
+# Twice as many as there are processors, since many tests wait for programs. A test that hangs fails.
+CTEST    = ctest --output-on-failure --parallel $(shell expr $(JOBS) \* 2) --timeout 900
+# While packages are fetched, Python's environment is made; while all is compiled, what only tests need is fetched.
+MAKEFLAGS += --jobs=2
 
-.PHONY: help install play film control pictures random-input play-remote robots chaos growth test python replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
+.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -68,11 +70,16 @@ help:
 	@echo 'make clean         removes build/ and out/'
 	@echo 'Settings: MINUTES, HOURS, COUNT, SEED, SEEDS, ONLY, SECONDS, MUTANTS, OUT, PREFIX, PRESET (release, debug, asan, tsan, clang), JOBS'
 
-packages:
-	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14) $(TOOLS) $(PACKAGES)
+packages-first:
+	@scripts/install-packages $(if $(filter clang,$(PRESET)),clang-14) $(if $(filter /usr/bin/python3,$(PYTHON)),$(if $(ENVIRONMENT),$(PYTHONS)))
 
-build: packages
+packages: packages-first
+	@scripts/install-packages $(TOOLS) $(PACKAGES)
+
+environment: packages-first
 	@$(if $(ENVIRONMENT),scripts/python-environment $(ENVIRONMENT) $(PYTHON))
+
+build: packages environment
 	@cmake --preset $(PRESET) >/dev/null
 	@cmake --build --preset $(PRESET) --parallel $(JOBS) $(TARGETS)
 
@@ -113,9 +120,11 @@ install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 test python release: ENVIRONMENT = build/python
-test python release: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
-test sanitize: PACKAGES += $(NODE) $(QT) $(TESTS)
-test: build
+test: PACKAGES += $(QT) xvfb xauth  # which the build looks for
+test-packages: packages
+	@scripts/install-packages $(NODE) $(TESTS)
+
+test: build test-packages
 	@$(CTEST) --test-dir $(BUILD)
 
 python: TARGETS = --target gt2003_python_package
@@ -217,6 +226,7 @@ docs: build
 	@$(BUILD)/bin/xabsl doc behavior/GT2003.xabsl -o out/docs
 	@doxygen docs/Doxyfile
 
+sanitize: PACKAGES += $(NODE) $(QT) $(TESTS)
 sanitize sanitize-python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
 # The thread sanitizer cannot see how libraries that were not built with it (libzmq) hand data from thread to thread.
 sanitize: packages
