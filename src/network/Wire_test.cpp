@@ -57,6 +57,13 @@ struct Sink : Program {
   std::vector<int> printed;
 };
 
+/// Not among those that the system gives away: a router's other ports were taken by then at times.
+TEST(FreePort, HasRoomForARouterBehindIt) {
+  const int first = testing::freePort(), second = testing::freePort();
+  EXPECT_GE(std::abs(first - second), 300);
+  EXPECT_LT(std::max(first, second) + 300, 32768);
+}
+
 TEST(Wire, CarriesPackages) {
   const TestFolder folder;
   Source source{folder.endpoint("a")};
