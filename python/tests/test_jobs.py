@@ -21,7 +21,7 @@ from gt2003._run import Results
 from gt2003._workers import Processes, Ray
 
 BUILD = Path(os.environ["GT_BUILD"])
-SHORT = ["trouble=none", "minutes=0.1"]
+SHORT = ["trouble=none", "minutes=0.05"]
 
 
 def some(seeds: str) -> list[str]:
@@ -72,7 +72,7 @@ def test_results_and_figures_are_the_programs_bytes(expected: Path, tmp_path: Pa
 
 
 def test_the_interpreter_runs_while_a_job_does() -> None:
-    job = jobs.select("1", ["localization.robustness.bench"], ["trouble=none", "minutes=6"])[0]
+    job = jobs.select("1", ["localization.robustness.bench"], ["trouble=none", "minutes=1"])[0]
     worker = threading.Thread(target=jobs.measure, args=(job,))
     worker.start()
     turns = 0
@@ -131,7 +131,7 @@ def test_results_become_parquet_and_back(expected: Path, tmp_path: Path) -> None
     assert set(frame["seed"]) == set(range(1, 13)) and set(frame["experiment"]) == {"localization.robustness.bench"}
     first = json.loads(jobs.measure(some("5")[0]))["values"][0]
     row = frame[(frame["seed"] == 5) & (frame["name"] == first["name"])]
-    assert list(row["value"]) == [first["value"]] and dict(row["parameters"].iloc[0])["minutes"] == "0.1"
+    assert list(row["value"]) == [first["value"]] and dict(row["parameters"].iloc[0])["minutes"] == "0.05"
 
 
 def test_wrong_parquet_is_told(expected: Path, tmp_path: Path) -> None:

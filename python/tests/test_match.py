@@ -17,6 +17,8 @@ import gt2003
 from gt2003.representations import ColorClass, MotionRequest
 
 BUILD = Path(os.environ["GT_BUILD"])
+# Robots are put to their places after two seconds.
+SHORT = str(Path(__file__).parents[2] / "tests/support/short.scene")
 
 
 def all_values(match: gt2003.Match) -> dict[str, dict[str, object]]:
@@ -30,11 +32,11 @@ def all_values(match: gt2003.Match) -> dict[str, dict[str, object]]:
 def test_plays_the_same_bytes_as_simgt(tmp_path: Path) -> None:
     simgt, python = tmp_path / "simgt", tmp_path / "python"
     subprocess.run(
-        [BUILD / "bin/simgt", "play", "--seed", "3", "--minutes", "0.15", "--out", simgt],
+        [BUILD / "bin/simgt", "play", SHORT, "--seed", "3", "--minutes", "0.15", "--out", simgt],
         check=True,
         capture_output=True,
     )
-    match = gt2003.Match(seed=3, minutes=0.15, threads=2, logs=str(python))
+    match = gt2003.Match(SHORT, seed=3, minutes=0.15, threads=2, logs=str(python))
     assert match.run() is False
     match.close()
     match.write_summary(str(python / "match.json"))
@@ -54,7 +56,7 @@ def test_steps_are_as_good_as_a_run() -> None:
 
 
 def test_ends_when_the_game_is_over() -> None:
-    match = gt2003.Match(minutes=0.02)
+    match = gt2003.Match(SHORT, minutes=0.02)
     assert match.run() is False
     assert match.finished and match.game_state == "finished"
     assert match.step() is False
@@ -130,7 +132,7 @@ def test_a_state_that_was_changed_is_refused(tmp_path: Path) -> None:
 
 
 def test_only_robots_that_are_given_the_truth_may_ask_for_it() -> None:
-    match = gt2003.Match("match", seed=4, minutes=0.05, truth=["red2"])
+    match = gt2003.Match(SHORT, seed=4, minutes=0.05, truth=["red2"])
     match.robots["red2"].solve("SelfLocator", "Oracled")
     with pytest.raises(gt2003.Error, match="'Oracled' reads OracledWorldState, which this robot does not get"):
         match.robots["red1"].solve("SelfLocator", "Oracled")

@@ -16,7 +16,7 @@ from gt2003 import jobs, study
 STUDIES = Path(__file__).resolve().parents[2] / "studies"
 TEXT = """
 title = "A short one"
-job = "localization.robustness.bench locators=kalman trouble=none minutes=0.5"
+job = "localization.robustness.bench locators=kalman trouble=none minutes=0.2"
 seeds = "1..20"
 test_seeds = "31..33"
 generations = 2
@@ -42,7 +42,7 @@ aim = "low"
 
 [[test]]
 name = "other"
-settings = ["minutes=0.4"]
+settings = ["minutes=0.1"]
 """
 
 
@@ -81,7 +81,7 @@ def test_a_study_finds_a_configuration_and_goes_on_after_a_stop(tmp_path: Path) 
 
 def test_values_change_a_job() -> None:
     def mean(values: str) -> float:
-        job = f"localization.robustness.bench locators=kalman trouble=none minutes=0.5 values={values}"
+        job = f"localization.robustness.bench locators=kalman trouble=none minutes=0.2 values={values}"
         result = json.loads(jobs.measure(job))["values"]
         return next(v["value"] for v in result if v["name"] == "localization.kalman.error.mean")
 
@@ -114,7 +114,7 @@ def test_the_studies_of_the_project_can_be_read(file: Path) -> None:
         ("SelfLocater", "SelfLocator", "SelfLocater.Kalman.slip", "expected TASK"),
         ('"31..33"', '"31', "", ""),
         ("test_seeds = \"20..33\"", "test_seeds = \"31..33\"", "test_seeds", "among the others"),
-        ("minuets=0.4", "minutes=0.4", "minuets", "not a parameter"),
+        ("minuets=0.4", "minutes=0.1", "minuets", "not a parameter"),
         ("job = \"lokalization", "job = \"localization", "lokalization", "neither an experiment"),
     ],
 )

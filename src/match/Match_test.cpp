@@ -94,7 +94,7 @@ TEST_F(MatchTest, TheDynamicFidelityIsAsRepeatable) {
 
 TEST_F(MatchTest, RobotsPlayAndLogsHoldWhatIsConfigured) {
   if (!wholeMatches) GTEST_SKIP() << "needs a whole match";
-  const auto match = make("log", 6, 2, 0.5);
+  const auto match = make("log", 6, 2, 0.5, "tests/support/short.scene");
   while (!match->finished()) match->step();
   ASSERT_TRUE(match->close());
   const MatchSummary summary = match->summary();
@@ -232,9 +232,9 @@ TEST_F(MatchTest, NoRobotGetsTheTruthButThoseThatAreNamed) {
 
 /// The log holds it, as the simulator knows it.
 TEST_F(MatchTest, LogsHoldTheTruthThatTheirRobotsWereNotGiven) {
-  const auto match = make("truth", 5, 1, 0.01);
+  const auto match = make("truth", 5, 1, 0.1);
   std::vector<double> truth, logged;
-  while (!match->finished()) {
+  while (match->time() < Time{600}) {
     match->step();
     if (match->simulation().input(0).image)
       truth.push_back(match->simulation().input(0).oracle.robotPose.translation.x());
@@ -272,7 +272,9 @@ TEST_F(MatchTest, TeamsThatAskForTheTruthAreRefused) {
   options.truth = {"blue"};
   const auto match = Match::make(options);
   ASSERT_TRUE(match) << match.error().text();
-  while (!isOver(**match)) (*match)->step();
+  ASSERT_TRUE(whistle(**match, ""));
+  (*match)->note(InterventionKind::console, "");
+  while (!isPlayed(**match)) (*match)->step();
   const MatchSummary summary = (*match)->summary();
   EXPECT_EQ(summary.truth, (std::vector<std::string>{"blue1", "blue2", "blue3", "blue4"}));
   for (const RobotSummary& robot : summary.robots) {
@@ -282,7 +284,7 @@ TEST_F(MatchTest, TeamsThatAskForTheTruthAreRefused) {
   }
   const std::string file = (folder / "match.state").string();
   ASSERT_TRUE((*match)->save(file));
-  const auto loaded = Match::load(file, {}, putBall);
+  const auto loaded = Match::load(file, {}, whistle);
   ASSERT_TRUE(loaded) << loaded.error().text();
   EXPECT_TRUE(jsonText((*loaded)->summary()) == jsonText(summary));
 }
@@ -294,7 +296,8 @@ TEST_F(MatchTest, TheTruthChangesNothingWhereNobodyAsksForIt) {
     options.minutes = 0.1;
     const auto match = Match::make(options);
     EXPECT_TRUE(match) << match.error().text();
-    while (!isOver(**match)) {
+    EXPECT_TRUE(whistle(**match, ""));
+    while (!isPlayed(**match)) {
       if (give && (*match)->time() == Time{400}) {
         for (SimulatedRobot* robot : (*match)->robots()) EXPECT_TRUE(robot->giveTruth(true));
       }

@@ -50,7 +50,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (const auto condition = gt::Condition::parse(line)) (void)!condition->holds(console);
     at = end + 1;
   }
-  session->step();
+  if (size % 4 == 0) session->step();  // most of the time, if always
   for (const auto& robot : session->robots()) robot->observed().update();
   return 0;
 }

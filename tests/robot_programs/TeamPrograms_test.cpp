@@ -24,6 +24,7 @@ class TeamProgramsTest : public ::testing::Test {
   static std::unique_ptr<Match> make(const std::string& red, const std::string& blue,
                                      std::size_t threads = 1) {
     MatchOptions options;
+    options.scene = "tests/support/short.scene";
     options.minutes = 0.1;
     options.seed = 5;
     options.threads = threads;

@@ -47,14 +47,16 @@ class Elsewhere {
   TemporaryFolder folder_;
 };
 
-/// Everything that the issue of an explicit root asks for; `root` is that of the programs.
+/// All programs that read data find them; `root` is where they lie.
 void workFromAnywhere(const Elsewhere& place, const std::string& root) {
   place.succeeds("simgt play --minutes 0.02");
   EXPECT_TRUE(fs::exists(place.path() / "out/match/report.html"));
   EXPECT_TRUE(fs::exists(place.path() / "out/match/red1.mcap"));
   place.succeeds("simgt check");
   place.succeeds("simgt layout");
-  place.succeeds("experiment --seeds 1 --only match --set minutes=0.02");
+  place.succeeds(
+      "experiment --seeds 1 --only localization.robustness.bench --set trouble=none --set "
+      "minutes=0.1");
   EXPECT_TRUE(fs::exists(place.path() / "out/experiments.json"));
   place.succeeds(
       "experiment --seeds 1 --only vision.pictures --set moments=1 "
@@ -110,7 +112,7 @@ TEST(Root, OptionAndVariableNameAnotherRoot) {
   }
   place.variables = "GT2003_ROOT=" + other.path().string();
   EXPECT_THAT(place.run("simgt play").output, StartsWith(line));
-  place.succeeds("simgt play --minutes 0.02 --root " + fs::current_path().string());
+  place.succeeds("simgt check --root " + fs::current_path().string());
   place.variables = "GT2003_ROOT=nowhere";
   const Outcome outcome = place.run("simgt play");
   EXPECT_EQ(outcome.status, 2);
