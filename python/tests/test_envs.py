@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 import threading
 import warnings
 from pathlib import Path
 
+import cloudpickle
 import gymnasium
 import numpy as np
 import pytest
@@ -66,9 +69,10 @@ def test_vectorized_worlds_are_those_alone_and_those_loaded(name: str, threads: 
                 reward, ends, terms = 0.0, (False, False), dict.fromkeys(environment.unwrapped.terms, 0.0)
             else:
                 observation, reward, *ends, terms = environment.step(actions[world])
+                assert terms == {term: info[term][world] for term in terms}
             np.testing.assert_array_equal(observation, seen[world])
             assert (reward, *ends) == (rewards[world], terminated[world], truncated[world])
-            assert terms == {term: info[term][world] for term in terms}
+            assert all("_" + term not in info or info["_" + term][world] != over[world] for term in terms)
             assert reward == pytest.approx(sum(terms.values()))
             over[world] = any(ends)
         if step == 10:
@@ -153,6 +157,91 @@ def test_wrong_things_of_soccer_are_errors() -> None:
         environment.load_state(b"")
 
 
+WAYS = {"deepcopy": copy.deepcopy, "pickle": lambda e: pickle.loads(pickle.dumps(e)), "cloudpickle": lambda e: cloudpickle.loads(cloudpickle.dumps(e))}
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("steps", [0, 3, 6], ids=lambda steps: f"after {steps} steps")
+def test_copies_go_on_with_the_same_bits(way: str, steps: int) -> None:
+    """In worlds of their own, in the middle of an episode and at its end, which is after six steps here."""
+    options = {"seconds": 0.048, "randomize": RANDOMIZE}
+    for first in (make("Walk", **options), gymnasium.make_vec("GT2003/Walk-v0", num_envs=3, threads=2, **options)):
+        first.reset(seed=4)
+        first.action_space.seed(1)
+        for _ in range(steps):
+            first.step(first.action_space.sample())
+        second = WAYS[way](first)
+        assert second.spec == first.spec
+        for _ in range(6 - steps if isinstance(first, gymnasium.Env) else 10):
+            left, right = (environment.step(environment.action_space.sample()) for environment in (first, second))
+            for a, b in zip(left, right):
+                np.testing.assert_equal(a, b)
+        np.testing.assert_array_equal(first.reset()[0], second.reset()[0])
+        first.step(first.action_space.sample())
+        assert first.unwrapped.save_state() != second.unwrapped.save_state()
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_copies_of_several_agents_go_on_with_the_same_bits(way: str) -> None:
+    first = soccer_v0.parallel_env(seconds=0.12, randomize=RANDOMIZE)
+    assert not WAYS[way](first).agents, "was never reset"
+    first.reset(seed=4)
+    actions = {agent: first.action_space(agent).sample() for agent in first.agents}
+    first.step(actions)
+    second = WAYS[way](first)
+    while first.agents:
+        assert second.agents == first.agents
+        for a, b in zip(first.step(actions), second.step(actions)):
+            np.testing.assert_equal(a, b)
+    assert not second.agents and not WAYS[way](first).agents
+
+
+@pytest.mark.parametrize("processes", [0, 2])
+def test_supersuit_makes_a_vector_of_agents_as_for_stable_baselines(processes: int) -> None:
+    supersuit = pytest.importorskip("supersuit")  # has no packages for newer Pythons
+    agents = supersuit.pettingzoo_env_to_vec_env_v1(soccer_v0.parallel_env(agents="red", actions="motion", seconds=0.4))
+    many = supersuit.concat_vec_envs_v1(agents, 2, num_cpus=processes, base_class="gymnasium")
+    observations, _ = many.reset(seed=3)
+    assert observations.shape == (8, *agents.observation_space.shape)
+    ended = np.zeros(8, bool)
+    for _ in range(12):
+        observations, rewards, terminated, truncated, _ = many.step(np.zeros((8, *agents.action_space.shape), np.float32))
+        ended |= np.asarray(truncated, bool)
+        assert np.isfinite(observations).all() and np.isfinite(rewards).all()
+    assert ended.all()
+    many.close()
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "fps"), [("Walk", {}, 125), ("Walk", {"actions": "parameters"}, 1.5625), ("Approach", {"actions": "motion"}, 25)]
+)
+def test_videos_last_as_long_as_what_they_show(name: str, options: dict[str, str], fps: float) -> None:
+    for environment in (make(name, **options), gymnasium.make_vec(f"GT2003/{name}-v0", num_envs=1, **options)):
+        assert environment.metadata["render_fps"] == pytest.approx(fps)
+    assert soccer_v0.parallel_env(actions="joints").metadata["render_fps"] == pytest.approx(125)
+
+
+def test_a_mask_says_which_worlds_begin_anew() -> None:
+    """As Gymnasium's own vector of single environments."""
+    options = {"num_envs": 3, "seconds": 0.048, "randomize": RANDOMIZE}
+    many, alone = (gymnasium.make_vec("GT2003/Walk-v0", vectorization_mode=mode, **options) for mode in ("vector_entry_point", "sync"))
+    many.reset(seed=1)
+    alone.reset(seed=1)
+    many.action_space.seed(1)
+    for step in range(20):
+        actions = many.action_space.sample()
+        for a, b in zip(many.step(actions), alone.step(actions)):
+            np.testing.assert_equal(a, b)
+        if step in (2, 13):
+            for seed in (7, [8, None, 9], None):
+                mask = np.array([True, step == 13, False])
+                before = many.step(actions)[0]
+                np.testing.assert_array_equal(before, alone.step(actions)[0])
+                after, expected = (e.reset(seed=seed, options={"reset_mask": mask.copy()})[0] for e in (many, alone))
+                np.testing.assert_array_equal(after[mask], expected[mask])
+                np.testing.assert_array_equal(after[~mask], before[~mask])
+
+
 def test_arrays_without_copies_are_the_memory_of_the_worlds() -> None:
     many = gymnasium.make_vec("GT2003/Walk-v0", num_envs=3, copy=False)
     first, _ = many.reset(seed=1)
@@ -208,6 +297,17 @@ def test_other_wrong_things_are_errors() -> None:
     for seed in (-1, 2**63, 1.5, "one", True):
         with pytest.raises(gt2003.Error):
             environment.reset(seed=seed)
+    many = gt2003.envs.VectorEnvironment("Walk", 2)
+    for never_reset, action in ((gt2003.envs.Environment("Walk"), np.zeros(12)), (many, np.zeros((2, 12)))):
+        with pytest.raises(gt2003.Error, match="reset the environment first"):
+            never_reset.step(action)
+    seen = many.reset(seed=np.array([3, 4]))[0]
+    np.testing.assert_array_equal(seen, many.reset(seed=3)[0])
+    for options in ({"nonsense": 1}, {"reset_mask": [True, False]}, {"reset_mask": np.zeros(2, bool)}, {"reset_mask": np.ones(3, bool)}):
+        for refusing in (many, environment):
+            with pytest.raises(gt2003.Error):
+                refusing.reset(options=options)
+    np.testing.assert_array_equal(many.worlds.observations[:, 0], seen)
     for action in (
         np.zeros(11),
         np.zeros((1, 12)),
@@ -236,6 +336,7 @@ def test_other_wrong_things_are_errors() -> None:
 
 def test_asked_from_two_threads_it_refuses_or_serves() -> None:
     many = gymnasium.make_vec("GT2003/Walk-v0", num_envs=2)
+    many.reset(seed=1)
     failures = []
 
     def steps() -> None:

@@ -7,7 +7,7 @@ from itertools import groupby
 from typing import Any
 
 from .. import _core
-from ._worlds import make
+from ._worlds import compiled
 
 _KINDS = {
     "joints": "angles of joints",
@@ -33,7 +33,7 @@ def _table(title: str, components: list[tuple[str, str, float, float, str]]) -> 
 
 @cache
 def _made(name: str, **options: str) -> _core.Environments:
-    return make(name, 1, 1, options)
+    return compiled(name, 1, 1, options)
 
 
 def _observed(known: dict[str, Any]) -> list[str]:

@@ -24,60 +24,61 @@ class Environment(gymnasium.Env):
     agents: ``red``, or ``all`` where the environment offers it: whose robots are decided for. Those of
     several lie along the first axis of observations and actions; the reward is the first one's.
 
-    The same options, seed and actions give the same bits, alone and in a `VectorEnvironment`.
+    The same options, seed and actions give the same bits, alone and in a `VectorEnvironment`. A copy (`copy.deepcopy`, pickle) goes on
+    from the same state in a world of its own.
     """
 
     metadata = _worlds.METADATA
 
     def __init__(self, environment: str, *, render_mode: str | None = None, **options: Any) -> None:
         self.render_mode = _worlds.render_mode(render_mode)
-        self._worlds = _worlds.make(environment, 1, 1, options)
-        agents = len(self._worlds.agents)
-        self.observation_space, self.action_space = _worlds.spaces(self._worlds, agents)
-        self.terms = [name for name, _ in self._worlds.terms]
+        self._worlds = _worlds.Worlds(environment, 1, 1, options)
+        self.metadata = self._worlds.metadata()
+        self.observation_space, self.action_space = _worlds.spaces(self.worlds, len(self.worlds.agents))
+        self.terms = self._worlds.term_names
         self._seeded = False
-        self._observation = self._worlds.observations[0, 0] if agents == 1 else self._worlds.observations[0]
-        self._rewards = self._worlds.rewards
-        self._terms = self._worlds.term_values[0, 0]
-        self._terminated, self._truncated = self._worlds.terminated, self._worlds.truncated
 
     @property
     def worlds(self) -> _core.Environments:
         """The compiled environment, with the names of all components."""
-        return self._worlds
+        return self._worlds.compiled
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[Any], dict[str, Any]]:
-        """Begin an episode; without a seed, the next of those that follow from the last one."""
+        """Begin an episode; without a seed, the next of those that follow from the last one. There are no options."""
+        if options:
+            raise _worlds.Error("there is no such option", field=str(next(iter(options))))
         if seed is not None:
             seed = _worlds.checked_seed(seed)
         super().reset(seed=seed)
         if seed is None and not self._seeded:
             seed = int(self.np_random.integers(2**63))
-        self._worlds.reset(seed)
+        self.worlds.reset(seed)
         self._seeded = True
-        return self._observation.copy(), {}
+        return self._worlds.observations[0].copy(), {}
 
     def step(self, action: ArrayLike) -> tuple[NDArray[Any], float, bool, bool, dict[str, Any]]:
         """Act for one step; the info has the terms of the reward by name."""
-        self._worlds.step(_worlds.checked_actions(action, self.action_space.shape), False)
-        info = dict(zip(self.terms, self._terms.tolist()))
+        if not self._seeded:
+            raise _worlds.Error("reset the environment first", field="step")
+        worlds = self._worlds
+        worlds.compiled.step(_worlds.checked_actions(action, self.action_space.shape), False)
         return (
-            self._observation.copy(),
-            float(self._rewards[0, 0]),
-            bool(self._terminated[0]),
-            bool(self._truncated[0]),
-            info,
+            worlds.observations[0].copy(),
+            float(worlds.rewards[0, 0]),
+            bool(worlds.terminated[0]),
+            bool(worlds.truncated[0]),
+            dict(zip(self.terms, worlds.terms[0, 0].tolist())),
         )
 
     def render(self) -> NDArray[np.uint8] | None:
         """Return an image of the scene: (height, width, 3), RGB."""
-        return self._worlds.picture(0) if self.render_mode else None
+        return self.worlds.picture(0) if self.render_mode else None
 
     def save_state(self) -> str:
         """Return the state of the episode as text: options, seed and actions."""
-        return self._worlds.save(0)
+        return self.worlds.save(0)
 
     def load_state(self, state: str) -> NDArray[Any]:
         """Continue from a state of an environment with the same options; return the observation.
@@ -86,6 +87,6 @@ class Environment(gymnasium.Env):
         """
         if not isinstance(state, str):
             raise _worlds.Error("expected a text of save_state", field="state")
-        self._worlds.load(0, state)
+        self.worlds.load(0, state)
         self._seeded = True
-        return self._observation.copy()
+        return self._worlds.observations[0].copy()

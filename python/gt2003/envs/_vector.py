@@ -21,7 +21,7 @@ class VectorEnvironment(VectorEnv):
     worlds' own memory, which the next step overwrites. A world whose episode is over begins the
     next one in the next step. The rewards are those of the first agent of each world;
     ``worlds.rewards`` has all: (worlds, agents). World i with the seed s is the same as an `Environment` with the seed
-    s + i.
+    s + i. A copy (`copy.deepcopy`, pickle) goes on from the same states in worlds of its own.
     """
 
     metadata = {**_worlds.METADATA, "autoreset_mode": AutoresetMode.NEXT_STEP}
@@ -37,58 +37,65 @@ class VectorEnvironment(VectorEnv):
         **options: Any,
     ) -> None:
         self.render_mode = _worlds.render_mode(render_mode)
-        self._worlds = _worlds.make(environment, num_envs, threads, options)
+        self._worlds = _worlds.Worlds(environment, num_envs, threads, options)
+        self.metadata = self._worlds.metadata(autoreset_mode=AutoresetMode.NEXT_STEP)
         self.num_envs = num_envs
-        agents = len(self._worlds.agents)
-        self.single_observation_space, self.single_action_space = _worlds.spaces(self._worlds, agents)
+        self.single_observation_space, self.single_action_space = _worlds.spaces(self.worlds, len(self.worlds.agents))
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
         self._copy = copy
         self._seeded = False
-        worlds = self._worlds
-        self._observations = worlds.observations[:, 0] if agents == 1 else worlds.observations
-        self._rewards = worlds.rewards[:, 0]
-        self._terminated, self._truncated = worlds.terminated, worlds.truncated
-        self._terms = {name: worlds.term_values[:, 0, i] for i, (name, _) in enumerate(worlds.terms)}
-        self._all = np.ones(num_envs, bool)
 
     @property
     def worlds(self) -> _core.Environments:
         """The compiled environments, with the names of all components."""
-        return self._worlds
+        return self._worlds.compiled
 
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[Any], dict[str, Any]]:
-        """Begin an episode in each world, with the seeds seed, seed + 1, … or those of a list."""
-        if isinstance(seed, Sequence):
+        """Begin an episode in each world, with the seeds seed, seed + 1, … or those of a list.
+
+        With the option ``reset_mask``, (worlds,) booleans, only in those where it is true.
+        """
+        mask = _worlds.checked_mask(options, self.num_envs)
+        if isinstance(seed, (Sequence, np.ndarray)):
             if len(seed) != self.num_envs:
                 raise _worlds.Error(f"expected {self.num_envs} seeds", field="seed")
             seeds = [None if one is None else _worlds.checked_seed(one) for one in seed]
-            for world, one in enumerate(seeds):
-                self._worlds.reset_one(world, one)
+            mask = np.ones(self.num_envs, bool) if mask is None else mask
         else:
             if seed is not None:
                 seed = _worlds.checked_seed(seed)
                 self._np_random_seed, self._np_random = seed, np.random.default_rng(seed)
             elif not self._seeded:
                 seed = int(self.np_random.integers(2**62))
-            self._worlds.reset(seed)
+            seeds = [None if seed is None else seed + world for world in range(self.num_envs)]
+        if mask is None:
+            self.worlds.reset(seed)
+        else:
+            for world in np.flatnonzero(mask):
+                self.worlds.reset_one(int(world), seeds[world])
         self._seeded = True
-        return self._given(self._observations), {}
+        return self._given(self._worlds.observations), {}
 
     def step(self, actions: ArrayLike) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
-        """Act for one step in each world; the info has the terms of the rewards by name."""
-        self._worlds.step(_worlds.checked_actions(actions, self.action_space.shape), True)
+        """Act for one step in each world; the info has the terms of the rewards by name, of those worlds that did not begin anew."""
+        if not self._seeded:
+            raise _worlds.Error("reset the environment first", field="step")
+        worlds = self._worlds
+        acted = ~worlds.over
+        worlds.compiled.step(_worlds.checked_actions(actions, self.action_space.shape), True)
         info: dict[str, Any] = {}
-        for name, values in self._terms.items():
-            info[name] = self._given(values)
-            info["_" + name] = self._all
+        if acted.any():
+            for i, name in enumerate(worlds.term_names):
+                info[name] = self._given(worlds.terms[:, 0, i])
+                info["_" + name] = acted
         return (
-            self._given(self._observations),
-            self._given(self._rewards),
-            self._given(self._terminated),
-            self._given(self._truncated),
+            self._given(worlds.observations),
+            self._given(worlds.rewards[:, 0]),
+            self._given(worlds.terminated),
+            self._given(worlds.truncated),
             info,
         )
 
@@ -96,20 +103,20 @@ class VectorEnvironment(VectorEnv):
         """Return an image of each scene: (height, width, 3), RGB."""
         if not self.render_mode:
             return None
-        return tuple(self._worlds.picture(world) for world in range(self.num_envs))
+        return tuple(self.worlds.picture(world) for world in range(self.num_envs))
 
     def save_state(self) -> list[str]:
         """Return the state of each world, as `Environment.save_state` does."""
-        return [self._worlds.save(world) for world in range(self.num_envs)]
+        return [self.worlds.save(world) for world in range(self.num_envs)]
 
     def load_state(self, states: Sequence[str]) -> NDArray[Any]:
         """Continue all worlds from such states; return the observations."""
         if isinstance(states, str) or len(states) != self.num_envs:
             raise _worlds.Error(f"expected {self.num_envs} states", field="states")
         for world, state in enumerate(states):
-            self._worlds.load(world, state)
+            self.worlds.load(world, state)
         self._seeded = True
-        return self._given(self._observations)
+        return self._given(self._worlds.observations)
 
     def _given(self, array: NDArray[Any]) -> NDArray[Any]:
         return array.copy() if self._copy else array

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _core
 from .._error import Error
 
-METADATA = {"render_modes": ["rgb_array"], "render_fps": 25}
+METADATA = {"render_modes": ["rgb_array"]}
 DEFAULTS = {
     "observations": "",
     "actions": "",
@@ -26,8 +26,45 @@ DEFAULTS = {
 }
 
 
-def make(environment: str, count: int, threads: int, options: Mapping[str, Any]) -> _core.Environments:
-    """Make worlds; options are those of DEFAULTS. Raises Error for any that is unknown or wrong."""
+class Worlds:
+    """Worlds that are stepped together, and their memory: what the last step or reset left of each.
+
+    options are those of DEFAULTS. observations: (worlds, ...) of one agent, (worlds, agents, ...) of several; rewards: (worlds, agents);
+    terms: (worlds, agents, terms); terminated, truncated: (worlds,). A copy, or what is loaded of a pickle, has worlds of its own: they
+    are made by the options and continue from the states of the first ones.
+
+    Raises Error if an option is unknown or wrong.
+    """
+
+    def __init__(self, environment: str, count: int, threads: int, options: Mapping[str, Any]) -> None:
+        self._made = environment, count, threads, dict(options)
+        self.compiled = compiled(environment, count, threads, options)
+        self.observations = self.compiled.observations
+        if len(self.compiled.agents) == 1:
+            self.observations = self.observations[:, 0]
+        self.rewards, self.terms = self.compiled.rewards, self.compiled.term_values
+        self.terminated, self.truncated = self.compiled.terminated, self.compiled.truncated
+        self.term_names = [name for name, _ in self.compiled.terms]
+
+    @property
+    def over(self) -> NDArray[np.bool_]:
+        """Which episodes are over: (worlds,)."""
+        return self.terminated | self.truncated
+
+    def metadata(self, **further: Any) -> dict[str, Any]:
+        """Return the metadata of environments; videos of one image a step last as long as what they show."""
+        return {**METADATA, "render_fps": 1 / self.compiled.seconds_per_step, **further}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        states = [self.compiled.save(world) for world in range(len(self.terminated))]
+        return type(self), self._made, states
+
+    def __setstate__(self, states: list[str]) -> None:
+        for world, state in enumerate(states):
+            self.compiled.load(world, state)
+
+
+def compiled(environment: str, count: int, threads: int, options: Mapping[str, Any]) -> _core.Environments:
     for name in options:
         if name not in DEFAULTS:
             raise Error(f"there is no such option; expected {', '.join(DEFAULTS)}", field=name)
@@ -70,6 +107,19 @@ def checked_actions(actions: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.fl
         raise Error(f"expected the shape {shape}, not {given.shape}", field="actions")
     with np.errstate(over="ignore"):  # what is too large for a float is not finite, which is refused
         return np.ascontiguousarray(given, np.float32)
+
+
+def checked_mask(options: Mapping[str, Any] | None, count: int) -> NDArray[np.bool_] | None:
+    """Return the ``reset_mask`` of the options of a reset, which worlds it is for; raises Error if it is none, or for other options."""
+    if not options:
+        return None
+    for name in options:
+        if name != "reset_mask":
+            raise Error("there is no such option; expected reset_mask", field=str(name))
+    mask = options["reset_mask"]
+    if not isinstance(mask, np.ndarray) or mask.dtype != np.bool_ or mask.shape != (count,) or not mask.any():
+        raise Error(f"expected an array of {count} booleans, one of them true", field="reset_mask")
+    return mask
 
 
 def checked_seed(seed: Any) -> int:
