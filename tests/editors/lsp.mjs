@@ -147,4 +147,11 @@ assert.equal(edit.newText, text);
 await connection.sendRequest(rpc.ShutdownRequest.type);
 await connection.sendNotification(rpc.ExitNotification.type);
 assert.equal(await ended, 0);
+// An editor that is gone without a word, while another process holds the server's input.
+const editor = spawn("true");
+await new Promise((done) => editor.on("exit", done));
+const left = spawn(process.argv[2], ["lsp"], { stdio: ["pipe", "ignore", "inherit"] });
+const greeting = JSON.stringify({ jsonrpc: "2.0", id: 1, method: "initialize", params: { processId: editor.pid } });
+left.stdin.write(`Content-Length: ${greeting.length}\r\n\r\n${greeting}`);
+assert.equal(await new Promise((done) => left.on("exit", done)), 1);
 console.log("The language server did all that it was asked");

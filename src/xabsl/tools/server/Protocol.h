@@ -11,6 +11,11 @@ namespace xabsl::server {
 inline constexpr int invalidRequest = -32600, methodNotFound = -32601, invalidParameters = -32602,
                      parseError = -32700, notInitialized = -32002, requestFailed = -32803;
 
+/// A position of LSP.
+inline Position positionOf(const nlohmann::json& position) {
+  return {position.at("line").get<int>(), position.at("character").get<int>()};
+}
+
 /// A range of LSP.
 inline nlohmann::json range(Position begin, Position end) {
   const auto json = [](Position position) -> nlohmann::json {

@@ -14,11 +14,6 @@ using Json = nlohmann::json;
 
 namespace {
 
-Position positionOf(const Json& parameters) {
-  const Json& position = parameters.at("position");
-  return {position.at("line").get<int>(), position.at("character").get<int>()};
-}
-
 int kindOf(Completion::Kind kind) {  // CompletionItemKind
   switch (kind) {
     case Completion::Kind::keyword:
@@ -58,7 +53,8 @@ Server::Place Server::placeOf(const Json& parameters) {
   Project& project = projectOf(path);
   const int file = project.file(path);
   if (file < 0) return {project, nullptr};
-  return {project, project.at(project.lines(file).location(positionOf(parameters), file))};
+  return {project,
+          project.at(project.lines(file).location(positionOf(parameters.at("position")), file))};
 }
 
 Json Server::rangeOf(const Project& project, const Reference& reference) const {
@@ -79,7 +75,7 @@ Json Server::completion(const Json& parameters) {
   if (reader()(path, text)) return Json::array();
   Json items = Json::array();
   for (const Completion& completion :
-       complete(projectOf(path), text, Lines(text).offset(positionOf(parameters)))) {
+       complete(projectOf(path), text, Lines(text).offset(positionOf(parameters.at("position"))))) {
     Json item = {{"label", completion.name},
                  {"kind", kindOf(completion.kind)},
                  {"insertText", completion.insert}};
@@ -95,7 +91,7 @@ Json Server::signatureHelp(const Json& parameters) {
   std::string text;
   if (reader()(path, text)) return nullptr;
   const std::optional<Signature> signature =
-      signatureAt(projectOf(path), text, Lines(text).offset(positionOf(parameters)));
+      signatureAt(projectOf(path), text, Lines(text).offset(positionOf(parameters.at("position"))));
   if (!signature) return nullptr;
   Json labels = Json::array();
   for (const Signature::Parameter& parameter : signature->parameters)

@@ -1,5 +1,6 @@
 #include "xabsl/tools/server/Server.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/ParseJson.h"
@@ -71,8 +72,8 @@ void Server::dispatch(const Json& message) {
   try {
     Json result = request(method->get<std::string>(), parameters);
     if (!refusal_) answer["result"] = std::move(result);
-  } catch (const Json::exception& error) {
-    refuse(invalidParameters, error.what());
+  } catch (const Json::exception&) {
+    refuse(invalidParameters, "these are no parameters of " + method->get<std::string>());
   }
   if (const auto refusal = std::exchange(refusal_, std::nullopt))
     answer["error"] = {{"code", refusal->code}, {"message", refusal->message}};
@@ -91,10 +92,8 @@ void Server::notify(const std::string& method, const Json& parameters) {
     const Json& document = parameters.at("textDocument");
     open(document.at("uri").get<std::string>(), document.at("text").get<std::string>());
   } else if (method == "textDocument/didChange") {
-    const Json& changes = parameters.at("contentChanges");
-    if (!changes.empty())
-      open(parameters.at("textDocument").at("uri").get<std::string>(),
-           changes.back().at("text").get<std::string>());
+    change(parameters.at("textDocument").at("uri").get<std::string>(),
+           parameters.at("contentChanges"));
   } else if (method == "textDocument/didClose") {
     close(parameters.at("textDocument").at("uri").get<std::string>());
   } else if (method == "workspace/didChangeWatchedFiles" || method == "textDocument/didSave") {
@@ -133,10 +132,13 @@ Json Server::initialize(const Json& parameters) {
   if (initialized_) return refuse(invalidRequest, "the server is initialized already");
   if (const auto root = parameters.find("rootUri"); root != parameters.end() && root->is_string())
     workspace_ = pathOf(root->get<std::string>());
+  if (const auto id = parameters.find("processId");
+      id != parameters.end() && id->is_number_unsigned())
+    editor_ = id->get<std::int64_t>();
   initialized_ = true;
   return {{"capabilities",
            {{"positionEncoding", "utf-16"},
-            {"textDocumentSync", {{"openClose", true}, {"change", 1}, {"save", true}}},
+            {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
             {"completionProvider", {{"triggerCharacters", {"@", "(", "=", " "}}}},
             {"signatureHelpProvider", {{"triggerCharacters", {"(", ","}}}},
             {"definitionProvider", true},
@@ -154,9 +156,31 @@ void Server::open(const std::string& uri, const std::string& text) {
   if (documents_.size() >= mostDocuments && documents_.count(path) == 0) return;
   if (documents_.count(path) == 0) roots_.erase(path);
   documents_[path] = text;
-  uris_[path] = uri;
+  std::string& spelled = uris_[path];
+  if (!spelled.empty() && spelled != uri) sendDiagnostics(spelled, Json::array());
+  spelled = uri;
   projects_.clear();
   changed_ = true;
+}
+
+/// Each change is one of a range of what the one before left, or a whole new text.
+void Server::change(const std::string& uri, const Json& changes) {
+  const auto known = documents_.find(pathOf(uri));
+  std::optional<std::string> text;
+  if (known != documents_.end()) text = known->second;
+  for (const Json& one : changes) {
+    const std::string& inserted = one.at("text").get_ref<const std::string&>();
+    const auto range = one.find("range");
+    if (range == one.end()) {
+      text = inserted;
+    } else if (text) {
+      const Lines lines{*text};
+      const std::size_t begin = lines.offset(positionOf(range->at("start"))),
+                        end = lines.offset(positionOf(range->at("end")));
+      text->replace(begin, std::max(begin, end) - begin, inserted);
+    }
+  }
+  if (text && !changes.empty()) open(uri, *text);
 }
 
 void Server::close(const std::string& uri) {
@@ -217,10 +241,14 @@ void Server::publish() {
   }
   for (const auto& [path, diagnostics] : perFile) {
     if (!diagnostics.empty()) published_.insert(path);
-    send({{"jsonrpc", "2.0"},
-          {"method", "textDocument/publishDiagnostics"},
-          {"params", {{"uri", uriOf(path)}, {"diagnostics", diagnostics}}}});
+    sendDiagnostics(uriOf(path), diagnostics);
   }
+}
+
+void Server::sendDiagnostics(const std::string& uri, const Json& diagnostics) {
+  send({{"jsonrpc", "2.0"},
+        {"method", "textDocument/publishDiagnostics"},
+        {"params", {{"uri", uri}, {"diagnostics", diagnostics}}}});
 }
 
 void Server::publishFor(const Project& project, std::map<std::string, Json>& perFile) const {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -36,6 +38,8 @@ class Server {
   void publish();
 
   bool ended() const { return ended_; }
+  /// The process of the editor, if it told it: when it is gone, nobody will end the session.
+  std::optional<std::int64_t> editor() const { return editor_; }
   /// What the program should end with: 0 after an orderly shutdown.
   int status() const { return shutDown_ ? 0 : 1; }
 
@@ -54,6 +58,7 @@ class Server {
   Json refuse(int code, std::string message);
   Json initialize(const Json& parameters);
   void open(const std::string& uri, const std::string& text);
+  void change(const std::string& uri, const Json& changes);
   void close(const std::string& uri);
 
   Json completion(const Json& parameters);
@@ -75,6 +80,7 @@ class Server {
   std::string rootOf(const std::string& path);
   FileReader reader() const;
   void publishFor(const Project& project, std::map<std::string, Json>& perFile) const;
+  void sendDiagnostics(const std::string& uri, const Json& diagnostics);
   void send(const Json& message);
 
   Disk disk_;
@@ -85,6 +91,7 @@ class Server {
   std::map<std::string, std::unique_ptr<Project>> projects_;
   std::map<std::string, std::string> roots_;  ///< by path
   std::set<std::string> published_;
+  std::optional<std::int64_t> editor_;
   std::optional<Refusal> refusal_;  ///< of the present request
   bool changed_ = false;
   bool initialized_ = false;

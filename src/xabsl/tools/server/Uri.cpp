@@ -5,22 +5,42 @@
 
 namespace xabsl::server {
 
+namespace {
+
+/// Takes a prefix off a text, whatever the case of its letters.
+bool take(std::string_view& text, std::string_view prefix) {
+  if (text.size() < prefix.size()) return false;
+  for (std::size_t i = 0; i < prefix.size(); ++i)
+    if ((prefix[i] >= 'a' && prefix[i] <= 'z' ? text[i] | 0x20 : text[i]) != prefix[i])
+      return false;
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
+/// Without what makes two spellings of one place differ.
+std::string normal(const std::string& path) {
+  return std::filesystem::path(path).lexically_normal().generic_string();
+}
+
+}  // namespace
+
 std::string pathOf(const std::string& uri) {
-  constexpr std::string_view scheme = "file://";
-  if (uri.compare(0, scheme.size(), scheme) != 0) return uri;
+  std::string_view rest = uri;  // file:/path, file:///path or file://localhost/path (RFC 8089)
+  if (!take(rest, "file:")) return normal(uri);
+  if (take(rest, "//")) take(rest, "localhost");
   const auto digit = [](char c) {
     return c >= '0' && c <= '9'                     ? c - '0'
            : (c | 0x20) >= 'a' && (c | 0x20) <= 'f' ? (c | 0x20) - 'a' + 10
                                                     : -1;
   };
   std::string path;
-  for (std::size_t i = scheme.size(); i < uri.size(); ++i) {
+  for (std::size_t i = 0; i < rest.size(); ++i) {
     const bool coded =
-        uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
-    path += coded ? static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2])) : uri[i];
+        rest[i] == '%' && i + 2 < rest.size() && digit(rest[i + 1]) >= 0 && digit(rest[i + 2]) >= 0;
+    path += coded ? static_cast<char>(digit(rest[i + 1]) * 16 + digit(rest[i + 2])) : rest[i];
     if (coded) i += 2;
   }
-  return std::filesystem::path(path).lexically_normal().generic_string();
+  return normal(path);
 }
 
 std::string fileUri(const std::string& path) {

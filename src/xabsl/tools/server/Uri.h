@@ -4,7 +4,8 @@
 
 namespace xabsl::server {
 
-/// The path of a file's URI, without its escapes; what is none stays as it is.
+/// The path of a file's URI, without its escapes; what is none stays, but for its dots and slashes:
+/// the same for all spellings of a place.
 std::string pathOf(const std::string& uri);
 
 /// The URI of a file.

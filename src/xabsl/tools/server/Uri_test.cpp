@@ -12,5 +12,12 @@ TEST(Uri, NamesFilesBothWays) {
   EXPECT_EQ(pathOf("untitled:1"), "untitled:1");
 }
 
+TEST(Uri, HasOnePathForAllItsSpellings) {
+  for (const char* uri : {"file:/a/b.xabsl", "file://localhost/a/b.xabsl", "FILE:///a/b.xabsl",
+                          "File://LOCALHOST/a/b.xabsl", "file:///a/%2E%2e/a//b.xabsl"})
+    EXPECT_EQ(pathOf(uri), "/a/b.xabsl") << uri;
+  EXPECT_EQ(pathOf("untitled:///a.xabsl"), pathOf(pathOf("untitled:///a.xabsl")));
+}
+
 }  // namespace
 }  // namespace xabsl::server
