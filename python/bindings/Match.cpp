@@ -168,10 +168,19 @@ PyType_Slot matchSlots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverseMa
 PyType_Slot robotSlots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverseRobot)},
                             {0, nullptr}};
 
+/// Pickle and copy would not know how.
+nb::object refuseCopy(const nb::object&) {
+  throw Failure{Error{.field = "Match",
+                      .what = "cannot be copied or pickled; Match.save writes its state to a file, "
+                              "which Match.load reads"}};
+}
+const nb::sig copySignature{"def __reduce__(self) -> typing.NoReturn"};
+
 void bindRobot(nb::module_& module) {
   nb::class_<PlayedRobot>(module, "Robot", nb::type_slots(robotSlots),
                           "A robot of a match. It keeps the match alive that it belongs to.")
       .def_prop_ro("name", &PlayedRobot::name)
+      .def("__reduce__", &refuseCopy, copySignature)
       .def("get", &PlayedRobot::get, "path"_a, nb::sig("def get(self, path: str) -> typing.Any"),
            "A value by its path, as it is now: a representation (`RobotPose`), a part of one\n"
            "(`RobotPose.pose.translation`), or a parameter, as TASK.PATH or TASK.SOLUTION.PATH.\n"
@@ -251,6 +260,7 @@ void bindMatch(nb::module_& module) {
           "labels"_a = false, "root"_a = "",
           "A match in the state of a file that `save` or the console has written. It plays\n"
           "the match again up to there, and goes on with the same bits.")
+      .def("__reduce__", &refuseCopy, copySignature)
       .def("save", &PlayedMatch::save, "file"_a,
            "Writes the match's state: scene, seed, and all that was done to it.")
       .def("step", &PlayedMatch::step, "One step of 8 ms. False if the game is over.")

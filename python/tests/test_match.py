@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import math
 import os
+import pickle
 import signal
 import subprocess
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
+import cloudpickle
 import numpy as np
 import pytest
 
@@ -115,6 +119,14 @@ def test_a_loaded_state_goes_on_with_the_same_bits(tmp_path: Path) -> None:
     assert all_values(loaded) == all_values(match)
     assert loaded.summary() == match.summary()
     assert loaded.robots["red1"].solutions["SelfLocator"] == "GT2003"
+
+
+@pytest.mark.parametrize("way", [copy.copy, copy.deepcopy, pickle.dumps, cloudpickle.dumps])
+def test_copies_are_refused_with_the_way_to_have_one(way: Callable[[object], object]) -> None:
+    match = gt2003.Match("one-robot")
+    for thing in (match, match.robots["red3"]):
+        with pytest.raises(gt2003.Error, match="Match.save writes its state to a file, which Match.load reads"):
+            way(thing)
 
 
 def test_a_state_that_was_changed_is_refused(tmp_path: Path) -> None:
