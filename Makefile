@@ -31,7 +31,9 @@ ALL_PACKAGES = $(TOOLS) $(QT) $(BENCH) $(REALISM) $(CHECKS) $(TESTS) $(PYTHONS) 
 # Twice as many as there are processors, since many tests wait for programs. A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(shell expr $(JOBS) \* 2) --timeout 900
 # While packages are fetched, Python's environment is made; while all is compiled, what only tests need is fetched.
+ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=2
+endif
 
 .PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 
