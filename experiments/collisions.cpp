@@ -6,9 +6,9 @@
 
 #include "Experiments.h"
 #include "Profiles.h"
+#include "base/InParallel.h"
 #include "base/Random.h"
 #include "base/Statistics.h"
-#include "measure/InParallel.h"
 #include "modules/motion/control/DefaultCollisionDetector.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "simulation/Simulation.h"

@@ -1,11 +1,16 @@
 #include "commandline/CommandLine.h"
 
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <new>
 #include <string_view>
 #include <system_error>
+
+#include "base/Guarded.h"
 
 namespace gt {
 namespace {
@@ -64,18 +69,21 @@ int CommandLine::perform(const Action& action) {
   try {
     const auto status = command_ ? command_() : action();
     if (!status) return fail(status.error().text());
-    if (std::fflush(stdout) != 0)
-      return fail("standard output: " + std::generic_category().message(errno));
-    if (*status == 0 && std::ferror(stdout) != 0) return fail("standard output: cannot be written");
+    if (std::fflush(stdout) != 0) return failToPrint(std::generic_category().message(errno));
+    if (*status == 0 && std::ferror(stdout) != 0) return failToPrint("cannot be written");
     return *status;
-  } catch (const std::bad_alloc&) {
-    return fail("not enough memory");
-  } catch (const std::filesystem::filesystem_error& error) {
-    const std::string path = error.path1().string();
-    return fail(path.empty() ? error.what() : path + ": " + error.code().message());
-  } catch (const std::system_error& error) {  // fmt's, where nothing can be printed
-    return fail(std::string{"standard output: "} + error.what());
+  } catch (const std::exception& exception) {
+    const auto* ofSystem = dynamic_cast<const std::system_error*>(&exception);
+    if (ofSystem && std::ferror(stdout) != 0)  // fmt's, where nothing can be printed
+      return failToPrint(ofSystem->code().message());
+    return fail(errorOf(exception).text());
   }
+}
+
+int CommandLine::failToPrint(const std::string& why) const {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  const bool readerHasGone = poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0;
+  return readerHasGone ? 128 + SIGPIPE : fail("standard output: " + why);
 }
 
 int CommandLine::fail(const std::string& what) const {

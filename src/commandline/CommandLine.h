@@ -11,7 +11,8 @@
 namespace gt {
 
 /// The command line of a program. All programs share that an error is reported in one line that
-/// begins with the program's name, and ends the program with exit status 2.
+/// begins with the program's name, and ends the program with exit status 2; so is an exception that
+/// leaves the program's work.
 class CommandLine {
  public:
   /// Returns the exit status, or the error that ends the program.
@@ -55,6 +56,7 @@ class CommandLine {
   CLI::App& addCommand(const char* name, const char* description, Action action);
   int perform(const Action& action);
   int fail(const std::string& what) const;
+  int failToPrint(const std::string& why) const;
 
   int argc_;
   char** argv_;

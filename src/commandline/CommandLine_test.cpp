@@ -4,11 +4,14 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -80,7 +83,27 @@ TEST(CommandLine, ExceptionsOfTheSystemAreOneLineAndStatus2) {
                 }),
             2);
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
-              HasSubstr("program: filesystem error: temp_directory_path: No such file"));
+              HasSubstr("program: exception: filesystem error: temp_directory_path: No such file"));
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({}, []() -> int { throw std::runtime_error{"is wrong"}; }), 2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "program: exception: is wrong\n");
+}
+
+/// Prints to somebody who reads nothing. Does not return.
+void printToNobody(void (*onPipe)(int)) {
+  std::signal(SIGPIPE, onPipe);
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0 || dup2(ends[1], STDOUT_FILENO) < 0) std::_Exit(1);
+  close(ends[0]);
+  std::_Exit(run({}, [] {
+    std::fputs("a line\n", stdout);
+    return 0;
+  }));
+}
+
+TEST(CommandLineDeathTest, EndsQuietlyIfItsReaderHasGone) {
+  EXPECT_EXIT(printToNobody(SIG_DFL), testing::KilledBySignal(SIGPIPE), "^$");
+  EXPECT_EXIT(printToNobody(SIG_IGN), testing::ExitedWithCode(128 + SIGPIPE), "^$");
 }
 
 /// By default the system ends a program whose file may not grow, without a word.

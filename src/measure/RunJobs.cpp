@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/CrashNotes.h"
-#include "measure/InParallel.h"
+#include "base/InParallel.h"
 
 namespace gt {
 namespace {

@@ -1,4 +1,4 @@
-#include "measure/InParallel.h"
+#include "base/InParallel.h"
 
 #include <gtest/gtest.h>
 

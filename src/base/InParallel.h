@@ -1,27 +1,18 @@
 #pragma once
 #include <atomic>
 #include <cstddef>
-#include <exception>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "base/Result.h"
+#include "base/Guarded.h"
 
 namespace gt {
 
-/// What work() returns; an exception that leaves it becomes an error.
-template <typename Work>
-auto guarded(Work&& work) -> decltype(work()) {
-  try {
-    return work();
-  } catch (const std::exception& exception) {
-    return Error{.field = "exception", .what = exception.what()};
-  }
-}
-
 /// The results of work(i) for i = 0 .. count-1, in this order, computed by some threads, the caller
-/// among them. `work` returns a Result<T>; an exception that leaves it becomes its error.
+/// among them; by fewer if the system gives no more. `work` returns a Result<T>; an exception that
+/// leaves it becomes its error.
 template <typename Work>
 auto inParallel(std::size_t count, unsigned threads, Work&& work) {
   using Outcome = decltype(work(std::size_t{}));
@@ -31,7 +22,10 @@ auto inParallel(std::size_t count, unsigned threads, Work&& work) {
     for (std::size_t i; (i = next++) < count;) results[i] = guarded([&] { return work(i); });
   };
   std::vector<std::jthread> others;
-  for (unsigned i = 1; i < threads && i < count; ++i) others.emplace_back(run);
+  try {
+    for (unsigned i = 1; i < threads && i < count; ++i) others.emplace_back(run);
+  } catch (const std::system_error&) {
+  }
   run();
   others.clear();  // joins them
   return results;
