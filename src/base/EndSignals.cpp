@@ -65,6 +65,8 @@ void EndSignals::handle(int signal) {
 }
 
 void EndSignals::take(int signal) {
+  // Of other pipes who writes to them learns it.
+  if ((signal == SIGHUP || signal == SIGPIPE) && !leaveClosed(signal) && signal == SIGPIPE) return;
   int none = 0;
   if (!received_.compare_exchange_strong(none, signal)) {
     if (monotonicMs() - receivedMs_ < togetherMs_) return;
@@ -73,18 +75,25 @@ void EndSignals::take(int signal) {
     return;
   }
   receivedMs_ = monotonicMs();
-  if (signal == SIGHUP) leaveClosedTerminal();
   const std::uint64_t one = 1;
   static_cast<void>(::write(event_.number(), &one, sizeof one));
   if (wake_) wake_();
 }
 
 /// What is printed would be an error, for which the program would end before it has written all.
-void EndSignals::leaveClosedTerminal() const {
+/// Returns whether a standard file is a closed terminal, or a pipe that nobody reads.
+bool EndSignals::leaveClosed(int signal) const {
+  bool left = false;
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
-  for (int file = 0; file < 3; ++file)
-    if (terminal_[static_cast<std::size_t>(file)] && !isatty(file)) dup2(nowhere, file);
+  for (int file = 0; file < 3; ++file) {
+    pollfd output{file, POLLOUT, 0};
+    const bool closed = signal == SIGHUP
+                            ? terminal_[static_cast<std::size_t>(file)] && !isatty(file)
+                            : poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0;
+    if (closed) left = dup2(nowhere, file) >= 0;
+  }
   close(nowhere);
+  return left;
 }
 
 }  // namespace gt

@@ -9,10 +9,11 @@
 
 namespace gt {
 
-/// Lets a program end in order when it is asked to: by Ctrl-C (SIGINT), by SIGTERM, or because its
-/// terminal was closed (SIGHUP). While an object exists, the first of these signals is kept, and
-/// the program ends by itself; a second one ends it at once. A signal that the program was started
-/// to ignore (nohup) is ignored. One object at a time.
+/// Lets a program end in order when it is asked to: by Ctrl-C (SIGINT), by SIGTERM, because its
+/// terminal was closed (SIGHUP), or because who reads what it prints has gone (SIGPIPE). While an
+/// object exists, the first of these signals is kept, and the program ends by itself; a second one
+/// ends it at once. A signal that the program was started to ignore (nohup) is ignored. One object
+/// at a time.
 class EndSignals {
  public:
   /// `wake` is called by the signal's handler, so it may do only what is safe there. Signals that
@@ -35,11 +36,11 @@ class EndSignals {
   int event() const { return event_.number(); }
 
  private:
-  static constexpr std::array numbers{SIGINT, SIGTERM, SIGHUP};
+  static constexpr std::array numbers{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
   static void handle(int signal);
   void take(int signal);
-  void leaveClosedTerminal() const;
+  bool leaveClosed(int signal) const;
 
   static inline std::atomic<EndSignals*> active_ = nullptr;
   std::function<void()> wake_;

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <thread>
 
@@ -112,6 +113,40 @@ TEST_F(EndSignalsTest, AClosedTerminalTakesWhatIsPrinted) {
   ASSERT_EQ(waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 128 + SIGHUP);
+}
+
+TEST_F(EndSignalsTest, WhatIsPrintedForNobodyEndsTheProgramInOrder) {
+  std::array<int, 2> output{};
+  ASSERT_EQ(pipe(output.data()), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGPIPE, SIG_DFL);
+    dup2(output[1], STDOUT_FILENO);
+    close(output[0]);
+    close(output[1]);
+    const EndSignals signals{{}, 0};
+    const bool first = write(STDOUT_FILENO, "lost", 4) == 4;
+    const bool second = write(STDOUT_FILENO, "gone", 4) == 4;
+    _exit(!first && second ? signals.status() : 1);
+  }
+  close(output[0]);
+  close(output[1]);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 128 + SIGPIPE);
+}
+
+/// Of a program that this one has started, for instance.
+TEST_F(EndSignalsTest, AnotherPipeThatNobodyReadsIsAnErrorOfItsWriter) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  close(ends[0]);
+  const EndSignals signals;
+  EXPECT_EQ(write(ends[1], "x", 1), -1);
+  EXPECT_EQ(errno, EPIPE);
+  EXPECT_EQ(signals.received(), 0);
+  close(ends[1]);
 }
 
 }  // namespace
