@@ -15,6 +15,7 @@
 #include "robot/logs/ImportNaoLog.h"
 #include "streams/File.h"
 #include "streams/Json.h"
+#include "support/McapConformance.h"
 #include "support/McapVariants.h"
 
 namespace gt {
