@@ -61,6 +61,15 @@ class FillPages(unittest.TestCase):
             self.assertIn(error, run.stderr)
             self.assertEqual(self.page.read_text(), wrong)
 
+    def test_a_page_that_cannot_be_written_stays_as_it_was(self):
+        self.page.write_text(PAGE)
+        limited = ["sh", "-c", "ulimit -f 0; exec \"$@\"", "sh", SCRIPT, self.figures, self.page]
+        run = subprocess.run(limited, capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("fill-pages: ", run.stderr)
+        self.assertEqual(self.page.read_text(), PAGE)
+        self.assertEqual(sorted(file.name for file in self.page.parent.iterdir()), ["figures.json", "page.md"])
+
     def test_figures_that_cannot_be_read_are_an_error(self):
         self.figures.write_text("[{]")
         self.assertEqual(self.fill(PAGE).returncode, 2)
