@@ -79,8 +79,11 @@ class Log:
 
     @property
     def topics(self) -> dict[str, str]:
-        """The topics, and the names of their schemas."""
-        return {topic: schema for topic, schema, _ in sorted(self._file.channels())}
+        """The topics, and the names of their schemas; of a topic with several, all of them: `"A, B"`."""
+        schemas: dict[str, dict[str, None]] = {}
+        for topic, schema, _ in self._file.channels():
+            schemas.setdefault(topic, {})[schema] = None
+        return {topic: ", ".join(schemas[topic]) for topic in sorted(schemas)}
 
     @property
     def unreadable(self) -> dict[str, str]:
