@@ -64,10 +64,16 @@ Result<void> tournament(const Arguments& arguments, const DataRoot& root) {
 /// What is still to be done when a signal has come, with a sentence on how far the jobs are.
 using AtInterrupt = std::function<Result<void>(const std::string& note)>;
 
-/// Does jobs and reports each on the standard error. Returns the exit status. A signal ends the
-/// program, without the jobs under way.
-Result<int> runAll(const std::vector<Job>& jobs, const std::string& out, const DataRoot& root,
-                   unsigned threads, const AtInterrupt& atInterrupt) {
+/// How jobs ended: the exit status, and a sentence if some failed.
+struct JobsEnd {
+  int status = 0;
+  std::string note;
+};
+
+/// Does jobs and reports each on the standard error. A signal ends the program, without the jobs
+/// under way.
+Result<JobsEnd> runAll(const std::vector<Job>& jobs, const std::string& out, const DataRoot& root,
+                       unsigned threads, const AtInterrupt& atInterrupt) {
   auto writer = JobResultWriter::open(out);
   if (!writer) return writer.error();
   std::atomic<std::size_t> done = 0;
@@ -102,8 +108,9 @@ Result<int> runAll(const std::vector<Job>& jobs, const std::string& out, const D
   static_cast<void>(write(allDone.number(), &one, sizeof one));
   watch.join();
   if (!failed) return failed.error();
-  if (*failed > 0) fmt::print(stderr, "experiment: {} jobs failed\n", *failed);
-  return *failed > 0 ? 2 : 0;
+  if (*failed == 0) return JobsEnd{};
+  fmt::print(stderr, "experiment: {} jobs failed\n", *failed);
+  return JobsEnd{2, fmt::format("{} of {} jobs failed.", *failed, jobs.size())};
 }
 
 Result<std::string> readList(const std::string& path) {
@@ -156,11 +163,13 @@ Result<int> run(const Arguments& arguments, const DataRoot& root) {
     if (jobs->size() < all)
       fmt::print(stderr, "{}: {} of {} jobs are done\n", arguments.out, all - jobs->size(), all);
   }
-  return runAll(*jobs, arguments.out, root, arguments.threads, [&](const std::string&) {
+  const auto ended = runAll(*jobs, arguments.out, root, arguments.threads, [&](const std::string&) {
     if (!arguments.out.empty())
       fmt::print(stderr, "experiment: the same command does the others\n");
     return Result<void>{};
   });
+  if (!ended) return ended.error();
+  return ended->status;
 }
 
 /// Merges results and prints the figures.
@@ -200,11 +209,11 @@ Result<int> measure(const Arguments& arguments, const DataRoot& root) {
     if (std::filesystem::is_empty(results, ignored)) return {};
     return mergeAll({results.string()}, wanted, arguments.json, note);
   };
-  const auto status = runAll(*jobs, results.string(), root, arguments.threads,
-                             [&](const std::string& note) { return mergeDone({}, note); });
-  const auto merged = mergeDone(*jobs, {});
-  if (!status || merged) return status;
-  return merged.error();
+  const auto ended = runAll(*jobs, results.string(), root, arguments.threads,
+                            [&](const std::string& note) { return mergeDone({}, note); });
+  const auto merged = mergeDone(*jobs, ended ? ended->note : ended.error().text());
+  if (!ended || !merged) return ended ? merged.error() : ended.error();
+  return ended->status;
 }
 
 Result<void> calibrate(const Arguments& arguments, const DataRoot& root) {

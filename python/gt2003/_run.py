@@ -97,15 +97,16 @@ def workers(address: str | None, count: int | None, retries: int) -> Processes |
     return Ray(address, count, retries) if address else Processes(count, retries)
 
 
-def do(todo: Sequence[str], results: Results, who: Processes | Ray, quiet: bool = False) -> int:
-    """Do those jobs that have no result. Return how many failed. Quiet: prints failures only."""
+def do(todo: Sequence[str], results: Results, who: Processes | Ray, quiet: bool = False) -> list[Outcome]:
+    """Do those jobs that have no result. Return those that failed. Quiet: prints failures only."""
     missing = [job for job in todo if job not in results.done]
     if len(missing) < len(todo) and not quiet:
         print(f"{results.path}: {len(todo) - len(missing)} of {len(todo)} jobs are done", file=sys.stderr)
-    progress, failed = Progress(len(missing), quiet), 0
+    progress = Progress(len(missing), quiet)
+    failed: list[Outcome] = []
     for outcome in who.results(missing):
         if outcome.error:
-            failed += 1
+            failed.append(outcome)
         else:
             results.add(outcome.job, outcome.result)
         progress.add(outcome, who)
@@ -141,7 +142,7 @@ def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | Non
 
     A run that was stopped goes on where it was: jobs that have a result there are not done again. It
     is stopped by a signal, or because results cannot be written; figures and pages then are of the
-    jobs that are done, and the exception is raised afterwards. An Error if another run works in the
+    jobs that are done, and the exception is raised afterwards. They name the jobs that failed, too. An Error if another run works in the
     folder.
     """
     listed = list(dict.fromkeys(todo))
@@ -151,7 +152,7 @@ def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | Non
         if others:
             raise Error(f"{_what_differs(others, listed)}; choose another folder", str(results.path), field=others[0])
         _files.write(out / "jobs", "".join(job + "\n" for job in listed))
-        failed = 0
+        failed: list[Outcome] = []
         stopped: Interrupted | Error | None = None
         try:
             failed = do(listed, results, who)
@@ -166,6 +167,8 @@ def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | Non
                 print(f"gt2003: {stopped}", file=sys.stderr)
                 word = "Stopped by an error"
             note = f"{word}: {len(results.done)} of {len(listed)} jobs are done."
+        elif failed:
+            note = f"{len(failed)} of {len(listed)} jobs failed, the first of them: {failed[0].job}: {failed[0].error}"
         warnings = results.warnings + (merge or _merge)(results.path, [] if stopped else listed, note)
         if parquet:
             jobs.convert(results.path, out / "results.parquet")
@@ -173,4 +176,4 @@ def run(todo: Iterable[str], out: Path, who: Processes | Ray, merge: Merge | Non
         print(f"gt2003: warning: {warning}", file=sys.stderr)
     if stopped:
         raise stopped
-    return failed
+    return len(failed)

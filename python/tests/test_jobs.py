@@ -10,6 +10,8 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import closing
+from html import escape
 from pathlib import Path
 
 import pandas
@@ -17,8 +19,8 @@ import pytest
 
 import gt2003
 from gt2003 import jobs
-from gt2003._run import Results
-from gt2003._workers import Processes, Ray
+from gt2003._run import Results, run
+from gt2003._workers import Outcome, Processes, Ray
 
 BUILD = Path(os.environ["GT_BUILD"])
 SHORT = ["trouble=none", "minutes=0.05"]
@@ -274,6 +276,30 @@ def test_a_signal_ends_a_run_with_the_figures_of_what_is_done(number: signal.Sig
         assert " of 1000 jobs are done." in (tmp_path / "out" / name).read_text()
     assert (tmp_path / "out/results.jsonl").read_text().endswith("}\n")
     assert not (tmp_path / "out/.lock").exists()
+
+
+def test_failures_are_named_on_the_page(tmp_path: Path) -> None:
+    class Failing(Processes):
+        @staticmethod
+        def _ask(process: subprocess.Popen[str], job: str) -> Outcome | None:
+            return Outcome(job, "", "<it failed>", 0) if "seed=2" in job.split() else Processes._ask(process, job)
+
+    todo = some("1..3")
+    with closing(Failing(1)) as workers:
+        assert run(todo, tmp_path, workers) == 1
+    note = f"1 of 3 jobs failed, the first of them: {todo[1]}: <it failed>"
+    assert escape(note) in (tmp_path / "run.html").read_text()
+    assert "1 of 3 jobs failed" in (tmp_path / "experiments.html").read_text()
+
+
+@pytest.mark.parametrize("words", [["gt2003", "run", "--help"], ["gt2003.envs"]])
+def test_nobody_who_reads_ends_programs_quietly(words: list[str]) -> None:
+    line = [sys.executable, "-m", *words]
+    process = subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert process.stdout and process.stderr
+    process.stdout.close()
+    assert process.stderr.read() == ""
+    assert process.wait() == 128 + signal.SIGPIPE
 
 
 def test_a_closed_terminal_ends_a_run(tmp_path: Path) -> None:
