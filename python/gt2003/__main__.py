@@ -9,7 +9,7 @@ from pathlib import Path
 from . import jobs, study, tournament, values
 from ._error import Error
 from ._run import run, workers
-from ._signals import EndSignals, Interrupted
+from ._signals import EndSignals, Interrupted, quietly
 
 
 def _add_workers(parser: argparse.ArgumentParser) -> None:
@@ -70,9 +70,7 @@ def _jobs_of(given: argparse.Namespace) -> list[str]:
     return jobs.read(given.what)
 
 
-def main() -> int:
-    """Run the command; return its exit status: 2 if something was wrong or a job failed, 128 more than a signal."""
-    given = _parser().parse_args()
+def _perform(given: argparse.Namespace) -> int:
     signals = EndSignals()
     failed = 0
     try:
@@ -98,9 +96,14 @@ def main() -> int:
     except Error as error:
         print(f"gt2003: {error}", file=sys.stderr)
         return 2
+    except BrokenPipeError:
+        raise
     except OSError as error:
         what = error.strerror or str(error)
         print(f"gt2003: {error.filename}: {what}" if error.filename else f"gt2003: {what}", file=sys.stderr)
+        return 2
+    except MemoryError:
+        print("gt2003: not enough memory", file=sys.stderr)
         return 2
     except Interrupted as interrupted:
         print("gt2003: interrupted; the same command goes on", file=sys.stderr)
@@ -108,6 +111,11 @@ def main() -> int:
     if failed:
         print(f"gt2003: {failed} jobs failed", file=sys.stderr)
     return 2 if failed else 0
+
+
+def main() -> int:
+    """Run the command; return its exit status: 2 if something was wrong or a job failed, 128 more than a signal."""
+    return quietly(lambda: _perform(_parser().parse_args()))
 
 
 if __name__ == "__main__":

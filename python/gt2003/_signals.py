@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import time
+from collections.abc import Callable
 from types import FrameType
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -62,3 +64,17 @@ def _is_terminal(file: int) -> bool:
         return os.isatty(file)
     except OSError:
         return False
+
+
+def quietly(main: Callable[[], int]) -> int:
+    """Return what a program's main returns, or the status of SIGPIPE if who reads what it prints has gone (`| head`)."""
+    try:
+        try:
+            return main()
+        finally:
+            sys.stdout.flush()
+    except BrokenPipeError:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())  # or Python would report it at its end
+        os.close(nowhere)
+        return 128 + signal.SIGPIPE

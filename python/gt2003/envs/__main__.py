@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import sys
 from functools import cache
 from itertools import groupby
 from typing import Any
 
 from .. import _core
+from .._signals import quietly
 from ._worlds import compiled
 
 _KINDS = {
@@ -86,5 +88,11 @@ def page() -> str:
     return "\n".join(parts)
 
 
-if __name__ == "__main__":
+def main() -> int:
+    """Print the tables."""
     print(page(), end="")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(quietly(main))
