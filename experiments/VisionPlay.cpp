@@ -101,6 +101,7 @@ Result<PlayTally> watchPlay(const Job& job, const DataRoot& root) {
       spectator->look(now.lightFrom + part * (now.lightTo - now.lightFrom), tally[phase]);
     if (seconds >= now.to) ++phase;
   }
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   return tally;
 }
 

@@ -87,6 +87,7 @@ Result<Measurement> measureSight(const Job& job, const DataRoot& root) {
       }
     }
   }
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   Measurement measured;
   for (const auto& [name, rate] : tally.rates)
     measured.add("vision.sight." + name, "%", rate.percent());

@@ -21,6 +21,7 @@ Result<std::unique_ptr<Match>> run(const Job& job, const DataRoot& root, const s
   auto match = Match::make(options);
   if (!match) return match;
   while (!(*match)->finished()) (*match)->step();
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   return match;
 }
 

@@ -31,7 +31,7 @@ Result<Measurement> playMatch(const Job& job, const DataRoot& root) {
   auto match = Match::make(*options);
   if (!match) return match.error();
   const double ballWay = playToTheEnd(**match);
-  if (const auto done = (*match)->teamFailure(); !done) return done.error();
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   const MatchSummary summary = (*match)->summary();
   int ownGoals = 0, kicks = 0, stuckBalls = 0, penalties = 0, falls = 0;
   double walked = 0;  // m

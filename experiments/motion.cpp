@@ -48,6 +48,7 @@ Result<Measurement> stand(const Job& job, const DataRoot& root) {
     (*match)->step();
     falls.look();
   }
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   Measurement measured;
   measured.add("motion.stand." + job.parameter("scene") + ".falls", "falls", falls.count(),
                Aim::atMost(0));

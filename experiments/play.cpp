@@ -83,7 +83,7 @@ Result<Measurement> playBoth(const Job& job, const DataRoot& root) {
   const SceneDescription& scene = (*match)->simulation().scene();
   PlayWatch play{*(*match)->configuration().field, scene.physics.deceleration};
   watch(**match, play);
-  if (const auto done = (*match)->teamFailure(); !done) return done.error();
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   const MatchSummary summary = (*match)->summary();
   Measurement measured;
   for (const TeamColor team : {TeamColor::red, TeamColor::blue})
@@ -98,6 +98,7 @@ Result<Measurement> playAlone(const Job& job, const DataRoot& root) {
   auto match = matchOnScene(job, root, "scenes/no-opponents.scene");
   if (!match) return match.error();
   while (!(*match)->finished()) (*match)->step();
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   Measurement measured;
   measured.add("play.alone.goals", "goals", (*match)->summary().redScore, Aim::atLeast(10));
   return measured;
@@ -121,6 +122,7 @@ Result<Measurement> playStriker(const Job& job, const DataRoot& root) {
   const auto scored = [&] { return simulation.world().ball(0).position.x() > field.xGroundline; };
   double seconds = 0;
   for (; seconds < longest && !scored(); seconds += tickSeconds) (*match)->step();
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   Measurement measured;
   measured.add("play.striker.seconds", "s", seconds, Aim::atMost(15));
   measured.add("play.striker.scored", "%", seconds < 60 ? 100 : 0, Aim::atLeast(100));
@@ -132,6 +134,7 @@ Result<Measurement> playShootOut(const Job& job, const DataRoot& root) {
   auto match = matchOnScene(job, root, "scenes/penalty-shoot-out.scene");
   if (!match) return match.error();
   while (!(*match)->finished()) (*match)->step();
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   int goals = 0, shots = 0;
   for (const GameEvent& event : (*match)->simulation().referee().events()) {
     goals += event.type == GameEventType::shotGoal;

@@ -136,6 +136,7 @@ Result<Tally> watchMatch(const Job& job, const DataRoot& root) {
     if (!simulation.input(0).image || simulation.referee().state() != GameState::playing) continue;
     look(**match, watches, ++picture, truth, tally);
   }
+  if (const auto done = (*match)->soundness(); !done) return done.error();
   return tally;
 }
 

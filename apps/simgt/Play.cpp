@@ -3,10 +3,12 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 
 #include "TerminalScreen.h"
 #include "base/EndSignals.h"
+#include "base/Guarded.h"
 #include "base/OutputLock.h"
 #include "match/report/Report.h"
 #include "simulation/rules/GameEvent.h"
@@ -108,26 +110,26 @@ Result<int> play(PlayOptions options) {
              session.simulation().scene().game.minutes, options.match.seed);
   const auto begin = std::chrono::steady_clock::now();
   Console console{session};  // what its script has recorded goes on
-  if (!options.script.empty()) {
-    const auto done = console.call(options.script);
-    screen.end();
-    if (!done && !signals.received() && !console.expectationFailed()) return done.error();
-    if (!done && !signals.received()) {
-      fmt::print(stderr, "simgt: {}\n", done.error().text());
-      return 1;
+  const Result<void> played = guarded([&]() -> Result<void> {
+    if (!options.script.empty())
+      if (auto done = console.call(options.script); !done && !signals.received()) return done;
+    while (!signals.received() && !session.match().finished() && session.step()) {
     }
-  }
-  while (!signals.received() && !session.match().finished() && session.step()) {
-  }
+    return session.match().soundness();
+  });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   screen.end();
   Match& match = session.match();
-  if (const auto done = match.teamFailure(); !done) return done.error();
   const MatchTimes times = timesOf(match, seconds.count(), options.match.threads);
-  const bool interrupted = signals.received() != 0 && !match.finished();
-  if (const auto done = finish(match, times, interrupted, options); !done) return done.error();
+  const bool interrupted = !match.finished() || !match.teamFailure();
+  const auto done = finish(match, times, interrupted, options);
+  if (!played && console.expectationFailed() && done) {
+    fmt::print(stderr, "simgt: {}\n", played.error().text());
+    return 1;
+  }
+  if (!played || !done) return played ? done.error() : played.error();
   const Findings warnings = printWarnings(session);
-  if (interrupted) return signals.status();
+  if (interrupted || signals.received() == SIGPIPE) return signals.status();
   return warnings.fail(options.strict) ? 1 : 0;
 }
 

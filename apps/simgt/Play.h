@@ -21,9 +21,11 @@ struct PlayOptions {
 };
 
 /// Plays a match with a progress bar and a line for each event, then writes match.json, times.json
-/// and report.html, also of what was played until a signal came (EndSignals). Returns an error if a
-/// file is wrong, or one could not be written; otherwise the program's exit status: 128 more than
-/// the signal; 1 if an expectation of the script failed, or a robot warned and the run is strict.
+/// and report.html, also of what was played until something ended it: a signal (EndSignals), an
+/// error of the script, a robot's program that failed, an exception. Returns an error if it was one
+/// of the last three, if a file is wrong, or if one could not be written; otherwise the program's
+/// exit status: 128 more than the signal; 1 if an expectation of the script failed, or a robot
+/// warned and the run is strict.
 Result<int> play(PlayOptions options);
 
 }  // namespace gt

@@ -67,8 +67,8 @@ Session& PlayedMatch::session() {
 template <typename Done>
 bool PlayedMatch::runUntil(Done done) {
   const bool goesOn = stepUntil(done);
-  warnOfFailures();
   orThrow(session_->match().teamFailure());
+  warnOfFailures();
   return goesOn;
 }
 
@@ -183,6 +183,11 @@ void PlayedMatch::warnOfFailures() {
     const std::string text = match().robots()[failure.robot]->name() + "'s " + failure.task + " " +
                              failure.solution + " failed at " + std::to_string(failure.time.ms) +
                              " ms and is switched off:\n" + failure.trace;
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw nb::python_error();
+  }
+  const auto& robots = match().failures();
+  while (toldRobots_ < robots.size()) {
+    const std::string text = robots[toldRobots_++].error.text();
     if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw nb::python_error();
   }
 }

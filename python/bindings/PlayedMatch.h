@@ -86,6 +86,7 @@ class PlayedMatch {
   std::vector<Joined> joined_;
   std::shared_ptr<SolutionFailures> failures_ = std::make_shared<SolutionFailures>();
   std::size_t toldFailures_ = 0;
+  std::size_t toldRobots_ = 0;  ///< Of those whose programs failed.
   bool keepsLabels_ = false;
   bool running_ = false;  ///< Changed with Python's lock only.
 };

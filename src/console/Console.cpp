@@ -298,7 +298,10 @@ std::vector<Result<std::string>> Console::keepRecordings() {
   std::vector<Result<std::string>> kept;
   for (const auto& robot : session_.robots()) {
     if (robot->recorder.unsaved() == 0) continue;
-    const std::string file = freeLogFile("out/logs/" + robot->name() + ".interrupted");
+    const std::filesystem::path saved{robot->recorder.file()};
+    const std::string base =
+        saved.empty() ? "out/logs/" + robot->name() : (saved.parent_path() / saved.stem()).string();
+    const std::string file = freeLogFile(base + ".interrupted");
     if (const auto done = robot->recorder.save(file); !done)
       kept.emplace_back(done.error());
     else

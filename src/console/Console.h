@@ -76,7 +76,8 @@ class Console {
   void end() { ended_ = true; }
   bool ended() const { return ended_; }
   /// For a program that a signal ends: ends the film, and saves recordings that nobody can save any
-  /// more to `out/logs/ROBOT.interrupted.mcap`. Returns a line, or an error, for each of them.
+  /// more: beside the log to which they were saved last, as `NAME.interrupted.mcap`, or to
+  /// `out/logs/ROBOT.interrupted.mcap`. Returns a line, or an error, for each of them.
   std::vector<Result<std::string>> keepRecordings();
   /// The session was restarted: forgets what was selected, plotted and loaded, and ends the film.
   void forget();

@@ -14,7 +14,8 @@ Made by `simgt commands` from the table of commands; a test holds both together.
 stand in scripts (`--script FILE`, `-c COMMAND`), one a line; `#` begins a comment. A scene names the script that it begins with; if
 it does not, `console.con` beside it is executed where there is one. After an error a script ends, and so does the program, with exit
 status 2, or 1 if a condition did not hold that was expected to (a script is a test). Ctrl-C, SIGTERM and a closed terminal end scripts
-and program with status 130, 143 or 129; a film is whole then, and recordings are saved to `out/logs/ROBOT.interrupted.mcap`.
+and program with status 130, 143 or 129, as does who reads no more of what is printed, with 141; a film is whole then, and recordings are saved beside the log to which they were saved last, as `NAME.interrupted.mcap`, or to
+`out/logs/ROBOT.interrupted.mcap`.
 
     robot red4
     sr BallLocator disabled

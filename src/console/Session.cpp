@@ -85,6 +85,7 @@ Result<void> Session::load(const std::string& file,
   if (!state_.match) work(**match);
   state_.owned = std::move(*match);
   state_.reportedEvents = simulation().referee().events().size();
+  state_.reportedFailures = state_.match->failures().size();
   options_ = state_.match->options();
   setPace(pace_);
   return {};
@@ -99,7 +100,6 @@ bool Session::tick() {
   if (simulation().finished() || !state_.match->teamFailure()) return false;
   if (input_) input_();
   state_.match->step();
-  if (const auto done = state_.match->teamFailure(); !done) screen_.print(done.error().text());
   if (state_.connection) state_.connection->step();
   for (const auto& robot : state_.robots)
     if (const auto done = robot->step(time()); !done) screen_.print(done.error().text());
@@ -179,6 +179,9 @@ void Session::reportNews() {
     screen_.print(clockText(events[state_.reportedEvents].time) + "  " + text);
     if (foxglove_) foxglove_->log("referee", text);
   }
+  const auto& failures = state_.match->failures();
+  for (; state_.reportedFailures < failures.size(); ++state_.reportedFailures)
+    screen_.print(failures[state_.reportedFailures].error.text());
   for (const Error& error : state_.match->takeLogErrors()) screen_.print(error.text());
   for (const auto& robot : state_.robots) {
     for (const std::string& text : robot->observed().takeTexts())

@@ -126,7 +126,7 @@ class Session {
     Match* match = nullptr;
     std::unique_ptr<SceneTree> tree;  ///< Once it was asked for.
     std::vector<std::unique_ptr<ConsoleRobot>> robots;
-    std::size_t reportedEvents = 0;
+    std::size_t reportedEvents = 0, reportedFailures = 0;
   };
 
   explicit Session(Screen& screen) : screen_{screen} {}

@@ -4,8 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <mutex>
-#include <thread>
+#include <optional>
 
+#include "base/InParallel.h"
 #include "console/Commands.h"
 #include "console/Condition.h"
 #include "streams/File.h"
@@ -23,12 +24,12 @@ class NoScreen : public Screen {
 
 /// How one of many runs ended.
 struct Outcome {
+  int run = 0;  ///< From 1.
   std::uint64_t seed = 0;
   std::string result;  ///< Which target, timeout, or who has won.
   double seconds = 0;
   int red = 0, blue = 0;
   Vector2d ball = Vector2d::Zero();
-  std::string error;
 };
 
 /// What is run many times: the scene with other seeds and all that was done to this simulation.
@@ -68,6 +69,7 @@ Result<Outcome> runOnce(const Series& series, int index) {
   for (const Intervention& deed : series.history)
     if (auto done = console.execute(deed.line); !done) return done.error();
   Outcome outcome;
+  outcome.run = index + 1;
   outcome.seed = options.seed;
   const auto end = static_cast<std::int64_t>(std::llround(1000 * series.timeout));
   while (outcome.result.empty()) {
@@ -80,6 +82,7 @@ Result<Outcome> runOnce(const Series& series, int index) {
         !(*session)->step())
       break;
   }
+  if (const auto done = (*session)->match().soundness(); !done) return done.error();
   const Simulation& simulation = (*session)->simulation();
   outcome.seconds = static_cast<double>((*session)->time().ms) / 1000;
   outcome.red = simulation.referee().score(TeamColor::red);
@@ -89,30 +92,31 @@ Result<Outcome> runOnce(const Series& series, int index) {
   return outcome;
 }
 
+/// What became of many runs.
+struct Outcomes {
+  std::vector<Outcome> ended;  ///< In the order of their seeds.
+  std::optional<Error> error;  ///< After which no more were begun.
+};
+
 /// The runs, spread over the threads; their order does not depend on that.
-Result<std::vector<Outcome>> runAll(const Series& series) {
-  std::vector<Outcome> outcomes(static_cast<std::size_t>(series.runs));
-  std::optional<Error> failed;
-  std::mutex mutex;
-  std::atomic<int> next{0};
-  const auto work = [&] {
-    for (int i = next++; i < series.runs; i = next++) {
-      auto outcome = runOnce(series, i);
-      const std::lock_guard lock{mutex};
-      if (outcome)
-        outcomes[static_cast<std::size_t>(i)] = std::move(*outcome);
-      else if (!failed)
-        failed = outcome.error();
-      if (failed) return;
-    }
-  };
-  std::vector<std::thread> threads;
-  for (std::size_t i = 1; i < std::min<std::size_t>(series.options.threads, 64); ++i)
-    threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  if (failed) return *failed;
-  return outcomes;
+Outcomes runAll(const Series& series) {
+  Outcomes all;
+  std::mutex mutex;  // of the error
+  std::atomic<bool> failed = false;
+  auto results =
+      inParallel(static_cast<std::size_t>(series.runs),
+                 static_cast<unsigned>(std::min<std::size_t>(series.options.threads, 64)),
+                 [&](std::size_t i) -> Result<Outcome> {
+                   if (failed) return Error{.what = "was not begun"};
+                   auto outcome = guarded([&] { return runOnce(series, static_cast<int>(i)); });
+                   if (outcome || failed.exchange(true)) return outcome;
+                   const std::lock_guard lock{mutex};
+                   all.error = outcome.error();
+                   return outcome;
+                 });
+  for (Result<Outcome>& result : results)
+    if (result) all.ended.push_back(*std::move(result));
+  return all;
 }
 
 std::string quoted(const std::string& text) {
@@ -124,12 +128,11 @@ std::string quoted(const std::string& text) {
 
 Result<void> writeCsv(const std::string& file, const std::vector<Outcome>& outcomes) {
   std::string text = "run,seed,result,seconds,red,blue,ballX,ballY\n";
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const Outcome& o = outcomes[i];
+  for (const Outcome& o : outcomes) {
     char numbers[160];
     std::snprintf(numbers, sizeof numbers, ",%.3f,%d,%d,%.1f,%.1f\n", o.seconds, o.red, o.blue,
                   o.ball.x(), o.ball.y());
-    text += std::to_string(i + 1) + "," + std::to_string(o.seed) + "," + quoted(o.result) + numbers;
+    text += std::to_string(o.run) + "," + std::to_string(o.seed) + "," + quoted(o.result) + numbers;
   }
   std::error_code ignored;  // then writing reports what is wrong
   std::filesystem::create_directories(std::filesystem::path{file}.parent_path(), ignored);
@@ -265,12 +268,12 @@ Result<void> test(Console& console, const Words& words) {
   } else {
     return wrongArguments(words);
   }
-  const auto outcomes = runAll(series);
-  if (!outcomes) return outcomes.error();
-  printSummary(console, *outcomes);
-  if (auto done = writeCsv(file, *outcomes); !done) return done;
+  const Outcomes outcomes = runAll(series);
+  if (outcomes.error && outcomes.ended.empty()) return *outcomes.error;
+  printSummary(console, outcomes.ended);
+  if (auto done = writeCsv(file, outcomes.ended); !done) return done;
   console.print("results: " + file);
-  return {};
+  return outcomes.error ? Result<void>{*outcomes.error} : Result<void>{};
 }
 
 }  // namespace

@@ -1,3 +1,7 @@
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
 #include "console/TestSession.h"
 #include "streams/File.h"
 
@@ -27,6 +31,22 @@ TEST_F(TestCommands, SituationsAreTriedManyTimes) {
   expectError("test situation 2 1 nothing", "nothing", "no such value");
   expectError("test game many", "many", "is no number");
   expectError("test", "test", "expected");
+}
+
+/// As Ctrl-C does, after a while in which some have ended.
+TEST_F(TestCommands, WhatEndedBeforeTheOthersWereStoppedIsKept) {
+  const std::string table = file("stopped.csv");
+  for (std::chrono::seconds wait{1}; wait < std::chrono::minutes{2}; wait *= 2) {
+    const std::jthread signal{[&] {
+      std::this_thread::sleep_for(wait);
+      session->interrupt();
+    }};
+    const auto done = console->execute("test situation 100000 0.008 \"ball.x > 2000\" " + table);
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().text(), HasSubstr("stopped"));
+    if (std::filesystem::exists(table)) break;
+  }
+  EXPECT_THAT(*readFile(table), HasSubstr("\n1,1,timeout,0.008,"));
 }
 
 TEST_F(TestCommands, SituationsAreSaved) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "base/Hash.h"
 #include "modules/behavior/tactics/TargetPoints.h"
@@ -308,12 +309,50 @@ Result<void> Match::teamFailure() const {
   return {};
 }
 
+Result<void> Match::soundness() const {
+  return failures_.empty() ? Result<void>{} : failures_.front().error;
+}
+
+/// Adds failures of the last tick.
+void Match::noteFailures() {
+  const auto note = [this](std::size_t robot, const Error& error) {
+    if (std::ranges::find(failures_, robot, &RobotFailure::robot) == failures_.end())
+      failures_.push_back({time(), robot, error});
+  };
+  const std::vector<SceneRobot>& robots = simulation_->scene().robots;
+  for (std::size_t i = 0; i < robots.size(); ++i)
+    if (const std::string& what = simulation_->failure(i); !what.empty())
+      note(i, {.field = robots[i].name, .what = what});
+  for (std::size_t i = 0; i < lockstepRobots_.size(); ++i)
+    if (const auto& error = lockstepRobots_[i]->failure()) note(lockstepIndices_[i], *error);
+}
+
+/// As events, each at its time.
+void Match::addFailures(MatchSummary& summary) const {
+  for (const RobotFailure& failure : failures_) {
+    const auto place =
+        std::ranges::upper_bound(summary.events, failure.time, {}, &MatchEvent::time);
+    const Player& player = simulation_->players()[failure.robot];
+    MatchEvent event{.time = failure.time,
+                     .kind = "failure",
+                     .text = failure.error.text(),
+                     .team = player.teamColor,
+                     .player = player.number()};
+    if (place != summary.events.begin()) {
+      event.redScore = std::prev(place)->redScore;
+      event.blueScore = std::prev(place)->blueScore;
+    }
+    summary.events.insert(place, std::move(event));
+  }
+}
+
 void Match::step() {
   images_->step(time());
   gameController_->hear([this](std::span<const std::byte> message) {
     note(InterventionKind::gameController, hexOf(message));
   });
   simulation_->step();
+  noteFailures();
   if (const auto* seen = simulation_->ceilingPercept(); seen && ceilingLog_)
     ceilingLog_->write(ceilingTopic, time(), *seen);
   statistics_->update();
@@ -438,6 +477,7 @@ MatchSummary Match::summary() const {
   summary.blueScore = simulation_->referee().score(TeamColor::blue);
   for (const GameEvent& event : simulation_->referee().events())
     summary.events.push_back(toMatchEvent(event));
+  addFailures(summary);
   if (challenge_)
     for (const Challenge::Note& note : challenge_->notes())
       summary.events.push_back({.time = note.time, .kind = "challenge", .text = note.text});

@@ -60,6 +60,13 @@ struct MatchOptions {
   std::optional<int> gameControllerPort{};
 };
 
+/// That the program of a robot failed. The error's field names the robot.
+struct RobotFailure {
+  Time time;
+  std::size_t robot = 0;  ///< Index in the simulation.
+  Error error;
+};
+
 /// A simulated match of robots that run their own programs: the simulator, the robots in it, their
 /// logs, and what it leaves: a summary, times, images.
 class Match {
@@ -78,8 +85,13 @@ class Match {
            (!game.referee && static_cast<double>(time().ms) >= game.minutes * 60'000);
   }
   Time time() const { return simulation_->time(); }
-  /// An error if a team's program died or did not answer: then the match is void.
+  /// An error if a team's program died or did not answer, with which the match ends.
   Result<void> teamFailure() const;
+  /// The robots whose programs have failed, in the order of time: those with which the match has
+  /// ended, and those of which a module has thrown something, which stand while the others play.
+  const std::vector<RobotFailure>& failures() const { return failures_; }
+  /// The first of them as an error: nothing follows from such a match.
+  Result<void> soundness() const;
 
   /// Repeats what was done by the console: a command line.
   using Perform = std::function<Result<void>(Match& match, const std::string& line)>;
@@ -161,9 +173,12 @@ class Match {
   std::string layoutFile(const SceneRobot& robot) const;
   std::uint64_t fingerprint() const;
   Result<void> repeat(const MatchState& state, const Perform& perform);
+  void noteFailures();
+  void addFailures(MatchSummary& summary) const;
 
   MatchOptions options_;
   std::vector<Intervention> history_;
+  std::vector<RobotFailure> failures_;
   std::string irreproducible_;  ///< Why the match cannot be repeated; empty if it can.
   std::shared_ptr<const Configuration> configuration_;
   std::array<Team, 2> teams_;  ///< By color.

@@ -37,7 +37,8 @@ struct MatchEvent {
   static constexpr auto fields() {
     return Fields{
         field("time", &MatchEvent::time, "ms"),
-        field("kind", &MatchEvent::kind, "", "goal, kickOff, halfTime, stuckBall, kick, end, ..."),
+        field("kind", &MatchEvent::kind, "",
+              "goal, kickOff, halfTime, stuckBall, kick, end, ...; failure: of a robot's program"),
         field("text", &MatchEvent::text, "", "one line for people"),
         field("team", &MatchEvent::team, "", "that it is about"),
         field("player", &MatchEvent::player, "", "1 to 4; 0 none"),
@@ -121,18 +122,20 @@ struct MatchSummary {
   std::vector<Vector2d> ball;
 
   static constexpr auto fields() {
-    return Fields{field("scene", &MatchSummary::scene),
-                  field("seed", &MatchSummary::seed),
-                  field("duration", &MatchSummary::duration, "ms", "simulated"),
-                  field("interrupted", &MatchSummary::interrupted, "",
-                        "whether a signal ended it before its end"),
-                  field("redScore", &MatchSummary::redScore),
-                  field("blueScore", &MatchSummary::blueScore),
-                  field("truth", &MatchSummary::truth, "",
-                        "robots that were given the truth; none in a fair match"),
-                  field("events", &MatchSummary::events),
-                  field("robots", &MatchSummary::robots),
-                  field("ball", &MatchSummary::ball, "mm", "true position, one a second")};
+    return Fields{
+        field("scene", &MatchSummary::scene),
+        field("seed", &MatchSummary::seed),
+        field("duration", &MatchSummary::duration, "ms", "simulated"),
+        field("interrupted", &MatchSummary::interrupted, "",
+              "whether it was ended before its end: by a signal, an error of its script, or a "
+              "program that failed"),
+        field("redScore", &MatchSummary::redScore),
+        field("blueScore", &MatchSummary::blueScore),
+        field("truth", &MatchSummary::truth, "",
+              "robots that were given the truth; none in a fair match"),
+        field("events", &MatchSummary::events),
+        field("robots", &MatchSummary::robots),
+        field("ball", &MatchSummary::ball, "mm", "true position, one a second")};
   }
 };
 

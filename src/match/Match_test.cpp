@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "match/TestMatch.h"
 #include "streams/Mcap.h"
@@ -333,6 +334,32 @@ TEST_F(MatchTest, WrongFilesAreToldInOneLine) {
   options.sockets = (folder / "sockets").string();
   EXPECT_EQ(errorOf(options),
             options.scene + ": red2: runs in another program, which cannot be given the truth");
+}
+
+/// A module that throws, as when there is not enough memory: its robot stands, the others play, and
+/// all that the match leaves says so.
+TEST_F(MatchTest, ARobotThatThrowsStandsAndIsNamed) {
+  const auto match = make("throws", 3, 2, 0.1);
+  ASSERT_TRUE(whistle(*match, ""));
+  match->robots()[1]->observe([&](const MessageQueue&) {
+    if (match->time() >= Time{1000}) throw std::runtime_error{"a module"};
+  });
+  EXPECT_TRUE(match->soundness());
+  while (!isPlayed(*match)) match->step();
+  EXPECT_TRUE(match->teamFailure()) << "the others play on";
+  EXPECT_EQ(match->time(), Time{6000});
+  ASSERT_EQ(match->failures().size(), 1u);
+  const std::string error = "red2: its program failed: exception: a module";
+  ASSERT_FALSE(match->soundness());
+  EXPECT_EQ(match->soundness().error().text(), error);
+  const MatchSummary summary = match->summary();
+  const auto event = std::ranges::find(summary.events, "failure", &MatchEvent::kind);
+  ASSERT_NE(event, summary.events.end());
+  EXPECT_EQ(event->text, error);
+  EXPECT_EQ(event->time, match->failures()[0].time);
+  EXPECT_EQ(event->team, TeamColor::red);
+  EXPECT_EQ(event->player, 2);
+  EXPECT_TRUE(std::ranges::is_sorted(summary.events, {}, &MatchEvent::time));
 }
 
 }  // namespace

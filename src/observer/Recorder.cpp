@@ -54,6 +54,7 @@ void Recorder::clear() {
   stop();
   log_.reset();
   messages_ = saved_ = 0;
+  file_.clear();
   if (on) static_cast<void>(start());
 }
 
@@ -81,6 +82,7 @@ Result<void> Recorder::save(const std::string& file) {
   const auto copied = repairLog(path(), file);
   if (!copied) return copied.error();
   saved_ = messages_;
+  file_ = file;
   if (copied->messages >= messages_) return {};
   return Error{.file = file,
                .what = "holds the first " + std::to_string(copied->messages) + " of " +

@@ -34,6 +34,8 @@ class Recorder {
   std::uint64_t unsaved() const { return messages_ - saved_; }
   /// Writes a log of what was recorded; an error if that is nothing.
   Result<void> save(const std::string& file);
+  /// Where it was saved last; empty: nowhere.
+  const std::string& file() const { return file_; }
 
  private:
   Result<void> open();
@@ -48,6 +50,7 @@ class Recorder {
   std::shared_ptr<const void> passing_;
   bool recording_ = false;
   std::uint64_t messages_ = 0, saved_ = 0;
+  std::string file_;
   Time lastImage_ = never();
 };
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "base/Guarded.h"
 #include "base/Hash.h"
 #include "simulation/Oracle.h"
 #include "simulation/camera/CameraEffects.h"
@@ -153,6 +154,24 @@ const ImageTruth* Simulation::truth(std::size_t robot) const {
   return kept && !kept->classes.empty() ? kept : nullptr;
 }
 
+namespace {
+
+/// Has the controller of a robot's hardware work. If it fails, the others play on, and its robot
+/// stands as it stood.
+template <typename Hardware, typename Work>
+void let(Hardware& robot, Work&& work) {
+  if (!robot.controller || !robot.failure.empty()) return;
+  try {
+    work();
+  } catch (const std::exception& exception) {
+    robot.failure = "its program failed: " + errorOf(exception).text();
+  } catch (...) {
+    robot.failure = "its program failed";
+  }
+}
+
+}  // namespace
+
 void Simulation::step() {
   {
     const Stopwatch::Lap lap{worldTime_};
@@ -169,8 +188,7 @@ void Simulation::step() {
   pool_.forEach(robots_.size(), [&](std::size_t i, std::size_t worker) {
     run(order_[i], imageDue ? &renderers_[worker] : nullptr);
   });
-  for (Hardware& r : robots_)
-    if (r.controller && r.failure.empty()) r.controller->finish(r.output);
+  for (Hardware& r : robots_) let(r, [&] { r.controller->finish(r.output); });
   act();
   ++tick_;
 }
@@ -191,14 +209,7 @@ void Simulation::run(std::size_t robot, CameraRenderer* renderer) {
   if (!r.controller || !r.failure.empty()) return;
   sense(robot);
   if (renderer) takeImage(robot, *renderer);
-  // If one robot's program fails, the others play on, and it stands as it stood.
-  try {
-    r.controller->cycle(r.input, r.output);
-  } catch (const std::exception& error) {
-    r.failure = std::string{"the controller threw: "} + error.what();
-  } catch (...) {
-    r.failure = "the controller threw something";
-  }
+  let(r, [&] { r.controller->cycle(r.input, r.output); });
 }
 
 void Simulation::lookFromTheCeiling() {

@@ -9,6 +9,8 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <utility>
@@ -29,38 +31,46 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
-enum class Place { pipe, terminal };
+/// Where a program runs: in a pipe, in one that nobody reads, or in a terminal.
+enum class Place { pipe, unreadPipe, terminal };
+/// Where errors of a program in a pipe go: with what it prints, or to the file `errors`.
+enum class Errors { printed, file };
 
 /// A program of the build tree that runs in a folder, and what it prints.
 class RunningProgram {
  public:
   RunningProgram(const fs::path& folder, std::vector<std::string> command,
-                 Place place = Place::pipe) {
+                 Place place = Place::pipe, Errors errors = Errors::printed) {
     command.front() = programFolder() + "/" + command.front();
     std::vector<char*> arguments;
     for (std::string& word : command) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     std::array<int, 2> output{}, input{};
-    if (place == Place::pipe) {
+    if (place != Place::terminal) {
       EXPECT_EQ(pipe2(output.data(), O_CLOEXEC), 0);
       EXPECT_EQ(pipe2(input.data(), O_CLOEXEC), 0);
     }
-    pid_ = place == Place::pipe ? fork() : forkpty(&output_, nullptr, nullptr, nullptr);
+    if (place == Place::unreadPipe) close(output[0]);
+    pid_ = place != Place::terminal ? fork() : forkpty(&output_, nullptr, nullptr, nullptr);
     if (pid_ == 0) {
-      if (place == Place::pipe) {
+      if (place != Place::terminal) {
         dup2(input[0], STDIN_FILENO);
         dup2(output[1], STDOUT_FILENO);
-        dup2(output[1], STDERR_FILENO);
+        dup2(errors == Errors::printed
+                 ? output[1]
+                 : open((folder / "errors").c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600),
+             STDERR_FILENO);
       }
-      for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+      for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
       if (chdir(folder.c_str()) == 0) execv(arguments.front(), arguments.data());
       _exit(127);
     }
     if (place == Place::terminal) return;
     close(output[1]);
     close(input[0]);
-    output_ = output[0];
+    if (place == Place::pipe) output_ = output[0];
     input_ = input[1];
   }
   ~RunningProgram() {
@@ -90,7 +100,19 @@ class RunningProgram {
     ASSERT_EQ(write(input_, line.data(), line.size()), static_cast<ssize_t>(line.size()));
   }
   void send(int signal) const { ::kill(pid_, signal); }
-  void closeTerminal() {
+  /// Kills the program that it has started with an argument.
+  void killChild(const std::string& argument) const {
+    const std::string number = std::to_string(pid_);
+    std::ifstream children{"/proc/" + number + "/task/" + number + "/children"};
+    for (pid_t child = 0; children >> child;) {
+      std::ifstream line{"/proc/" + std::to_string(child) + "/cmdline"};
+      const std::string words{std::istreambuf_iterator<char>{line}, {}};
+      if (words.find('\0' + argument + '\0') != words.npos) ::kill(child, SIGKILL);
+    }
+  }
+  void closeTerminal() { closeOutput(); }
+  /// Reads nothing that it prints any more.
+  void closeOutput() {
     if (output_ >= 0) close(std::exchange(output_, -1));
   }
   /// Waits for its end, and returns its exit status; less than 0 if a signal ended it.
@@ -194,6 +216,17 @@ TEST_P(Signal, EndsARecordingAndAFilm) {
   expectWholeRecording();
 }
 
+TEST_F(SignalsTest, WhatIsRecordedStaysBesideTheLogThatWasSaved) {
+  write("record.con",
+        "robot red3\nlog start\nrun 1\nlog save mine/log.mcap\necho saved\nrun 100000\n");
+  RunningProgram recording{folder.path(), console("record.con")};
+  recording.awaitText("saved\n");
+  recording.send(SIGTERM);
+  EXPECT_EQ(recording.end(), 128 + SIGTERM) << recording.printed();
+  expectWholeLog(path("mine/log.interrupted.mcap"));
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
 TEST_P(Signal, EndsAConsoleThatWaitsForALine) {
   RunningProgram waiting{folder.path(), {"simgt", "console", scene}};
   waiting.type("echo ready\n");
@@ -282,6 +315,86 @@ TEST_F(SignalsTest, ASignalEndsTheScriptOfAMatch) {
   EXPECT_EQ(match.end(), 128 + SIGTERM) << match.printed();
   EXPECT_THAT(match.printed(), Not(HasSubstr("never")));
   EXPECT_TRUE(summary().interrupted);
+}
+
+/// As `simgt play | head -1` does.
+TEST_F(SignalsTest, WhoReadsNoMoreEndsAMatchWithAllThatWasPlayed) {
+  RunningProgram match{folder.path(), play(), Place::pipe, Errors::file};
+  match.awaitText("playing\n");
+  match.closeOutput();
+  EXPECT_EQ(match.end(), 128 + SIGPIPE);
+  EXPECT_THAT(contentOf(path("errors")), StartsWith("simgt: interrupted at 0:"));
+  expectInterruptedMatch();
+}
+
+TEST_F(SignalsTest, WhoReadsNoMoreEndsARecordingAndAFilm) {
+  write(
+      "record.con",
+      "robot red3\nlog start\nfilm start film.mp4 field\nrun 1\necho recording\nrun 1\necho more\n"
+      "run 100000\n");
+  RunningProgram recording{folder.path(), console("record.con"), Place::pipe, Errors::file};
+  recording.awaitText("recording\n");
+  recording.closeOutput();
+  EXPECT_EQ(recording.end(), 128 + SIGPIPE);
+  EXPECT_THAT(contentOf(path("errors")), Not(HasSubstr("ipe")));
+  expectWholeRecording();
+}
+
+/// Programs that write nothing but what is read end at once, without a word.
+TEST_F(SignalsTest, WhoReadsNoMoreEndsOtherProgramsQuietly) {
+  auto writer = McapWriter::open(path("long.mcap"), {false});
+  ASSERT_TRUE(writer);
+  for (int i = 0; i < 20'000; ++i) writer->write("/Text", Time{i}, Text{std::string(100, 'x')});
+  ASSERT_TRUE(writer->close());
+  const std::string small = fs::absolute("tests/fuzz/corpus/mcap/small.mcap").string();
+  const std::string test = fs::absolute("tests/fuzz/corpus/xtest/sound.xtest").string();
+  for (const auto& command : std::vector<std::vector<std::string>>{
+           {"gtlog", "show", path("long.mcap")},
+           {"gtlog", "list", small},
+           {"simgt", "commands"},
+           {"simgt", "layout"},
+           {"xabsl", "test", test},
+           {"motionnet", "list"},
+           {"experiment", "list", "--seeds", "1..1000", "--only", "match"}}) {
+    RunningProgram program{folder.path(), command, Place::unreadPipe, Errors::file};
+    const int status = program.end();
+    EXPECT_TRUE(status == -SIGPIPE || status == 128 + SIGPIPE) << command[0] << " " << status;
+    EXPECT_EQ(contentOf(path("errors")), "") << command[0];
+  }
+}
+
+TEST_F(SignalsTest, AWrongLineOfTheScriptCostsNothingThatWasPlayed) {
+  write("begin.con", "run 3\nnonsense\n");
+  RunningProgram wrong{folder.path(), play()};
+  EXPECT_EQ(wrong.end(), 2);
+  EXPECT_THAT(wrong.printed(), HasSubstr("simgt: " + path("begin.con") + ":2: nonsense: "));
+  expectInterruptedMatch();
+  write("begin.con", "run 3\nexpect time > 5\n");
+  RunningProgram disappointed{folder.path(), play()};
+  EXPECT_EQ(disappointed.end(), 1) << disappointed.printed();
+  expectInterruptedMatch();
+}
+
+/// A match that ends with a team's program leaves what was played, marked with what happened.
+TEST_F(SignalsTest, AProgramOfATeamThatDiesCostsNothingThatWasPlayed) {
+  std::vector<std::string> command = play();
+  command.insert(command.end(), {"--blue", "program:" + programFolder() + "/gtrobot-robot"});
+  RunningProgram match{folder.path(), command};
+  match.awaitText("playing\n");
+  match.killChild("blue4");
+  EXPECT_EQ(match.end(), 2) << match.printed();
+  const std::string error = "blue4: its program was ended by signal 9";
+  EXPECT_THAT(match.printed(), HasSubstr("simgt: " + error + "\n"));
+  const MatchSummary summary = this->summary();
+  EXPECT_TRUE(summary.interrupted);
+  EXPECT_GE(summary.duration, Time{2000});
+  ASSERT_FALSE(summary.events.empty());
+  EXPECT_EQ(summary.events.back().kind, "failure");
+  EXPECT_EQ(summary.events.back().text, error);
+  EXPECT_EQ(summary.events.back().time, summary.duration);
+  EXPECT_THAT(contentOf(path("out/report.html")), HasSubstr("Blue, interrupted at "));
+  for (const char* robot : {"red1", "red2", "red3", "red4"})
+    expectWholeLog(path(std::string{"out/"} + robot + ".mcap"));
 }
 
 TEST_F(SignalsTest, TwoMatchesDoNotShareAFolder) {

@@ -158,6 +158,19 @@ TEST_F(ReportTest, ThePageNamesWhenTheMatchWasInterrupted) {
   EXPECT_THAT(report(match), HasSubstr("interrupted at 1:05"));
 }
 
+TEST_F(ReportTest, ThePageNamesRobotsWhoseProgramsFailed) {
+  MatchSummary match = sampleMatch(7);
+  match.events.push_back({.time = {192'500},
+                          .kind = "failure",
+                          .text = "blue2: its program was ended by signal 9",
+                          .team = TeamColor::blue,
+                          .player = 2});
+  const std::string page = report(match);
+  EXPECT_EQ(dataOf(page)["match"]["events"].back()["text"], match.events.back().text);
+  EXPECT_THAT(page, HasSubstr("<p id=\"failures\" hidden></p>"));
+  EXPECT_THAT(page, HasSubstr("events.filter((event) => event.kind === 'failure')"));
+}
+
 TEST_F(ReportTest, ThePageLoadsNothingFromElsewhere) {
   std::string page = report(sampleMatch(7), samplePictures(7, 3));
   // The library's head and comments name addresses that nothing loads.

@@ -82,6 +82,10 @@ function showScore() {
     match.interrupted ? `interrupted at ${clock(seconds)}` : `${clock(seconds)} minutes`,
     match.scene, `seed ${match.seed}`, `${number(times.realTimeFactor, 1)} × real time`
   ].join(' · ');
+  const failures = events.filter((event) => event.kind === 'failure');
+  byId('failures').hidden = failures.length === 0;
+  byId('failures').textContent =
+      failures.map((event) => `${clock(event.second)} ${event.text}`).join('; ');
   byId('truth').hidden = match.truth.length === 0;
   byId('truth').textContent = `Given the truth by the simulator: ${match.truth.join(', ')}`;
 }

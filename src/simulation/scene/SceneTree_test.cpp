@@ -314,7 +314,7 @@ TEST_F(MatchTree, AControllerThatThrowsStopsItsRobotOnly) {
   for (int i = 0; i < 50; ++i) simulation_->step();
   EXPECT_EQ(thrower->cycles, 10);
   EXPECT_EQ(simulation_->input(2).image, nullptr) << "no stale image";
-  EXPECT_EQ(simulation_->failure(2), "the controller threw: out of battery");
+  EXPECT_EQ(simulation_->failure(2), "its program failed: exception: out of battery");
   EXPECT_EQ(simulation_->failure(3), "");
   EXPECT_EQ(simulation_->time(), Time{400});
 }
