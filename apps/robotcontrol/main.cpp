@@ -1,4 +1,3 @@
-#include <QApplication>
 #include <QSocketNotifier>
 #include <QTimer>
 #include <cstdio>
@@ -12,6 +11,7 @@
 #include "crash/CrashHandler.h"
 #include "observer/LogPlayer.h"
 #include "streams/TemporaryFolder.h"
+#include "workbench/Application.h"
 #include "workbench/MainWindow.h"
 #include "workbench/SaveImage.h"
 
@@ -68,7 +68,7 @@ class SettingsFolder {
 
 gt::Result<int> run(int argc, char** argv, Options options) {
   const gt::EndSignals signals;
-  QApplication application{argc, argv};
+  gt::Application application{argc, argv};
   QApplication::setApplicationName("robotcontrol");
   QApplication::setDesktopFileName("robotcontrol");
   QApplication::setOrganizationName("gt2003");
@@ -95,9 +95,11 @@ gt::Result<int> run(int argc, char** argv, Options options) {
   QObject::connect(&ended, &QSocketNotifier::activated,
                    [&] { QApplication::exit(signals.status()); });
   const int status = QApplication::exec();
-  if (signals.received() != 0)
+  const auto failure = application.takeFailure();
+  if (signals.received() != 0 || failure)
     for (const auto& kept : (*session)->end())
       std::fprintf(stderr, "%s\n", (kept ? *kept : kept.error().text()).c_str());
+  if (failure) return *failure;
   return status;
 }
 

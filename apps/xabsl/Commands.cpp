@@ -4,6 +4,7 @@
 #include <iostream>
 #include <map>
 
+#include "base/Guarded.h"
 #include "streams/File.h"
 #include "xabsl/formats/Compile.h"
 #include "xabsl/formats/IntermediateCode.h"
@@ -21,6 +22,9 @@ int run(int argc, char** argv, std::initializer_list<AddCommand> commands) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? succeeded : wrong;
+  } catch (const std::exception& exception) {
+    std::cerr << "xabsl: " << gt::errorOf(exception).text() << '\n';
+    return wrong;
   }
   return status;
 }

@@ -99,7 +99,7 @@ class WebSocketServer::Server {
     if (failed) return Error{.field = place, .what = failed.message()};
     port_ = acceptor_.local_endpoint().port();
     accept();
-    thread_ = std::thread{[this] { context_.run(); }};
+    thread_ = std::thread{[this] { run(); }};
     return {};
   }
 
@@ -112,6 +112,7 @@ class WebSocketServer::Server {
     bool held = false;
     {
       const std::lock_guard lock{mutex_};
+      if (failure_) std::rethrow_exception(failure_);
       events.swap(events_);
       unread_.clear();
       unreadBytes_ = 0;
@@ -144,6 +145,17 @@ class WebSocketServer::Server {
   }
 
  private:
+  /// What an exception leaves is no server any more.
+  void run() {
+    try {
+      context_.run();
+    } catch (...) {
+      const std::lock_guard lock{mutex_};
+      failure_ = std::current_exception();
+      news_ = true;
+    }
+  }
+
   /// What waits to be sent to one client.
   class Outbox {
    public:
@@ -390,6 +402,7 @@ class WebSocketServer::Server {
   std::map<std::uint64_t, Unread> unread_;  ///< Of each client's events, since they were taken.
   std::size_t unreadBytes_ = 0;             ///< Of all.
   bool held_ = false;                       ///< A client is not read until they are taken.
+  std::exception_ptr failure_;              ///< Of the server's thread, which has ended then.
   std::atomic<bool> news_ = false;
   std::atomic<std::uint64_t> dropped_ = 0;
   std::thread thread_;

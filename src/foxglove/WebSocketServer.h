@@ -54,7 +54,8 @@ class WebSocketServer {
   WebSocketServer& operator=(const WebSocketServer&) = delete;
 
   std::uint16_t port() const;
-  /// What has happened since this was called last. Costs next to nothing if that is nothing.
+  /// What has happened since this was called last. Costs next to nothing if that is nothing. Throws
+  /// what has ended the server's thread, such as a lack of memory.
   std::vector<Event> take();
   /// Sends a message as soon as the client takes it. A client that is gone is no error.
   void send(std::uint64_t client, WebSocketMessage message);

@@ -7,9 +7,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <new>
 #include <thread>
 
 #include "base/FileDescriptor.h"
+#include "support/TestAllocations.h"
 #include "support/TestViewer.h"
 
 namespace gt {
@@ -240,6 +242,28 @@ TEST_F(WebSocketServerTest, WaitsWhileThereAreNoDescriptors) {
   EXPECT_LT(processorSeconds() - began, 0.05);
   ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
   EXPECT_TRUE(connect()) << "it goes on when there are some";
+}
+
+TEST_F(WebSocketServerTest, ThrowsWhatHasEndedItsThread) {
+  open();
+  auto viewer = connect();
+  ASSERT_TRUE(viewer);
+  takeClient();
+  const auto takeFails = [&] {
+    try {
+      server->take();
+      return false;
+    } catch (const std::bad_alloc&) {
+      return true;
+    }
+  };
+  EXPECT_FALSE(takeFails());
+  {
+    const NoMemoryElsewhere none;
+    viewer->send(std::string(10'000, 'x'));
+    EXPECT_TRUE(waitFor(takeFails));
+  }
+  EXPECT_TRUE(takeFails());
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "simulation/WorkerPool.h"
 
 #include <algorithm>
+#include <exception>
+#include <mutex>
 
 namespace gt {
 namespace {
@@ -16,11 +18,34 @@ void awaitChange(const std::atomic<std::uint32_t>& value, std::uint32_t old) {
   value.wait(old);
 }
 
+/// Work with what it has thrown: of several exceptions that of the lowest index.
+struct GuardedWork {
+  const WorkerPool::Work& work;
+  std::mutex mutex{};  ///< Of the following two.
+  std::exception_ptr failure{};
+  std::size_t failed = 0;  ///< The index of it.
+
+  void operator()(std::size_t index, std::size_t worker) {
+    try {
+      work(index, worker);
+    } catch (...) {
+      const std::lock_guard lock{mutex};
+      if (failure && failed < index) return;
+      failure = std::current_exception();
+      failed = index;
+    }
+  }
+};
+
 }  // namespace
 
 WorkerPool::WorkerPool(std::size_t threads) {
-  for (std::size_t worker = 1; worker < std::max<std::size_t>(threads, 1); ++worker)
-    threads_.emplace_back([this, worker] { run(worker); });
+  threads_.reserve(std::max<std::size_t>(threads, 1) - 1);
+  try {
+    for (std::size_t worker = 1; worker < threads; ++worker)
+      threads_.emplace_back([this, worker] { run(worker); });
+  } catch (const std::exception&) {
+  }
 }
 
 WorkerPool::~WorkerPool() {
@@ -35,7 +60,9 @@ void WorkerPool::forEach(std::size_t count, const Work& work) {
     for (std::size_t i = 0; i < count; ++i) work(i, 0);
     return;
   }
-  work_ = &work;
+  GuardedWork job{work};
+  const Work guarded = [&job](std::size_t index, std::size_t worker) { job(index, worker); };
+  work_ = &guarded;
   count_ = static_cast<std::uint32_t>(count);
   unfinished_ = count_;
   open_ = static_cast<std::uint64_t>(job_ + 1) << 32 | count_;
@@ -44,6 +71,7 @@ void WorkerPool::forEach(std::size_t count, const Work& work) {
   takeShare(0);
   for (std::uint32_t left = unfinished_; left > 0; left = unfinished_)
     awaitChange(unfinished_, left);
+  if (job.failure) std::rethrow_exception(job.failure);
 }
 
 void WorkerPool::run(std::size_t worker) {

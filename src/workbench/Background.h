@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QPointer>
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <thread>
@@ -23,22 +24,31 @@ class Background {
   ~Background() { end(); }
 
   /// Calls `work(progress)`, and then `show` with its result on the window's thread, unless
-  /// `receiver` is gone by then. What ran before is stopped, and not shown.
+  /// `receiver` is gone by then; what it throws is thrown there (Application). What ran before is
+  /// stopped, and not shown.
   template <typename Work, typename Show>
   void start(QObject* receiver, Work work, Show show) {
     end();
     state_ = std::make_shared<State>();
     thread_ = std::thread{[state = state_, guard = QPointer<QObject>{receiver},
                            work = std::move(work), show = std::move(show)]() mutable {
-      auto result = std::make_shared<decltype(work(Progress{}))>(work([state](double share) {
-        state->share = share;
-        return !state->stopping;
-      }));
+      std::shared_ptr<decltype(work(Progress{}))> result;
+      std::exception_ptr thrown;
+      try {
+        result = std::make_shared<decltype(work(Progress{}))>(work([state](double share) {
+          state->share = share;
+          return !state->stopping;
+        }));
+      } catch (...) {
+        thrown = std::current_exception();
+      }
       state->ended = true;
       QMetaObject::invokeMethod(
           QCoreApplication::instance(),
-          [state, guard, show = std::move(show), result] {
-            if (guard && !state->forgotten) show(*result);
+          [state, guard, show = std::move(show), result, thrown] {
+            if (!guard || state->forgotten) return;
+            if (thrown) std::rethrow_exception(thrown);
+            show(*result);
           },
           Qt::QueuedConnection);
     }};

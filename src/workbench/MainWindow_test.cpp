@@ -14,6 +14,7 @@
 #include <ctime>
 #include <vector>
 
+#include "workbench/Application.h"
 #include "workbench/CommandPalette.h"
 #include "workbench/TestWindow.h"
 #include "workbench/ViewDialog.h"
@@ -381,7 +382,7 @@ TEST_F(WindowTest, ItEndsInTheMiddleOfACommand) {
 }  // namespace gt
 
 int main(int argc, char** argv) {
-  QApplication application{argc, argv};
+  gt::Application application{argc, argv};
   testing::InitGoogleMock(&argc, argv);
   return RUN_ALL_TESTS();
 }

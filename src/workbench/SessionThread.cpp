@@ -4,6 +4,8 @@
 #include <chrono>
 #include <ctime>
 
+#include "base/Guarded.h"
+
 namespace gt {
 namespace {
 
@@ -112,27 +114,38 @@ std::vector<Result<std::string>> SessionThread::end() {
 
 void SessionThread::run() {
   while (!ending_) {
-    answer();
-    while (auto command = take(commands_)) {
-      session_->takeInterrupt();  // it was meant for an earlier one
-      if (ending_) return;
-      command->work(*console_);
-      ++version_;
-      updateStatus();
-      answer();
-      if (ending_) return;
-    }
-    if (console_->ended()) exited_ = true;
-    const Time before = session_->time();
-    session_->update(std::max(updateTime, restAfterAnswers_));
-    if (session_->time() != before) ++version_;
-    updateStatus();
-    std::unique_lock lock{mutex_};
-    busy_ = !commands_.empty();
-    current_.clear();
-    if (!session_->started() && !busy_ && questions_.empty() && !ending_)
-      wake_.wait_for(lock, restTime);
+    const auto done = guarded([this]() -> Result<void> {
+      work();
+      return {};
+    });
+    if (done) continue;
+    session_->stop();  // or it would fail again and again
+    print("error: " + done.error().text());
   }
+}
+
+/// Answers what was asked, executes what was given, and lets some time pass.
+void SessionThread::work() {
+  answer();
+  while (auto command = take(commands_)) {
+    session_->takeInterrupt();  // it was meant for an earlier one
+    if (ending_) return;
+    command->work(*console_);
+    ++version_;
+    updateStatus();
+    answer();
+    if (ending_) return;
+  }
+  if (console_->ended()) exited_ = true;
+  const Time before = session_->time();
+  session_->update(std::max(updateTime, restAfterAnswers_));
+  if (session_->time() != before) ++version_;
+  updateStatus();
+  std::unique_lock lock{mutex_};
+  busy_ = !commands_.empty();
+  current_.clear();
+  if (!session_->started() && !busy_ && questions_.empty() && !ending_)
+    wake_.wait_for(lock, restTime);
 }
 
 void SessionThread::post(Command command) {
@@ -214,7 +227,7 @@ Result<void> SessionThread::perform(const std::string& line, bool quiet) {
     current_ = line;
   }
   if (!quiet) print("> " + line);
-  auto done = console_->execute(line);
+  auto done = guarded([&] { return console_->execute(line); });
   if (!done) print("error: " + done.error().text());
   auto offers = console_->takeOffers();
   const std::lock_guard lock{mutex_};
