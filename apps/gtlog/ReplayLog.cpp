@@ -15,7 +15,7 @@
 #include "observer/RobotLog.h"
 #include "representations/behavior/MotionRequest.h"
 #include "robot/SetupFiles.h"
-#include "streams/File.h"
+#include "streams/UnfinishedFile.h"
 
 namespace gt {
 namespace {
@@ -133,26 +133,6 @@ McapWriter::Metadata aboutReplay(const ReplayOptions& options, const McapReader&
   return about;
 }
 
-/// Removes what is written of a file under another name if it does not become whole.
-class Unfinished {
- public:
-  explicit Unfinished(const std::string& path) : path_{path}, written_{unfinishedName(path)} {}
-  Unfinished(const Unfinished&) = delete;
-  Unfinished& operator=(const Unfinished&) = delete;
-  ~Unfinished() {
-    std::error_code ignored;
-    if (!finished_ && written_ != path_) std::filesystem::remove(written_, ignored);
-  }
-  Result<void> finish() {
-    finished_ = true;
-    return finishFile(path_, written_);
-  }
-
- private:
-  std::string path_, written_;
-  bool finished_ = false;
-};
-
 /// Returns the topics that the robot computes.
 Result<std::vector<std::string>> record(const ReplayOptions& options, const std::string& to,
                                         std::vector<std::string>& caveats) {
@@ -160,7 +140,7 @@ Result<std::vector<std::string>> record(const ReplayOptions& options, const std:
   if (!platform) return platform.error();
   auto log = RobotLog::open(unfinishedName(to), aboutReplay(options, platform->player().log()));
   if (!log) return log.error();
-  Unfinished unfinished{to};
+  UnfinishedFile unfinished{to};
   platform->watchAll();
   static_cast<void>(platform->robot().request(DebugRequest{traceKey, DebugKeyMode::always, 0}));
   std::vector<std::string> topics;

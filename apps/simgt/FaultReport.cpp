@@ -10,8 +10,8 @@
 #include "base/Program.h"
 #include "crash/CrashHandler.h"
 #include "robot/ProjectVersion.h"
-#include "streams/File.h"
 #include "streams/TemporaryFolder.h"
+#include "streams/UnfinishedFile.h"
 
 namespace gt {
 namespace {
@@ -61,11 +61,10 @@ class Package {
   Result<void> pack(const std::string& file) const {
     std::error_code ignored;  // then tar reports what is wrong
     fs::create_directories(fs::absolute(file).parent_path(), ignored);
-    const std::string written = unfinishedName(file);
-    const auto packed = runProgram({"tar", "-czf", written, "--sort=name", "--owner=0", "--group=0",
-                                    "-C", folder_.path().string(), "."});
-    if (packed && packed->status == 0) return finishFile(file, written);
-    if (written != file) fs::remove(written, ignored);
+    UnfinishedFile unfinished{file};
+    const auto packed = runProgram({"tar", "-czf", unfinished.written(), "--sort=name", "--owner=0",
+                                    "--group=0", "-C", folder_.path().string(), "."});
+    if (packed && packed->status == 0) return unfinished.finish();
     if (!packed) return packed.error();
     return Error{.file = file, .what = packed->errors.substr(0, packed->errors.find('\n'))};
   }

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "observer/MessageTypes.h"
-#include "streams/File.h"
 #include "streams/Jpeg.h"
+#include "streams/UnfinishedFile.h"
 
 namespace gt {
 
@@ -92,16 +92,14 @@ void RobotLog::writeInput(Time now, const RepresentationType& type, const void* 
 }
 
 Result<std::string> saveQueue(const MessageQueue& queue, const std::string& base) {
-  const std::string file = freeLogFile(base + ".saved"), written = unfinishedName(file);
-  auto log = RobotLog::open(written, {{"robot", std::filesystem::path{base}.filename().string()}});
+  UnfinishedFile file{freeLogFile(base + ".saved")};
+  auto log =
+      RobotLog::open(file.written(), {{"robot", std::filesystem::path{base}.filename().string()}});
   if (!log) return log.error();
   log->write(queue);
-  if (const auto done = log->close(); !done) {
-    std::filesystem::remove(written);
-    return done.error();
-  }
-  if (const auto done = finishFile(file, written); !done) return done.error();
-  return file;
+  if (const auto done = log->close(); !done) return done.error();
+  if (const auto done = file.finish(); !done) return done.error();
+  return file.path();
 }
 
 }  // namespace gt

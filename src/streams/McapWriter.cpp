@@ -13,6 +13,7 @@
 #include "streams/File.h"
 #include "streams/Mcap.h"
 #include "streams/McapRecords.h"
+#include "streams/UnfinishedFile.h"
 
 namespace gt {
 
@@ -50,7 +51,7 @@ struct Span {
 /// What a writer holds: the file, the chunk that is being filled, and what the index will contain.
 struct McapWriter::State {
   std::string path;
-  std::string written;  ///< The name under which it is written.
+  std::optional<UnfinishedFile> unfinished;  ///< If it is written at once.
   McapOptions options;
   std::optional<OutputLock> lock;
   std::unique_ptr<std::FILE, FileCloser> file;
@@ -236,10 +237,7 @@ McapWriter& McapWriter::operator=(McapWriter&& other) noexcept {
 }
 McapWriter::~McapWriter() {
   if (!state_) return;
-  if (!state_->file || state_->written == state_->path)
-    (void)close();
-  else
-    std::remove(state_->written.c_str());
+  if (!state_->unfinished) (void)close();
 }
 
 Result<McapWriter> McapWriter::open(const std::string& path, const McapOptions& options) {
@@ -249,7 +247,7 @@ Result<McapWriter> McapWriter::open(const std::string& path, const McapOptions& 
   auto state = std::make_unique<State>();
   state->lock = std::move(*lock);
   state->path = path;
-  state->written = written;
+  if (options.atOnce) state->unfinished.emplace(path);
   state->options = options;
   state->file.reset(std::fopen(written.c_str(), "wb"));
   if (!state->file)
@@ -450,8 +448,9 @@ Result<void> McapWriter::State::close() {
     putChunk();
     putSummary();
     if (std::fclose(file.release()) != 0) failed();
-    if (written != path && error) std::remove(written.c_str());
-    if (auto done = error ? Result<void>{} : finishFile(path, written); !done) error = done.error();
+    if (unfinished && !error)
+      if (auto done = unfinished->finish(); !done) error = done.error();
+    unfinished.reset();
     lock.reset();
   }
   if (error) return *error;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/OutputLock.h"
-#include "streams/File.h"
+#include "streams/UnfinishedFile.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -27,7 +27,7 @@ std::string reason(int code) {
 
 struct FilmWriter::State {
   std::string file;
-  std::string written;  ///< The name under which it is written.
+  std::optional<UnfinishedFile> unfinished;
   std::optional<OutputLock> lock;
   AVFormatContext* format = nullptr;
   AVCodecContext* codec = nullptr;
@@ -45,8 +45,6 @@ struct FilmWriter::State {
     avcodec_free_context(&codec);
     if (format && format->pb) avio_closep(&format->pb);
     avformat_free_context(format);
-    std::error_code ignored;
-    if (open && written != file) std::filesystem::remove(written, ignored);
   }
   Error error(const std::string& what, int code) const {
     return {.file = file, .what = what + ": " + reason(code)};
@@ -89,9 +87,11 @@ Result<void> FilmWriter::State::openFile() {
   if (!stream) return Error{.file = file, .what = "no memory"};
   stream->time_base = codec->time_base;
   avcodec_parameters_from_context(stream->codecpar, codec);
+  const std::string written = unfinishedName(file);
   auto locked = OutputLock::ofFile(written);
   if (!locked) return Error{.file = file, .what = locked.error().what};
   lock = std::move(*locked);
+  unfinished.emplace(file);
   if (const int code = avio_open(&format->pb, written.c_str(), AVIO_FLAG_WRITE); code < 0)
     return error("cannot be written", code);
   open = true;
@@ -126,7 +126,6 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::open(const std::string& file, in
   av_log_set_level(AV_LOG_ERROR);
   auto state = std::make_unique<State>();
   state->file = file;
-  state->written = unfinishedName(file);
   if (const int code = avformat_alloc_output_context2(&state->format, nullptr, "mp4", file.c_str());
       code < 0)
     return state->error("cannot be written", code);
@@ -160,10 +159,7 @@ Result<void> FilmWriter::close() {
     done = state_->error("cannot be written", code);
   if (const int code = avio_closep(&state_->format->pb); code < 0 && done)
     done = state_->error("cannot be written", code);
-  if (done) {
-    state_->open = false;
-    done = finishFile(state_->file, state_->written);
-  }
+  if (done) done = state_->unfinished->finish();
   state_.reset();
   return done;
 }

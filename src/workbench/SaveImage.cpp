@@ -1,17 +1,15 @@
 #include "workbench/SaveImage.h"
 
-#include <QFile>
 #include <QFileInfo>
 
-#include "streams/File.h"
+#include "streams/UnfinishedFile.h"
 
 namespace gt {
 
 Result<void> saveWhole(const QString& file, const std::function<bool(const QString&)>& save) {
-  const std::string path = file.toStdString(), written = unfinishedName(path);
-  if (save(QString::fromStdString(written))) return finishFile(path, written);
-  if (written != path) QFile::remove(QString::fromStdString(written));
-  return Error{.file = path, .what = "cannot be written"};
+  UnfinishedFile unfinished{file.toStdString()};
+  if (save(QString::fromStdString(unfinished.written()))) return unfinished.finish();
+  return Error{.file = unfinished.path(), .what = "cannot be written"};
 }
 
 Result<void> saveImage(const QImage& image, const QString& file) {
