@@ -28,11 +28,10 @@ struct Arguments {
   Result<ColorTable64> read(const std::string& file) const {
     const auto table = readColors(
         file, nao2009 ? ColorClassOrder{nao2009ColorOrder} : ColorClassOrder{gt2003ColorOrder});
-    if (table && seemsOfOtherOrder(*table))
-      fmt::print(stderr,
-                 "colortable: warning: {}: has no green, white and gray, so its classes are "
-                 "probably those of {}\n",
-                 file, nao2009 ? "the report: without --nao2009" : "a robot of 2009: --nao2009");
+    if (!table) return table;
+    const std::string doubt =
+        doubtOfOrder(*table, file, nao2009, nao2009 ? "without --nao2009" : "--nao2009");
+    if (!doubt.empty()) fmt::print(stderr, "colortable: warning: {}\n", doubt);
     return table;
   }
 };

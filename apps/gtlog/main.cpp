@@ -122,13 +122,12 @@ Result<ReplayOptions> replayOptions(const Arguments& arguments) {
     auto configuration = loadConfiguration(paths);
     if (!configuration) return configuration.error();
     const auto& colors = (*configuration)->colorTable;
-    if (!paths.colorTable.empty() && colors && seemsOfOtherOrder(*colors))
-      fmt::print(stderr,
-                 "gtlog: warning: {}: has no green, white and gray, so its classes are probably "
-                 "those of {}\n",
-                 paths.colorTable,
-                 arguments.naoColors ? "the report: without --nao2009-colors"
-                                     : "a robot of 2009: --nao2009-colors");
+    if (!paths.colorTable.empty() && colors) {
+      const std::string doubt =
+          doubtOfOrder(*colors, paths.colorTable, arguments.naoColors,
+                       arguments.naoColors ? "without --nao2009-colors" : "--nao2009-colors");
+      if (!doubt.empty()) fmt::print(stderr, "gtlog: warning: {}\n", doubt);
+    }
     options.configuration = std::move(*configuration);
   }
   for (const std::string& text : arguments.solutions) {

@@ -58,10 +58,10 @@ ColorTable64 read(const std::string& file, const std::string& order) {
   if (order != "gt2003" && order != "nao2009") refuse("order", "must be gt2003 or nao2009");
   const ColorTable64 table =
       orThrow(order == "gt2003" ? readColorTable(file) : readColorTable(file, nao2009ColorOrder));
-  const std::string other = order == "gt2003" ? "nao2009" : "gt2003";
+  const bool nao2009 = order == "nao2009";
   const std::string doubt =
-      file + ": has no green, white and gray, so its order is probably " + other;
-  if (seemsOfOtherOrder(table) && PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 1) != 0)
+      doubtOfOrder(table, file, nao2009, nao2009 ? "order='gt2003'" : "order='nao2009'");
+  if (!doubt.empty() && PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 1) != 0)
     throw nb::python_error{};
   return table;
 }

@@ -229,7 +229,7 @@ def test_files_are_written_whole_or_not_at_all(tmp_path: Path) -> None:
 def test_the_order_of_a_color_table_is_doubted_without_colors_of_a_field(tmp_path: Path) -> None:
     nao = tmp_path / "nao.c64"
     nao.write_bytes(b"\1\0\0\0\4" + (64**3 - 1).to_bytes(4, "little") + bytes(5))
-    with pytest.warns(UserWarning, match="nao.c64: has no green, white and gray, so its order is probably nao2009"):
+    with pytest.warns(UserWarning, match="nao.c64: has no green, white and gray, .* a robot of 2009: order=.nao2009."):
         assert colors.read(nao)[0, 0, 0] == ColorClass.pink
     with warnings.catch_warnings():
         warnings.simplefilter("error")
