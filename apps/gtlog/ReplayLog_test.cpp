@@ -297,20 +297,32 @@ TEST_F(ReplayLog, ReplaysOlderLogsWithOtherFiles) {
   auto setup = recordedSetup(*McapReader::open(log), log);
   ASSERT_TRUE(setup) << setup.error().text();
   const std::string_view walk = "footMode 1\n";
+  const auto write = [&] {
+    auto writer = RobotLog::open(older, {});
+    ASSERT_TRUE(writer) << writer.error().text();
+    attach(*setup, writer->file());
+    SensorDataBuffer sensors;
+    for (int i = 1; i <= 100; ++i) {
+      for (SensorData& frame : sensors.frames) frame.time = Time{8 * i};
+      writer->writeInput(Time{8 * i}, sensors);
+    }
+    ASSERT_TRUE(writer->close());
+  };
+  setup->commit = "c1d31b9";
+  const std::vector<SetupFile> all = setup->files;
+  std::erase_if(setup->files,
+                [](const SetupFile& f) { return f.name.find("getup") != std::string::npos; });
+  write();
+  const auto lacking = replayLog({older}, path("other.mcap"));
+  ASSERT_FALSE(lacking);
+  EXPECT_THAT(lacking.error().text(), testing::StartsWith(older + ": motions: getup"));
+  EXPECT_THAT(lacking.error().text(), HasSubstr("commit c1d31b9"));
+  setup->files = all;
   const auto file =
       std::ranges::find(setup->files, "config/modules/WalkingEngine.InvKin.cfg", &SetupFile::name);
   ASSERT_NE(file, setup->files.end());
   file->content = {walk.begin(), walk.end()};
-  setup->commit = "c1d31b9";
-  auto writer = RobotLog::open(older, {});
-  ASSERT_TRUE(writer) << writer.error().text();
-  attach(*setup, writer->file());
-  SensorDataBuffer sensors;
-  for (int i = 1; i <= 100; ++i) {
-    for (SensorData& frame : sensors.frames) frame.time = Time{8 * i};
-    writer->writeInput(Time{8 * i}, sensors);
-  }
-  ASSERT_TRUE(writer->close());
+  write();
   const auto refused = replayLog({older}, path("other.mcap"));
   ASSERT_FALSE(refused);
   EXPECT_THAT(

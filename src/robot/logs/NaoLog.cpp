@@ -8,6 +8,7 @@
 #include "streams/File.h"
 #include "streams/Jpeg.h"
 #include "streams/Mcap.h"
+#include "streams/McapRecords.h"
 
 namespace gt {
 namespace {
@@ -244,6 +245,10 @@ bool isNaoLog(const std::string& file) {
   std::ifstream stream{file, std::ios::binary};
   std::array<char, headerSize + 4> begin{};
   if (!stream.read(begin.data(), begin.size())) return false;
+  // As numbers these bytes might be the sizes of such a log.
+  if (std::string_view{begin.data(), begin.size()}.starts_with(
+          std::string_view{mcap::magic, mcap::magicSize}))
+    return false;
   Body header{{begin.data(), begin.size()}};
   const auto size = header.take<std::uint32_t>();
   const auto count = header.take<std::uint32_t>();

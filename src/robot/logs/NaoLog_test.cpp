@@ -101,7 +101,8 @@ TEST(NaoLog, TellsItsFilesFromOthers) {
   EXPECT_TRUE(is(smallLog().substr(0, 100)));
   EXPECT_FALSE(is(""));
   EXPECT_FALSE(is("a text that somebody calls a log, longer than its header\n"));
-  EXPECT_FALSE(is("\x89MCAP0\r\n and what follows"));
+  // An MCAP file: its first record, the header, has 20 bytes.
+  EXPECT_FALSE(is(std::string{"\x89MCAP0\r\n\1\x14\0\0\0\0\0\0\0", 17} + std::string(20, 'x')));
   EXPECT_FALSE(isNaoLog("no/such.log"));
   std::filesystem::remove(path);
 }

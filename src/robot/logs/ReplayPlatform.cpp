@@ -42,13 +42,15 @@ bool reads(const Solution* solution, const std::vector<const RepresentationType*
          });
 }
 
-/// An error about one of the files that a log holds says so: another version reads them.
+/// An error about a file or folder that a log holds says so: another version reads them.
 Error aboutFiles(const Error& error, const RecordedSetup& recorded, const std::string& log) {
-  if (std::ranges::find(recorded.files, error.file, &SetupFile::name) == recorded.files.end())
-    return error;
+  const auto isConcerned = [&](const SetupFile& file) {
+    return file.name == error.file || file.name.starts_with(error.file + "/");
+  };
+  if (std::ranges::none_of(recorded.files, isConcerned)) return error;
+  const std::string who = recorded.commit.empty() ? "another one" : "commit " + recorded.commit;
   return {.file = log,
-          .what = error.text() + "; this program does not read the files that commit " +
-                  recorded.commit +
+          .what = error.text() + "; this program does not read the files that " + who +
                   " has recorded: give it other ones (gtlog replay --config FOLDER --layout FILE)"};
 }
 
