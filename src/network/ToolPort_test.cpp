@@ -189,8 +189,8 @@ double residentMemory() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-/// A socket that speaks ZeroMQ's protocol (ZMTP 3.0) as one likes.
-FileDescriptor speaker(const std::string& endpoint) {
+/// A connection that sends nothing.
+FileDescriptor stranger(const std::string& endpoint) {
   FileDescriptor socket{::socket(AF_INET, SOCK_STREAM, 0)};
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -198,6 +198,12 @@ FileDescriptor speaker(const std::string& endpoint) {
   address.sin_port =
       htons(static_cast<std::uint16_t>(std::stoi(endpoint.substr(endpoint.rfind(':') + 1))));
   EXPECT_EQ(connect(socket.number(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  return socket;
+}
+
+/// A socket that speaks ZeroMQ's protocol (ZMTP 3.0) as one likes.
+FileDescriptor speaker(const std::string& endpoint) {
+  FileDescriptor socket = stranger(endpoint);
   std::string greeting(64, '\0');
   greeting[0] = '\xff', greeting[9] = '\x7f', greeting[10] = 3;
   greeting.replace(12, 4, "NULL");
@@ -294,6 +300,29 @@ TEST_F(ToolPortTest, ACrowdOfConnectionsIsNotLetIn) {
   fromTools.clear();
   tools[0]->out().write(Time{}, NumberPackage{1});
   EXPECT_TRUE(eventually([&] { return numbers(fromTools).size() == 1; }, [&] { step(); }));
+}
+
+/// They come again and again, too, and take no place from who has the key.
+TEST_F(ToolPortTest, ACrowdThatSendsNothingKeepsNoToolOut) {
+  ASSERT_TRUE(makeKeys(folder.file("keys")));
+  port =
+      *ToolPort::open(robotNetwork, "tcp://127.0.0.1:*", *loadKeys(folder.file("keys/robot.key")));
+  std::vector<FileDescriptor> crowd;
+  for (int i = 0; i < 300; ++i) {
+    crowd.push_back(stranger(port->endpoint()));
+    if (i % 10 == 0) port->update(fromTools);
+  }
+  tools[0] =
+      *ToolConnection::open(toolNetwork, port->endpoint(), *loadKeys(folder.file("keys/tool.key")));
+  std::size_t next = 0;
+  const auto again = [&] {
+    robotNetwork.wait(0);
+    step();
+    crowd[next++ % crowd.size()] = stranger(port->endpoint());
+  };
+  ASSERT_TRUE(eventually([&] { return tools[0]->connected(); }, again));
+  tools[0]->out().write(Time{}, NumberPackage{1});
+  EXPECT_TRUE(eventually([&] { return numbers(fromTools).size() == 1; }, again));
 }
 
 }  // namespace
