@@ -362,5 +362,24 @@ TEST_F(MatchTest, ARobotThatThrowsStandsAndIsNamed) {
   EXPECT_TRUE(std::ranges::is_sorted(summary.events, {}, &MatchEvent::time));
 }
 
+TEST_F(MatchTest, ARobotOutsideThatNeverCameIsNamed) {
+  MatchOptions options;
+  options.scene = "scenes/one-robot.scene";
+  options.sockets = folder / "sockets";
+  const auto scene = loadScene(options.scene);
+  ASSERT_TRUE(scene);
+  const std::string name = scene->robots.front().name;
+  options.remote[name] = "";
+  const auto match = Match::make(options);
+  ASSERT_TRUE(match) << match.error().text();
+  for (int i = 0; i < 10; ++i) (*match)->step();
+  EXPECT_TRUE((*match)->soundness()) << "the match goes on without it";
+  const MatchSummary summary = (*match)->summary();
+  ASSERT_FALSE(summary.events.empty());
+  EXPECT_EQ(summary.events.back().kind, "failure");
+  EXPECT_EQ(summary.events.back().text, name + ": no program has come");
+  EXPECT_EQ(summary.events.back().time, (*match)->time());
+}
+
 }  // namespace
 }  // namespace gt
