@@ -43,21 +43,29 @@ MatchTimes timesOf(const Match& match, double seconds, std::size_t threads) {
   return times;
 }
 
-/// Writes each file, whether the others can be written or not. Returns the first error.
-Result<void> writeResults(const Match& match, const MatchTimes& times, bool interrupted,
-                          const std::filesystem::path& out) {
+/// Writes the page, with the images that were kept.
+Result<void> writePage(const Match& match, const MatchSummary& summary, const MatchTimes& times,
+                       const std::string& file) {
   std::vector<ReportPicture> pictures;
   for (const ReportImage& kept : match.images())
     pictures.push_back(reportPicture(kept.title, kept.image, kept.drawings));
+  return writeReport(file, summary, times, pictures);
+}
+
+/// Writes each file, whether the others can be written or not. Returns the first error.
+Result<void> writeResults(const Match& match, const MatchTimes& times, bool interrupted,
+                          const std::filesystem::path& out) {
   MatchSummary summary = match.summary();
   summary.interrupted = interrupted;
   std::error_code ignored;                            // then writing reports what is wrong
   std::filesystem::create_directories(out, ignored);  // somebody may have removed it
   Result<void> first;
-  for (const auto& done : {writeMatchJson((out / "match.json").string(), summary),
-                           writeTimesJson((out / "times.json").string(), times),
-                           writeReport((out / "report.html").string(), summary, times, pictures)})
-    if (first && !done) first = done;
+  const auto write = [&](const auto& work) {
+    if (const auto done = guarded(work); first && !done) first = done;
+  };
+  write([&] { return writeMatchJson((out / "match.json").string(), summary); });
+  write([&] { return writeTimesJson((out / "times.json").string(), times); });
+  write([&] { return writePage(match, summary, times, (out / "report.html").string()); });
   return first;
 }
 
@@ -66,8 +74,8 @@ Result<void> writeResults(const Match& match, const MatchTimes& times, bool inte
 Result<void> finish(Match& match, const MatchTimes& times, bool interrupted,
                     const PlayOptions& options) {
   const std::filesystem::path out{options.out};
-  const auto closed = match.close();
-  const auto written = writeResults(match, times, interrupted, out);
+  const auto closed = guarded([&] { return match.close(); });
+  const auto written = guarded([&] { return writeResults(match, times, interrupted, out); });
   if (interrupted) fmt::print(stderr, "simgt: interrupted at {}\n", clockText(match.time()));
   const Referee& referee = match.simulation().referee();
   fmt::print("{} red {} : {} blue, {:.1f} times real time\n", interrupted ? "Score" : "Final score",

@@ -6,9 +6,11 @@
 #include <cassert>
 #include <cerrno>
 #include <cstdio>
+#include <new>
 #include <set>
 #include <utility>
 
+#include "base/Guarded.h"
 #include "base/OutputLock.h"
 #include "streams/File.h"
 #include "streams/Mcap.h"
@@ -124,7 +126,7 @@ void McapWriter::State::putChunk() {
     compressed.resize(ZSTD_compressBound(chunk.size()));
     const std::size_t n = ZSTD_compressCCtx(compressor.get(), compressed.data(), compressed.size(),
                                             chunk.data(), chunk.size(), options.level);
-    assert(ZSTD_isError(n) == 0);
+    if (ZSTD_isError(n) != 0) throw std::bad_alloc{};  // there is room for the result
     records = std::span{compressed}.first(n);
   }
   const std::string_view method = options.compress ? "zstd" : "";
@@ -445,8 +447,12 @@ Result<void> McapWriter::close() {
 
 Result<void> McapWriter::State::close() {
   if (file) {
-    putChunk();
-    putSummary();
+    const auto rest = guarded([this]() -> Result<void> {
+      putChunk();
+      putSummary();
+      return {};
+    });
+    if (!rest) fail(rest.error().text());  // a destructor may not throw
     if (std::fclose(file.release()) != 0) failed();
     if (unfinished && !error)
       if (auto done = unfinished->finish(); !done) error = done.error();

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pty.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -100,6 +101,15 @@ class RunningProgram {
     ASSERT_EQ(write(input_, line.data(), line.size()), static_cast<ssize_t>(line.size()));
   }
   void send(int signal) const { ::kill(pid_, signal); }
+  /// Leaves it the memory that it has, and no more.
+  void takeMemory() const {
+    std::ifstream file{"/proc/" + std::to_string(pid_) + "/statm"};
+    rlim_t pages = 0;
+    file >> pages;
+    const rlim_t bytes = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+    const rlimit limit{bytes, bytes};
+    EXPECT_EQ(prlimit(pid_, RLIMIT_AS, &limit, nullptr), 0);
+  }
   /// Kills the program that it has started with an argument.
   void killChild(const std::string& argument) const {
     const std::string number = std::to_string(pid_);
@@ -218,9 +228,9 @@ TEST_P(Signal, EndsARecordingAndAFilm) {
 
 TEST_F(SignalsTest, WhatIsRecordedStaysBesideTheLogThatWasSaved) {
   write("record.con",
-        "robot red3\nlog start\nrun 1\nlog save mine/log.mcap\necho saved\nrun 100000\n");
+        "robot red3\nlog start\nrun 1\nlog save mine/log.mcap\nrun 1\necho more\nrun 100000\n");
   RunningProgram recording{folder.path(), console("record.con")};
-  recording.awaitText("saved\n");
+  recording.awaitText("more\n");
   recording.send(SIGTERM);
   EXPECT_EQ(recording.end(), 128 + SIGTERM) << recording.printed();
   expectWholeLog(path("mine/log.interrupted.mcap"));
@@ -395,6 +405,23 @@ TEST_F(SignalsTest, AProgramOfATeamThatDiesCostsNothingThatWasPlayed) {
   EXPECT_THAT(contentOf(path("out/report.html")), HasSubstr("Blue, interrupted at "));
   for (const char* robot : {"red1", "red2", "red3", "red4"})
     expectWholeLog(path(std::string{"out/"} + robot + ".mcap"));
+}
+
+/// Whatever there is no memory for, the program ends in order.
+TEST_F(SignalsTest, AMatchWithoutMoreMemoryEndsWithOneLine) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need address space of their own";
+#endif
+  RunningProgram match{folder.path(), play()};
+  match.awaitText("playing\n");
+  match.takeMemory();
+  match.send(SIGTERM);
+  const int status = match.end();
+  EXPECT_TRUE(status == 2 || status == 128 + SIGTERM) << status << "\n" << match.printed();
+  EXPECT_THAT(match.printed(), Not(HasSubstr("terminate called")));
+  if (status == 2) {
+    EXPECT_THAT(match.printed(), HasSubstr("not enough memory\n"));
+  }
 }
 
 TEST_F(SignalsTest, TwoMatchesDoNotShareAFolder) {
