@@ -139,7 +139,7 @@ Result<std::vector<std::string>> record(const ReplayOptions& options, const std:
   auto platform = ReplayPlatform::make(options);
   if (!platform) return platform.error();
   auto log = RobotLog::open(unfinishedName(to), aboutReplay(options, platform->player().log()));
-  if (!log) return log.error();
+  if (!log) return Error{.file = to, .what = log.error().what};
   UnfinishedFile unfinished{to};
   platform->watchAll();
   static_cast<void>(platform->robot().request(DebugRequest{traceKey, DebugKeyMode::always, 0}));

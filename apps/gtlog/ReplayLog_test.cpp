@@ -292,6 +292,13 @@ TEST_F(ReplayLog, ReplacesAFileOnceItIsWhole) {
 
 /// A log of another version, whose files this program does not read: one line names the file in the
 /// log, and with files of this program the log is replayed.
+TEST_F(ReplayLog, NamesTheLogThatCannotBeWritten) {
+  const auto done = replayLog({path("play/red1.mcap")}, path("missing/new.mcap"));
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().text(),
+            path("missing/new.mcap") + ": cannot be written: No such file or directory");
+}
+
 TEST_F(ReplayLog, ReplaysOlderLogsWithOtherFiles) {
   const std::string log = path("play/red1.mcap"), older = path("older.mcap");
   auto setup = recordedSetup(*McapReader::open(log), log);
