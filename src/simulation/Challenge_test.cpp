@@ -81,7 +81,9 @@ TEST_F(ChallengeTest, CountsContactsUntilTheOtherGoal) {
   begin(ChallengeKind::obstacles);
   run(2);
   EXPECT_EQ(challenge->contacts(), 0);
-  world().placeRobot(0, {0, -80, 460});
+  Pose2D pushed = world().robot(1).pose;
+  pushed.translation.x() += 20;
+  world().placeRobot(1, pushed);
   run(0.5);
   EXPECT_EQ(challenge->contacts(), 1);
   world().placeRobot(0, {0, -1000, 0});

@@ -47,6 +47,20 @@ inline JointAngles standing() {
   return angles;
 }
 
+/// Legs under the body's center of mass, which lies ahead of its middle.
+inline JointAngles firmStand() {
+  JointAngles angles = standing();
+  for (const Leg leg : {Leg::hindRight, Leg::hindLeft}) {
+    angles[legJoint(leg, 1)] = fromDegrees(-30);
+    angles[legJoint(leg, 3)] = fromDegrees(60);
+  }
+  for (const Leg leg : {Leg::foreRight, Leg::foreLeft}) {
+    angles[legJoint(leg, 1)] = fromDegrees(-10);
+    angles[legJoint(leg, 3)] = fromDegrees(60);
+  }
+  return angles;
+}
+
 inline RobotCommand standingCommand(const Pose2D& step = {}) {
   return {standing(), step};
 }

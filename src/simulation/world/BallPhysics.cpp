@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gt {
 namespace {
@@ -14,6 +15,18 @@ constexpr double mayTouchWithin = 600;
 constexpr double longestPush = 25;
 /// A part whose contact normal is steeper than this presses the ball down and does not push it.
 constexpr double flattestNormal = 0.3;
+/// How a contact pushes a ball along the ground.
+struct Push {
+  Vector2d normal;
+  double depth;  ///< mm
+};
+/// Empty if it does not.
+std::optional<Push> pushOf(const mjContact& contact) {
+  const Vector2d toBall{-contact.frame[0], -contact.frame[1]};
+  const double flat = toBall.norm();
+  if (contact.dist >= 0 || flat < flattestNormal) return std::nullopt;
+  return Push{toBall / flat, -1000 * contact.dist / flat};
+}
 /// The fastest that a part of a robot can be (mm/s).
 constexpr double fastestSurface = 3000;
 
@@ -97,31 +110,46 @@ bool BallPhysics::touchRobots(BallState& ball, const BallParts& parts, mjData& d
   return touched;
 }
 
+int BallPhysics::contactsWith(const mjData& data, int ballGeom, int geom,
+                              mjContact* contacts) const {
+  const mjtNum reach = model_.geom_rbound[geom] + model_.geom_rbound[ballGeom];
+  mjtNum between[3];
+  mju_sub3(between, data.geom_xpos + 3 * geom, data.geom_xpos + 3 * ballGeom);
+  if (mju_dot3(between, between) > reach * reach) return 0;
+  const mjfCollision collide = mjCOLLISIONFUNC[mjGEOM_SPHERE][model_.geom_type[geom]];
+  return collide ? collide(&model_, &data, contacts, ballGeom, geom, 0) : 0;
+}
+
+bool BallPhysics::overlaps(const BallParts& ball, const mjData& data, const RobotParts& robot,
+                           double depth) const {
+  mjContact contacts[mjMAXCONPAIR];
+  for (int geom = robot.firstGeom; geom < robot.lastGeom; ++geom) {
+    const int count = contactsWith(data, ball.geom, geom, contacts);
+    if (std::any_of(contacts, contacts + count, [&](const mjContact& contact) {
+          const auto push = pushOf(contact);
+          return push && push->depth > depth;
+        }))
+      return true;
+  }
+  return false;
+}
+
 bool BallPhysics::touchGeom(BallState& ball, const BallParts& parts, mjData& data, int geom,
                             bool still, const Vector2d& robotCenter, double& pushLeft) {
   mjtNum* position = data.geom_xpos + 3 * parts.geom;
   position[0] = ball.position.x() / 1000;
   position[1] = ball.position.y() / 1000;
-  const mjtNum reach = model_.geom_rbound[geom] + model_.geom_rbound[parts.geom];
-  mjtNum between[3];
-  mju_sub3(between, data.geom_xpos + 3 * geom, position);
-  if (mju_dot3(between, between) > reach * reach) return false;
-  const mjfCollision collide = mjCOLLISIONFUNC[mjGEOM_SPHERE][model_.geom_type[geom]];
-  if (!collide) return false;
-
   mjContact contacts[mjMAXCONPAIR];
-  const int count = collide(&model_, &data, contacts, parts.geom, geom, 0);
+  const int count = contactsWith(data, parts.geom, geom, contacts);
   bool touched = false;
   for (int i = 0; i < count; ++i) {
-    const Vector2d toBall{-contacts[i].frame[0], -contacts[i].frame[1]};
-    const double flat = toBall.norm();
-    const double depth = -1000 * contacts[i].dist;
-    if (depth <= 0 || flat < flattestNormal) continue;
-    const Vector2d normal = toBall / flat;
-    double push = std::min(depth / flat, pushLeft);
+    const auto found = pushOf(contacts[i]);
+    if (!found) continue;
+    const auto& [normal, depth] = *found;
+    const double push = std::min(depth, pushLeft);
     pushLeft -= push;
     ball.position += push * normal;
-    if (depth / flat - push > 1) {
+    if (depth - push > 1) {
       // Squeezed: it slips out sideways, away from the robot's middle.
       const Vector2d side{-normal.y(), normal.x()};
       ball.position += ((ball.position - robotCenter).dot(side) < 0 ? -2. : 2.) * side;

@@ -37,9 +37,15 @@ class BallPhysics {
   /// own place in it is used for the tests.
   void step(BallState& ball, const BallParts& parts, mjData& data, const Surroundings& around);
 
+  /// Whether a robot would push the ball as their geoms lie: overlaps it by more than a depth (mm).
+  bool overlaps(const BallParts& ball, const mjData& data, const RobotParts& robot,
+                double depth) const;
+
  private:
   bool touchRobots(BallState& ball, const BallParts& parts, mjData& data,
                    const Surroundings& around, double& pushLeft);
+  /// Where the ball's geom and another one touch; returns in how many points.
+  int contactsWith(const mjData& data, int ballGeom, int geom, mjContact* contacts) const;
   bool touchGeom(BallState& ball, const BallParts& parts, mjData& data, int geom, bool still,
                  const Vector2d& robotCenter, double& pushLeft);
   void bounceOffWalls(BallState& ball, double radius, const Obstacles& obstacles) const;

@@ -66,6 +66,7 @@ Result<std::unique_ptr<World>> DynamicWorld::make(const SceneDescription& scene,
   world->prepareContacts();
   world->setDynamics(scene.dynamics);
   // As they stand up from the power-on pose: on straight legs.
+  world->putAll();
   world->putByHand();
   for (std::size_t i = 0; i < world->robots_.size(); ++i) world->readRobot(i);
   world->placed_.assign(world->robots_.size(), false);
@@ -121,6 +122,7 @@ void DynamicWorld::setFriction() {
 }
 
 void DynamicWorld::change(const SceneDescription& scene) {
+  World::change(scene);
   ballParameters_ = scene.physics;
   setFriction();
   setDynamics(scene.dynamics);
@@ -155,8 +157,12 @@ void DynamicWorld::prepareContacts() {
 void DynamicWorld::lookAround() {
   // MuJoCo tests each geom against each other that its bits allow, so they allow only what is near.
   // It also sorts all bodies that could touch any other, so walls are solid only if one is near.
-  bool wallIsNear = false;
-  for (std::size_t b = 0; b < balls_.size(); ++b) wallIsNear |= nearWall(b);
+  constexpr double furthest = 1000 * fastest * tickSeconds;  // mm: way of a ball in a tick
+  bool anyWall = false;
+  for (std::size_t b = 0; b < balls_.size(); ++b)
+    anyWall |= std::ranges::any_of(walls_, [&](int wall) {
+      return wallIsNear(wall, balls_[b].position, ballParts_[b].radius + furthest);
+    });
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Vector2d& center = robots_[i].pose.translation;
     const double reach = parts_[i].reach;
@@ -169,28 +175,24 @@ void DynamicWorld::lookAround() {
       if ((robots_[other].pose.translation - center).norm() < reach + parts_[other].reach)
         bits |= firstRobotBit << other;
     for (const int geom : motors_[i].solidGeoms) model_->geom_conaffinity[geom] = bits;
-    wallIsNear |= (bits & wallBit) != 0;
+    anyWall |= (bits & wallBit) != 0;
   }
-  for (const int geom : walls_) model_->geom_contype[geom] = wallIsNear ? wallBit : 0;
+  for (const int geom : walls_) model_->geom_contype[geom] = anyWall ? wallBit : 0;
 }
 
-bool DynamicWorld::nearWall(std::size_t ball) const {
-  constexpr double furthest = fastest * tickSeconds;  // m: way of a ball in a tick
-  const Vector2d center = balls_[ball].position / 1000;
-  const double reach = ballParts_[ball].radius / 1000 + furthest;
-  return std::ranges::any_of(walls_, [&](int geom) {
-    const mjtNum* size = model_->geom_size + 3 * geom;
-    const mjtNum* toWorld = data_->geom_xmat + 9 * geom;
-    for (int k = 0; k < 2; ++k) {
-      double half = model_->geom_rbound[geom];
-      if (model_->geom_type[geom] == mjGEOM_BOX) {
-        half = 0;
-        for (int i = 0; i < 3; ++i) half += std::abs(toWorld[3 * k + i]) * size[i];
-      }
-      if (std::abs(center[k] - data_->geom_xpos[3 * geom + k]) > half + reach) return false;
+bool DynamicWorld::wallIsNear(int wall, const Vector2d& point, double distance) const {
+  const mjtNum* size = model_->geom_size + 3 * wall;
+  const mjtNum* toWorld = data_->geom_xmat + 9 * wall;
+  for (int k = 0; k < 2; ++k) {
+    double half = model_->geom_rbound[wall];
+    if (model_->geom_type[wall] == mjGEOM_BOX) {
+      half = 0;
+      for (int i = 0; i < 3; ++i) half += std::abs(toWorld[3 * k + i]) * size[i];
     }
-    return true;
-  });
+    if (std::abs(point[k] - 1000 * data_->geom_xpos[3 * wall + k]) > 1000 * half + distance)
+      return false;
+  }
+  return true;
 }
 
 int DynamicWorld::jointDof(std::size_t robot, std::size_t joint) const {
@@ -211,16 +213,17 @@ void DynamicWorld::step(std::span<const RobotCommand> commands) {
   putByHand();
   lookAround();
   pullBalls();
+  forgetContacts();
   for (int n = 0; n < stepsPerTick; ++n) {
     drive();
     mj_step(model_.get(), data_.get());
+    readContacts();
   }
   for (const RobotParts& parts : parts_) std::fill_n(data_->xfrc_applied + 6 * parts.body, 6, 0);
   undoIfBroken();
   updateKinematics();
   for (std::size_t i = 0; i < robots_.size(); ++i) readRobot(i);
   for (std::size_t i = 0; i < balls_.size(); ++i) readBall(i);
-  readContacts();
   advanceTime();
 }
 
@@ -294,9 +297,7 @@ void DynamicWorld::putByHand() {
 }
 
 void DynamicWorld::putBall(std::size_t i) {
-  BallState& ball = balls_[i];
-  if (const double tooFast = ball.speed.norm() / ballParameters_.maxSpeed; tooFast > 1)
-    ball.speed /= tooFast;
+  const BallState& ball = balls_[i];
   writeBall(i);
   // It rolls. The turn of a body that is free to move is along its own axes.
   const Vector3d turn = Vector3d{-ball.speed.y(), ball.speed.x(), 0} / ballParts_[i].radius;
@@ -318,6 +319,41 @@ void DynamicWorld::putRobot(std::size_t i) {
   std::fill_n(data_->qvel + motors_[i].firstDof, 6 + enumCount<Joint>, 0);
   for (std::size_t j = 0; j < enumCount<Joint>; ++j)
     motors_[i].servos[j].rest(robot.joints.values[j]);
+}
+
+void DynamicWorld::putDown(std::size_t robot) {
+  putRobot(robot);
+  updateKinematics();
+}
+
+bool DynamicWorld::robotsOverlap(std::size_t a, std::size_t b) const {
+  return std::ranges::any_of(motors_[a].solidGeoms, [&](int first) {
+    return std::ranges::any_of(motors_[b].solidGeoms, [&](int second) {
+      return geomsTouch(*this, first, second, -touching / 1000);
+    });
+  });
+}
+
+bool DynamicWorld::robotOverlapsField(std::size_t robot) const {
+  return std::ranges::any_of(walls_, [&](int wall) {
+    return wallIsNear(wall, robots_[robot].pose.translation, parts_[robot].reach) &&
+           std::ranges::any_of(motors_[robot].solidGeoms, [&](int geom) {
+             return geomsTouch(*this, geom, wall, -touching / 1000);
+           });
+  });
+}
+
+bool DynamicWorld::ballOverlapsRobot(std::size_t ball, std::size_t robot) const {
+  return std::ranges::any_of(motors_[robot].solidGeoms, [&](int geom) {
+    return geomsTouch(*this, geom, ballParts_[ball].geom, -touching / 1000);
+  });
+}
+
+bool DynamicWorld::ballOverlapsField(std::size_t ball) const {
+  return std::ranges::any_of(walls_, [&](int wall) {
+    return wallIsNear(wall, balls_[ball].position, ballParts_[ball].radius) &&
+           geomsTouch(*this, ballParts_[ball].geom, wall, -touching / 1000);
+  });
 }
 
 double DynamicWorld::lowestPoint(std::size_t i) const {
@@ -360,12 +396,15 @@ void DynamicWorld::readBall(std::size_t i) {
   balls_[i].speed = {1000 * speed[0], 1000 * speed[1]};
 }
 
-void DynamicWorld::readContacts() {
+void DynamicWorld::forgetContacts() {
   for (RobotBody& robot : robots_) {
     robot.footOnGround.fill(false);
     robot.pushes = -1;
     robot.blocked = false;
   }
+}
+
+void DynamicWorld::readContacts() {
   for (int n = 0; n < data_->ncon; ++n) {
     const mjContact& contact = data_->contact[n];
     touch(contact.geom1, contact.geom2);
@@ -397,7 +436,7 @@ void DynamicWorld::meet(std::size_t robot, int other) {
   constexpr double walking = 0.02;  // m/s
   const Vector2d way =
       robots_[static_cast<std::size_t>(other)].pose.translation - robots_[robot].pose.translation;
-  if (motors_[robot].speed.head<2>().dot(way) > walking * way.norm()) robots_[robot].pushes = other;
+  if (speedOf(robot).head<2>().dot(way) > walking * way.norm()) robots_[robot].pushes = other;
 }
 
 void DynamicWorld::undoIfBroken() {
@@ -424,7 +463,7 @@ void DynamicWorld::undoIfBroken() {
 }
 
 void DynamicWorld::slowDown(int poseAddress, int body) {
-  // Whoever was put into something else is pushed out of it, and may be shot across the field.
+  // Whoever is squeezed is pushed out of what it is in, and may be shot across the field.
   mjtNum* speed = data_->qvel + model_->body_dofadr[body];
   const double tooFast =
       std::max(threeOf(speed).norm() / fastest, threeOf(speed + 3).norm() / widestTurn);

@@ -34,11 +34,17 @@ class DynamicWorld : public World {
 
   DynamicWorld(const SceneDescription& scene, Model model, const Random& random);
 
+  void putDown(std::size_t robot) override;
+  bool robotsOverlap(std::size_t a, std::size_t b) const override;
+  bool robotOverlapsField(std::size_t robot) const override;
+  bool ballOverlapsRobot(std::size_t ball, std::size_t robot) const override;
+  bool ballOverlapsField(std::size_t ball) const override;
+
   void prepareModel();
   void prepareContacts();
   void lookAround();
-  /// Whether a ball might touch a wall in the next tick.
-  bool nearWall(std::size_t ball) const;
+  /// Whether a wall comes nearer to a point of the field (mm) than a distance (mm), or about so.
+  bool wallIsNear(int wall, const Vector2d& point, double distance) const;
   int jointDof(std::size_t robot, std::size_t joint) const;
   void setFriction();
   void setDynamics(const DynamicsParameters& dynamics);
@@ -52,6 +58,8 @@ class DynamicWorld : public World {
   double lowestPoint(std::size_t i) const;
   void readRobot(std::size_t i);
   void readBall(std::size_t i);
+  void forgetContacts();
+  /// Adds what touches in this step of the physics.
   void readContacts();
   /// Notes for the robot that the first geom is part of what it touches.
   void touch(int geom, int other);

@@ -13,20 +13,6 @@ SceneDescription dynamicDuel(const Pose2D& robot, const Vector2d& ball) {
   return scene;
 }
 
-/// Legs under the body's center of mass, which lies ahead of its middle.
-JointAngles firmStand() {
-  JointAngles angles = standing();
-  for (const Leg leg : {Leg::hindRight, Leg::hindLeft}) {
-    angles[legJoint(leg, 1)] = fromDegrees(-30);
-    angles[legJoint(leg, 3)] = fromDegrees(60);
-  }
-  for (const Leg leg : {Leg::foreRight, Leg::foreLeft}) {
-    angles[legJoint(leg, 1)] = fromDegrees(-10);
-    angles[legJoint(leg, 3)] = fromDegrees(60);
-  }
-  return angles;
-}
-
 void run(World& world, const JointAngles& angles, int ticks) {
   const std::vector<RobotCommand> commands(world.activeRobots(), {angles, {}});
   for (int i = 0; i < ticks; ++i) world.step(commands);

@@ -22,6 +22,8 @@ class Gait {
   /// feet's heights above the lowest one (mm), in the order of Leg; `speed` is the robot's (mm/s, a
   /// turn of 1 rad/s counts as 100 mm/s).
   const Sway& sway(const BodyParameters& body, const std::array<double, 4>& lifts, double speed);
+  /// How it sways now.
+  const Sway& sway() const { return now_; }
 
   /// The share of its path that a robot really goes which believes to have this speed (mm/s).
   double progress(const WalkingParameters& walking, double speed);

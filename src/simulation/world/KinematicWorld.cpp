@@ -76,12 +76,14 @@ Result<std::unique_ptr<World>> KinematicWorld::make(const SceneDescription& scen
     return read.error();
   // The robots begin as they would stand up from the power-on pose: on straight legs.
   for (std::size_t i = 0; i < world->balls_.size(); ++i) world->writeBall(i);
-  for (std::size_t i = 0; i < world->robots_.size(); ++i) world->setStance(i);
+  for (std::size_t i = 0; i < world->robots_.size(); ++i) world->setStance(i, true);
   world->updateKinematics();
+  world->putAll();
   return std::unique_ptr<World>{std::move(world)};
 }
 
 void KinematicWorld::change(const SceneDescription& scene) {
+  World::change(scene);
   noise_ = scene.noise;
   body_ = scene.body;
   walkingParameters_ = scene.walking;
@@ -101,7 +103,7 @@ void KinematicWorld::step(std::span<const RobotCommand> commands) {
   }
   partRobots();
   for (std::size_t i = 0; i < robots_.size(); ++i) noteBlocked(i);
-  for (std::size_t i = 0; i < robots_.size(); ++i) setStance(i);
+  for (std::size_t i = 0; i < robots_.size(); ++i) setStance(i, true);
   updateKinematics();
   for (std::size_t i = 0; i < std::min(activeRobots(), commands.size()); ++i)
     kick(i, commands[i].kick);
@@ -200,6 +202,34 @@ bool KinematicWorld::partPair(std::size_t a, std::size_t b) {
   return touched;
 }
 
+void KinematicWorld::putDown(std::size_t robot) {
+  setStance(robot, false);
+  updateKinematics();
+}
+
+bool KinematicWorld::robotsOverlap(std::size_t a, std::size_t b) const {
+  constexpr double near = 2 * footprintRadius - touching;
+  return std::ranges::any_of(footprintX, [&](double x1) {
+    return std::ranges::any_of(footprintX, [&](double x2) {
+      return (disc(robots_[a].pose, x1) - disc(robots_[b].pose, x2)).norm() < near;
+    });
+  });
+}
+
+bool KinematicWorld::robotOverlapsField(std::size_t robot) const {
+  return std::ranges::any_of(footprintX, [&](double x) {
+    return obstacles_.distanceTo(disc(robots_[robot].pose, x)) < footprintRadius - touching;
+  });
+}
+
+bool KinematicWorld::ballOverlapsRobot(std::size_t ball, std::size_t robot) const {
+  return ballPhysics_.overlaps(ballParts_[ball], *data_, parts_[robot], touching);
+}
+
+bool KinematicWorld::ballOverlapsField(std::size_t ball) const {
+  return obstacles_.distanceTo(balls_[ball].position) < ballParts_[ball].radius - touching;
+}
+
 bool KinematicWorld::mayMeetObstacle(std::size_t i) {
   constexpr double reach = footprintRadius + footprintX[0];
   const Vector2d& at = robots_[i].pose.translation;
@@ -238,7 +268,7 @@ void KinematicWorld::partRobots() {
   }
 }
 
-void KinematicWorld::setStance(std::size_t i) {
+void KinematicWorld::setStance(std::size_t i, bool goesOn) {
   RobotBody& robot = robots_[i];
   const RobotParts& parts = parts_[i];
   const Lean lean = leanOf(robot.posture);
@@ -266,7 +296,8 @@ void KinematicWorld::setStance(std::size_t i) {
       lifts[leg] = clearance(point(leg, 0), stance);
       robot.footOnGround[leg] = lifts[leg] < 1;
     }
-    const Sway& sway = walking_[i].gait.sway(body_, lifts, walking_[i].speed);
+    Gait& gait = walking_[i].gait;
+    const Sway& sway = goesOn ? gait.sway(body_, lifts, walking_[i].speed) : gait.sway();
     robot.height = stance.height + sway.height;
     robot.tilt = stance.tilt + sway.tilt;
     robot.roll += sway.roll;

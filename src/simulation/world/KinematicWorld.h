@@ -54,6 +54,12 @@ class KinematicWorld : public World {
     Random random;
   };
 
+  void putDown(std::size_t robot) override;
+  bool robotsOverlap(std::size_t a, std::size_t b) const override;
+  bool robotOverlapsField(std::size_t robot) const override;
+  bool ballOverlapsRobot(std::size_t ball, std::size_t robot) const override;
+  bool ballOverlapsField(std::size_t ball) const override;
+
   void kick(std::size_t i, int kick);
   bool mayMeetObstacle(std::size_t i);
   void moveJoints(RobotBody& robot, const JointAngles& targets) const;
@@ -61,7 +67,9 @@ class KinematicWorld : public World {
   void noteBlocked(std::size_t i);
   void partRobots();
   bool partPair(std::size_t a, std::size_t b);
-  void setStance(std::size_t i);
+  /// Sets height, tilt and roll by the joints and by how the body sways: as it does after this tick
+  /// if `goesOn`, or as it does now.
+  void setStance(std::size_t i, bool goesOn);
 
   NoiseParameters noise_;
   BodyParameters body_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "representations/infrastructure/RobotDimensions.h"
 #include "simulation/scene/SceneModel.h"
 #include "simulation/world/DynamicWorld.h"
 #include "simulation/world/KinematicWorld.h"
@@ -46,13 +45,19 @@ Pose3D RobotBody::origin() const {
 }
 
 World::World(const SceneDescription& scene, Model model)
-    : model_(std::move(model)), data_(makeData(*model_)), active_(scene.robots.size()) {
+    : model_(std::move(model)),
+      data_(makeData(*model_)),
+      active_(scene.robots.size()),
+      fastestBall_(scene.physics.maxSpeed) {
   updateKinematics();
   obstacles_ = Obstacles{*model_, *data_};
   for (const SceneRobot* robot : scene.allRobots()) robots_.emplace_back().pose = robot->pose();
   for (const SceneBall& ball : scene.balls) balls_.emplace_back().position = ball.position();
   placed_.resize(robots_.size(), true);
   placedBalls_.resize(balls_.size(), true);
+  robotCounts_.resize(robots_.size(), true);
+  ballCounts_.resize(balls_.size(), true);
+  puts_.reserve(robots_.size() + balls_.size() + 1);
   cameras_.resize(robots_.size());
   emission_.assign(model_->light_diffuse, model_->light_diffuse + 3 * model_->nlight);
   shares_.assign(static_cast<std::size_t>(model_->nlight), 1);
@@ -74,29 +79,6 @@ Result<void> World::findParts(const SceneDescription& scene) {
 
 const Pose3D& World::camera(std::size_t robot, std::size_t ticksAgo) const {
   return cameras_[robot][std::min(ticksAgo, cameraHistory - 1)];
-}
-
-void World::placeRobot(std::size_t robot, const Pose2D& pose) {
-  robots_[robot].pose = pose;
-  standUp(robot);
-}
-
-void World::placeBall(std::size_t ball, const Vector2d& position, const Vector2d& speed,
-                      bool forget) {
-  balls_[ball].position = position;
-  balls_[ball].speed = speed;
-  if (forget) balls_[ball].lastToucher = -1;
-  placedBalls_[ball] = true;
-  writeBall(ball);
-}
-
-void World::throwOver(std::size_t robot, Posture posture) {
-  robots_[robot].posture = posture;
-  placed_[robot] = true;
-}
-
-void World::standUp(std::size_t robot) {
-  throwOver(robot, Posture::standing);
 }
 
 void World::moveJoint(int joint, std::span<const double> coordinates) {
@@ -128,16 +110,14 @@ void World::setAmbient(const Vector3d& rgb) {
     model_->vis.headlight.ambient[k] = static_cast<float>(std::clamp(rgb[k], 0., 1.));
 }
 
-void World::turnJoint(std::size_t robot, Joint joint, double angle) {
-  const JointLimits limits = limitsOf(joint);
-  robots_[robot].joints[joint] = std::clamp(angle, limits.low, limits.high);
-  placed_[robot] = true;
-}
-
 void World::measureSensors() {
   mj_comPos(model_.get(), data_.get());
   mj_camlight(model_.get(), data_.get());
   mj_sensorPos(model_.get(), data_.get());
+}
+
+void World::change(const SceneDescription& scene) {
+  fastestBall_ = scene.physics.maxSpeed;
 }
 
 void World::continueFrom(const World& other) {
@@ -156,6 +136,7 @@ void World::continueFrom(const World& other) {
   updateKinematics();
   // Whoever keeps what stands on the field looks at it anew.
   if (model_->ngeom > 0) moveGeom(0, fromMuJoCo(data_->geom_xpos));
+  putAll();
 }
 
 bool geomsTouch(const World& world, int a, int b, double gap) {
@@ -209,6 +190,7 @@ void World::updateKinematics() {
 }
 
 void World::advanceTime() {
+  puts_.clear();
   time_ = time_ + tickMs;
   data_->time = static_cast<double>(time_.ms) / 1000;
   for (std::size_t i = 0; i < robots_.size(); ++i) {

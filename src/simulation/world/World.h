@@ -69,6 +69,15 @@ struct BallState {
   Time lastTouched = never();
 };
 
+/// A robot or a ball that was put by hand since the last tick.
+struct Put {
+  bool ball = false;
+  std::size_t index = 0;              ///< Of the robot or the ball.
+  Vector2d asked = Vector2d::Zero();  ///< mm
+  Vector2d place = Vector2d::Zero();  ///< mm: `asked`, or the nearest free place.
+  double askedSpeed = 0;              ///< mm/s, of a ball.
+};
+
 /// The simulated world: field, robots and balls. The robots of the scene's group `robots` come
 /// first, those of `extras` behind them. How bodies move is up to the fidelity (`makeWorld`).
 class World {
@@ -106,14 +115,25 @@ class World {
   /// up to `cameraHistory` - 1 ticks ago.
   const Pose3D& camera(std::size_t robot, std::size_t ticksAgo = 0) const;
 
+  // All that puts robots and balls goes to the nearest free place: what was put since the last tick
+  // in its order, none of it into what stands or lies there. So who puts two things at the places
+  // of each other gets what was asked for.
+
   /// Puts a robot by hand; it stands on its feet.
   void placeRobot(std::size_t robot, const Pose2D& pose);
-  /// Puts a ball; it rests, and nobody has touched it, if `forget`.
+  /// Puts a ball; it rests, and nobody has touched it, if `forget`. Its speed (mm/s) is at most
+  /// `BallParameters::maxSpeed`.
   void placeBall(std::size_t ball, const Vector2d& position, const Vector2d& speed = {0, 0},
                  bool forget = true);
   /// Puts a robot into another posture; `placeRobot` or `standUp` puts it back on its feet.
   void throwOver(std::size_t robot, Posture posture);
   void standUp(std::size_t robot);
+  /// What was put since the last tick, in its order; at first all that the scene puts.
+  std::span<const Put> puts() const { return puts_; }
+  /// How often something was put.
+  std::size_t putCount() const { return putCount_; }
+  /// Whether a ball would touch a robot at a place (mm).
+  bool wouldTouch(std::size_t ball, const Vector2d& place, std::size_t robot);
   /// Pushes a robot's body during the next tick, with a force (N, along the field's axes) at a
   /// point (mm, in the body's axes). Only where bodies have forces: in the dynamic fidelity.
   virtual void push(std::size_t /*robot*/, const Vector3d& /*force*/, const Vector3d& /*at*/) {}
@@ -131,13 +151,25 @@ class World {
   /// Has MuJoCo measure with the model's sensors that depend on positions only.
   void measureSensors();
   /// How far motions are from perfect from now on: the scene's value. Not all fidelities use all.
-  virtual void change(const SceneDescription&) {}
+  virtual void change(const SceneDescription& scene);
   /// Takes over how all stands and lies, and the time, from another world of the same scene.
   void continueFrom(const World& other);
 
  protected:
+  /// What overlaps by less only touches (mm).
+  static constexpr double touching = 0.1;
+
   World(const SceneDescription& scene, Model model);
   Result<void> findParts(const SceneDescription& scene);
+  /// Puts all that there is where it is, robots first.
+  void putAll();
+  /// Puts a robot down at its place in its posture: height, tilt and roll, and all its parts.
+  virtual void putDown(std::size_t robot) = 0;
+  // Whether two things overlap, as `robots_`, `balls_` and the geoms are now.
+  virtual bool robotsOverlap(std::size_t a, std::size_t b) const = 0;
+  virtual bool robotOverlapsField(std::size_t robot) const = 0;
+  virtual bool ballOverlapsRobot(std::size_t ball, std::size_t robot) const = 0;
+  virtual bool ballOverlapsField(std::size_t ball) const = 0;
 
   void writeRobot(std::size_t i);
   void writeBall(std::size_t i);
@@ -156,8 +188,23 @@ class World {
   std::vector<bool> placedBalls_;
 
  private:
+  void put(const Put& put);
+  void settle(Put& put);
+  bool isFree(const Put& put) const;
+  bool robotIsFree(std::size_t robot) const;
+  bool ballIsFree(std::size_t ball) const;
+  void moveBall(std::size_t ball, const Vector2d& place);
+  /// Whether a robot or a ball stands where others must not be put.
+  std::vector<bool>::reference counts(const Put& put) {
+    return put.ball ? ballCounts_[put.index] : robotCounts_[put.index];
+  }
+
   std::size_t active_;
   Time time_;
+  double fastestBall_;  ///< mm/s
+  std::vector<Put> puts_;
+  std::size_t putCount_ = 0;
+  std::vector<bool> robotCounts_, ballCounts_;  ///< False while they wait for being put.
   std::vector<float> emission_;  ///< Of the model's lights: diffuse red, green, blue.
   std::vector<double> shares_;   ///< How strongly they shine now.
   std::vector<std::array<Pose3D, cameraHistory>> cameras_;  ///< Newest first.
