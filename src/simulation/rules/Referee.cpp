@@ -139,7 +139,7 @@ void Referee::updateReady(World& world) {
   changeState(GameState::set, world.time());
 }
 
-bool Referee::wellPlaced(const World& world, std::size_t robot, bool inCircle) const {
+bool Referee::wellPlaced(World& world, std::size_t robot, bool inCircle) const {
   const Player& player = players_[robot];
   const Vector2d p = toTeam(player.teamColor, world.robot(robot).pose.translation);
   if (world.robot(robot).posture != Posture::standing) return false;
@@ -147,7 +147,8 @@ bool Referee::wellPlaced(const World& world, std::size_t robot, bool inCircle) c
   if (!onField || p.x() > -robotRadius / 2) return false;
   const bool inArea = p.x() < -field_.xPenaltyArea && std::abs(p.y()) < field_.yPenaltyArea;
   if ((player.role == PlayerRole::goalie) != inArea) return false;
-  return inCircle || p.norm() >= field_.centerCircleRadius + robotRadius;
+  if (inCircle) return world.ballCount() == 0 || !world.wouldTouch(0, {0, 0}, robot);
+  return p.norm() >= field_.centerCircleRadius + robotRadius;
 }
 
 Pose2D Referee::kickOffPose(std::size_t robot) const {
@@ -171,16 +172,14 @@ bool Referee::free(const World& world, const Vector2d& position, std::size_t exc
   return true;
 }
 
-bool Referee::placeRobot(World& world, std::size_t robot, const Pose2D& wanted) {
-  // Where somebody stands already, the next free place beside it.
+void Referee::placeRobot(World& world, std::size_t robot, const Pose2D& wanted) {
+  const TeamColor team = players_[robot].teamColor;
   for (const double aside : {0., 350., -350., 700., -700.}) {
-    const Pose2D pose = toTeam(players_[robot].teamColor,
-                               Pose2D{wanted.rotation, wanted.translation + Vector2d{0, aside}});
-    if (!free(world, pose.translation, robot)) continue;
-    world.placeRobot(robot, pose);
-    return true;
+    const Pose2D pose =
+        toTeam(team, Pose2D{wanted.rotation, wanted.translation + Vector2d{0, aside}});
+    if (free(world, pose.translation, robot)) return world.placeRobot(robot, pose);
   }
-  return false;
+  world.placeRobot(robot, toTeam(team, wanted));
 }
 
 void Referee::placeForKickOff(World& world) {
@@ -196,8 +195,10 @@ void Referee::placeForKickOff(World& world) {
     kicker = i;
   }
   for (std::size_t i = 0; i < world.activeRobots(); ++i)
-    if (!away_[i] && !wellPlaced(world, i, i == kicker) && placeRobot(world, i, kickOffPose(i)))
+    if (!away_[i] && !wellPlaced(world, i, i == kicker)) {
+      placeRobot(world, i, kickOffPose(i));
       record(world, GameEventType::placedRobot, players_[i].teamColor, players_[i].number());
+    }
   if (world.ballCount() > 0) world.placeBall(0, {0, 0});
 }
 
@@ -270,7 +271,7 @@ void Referee::watchStuckBall(World& world) {
   }
   record(world, GameEventType::stuckBall, TeamColor::red);
   world.placeBall(0, best);
-  ballReference_ = best;
+  ballReference_ = world.ball(0).position;
   ballMovedAt_ = world.time();
 }
 

@@ -91,10 +91,11 @@ class Referee {
   void giveBackWhoseTimeIsOver(World& world);
   bool standing(const World& world);
   void placeForKickOff(World& world);
-  bool wellPlaced(const World& world, std::size_t robot, bool inCircle) const;
+  bool wellPlaced(World& world, std::size_t robot, bool inCircle) const;
   Pose2D kickOffPose(std::size_t robot) const;
   bool free(const World& world, const Vector2d& position, std::size_t except) const;
-  bool placeRobot(World& world, std::size_t robot, const Pose2D& wanted);
+  /// Puts a robot at its place, or beside it so that there is room between it and the others.
+  void placeRobot(World& world, std::size_t robot, const Pose2D& wanted);
   void putAway(World& world, std::size_t robot);
   void countGoal(World& world);
   void watchShots(const World& world);

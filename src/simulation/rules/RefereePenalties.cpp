@@ -48,16 +48,19 @@ void Referee::giveBack(World& world, std::size_t robot) {
     const double side = ball.y() > 0 ? -1 : 1;
     // If all places there are taken, it waits beside the field, and the penalty goes on.
     Pose2D back{-side * pi / 2, -100, side * (field_.ySideline - returnInside)};
-    bool placed = false;
-    for (int i = 0; i < 4 && !placed; ++i, back.translation.x() -= 350)
-      placed = free(world, toTeam(player.teamColor, back).translation, robot) &&
-               placeRobot(world, robot, back);
-    away_[robot] = !placed;
-    if (placed)
+    const auto taken = [&] {
+      return !free(world, toTeam(player.teamColor, back).translation, robot);
+    };
+    constexpr int places = 4;
+    for (int i = 1; i < places && taken(); ++i) back.translation.x() -= 350;
+    away_[robot] = taken();
+    if (!away_[robot]) {
+      world.placeRobot(robot, toTeam(player.teamColor, back));
       record(world, GameEventType::returnedRobot, player.teamColor, player.number());
-    else
+    } else {
       penalties_[robot] = Penalty::requestForPickup;
-    if (!placed) backAt_[robot] = world.time() + tickMs;
+      backAt_[robot] = world.time() + tickMs;
+    }
   }
   notifyRobots(world.time());
 }

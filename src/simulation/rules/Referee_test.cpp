@@ -100,6 +100,49 @@ TEST_F(RefereeMatch, BadlyPlacedRobotsArePutByHand) {
                 150);
 }
 
+TEST_F(RefereeMatch, TheKickerStandsClearOfTheBallThatIsPutForTheKickOff) {
+  for (const Fidelity fidelity : {Fidelity::kinematic, Fidelity::dynamic}) {
+    scene_ = matchScene();
+    scene_.fidelity = fidelity;
+    scene_.robots.erase(scene_.robots.begin() + 4, scene_.robots.end());
+    scene_.robots.erase(scene_.robots.begin(), scene_.robots.begin() + 3);
+    start();
+    commands_ = {{firmStand(), {}}};
+    ASSERT_TRUE(until(GameState::ready, 2));
+    for (int i = 0; i < 100; ++i) tick();
+    world_->placeBall(0, {-1000, 500});
+    world_->placeRobot(0, {0, -80, -60});  // a foreleg stands where the ball is put
+    ASSERT_TRUE(until(GameState::set, 21));
+    EXPECT_EQ(count(GameEventType::placedRobot), 1);
+    EXPECT_EQ(world_->ball(0).position, Vector2d(0, 0));
+    for (int i = 0; i < 10; ++i) {
+      tick();
+      EXPECT_LT(world_->ball(0).position.norm(), 1);
+      EXPECT_LT(world_->ball(0).speed.norm(), 20);
+    }
+  }
+}
+
+TEST_F(RefereeMatch, ABallIsDroppedBesideWhoeverStandsWhereItBelongs) {
+  for (const Fidelity fidelity : {Fidelity::kinematic, Fidelity::dynamic})
+    for (const double x : {-80., 0., 90.}) {
+      scene_ = duelScene({0.3, -800, 0}, {500, 500});
+      scene_.fidelity = fidelity;
+      start();
+      commands_ = {{firmStand(), {}}};
+      for (int i = 0; i < 100; ++i) world_->step(commands_);
+      referee_->order(GameState::playing, *world_);
+      world_->placeRobot(0, {0.3, x, -50});
+      world_->placeBall(0, {300, 1500});
+      tick();
+      ASSERT_EQ(count(GameEventType::ballOut), 1);
+      EXPECT_LT(world_->ball(0).position.norm(), 250) << x;
+      tick();
+      EXPECT_LT(world_->ball(0).speed.norm(), 20) << x;
+      EXPECT_EQ(world_->ball(0).lastToucher, -1) << x;
+    }
+}
+
 TEST_F(RefereeMatch, GoalsCountForWhoScoresAndTheOtherTeamKicksOff) {
   ASSERT_TRUE(until(GameState::playing, 30));
   world_->placeRobot(4, {pi, 1500, 900});  // the blue goalie is away
@@ -316,11 +359,12 @@ TEST_F(PenaltyMatch, TheOtherTeamsKickOffNeedsAnEmptyCircle) {
 TEST_F(PenaltyMatch, AHeldBallIsLetGo) {
   world_->placeRobot(2, {0, -500, 0});
   tick();
-  // The ball goes wherever the robot goes, between its forelegs.
+  // The ball goes wherever the robot goes, and rolls against its foreleg again and again.
   const auto carry = [&](double seconds) {
     for (int i = 0; i < seconds / tickSeconds; ++i) {
       const RobotBody& robot = world_->robot(2);
-      world_->placeBall(0, robot.pose * Vector2d{90, -25}, {0, 0}, false);
+      world_->placeBall(0, robot.pose * Vector2d{100, -55}, -2000 * direction(robot.pose.rotation),
+                        false);
       tick();
       if (referee_->penalty(2) != Penalty::none) return true;
     }
