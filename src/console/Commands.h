@@ -50,6 +50,8 @@ std::vector<std::string> valueChoices(Console& console, const Words& before);
 /// The keys of a debug drawing: its own, or those behind a name of the report, such as
 /// imageProcessor_horizon. Empty if there is no such drawing.
 std::vector<std::string> drawingKeys(const std::string& name);
+/// Prints what a command has just put by hand, if it is not put as it was asked.
+void printPut(Console& console);
 /// Prints where something was written.
 void printWritten(Console& console, const std::string& file);
 /// A name of a list as it may be written in the report: ball.time-since-last-seen is

@@ -1,9 +1,11 @@
 #include "console/Session.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <thread>
 #include <utility>
 
+#include "simulation/PutText.h"
 #include "views/ViewText.h"
 
 namespace gt {
@@ -55,6 +57,7 @@ Result<void> Session::restart(const MatchOptions& options) {
   options_ = options;
   behavior.clear();
   setPace(pace_);
+  for (const std::string& line : describePuts(simulation())) screen_.print(line);
   return {};
 }
 

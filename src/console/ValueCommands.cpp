@@ -94,8 +94,13 @@ Result<void> get(Console& console, const Words& words) {
 Result<void> set(Console& console, const Words& words) {
   std::string value = words[2];
   for (std::size_t i = 3; i < words.size(); ++i) value += " " + words[i];
-  if (const auto object = objectPath(console.session(), words[1]))
-    return console.session().tree().set(*object, value);
+  if (const auto object = objectPath(console.session(), words[1])) {
+    const auto puts = [&] { return console.session().simulation().world().putCount(); };
+    const std::size_t before = puts();
+    auto done = console.session().tree().set(*object, value);
+    if (puts() != before) printPut(console);
+    return done;
+  }
   return console.forEachRobot(
       [&](ConsoleRobot& robot) -> Result<void> { return robot.observed().set(words[1], value); });
 }

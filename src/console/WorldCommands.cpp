@@ -3,6 +3,7 @@
 
 #include "console/Commands.h"
 #include "console/Condition.h"
+#include "simulation/PutText.h"
 
 namespace gt {
 namespace {
@@ -64,6 +65,7 @@ Result<void> place(Console& console, const Words& words) {
     if (numbers.size() == 3) return wrongArguments(words);
     const Vector2d speed = numbers.size() == 4 ? Vector2d{numbers[2], numbers[3]} : Vector2d{0, 0};
     world.placeBall(*ball, {numbers[0], numbers[1]}, speed);
+    printPut(console);
     return {};
   }
   const auto robot = sceneRobot(console, words[1]);
@@ -72,6 +74,7 @@ Result<void> place(Console& console, const Words& words) {
   const double rotation =
       numbers.size() == 3 ? normalize(fromDegrees(numbers[2])) : world.robot(*robot).pose.rotation;
   world.placeRobot(*robot, {rotation, numbers[0], numbers[1]});
+  printPut(console);
   return {};
 }
 
@@ -86,6 +89,7 @@ Result<void> throwOver(Console& console, const Words& words) {
   const auto wanted = postures.find(words.back());
   console.session().simulation().world().throwOver(
       *robot, wanted == postures.end() ? Posture::onLeftSide : wanted->second);
+  printPut(console);
   return {};
 }
 
@@ -94,6 +98,7 @@ Result<void> standUp(Console& console, const Words& words) {
   const auto robot = sceneRobot(console, words[1]);
   if (!robot) return robot.error();
   console.session().simulation().world().standUp(*robot);
+  printPut(console);
   return {};
 }
 
@@ -125,10 +130,17 @@ Result<void> fidelity(Console& console, const Words& words) {
   console.print(wanted == Fidelity::dynamic
                     ? "All stands where it stood; motors, contacts and friction move it now."
                     : "All stands where it stood; robots move by their own motion model now.");
+  for (const std::string& line : describePuts(simulation)) console.print(line);
   return {};
 }
 
 }  // namespace
+
+void printPut(Console& console) {
+  const Simulation& simulation = console.session().simulation();
+  for (const std::string& line : describe(simulation, simulation.world().puts().back()))
+    console.print(line);
+}
 
 std::vector<Command> worldCommands() {
   using enum Command::Kind;
@@ -137,8 +149,9 @@ std::vector<Command> worldCommands() {
        "Switches to the other fidelity, with all where it is; prints which one it is.", fidelity,
        nullptr, true},
       {global, "place", "? | ROBOT X Y [ROTATION] | BALL X Y [VX VY]",
-       "Puts a robot on the field, in mm and degrees, or a ball, which may roll, in mm/s.", place,
-       thingNames, true},
+       "Puts a robot on the field, in mm and degrees, or a ball, which may roll, in mm/s. Where "
+       "something is already, it goes to the nearest free place, which is printed.",
+       place, thingNames, true},
       {robot, "press",
        "? | (headFront | headBack | chin | back | pawFR | pawFL | pawHR | pawHL | tailLeft | "
        "tailRight) [on | off]",

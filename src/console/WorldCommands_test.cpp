@@ -38,6 +38,22 @@ TEST_F(WorldCommands, ThingsAreMovedByHand) {
   expectError("press nose", "press", "expected");
 }
 
+TEST_F(WorldCommands, WhoPutsIsToldWhatIsNotAsAsked) {
+  EXPECT_THAT(answers("place red4 100 -200 90"), testing::IsEmpty());
+  expectFine("run 1 s");
+  // On a foreleg.
+  EXPECT_THAT(answers("place ball 35 -140 4000 3000"),
+              testing::ElementsAre(HasSubstr("ball: 35 -140 is taken; put at "),
+                                   "ball: 5000 mm/s is too fast; it rolls with 3000 mm/s"));
+  EXPECT_THAT(answers("set robots.blue1 100 -200"),
+              testing::ElementsAre(HasSubstr("blue1: 100 -200 is taken; put at ")));
+  EXPECT_THAT(answers("set robots.red1.radio true"), testing::IsEmpty());
+  EXPECT_TRUE(holds("distance(blue1, red4) > 100"));
+  expectFine("place ball 1000 500");
+  expectFine("place red4 -600 0");
+  EXPECT_TRUE(holds("blue1.x == 100 and blue1.y == -200")) << "its place is free now";
+}
+
 TEST_F(WorldCommands, TheFidelityChangesWhileTheSceneGoesOn) {
   EXPECT_EQ(answers("fidelity"), std::vector<std::string>{"kinematic"});
   EXPECT_EQ(answers("fidelity ?"), (std::vector<std::string>{"kinematic", "dynamic"}));
