@@ -32,10 +32,12 @@ struct Outcome {
   Vector2d ball = Vector2d::Zero();
 };
 
-/// What is run many times: the scene with other seeds and all that was done to this simulation.
+/// What is run many times: the scene with other seeds and all that was done to this simulation, at
+/// the times when it was done.
 struct Series {
   MatchOptions options;
-  std::vector<Intervention> history;  ///< Done at once, whenever it was done.
+  std::vector<Intervention> history;
+  Time begin;  ///< How far this simulation has come.
   int runs = 1;
   double timeout = 0;  ///< s; 0: until the game is over.
   std::vector<std::string> targetTexts;
@@ -66,11 +68,16 @@ Result<Outcome> runOnce(const Series& series, int index) {
   auto session = Session::make(options, screen);
   if (!session) return session.error();
   Console console{**session};
-  for (const Intervention& deed : series.history)
-    if (auto done = console.execute(deed.line); !done) return done.error();
+  const auto repeated = (*session)->match().repeat(
+      series.history, series.begin,
+      [&](Match&, const std::string& line) { return console.executeWithin(line); },
+      series.interrupted);
+  if (!repeated && !(*session)->match().finished()) return repeated.error();
   Outcome outcome;
   outcome.run = index + 1;
   outcome.seed = options.seed;
+  // A game lasts from its beginning on.
+  const Time begin = series.targets.empty() ? Time{} : series.begin;
   const auto end = static_cast<std::int64_t>(std::llround(1000 * series.timeout));
   while (outcome.result.empty()) {
     if (series.interrupted()) return Error{.what = "stopped"};
@@ -78,13 +85,13 @@ Result<Outcome> runOnce(const Series& series, int index) {
     if (!target) return target.error();
     outcome.result = std::move(*target);
     if (!outcome.result.empty()) break;
-    if ((end > 0 && (*session)->time().ms >= end) || (*session)->match().finished() ||
+    if ((end > 0 && (*session)->time() - begin >= end) || (*session)->match().finished() ||
         !(*session)->step())
       break;
   }
   if (const auto done = (*session)->match().soundness(); !done) return done.error();
   const Simulation& simulation = (*session)->simulation();
-  outcome.seconds = static_cast<double>((*session)->time().ms) / 1000;
+  outcome.seconds = static_cast<double>((*session)->time() - begin) / 1000;
   outcome.red = simulation.referee().score(TeamColor::red);
   outcome.blue = simulation.referee().score(TeamColor::blue);
   if (simulation.world().ballCount() > 0) outcome.ball = simulation.world().ball(0).position;
@@ -244,7 +251,7 @@ Result<void> test(Console& console, const Words& words) {
   const std::string file = takeFile(rest).value_or("out/test.csv");
   if (rest.size() < 3) return wrongArguments(words);
   Session& session = console.session();
-  Series series{session.options(), session.match().history(), 1, 0, {}, {}, {}};
+  Series series{session.options(), session.match().history(), session.time(), 1, 0, {}, {}, {}};
   std::atomic<bool> interrupted = false;
   series.interrupted = [&] {
     if (session.takeInterrupt()) interrupted = true;
@@ -283,8 +290,9 @@ std::vector<Command> testCommands() {
            "game N [TABLE] | situation N TIMEOUT CONDITION {CONDITION} [TABLE] | save TEST "
            "[SECONDS CONDITION]",
            "Plays N games, or N times up to TIMEOUT seconds until one of the conditions holds (in "
-           "quotes if it has spaces), each with the next seed and all that was done so far at its "
-           "beginning. Prints how they ended; the results go to a table (.csv), out/test.csv if "
+           "quotes if it has spaces), each with the next seed. Each plays up to now first, and all "
+           "that was done so far is done at its time; only then TIMEOUT begins. Prints how they "
+           "ended; the results go to a table (.csv), out/test.csv if "
            "none is "
            "named. Or saves what is on the field now, with score and state of the game, as a "
            "script that puts it up again and fails if the condition does not hold within SECONDS; "

@@ -49,6 +49,18 @@ TEST_F(TestCommands, WhatEndedBeforeTheOthersWereStoppedIsKept) {
   EXPECT_THAT(*readFile(table), HasSubstr("\n1,1,timeout,0.008,"));
 }
 
+TEST_F(TestCommands, SituationsBeginWhereTheSimulationHasCome) {
+  expectFine("place ball 0 0 900 0");
+  expectFine("run 800 ms");
+  expectFine("place blue1 1500 -600");
+  ASSERT_TRUE(holds("ball.x > 500"));
+  EXPECT_THAT(answers("test situation 2 1 \"ball.x > 500 and blue1.x == 1500\" \"ball.x < 500\" " +
+                      file("begins.csv")),
+              Contains(HasSubstr("blue1.x == 1500: 2 of 2, after 0.0 s")));
+  EXPECT_THAT(answers("test situation 2 0.1 \"ball.x < 0\" " + file("none.csv")),
+              Contains(HasSubstr("timeout: 2 of 2, after 0.1 s")));
+}
+
 TEST_F(TestCommands, SituationsAreSaved) {
   const std::string script = file("situation.con");
   expectFine("gc kickOff blue 1 2");

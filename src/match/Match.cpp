@@ -378,7 +378,7 @@ Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions
   options.remote.clear();
   auto match = make(options);
   if (!match) return match.error();
-  if (const auto done = (*match)->repeat(*state, perform); !done)
+  if (const auto done = (*match)->repeat(state->history, state->time, perform); !done)
     return Error{.file = path, .field = done.error().field, .what = done.error().text()};
   if (state->fingerprint != 0 && (*match)->fingerprint() != state->fingerprint)
     return Error{.file = path,
@@ -387,21 +387,23 @@ Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions
   return match;
 }
 
-Result<void> Match::repeat(const MatchState& state, const Perform& perform) {
-  auto next = state.history.begin();
+Result<void> Match::repeat(std::span<const Intervention> history, Time until,
+                           const Perform& perform, const std::function<bool()>& interrupted) {
+  auto next = history.begin();
   while (true) {
-    for (; next != state.history.end() && next->time == time(); ++next) {
+    for (; next != history.end() && next->time == time(); ++next) {
       const auto done = next->kind == InterventionKind::gameController
                             ? control(bytesOf(next->line))
                             : perform(*this, next->line);
       if (!done) return done;
     }
-    if (time() >= state.time) break;
+    if (time() >= until) break;
     if (finished()) return Error{.field = "time", .what = "the match is over before"};
+    if (interrupted()) return Error{.what = "stopped"};
     step();
   }
-  history_ = state.history;
-  if (next != state.history.end())
+  history_.assign(history.begin(), history.end());
+  if (next != history.end())
     return Error{.field = "history", .what = "something between two ticks"};
   return {};
 }

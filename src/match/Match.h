@@ -109,6 +109,11 @@ class Match {
   /// Remembers what was just done to the match from outside, for `save`.
   void note(InterventionKind kind, std::string line);
   const std::vector<Intervention>& history() const { return history_; }
+  /// Plays a new match up to a time and does what was done to another one up to then, each thing
+  /// at its time. Fails if the match is over before, and if `interrupted` returns true.
+  Result<void> repeat(
+      std::span<const Intervention> history, Time until, const Perform& perform,
+      const std::function<bool()>& interrupted = [] { return false; });
   /// Marks the match irreproducible from now on, with a reason. The first reason counts.
   void markIrreproducible(const std::string& why);
 
@@ -172,7 +177,6 @@ class Match {
   bool isRemote(const std::string& robot) const { return options_.remote.contains(robot); }
   std::string layoutFile(const SceneRobot& robot) const;
   std::uint64_t fingerprint() const;
-  Result<void> repeat(const MatchState& state, const Perform& perform);
   void noteFailures();
   void addFailures(MatchSummary& summary) const;
 
