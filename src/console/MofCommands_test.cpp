@@ -46,5 +46,23 @@ TEST_F(MofCommands, TriesMotionsLineByLine) {
   EXPECT_NE(pan(), stopped);
 }
 
+TEST_F(MofCommands, LinesAreExecutedAtTheTimeOfTheSwitchToDebug) {
+  const auto pan = [&] { return robot(0).provided<JointData>()->angles[Joint::headPan]; };
+  expectFine("robot red1");
+  expectFine("run 1 s");
+  expectFine("sr MotionControl Debug");
+  expectFine("mof execute ~ -1200 ~ ~ ~ ~ ~ ~ ~ ~ ~ ~ ~ ~ ~ ~ ~ ~ 1 125");
+  expectFine("run 1200 ms");
+  EXPECT_NEAR(pan(), -1.2, 1e-9);
+  // They are not executed again when Debug is switched on again.
+  expectFine("sr MotionControl Default");
+  expectFine("run 1 s");
+  expectFine("sr MotionControl Debug");
+  const double before = pan();
+  ASSERT_GT(std::abs(before + 1.2), 0.1);
+  expectFine("run 400 ms");
+  EXPECT_GT(std::abs(pan() + 1.2), 0.1);
+}
+
 }  // namespace
 }  // namespace gt

@@ -12,13 +12,13 @@ void DebugMotionControl::update(const SensorDataBuffer& sensors, const JointData
                                 MotionInfo& info) {
   const JointAngles& measured = sensors.newest().joints;
   if (!begun_) angles_ = measured;
-  if (begun_ && sequence.number != number_) {
+  begun_ = true;
+  if (sequence.number != number_) {
     playing_ = !sequence.lines.empty();
     line_ = 0;
     frame_ = 0;
     from_ = angles_;
   }
-  begun_ = true;
   number_ = sequence.number;
   if (playing_)
     play(sequence);

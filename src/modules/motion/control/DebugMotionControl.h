@@ -24,8 +24,8 @@ class DebugMotionControl {
   };
   Parameters parameters;
 
-  /// Provides the joints' angles, with the gains as recommended; the odometry stays as it was. A
-  /// sequence that was sent before this solution was switched on is not executed.
+  /// Provides the joints' angles, with the gains as recommended; the odometry stays as it was. Each
+  /// sequence is executed once, also one that came together with the switch to this solution.
   void update(const SensorDataBuffer& sensors, const JointDataSequence& sequence, JointData& joints,
               JointGains& gains, OdometryData& odometry, MotionInfo& info);
 

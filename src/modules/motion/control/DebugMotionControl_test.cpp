@@ -61,7 +61,7 @@ TEST(DebugMotionControl, ExecutesLinesOnceOrInALoopUntilItIsStopped) {
   TriedMotion motion;
   motion.execute({TriedMotion::line(1, false, 1)});
   for (int i = 0; i < 3; ++i) motion.step();
-  EXPECT_EQ(motion.pan(), 0) << "sent before it was switched on";
+  EXPECT_EQ(motion.pan(), 1) << "sent together with the switch to this solution";
   for (const bool loop : {false, true}) {
     motion.execute({TriedMotion::line(0, false, 1), TriedMotion::line(0.8, true, 8)}, loop);
     motion.step();
