@@ -247,6 +247,18 @@ std::string SceneDescription::resolve(const std::string& path) const {
   return (std::filesystem::path{file}.parent_path() / p).lexically_normal().string();
 }
 
+Error SceneDescription::missing(const std::string& named, const FilePlace& place,
+                                const std::string& attribute) const {
+  const std::string what = attribute == "config" ? "there is no folder " : "there is no file ";
+  const SceneDescription usual;
+  const bool unwritten = named == usual.field || named == usual.config ||
+                         named == SceneRobot{}.model || named == SceneRobot{}.layout ||
+                         named == SceneBall{}.model;
+  return errorAt(
+      file, place, attribute,
+      what + resolve(named) + (unwritten ? "; " + named + " is the attribute's default" : ""));
+}
+
 std::string SceneDescription::startScript() const {
   if (script.empty()) {
     const std::string usual = resolve("console.con");
@@ -274,19 +286,16 @@ Result<SceneDescription> loadScene(const std::string& path) {
 }
 
 void findSceneFiles(const SceneDescription& scene, std::vector<Error>& errors) {
-  const auto expectFile = [&](const std::string& path, const FilePlace& place, const char* field) {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(path, code))
-      errors.push_back(errorAt(scene.file, place, field, "there is no file " + path));
-  };
-  const std::string config = scene.resolve(scene.config);
   std::error_code code;
-  if (!std::filesystem::is_directory(config, code))
+  if (!std::filesystem::is_directory(scene.resolve(scene.config), code))
+    errors.push_back(scene.missing(scene.config, scene.configPlace, "config"));
+  const std::string script = scene.startScript();
+  if (!script.empty() && !std::filesystem::is_regular_file(script, code))
     errors.push_back(
-        errorAt(scene.file, scene.configPlace, "config", "there is no folder " + config));
-  if (!scene.script.empty()) expectFile(scene.startScript(), scene.scriptPlace, "script");
+        errorAt(scene.file, scene.scriptPlace, "script", "there is no file " + script));
   for (const SceneRobot& robot : scene.robots)
-    expectFile(scene.resolve(robot.layout), robot.place, "layout");
+    if (!std::filesystem::is_regular_file(scene.resolve(robot.layout), code))
+      errors.push_back(scene.missing(robot.layout, robot.place, "layout"));
 }
 
 Result<void> findSceneFiles(const SceneDescription& scene) {

@@ -414,6 +414,9 @@ struct SceneDescription {
   std::vector<const SceneRobot*> allRobots() const;
   /// A path of the scene as a path from where the program runs.
   std::string resolve(const std::string& path) const;
+  /// The error about a file, or the folder of the configuration, that an attribute names.
+  Error missing(const std::string& named, const FilePlace& place,
+                const std::string& attribute) const;
   /// The script to begin with, as a path from where the program runs: the scene's, with .con if it
   /// has no extension, or console.con beside the scene if there is one (report I.4); empty if there
   /// is none.

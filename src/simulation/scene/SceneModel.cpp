@@ -71,7 +71,7 @@ XmlDocument Composer::read(const std::string& file, const FilePlace& place, cons
   const std::string path = scene_.resolve(file);
   std::error_code code;
   if (!std::filesystem::is_regular_file(path, code)) {
-    errors_.push_back(errorAt(scene_.file, place, field, "there is no file " + path));
+    errors_.push_back(scene_.missing(file, place, field));
     return nullptr;
   }
   auto document = readXml(path, "mujoco");

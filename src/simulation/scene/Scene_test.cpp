@@ -174,6 +174,11 @@ TEST_F(WrongFiles, FilesThatAreMissingAreNamedWithTheScene) {
   EXPECT_EQ(reportedOf("config='nowhere'", layout), "2: config");
   EXPECT_EQ(reportedOf(config + "\nscript='mine'", layout), "3: script");
   EXPECT_EQ(reportedOf(config, "layout='none.layout'"), "4: layout");
+  // Attributes that nobody wrote have a default, which is named.
+  const auto unwritten = loadScene(write("<scene/>"));
+  ASSERT_TRUE(unwritten);
+  EXPECT_THAT(findSceneFiles(*unwritten).error().what, HasSubstr("; ../config is the attribute's"));
+  EXPECT_THAT(composeModel(*unwritten).error().what, HasSubstr("; ../models/field2003.xml is the"));
   write("# nothing", "mine.con");
   EXPECT_EQ(reportedOf(config + "\nscript='mine'", layout), "nothing") << "has the extension .con";
 }
