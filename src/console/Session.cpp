@@ -13,6 +13,8 @@ namespace {
 
 /// Who falls further behind real time does not run to catch up.
 constexpr std::chrono::milliseconds farBehind{100};
+/// Who is that far behind in all does not reach the pace.
+constexpr std::chrono::milliseconds tooFarBehind{500};
 /// How long a robot elsewhere may take to answer the first time.
 constexpr std::chrono::milliseconds connecting{1500};
 
@@ -122,6 +124,7 @@ bool Session::step() {
 }
 
 Session::RunEnd Session::run(const std::function<bool()>& done) {
+  beginPace();
   while (!done()) {
     if (takeInterrupt()) return RunEnd::interrupted;
     if (!step()) return RunEnd::gameOver;
@@ -222,16 +225,35 @@ std::optional<Session::Clock::time_point> Session::due() {
       static_cast<double>(time() - paceTime_) / factor};
   const auto due = paceBegin_ + std::chrono::duration_cast<Clock::duration>(simulated);
   const auto now = Clock::now();
-  if (now > due + farBehind) paceBegin_ += now - due;
+  if (now > due + farBehind) {
+    paceBegin_ += now - due;
+    reportSlowness();
+  }
   return due;
+}
+
+void Session::reportSlowness() {
+  if (slownessReported_ || pace_.factor == 0 || paceBegin_ - paceSince_ < tooFarBehind) return;
+  slownessReported_ = true;
+  const std::chrono::duration<double, std::milli> passed = Clock::now() - paceSince_;
+  char line[120];
+  std::snprintf(line, sizeof line,
+                "time passes %.2g times as fast as real time, not %g: the computer is too slow",
+                static_cast<double>(time() - paceTime_) / passed.count(), pace_.factor);
+  screen_.print(line);
+}
+
+void Session::beginPace() {
+  paceBegin_ = paceSince_ = Clock::now();
+  paceTime_ = time();
 }
 
 void Session::setPace(const Pace& pace) {
   pace_ = pace;
   if (pace.slowness > 0)
     match().markIrreproducible("how long robots took was measured by the clock");
-  paceBegin_ = Clock::now();
-  paceTime_ = time();
+  beginPace();
+  slownessReported_ = false;
   for (SimulatedRobot* robot : state_.match->robots()) robot->setSlowness(pace.slowness);
 }
 

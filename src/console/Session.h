@@ -139,6 +139,10 @@ class Session {
   void updateFoxglove();
   /// When the next step is due; empty if steps are taken as fast as possible.
   std::optional<Clock::time_point> due();
+  /// Begins to measure from now on.
+  void beginPace();
+  /// Reports once for each pace if time passes more slowly.
+  void reportSlowness();
 
   Screen& screen_;
   MatchOptions options_;
@@ -146,6 +150,8 @@ class Session {
   Pace pace_;
   Clock::time_point paceBegin_ = Clock::now();
   Time paceTime_;
+  Clock::time_point paceSince_ = paceBegin_;  ///< Where paceBegin_ was before steps came too late.
+  bool slownessReported_ = false;
   bool started_ = false;
   std::atomic<bool> interrupted_ = false;
   std::function<void()> input_;

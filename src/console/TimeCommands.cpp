@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/Number.h"
 #include "console/Commands.h"
 #include "console/Condition.h"
 #include "match/MatchState.h"
@@ -83,8 +84,18 @@ Result<void> stop(Console& console, const Words&) {
   return {};
 }
 
+/// How time passes now, as a line that sets it.
+std::string paceLine(const Pace& pace) {
+  if (pace.slowness > 0) return "st off " + numberText(pace.slowness);
+  return pace.factor > 0 ? "st on " + numberText(pace.factor) : "st on";
+}
+
 Result<void> st(Console& console, const Words& words) {
   Pace pace;
+  if (words[1] == "?") {
+    console.print(paceLine(console.session().pace()));
+    return {};
+  }
   if (words[1] == "on") {
     if (words.size() == 3) {
       const auto factor = numberOf(words[2], 0.01, 1000);
@@ -245,11 +256,12 @@ std::vector<Command> timeCommands() {
        save},
       {global, "scene", "SCENE", "Begins with another scene, and its script.", scene},
       {global, "seed", "NUMBER", "Restarts with another seed.", seed},
-      {global, "st", "off [SLOWNESS] | on [FACTOR]",
+      {global, "st", "? | off [SLOWNESS] | on [FACTOR]",
        "Simulated time, on by default: each step advances it by 8 ms, as fast as it goes or at "
        "most "
-       "FACTOR times real time. Off: real time; a robot whose modules take longer loses images, as "
-       "if its computer were SLOWNESS times slower than this one.",
+       "FACTOR times real time; prints a line if this computer does not reach that. Off: real "
+       "time; a robot whose modules take longer loses images, as "
+       "if its computer were SLOWNESS times slower than this one. With ? it prints how it is now.",
        st},
       {global, "start", "",
        "Lets time pass from now on while commands are typed. Scripts use run: what they do does "

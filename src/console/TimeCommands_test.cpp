@@ -7,6 +7,7 @@
 namespace gt {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 using TimeCommands = SessionTest;
@@ -157,11 +158,23 @@ TEST_F(TimeCommands, LosesImagesOnlyIfAskedTo) {
   EXPECT_GT(session->match().robots()[0]->lostImages(), 5);
   expectFine("st on 2");
   EXPECT_EQ(session->pace().factor, 2);
+  EXPECT_THAT(answers("st ?"), ElementsAre("st on 2"));
   expectFine("st on");
+  EXPECT_THAT(answers("st ?"), ElementsAre("st on"));
   const auto lost = session->match().robots()[0]->lostImages();
   expectFine("run 400 ms");
   EXPECT_EQ(session->match().robots()[0]->lostImages(), lost);
   expectError("st maybe", "st", "expected");
+}
+
+TEST_F(TimeCommands, APaceThatIsNotReachedIsReportedOnce) {
+  expectFine("st on 1000");
+  screen.printed.clear();
+  session->run([&] { return !screen.printed.empty(); });
+  ASSERT_FALSE(screen.printed.empty());
+  EXPECT_THAT(screen.printed.front(), HasSubstr("times as fast as real time, not 1000"));
+  expectFine("run 80 ms");
+  EXPECT_EQ(screen.printed.size(), 1u);
 }
 
 TEST_F(TimeCommands, BeginsAnewWithTheScenesScript) {
