@@ -119,7 +119,9 @@ std::vector<Command> connectionCommands() {
        "Creates a robot of that name whose inputs come from a log, in out/logs/ and with .mcap if "
        "the file has no folder and extension; logs of real robots of 2009 may name a color table. "
        "With st on, which is the default, no image is lost. What of the log is damaged is printed. "
-       "Logs that have not been played yet begin in step: the later one waits.",
+       "Logs that have not been played yet begin in step: the later one waits. The robot has no "
+       "body "
+       "in the scene: of its name there must be none yet, and what it truly does is unknown.",
        sl}};
 }
 

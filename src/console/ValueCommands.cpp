@@ -67,6 +67,7 @@ bool printValues(Console& console, const std::string& robot, const std::string& 
 Error noValue(Console& console, const std::string& path) {
   const auto value = valueAt(console, path);
   if (value) return {};
+  if (isOfMissingBody(console.session(), path)) return value.error();
   const std::string found = suggestion(path, valueChoices(console, {"get"}));
   return {.field = path, .what = value.error().what + found};
 }
@@ -88,6 +89,10 @@ Result<void> get(Console& console, const Words& words) {
       return noValue(console, robot.name() + "." + path);
     });
   if (printValues(console, "", path)) return {};
+  // A group of values of a robot that is named.
+  if (console.session().find(first) && path.size() > first.size() &&
+      printValues(console, first, path.substr(first.size() + 1)))
+    return {};
   return noValue(console, path);
 }
 

@@ -123,6 +123,12 @@ std::optional<std::string> objectPath(Session& session, std::string path) {
   return session.tree().get(path) ? std::optional{path} : std::nullopt;
 }
 
+bool isOfMissingBody(Session& session, const std::string& path) {
+  const auto [first, field] = splitPath(path);
+  const ConsoleRobot* robot = session.find(first);
+  return robot && !robot->index() && bodyValue({}, field);
+}
+
 Result<ConsoleValue> valueAt(Console& console, const std::string& path) {
   Session& session = console.session();
   if (auto value = gameValue(session, path)) return *value;
@@ -130,6 +136,9 @@ Result<ConsoleValue> valueAt(Console& console, const std::string& path) {
   if (auto value = ballValue(session, first, field)) return *value;
   if (const auto index = robotIndex(session.simulation().scene(), first))
     if (auto value = bodyValue(session.simulation().world().robot(*index), field)) return *value;
+  if (isOfMissingBody(session, path))
+    return Error{.field = path,
+                 .what = "there is none: " + first + " has no body, it is no robot of the scene"};
   if (ConsoleRobot* robot = session.find(first)) {
     auto value = valueOfRobot(*robot, field);
     return value ? value : Error{.field = path, .what = value.error().what};

@@ -32,6 +32,9 @@ Result<ConsoleValue> valueAt(Console& console, const std::string& path);
 /// is none. What is written with slashes is meant to be one.
 std::optional<std::string> objectPath(Session& session, std::string path);
 
+/// Whether a path asks for the body of a robot that has none: one on a log, or elsewhere.
+bool isOfMissingBody(Session& session, const std::string& path);
+
 /// Where a robot or a ball is on the field, by its name; no value if there is none.
 std::optional<Vector2d> placeOf(Console& console, std::string_view name);
 

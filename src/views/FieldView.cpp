@@ -154,7 +154,8 @@ class FieldView : public View {
           if (teamOf(*robot) == team) paintDrawings(sheet, placement, *robot, element);
     }
     sheet.text({8, 16},
-               clockText(subject.now) + (first ? "  drawings of " + first->name() : "") +
+               clockText(first ? first->time() : subject.now) +
+                   (first ? "  drawings of " + first->name() : "") +
                    (subject.robots.size() > 1 ? " and its selected teammates" : ""),
                colors::white);
     return sheet;
