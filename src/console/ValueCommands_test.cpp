@@ -61,5 +61,25 @@ TEST_F(ValueCommands, ObjectsAreListedWatchedAndMovedByPath) {
   EXPECT_THAT(answers("press ?"), Contains("headFront"));
 }
 
+TEST_F(ValueCommands, RobotsThatAreNamedHaveGroupsToo) {
+  expectFine("run 200 ms");
+  expectFine("robot red1");
+  const auto selected = answers("get RobotPose");
+  ASSERT_GT(selected.size(), 1u);
+  EXPECT_EQ(answers("get red1.RobotPose"), selected);
+  expectError("get red1.RobotPoses", "red1.RobotPoses", "no such value");
+}
+
+TEST_F(ValueCommands, RobotsOnLogsHaveNoBody) {
+  expectFine("robot red1");
+  expectFine("log start");
+  expectFine("run 200 ms");
+  expectFine("log save " + file("own.mcap"));
+  expectFine("sl red9 " + file("own.mcap"));
+  expectError("get red9.x", "red9.x", "red9 has no body");
+  EXPECT_FALSE(console->execute("until red9.posture == standing"));
+  expectFine("get red1.x");
+}
+
 }  // namespace
 }  // namespace gt
