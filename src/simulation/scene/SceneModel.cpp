@@ -1,239 +1,289 @@
 #include "simulation/scene/SceneModel.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
-#include "base/Enum.h"
-#include "simulation/scene/ScenePeople.h"
-#include "simulation/scene/Xml.h"
-#include "streams/File.h"
+#include "simulation/scene/ModelSource.h"
 
 namespace gt {
 namespace {
 
-void addPrefix(xmlNode* node, const char* name, const std::string& prefix) {
-  const std::string value = attribute(node, name);
-  if (!value.empty()) setAttribute(node, name, prefix + value);
+xmlNode* addElement(xmlNode* parent, const char* name) {
+  return xmlNewChild(parent, nullptr, BAD_CAST name, nullptr);
 }
 
-/// Calls visit(element) for an element and all below it.
-template <typename Visit>
-void forEachElement(xmlNode* node, const Visit& visit) {
-  if (node->type != XML_ELEMENT_NODE) return;
-  visit(node);
-  for (xmlNode* child = node->children; child; child = child->next) forEachElement(child, visit);
-}
-
-xmlNode* childOf(xmlNode* parent, const char* name, bool create = false) {
-  for (xmlNode* child = parent->children; child; child = child->next)
-    if (child->type == XML_ELEMENT_NODE && nameOf(child) == name) return child;
-  return create ? xmlNewChild(parent, nullptr, BAD_CAST name, nullptr) : nullptr;
-}
-
-/// Joins models to one document, and collects what is wrong with them.
+/// Joins models to one document, and collects what is wrong with them or left out of them.
 class Composer {
  public:
-  Composer(const SceneDescription& scene, std::vector<Error>& errors)
-      : scene_(scene), errors_(errors) {}
+  Composer(const SceneDescription& scene, std::vector<Error>& findings)
+      : scene_(scene), findings_(findings) {
+    xmlDocSetRootElement(document_.get(), root_);
+  }
 
-  /// The text of the whole; nothing after an error.
-  std::optional<std::string> compose();
+  /// The scene's model; null after an error.
+  Model compose();
 
  private:
-  /// A model file that was read: its defaults and assets stand in the document already.
+  /// A copy of a file's things in the scene, whose rows stand one behind another.
   struct Part {
-    XmlDocument document;
+    const ModelSource* source;
+    ModelRows rows;
     std::string prefix;
-    xmlNode* body = nullptr;
   };
 
-  /// A document that the scene names; null if it cannot be had.
-  XmlDocument read(const std::string& file, const FilePlace& place, const char* field);
-  /// A model; null if it cannot be had.
-  const Part* part(const std::string& file, const FilePlace& place);
-  void addShared(const Part& part);
-  xmlNode* addBody(const Part& part, const std::string& prefix);
-  void addRobot(const SceneRobot& robot);
-  void addBall(const SceneBall& ball, std::size_t index);
-  void removeFlags();
-  void separateField();
+  void readSources();
+  bool isThere(const std::string& file, const FilePlace& place, const char* field);
+  void readBody(const std::string& file, const FilePlace& place);
+  bool isRight() const;
+  std::vector<const ModelSource*> allSources() const;
+
+  xmlNode* add(xmlNode* into, xmlNode* element, const ModelPrefixes& prefixes, bool asset = false);
+  void addCompiler();
+  void addMeshOption(xmlNode* compiler, const char* name, const char* usual);
+  void addDefaults(const ModelSource& source);
+  void addField();
+  void addAssets(const ModelSource& source);
+  void addBody(const std::string& file, const std::string& name, TeamColor team);
+
+  Result<Model> compileWhole();
+  void deriveConstants(mjModel& model) const;
+  Error misfit(const ModelSource& source) const;
 
   const SceneDescription& scene_;
-  std::vector<Error>& errors_;
-  XmlDocument document_;
-  xmlNode* root_ = nullptr;
-  std::map<std::string, Part> parts_;
+  std::vector<Error>& findings_;
+  XmlDocument document_{xmlNewDoc(BAD_CAST "1.0")};
+  xmlNode* root_ = xmlNewNode(nullptr, BAD_CAST "mujoco");
+  xmlNode* defaults_ = nullptr;
+  std::optional<ModelSource> field_;
+  /// Of robots and balls, by path; empty if something is wrong with the file.
+  std::map<std::string, std::optional<ModelSource>> sources_;
+  std::set<std::string> assetPrefixes_;
+  std::vector<Part> parts_;
 };
 
-XmlDocument Composer::read(const std::string& file, const FilePlace& place, const char* field) {
+bool Composer::isThere(const std::string& file, const FilePlace& place, const char* field) {
   const std::string path = scene_.resolve(file);
   std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code)) {
-    errors_.push_back(scene_.missing(file, place, field));
-    return nullptr;
-  }
-  auto document = readXml(path, "mujoco");
-  if (document) return std::move(*document);
-  errors_.push_back(document.error());
-  return nullptr;
+  if (std::filesystem::is_regular_file(path, code)) return true;
+  findings_.push_back(scene_.missing(file, place, field));
+  return false;
 }
 
-const Composer::Part* Composer::part(const std::string& file, const FilePlace& place) {
-  if (const auto known = parts_.find(file); known != parts_.end()) return &known->second;
-  Part part;
-  part.document = read(file, place, "model");
-  if (!part.document) return nullptr;
-  part.prefix = std::filesystem::path{file}.stem().string() + "/";
-  xmlNode* root = xmlDocGetRootElement(part.document.get());
-  if (xmlNode* world = childOf(root, "worldbody")) part.body = childOf(world, "body");
-  if (!part.body) {
-    errors_.push_back({scene_.resolve(file), lineOf(root), "worldbody", "expected a <body> in it"});
-    return nullptr;
-  }
-  addShared(part);
-  return &parts_.emplace(file, std::move(part)).first->second;
+void Composer::readBody(const std::string& file, const FilePlace& place) {
+  const std::string path = scene_.resolve(file);
+  if (sources_.contains(path) || !isThere(file, place, "model")) return;
+  // Files of one name may stand in several folders.
+  const std::string stem = std::filesystem::path{path}.stem().string();
+  std::string prefix = stem + "/";
+  for (int i = 2; !assetPrefixes_.insert(prefix).second; ++i)
+    prefix = stem + std::to_string(i) + "/";
+  sources_[path] = readBodySource(path, prefix, findings_);
 }
 
-void Composer::addShared(const Part& part) {
-  for (const char* section : {"default", "asset"}) {
-    xmlNode* from = childOf(xmlDocGetRootElement(part.document.get()), section);
-    if (!from) continue;
-    xmlNode* into = childOf(root_, section, true);
-    for (xmlNode* child = from->children; child; child = child->next) {
-      if (child->type != XML_ELEMENT_NODE) continue;
-      xmlNode* copy = xmlAddChild(into, xmlDocCopyNode(child, document_.get(), 1));
-      forEachElement(copy, [&](xmlNode* node) {
-        for (const char* name : {"name", "class", "material"}) addPrefix(node, name, part.prefix);
-      });
+bool Composer::isRight() const {
+  return std::ranges::none_of(findings_,
+                              [](const Error& e) { return e.severity == Severity::error; });
+}
+
+/// Reads all files, the others even if one is wrong.
+void Composer::readSources() {
+  if (isThere(scene_.field, scene_.fieldPlace, "field"))
+    field_ = readFieldSource(scene_, findings_);
+  for (const SceneRobot* robot : scene_.allRobots()) readBody(robot->model, robot->place);
+  for (const SceneBall& ball : scene_.balls) readBody(ball.model, ball.place);
+}
+
+xmlNode* Composer::add(xmlNode* into, xmlNode* element, const ModelPrefixes& prefixes, bool asset) {
+  xmlNode* copy = xmlAddChild(into, xmlDocCopyNode(element, document_.get(), 1));
+  prefixNames(copy, prefixes, asset);
+  return copy;
+}
+
+std::vector<const ModelSource*> Composer::allSources() const {
+  std::vector<const ModelSource*> all{&*field_};
+  for (const auto& [path, source] : sources_) all.push_back(&*source);
+  return all;
+}
+
+/// Meshes are prepared as they are joined, so all files must want that in the same manner.
+void Composer::addMeshOption(xmlNode* compiler, const char* name, const char* usual) {
+  for (const ModelSource* source : allSources()) {
+    if (source->alone->nmesh == 0) continue;
+    std::string value = source->file.compilerAttribute(name);
+    if (value.empty()) value = usual;
+    if (const std::string other = attribute(compiler, name); other.empty()) {
+      setAttribute(compiler, name, value);
+    } else if (other != value) {
+      const xmlNode* place = source->file.compilerWith(name);
+      findings_.push_back(source->file.at(place ? place : source->file.root(), name,
+                                          "expected \"" + other +
+                                              "\", which another file of the scene has: one counts "
+                                              "for all meshes"));
     }
   }
 }
 
-xmlNode* Composer::addBody(const Part& part, const std::string& prefix) {
-  xmlNode* copy =
-      xmlAddChild(childOf(root_, "worldbody", true), xmlDocCopyNode(part.body, document_.get(), 1));
-  forEachElement(copy, [&](xmlNode* node) {
-    addPrefix(node, "name", prefix);
-    for (const char* name : {"class", "childclass", "material"}) addPrefix(node, name, part.prefix);
-  });
-  return copy;
+/// A compiler under which whatever is right alone is right. The numbers are not its own.
+void Composer::addCompiler() {
+  xmlNode* compiler = addElement(root_, "compiler");
+  setAttribute(compiler, "angle", "degree");
+  setAttribute(compiler, "autolimits", "true");
+  addMeshOption(compiler, "convexhull", "true");
+  addMeshOption(compiler, "exactmeshinertia", "false");
+  for (const ModelSource* source : allSources()) {
+    if (source->file.compilerAttribute("balanceinertia") == "true")
+      setAttribute(compiler, "balanceinertia", "true");
+    for (const char* name : {"boundmass", "boundinertia"}) {
+      const std::string bound = source->file.compilerAttribute(name);
+      if (std::atof(bound.c_str()) > std::atof(attribute(compiler, name).c_str()))
+        setAttribute(compiler, name, bound);
+    }
+  }
+  for (xmlNode* own : field_->file.sections("compiler"))
+    for (xmlNode* child : elementsOf(own)) add(compiler, child, field_->prefixes);
 }
 
-void Composer::addRobot(const SceneRobot& robot) {
-  const Part* part = this->part(robot.model, robot.place);
-  if (!part) return;
-  xmlNode* body = addBody(*part, robot.name + "/");
+/// A file's main class becomes a class below the scene's main one, which is empty. A later section
+/// adds to the main class of an earlier one, but not to the classes that stand in that.
+void Composer::addDefaults(const ModelSource& source) {
+  const std::vector<xmlNode*> sections = source.file.sections("default");
+  xmlNode* own = defaults_;
+  for (std::size_t i = 0; i < std::max<std::size_t>(sections.size(), 1); ++i) {
+    own = addElement(own, "default");
+    const bool last = i + 1 >= sections.size();
+    setAttribute(own, "class", source.prefixes.mainClass() + (last ? "" : std::to_string(i)));
+    if (i >= sections.size()) break;
+    for (xmlNode* element : elementsOf(sections[i])) add(own, element, source.prefixes, true);
+  }
+}
+
+void Composer::addField() {
+  addDefaults(*field_);
+  for (xmlNode* section : elementsOf(field_->file.root())) {
+    const std::string name = nameOf(section);
+    if (name == "compiler" || name == "default") continue;
+    setMainClass(add(root_, section, field_->prefixes, name == "asset"), field_->prefixes);
+  }
+  parts_.push_back({&*field_, field_->rows, ""});
+}
+
+void Composer::addAssets(const ModelSource& source) {
+  for (xmlNode* section : source.file.sections("asset"))
+    setMainClass(add(root_, section, source.prefixes, true), source.prefixes);
+}
+
+void Composer::addBody(const std::string& file, const std::string& name, TeamColor team) {
+  ModelSource& source = *sources_.at(scene_.resolve(file));
+  const bool first =
+      std::ranges::none_of(parts_, [&](const Part& p) { return p.source == &source; });
+  Part& part = parts_.emplace_back(&source, source.rows, name + "/");
+  if (first) {
+    addDefaults(source);
+    addAssets(source);
+  } else {
+    part.rows[ModelKind::material].clear();
+  }
+  const ModelPrefixes prefixes{part.prefix, source.prefixes.assets};
+  xmlNode* world = addElement(root_, "worldbody");
+  xmlNode* body = xmlAddChild(world, xmlDocCopyNode(source.body, document_.get(), 1));
   // Tricots are the geoms of class "tricot"; an explicit material overrides the class's red.
   forEachElement(body, [&](xmlNode* node) {
-    if (robot.team == TeamColor::blue && attribute(node, "class") == part->prefix + "tricot")
-      setAttribute(node, "material", part->prefix + "blue");
+    if (team == TeamColor::blue && nameOf(node) == "geom" && classOf(node) == "tricot")
+      setAttribute(node, "material", "blue");
   });
+  prefixNames(body, prefixes, false);
+  setMainClass(world, prefixes);
+  for (const char* name : {"contact", "equality", "tendon", "sensor"})
+    for (xmlNode* section : source.file.sections(name))
+      setMainClass(add(root_, section, prefixes), prefixes);
 }
 
-void Composer::addBall(const SceneBall& ball, std::size_t index) {
-  if (const Part* part = this->part(ball.model, ball.place))
-    addBody(*part, "ball" + std::to_string(index) + "/");
+/// Where parts that are left out or melted into others by a compiler are missed.
+Error Composer::misfit(const ModelSource& source) const {
+  for (const char* name : {"discardvisual", "fusestatic"})
+    if (source.file.compilerAttribute(name) == "true")
+      return source.file.at(source.file.compilerWith(name), name,
+                            "changes what the model consists of, which a scene cannot take over: "
+                            "expected \"false\"");
+  return source.file.at(source.file.root(), "",
+                        "cannot be joined to the scene: it consists of other parts there");
 }
 
-/// As in the localization challenge of 2003 (facts, 2.3).
-void Composer::removeFlags() {
-  std::vector<xmlNode*> flags;
-  forEachElement(childOf(root_, "worldbody", true), [&](xmlNode* node) {
-    if (attribute(node, "class") == "flag") flags.push_back(node);
-  });
-  for (xmlNode* flag : flags) {
-    xmlUnlinkNode(flag);
-    xmlFreeNode(flag);
+/// Has MuJoCo derive again what follows from numbers that were changed. What the field states about
+/// the whole is kept.
+void Composer::deriveConstants(mjModel& model) const {
+  const mjStatistic before = model.stat;
+  mj_setConst(&model, makeData(model).get());
+  for (const xmlNode* section : field_->file.sections("statistic")) {
+    for (const auto& [name, value] : {std::pair{"meaninertia", &mjStatistic::meaninertia},
+                                      {"meanmass", &mjStatistic::meanmass},
+                                      {"meansize", &mjStatistic::meansize},
+                                      {"extent", &mjStatistic::extent}})
+      if (!attribute(section, name).empty()) model.stat.*value = before.*value;
+    if (!attribute(section, "center").empty()) std::ranges::copy(before.center, model.stat.center);
   }
 }
 
-/// MuJoCo tests each geom of one body with each of another, but only bodies that are near each
-/// other, and all are near the world's own: so what stands on the floor gets bodies of its own.
-void Composer::separateField() {
-  xmlNode* world = childOf(root_, "worldbody", true);
-  std::vector<xmlNode*> geoms;
-  for (xmlNode* child = world->children; child; child = child->next) {
-    if (child->type != XML_ELEMENT_NODE || nameOf(child) != "geom") continue;
-    // Geoms keep their numbers: all before the last floor stay what they are.
-    attribute(child, "type") == "plane" ? geoms.clear() : geoms.push_back(child);
+/// Compiles the document, and copies into the model what MuJoCo made of each file alone.
+Result<Model> Composer::compileWhole() {
+  auto whole = compileModel(textOf(*document_), scene_.file);
+  if (!whole)
+    return Error{.file = scene_.file,
+                 .what = "its models do not fit together: " + whole.error().what};
+  mjModel& model = **whole;
+  OfModelKinds<int> first;
+  bool changed = false;
+  for (const Part& part : parts_) {
+    NumberCopy numbers{*part.source->alone, part.rows, model, first, part.prefix};
+    if (!numbers.fits()) return misfit(*part.source);
+    changed |= numbers.copy();
+    for (std::size_t kind = 0; kind < first.values.size(); ++kind)
+      first.values[kind] += static_cast<int>(part.rows.values[kind].size());
   }
-  xmlNode* next = childOf(world, "body");
-  for (xmlNode* geom : geoms) {
-    xmlNode* body = xmlNewNode(nullptr, BAD_CAST "body");
-    next ? xmlAddPrevSibling(next, body) : xmlAddChild(world, body);
-    xmlUnlinkNode(geom);
-    xmlAddChild(body, geom);
-  }
+  for (std::size_t kind = 0; kind < first.values.size(); ++kind)
+    if (first.values[kind] != countOf(model, static_cast<ModelKind>(kind)))
+      return misfit(*parts_.back().source);
+  if (changed) deriveConstants(model);
+  return whole;
 }
 
-std::optional<std::string> Composer::compose() {
-  const std::size_t before = errors_.size();
-  document_ = read(scene_.field, scene_.fieldPlace, "field");
-  // The models are looked at even if there is no field to put them on.
-  if (!document_) document_.reset(xmlNewDoc(BAD_CAST "1.0"));
-  root_ = xmlDocGetRootElement(document_.get());
-  if (!root_) {
-    root_ = xmlNewNode(nullptr, BAD_CAST "mujoco");
-    xmlDocSetRootElement(document_.get(), root_);
-  }
-  if (!scene_.flags) removeFlags();
-  addAudience(childOf(root_, "worldbody", true), scene_.audience);
-  addReferees(childOf(root_, "worldbody", true), scene_.referees);
-  if (scene_.fidelity == Fidelity::dynamic) separateField();
-  for (const SceneRobot* robot : scene_.allRobots()) addRobot(*robot);
-  for (std::size_t i = 0; i < scene_.balls.size(); ++i) addBall(scene_.balls[i], i);
-  if (errors_.size() > before) return std::nullopt;
-
-  xmlChar* text = nullptr;
-  int size = 0;
-  xmlDocDumpFormatMemory(document_.get(), &text, &size, 1);
-  std::string result{reinterpret_cast<const char*>(text), static_cast<std::size_t>(size)};
-  xmlFree(text);
-  return result;
-}
-
-/// Compiles each file of a scene alone that is not among the errors yet: lines of the joined text
-/// mean nothing to a person.
-void compileFiles(const SceneDescription& scene, std::vector<Error>& errors) {
-  std::set<std::string> files{scene.resolve(scene.field)};
-  for (const SceneRobot* robot : scene.allRobots()) files.insert(scene.resolve(robot->model));
-  for (const SceneBall& ball : scene.balls) files.insert(scene.resolve(ball.model));
-  for (const Error& error : errors) files.erase(error.file);
-  for (const std::string& path : files) {
-    const auto content = readFile(path);
-    if (!content) continue;  // reported already
-    if (auto alone = compileModel(*content, path); !alone) errors.push_back(alone.error());
-  }
-}
-
-/// The model; null, and there are errors, if it cannot be made.
-Model composed(const SceneDescription& scene, std::vector<Error>& errors) {
-  const std::size_t before = errors.size();
-  const auto text = Composer{scene, errors}.compose();
-  std::optional<Error> misfit;
-  if (text) {
-    auto model = compileModel(*text, scene.file);
-    if (model) return std::move(*model);
-    misfit = {scene.file, 0, "", "its models do not fit together: " + model.error().what};
-  }
-  compileFiles(scene, errors);
-  if (errors.size() == before) errors.push_back(*misfit);
+Model Composer::compose() {
+  readSources();
+  if (!isRight()) return nullptr;
+  setAttribute(root_, "model", attribute(field_->file.root(), "model"));
+  addCompiler();
+  if (!isRight()) return nullptr;
+  defaults_ = addElement(root_, "default");
+  addField();
+  for (const SceneRobot* robot : scene_.allRobots())
+    addBody(robot->model, robot->name, robot->team);
+  for (std::size_t i = 0; i < scene_.balls.size(); ++i)
+    addBody(scene_.balls[i].model, "ball" + std::to_string(i), TeamColor::red);
+  auto whole = compileWhole();
+  if (whole) return std::move(*whole);
+  findings_.push_back(whole.error());
   return nullptr;
 }
 
 }  // namespace
 
-Result<Model> composeModel(const SceneDescription& scene) {
-  std::vector<Error> errors;
-  auto model = composed(scene, errors);
-  if (model) return model;
-  return errors.front();
+Result<Model> composeModel(const SceneDescription& scene, std::vector<Error>* warnings) {
+  std::vector<Error> findings;
+  auto model = Composer{scene, findings}.compose();
+  const auto error = std::ranges::find(findings, Severity::error, &Error::severity);
+  if (!model) return *error;
+  if (warnings) *warnings = std::move(findings);
+  return model;
 }
 
-void checkModel(const SceneDescription& scene, std::vector<Error>& errors) {
-  composed(scene, errors);
+void checkModel(const SceneDescription& scene, std::vector<Error>& findings) {
+  std::vector<Error> own;
+  Composer{scene, own}.compose();
+  findings.insert(findings.end(), own.begin(), own.end());
 }
 
 }  // namespace gt

@@ -13,8 +13,14 @@ namespace gt {
 /// with "ball0/" and so on. Materials and classes of a model file begin with the file's stem
 /// ("ers210/gray"); the color class of a material is what stands behind the last slash, up to a
 /// dot. Robots of the blue team wear "blue" where the model names "red".
-Result<Model> composeModel(const SceneDescription& scene);
-/// Looks for all that keeps a scene's model from being made, and adds it to a list.
-void checkModel(const SceneDescription& scene, std::vector<Error>& errors);
+///
+/// The text only says what there is. Each file is also compiled alone, under its own compiler and
+/// defaults, and all its numbers are copied from there: so it means in a scene what it means alone.
+/// Of a robot or ball its first body comes into the scene, with its contacts, equalities, tendons
+/// and sensors. For what is left out, `warnings` gets a line each.
+Result<Model> composeModel(const SceneDescription& scene, std::vector<Error>* warnings = nullptr);
+/// Looks for all that keeps a scene's model from being made or is left out of it, and adds it to a
+/// list.
+void checkModel(const SceneDescription& scene, std::vector<Error>& findings);
 
 }  // namespace gt

@@ -99,12 +99,28 @@ Result<XmlDocument> readXml(const std::string& path, const std::string& root) {
                    what.empty() ? "is not XML" : what);
   }
   const xmlNode* node = xmlDocGetRootElement(document.get());
-  if (!node || nameOf(node) != root)
+  if (!node || (!root.empty() && nameOf(node) != root))
     return Error{.file = path,
                  .line = node ? lineOf(node) : 0,
                  .field = node ? nameOf(node) : "",
                  .what = "expected the root element <" + root + ">"};
   return document;
+}
+
+XmlDocument parseXml(const std::string& text) {
+  const std::unique_ptr<xmlParserCtxt, ContextDeleter> context{xmlNewParserCtxt()};
+  context->sax->serror = [](void*, xmlError*) {};
+  return XmlDocument{xmlCtxtReadMemory(context.get(), text.data(), static_cast<int>(text.size()),
+                                       nullptr, nullptr, XML_PARSE_NONET | XML_PARSE_NOBLANKS)};
+}
+
+std::string textOf(const xmlDoc& document) {
+  xmlChar* text = nullptr;
+  int size = 0;
+  xmlDocDumpFormatMemory(const_cast<xmlDoc*>(&document), &text, &size, 1);
+  std::string result{reinterpret_cast<const char*>(text), static_cast<std::size_t>(size)};
+  xmlFree(text);
+  return result;
 }
 
 std::string nameOf(const xmlNode* node) {
@@ -124,6 +140,13 @@ void setAttribute(xmlNode* node, const char* name, const std::string& value) {
 
 int lineOf(const xmlNode* node) {
   return static_cast<int>(xmlGetLineNo(const_cast<xmlNode*>(node)));
+}
+
+std::vector<xmlNode*> elementsOf(const xmlNode* parent) {
+  std::vector<xmlNode*> found;
+  for (xmlNode* child = parent->children; child; child = child->next)
+    if (child->type == XML_ELEMENT_NODE) found.push_back(child);
+  return found;
 }
 
 XmlPlaces::XmlPlaces(const xmlDoc& document, std::string_view text) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "simulation/scene/FilePlace.h"
 
@@ -17,9 +18,15 @@ struct XmlDocumentDeleter {
 };
 using XmlDocument = std::unique_ptr<xmlDoc, XmlDocumentDeleter>;
 
-/// Reads an XML file whose root element bears a name. Nothing is fetched from the net, entities are
-/// not expanded.
+/// Reads an XML file whose root element bears a name, or any if that is empty. Nothing is fetched
+/// from the net, entities are not expanded.
 Result<XmlDocument> readXml(const std::string& path, const std::string& root);
+
+/// The document that a text is; null if it is none.
+XmlDocument parseXml(const std::string& text);
+
+/// A document as text: each element without text begins a line.
+std::string textOf(const xmlDoc& document);
 
 /// The name of an element, or of an attribute.
 std::string nameOf(const xmlNode* node);
@@ -32,6 +39,17 @@ void setAttribute(xmlNode* node, const char* name, const std::string& value);
 
 /// An element's line in its file.
 int lineOf(const xmlNode* node);
+
+/// The elements in an element.
+std::vector<xmlNode*> elementsOf(const xmlNode* parent);
+
+/// Calls visit(element) for an element and all below it, in the order of the file.
+template <typename Node, typename Visit>
+void forEachElement(Node* node, const Visit& visit) {
+  if (node->type != XML_ELEMENT_NODE) return;
+  visit(node);
+  for (Node* child = node->children; child; child = child->next) forEachElement(child, visit);
+}
 
 /// Where the elements, attributes and texts of a document begin: libxml2 reports lines only.
 class XmlPlaces {

@@ -186,9 +186,13 @@ std::string_view describe(FieldSensorKind kind) {
   return descriptions[kind];
 }
 
+bool isKnownSensor(const mjModel& model, int id) {
+  return sensorOf(model, id).has_value();
+}
+
 Result<void> checkFieldSensors(const mjModel& model, const std::string& file) {
   for (int id = 0; id < model.nsensor; ++id) {
-    if (sensorOf(model, id)) continue;
+    if (isKnownSensor(model, id)) continue;
     return Error{
         .file = file,
         .field = sensorName(model, id),

@@ -80,6 +80,9 @@ class FieldSensors {
 /// What a kind of sensor measures, in one sentence.
 std::string_view describe(FieldSensorKind kind);
 
+/// Whether FieldSensors knows a sensor of a model.
+bool isKnownSensor(const mjModel& model, int id);
+
 /// Fails if a model has a sensor that FieldSensors does not know, or one without its `numeric`.
 Result<void> checkFieldSensors(const mjModel& model, const std::string& file);
 

@@ -1,5 +1,6 @@
 #include "simulation/world/MuJoCo.h"
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstdlib>
 #include <cstring>
@@ -53,9 +54,13 @@ Result<Model> compileModel(const std::string& mjcf, const std::string& file) {
   std::string what = guard.message;
   for (char& c : what)
     if (c == '\n') c = ' ';
-  const auto line = what.find("line ");
+  // "Element 'geom', line 4, column 5" or "Object name = a, id = 1, line = 4, column = -1".
+  const auto place = what.find(", line ");
+  const auto line = what.find_first_of("0123456789", place);
+  what.resize(std::min(place, what.size()));
+  while (what.ends_with(' ')) what.pop_back();
   return Error{.file = file,
-               .line = line == what.npos ? 0 : std::atoi(what.c_str() + line + 5),
+               .line = place == std::string::npos ? 0 : std::atoi(guard.message + line),
                .what = "MuJoCo: " + what};
 }
 
