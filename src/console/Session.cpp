@@ -60,6 +60,7 @@ Result<void> Session::restart(const MatchOptions& options) {
   behavior.clear();
   setPace(pace_);
   for (const std::string& line : describePuts(simulation())) screen_.print(line);
+  for (const Error& warning : simulation().modelWarnings()) screen_.print(warning.text());
   return {};
 }
 

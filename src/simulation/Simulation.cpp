@@ -71,9 +71,12 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
 Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& scene,
                                                      std::uint64_t seed, std::size_t threads,
                                                      const FieldDimensions& field) {
-  auto model = composeModel(scene);
+  std::vector<Error> warnings;
+  auto model = composeModel(scene, &warnings);
   if (!model) return model.error();
-  return make(scene, std::move(*model), seed, threads, field);
+  auto simulation = make(scene, std::move(*model), seed, threads, field);
+  if (simulation) (*simulation)->modelWarnings_ = std::move(warnings);
+  return simulation;
 }
 
 Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& scene, Model model,

@@ -75,6 +75,10 @@ class Simulation {
                                                   std::uint64_t seed, std::size_t threads,
                                                   const FieldDimensions& field);
 
+  /// What of the models that the scene names has been left out of it. Empty if the model was made
+  /// elsewhere.
+  const std::vector<Error>& modelWarnings() const { return modelWarnings_; }
+
   /// Gives an active robot its controller. A robot without one stands still.
   void attach(std::size_t robot, std::unique_ptr<RobotController> controller);
   /// Adds a controller of the scene; all run in the order in which they came.
@@ -200,6 +204,7 @@ class Simulation {
   CameraView viewOf(std::size_t robot);
 
   SceneDescription scene_;
+  std::vector<Error> modelWarnings_;
   std::vector<Player> players_;
   Random random_;
   std::unique_ptr<World> world_;
