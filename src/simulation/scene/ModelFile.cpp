@@ -17,11 +17,12 @@ bool isFile(const std::string& path) {
   return fs::is_regular_file(path, code);
 }
 
-/// A path relative to a folder, as an absolute one.
+/// A path relative to a folder, as an absolute one; without ".." unless that leads out of a link.
 std::string pathIn(const fs::path& folder, const fs::path& path) {
   std::error_code code;
-  const fs::path whole = fs::absolute(folder / path, code);
-  return (code ? folder / path : whole).lexically_normal().string();
+  const fs::path whole = fs::absolute(folder / path, code), plain = whole.lexically_normal();
+  if (fs::exists(whole, code) && !fs::equivalent(whole, plain, code)) return whole.string();
+  return plain.string();
 }
 
 /// The element that begins at or before a line of a text that was written from a document.
@@ -182,7 +183,7 @@ void ModelFile::resolvePaths(std::vector<Error>& errors) {
 }
 
 Result<Model> ModelFile::compile() const {
-  const std::string text = textOf(*document_);
+  const std::string text = xmlText(*document_);
   auto model = compileModel(text, path_);
   if (model) return model;
   Error error = model.error();

@@ -60,6 +60,13 @@ TEST_F(ModelFiles, IncludesAreRelativeToTheFirstFile) {
             (folder_ / "parts/one.xml").string());
 }
 
+TEST_F(ModelFiles, PathsLeadThroughLinks) {
+  fs::create_directories(folder_ / "elsewhere/deep");
+  write("elsewhere/part.xml", "<mujoco><a/></mujoco>");
+  fs::create_directory_symlink(folder_ / "elsewhere/deep", folder_ / "link");
+  EXPECT_THAT(errorsOf("<mujoco><include file='link/../part.xml'/></mujoco>"), ElementsAre());
+}
+
 TEST_F(ModelFiles, WrongIncludes) {
   write("empty.xml", "<mujoco/>");
   write("broken.xml", "<mujoco>\n<a></mujoco>");

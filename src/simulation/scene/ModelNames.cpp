@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "simulation/scene/Xml.h"
+#include "simulation/world/ModelRows.h"
 
 namespace gt {
 namespace {
@@ -65,8 +66,10 @@ std::vector<ModelReference> referencesOf(const xmlNode* node) {
 
 void prefixNames(xmlNode* top, const ModelPrefixes& prefixes, bool asset) {
   forEachElement(top, [&](xmlNode* node) {
+    // The world is the scene's.
     for (const ModelReference& reference : referencesOf(node))
-      setAttribute(node, reference.attribute.c_str(), prefixes.things + reference.name);
+      if (reference.name != "world" || modelKindOf(reference.type) != ModelKind::body)
+        setAttribute(node, reference.attribute.c_str(), prefixes.things + reference.name);
     for (const auto& [name, type] : {std::pair{"objname", "objtype"}, {"refname", "reftype"}})
       if (isAssetType(namedType(attribute(node, type)))) addPrefix(node, name, prefixes.assets);
     addPrefix(node, "name", asset ? prefixes.assets : prefixes.things);

@@ -10,7 +10,7 @@ namespace {
 std::string prefixed(const std::string& element, bool asset = false) {
   const XmlDocument document = parseXml(element);
   prefixNames(xmlDocGetRootElement(document.get()), {"red1/", "robot/"}, asset);
-  std::string text = textOf(*document);
+  std::string text = xmlText(*document);
   text.erase(0, text.find('\n') + 1);
   text.pop_back();
   return text;

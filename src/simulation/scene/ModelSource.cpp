@@ -161,6 +161,7 @@ void Selection::removeBesideBody() {
 std::string Selection::missing(xmlNode* node) const {
   for (const auto& [attribute, name, type] : referencesOf(node)) {
     const std::optional<ModelKind> kind = modelKindOf(type);
+    if (kind == ModelKind::body && name == "world") continue;
     if (!kind || !source_.rows.has(*kind, mj_name2id(&model_, type, name.c_str())))
       return "\"" + name + "\"";
   }

@@ -230,7 +230,7 @@ void Composer::deriveConstants(mjModel& model) const {
 
 /// Compiles the document, and copies into the model what MuJoCo made of each file alone.
 Result<Model> Composer::compileWhole() {
-  auto whole = compileModel(textOf(*document_), scene_.file);
+  auto whole = compileModel(xmlText(*document_), scene_.file);
   if (!whole)
     return Error{.file = scene_.file,
                  .what = "its models do not fit together: " + whole.error().what};

@@ -332,6 +332,18 @@ TEST_F(SceneModelFiles, WhatIsLeftOutIsSaid) {
                    HasSubstr("robot.xml:9: warning: body: is left out")}));
 }
 
+TEST_F(SceneModelFiles, TheWorldIsTheScenes) {
+  const std::string path =
+      robot("<equality><weld name='held' body1='robot' body2='world'/></equality>");
+  EXPECT_THAT(warningsOf(withRobots(path)), testing::IsEmpty());
+  const auto model = composeModel(withRobots(path));
+  ASSERT_TRUE(model);
+  const int held = mj_name2id(model->get(), mjOBJ_EQUALITY, "blue1/held");
+  ASSERT_GE(held, 0);
+  EXPECT_EQ((*model)->eq_obj2id[held], 0);
+  EXPECT_EQ(nameOf(**model, mjOBJ_BODY, (*model)->eq_obj1id[held]), "blue1/robot");
+}
+
 TEST_F(SceneModelFiles, OurOwnModelsAreTakenWhole) {
   EXPECT_THAT(warningsOf(matchScene()), testing::IsEmpty());
 }

@@ -114,7 +114,7 @@ XmlDocument parseXml(const std::string& text) {
                                        nullptr, nullptr, XML_PARSE_NONET | XML_PARSE_NOBLANKS)};
 }
 
-std::string textOf(const xmlDoc& document) {
+std::string xmlText(const xmlDoc& document) {
   xmlChar* text = nullptr;
   int size = 0;
   xmlDocDumpFormatMemory(const_cast<xmlDoc*>(&document), &text, &size, 1);

@@ -26,7 +26,7 @@ Result<XmlDocument> readXml(const std::string& path, const std::string& root);
 XmlDocument parseXml(const std::string& text);
 
 /// A document as text: each element without text begins a line.
-std::string textOf(const xmlDoc& document);
+std::string xmlText(const xmlDoc& document);
 
 /// The name of an element, or of an attribute.
 std::string nameOf(const xmlNode* node);
