@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 namespace gt {
 namespace {
@@ -165,21 +166,31 @@ void ModelFile::resolvePaths(std::vector<Error>& errors) {
   for (xmlNode* compiler : sections("compiler"))
     for (const char* name : {"strippath", "meshdir", "texturedir"})
       xmlUnsetProp(compiler, BAD_CAST name);
+  std::set<std::string> names;
   for (xmlNode* section : sections("asset"))
-    forEachElement(section, [&](xmlNode* asset) {
-      for (const char* name :
-           {"file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback"}) {
-        fs::path file{attribute(asset, name)};
-        if (file.empty()) continue;
-        // Assets without a name have that of their file.
-        if (attribute(asset, "name").empty() && std::string_view{name} == "file")
-          setAttribute(asset, "name", file.stem().string());
-        if (strip) file = file.filename();
-        const std::string path = pathIn(nameOf(asset) == "texture" ? textures : meshes, file);
-        if (!isFile(path)) errors.push_back(at(asset, name, "there is no file " + path));
-        setAttribute(asset, name, path);
-      }
-    });
+    for (xmlNode* asset : elementsOf(section)) {
+      // Assets without a name have that of their file. MuJoCo takes several of one file, but does
+      // not take a name that is stated twice.
+      const fs::path file{attribute(asset, "file")};
+      if (attribute(asset, "name").empty() && !file.empty() &&
+          !names.contains(nameOf(asset) + " " + file.stem().string()))
+        setAttribute(asset, "name", file.stem().string());
+      names.insert(nameOf(asset) + " " + attribute(asset, "name"));
+      resolvePaths(asset, nameOf(asset) == "texture" ? textures : meshes, strip, errors);
+    }
+}
+
+void ModelFile::resolvePaths(xmlNode* asset, const fs::path& folder, bool strip,
+                             std::vector<Error>& errors) {
+  for (const char* name :
+       {"file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback"}) {
+    fs::path file{attribute(asset, name)};
+    if (file.empty()) continue;
+    if (strip) file = file.filename();
+    const std::string path = pathIn(folder, file);
+    if (!isFile(path)) errors.push_back(at(asset, name, "there is no file " + path));
+    setAttribute(asset, name, path);
+  }
 }
 
 Result<Model> ModelFile::compile() const {

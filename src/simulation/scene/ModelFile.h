@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -47,6 +48,8 @@ class ModelFile {
   void include(std::vector<Error>& errors);
   xmlNode* replace(xmlNode* include, std::vector<std::string>& read, std::vector<Error>& errors);
   void resolvePaths(std::vector<Error>& errors);
+  void resolvePaths(xmlNode* asset, const std::filesystem::path& folder, bool strip,
+                    std::vector<Error>& errors);
 
   std::string path_;
   XmlDocument document_;

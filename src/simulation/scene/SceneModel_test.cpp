@@ -344,6 +344,13 @@ TEST_F(SceneModelFiles, TheWorldIsTheScenes) {
   EXPECT_EQ(nameOf(**model, mjOBJ_BODY, (*model)->eq_obj1id[held]), "blue1/robot");
 }
 
+TEST_F(SceneModelFiles, NamesThatMuJoCoTakes) {
+  EXPECT_EQ(errorOf(withRobots(robot("", "<geom name='world' size='0.1'/>"))), "");
+  const std::string mesh =
+      "<mesh file='" + fs::absolute("tests/models/parts/meshes/wedge.stl").string() + "'/>";
+  EXPECT_EQ(errorOf(withRobots(robot("<asset>" + mesh + mesh + "</asset>"))), "");
+}
+
 TEST_F(SceneModelFiles, OurOwnModelsAreTakenWhole) {
   EXPECT_THAT(warningsOf(matchScene()), testing::IsEmpty());
 }

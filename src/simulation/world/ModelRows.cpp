@@ -135,8 +135,9 @@ bool NumberCopy::same(ModelKind kind, T* mjModel::*array) const {
 bool NumberCopy::sameNames(ModelKind kind, mjtObj type) const {
   int row = first_[kind];
   return std::ranges::all_of(rows_[kind], [&](int from) {
+    const bool isWorld = type == mjOBJ_BODY && from == 0;
     const std::string alone = nameOf(alone_, type, from), joined = nameOf(joined_, type, row++);
-    return joined == (alone.empty() || alone == "world" ? alone : prefix_ + alone);
+    return joined == (alone.empty() || isWorld ? alone : prefix_ + alone);
   });
 }
 
