@@ -49,6 +49,8 @@ class Composer {
   void addAssets(const ModelSource& source);
   void addBody(const std::string& file, const std::string& name, TeamColor team);
 
+  void wearBlue(const ModelSource& source, xmlNode* body);
+
   Result<Model> compileWhole();
   void deriveConstants(mjModel& model) const;
   Error misfit(const ModelSource& source) const;
@@ -176,6 +178,22 @@ void Composer::addAssets(const ModelSource& source) {
     setMainClass(add(root_, section, source.prefixes, true), source.prefixes);
 }
 
+/// Tricots are the geoms of class "tricot"; an explicit material overrides the class's red.
+void Composer::wearBlue(const ModelSource& source, xmlNode* body) {
+  const auto tricots = [](xmlNode* top) {
+    std::vector<xmlNode*> found;
+    forEachElement(top, [&](xmlNode* node) {
+      if (nameOf(node) == "geom" && classOf(node) == "tricot") found.push_back(node);
+    });
+    return found;
+  };
+  for (xmlNode* tricot : tricots(body)) setAttribute(tricot, "material", "blue");
+  if (mj_name2id(source.alone.get(), mjOBJ_MATERIAL, "blue") >= 0) return;
+  for (const xmlNode* tricot : tricots(source.body))
+    findings_.push_back(source.file.at(tricot, "material",
+                                       "expected a material \"blue\" for robots of the blue team"));
+}
+
 void Composer::addBody(const std::string& file, const std::string& name, TeamColor team) {
   ModelSource& source = *sources_.at(scene_.resolve(file));
   const bool first =
@@ -190,11 +208,7 @@ void Composer::addBody(const std::string& file, const std::string& name, TeamCol
   const ModelPrefixes prefixes{part.prefix, source.prefixes.assets};
   xmlNode* world = addElement(root_, "worldbody");
   xmlNode* body = xmlAddChild(world, xmlDocCopyNode(source.body, document_.get(), 1));
-  // Tricots are the geoms of class "tricot"; an explicit material overrides the class's red.
-  forEachElement(body, [&](xmlNode* node) {
-    if (team == TeamColor::blue && nameOf(node) == "geom" && classOf(node) == "tricot")
-      setAttribute(node, "material", "blue");
-  });
+  if (team == TeamColor::blue) wearBlue(source, body);
   prefixNames(body, prefixes, false);
   setMainClass(world, prefixes);
   for (const char* name : {"contact", "equality", "tendon", "sensor"})
@@ -263,6 +277,7 @@ Model Composer::compose() {
     addBody(robot->model, robot->name, robot->team);
   for (std::size_t i = 0; i < scene_.balls.size(); ++i)
     addBody(scene_.balls[i].model, "ball" + std::to_string(i), TeamColor::red);
+  if (!isRight()) return nullptr;
   auto whole = compileWhole();
   if (whole) return std::move(*whole);
   findings_.push_back(whole.error());

@@ -389,6 +389,12 @@ TEST_F(SceneModelFiles, WhatCannotBeJoinedNamesItsLine) {
               HasSubstr("robot.xml:1: worldbody: expected a <body> in it"));
 }
 
+TEST_F(SceneModelFiles, TheBlueTeamNeedsABlueMaterial) {
+  EXPECT_THAT(errorOf(withRobots(robot("<default><default class='tricot'/></default>",
+                                       "\n<geom class='tricot' size='0.1'/>"))),
+              HasSubstr("robot.xml:4: material: expected a material \"blue\""));
+}
+
 TEST_F(SceneModelFiles, ErrorsOfMuJoCoNameTheUsersLine) {
   write("part.xml", "<mujoco>\n\n\n<geom type='mesh' mesh='absent'/></mujoco>");
   EXPECT_THAT(errorOf(withRobots(robot("", "<include file='part.xml'/>"))),
