@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "simulation/Simulation.h"
 #include "support/TestScenes.h"
 
 namespace gt {
@@ -367,6 +368,9 @@ TEST_F(SceneModelFiles, AFieldsOptions) {
                                    HasSubstr("field.xml:2: warning: solver: is left out"),
                                    HasSubstr("field.xml:2: warning: gravity: is left out"),
                                    HasSubstr("field.xml:3: warning: keyframe: is left out")));
+  const auto simulation = Simulation::make(scene, 1);
+  ASSERT_TRUE(simulation) << simulation.error().text();
+  EXPECT_EQ((*simulation)->modelWarnings().size(), 4u);
   const auto model = composeModel(scene);
   ASSERT_TRUE(model);
   EXPECT_EQ((*model)->opt.gravity[0], 0);
