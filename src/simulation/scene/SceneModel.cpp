@@ -198,7 +198,7 @@ void Composer::addBody(const std::string& file, const std::string& name, TeamCol
   ModelSource& source = *sources_.at(scene_.resolve(file));
   const bool first =
       std::ranges::none_of(parts_, [&](const Part& p) { return p.source == &source; });
-  Part& part = parts_.emplace_back(&source, source.rows, name + "/");
+  Part& part = parts_.emplace_back(Part{&source, source.rows, name + "/"});
   if (first) {
     addDefaults(source);
     addAssets(source);
@@ -211,8 +211,8 @@ void Composer::addBody(const std::string& file, const std::string& name, TeamCol
   if (team == TeamColor::blue) wearBlue(source, body);
   prefixNames(body, prefixes, false);
   setMainClass(world, prefixes);
-  for (const char* name : {"contact", "equality", "tendon", "sensor"})
-    for (xmlNode* section : source.file.sections(name))
+  for (const char* sections : {"contact", "equality", "tendon", "sensor"})
+    for (xmlNode* section : source.file.sections(sections))
       setMainClass(add(root_, section, prefixes), prefixes);
 }
 
