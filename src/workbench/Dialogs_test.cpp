@@ -354,8 +354,8 @@ TEST_F(WindowTest, ThingsArePutOnTheFieldByTheContextMenu) {
   EXPECT_TRUE(stands("ball", "700 -300"));
   // The blue team looks from the other side.
   field->setRobot("blue1");
-  put("red2", 500, 200);
-  EXPECT_TRUE(stands("red2", "-500 -200"));
+  put("red2", 800, 100);
+  EXPECT_TRUE(stands("red2", "-800 -100"));
 }
 
 TEST_F(DialogTest, TimesAreMeasuredOverSomeTime) {
