@@ -171,6 +171,7 @@ def serve() -> None:
     """
     with os.fdopen(os.dup(1), "w") as answers:
         os.dup2(2, 1)
+        sys.stdout.reconfigure(line_buffering=True)  # a worker may be ended at any time
         for line in sys.stdin:
             print(json.dumps(asdict(work(line.strip()))), file=answers, flush=True)
 
