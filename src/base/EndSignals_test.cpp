@@ -118,18 +118,17 @@ TEST_F(EndSignalsTest, AClosedTerminalTakesWhatIsPrinted) {
 TEST_F(EndSignalsTest, WhatIsPrintedForNobodyEndsTheProgramInOrder) {
   std::array<int, 2> output{};
   ASSERT_EQ(pipe(output.data()), 0);
+  close(output[0]);  // before anybody writes
   const pid_t child = fork();
   if (child == 0) {
     std::signal(SIGPIPE, SIG_DFL);
     dup2(output[1], STDOUT_FILENO);
-    close(output[0]);
     close(output[1]);
     const EndSignals signals{{}, 0};
     const bool first = write(STDOUT_FILENO, "lost", 4) == 4;
     const bool second = write(STDOUT_FILENO, "gone", 4) == 4;
     _exit(!first && second ? signals.status() : 1);
   }
-  close(output[0]);
   close(output[1]);
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);
