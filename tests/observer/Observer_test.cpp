@@ -223,11 +223,12 @@ const std::vector<std::string> questions{"sr ?",
 /// The answers of one robot, with its name as ROBOT.
 std::vector<std::string> answersOf(ConsoleAt& console, const std::string& name) {
   console.expectFine("robot " + name);
+  // Not each number 1, if that is its name: the last one of its address.
+  const std::regex named{"(^|\n|: |\\(| of )" + name + "\\b"};
   std::vector<std::string> answers;
   for (const std::string& question : questions)
-    answers.push_back(
-        question + "\n" +
-        std::regex_replace(console.answer(question), std::regex{"\\b" + name + "\\b"}, "ROBOT"));
+    answers.push_back(question + "\n" +
+                      std::regex_replace(console.answer(question), named, "$1ROBOT"));
   return answers;
 }
 
