@@ -224,7 +224,7 @@ const std::vector<std::string> questions{"sr ?",
 std::vector<std::string> answersOf(ConsoleAt& console, const std::string& name) {
   console.expectFine("robot " + name);
   // Not each number 1, if that is its name: the last one of its address.
-  const std::regex named{"(^|\n|: |\\(| of )" + name + "\\b"};
+  const std::regex named{"(^|\n|error: |\\(| of )" + name + "\\b"};
   std::vector<std::string> answers;
   for (const std::string& question : questions)
     answers.push_back(question + "\n" +
