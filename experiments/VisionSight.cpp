@@ -5,6 +5,8 @@
 #include "VisionTruth.h"
 #include "match/Match.h"
 #include "measure/Tally.h"
+#include "modules/perception/scanning/CameraImage.h"
+#include "representations/perception/BallPercept.h"
 
 namespace gt {
 namespace {

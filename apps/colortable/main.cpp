@@ -26,13 +26,13 @@ struct Arguments {
 
   /// Reads a table, and warns if that was probably in the wrong order.
   Result<ColorTable64> read(const std::string& file) const {
-    const auto table = readColors(
+    const auto colors = readColors(
         file, nao2009 ? ColorClassOrder{nao2009ColorOrder} : ColorClassOrder{gt2003ColorOrder});
-    if (!table) return table;
+    if (!colors) return colors;
     const std::string doubt =
-        doubtOfOrder(*table, file, nao2009, nao2009 ? "without --nao2009" : "--nao2009");
+        doubtOfOrder(*colors, file, nao2009, nao2009 ? "without --nao2009" : "--nao2009");
     if (!doubt.empty()) fmt::print(stderr, "colortable: warning: {}\n", doubt);
-    return table;
+    return colors;
   }
 };
 
