@@ -28,6 +28,9 @@ TESTS    = xvfb xauth desktop-file-utils shared-mime-info $(PACKING)
 PACKING  = dpkg-dev file
 PYTHONS  = python3-dev python3-venv
 ALL_PACKAGES = $(TOOLS) $(QT) $(BENCH) $(REALISM) $(CHECKS) $(TESTS) $(PYTHONS) nodejs npm debootstrap
+# The thread sanitizer cannot see how libraries that were not built with it (libzmq) hand data from thread to thread.
+export TSAN_OPTIONS = ignore_noninstrumented_modules=1:suppressions=$(CURDIR)/cmake/tsan.supp
+export LSAN_OPTIONS = suppressions=$(CURDIR)/cmake/lsan.supp
 # Twice as many as there are processors, since many tests wait for programs. A test that hangs fails.
 CTEST    = ctest --output-on-failure --parallel $(shell expr $(JOBS) \* 2) --timeout 900
 # While packages are fetched, Python's environment is made; while all is compiled, what only tests need is fetched.
@@ -230,12 +233,11 @@ docs: build
 
 sanitize: PACKAGES += $(NODE) $(QT) $(TESTS)
 sanitize sanitize-python: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
-# The thread sanitizer cannot see how libraries that were not built with it (libzmq) hand data from thread to thread.
 sanitize: packages
 	@scripts/python-environment build/python $(PYTHON)
 	@for preset in asan tsan; do \
 	  cmake --preset $$preset >/dev/null && cmake --build --preset $$preset --parallel $(JOBS) && \
-	  TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=$(CURDIR)/cmake/tsan.supp $(CTEST) --test-dir build/$$preset || exit 1; \
+	  $(CTEST) --test-dir build/$$preset || exit 1; \
 	done
 
 # The Python package's compiled part: no call of it may break anything.
@@ -293,7 +295,7 @@ verify: packages
 	@[ -n "$(SINCE)" ] || { echo 'make $@: name a commit: SINCE=COMMIT' >&2; exit 2; }
 	@$(MAKE) --no-print-directory lint
 	@$(MAKE) --no-print-directory test-changed PRESET=asan
-	@$(MAKE) --no-print-directory test-changed PRESET=clang
+	@$(MAKE) --no-print-directory build PRESET=clang TARGETS="--target simgt robotcontrol"
 	@$(MAKE) --no-print-directory build TARGETS="--target bench experiment"
 
 verify-all:
