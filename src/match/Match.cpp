@@ -56,11 +56,6 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     match->challenge_ = challenge.get();
     match->simulation_->add(std::move(challenge));
   }
-  if (scene->ceilingCamera && !options.logs.empty()) {
-    auto log = McapWriter::open((fs::path{options.logs} / "ceiling.mcap").string());
-    if (!log) return log.error();
-    match->ceilingLog_ = std::move(*log);
-  }
   match->gameController_ =
       std::make_unique<GameControllerFollower>(*match->simulation_, match->allRobots_);
   if (options.gameControllerPort)
@@ -70,6 +65,8 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
       std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_, match->kicks());
   match->images_ =
       std::make_unique<ReportImages>(options.images, scene->game.minutes, match->robots_);
+  if (!options.logs.empty())
+    if (const auto done = match->beginLogs(); !done) return done.error();
   return match;
 }
 
@@ -201,19 +198,20 @@ std::string Match::layoutFile(const SceneRobot& robot) const {
   return options_.layout.empty() ? simulation_->scene().resolve(robot.layout) : options_.layout;
 }
 
+std::uint64_t Match::seedOf(const SceneRobot& robot) const {
+  return Random{options_.seed}.fork(robot.name)();
+}
+
 Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   const SceneRobot& player = simulation_->scene().robots[index];
-  const std::uint64_t seed = Random{options_.seed}.fork(player.name)();
+  const std::uint64_t seed = seedOf(player);
   const Team& team = teamOf(player);
   auto robot = Robot::make(
       {team.configuration, layout, player.player(), seed,
        getsTruth(player) ? representationsWithTruth() : platformRepresentations(), player.address});
   if (!robot) return team.folder ? team.folder->named(robot.error()) : robot.error();
   auto controller = std::make_unique<SimulatedRobot>(player.name, std::move(*robot));
-  const SetupFiles setup{team.paths, layoutFile(player), player.player(), seed, player.address};
-  controller->robot().provideSetup([setup] { return recordSetup(setup); });
-  if (!options_.logs.empty())
-    if (auto done = record(*controller, team.configuration->log, setup); !done) return done;
+  controller->robot().provideSetup([setup = setupOf(player)] { return recordSetup(setup); });
   simulation_->setCamera(index, team.configuration->camera.of(player.address));
   robots_.push_back(controller.get());
   indices_.push_back(index);
@@ -222,15 +220,32 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   return {};
 }
 
-Result<void> Match::record(SimulatedRobot& robot, const Configuration::LogSettings& settings,
-                           const SetupFiles& setup) {
-  const std::string base = (fs::path{options_.logs} / robot.name()).string();
-  robot.saveTo(base);
-  const McapWriter::Metadata about{{"scene", fs::path{options_.scene}.filename().string()},
-                                   {"seed", std::to_string(options_.seed)},
-                                   {"robot", robot.name()},
-                                   {"minutes", std::to_string(simulation_->scene().game.minutes)}};
-  return robot.record(base + ".mcap", about, settings, setup, options_.inputs);
+SetupFiles Match::setupOf(const SceneRobot& robot) const {
+  return {teamOf(robot).paths, layoutFile(robot), robot.player(), seedOf(robot), robot.address};
+}
+
+/// Replaces the logs of the match before: not until nothing of this one can fail any more.
+Result<void> Match::beginLogs() {
+  const fs::path folder{options_.logs};
+  const SceneDescription& scene = simulation_->scene();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const SceneRobot& player = scene.robots[indices_[i]];
+    const std::string base = (folder / player.name).string();
+    const McapWriter::Metadata about{{"scene", fs::path{options_.scene}.filename().string()},
+                                     {"seed", std::to_string(options_.seed)},
+                                     {"robot", player.name},
+                                     {"minutes", std::to_string(scene.game.minutes)}};
+    robots_[i]->saveTo(base);
+    if (auto done = robots_[i]->record(base + ".mcap", about, teamOf(player).configuration->log,
+                                       setupOf(player), options_.inputs);
+        !done)
+      return done;
+  }
+  if (!scene.ceilingCamera) return {};
+  auto log = McapWriter::open((folder / "ceiling.mcap").string());
+  if (!log) return log.error();
+  ceilingLog_ = std::move(*log);
+  return {};
 }
 
 Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
@@ -252,7 +267,7 @@ Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
 Result<void> Match::addLockstepRobot(std::size_t index) {
   const SceneRobot& player = simulation_->scene().robots[index];
   const Team& team = teamOf(player);
-  const std::uint64_t seed = Random{options_.seed}.fork(player.name)();
+  const std::uint64_t seed = seedOf(player);
   std::vector<std::string> command{
       team.program->file,
       "--lockstep",

@@ -166,8 +166,9 @@ class Match {
   std::vector<std::vector<std::string>> kicks() const;  ///< Of each robot.
   Result<void> addRobots();
   Result<void> addRobot(std::size_t index, const Layout& layout);
-  Result<void> record(SimulatedRobot& robot, const Configuration::LogSettings& settings,
-                      const SetupFiles& setup);
+  std::uint64_t seedOf(const SceneRobot& robot) const;
+  SetupFiles setupOf(const SceneRobot& robot) const;
+  Result<void> beginLogs();
   Result<void> addRemoteRobot(std::size_t index, const Layout& layout);
   Result<void> addLockstepRobot(std::size_t index);
   Result<void> greetLockstepRobots();

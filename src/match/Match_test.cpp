@@ -42,6 +42,20 @@ TEST_F(MatchTest, SameSeedSameBytesInEveryProfile) {
   }
 }
 
+TEST_F(MatchTest, WhatCannotBePlayedLeavesTheLogsOfTheMatchBefore) {
+  const auto before = play("kept", 3, 1, 0.02);
+  MatchOptions options;
+  options.logs = (folder / "kept").string();
+  options.truth = {"nobody"};
+  const auto match = Match::make(options);
+  ASSERT_FALSE(match);
+  EXPECT_EQ(match.error().field, "nobody");
+  for (const auto& [name, bytes] : before) {
+    const auto now = readFile((folder / "kept" / name).string());
+    EXPECT_TRUE(!now || *now == bytes) << name;  // the summary is no file
+  }
+}
+
 /// The report 2.2.3: modules are grouped to processes without a change of their code.
 TEST_F(MatchTest, EveryLayoutPlaysTheSameMatch) {
   std::string first;
