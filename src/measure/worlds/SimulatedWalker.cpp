@@ -129,6 +129,10 @@ void SimulatedWalker::kidnap() {
   goal_ = chooseGoal();
 }
 
+bool SimulatedWalker::hasFallen() const {
+  return simulation_->world().robot(0).posture != Posture::standing;
+}
+
 Vector2d SimulatedWalker::chooseGoal() {
   Vector2d goal = placeOnField().translation;
   if (!world_.leansOnWalls || random_.chance(0.5)) return goal;

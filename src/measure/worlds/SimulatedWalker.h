@@ -48,6 +48,8 @@ class SimulatedWalker {
   void step(const Pose2D& speed);
   /// The referee puts the robot somewhere else; its odometry knows nothing of it.
   void kidnap();
+  /// Whether it lies, which it can in the dynamic fidelity only.
+  bool hasFallen() const;
 
   Pose2D pose;
   OdometryData odometry;
