@@ -54,6 +54,8 @@ class SoccerInputs final : public soccer::Inputs {
 
   double ballGoalDirection() const override;
   double ballGoalAngle() const override;
+  double ballOwnGoalDirection() const override { return angleTo(ballToOwnGoal()); }
+  double ballOwnGoalDistance() const override { return ballToOwnGoal().norm(); }
 
   double robotPoseX() const override { return w().self.pose.translation.x(); }
   double robotPoseY() const override { return w().self.pose.translation.y(); }
@@ -63,6 +65,8 @@ class SoccerInputs final : public soccer::Inputs {
   double robotPoseValidity() const override { return w().self.validity; }
   double opponentGoalAngle() const override { return toDegrees(angleOf(opponentGoal())); }
   double opponentGoalDistance() const override { return opponentGoal().norm(); }
+  double ownGoalAngle() const override { return angleTo(ownGoal()); }
+  double ownGoalDistance() const override { return ownGoal().norm(); }
   double backSwitchPressedFor() const override { return ms(w().body.pressedFor[Switch::back]); }
   double chinSwitchPressedFor() const override { return ms(w().body.pressedFor[Switch::chin]); }
   double headSwitchPressedFor() const override {
@@ -113,6 +117,10 @@ class SoccerInputs final : public soccer::Inputs {
   double min(double a, double b) const override { return std::min(a, b); }
   double max(double a, double b) const override { return std::max(a, b); }
   double abs(double a) const override { return std::abs(a); }
+  double sqrt(double a) const override { return std::sqrt(std::max(a, 0.)); }
+  double sin(double angle) const override { return std::sin(fromDegrees(angle)); }
+  double cos(double angle) const override { return std::cos(fromDegrees(angle)); }
+  double atan2(double y, double x) const override { return toDegrees(std::atan2(y, x)); }
 
  private:
   static double ms(std::int64_t time) { return static_cast<double>(time); }
@@ -134,6 +142,11 @@ class SoccerInputs final : public soccer::Inputs {
   Vector2d nearest(const std::vector<LocatedPlayer>& players) const;
   /// Relative to the robot.
   Vector2d opponentGoal() const { return relative(w().self.pose, {w().field.xGroundline, 0}); }
+  Vector2d ownGoal() const { return relative(w().self.pose, {-w().field.xGroundline, 0}); }
+  /// On the field.
+  Vector2d ballToOwnGoal() const {
+    return Vector2d{-w().field.xGroundline, 0} - tactics_.knownBallOnField();
+  }
 
   const Tactics& tactics_;
   mutable Tour tour_;

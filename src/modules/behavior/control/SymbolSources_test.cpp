@@ -134,6 +134,27 @@ TEST_F(SymbolSources, GiveAnglesInDegreesFromWhereTheRobotLooks) {
   EXPECT_NEAR(inputs().ballAngleAround(-90), 90, 1e-9);
 }
 
+TEST_F(SymbolSources, ReportTheOwnGoalFromRobotAndBall) {
+  const double own = -world.field.xGroundline;
+  world.self.pose = {pi / 2, {own + 300, -400}};
+  world.ball.position = {400, -500};  // at (own + 800, 0) on the field
+  EXPECT_NEAR(inputs().ownGoalDistance(), 500, 1e-9);
+  EXPECT_NEAR(inputs().ownGoalAngle(), toDegrees(std::atan2(400, -300)) - 90, 1e-9);
+  EXPECT_NEAR(inputs().ballOwnGoalDistance(), 800, 1e-9);
+  EXPECT_NEAR(std::abs(inputs().ballOwnGoalDirection()), 180, 1e-9);
+  world.ball.position = {800, -500};  // at (own + 800, 400)
+  EXPECT_NEAR(inputs().ballOwnGoalDirection(), toDegrees(std::atan2(-400, -800)), 1e-9);
+}
+
+TEST_F(SymbolSources, CalculateInDegrees) {
+  EXPECT_EQ(inputs().sqrt(9), 3);
+  EXPECT_EQ(inputs().sqrt(-9), 0);
+  EXPECT_NEAR(inputs().sin(30), 0.5, 1e-12);
+  EXPECT_NEAR(inputs().cos(120), -0.5, 1e-12);
+  EXPECT_NEAR(inputs().atan2(1, -1), 135, 1e-12);
+  EXPECT_EQ(inputs().atan2(0, 0), 0);
+}
+
 TEST_F(SymbolSources, SetEachLedTheTailAndTheSound) {
   SoccerOutputs outputs;
   using Set = void (SoccerOutputs::*)(LedMode);

@@ -13,7 +13,8 @@ namespace xabsl {
 //     behavior "../agents.xabsl";               the behavior, relative to this file
 //     step 40;                                  ms from one cycle to the next; 40 if not given
 //     function angle_to(x, y) = x + y;          what an input symbol with parameters returns;
-//                                               min, max and abs of numbers are known
+//                                               min, max, abs, sqrt, sin, cos and atan2 of
+//                                               numbers are known
 //     ball.angle = 0.5;                         an input symbol; computed before each cycle
 //
 //     test "turns to the ball" {

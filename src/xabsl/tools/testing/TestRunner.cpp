@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "xabsl/engine/Engine.h"
@@ -25,15 +26,32 @@ constexpr double latest = 1e15;                // ms
 constexpr std::size_t mostEvents = 5'000'000;  // of a test
 constexpr std::size_t mostEventsOfCycle = 1'000'000;
 
-/// What min, max and abs return, by the arguments; empty for other input symbols.
+/// How many units of an angle make a radian: angles that are not declared in degrees are radians.
+double perRadian(const std::string& unit) {
+  return unit == "deg" ? 180 / std::numbers::pi : 1;
+}
+
+/// What a function of numbers returns that all tests know, by the arguments; empty for other input
+/// symbols.
 std::optional<double> knownFunction(const Symbol& symbol, const double* arguments) {
   const auto isNumber = [](Type type) { return type.kind == ValueKind::number; };
-  if (!isNumber(symbol.type) || !std::ranges::all_of(symbol.parameters, isNumber, &Parameter::type))
+  const std::vector<Parameter>& parameters = symbol.parameters;
+  if (!isNumber(symbol.type) || !std::ranges::all_of(parameters, isNumber, &Parameter::type))
     return std::nullopt;
-  const std::size_t count = symbol.parameters.size();
-  if (symbol.name == "abs" && count == 1) return std::abs(arguments[0]);
-  if (symbol.name == "min" && count == 2) return std::min(arguments[0], arguments[1]);
-  if (symbol.name == "max" && count == 2) return std::max(arguments[0], arguments[1]);
+  if (parameters.size() == 1) {
+    const double a = arguments[0], radians = a / perRadian(parameters[0].unit);
+    if (symbol.name == "abs") return std::abs(a);
+    if (symbol.name == "sqrt") return std::sqrt(std::max(a, 0.));
+    if (symbol.name == "sin") return std::sin(radians);
+    if (symbol.name == "cos") return std::cos(radians);
+  } else if (parameters.size() == 2) {
+    if (symbol.name == "min") return std::min(arguments[0], arguments[1]);
+    if (symbol.name == "max") return std::max(arguments[0], arguments[1]);
+    const int x = findParameter(parameters, "x", symbol.name);
+    const int y = findParameter(parameters, "y", symbol.name);
+    if (symbol.name == "atan2" && x >= 0 && y >= 0)
+      return std::atan2(arguments[y], arguments[x]) * perRadian(symbol.unit);
+  }
   return std::nullopt;
 }
 

@@ -105,15 +105,17 @@ TEST(TestRunner, TellsWrongFiles) {
   EXPECT_THAT(outcome("", ""), HasSubstr("expected 'behavior \"PATH\";'"));
 }
 
-TEST(TestRunner, KnowsMinMaxAndAbsOfNumbers) {
+TEST(TestRunner, KnowsFunctionsOfNumbers) {
   const auto outcomeWith = [](const std::string& value, const std::string& before = "") {
     const std::string behavior =
         "namespace n(\"N\") { float input min(float a; float b;); float input max(float a; float "
-        "b;); float input abs(float value;); float input x; float output result; }\n"
+        "b;); float input abs(float value;); float input sqrt(float a;);\n"
+        "float input sin(float angle \"deg\";); float input cos(float angle;);\n"
+        "float input atan2 \"deg\" (float x; float y;); float input x; float output result; }\n"
         "agent main(\"M\", main); option main { initial state s { action { result = " +
         value + "; } } }";
-    const std::string text =
-        "behavior \"main.xabsl\";\nx = -3;\n" + before + "test \"t\" { run; expect result == 3; }";
+    const std::string text = "behavior \"main.xabsl\";\nx = -3;\n" + before +
+                             "test \"t\" { run; expect result > 2.999999 && result < 3.000001; }";
     std::vector<Diagnostic> diagnostics;
     const TestFile file = parseTests("a.xtest", text, diagnostics);
     EXPECT_EQ(test::errors(diagnostics), "");
@@ -124,9 +126,14 @@ TEST(TestRunner, KnowsMinMaxAndAbsOfNumbers) {
   EXPECT_EQ(outcomeWith("min(a = 3, b = 4) + min(a = 1, b = 0)"), "");
   EXPECT_EQ(outcomeWith("max(a = x, b = 3)"), "");
   EXPECT_EQ(outcomeWith("max(a = 3, b = x)"), "");
+  EXPECT_EQ(outcomeWith("sqrt(a = 3 - 2 * x) + sqrt(a = x)"), "");
+  // In the unit that the behavior declares; radians where it declares none.
+  EXPECT_EQ(outcomeWith("6 * sin(angle = 30)"), "");
+  EXPECT_EQ(outcomeWith("0 - 3 * cos(angle = 3.14159265358979)"), "");
+  EXPECT_EQ(outcomeWith("atan2(y = 1, x = 0) / 30"), "");
   // A definition goes before.
   EXPECT_EQ(outcomeWith("abs(value = x)", "function abs(value) = 2 * value;\n"),
-            "a.xtest:4:24: does not hold: result == 3");
+            "a.xtest:4:24: does not hold: result > 2.999999 && result < 3.000001");
 }
 
 TEST(TestRunner, SelectsAgentsAndOptionsWithParameters) {
