@@ -49,8 +49,8 @@ class RobotView : public View {
  public:
   RobotView()
       : View{"robot",
-             "the robot from near, with its LEDs; a direction in degrees may follow. The tricot of "
-             "one that has fallen is hidden"} {}
+             "the robot from near, with its LEDs; the direction from which may follow, in degrees: "
+             "0 from ahead, 90 from its left. The tricot of one that has fallen is hidden"} {}
 
   Result<Sheet> show(const ViewSubject& subject, std::span<const double> numbers) const override {
     const auto robot = subject.robot();
