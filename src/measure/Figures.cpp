@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -53,7 +54,12 @@ void Figures::print() const {
   };
   fmt::print("{:<52} {:>9} {:<9} {:>4} {:>9} {:<6} {:>9} {:<6}  {}\n", "figure", "value", "unit",
              "n", "low", "(seed)", "high", "(seed)", "aim");
+  std::map<std::string, int> grids;
   for (const Figure& f : figures_) {
+    if (const auto at = f.name.find(".at."); at != f.name.npos) {
+      ++grids[f.name.substr(0, at)];
+      continue;
+    }
     std::string aim;
     if (f.aim.kind != Aim::Kind::none)
       aim = fmt::format("{} {:g}  {}", f.aim.kind == Aim::Kind::atMost ? "<=" : ">=", f.aim.value,
@@ -61,6 +67,8 @@ void Figures::print() const {
     fmt::print("{:<52} {:>9.1f} {:<9} {:>4} {:>9.1f} {:<6} {:>9.1f} {:<6}  {}\n", f.name, f.value,
                f.unit, f.n, f.low, seedOf(f.lowSeed), f.high, seedOf(f.highSeed), aim);
   }
+  for (const auto& [name, count] : grids)
+    fmt::print("{}.at.*: {} figures of single places, which the file holds\n", name, count);
 }
 
 std::string Figures::json() const {

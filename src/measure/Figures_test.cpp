@@ -36,6 +36,21 @@ TEST(Figures, TheSeedsOfTheLowestAndTheHighestRunAreNamed) {
   EXPECT_EQ(json[0]["highSeed"], 22);
 }
 
+/// A kick has some hundred of them.
+TEST(Figures, ThoseOfSinglePlacesAreCountedNotPrinted) {
+  Figures figures;
+  figures.add("kicks.push.at.100.-20.hit", "", {1, 0});
+  figures.add("kicks.push.at.100.0.hit", "", {1, 1});
+  figures.add("kicks.push.seconds", "s", {2, 2});
+  testing::internal::CaptureStdout();
+  figures.print();
+  const std::string printed = testing::internal::GetCapturedStdout();
+  EXPECT_THAT(printed, testing::HasSubstr("kicks.push.seconds "));
+  EXPECT_THAT(printed, testing::Not(testing::HasSubstr("at.100")));
+  EXPECT_THAT(printed, testing::EndsWith("\nkicks.push.at.*: 2 figures of single places, which the "
+                                         "file holds\n"));
+}
+
 TEST(Figures, WithoutRunsThereIsNoFigure) {
   Figures figures;
   figures.add("group.error", "mm", {});
