@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/Column.h"
 #include "modules/behavior/control/BehaviorRequest.h"
 #include "modules/behavior/control/GT2003BehaviorControl.h"
 #include "modules/behavior/control/ObstacleAvoiderOnGreenField.h"
@@ -24,8 +25,7 @@ void add(const std::vector<xabsl::Diagnostic>& diagnostics, Findings& findings) 
     const bool isError = diagnostic.severity == xabsl::Diagnostic::Severity::error;
     findings.add({.file = diagnostic.file,
                   .line = diagnostic.line,
-                  .field = "column " + std::to_string(diagnostic.column),
-                  .what = diagnostic.message,
+                  .what = withColumn(diagnostic.message, diagnostic.column),
                   .severity = isError ? Severity::error : Severity::warning});
   }
 }

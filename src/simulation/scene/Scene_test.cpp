@@ -15,6 +15,7 @@ namespace gt {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 /// A folder for wrong files.
 class WrongFiles : public testing::Test {
@@ -189,21 +190,20 @@ TEST_F(WrongFiles, NamesTheColumn) {
     return error.substr(error.find("wrong.scene") + 11);
   };
   EXPECT_EQ(reported("<scene>\n  <noise psd='1' joints = \"many\"/></scene>"),
-            ":2: joints: expected a number, found \"many\" (column 18)");
+            ":2:18: joints: expected a number, found \"many\"");
   EXPECT_EQ(reported("<scene><!-- <a b=''> -->\n<robots> <robot/>\t<leg/></robots></scene>"),
-            ":2: leg: expected <robot> (column 19)");
+            ":2:19: leg: expected <robot>");
   EXPECT_EQ(reported("<?xml version='1.0'?>\n<scene><!-- \xc3\xa4 --><noise psd='-1'/></scene>"),
-            ":2: psd: must be from 0 to 1000 (column 25)");
+            ":2:25: psd: must be from 0 to 1000");
   EXPECT_EQ(reported("<scene>\n<robots>\n  here\n</robots></scene>"),
-            ":3: text: expected <robot> (column 3)");
+            ":3:3: text: expected <robot>");
   EXPECT_EQ(reported("<scene><robots><robot/> <robot/></robots></scene>"),
-            ":1: name: a second robot \"red1\" (column 25)");
-  EXPECT_THAT(reported("<scene>\n <noise <</scene>"), HasSubstr(":2: "));
-  EXPECT_THAT(reported("<scene>\n <noise <</scene>"), HasSubstr("(column 10)"));
+            ":1:25: name: a second robot \"red1\"");
+  EXPECT_THAT(reported("<scene>\n <noise <</scene>"), StartsWith(":2:10: "));
   const std::string field = std::filesystem::absolute("models/field2003.xml").string();
   EXPECT_THAT(
       reported("<scene field='" + field + "'><balls>\n  <ball model='gone.xml'/></balls></scene>"),
-      testing::AllOf(HasSubstr(":2: model: there is no file"), HasSubstr("(column 3)")));
+      StartsWith(":2:3: model: there is no file"));
 }
 
 TEST_F(WrongFiles, TooManyAreTold) {
