@@ -8,6 +8,7 @@
 #include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
+#include "Teams.h"
 #include "base/Statistics.h"
 #include "measure/worlds/MovedRobot.h"
 #include "representations/motion/KickTable.h"
@@ -124,6 +125,36 @@ void measure(MovedRobot& robot, const std::string& motion, const KickAim& aim, i
                   Aim::atMost(10));
 }
 
+/// The files that a job's kicks come from: the project's, or a team's laid over them.
+class KickFiles {
+ public:
+  static Result<KickFiles> open(const Job& job, const DataRoot& root) {
+    KickFiles files;
+    files.paths_ = ConfigurationPaths::in(root);
+    const auto folder = teamOfVersion(job.parameter("team"), root);
+    if (!folder) return folder.error();
+    if (folder->empty()) return files;
+    auto team = TeamFolder::open(*folder, files.paths_);
+    if (!team) return team.error();
+    files.team_ = std::move(*team);
+    files.paths_ = files.team_->paths();
+    return files;
+  }
+  const std::string& motions() const { return paths_.motions; }
+  Result<KickTable> table() const {
+    KickTable table;
+    if (auto read = readConfig(paths_.config + "/kicks.cfg", table); !read)
+      return named(read.error());
+    return table;
+  }
+  /// An error about one of the files, with the name that it has in the team's folder.
+  Error named(Error error) const { return team_ ? team_->named(std::move(error)) : error; }
+
+ private:
+  std::unique_ptr<TeamFolder> team_;
+  ConfigurationPaths paths_;
+};
+
 /// The kicks of a folder of motion descriptions: those in its folder kicks/.
 std::vector<std::string> kicksIn(const std::string& motions) {
   std::vector<std::string> names;
@@ -138,22 +169,22 @@ Result<Measurement> kickAll(const Job& job, const DataRoot& root) {
   auto scene = dynamicScene(job, root);
   if (!scene) return scene.error();
   scene->balls.resize(1);
-  const std::string folder =
-      job.parameter("motions") == "configured" ? root.path("motions") : job.parameter("motions");
-  KickTable table;
-  if (auto read = readConfig(root.path("config/kicks.cfg"), table); !read) return read.error();
-  auto robot = MovedRobot::make(root, *scene, job.seed, folder);
-  if (!robot) return robot.error();
+  const auto files = KickFiles::open(job, root);
+  if (!files) return files.error();
+  const auto table = files->table();
+  if (!table) return table.error();
+  auto robot = MovedRobot::make(root, *scene, job.seed, files->motions());
+  if (!robot) return files->named(robot.error());
   (*robot)->standUp();
   Measurement measurement;
   const std::string& only = job.parameter("kick");
-  for (const std::string& name : kicksIn(folder)) {
+  for (const std::string& name : kicksIn(files->motions())) {
     Random random = Random{job.seed}.fork(name);
-    const int index = table.find(name);
+    const int index = table->find(name);
     if (only != name && (only != "all" || index < 0)) continue;
     KickAim aim{150, 0, 0, job.number("window")};
     if (index >= 0) {
-      const KickDescription& kick = table.kicks[static_cast<std::size_t>(index)];
+      const KickDescription& kick = table->kicks[static_cast<std::size_t>(index)];
       aim = {kick.x, kick.y, kick.direction, aim.window};
     }
     for (const auto& [parameter, number] :
@@ -211,24 +242,32 @@ Result<Measurement> measureGrid(const Job& job, const DataRoot& root) {
   auto scene = dynamicScene(job, root);
   if (!scene) return scene.error();
   scene->balls.resize(1);
-  auto robot = MovedRobot::make(root, *scene, job.seed);
-  if (!robot) return robot.error();
+  const auto files = KickFiles::open(job, root);
+  if (!files) return files.error();
+  const auto table = files->table();
+  if (!table) return table.error();
+  auto robot = MovedRobot::make(root, *scene, job.seed, files->motions());
+  if (!robot) return files->named(robot.error());
   (*robot)->standUp();
   Measurement measurement;
   const auto number = [&](const char* name) { return static_cast<int>(job.number(name)); };
   const Grid grid{number("step"), number("nearest"), number("farthest")};
   if (grid.step < 1) return Error{.field = "step", .what = "expected some mm"};
-  KickTable table;
-  if (auto read = readConfig(root.path("config/kicks.cfg"), table); !read) return read.error();
   const std::string& only = job.parameter("kick");
-  for (const std::string& name : kicksIn(root.path("motions"))) {
+  for (const std::string& name : kicksIn(files->motions())) {
     Random random = Random{job.seed}.fork(name);
     // What ends in Right is the mirrored Left.
-    if (only == name || (only == "all" && table.find(name) >= 0 && !name.ends_with("Right")))
+    if (only == name || (only == "all" && table->find(name) >= 0 && !name.ends_with("Right")))
       measurePlaces(**robot, name, grid, random, measurement);
   }
   if (measurement.values.empty()) return Error{.field = only, .what = "is no kick"};
   return measurement;
+}
+
+Parameter kickTeamParameter() {
+  Parameter parameter = teamParameter("team");
+  parameter.description = "whose kicks: " + parameter.description;
+  return parameter;
 }
 
 }  // namespace
@@ -242,6 +281,7 @@ Experiment kickTableExperiment() {
        changeParameter(),
        fidelityParameter(),
        {"kick", "one of them, or all of the table", Parameter::Kind::text, {"all"}},
+       kickTeamParameter(),
        {"step", "mm from place to place; the table has 20", Parameter::Kind::number, {"60"}},
        {"nearest", "mm ahead, of the places", Parameter::Kind::number, {"60"}},
        {"farthest", "mm ahead, of the places", Parameter::Kind::number, {"220"}}},
@@ -256,7 +296,7 @@ Experiment kickExperiment() {
            fidelityParameter(),
            varietyParameter(),
            {"kick", "one of them, or all", Parameter::Kind::text, {"all"}},
-           {"motions", "folder of motion descriptions", Parameter::Kind::text, {"configured"}},
+           kickTeamParameter(),
            {"x", "mm ahead, where the ball lies", Parameter::Kind::text, {"table"}},
            {"y", "mm to the left", Parameter::Kind::text, {"table"}},
            {"direction", "degrees, where it shall go", Parameter::Kind::text, {"table"}},
