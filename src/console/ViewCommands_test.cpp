@@ -11,6 +11,33 @@ using ::testing::HasSubstr;
 
 using ViewCommands = SessionTest;
 
+/// Notes whom it shows.
+class NotingView : public View {
+ public:
+  explicit NotingView(std::vector<std::string>& shown) : View{"noting", ""}, shown_{shown} {}
+  Result<Sheet> show(const ViewSubject& subject, std::span<const double>) const override {
+    shown_.push_back(subject.robots.front()->name());
+    return Sheet{16, 16};
+  }
+
+ private:
+  std::vector<std::string>& shown_;
+};
+
+/// A film of a robot stays with it when commands for another one follow.
+TEST_F(ViewCommands, FilmTheRobotThatWasSelectedWhenTheyBegan) {
+  std::vector<std::string> shown;
+  expectFine("robot red4");
+  ASSERT_TRUE(console->recorder().startFilm(*console, file("a.mp4"),
+                                            std::make_shared<NotingView>(shown), {}));
+  expectFine("robot red1");
+  expectFine("run 200 ms");
+  expectFine("film stop");
+  EXPECT_GT(shown.size(), 3u);
+  EXPECT_THAT(shown, testing::Each("red4"));
+  EXPECT_EQ(console->selection(), std::vector<std::string>{"red1"});
+}
+
 TEST_F(ViewCommands, RecordsAsOftenAsAskedFor) {
   expectFine("plot ball.x on");
   expectFine("plot ball.x off");

@@ -18,6 +18,16 @@ struct ViewRecorder::Film {
   std::unique_ptr<FilmWriter> writer;
   std::shared_ptr<const View> view;
   std::vector<double> numbers;
+  std::vector<std::string> robots;  ///< Those that were selected when it began.
+
+  /// Shows these robots, whichever are selected now.
+  Result<Sheet> show(Console& console) const {
+    const std::vector<std::string> selected = console.selection();
+    console.select(robots);
+    auto sheet = view->show(console.viewSubject(), numbers);
+    console.select(selected);
+    return sheet;
+  }
 };
 
 ViewRecorder::ViewRecorder() = default;
@@ -42,7 +52,8 @@ Result<void> ViewRecorder::startFilm(Console& console, const std::string& file,
   if (!first) return first.error();
   auto writer = FilmWriter::open(file, first->width(), first->height());
   if (!writer) return writer.error();
-  film_.reset(new Film{file, std::move(*writer), std::move(view), std::move(numbers)});
+  film_.reset(
+      new Film{file, std::move(*writer), std::move(view), std::move(numbers), console.selection()});
   return {};
 }
 
@@ -61,7 +72,7 @@ void ViewRecorder::step(Console& console) {
     if (value && value->number) samples.push_back({now, *value->number});
   }
   if (!film_) return;
-  const auto sheet = film_->view->show(console.viewSubject(), film_->numbers);
+  const auto sheet = film_->show(console);
   const auto done = sheet ? film_->writer->add(sheet->pixels()) : Result<void>{sheet.error()};
   if (done) return;
   console.print("film: " + done.error().text());
