@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/Lines.h"
+#include "framework/UnknownNames.h"
 #include "robot/ConfigFolder.h"
 #include "robot/Solutions.h"
 #include "streams/File.h"
@@ -50,7 +51,7 @@ Result<void> addChange(const DataRoot& root, const std::string& one, Changes& ch
     return {};
   }
   const Task* task = solutions().find(path.substr(0, dot));
-  if (!task) return wrong(path.substr(0, dot), "there is no such task");
+  if (!task) return wrong(path.substr(0, dot), noSuchTask(solutions(), path.substr(0, dot)));
   std::string file = "modules.cfg", name = path, solution = value;
   if (dot != path.npos) {
     const auto second = path.find('.', dot + 1);
@@ -62,7 +63,7 @@ Result<void> addChange(const DataRoot& root, const std::string& one, Changes& ch
     solution.clear();
   }
   if (!solution.empty() && !task->find(solution))
-    return wrong(task->name, "there is no solution '" + solution + "'");
+    return wrong(task->name, noSuchSolution(*task, solution));
   if (!changes[file].emplace(name, value).second) return wrong(path, "is given twice");
   return {};
 }

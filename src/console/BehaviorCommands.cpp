@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/Suggestion.h"
 #include "console/Commands.h"
 #include "modules/behavior/control/BehaviorRequest.h"
 #include "robot/Configuration.h"

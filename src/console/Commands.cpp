@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "base/Number.h"
-#include "xabsl/language/Reporter.h"
 
 namespace gt {
 
@@ -40,12 +39,6 @@ std::string withDefaults(const std::string& file, const std::string& folder,
 std::string dataFile(Console& console, const std::string& file, const std::string& folder,
                      const std::string& extension) {
   return withDefaults(file, console.session().options().root.path(folder), extension);
-}
-
-std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
-  xabsl::Suggestion best{word};
-  for (const std::string& name : known) best.offer(name);
-  return best.text();
 }
 
 void printWritten(Console& console, const std::string& file) {

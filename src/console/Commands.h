@@ -43,8 +43,6 @@ void list(Console& console, const std::vector<std::string>& lines);
 /// What all processes of a robot report about themselves; of a robot elsewhere, what has arrived
 /// of that.
 std::vector<ProcessDescription> describe(ConsoleRobot& robot);
-/// What follows an error about an unknown name: the existing one that is spelled most like it.
-std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 /// What `get`, `plot` and conditions may name.
 std::vector<std::string> valueChoices(Console& console, const Words& before);
 /// The keys of a debug drawing: its own, or those behind a name of the report, such as

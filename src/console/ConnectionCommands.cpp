@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/Suggestion.h"
 #include "console/Commands.h"
 #include "observer/MessageQueues.h"
 

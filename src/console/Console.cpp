@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/Lines.h"
+#include "base/Suggestion.h"
 #include "console/Commands.h"
 #include "console/Usage.h"
 #include "modules/behavior/control/Behavior.h"

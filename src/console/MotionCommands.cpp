@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/Suggestion.h"
 #include "console/Commands.h"
 #include "console/Values.h"
 #include "representations/behavior/HeadControlMode.h"

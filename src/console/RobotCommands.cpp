@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/Suggestion.h"
 #include "console/Commands.h"
 #include "match/SimulatedRobot.h"
 #include "robot/Graphviz.h"
@@ -178,7 +179,8 @@ Result<void> switchSolution(Console& console, ConsoleRobot& robot, const std::st
   }
   if (known && !here)
     return Error{.field = task,
-                 .what = "there is no solution '" + solution + "'; try sr " + task + " ?"};
+                 .what = "there is no solution '" + solution + "'; try sr " + task + " ?" +
+                         suggestion(solution, namesIn(known->solutions))};
   return robot.observed().request(SolutionRequest{task, solution});
 }
 

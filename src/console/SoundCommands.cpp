@@ -1,3 +1,4 @@
+#include "base/Suggestion.h"
 #include "console/Commands.h"
 #include "representations/behavior/SoundRequest.h"
 

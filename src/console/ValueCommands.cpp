@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/Suggestion.h"
 #include "console/Commands.h"
 #include "console/Condition.h"
 #include "console/Values.h"

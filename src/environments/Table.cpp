@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/Suggestion.h"
 #include "simulation/scene/ProfileTable.h"
 
 namespace gt {
@@ -21,8 +22,11 @@ Result<void> choose(std::string& option, std::string_view name, const std::vecto
   if (option.empty()) option = enumName(offered.front());
   const auto chosen = enumValue<E>(option);
   if (chosen && std::ranges::count(offered, *chosen) > 0) return {};
+  std::vector<std::string> known;
+  for (const E e : offered) known.emplace_back(enumName(e));
   return Error{.field = std::string{name},
-               .what = "there is no '" + option + "'; expected " + namesOf(offered)};
+               .what = "there is no '" + option + "'; expected " + namesOf(offered) +
+                       suggestion(option, known)};
 }
 
 /// The same for the fidelity. Who decides angles of joints needs the dynamic one: in the other,
@@ -49,7 +53,9 @@ Result<std::unique_ptr<Environment>> makeEnvironment(EnvironmentOptions options,
   const auto all = environments();
   const auto found = std::ranges::find(all, options.environment, &EnvironmentDescription::name);
   if (found == all.end())
-    return Error{.field = "environment", .what = "there is no '" + options.environment + "'"};
+    return Error{.field = "environment",
+                 .what = "there is no '" + options.environment + "'" +
+                         suggestion(options.environment, namesIn(all))};
   if (auto done = choose(options.observations, "observations", found->observations); !done)
     return done.error();
   if (auto done = choose(options.actions, "actions", found->actions); !done) return done.error();

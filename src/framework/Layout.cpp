@@ -7,6 +7,7 @@
 
 #include "base/Lines.h"
 #include "framework/LayoutCheck.h"
+#include "framework/UnknownNames.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -66,7 +67,7 @@ Providers findProviders(const Layout& layout, const SolutionTable& table, Errors
           errors.add({.file = layout.file,
                       .line = line,
                       .field = name,
-                      .what = task ? "is listed twice" : "there is no such task"});
+                      .what = task ? "is listed twice" : noSuchTask(table, name)});
           continue;
         }
         for (const RepresentationType* output : task->outputs) {

@@ -85,7 +85,7 @@ TEST(Layout, TellsWhatIsWrong) {
   EXPECT_EQ(errorOf("process A on Nothing\nFilter\n"),
             "test.layout:1: A: 'Nothing' is sent neither by the platform nor by another process");
   EXPECT_EQ(errorOf("process A on Reading\nFiltre\n"),
-            "test.layout:2: Filtre: there is no such task");
+            "test.layout:2: Filtre: there is no such task; did you mean 'Filter'?");
   EXPECT_EQ(errorOf("process A on Reading\nFilter\nFilter\n"),
             "test.layout:3: Filter: is listed twice");
   EXPECT_EQ(errorOf("process A on Reading\nController\n"),

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/CrashNotes.h"
+#include "framework/UnknownNames.h"
 
 namespace gt {
 
@@ -67,7 +68,7 @@ Result<AnyModule*> ModuleProcess::find(std::string_view task, std::string_view s
     if (slot->task->solutions[i].name == solution) return slot->solutions[i].get();
   return Error{.field = std::string{task},
                .what = solution.empty() ? "is disabled; name the solution"
-                                        : "there is no solution '" + std::string{solution} + "'"};
+                                        : noSuchSolution(*slot->task, solution)};
 }
 
 /// Whether a solution gets all that it reads.

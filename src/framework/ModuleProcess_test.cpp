@@ -312,7 +312,8 @@ TEST(SolutionTable, TakesSolutionsAtRunTimeThatFit) {
     const auto done = table.add(task, std::move(solution));
     return done ? std::string{} : done.error().text();
   };
-  EXPECT_EQ(refused("Fliter", failing("New", {estimate})), "Fliter: there is no such task");
+  EXPECT_EQ(refused("Fliter", failing("New", {estimate})),
+            "Fliter: there is no such task; did you mean 'Filter'?");
   EXPECT_EQ(refused("Controller", failing("New", {estimate})),
             "Controller: 'New' does not provide what the task provides");
   for (const char* taken : {"Smooth", "disabled"})

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "framework/UnknownNames.h"
+
 namespace gt {
 
 Result<void> SolutionTable::add(std::string_view task, Solution solution) {
   const auto known = tasks_.find(task);
   if (known == tasks_.end())
-    return Error{.field = std::string{task}, .what = "there is no such task"};
+    return Error{.field = std::string{task}, .what = noSuchTask(*this, task)};
   const auto wrong = [&](std::string what) {
     return Error{.field = std::string{task}, .what = std::move(what)};
   };

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "base/Lines.h"
+#include "base/Suggestion.h"
+#include "framework/UnknownNames.h"
 #include "network/RobotAddresses.h"
 #include "robot/Processes.h"
 #include "robot/Solutions.h"
@@ -57,7 +59,7 @@ Result<void> checkSolution(const SolutionTable& table, const std::string& task,
   return Error{.file = file,
                .line = line,
                .field = task,
-               .what = known ? "there is no solution '" + solution + "'" : "there is no such task"};
+               .what = known ? noSuchSolution(*known, solution) : noSuchTask(table, task)};
 }
 
 /// Reads a file of lines of two words, which may be missing; visit(first, second, line) returns a
@@ -112,6 +114,17 @@ bool isKnown(const RobotModules& modules, const std::string& name) {
                      });
 }
 
+std::vector<std::string> knownRepresentations(const RobotModules& modules) {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& types) {
+    for (const RepresentationType* type : types) names.emplace_back(type->name);
+  };
+  add(platformRepresentations());
+  add(modules.given());
+  for (const auto& [name, task] : modules.solutions.tasks()) add(task.outputs);
+  return names;
+}
+
 /// log.cfg: lines `representation NAME` and `pictures MS`.
 void readLog(const RobotModules& modules, const std::string& path, Configuration::LogSettings& log,
              Findings& findings) {
@@ -124,7 +137,8 @@ void readLog(const RobotModules& modules, const std::string& path, Configuration
               };
               if (what == "representation") {
                 if (!isKnown(modules, value))
-                  return wrong(value, "there is no such representation");
+                  return wrong(value, "there is no such representation" +
+                                          suggestion(value, knownRepresentations(modules)));
                 log.representations.push_back(value);
                 log.lines[value] = line;
                 return {};

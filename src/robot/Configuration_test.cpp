@@ -126,9 +126,13 @@ TEST_F(ConfigurationTest, CheckTellsWrongAddresses) {
 
 TEST_F(ConfigurationTest, WrongModules) {
   write("config/modules.cfg", "SelfLocator MonteCarlo\nSelfLocater MonteCarlo\n");
-  EXPECT_EQ(error(), "config/modules.cfg:2: SelfLocater: there is no such task");
+  EXPECT_EQ(error(),
+            "config/modules.cfg:2: SelfLocater: there is no such task; did you "
+            "mean 'SelfLocator'?");
   write("config/modules.cfg", "SelfLocator MontyCarlo\n");
-  EXPECT_EQ(error(), "config/modules.cfg:1: SelfLocator: there is no solution 'MontyCarlo'");
+  EXPECT_EQ(error(),
+            "config/modules.cfg:1: SelfLocator: there is no solution 'MontyCarlo'; "
+            "did you mean 'MonteCarlo'?");
   write("config/modules.cfg", "SelfLocator\n");
   EXPECT_EQ(error(), "config/modules.cfg:1: SelfLocator: expected a task and one solution");
   write("config/modules.cfg", "SelfLocator disabled // for a test\n");
