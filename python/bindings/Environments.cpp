@@ -12,6 +12,7 @@
 #include "Failure.h"
 #include "Root.h"
 #include "base/Enum.h"
+#include "base/Suggestion.h"
 #include "environments/Environments.h"
 
 namespace gt::python {
@@ -57,7 +58,11 @@ class Worlds {
                                .fidelity = fidelity,
                                .randomize = {}};
     const auto known = enumValue<Profile>(profile);
-    if (!known) throw Failure{Error{.field = "profile", .what = "there is no '" + profile + "'"}};
+    if (!known)
+      throw Failure{Error{
+          .field = "profile",
+          .what = "there is no '" + profile + "'" +
+                  suggestion(profile, {enumNames<Profile>.begin(), enumNames<Profile>.end()})}};
     options.profile = *known;
     options.seconds = seconds;
     for (const auto& [name, low, high] : randomize) options.randomize.push_back({name, low, high});

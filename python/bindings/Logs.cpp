@@ -16,6 +16,7 @@
 #include "Failure.h"
 #include "Types.h"
 #include "Values.h"
+#include "base/Suggestion.h"
 #include "observer/LogSelection.h"
 #include "streams/Jpeg.h"
 #include "streams/Mcap.h"
@@ -224,9 +225,11 @@ class LogFile {
   /// The channels of topics that can be read; an error if none of a topic can.
   std::vector<const McapChannel*> channelsOf(const Topics& topics) const {
     std::vector<const McapChannel*> found;
+    Topics known;
+    for (const McapChannel& channel : reader_.channels()) known.push_back(channel.topic);
     for (const std::string& topic : topics) {
       const std::size_t before = found.size();
-      std::string why = "the log has no such topic";
+      std::string why = "the log has no such topic" + suggestion(topic, known);
       for (const McapChannel& channel : reader_.channels()) {
         if (channel.topic != topic) continue;
         if (unreadable_.contains(channel.id))

@@ -19,6 +19,7 @@
 #include "Values.h"
 #include "base/Lines.h"
 #include "base/Number.h"
+#include "base/Suggestion.h"
 #include "match/report/Report.h"
 
 namespace gt::python {
@@ -34,7 +35,15 @@ constexpr int imagesOfReports = 12;
 std::string sceneFile(const DataRoot& root, const std::string& scene) {
   const std::filesystem::path path{scene};
   if (path.has_parent_path() || path.has_extension()) return scene;
-  return root.path("scenes/" + scene + ".scene");
+  const std::filesystem::path file = root.path("scenes/" + scene + ".scene");
+  std::error_code failed;
+  if (std::filesystem::exists(file, failed)) return file.string();
+  std::vector<std::string> known;
+  for (const auto& other : std::filesystem::directory_iterator{file.parent_path(), failed})
+    if (other.path().extension() == ".scene") known.push_back(other.path().stem().string());
+  std::ranges::sort(known);
+  throw Failure{
+      Error{.file = file.string(), .what = "there is no such file" + suggestion(scene, known)}};
 }
 
 MatchOptions optionsOf(const std::string& root, const std::string& scene, std::size_t threads,
@@ -61,7 +70,9 @@ void solveAll(PlayedMatch& match, const Solutions& solutions) {
   for (const auto& [name, tasks] : solutions) {
     const auto robot = std::ranges::find(robots, name, &SimulatedRobot::name);
     if (robot == robots.end())
-      throw Failure{Error{.field = "solutions", .what = "there is no robot '" + name + "'"}};
+      throw Failure{
+          Error{.field = "solutions",
+                .what = "there is no robot '" + name + "'" + suggestion(name, match.robotNames())}};
     for (const auto& [task, solution] : tasks)
       match.solve(static_cast<std::size_t>(robot - robots.begin()), task, solution);
   }
@@ -272,6 +283,32 @@ void bindMatch(nb::module_& module) {
                    "seconds: float = 600.0) -> bool"),
            "Steps until `predicate()` is true, but no longer than so many seconds of simulated\n"
            "time. Returns whether it is.")
+      .def("console", &PlayedMatch::console, "line"_a, nb::kw_only(), "robot"_a = "",
+           "Executes a line of the console (docs/console.md) for a robot, or for all, and returns\n"
+           "what it prints. Lines that would end or replace the match are refused.")
+      .def("picture", &PlayedMatch::picture, "view"_a = "scene", nb::kw_only(), "robot"_a = "",
+           "numbers"_a = std::vector<double>{}, "file"_a = "",
+           nb::sig("def picture(self, view: str = 'scene', *, robot: str = '', numbers: "
+                   "collections.abc.Sequence[float] = (), file: str = '') -> "
+                   "numpy.typing.NDArray[numpy.uint8]"),
+           "What a view shows now: (height, width, 3), uint8, RGB. The views are those of the\n"
+           "console (`console(\"picture ?\")`): scene, robot, image, field, ...; numbers: the\n"
+           "view's own, such as from where it looks; robot: whose, instead of the first one's;\n"
+           "file: where it is written, too, as .png or .svg. A robot's drawings are there once\n"
+           "they were asked for: `console(\"dk BallLocator/ball on\")`.")
+      .def(
+          "film",
+          [](const nb::object& self, const std::string& file, const std::string& view,
+             const std::string& robot, const std::vector<double>& numbers) {
+            return nb::module_::import_("gt2003._film")
+                .attr("Film")(self, file, view, robot, numbers);
+          },
+          "file"_a, "view"_a = "scene", nb::kw_only(), "robot"_a = "",
+          "numbers"_a = std::vector<double>{},
+          nb::sig("def film(self, file: str, view: str = 'scene', *, robot: str = '', numbers: "
+                  "collections.abc.Sequence[float] = ()) -> gt2003._film.Film"),
+          "Films a view from now on, as MP4, 25 images a simulated second, until `end()` of what\n"
+          "it returns, or until the end of a `with` block. Arguments as of `picture`.")
       .def("close", &PlayedMatch::close, "Closes the logs.")
       .def("place", &place, "name"_a, "x"_a, "y"_a, "rotation"_a = nb::none(),
            "Puts a robot on the field (mm, rad), or a ball (`ball`, `ball1`), which then rests.")

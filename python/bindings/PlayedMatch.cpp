@@ -1,5 +1,6 @@
 #include "PlayedMatch.h"
 
+#include <nanobind/ndarray.h>
 #include <nanobind/stl/string.h>
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 
 #include "Failure.h"
 #include "base/Lines.h"
+#include "base/Suggestion.h"
+#include "framework/UnknownNames.h"
 #include "robot/Solutions.h"
 
 namespace gt::python {
@@ -17,7 +20,21 @@ namespace nb = nanobind;
 /// How often a long run looks whether somebody presses Ctrl-C.
 constexpr int stepsBetweenSignals = 50;
 
+/// Commands that would take the match away, or more than one line.
+constexpr std::string_view notForPython[] = {"call",   "exit",  "load", "quit",  "reset",
+                                             "rewind", "scene", "seed", "start", "test"};
+
 }  // namespace
+
+void PlayedMatch::Screen::print(std::string_view line) {
+  if (printed) printed->append(line).append("\n");
+}
+
+void PlayedMatch::Screen::stepped() {
+  if (!printed || ++steps % stepsBetweenSignals != 0) return;
+  const nb::gil_scoped_acquire acquired;
+  if (PyErr_Occurred() || PyErr_CheckSignals() != 0) session->interrupt();
+}
 
 class PlayedMatch::Run {
  public:
@@ -35,7 +52,9 @@ class PlayedMatch::Run {
 
 PlayedMatch::PlayedMatch(const MatchOptions& options)
     : session_{orThrow(Session::make(options, screen_))},
-      console_{std::make_unique<Console>(*session_)} {}
+      console_{std::make_unique<Console>(*session_)} {
+  screen_.session = session_.get();
+}
 
 std::unique_ptr<PlayedMatch> PlayedMatch::load(const std::string& file,
                                                const MatchOptions& options) {
@@ -109,6 +128,67 @@ bool PlayedMatch::until(const nb::callable& predicate, double seconds) {
   return true;
 }
 
+std::vector<std::string> PlayedMatch::robotNames() {
+  std::vector<std::string> names;
+  for (const auto& robot : match().robots()) names.push_back(robot->name());
+  return names;
+}
+
+void PlayedMatch::select(const std::string& robot) {
+  if (robot.empty()) return execute("robot all");
+  const std::vector<std::string> known = robotNames();
+  if (std::ranges::find(known, robot) == known.end())
+    throw Failure{
+        Error{.field = "robot", .what = "there is no '" + robot + "'" + suggestion(robot, known)}};
+  execute("robot " + quotedWord(robot));
+}
+
+std::string PlayedMatch::console(const std::string& line, const std::string& robot) {
+  const Words words = orThrow(splitWords(line));
+  if (words.empty()) return {};
+  if (words.front() == "robot")
+    throw Failure{Error{.field = "robot", .what = "name it: match.console(LINE, robot=\"red1\")"}};
+  if (std::ranges::find(notForPython, words.front()) != std::end(notForPython))
+    throw Failure{Error{.field = words.front(),
+                        .what = "is not for a match of Python, which it would end or replace"}};
+  select(robot);
+  Result<void> done;
+  screen_.printed.emplace();
+  {
+    const Run run{*this};
+    const nb::gil_scoped_release released;
+    done = console_->execute(line);
+  }
+  const std::string printed = *std::exchange(screen_.printed, std::nullopt);
+  if (PyErr_Occurred()) throw nb::python_error();
+  orThrow(session_->match().teamFailure());
+  warnOfFailures();
+  orThrow(done);
+  return printed;
+}
+
+nb::object PlayedMatch::picture(const std::string& view, const std::string& robot,
+                                const std::vector<double>& numbers, const std::string& file) {
+  select(robot);
+  const auto views = console_->views();
+  const auto found = std::ranges::find(views, view, [](const auto& v) { return v->name(); });
+  if (found == views.end()) {
+    std::vector<std::string> known;
+    for (const auto& one : views) known.push_back(one->name());
+    throw Failure{
+        Error{.field = "view", .what = "there is no '" + view + "'" + suggestion(view, known)}};
+  }
+  const Sheet sheet = orThrow((*found)->show(console_->viewSubject(), numbers));
+  if (!file.empty()) orThrow(sheet.write(file));
+  auto pixels = std::make_unique<RgbImage>(sheet.pixels());
+  const std::size_t shape[] = {static_cast<std::size_t>(pixels->height),
+                               static_cast<std::size_t>(pixels->width), 3};
+  std::uint8_t* const first = pixels->pixels.data();
+  const nb::capsule owner{pixels.release(),
+                          [](void* p) noexcept { delete static_cast<RgbImage*>(p); }};
+  return nb::ndarray<nb::numpy, std::uint8_t>(first, 3, shape, owner).cast();
+}
+
 void PlayedMatch::execute(const std::string& line) {
   requireRest();
   orThrow(console_->execute(line));
@@ -154,7 +234,7 @@ nb::object PlayedMatch::join(std::size_t robot, const std::string& task, nb::han
   const Run busy{*this};  // what follows runs code of Python, which may let other threads run
   SimulatedRobot& known = *session_->match().robots()[robot];
   const Task* described = solutions().find(task);
-  if (!described) throw Failure{Error{.field = task, .what = "there is no such task"}};
+  if (!described) throw Failure{Error{.field = task, .what = noSuchTask(solutions(), task)}};
   std::string instead{SolutionTable::disabled};
   for (const auto& process : known.robot().processes())
     if (process->solves(task)) instead = process->activeSolution(task);

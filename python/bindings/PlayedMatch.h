@@ -29,6 +29,12 @@ class PlayedMatch {
   /// Steps until the predicate returns true, but no longer than `seconds`. Returns whether it did.
   bool until(const nanobind::callable& predicate, double seconds);
 
+  /// Executes any line of the console for a robot, or for all (empty), and returns what it prints.
+  std::string console(const std::string& line, const std::string& robot);
+  /// What a view shows of a robot, or of the first (empty): an array of RGB. Writes it to a file,
+  /// too, unless that is empty.
+  nanobind::object picture(const std::string& view, const std::string& robot,
+                           const std::vector<double>& numbers, const std::string& file);
   /// Executes a line of the console that changes something.
   void execute(const std::string& line);
   /// The same for one robot; an error is about what was given.
@@ -46,13 +52,23 @@ class PlayedMatch {
   void save(const std::string& file);
   void close();
 
+  /// The names of its robots, in the scene's order.
+  std::vector<std::string> robotNames();
+
   /// The match, unless it runs. References to what it has are valid until it runs on.
   Match& match();
   Session& session();
 
  private:
+  /// Keeps what is printed while somebody listens, and looks for Ctrl-C meanwhile.
   class Screen : public gt::Screen {
-    void print(std::string_view) override {}
+   public:
+    void print(std::string_view line) override;
+    void stepped() override;
+
+    std::optional<std::string> printed;  ///< Empty: nobody listens.
+    Session* session = nullptr;
+    int steps = 0;
   };
   /// Marks the match as running.
   class Run;
@@ -69,6 +85,7 @@ class PlayedMatch {
   };
 
   void requireRest() const;
+  void select(const std::string& robot);
   const Joined* findJoined(std::size_t robot, const std::string& task,
                            const std::string& name) const;
   nanobind::object join(std::size_t robot, const std::string& task, nanobind::handle made);

@@ -7,6 +7,8 @@
 #include "Failure.h"
 #include "Root.h"
 #include "Values.h"
+#include "base/Suggestion.h"
+#include "framework/UnknownNames.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/Image.h"
 #include "robot/Configuration.h"
@@ -24,7 +26,7 @@ std::string listOf(const Known& known) {
 
 const Task& taskOf(const std::string& name) {
   if (const Task* task = solutions().find(name)) return *task;
-  throw Failure{Error{.field = name, .what = "there is no such task"}};
+  throw Failure{Error{.field = name, .what = noSuchTask(solutions(), name)}};
 }
 
 const Solution& solutionOf(const Task& task, const std::string& name) {
@@ -32,7 +34,8 @@ const Solution& solutionOf(const Task& task, const std::string& name) {
   std::vector<std::string> known;
   for (const Solution& solution : task.solutions) known.push_back(solution.name);
   throw Failure{Error{.field = task.name,
-                      .what = "there is no solution '" + name + "', only " + listOf(known)}};
+                      .what = "there is no solution '" + name + "', only " + listOf(known) +
+                              suggestion(name, known)}};
 }
 
 std::vector<const RepresentationType*> typesOf(const Solution& solution) {

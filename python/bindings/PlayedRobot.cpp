@@ -8,6 +8,8 @@
 #include "Failure.h"
 #include "Values.h"
 #include "base/Lines.h"
+#include "base/Suggestion.h"
+#include "framework/UnknownNames.h"
 #include "robot/Solutions.h"
 
 namespace gt::python {
@@ -25,12 +27,27 @@ nb::object planeOf(const void* data, const CameraInfo& info, const nb::object& o
   return nb::ndarray<nb::numpy, const N>(data, 2, shape, owner).cast();
 }
 
+std::vector<std::string> parameterNames(ModuleProcess& process, const std::string& task,
+                                        const std::string& solution) {
+  std::vector<std::string> names;
+  for (const TaskDescription& described : process.describe(task).tasks)
+    for (const SolutionDescription& known : described.solutions)
+      if (known.name == solution)
+        for (const ParameterDescription& parameter : known.parameters)
+          names.push_back(parameter.path);
+  return names;
+}
+
 }  // namespace
 
 ModuleProcess& PlayedRobot::solving(const std::string& task) const {
   for (const auto& process : robot().robot().processes())
     if (process->solves(task)) return *process;
-  throw Failure{Error{.field = task, .what = "the robot has no such representation or task"}};
+  std::vector<std::string> known = representations();
+  for (const auto& [name, described] : gt::solutions().tasks()) known.push_back(name);
+  throw Failure{
+      Error{.field = task,
+            .what = "the robot has no such representation or task" + suggestion(task, known)}};
 }
 
 ConstValue PlayedRobot::parameterAt(const std::string& path) const {
@@ -41,14 +58,18 @@ ConstValue PlayedRobot::parameterAt(const std::string& path) const {
   const bool named = known && known->find(first);
   auto value =
       named ? process.parameterValue(task, first, behind) : process.parameterValue(task, "", rest);
-  if (!value) throw Failure{Error{.field = path, .what = value.error().what}};
-  return *value;
+  if (value) return *value;
+  const auto parameters =
+      parameterNames(process, task, named ? first : process.activeSolution(task));
+  throw Failure{Error{.field = path,
+                      .what = value.error().what + suggestion(named ? behind : rest, parameters)}};
 }
 
-ConstValue PlayedRobot::valueAt(const std::string& path) const {
+ConstValue PlayedRobot::valueAt(const std::string& path, std::string* spelled) const {
   const auto [representation, rest] = splitPath(path);
   const auto value = robot().robot().value(representation);
-  return value ? at(*value, rest, path) : parameterAt(path);
+  if (spelled) *spelled = value ? representation : path;
+  return value ? at(*value, rest, path, spelled) : parameterAt(path);
 }
 
 nb::object PlayedRobot::get(const std::string& path) const {
@@ -56,7 +77,9 @@ nb::object PlayedRobot::get(const std::string& path) const {
 }
 
 void PlayedRobot::set(const std::string& path, nb::handle value) const {
-  setFields(path, value, valueAt(path).type());
+  std::string spelled;
+  const ConstValue now = valueAt(path, &spelled);
+  setFields(spelled, value, now.type());
 }
 
 void PlayedRobot::setFields(const std::string& path, nb::handle value, const Type& type) const {
@@ -120,7 +143,7 @@ nb::dict PlayedRobot::parameters(const std::string& task, const std::string& sol
               toPython(*process.parameterValue(task, wanted, parameter.path));
         return values;
       }
-  throw Failure{Error{.field = task, .what = "there is no solution '" + wanted + "'"}};
+  throw Failure{Error{.field = task, .what = noSuchSolution(*gt::solutions().find(task), wanted)}};
 }
 
 nb::object PlayedRobot::image() const {

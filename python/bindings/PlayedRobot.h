@@ -33,7 +33,8 @@ class PlayedRobot {
   SimulatedRobot& robot() const { return *match_->match().robots()[index_]; }
   std::size_t inSimulation() const { return match_->match().robotIndex(index_); }
   ModuleProcess& solving(const std::string& task) const;
-  ConstValue valueAt(const std::string& path) const;
+  /// Stores the path as it is spelled in C++ in `spelled`.
+  ConstValue valueAt(const std::string& path, std::string* spelled = nullptr) const;
   ConstValue parameterAt(const std::string& path) const;
   /// Executes a line of the console for this robot; an error is about what was given.
   void execute(const std::string& line, const std::string& about) const;

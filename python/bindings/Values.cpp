@@ -13,7 +13,9 @@
 #include "Failure.h"
 #include "Types.h"
 #include "base/Lines.h"
+#include "base/Suggestion.h"
 #include "streams/NumberType.h"
+#include "streams/Schema.h"
 
 namespace gt::python {
 namespace {
@@ -307,9 +309,18 @@ void arrayFromPython(nb::handle object, Value value, const Dense& dense, const P
   });
 }
 
+/// A field by its name, or by that which it has in logs (`last_seen` for lastSeen).
 const Part* partOf(const Type& record, std::string_view name) {
-  const auto found = std::ranges::find(record.parts, name, &Part::name);
+  auto found = std::ranges::find(record.parts, name, &Part::name);
+  if (found == record.parts.end())
+    found = std::ranges::find_if(record.parts,
+                                 [&](const Part& part) { return snakeCase(part.name) == name; });
   return found == record.parts.end() ? nullptr : &*found;
+}
+
+std::string noSuchField(const Type& record, std::string_view name) {
+  return std::string{record.name} + " has no field " + std::string{name} +
+         suggestion(name, namesIn(record.parts));
 }
 
 void recordFromPython(nb::handle object, Value value, const Place& place) {
@@ -319,7 +330,7 @@ void recordFromPython(nb::handle object, Value value, const Place& place) {
       const auto name = nb::cast<std::string>(nb::str(key));
       const Part* part = partOf(type, name);
       const Place inside{&place, name};
-      if (!part) fail(inside, std::string{type.name} + " has no such field");
+      if (!part) fail(inside, noSuchField(type, name));
       setFromPython(content, value.part(*part), inside);
     }
     return;
@@ -451,7 +462,8 @@ std::string configText(nb::handle object, const Type& type, const std::string& p
   return text;
 }
 
-ConstValue at(ConstValue root, std::string_view path, const std::string& whole) {
+ConstValue at(ConstValue root, std::string_view path, const std::string& whole,
+              std::string* spelled) {
   while (!path.empty()) {
     const std::size_t dot = std::min(path.find('.'), path.size());
     const std::string_view name = path.substr(0, dot);
@@ -459,9 +471,10 @@ ConstValue at(ConstValue root, std::string_view path, const std::string& whole) 
     const Type& type = root.type();
     if (type.kind == Kind::record) {
       const Part* part = partOf(type, name);
-      if (!part)
-        fail({nullptr, whole}, std::string{type.name} + " has no field " + std::string{name});
+      if (!part) fail({nullptr, whole}, noSuchField(type, name));
       root = root.part(*part);
+      if (spelled) spelled->append(".").append(part->name);
+      continue;
     } else if (type.kind == Kind::array || type.kind == Kind::list) {
       const auto index = elementIndex(type, root.size(), name);
       if (!index) fail({nullptr, whole}, "there is no element " + std::string{name});
@@ -469,6 +482,7 @@ ConstValue at(ConstValue root, std::string_view path, const std::string& whole) 
     } else {
       fail({nullptr, whole}, "a single value has no field " + std::string{name});
     }
+    if (spelled) spelled->append(".").append(name);
   }
   return root;
 }

@@ -45,7 +45,9 @@ void fromPython(nb::handle object, Value value, std::string_view path);
 std::string configText(nb::handle object, const Type& type, const std::string& path);
 
 /// The value at a path below a record, array or list, such as "pose.translation.x". Throws Failure.
-ConstValue at(ConstValue root, std::string_view path, const std::string& whole);
+/// Appends the path with its fields as they are spelled in C++ to `spelled`.
+ConstValue at(ConstValue root, std::string_view path, const std::string& whole,
+              std::string* spelled = nullptr);
 
 /// The first name of a path, and what follows its dot.
 std::pair<std::string, std::string> splitPath(const std::string& path);

@@ -17,7 +17,7 @@ from ._error import Error
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Log", "Records"]
+__all__ = ["Log", "Records", "Topics"]
 
 T = TypeVar("T")
 
@@ -47,6 +47,18 @@ class Records(Mapping[str, T]):
 
     def __repr__(self) -> str:
         return f"Records({self._pairs})"
+
+
+class Topics(dict[str, np.ndarray]):
+    """Arrays by their topics; `BallModel` stands for `/BallModel`, as wherever a topic is named."""
+
+    def __missing__(self, name: str) -> np.ndarray:
+        if name.startswith("/"):
+            raise KeyError(name)
+        return self[_topic(name)]
+
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and super().__contains__(_topic(name))
 
 
 class Log:
@@ -100,7 +112,7 @@ class Log:
         """The files in the log by name: of a match's log, the robot's configuration."""
         return Records(self._file.attachments())
 
-    def read(self, *topics: str) -> dict[str, np.ndarray]:
+    def read(self, *topics: str) -> Topics:
         """Return the arrays of some topics (or of all) by name, read together."""
         readable = {topic for topic, _, why in self._file.channels() if not why}
         wanted = [_topic(topic) for topic in topics] or sorted(readable)
@@ -112,7 +124,7 @@ class Log:
         for topic, (row, rows, pools, times) in self._file.read(unread).items():
             self._rows[topic] = row
             self._arrays[topic] = _table(row, rows, pools, times)
-        return {topic: self._arrays[topic] for topic in wanted}
+        return Topics({topic: self._arrays[topic] for topic in wanted})
 
     def __getitem__(self, topic: str) -> np.ndarray:
         return self.read(topic)[_topic(topic)]

@@ -132,6 +132,16 @@ def test_each_agent_of_soccer_is_a_row_of_its_form_for_gymnasium() -> None:
     assert not each.agents and truncated["red1"]
 
 
+def test_wrong_names_of_options_are_told() -> None:
+    for option, message in (
+        ({"observations": "stat"}, "observations: there is no 'stat'; expected state, .*; did you mean 'state'"),
+        ({"actions": "joint"}, "did you mean 'joints'"),
+        ({"profile": "padua"}, "profile: there is no 'padua'; did you mean 'padova'"),
+    ):
+        with pytest.raises(gt2003.Error, match=message):
+            gymnasium.make("GT2003/Walk-v0", **option)
+
+
 def test_wrong_things_of_soccer_are_errors() -> None:
     for options in ({"agents": "blue"}, {"agents": 4}, {"render_mode": "human"}, {"observation": "state"}):
         with pytest.raises(gt2003.Error):

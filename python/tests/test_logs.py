@@ -332,3 +332,14 @@ def test_damage_loses_itself_only(tmp_path: Path) -> None:
     assert log.damage and "/a: 1 message at 3.000 s cannot be read" in log.damage
     with pytest.raises(gt2003.Error, match="expected little endian CDR"):
         gt2003.Log(file)["a"]
+
+
+def test_topics_are_read_by_either_name(log: gt2003.Log) -> None:
+    read = log.read("BallModel")
+    assert list(read) == ["/BallModel"]
+    assert read["BallModel"] is read["/BallModel"]
+    assert "BallModel" in read and "/BallPercept" not in read
+    with pytest.raises(KeyError):
+        read["BallPercept"]
+    with pytest.raises(gt2003.Error, match="the log has no such topic; did you mean '/BallModel'"):
+        log["BalModel"]

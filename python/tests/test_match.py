@@ -256,6 +256,7 @@ def test_ctrl_c_ends_a_run_and_the_match_goes_on() -> None:
     ("arguments", "message"),
     [
         ({"scene": "nowhere"}, "nowhere.scene: there is no such file"),
+        ({"scene": "mach"}, "mach.scene: there is no such file; did you mean 'match'?"),
         ({"profile": "perfekt"}, 'profile: unknown: "perfekt"'),
         ({"minutes": 0}, "minutes: must be from 0.01 to 10000"),
         ({"minutes": math.nan}, "minutes: must be from 0.01 to 10000"),
@@ -284,3 +285,67 @@ def test_wrong_types_are_type_errors() -> None:
         match.place("red1", math.nan, 0)
     with pytest.raises(KeyError):
         match.robots["green1"]
+
+
+def test_the_console_prints_to_python() -> None:
+    match = gt2003.Match(SHORT, seed=3)
+    assert "PIDSmoothed" in match.console("sr BallLocator ?", robot="red1")
+    before = match.time
+    match.console("run 400 ms")
+    assert match.time == before + 400
+    match.console("sr BallLocator BallChallenge", robot="red2")
+    assert match.robots["red2"].solutions["BallLocator"] == "BallChallenge"
+    assert match.robots["red1"].solutions["BallLocator"] == "PIDSmoothed"
+    assert match.console("") == ""
+
+
+@pytest.mark.parametrize(
+    ("line", "robot", "message"),
+    [
+        ("reset", "", "reset: is not for a match of Python"),
+        ("call script", "", "call: is not for a match of Python"),
+        ("robot red1", "", "name it: match.console"),
+        ("get time", "red9", "there is no 'red9'; did you mean 'red1'?"),
+        ("pictur field a.png", "", "did you mean 'picture'?"),
+        ('echo "', "", "a quote is not closed"),
+    ],
+)
+def test_the_console_refuses_what_would_end_the_match(line: str, robot: str, message: str) -> None:
+    match = gt2003.Match(SHORT)
+    with pytest.raises(gt2003.Error) as raised:
+        match.console(line, robot=robot)
+    assert message in str(raised.value)
+    assert match.run(0.1)
+
+
+def test_console_lines_are_saved_with_the_match(tmp_path: Path) -> None:
+    match = gt2003.Match(SHORT, seed=3)
+    match.console("sr BallLocator BallChallenge", robot="red2")
+    match.run(1)
+    match.save(str(tmp_path / "a.state"))
+    again = gt2003.Match.load(str(tmp_path / "a.state"))
+    assert all_values(again) == all_values(match)
+
+
+def test_pictures_are_arrays_and_files(tmp_path: Path) -> None:
+    match = gt2003.Match(SHORT, seed=3)
+    match.run(1)
+    field = match.picture("field", file=str(tmp_path / "field.png"))
+    assert field.dtype == np.uint8 and field.ndim == 3 and field.shape[2] == 3
+    assert (tmp_path / "field.png").read_bytes().startswith(b"\x89PNG")
+    assert len(np.unique(field.reshape(-1, 3), axis=0)) > 5, "a field has several colors"
+    left, ahead = (match.picture("robot", robot="red2", numbers=[angle]) for angle in (90, 0))
+    assert not np.array_equal(left, ahead)
+    assert np.array_equal(left, match.picture("robot", robot="red2", numbers=[90]))
+    with pytest.raises(gt2003.Error, match="view: there is no 'feild'; did you mean 'field'?"):
+        match.picture("feild")
+
+
+def test_films_end_with_their_block(tmp_path: Path) -> None:
+    match = gt2003.Match(SHORT, seed=3)
+    with match.film(str(tmp_path / "a b.mp4"), "field") as film:
+        match.run(0.4)
+    assert film.path.stat().st_size > 500
+    assert film.end() == film.path, "has ended before"
+    with pytest.raises(gt2003.Error, match="none is being made"):
+        match.console("film stop")

@@ -126,7 +126,7 @@ def test_parameters_change_what_it_does() -> None:
         ({"landmarks": LandmarksPercept()}, "landmarks: Kalman has no such input, only landmarks_"),
         ({"landmarks_percept": 3}, "landmarks_percept: expected a LandmarksPercept, got int"),
         ({"landmarks_percept": RobotPose()}, "expected a LandmarksPercept, got RobotPose"),
-        ({"landmarks_percept": {"flag": []}}, "landmarks_percept.flag: LandmarksPercept has no such"),
+        ({"landmarks_percept": {"flag": []}}, "flag: LandmarksPercept has no field flag; did you mean 'flags'?"),
         ({"landmarks_percept": {"flags": 6 * [1]}}, "landmarks_percept.flags.0: expected a "),
         ({"odometry_data": {"pose": {"translation": [1, 2, 3]}}}, "expected an array of shape (2)"),
         ({"odometry_data": {"pose": {"translation": ["a", "b"]}}}, "expected an array of float64"),
@@ -149,6 +149,10 @@ def test_unknown_names_are_told() -> None:
         modules.BallLocator("Best")
     with pytest.raises(gt2003.Error, match="there is no such task"):
         modules.Module("BallFinder", "Kalman")
+    with pytest.raises(gt2003.Error, match="did you mean 'PIDSmoothed'"):
+        modules.BallLocator("PidSmoothed")
+    with pytest.raises(gt2003.Error, match="BallLocater: there is no such task; did you mean 'BallLocator'"):
+        modules.Module("BallLocater", "Kalman")
     with pytest.raises(gt2003.Error, match="image: GT2003 needs one"):
         modules.ImageProcessor().update()
 

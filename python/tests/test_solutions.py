@@ -195,7 +195,7 @@ def test_a_failed_solution_gives_way_to_the_compiled_one() -> None:
         (None, "expected a BallModel, got NoneType"),
         (RobotPose(), "expected a BallModel, got RobotPose"),
         ({"position": [1, np.nan]}, "expected finite numbers"),
-        ({"place": 1}, "BallModel.place: BallModel has no such field"),
+        ({"place": 1}, "BallModel.place: BallModel has no field place"),
     ],
 )
 def test_what_does_not_fit_is_a_failure(returned: object, message: str) -> None:

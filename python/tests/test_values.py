@@ -120,6 +120,10 @@ def test_parameters_are_read_and_set_with_their_types(robot: gt2003.Robot) -> No
     ("path", "value", "message"),
     [
         ("Nothing", 1, "no such representation or task"),
+        ("BallModl.position", 1, "no such representation or task; did you mean 'BallModel'?"),
+        ("BallLocater.proportional", 1, "no such representation or task; did you mean 'BallLocator'?"),
+        ("BallLocator.proportionl", 1, "there is no such parameter; did you mean 'proportional'?"),
+        ("RobotPose.validty", 1, "RobotPose has no field validty; did you mean 'validity'?"),
         ("RobotPose.place", 1, "RobotPose has no field place"),
         ("RobotPose.pose.rotation.x", 1, "a single value has no field x"),
         ("JointData.angles.tail", 1, "there is no element tail"),
@@ -156,12 +160,21 @@ def test_what_does_not_fit_is_one_error_and_changes_nothing(
     assert robot.parameters("BallLocator") == parameters
 
 
+def test_fields_have_the_spelling_of_logs_too(robot: gt2003.Robot) -> None:
+    robot.solve("BallLocator", "disabled")
+    robot.set("BallModel.consecutive_time_seen", 40)
+    assert robot.get("BallModel.consecutiveTimeSeen") == robot.get("BallModel.consecutive_time_seen") == 40
+    robot.solve("BallLocator", "PIDSmoothed")
+
+
 def test_unknown_tasks_and_solutions_are_told(robot: gt2003.Robot) -> None:
     for task, solution in (("BallFinder", "Kalman"), ("BallLocator", "Best"), ("", "")):
         with pytest.raises(gt2003.Error):
             robot.solve(task, solution)
     with pytest.raises(gt2003.Error, match="no solution 'Best'"):
         robot.parameters("BallLocator", "Best")
+    with pytest.raises(gt2003.Error, match="no solution 'PIDSmooth'.*; did you mean 'PIDSmoothed'?"):
+        robot.solve("BallLocator", "PIDSmooth")
 
 
 def test_records_refuse_unknown_fields() -> None:
