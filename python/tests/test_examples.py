@@ -10,6 +10,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+PAGE = Path(__file__).resolve().parents[2] / "docs/python.md"
 
 
 def run(name: str, *arguments: str, folder: Path) -> str:
@@ -70,3 +71,21 @@ def test_the_learned_policy_plays_in_a_match(tmp_path: Path) -> None:
     found = re.search(r"red3: LearnedStriker kicked (\d+) times", told)
     assert found and int(found[1]) >= 1, told
     assert "Final score" in told
+
+
+def test_the_pages_lines_film_an_episode_and_plot_a_log(tmp_path: Path) -> None:
+    blocks = re.findall(r"^```python\n(.*?)^```$", PAGE.read_text(), re.MULTILINE | re.DOTALL)
+    film = next(block for block in blocks if "RecordVideo" in block)
+    plot = next(block for block in blocks if "matplotlib" in block)
+    play = "import gt2003\nmatch = gt2003.Match(seed=1, logs='out/match')\nmatch.run(2)\nmatch.close()\n"
+    for lines in (film, play + plot):
+        done = subprocess.run(
+            [sys.executable, "-c", lines],
+            cwd=tmp_path,
+            env={**os.environ, "MPLBACKEND": "agg", "MPLCONFIGDIR": str(tmp_path)},
+            capture_output=True,
+            text=True,
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert (tmp_path / "out/videos/rl-video-episode-0.mp4").stat().st_size > 1000
+    assert (tmp_path / "validity.png").read_bytes().startswith(b"\x89PNG")
