@@ -172,16 +172,16 @@ std::vector<WrongFile> wrongFiles() {
   return {
       {"SceneMissing", scene, missing, play, "simgt: " + scene + ": there is no such file"},
       {"SceneTruncated", scene, truncated(300), play, "simgt: " + scene + ":"},
-      {"SceneGarbage", scene, garbage(), play, "simgt: " + scene + ":1: "},
-      {"SceneWrongName", scene, replaced("team=", "crew="), play, "simgt: " + scene + ":6: "},
+      {"SceneGarbage", scene, garbage(), play, "simgt: " + scene + ":1:1: "},
+      {"SceneWrongName", scene, replaced("team=", "crew="), play, "simgt: " + scene + ":6:12: "},
       {"SceneWrongValue", scene, replaced("x=\"-800\"", "x=\"left\""), play,
-       "simgt: " + scene + ":6: "},
-      {"ModelMissing", model, missing, play, "simgt: " + scene + ":9: model: "},
+       "simgt: " + scene + ":6:39: x: "},
+      {"ModelMissing", model, missing, play, "simgt: " + scene + ":9:5: model: "},
       {"ModelGarbage", model, garbage(), play, "simgt: models/ball.xml"},
       {"ModelTruncated", model, truncated(200), play, "simgt: models/ball.xml"},
 
       {"LayoutMissing", layout, missing, play,
-       "simgt: " + scene + ":6: layout: there is no file " + layout},
+       "simgt: " + scene + ":6:5: layout: there is no file " + layout},
       {"LayoutTruncated", layout, replaced("  SensorDataProcessor\n", ""), play,
        "simgt: " + layout + ":"},
       {"LayoutGarbage", layout, garbage(), play, "simgt: " + layout + ":1: "},
@@ -300,7 +300,7 @@ TEST(Programs, CheckLooksIntoTeams) {
   workplace.write("teams/mine/behavior/options/ball/search_ball.xabsl",
                   "option search_ball { initial state a { action { sleeep(); } } }\n");
   workplace.write("teams/none/readme/it.txt", "");
-  const std::string option = "teams/mine/behavior/options/ball/search_ball.xabsl:1: ";
+  const std::string option = "teams/mine/behavior/options/ball/search_ball.xabsl:1:49: ";
   const Outcome all = workplace.run("simgt check");
   EXPECT_EQ(all.status, 2);
   EXPECT_THAT(all.errors, HasSubstr("simgt: teams/mine/config/modules.cfg:1: BallLocator: "));
@@ -368,9 +368,9 @@ TEST(Programs, CheckTellsAllErrorsOfATree) {
         "config/nao2009/field.cfg:1: ballRadus", "config/nao2009/field.cfg:2: wallHeight",
         "config/player.cfg:1: teamColor", "layouts/single.layout:2: BallFinder",
         "layouts/single.layout:3: GoalFinder", "models/odd.xml:1: worldbody",
-        "models/odder.xml:1: ", "motions/postures/stand.mof:1: ", "scenes/empty.scene:1: ",
-        "scenes/match.scene:2: ball", "scenes/match.scene:3: joints",
-        "scenes/several.scene:3: model"}) {
+        "models/odder.xml:1: ", "motions/postures/stand.mof:1: ", "scenes/empty.scene:1:25: ",
+        "scenes/match.scene:2:1: ball", "scenes/match.scene:3:8: joints",
+        "scenes/several.scene:3:1: model"}) {
     const std::size_t found = outcome.errors.find("simgt: " + std::string{file}, at);
     EXPECT_NE(found, outcome.errors.npos) << file << " is not reported, or not in order:\n"
                                           << outcome.errors;

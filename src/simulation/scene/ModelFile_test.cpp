@@ -87,7 +87,7 @@ TEST_F(ModelFiles, WrongIncludes) {
   EXPECT_THAT(errorsOf("<mujoco><include file='a.xml'><b/></include></mujoco>"),
               ElementsAre("model.xml:1: include: has no content"));
   EXPECT_THAT(errorsOf("<mujoco><include file='broken.xml'/></mujoco>"),
-              ElementsAre(testing::StartsWith("broken.xml:2: ")));
+              ElementsAre(testing::StartsWith("broken.xml:2:13: ")));
 }
 
 TEST_F(ModelFiles, NoIncludeIsTooDeep) {
